@@ -1,10 +1,11 @@
 """Which pictures do the README and the site show?  Those of the pages themselves, filmed in a browser: `make pictures`.
 
     page 00, "motion"       the robot drives, its laser sees the room         \\
-    page 09, "walls-walk"   a clock runs late, and the walls walk away         > docs/pictures/drive.webp
+    page 09, "walls-walk"   a clock runs late, and the walls walk away         > docs/pictures/drive.webp, drive.ko.webp
     exercise E3.3           a wrong answer, and what `check` says of it       /
 
-Nothing is drawn here.  It needs Chromium, as the tests in a browser do.
+Nothing is drawn here.  The reply that is seen is written into the file as well (XMP, `dc:description`), for a
+test to hold it to what `check` says today.  It needs Chromium, as the tests in a browser do, and a Korean font.
 """
 
 from __future__ import annotations
@@ -16,6 +17,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 from tempfile import TemporaryDirectory
+from xml.sax.saxutils import escape
 
 import nbformat
 from PIL import Image
@@ -24,18 +26,24 @@ from playwright.sync_api import Page, sync_playwright
 from tflab.views.export import export_html
 from tflab.workbook.pages.html import run_with_films
 from tflab.workbook.places import workbook_data
+from tflab.workbook.words import LANGUAGES
 
 PICTURES = Path(__file__).parent / "pictures"
 SIZE = (720, 380)  # [px]
-QUALITY = 70  # of 100
-FILMS = (("00_start", "motion", 24, 110), ("09_exceptions_and_waiting", "walls-walk", 6, 450))  # frames, each [ms]
-REPLY_MS = 5000
+QUALITY = 65  # of 100; below, what differs little from the frame before keeps its colour
+FILMS = (("00_start", "motion", 20, 130), ("09_exceptions_and_waiting", "walls-walk", 6, 450))  # frames, each [ms]
+REPLY = '[id="cell-id=reply"]'
+REPLY_MS = 6000
+REPLY_WIDTH = 720  # [px] of the window: as wide as a frame, so that the letters of the reply are not made smaller
 WRONG_ANSWER = """def invert(a_pose_b):
-    return {'x': -a_pose_b['x'], 'y': -a_pose_b['y'], 'yaw': -a_pose_b['yaw']}
+    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": -a_pose_b["yaw"]}
 
 check("E3.3", invert)"""
 CHROMIUM = ["--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader"]
 CHROMIUM += ["--enable-unsafe-swiftshader"]
+XMP = """<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">
+<rdf:Description xmlns:dc="http://purl.org/dc/elements/1.1/" dc:language="{language}">
+<dc:description>{said}</dc:description></rdf:Description></rdf:RDF></x:xmpmeta>"""
 SET = "(range, value) => { range.value = value; range.dispatchEvent(new Event('input', {bubbles: true})); }"
 
 
@@ -51,16 +59,26 @@ def main() -> int:
         chromium = driver.chromium.launch(
             executable_path=browser, args=CHROMIUM, ignore_default_args=["--headless", "--headless=old"]
         )
-        tab = chromium.new_page(viewport={"width": 900, "height": 700})
-        frames: list[tuple[Image.Image, int]] = []
-        for stem, cell, count, each_ms in FILMS:
-            tab.goto(_exported(workbook_data() / "notebooks" / "en" / f"{stem}.ipynb", Path(folder)).as_uri())
-            frames += [(frame, each_ms) for frame in _film(tab, cell, count)]
-        tab.goto(_exported(_reply(Path(folder)), Path(folder)).as_uri())
-        frames.append((_shot(tab, '[id="cell-id=reply"]'), REPLY_MS))
+        for language in LANGUAGES:
+            _make(chromium.new_page(viewport={"width": 900, "height": 700}), language, Path(folder) / language)
         chromium.close()
-    _write(PICTURES / "drive.webp", frames)
     return 0
+
+
+def _make(tab: Page, language: str, folder: Path) -> None:
+    """Film the pages of a language, then the reply, and write the picture."""
+    folder.mkdir()
+    frames: list[tuple[Image.Image, int]] = []
+    for stem, cell, count, each_ms in FILMS:
+        tab.goto(_exported(workbook_data() / "notebooks" / language / f"{stem}.ipynb", folder).as_uri())
+        frames += [(frame, each_ms) for frame in _film(tab, cell, count)]
+    tab.set_viewport_size({"width": REPLY_WIDTH, "height": SIZE[1]})
+    tab.goto(_exported(_reply(language, folder), folder).as_uri())
+    drawn = _shot(tab, f"{REPLY} img")
+    tab.locator(f"{REPLY} img").evaluate("drawing => drawing.remove()")
+    frames += [(_shot(tab, REPLY), REPLY_MS), (drawn, REPLY_MS // 2)]
+    said = _plain_reply(folder / "run-reply" / "reply.ipynb")
+    _write(PICTURES / ("drive.webp" if language == "en" else f"drive.{language}.webp"), frames, language, said)
 
 
 def _exported(notebook: Path, folder: Path) -> Path:
@@ -70,15 +88,21 @@ def _exported(notebook: Path, folder: Path) -> Path:
     return export_html(run_with_films(notebook, run_in), folder / "pages")
 
 
-def _reply(folder: Path) -> Path:
+def _reply(language: str, folder: Path) -> Path:
     """Return a notebook with one wrong answer, and its check."""
     cells = [
         nbformat.v4.new_code_cell("%load_ext tflab\nfrom tflab.workbook import check", id="load"),
         nbformat.v4.new_code_cell(WRONG_ANSWER, id="reply"),
     ]
     path = folder / "reply.ipynb"
-    nbformat.write(nbformat.v4.new_notebook(cells=cells), path)
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": language}}), path)
     return path
+
+
+def _plain_reply(notebook: Path) -> str:
+    """Return as text what the last cell of a notebook that was run says first."""
+    output, *_ = nbformat.read(notebook, as_version=4).cells[-1].outputs
+    return output.data["text/plain"]
 
 
 def _film(tab: Page, cell: str, count: int) -> Iterator[Image.Image]:
@@ -103,11 +127,13 @@ def _shot(tab: Page, selector: str) -> Image.Image:
     return frame
 
 
-def _write(path: Path, frames: list[tuple[Image.Image, int]]) -> None:
-    """Write a moving picture that goes round for ever."""
+def _write(path: Path, frames: list[tuple[Image.Image, int]], language: str, said: str) -> None:
+    """Write a moving picture that goes round for ever, and with it the reply that it shows."""
     first, *rest = [frame for frame, _ in frames]
     durations = [each_ms for _, each_ms in frames]
-    first.save(path, save_all=True, append_images=rest, duration=durations, loop=0, quality=QUALITY, method=6)
+    xmp = XMP.format(language=language, said=escape(said)).encode()
+    how = {"quality": QUALITY, "method": 6, "minimize_size": True, "loop": 0}
+    first.save(path, save_all=True, append_images=rest, duration=durations, xmp=xmp, **how)
     print(f"{path}: {path.stat().st_size / 1000:.0f} kB")
 
 

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import html
 import importlib.util
 import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -14,10 +16,13 @@ from types import ModuleType
 
 import pytest
 import yaml
+from PIL import Image
 
 from tflab.cli import SUBCOMMANDS
+from tflab.workbook.checks import check
 from tflab.workbook.course import contents
 from tflab.workbook.course.course import read_course
+from tflab.workbook.places import CASES, Workbook, write_workbook
 
 ROOT = Path(__file__).parents[1]
 READMES = {"en": "README.md", "ko": "README.ko.md"}
@@ -222,12 +227,27 @@ def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab
     assert "made by another" not in make("lab", f"PYTHON={new}", folder=tmp_path).stdout
 
 
+def backwards(a_pose_b: dict[str, float]) -> dict[str, float]:
+    """Turn every sign, as the README's sample and its picture do."""
+    return {"x": -a_pose_b["x"], "y": -a_pose_b["y"], "yaw": -a_pose_b["yaw"]}
+
+
 @pytest.mark.parametrize("language", READMES)
-def test_the_sample_is_what_check_says_today(language: str) -> None:
-    cases = (ROOT / "exercises" / "cases" / "03_target_and_source.json").read_text(encoding="utf-8")
-    page = (ROOT / READMES[language]).read_text(encoding="utf-8")
-    sample = re.search(r"E3\.3 ✗ 10/18: (.*?)\n(?:It was called|이렇게 호출)", page, re.DOTALL)
-    assert json.dumps(" ".join(sample[1].split()), ensure_ascii=False) in cases
+def test_the_sample_and_the_picture_show_what_check_says_today(
+    language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write_workbook(tmp_path, Workbook(language=language))
+    shutil.copytree(ROOT / CASES, tmp_path / CASES)
+    monkeypatch.chdir(tmp_path)
+    check("E3.3", backwards)
+    said = capsys.readouterr().out.split()
+    sample = re.search(r"^E3\.3 ✗ .*?(?=^```)", readme(language), re.DOTALL | re.MULTILINE)[0].split()
+    assert sample == said[: len(sample)]
+    (name,) = re.findall(r"!\[[^\]]+\]\(([^)]+)\)", readme(language))
+    about = Image.open(ROOT / name).info["xmp"].decode()
+    assert f'dc:language="{language}"' in about
+    shown = html.unescape(re.search(r"<dc:description>(.*)</dc:description>", about, re.DOTALL)[1])
+    assert shown.split() == said, "run: make pictures"
 
 
 def test_what_a_korean_teacher_is_told_to_type_is_what_an_english_one_is() -> None:
