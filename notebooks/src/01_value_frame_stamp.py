@@ -371,13 +371,13 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### Try it
 #
 # Move the robot, turn it, move the thing; then let it rest on the tray instead of the floor.
-# *same* and *changed* compare with where everything was at first. Can you change the triple of `laser_frame`, and of no other frame?
+# *same* and *changed* compare with the robot where it was at first, and with the thing where it first lay on the floor, or on the tray if that is chosen. Can you change the triple of `laser_frame`, and of no other frame?
 
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
 #
 # 로봇을 옮기고, 돌리고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
-# same과 changed는 처음 상태와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
+# same과 changed는 로봇이 처음 자리에 있고 물체가 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있을 때와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="rulers-notes" slide="notes"
 # Hand the mouse to somebody.

@@ -54,6 +54,18 @@ def test_a_robot_that_turns_keeps_what_is_on_its_tray():
     assert changes == ["changed", "same", "same"]
 
 
+def test_a_slider_that_moves_nothing_is_grey():
+    panel = rulers_panel()
+    of_the_thing = [panel.controls[name] for name in ("thing x [m]", "thing y [m]")]
+    for place, grey in (("tray", True), ("floor", False)):
+        panel.controls["rests on"].value = place
+        assert [each.disabled for each in of_the_thing] == [grey, grey]
+    before = panel.text
+    of_the_thing[0].value = 3.0
+    assert panel.text != before
+    panel.close()
+
+
 def test_the_picture_is_small_and_the_same_bytes_every_time():
     first, again = (draw_rulers(POSES, THING).png() for _ in range(2))
     assert first == again

@@ -16,7 +16,7 @@ from tflab.core.quaternions import Vector3
 
 from ..rulers import RulersPicture, readings_of
 from .drawn_ahead import At
-from .panel import Panel, slider
+from .panel import SLIDER_WIDTH, Panel, slider
 from .words import said
 
 BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
@@ -49,11 +49,13 @@ def rulers_panel(
     yaw = slider("robot yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad", language)
     thing_x = slider("thing x", thing_m[0], 0.0, 7.5, 0.05, "m", language)
     thing_y = slider("thing y", thing_m[1], -2.0, 2.0, 0.05, "m", language)
+    places = {"floor": "floor", "tray: it rides along": "tray"}  # what the menu says: why a slider is grey, too
     rests_on = widgets.Dropdown(
-        options=[(said(place, language), place) for place in ("floor", "tray")],
+        options=[(said(words, language), place) for words, place in places.items()],
         description=said("rests on", language),
         tooltip=said("rests on", language),
-        style={"description_width": "130px"},
+        style={"description_width": "110px"},
+        layout={"width": SLIDER_WIDTH, "max_width": "100%"},
     )
     picture = RulersPicture(("map", "base_link", "laser_frame"), "thing", keep=IN_SIGHT)
 
@@ -66,5 +68,10 @@ def rulers_panel(
         poses = placed(at(robot_x), at(yaw))
         picture.show(poses, thing(poses, at(rests_on), (at(thing_x), at(thing_y))), before)
 
+    def let_go(change: dict[str, object]) -> None:
+        for place in (thing_x, thing_y):
+            place.disabled = change["new"] == "tray"
+
     controls = (robot_x, yaw, thing_x, thing_y, rests_on)
+    rests_on.observe(let_go, names="value")
     return Panel("A thing, measured from three frames", picture, controls, move, language=language)

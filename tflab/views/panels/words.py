@@ -20,7 +20,7 @@ KOREAN = {
     "thing y": "물체 y",
     "rests on": "놓인 곳",
     "floor": "바닥",
-    "tray": "쟁반",
+    "tray: it rides along": "쟁반: 로봇과 함께 움직임",
     "forward": "앞",
     "left": "왼쪽",
     "up": "위",
