@@ -239,8 +239,11 @@ def test_a_sentence_that_ends_in_a_colon_is_no_section_of_a_docstring() -> None:
 def test_the_reference_is_dark_at_night_and_on_paper_the_text_alone(tmp_path: Path, page, monkeypatch) -> None:
     rooms = [f"tflab.{found.name}" for found in iter_modules(tflab.__path__) if found.name != "core"]
     monkeypatch.setattr("tflab.workbook.book.reference.HIDDEN", rooms)
-    write_reference(tmp_path)
-    page.goto(f"file://{tmp_path}/tflab/core.html")
+    write_reference(tmp_path / "reference")
+    page.goto(f"file://{tmp_path}/reference/tflab/core.html")
+    assert "Alias for field" not in page.content()
+    back = page.get_by_text("Back to the book").evaluate("link => link.href")
+    assert back == f"file://{tmp_path}/index.html"
     background = "getComputedStyle(document.body).backgroundColor"
     assert page.evaluate(background) == "rgb(255, 255, 255)"
     page.emulate_media(color_scheme="dark")

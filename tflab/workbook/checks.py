@@ -45,7 +45,15 @@ from .words import Words
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
 
-NOTHING = object()
+
+class _Nothing:
+    """What stands for an answer that was not handed over; its name is what an editor shows of `check`."""
+
+    def __repr__(self) -> str:
+        return "NOTHING"
+
+
+NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
 TRIES_BEFORE_SOLUTION = 3

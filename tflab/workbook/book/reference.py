@@ -1,6 +1,6 @@
 """What do the docstrings say, on pages?  pdoc writes them, of every room's own pages.
 
-    tflab/core/*.py --pdoc--> reference/tflab/core/buffer.html
+    tflab/core/*.py --pdoc--> reference/tflab/core.html
 
 An API reference: nothing of it is written twice.  Modules laid out as ROS's own
 packages only hand on names, so they are left out.  Read `pages/` next.
@@ -17,6 +17,7 @@ __all__ = ["HIDDEN", "sentences_kept", "write_reference"]
 
 HIDDEN = ("tflab.ros.packages", "tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
 SECTIONS = ("Args", "Attributes", "Returns", "Raises", "Yields")
+OF_NO_FIELD = re.compile(r"Alias for field number \d+")  # what Python says of a tuple's field if nobody else does
 OUR_STYLE = Path(__file__).with_name("static") / "reference"
 
 
@@ -30,7 +31,7 @@ def write_reference(folder: Path) -> Path:
     from pdoc.docstrings import google
 
     def _sections(docstring: str) -> str:
-        return google(sentences_kept(docstring))
+        return google("" if OF_NO_FIELD.fullmatch(docstring) else sentences_kept(docstring))
 
     pdoc.render.configure(
         docformat="google", show_source=False, footer_text="tflab", search=True, template_directory=OUR_STYLE
