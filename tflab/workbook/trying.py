@@ -8,8 +8,10 @@ Read `inventory/` next.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, redirect_stdout
+from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 from threading import Timer
@@ -20,6 +22,7 @@ from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .explaining.changes import gave
 from .places import Workbook
+from .repairing.one_place import said_of_one_place
 from .reply import in_notebook, show_reply
 from .tasks.case import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
@@ -29,6 +32,9 @@ from .words import Words
 
 __all__ = ["AssignedTask", "say_verdict", "tried_on"]
 
+IN_ONE_PLACE = {Mistake.VALUE, Mistake.PARTS, Mistake.NO_REFUSAL, Mistake.OTHER_EXCEPTION, Mistake.RAISES,
+                Mistake.SOMETIMES_NOTHING, Mistake.SLIP}  # fmt: skip
+END = (".", "?", "!")
 PATIENCE_S = 10.0  # after that, somebody who waits for a reply asks herself whether there will be one
 
 
@@ -95,7 +101,20 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             return Verdict(0, len(cases), Mistake.UNANSWERED), []
-    return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
+    return _with_its_place(assigned, answer, judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes)
+
+
+def _with_its_place(
+    assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
+) -> tuple[Verdict, list[Plain]]:
+    """Return the verdict, and where no known mistake fits, the one place in the function that is wrong."""
+    is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.twins)
+    is_wrong = verdict.mistake in IN_ONE_PLACE and not is_known
+    if is_wrong and not os.environ.get("NBGRADER_EXECUTION"):
+        place = said_of_one_place(answer, assigned.cases.form, assigned.variant.cases, outcomes)
+        if place is not None:
+            verdict = replace(verdict, detail=verdict.detail | {"place": place})
+    return verdict, outcomes
 
 
 # -- saying ---------------------------------------------------------------------------
@@ -126,14 +145,17 @@ def say_verdict(
 
 
 def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
+    place = verdict.detail.get("place")
     if verdict.said is not None and verdict.mistake is Mistake.SLIP:
-        return assigned.words(verdict.said)
+        return assigned.words(Words.joined(verdict.said, place))
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds, tip = names.get("certain"), names.get("tip")
     names["certain"] = f" ({assigned.words(bounds)})" if bounds else ""
     names["tip"] = f". {assigned.words(tip)}" if tip and tip.en else ""
     names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
     text = assigned.words(REPLIES[verdict.mistake], **names)
+    if place:
+        text = f"{text if text.endswith(END) else text + '.'} {assigned.words(place)}"
     return f'"{names["part"]}": {text}' if "part" in names else text
 
 

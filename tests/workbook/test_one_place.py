@@ -1,0 +1,181 @@
+"""The one place in a function that is wrong: found, said truly, and looked for in nothing that is better left alone."""
+
+from __future__ import annotations
+
+import linecache
+import math
+import time
+
+import pytest
+
+from tflab.workbook import check, checks
+from tflab.workbook.answers.forms import Number, Sequence, Vector
+from tflab.workbook.answers.values import outcome_of, to_plain
+from tflab.workbook.places import workbook_data
+from tflab.workbook.repairing import edits
+from tflab.workbook.repairing.one_place import LOOK, said_of_one_place
+from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.reference import in_process_ros
+
+COUNT = iter(range(1_000_000))
+FRESH = """
+def fresh(stamps, now, limit):
+    kept = []
+    for stamp in stamps:
+        age = now - stamp
+        if 0 <= age <= limit:
+            kept.append(stamp)
+    return kept
+"""
+ASKED = [([3, 1, 4, 9], 5, 2), ([5, 0, 3], 5, 2), ([], 1, 1), ([6, 7], 5, 3), ([2.5, 2], 4, 2)]
+TURNED = """
+def turned(x, y, yaw):
+    c, s = math.cos(yaw), math.sin(yaw)
+    return (c * x - s * y, s * x + c * y)
+"""
+ANGLES = [(1.0, 2.0, 0.3), (-2.0, 0.5, 2.0), (0.3, -0.7, -1.1)]
+
+
+def written(source, name):
+    """Return a function as a notebook's cell would make it: its text can be read."""
+    file = f"<cell {next(COUNT)}>"
+    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    names = {"math": math}
+    exec(compile(source, file, "exec"), names)
+    return names[name]
+
+
+def look(source, name, spoilt, asked, form, patience_s=60.0):
+    """Return what is said of a spoilt function, and the line that is quoted."""
+    right = written(source, name)
+    cases = [Case(to_plain(list(args)), outcome_of(right, to_plain(list(args))), {}) for args in asked]
+    function = written(spoilt, name)
+    outcomes = [outcome_of(function, case.args) for case in cases]
+    return said_of_one_place(function, form, cases, outcomes, patience_s)
+
+
+def of_fresh(old, new):
+    assert old in FRESH
+    return look(FRESH, "fresh", FRESH.replace(old, new), ASKED, Sequence(Number("s", 1e-6)))
+
+
+def of_turned(old, new):
+    assert old in TURNED
+    return look(TURNED, "turned", TURNED.replace(old, new, 1), ANGLES, Vector(2, "m", "", 1e-6))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "kind", "quoted"),
+    [
+        ("age <= limit", "age < limit", "edge", "if 0 <= age < limit:"),
+        ("age <= limit", "age >= limit", "side", "if 0 <= age >= limit:"),
+        ("now - stamp", "stamp - now", "order", "age = stamp - now"),
+        ("kept.append(stamp)", "kept.append(age)", "name", "kept.append(age)"),
+        ("kept = []", "kept = [now]", "name", None),
+        ("    return kept", "        return kept", "loop", "return kept"),
+        ("age = now - stamp", "age = now + stamp", "sign", "age = now + stamp"),
+        ("0 <= age", "1 <= age", "number", "if 1 <= age <= limit:"),
+        ("return kept", "return kept[::-1]", "missing", None),
+        ("return kept", "kept.append(limit)\n    return kept", "too much", "kept.append(limit)"),
+    ],
+)
+def test_the_place_and_its_kind_are_said(old, new, kind, quoted):
+    said = of_fresh(old, new)
+    if quoted is None:  # two ways to mend it, or none in one place: whatever is said names the line
+        assert said is None or new.partition("\n")[0] in said.en
+        return
+    assert f"`{quoted}`" in said.en
+    assert f"`{quoted}`" in said.ko
+    assert said.en.endswith(LOOK[kind].en)
+    assert said.ko.endswith(LOOK[kind].ko)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "kind"),
+    [
+        ("c * x - s * y", "c * x + s * y", "sign"),
+        ("math.cos(yaw)", "math.sin(yaw)", "function"),
+        ("s * x + c * y", "s * y + c * y", "name"),
+        ("math.sin(yaw)", "yaw", "missing"),
+        ("c * x - s * y", "s * y - c * x", "order"),
+        ("math.cos(yaw)", "math.cos(2 * yaw)", "number"),
+    ],
+)
+def test_formulas_are_mended_too(old, new, kind):
+    assert of_turned(old, new).en.endswith(LOOK[kind].en)
+
+
+def test_what_is_wrong_in_two_places_is_wrong_in_none():
+    spoilt = TURNED.replace("c * x - s * y", "c * x + s * y").replace("s * x + c * y", "s * x * c * y")
+    assert look(TURNED, "turned", spoilt, ANGLES, Vector(2, "m", "", 1e-6)) is None
+
+
+KEEPS = "return [stamp for stamp in stamps if 0 <= now - stamp < limit]"
+HEAD = "def fresh(stamps, now, limit):\n    "
+
+
+@pytest.mark.parametrize(
+    "left_alone",
+    [
+        f"{HEAD}while True:\n        {KEEPS}\n",
+        f"{HEAD}import os\n    {KEEPS}\n",
+        f"{HEAD}open('x', 'w')\n    {KEEPS}\n",
+        f"def made(n):\n    def fresh(stamps, now, limit):\n        {KEEPS}[n:]\n    return fresh\nfresh = made(0)\n",
+        f"fresh = lambda stamps, now, limit: {KEEPS.removeprefix('return ')}\n",
+        f"class Fresh:\n    def __call__(self, stamps, now, limit):\n        {KEEPS}\nfresh = Fresh()\n",
+    ],
+)
+def test_what_might_not_end_or_touches_a_disk_is_left_alone(left_alone, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    form = Sequence(Number("s", 1e-6))
+    assert look(FRESH, "fresh", f"{HEAD}{KEEPS}\n", ASKED, form) is not None
+    assert look(FRESH, "fresh", left_alone, ASKED, form) is None
+
+
+def test_an_edit_that_would_make_a_loop_feed_itself_is_stopped():
+    assert of_fresh("now - stamp", "now * stamp") is None  # tried: for stamp in kept, kept.append(stamp)
+
+
+def test_nothing_of_the_learner_s_is_changed_or_printed(capsys):
+    spoilt = FRESH.replace("age <= limit", "age < limit").replace("    kept = []", "    print('called')\n    kept = []")
+    function = written(spoilt, "fresh")
+    right = written(FRESH, "fresh")
+    cases = [Case(to_plain(list(args)), outcome_of(right, to_plain(list(args))), {}) for args in ASKED]
+    outcomes = [outcome_of(function, case.args) for case in cases]
+    before = dict(function.__globals__)
+    capsys.readouterr()
+    assert said_of_one_place(function, Sequence(Number("s", 1e-6)), cases, outcomes, 60.0) is not None
+    assert function.__globals__ == before
+    assert capsys.readouterr().out == ""
+
+
+def test_it_gives_up_in_time():
+    slow = FRESH.replace("    kept = []", "    sum(range(200_000))\n    kept = [7]")
+    begin = time.monotonic()
+    assert look(FRESH, "fresh", slow, ASKED, Sequence(Number("s", 1e-6)), patience_s=0.0) is None
+    assert time.monotonic() - begin < 30  # a bound that only what never ends would miss
+
+
+def test_every_kind_of_edit_has_its_words():
+    assert set(LOOK) == set(edits.KINDS)
+
+
+def test_check_says_it_where_no_known_mistake_fits(capsys, monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.delenv("NBGRADER_EXECUTION", raising=False)
+    source = (
+        "def interpolate(stamp_s, before, after):\n"
+        "    (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after\n"
+        "    if not t0 <= stamp_s <= t1:\n"
+        "        raise ExtrapolationException('outside')\n"
+        "    ratio = (stamp_s - t0) / (t1 - t0)\n"
+        "    turn = math.remainder(yaw1 - yaw0, math.tau)\n"
+        "    return {'position': (x0 + ratio * (x1 - x0), y0 + ratio / (y1 - y0)), 'yaw': yaw0 + ratio * turn}\n"
+    )
+    assert checks.workbook_root() == workbook_data()  # outside any copy: tflab's own
+    with in_process_ros():
+        function = written("from tf2_ros import ExtrapolationException\n" + source, "interpolate")
+        check("E8.2", function)
+    said = capsys.readouterr().out
+    assert "line 8: `ratio / (y1 - y0)`" in said
+    assert LOOK["operation"].en in said

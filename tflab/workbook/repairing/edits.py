@@ -1,0 +1,224 @@
+"""How can a function differ from the one that was meant, in one place?  Every way that is often met, by its kind.
+
+    if age < max_age_s:    edge  <=      side  >      sign  -age      name  now_s
+
+An edit puts another value into one field of the syntax tree, and takes it out again:
+a tree is copied for none of them.  What people mean to write and do not is what
+mutation testing does to a right program, backwards (Debroy and Wong, "Using mutation to
+automatically suggest fixes for faulty programs", 2010).  Read `one_place.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Iterator
+from contextlib import contextmanager
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+__all__ = ["KINDS", "Edit", "edits_of"]
+
+KINDS = ("edge", "side", "order", "sign", "opposite", "logic", "function", "inverse", "field", "member", "loop",
+         "exception", "too much", "call", "lines", "operation", "number", "name", "word", "missing")  # fmt: skip
+EDGES = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
+SIDES = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
+OPPOSITES = {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot,
+             ast.IsNot: ast.Is}  # fmt: skip
+SIGNS = {ast.Add: ast.Sub, ast.Sub: ast.Add}
+OPERATIONS = {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Div}
+IN_ORDER = (ast.Sub, ast.Div, ast.MatMult, ast.Mod)  # a - b is not b - a
+EXCHANGED = [("sin", "cos"), ("min", "max"), ("any", "all"), ("degrees", "radians"), ("floor", "ceil"),
+             ("asin", "acos"), ("pi", "tau")]  # fmt: skip
+FUNCTIONS = {one: other for pair in EXCHANGED for one, other in (pair, pair[::-1])}
+FIELDS = [{"x", "y", "z", "w"}, {"translation", "rotation"}, {"sec", "nanosec"}, {"frame_id", "child_frame_id"}]
+EXCEPTIONS = {"ValueError", "LookupException", "ConnectivityException", "ExtrapolationException",
+              "InvalidArgumentException", "TransformException"}  # fmt: skip
+WRAPPED = ("abs", "sorted", "reversed", "list", "len", "float", "int", "str")
+WRAPPED_IN_MATH = ("radians", "degrees", "sin", "cos", "sqrt")
+FACTORS = (-1, 2, 0.5, 10, 0.1, 1e3, 1e-3, 1e6, 1e-6, 1e9, 1e-9)
+MOST_INDEX = 3
+NUMBERS = (ast.Name, ast.Attribute, ast.Subscript, ast.Call, ast.BinOp)  # what a sign may stand before
+Other = tuple[str, ast.AST]  # a kind, and what is meant instead
+
+
+class Edit(NamedTuple):
+    """One thing written otherwise: what kind it is of, the node that stands there now, and the field to be set."""
+
+    kind: str
+    node: ast.AST
+    owner: ast.AST
+    field: str
+    value: Any
+
+    @contextmanager
+    def made(self) -> Iterator[None]:
+        """Make the edit in its tree, for as long as this lasts."""
+        before = getattr(self.owner, self.field)
+        setattr(self.owner, self.field, self.value)
+        try:
+            yield
+        finally:
+            setattr(self.owner, self.field, before)
+
+
+def edits_of(tree: ast.Module) -> list[Edit]:
+    """Return the edits of the functions in a tree, those of the likeliest kinds first."""
+    used = _Used(tree)
+    return sorted(_edits(tree, used), key=lambda edit: KINDS.index(edit.kind))
+
+
+class _Used:
+    """What a function speaks of, and might have meant in another place."""
+
+    def __init__(self, tree: ast.Module) -> None:
+        nodes = list(ast.walk(tree))
+        stored = {node.id for node in nodes if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store)}
+        self.variables = stored | {node.arg for node in nodes if isinstance(node, ast.arg)}
+        self.words = {node.value for node in nodes if isinstance(node, ast.Constant) and isinstance(node.value, str)}
+        self.words = {word for word in self.words if len(word) < 40}
+
+
+def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
+    for owner in ast.walk(tree):
+        for field, held in ast.iter_fields(owner):
+            if field in ("annotation", "returns", "decorator_list"):
+                continue
+            if isinstance(held, ast.AST):
+                yield from (Edit(kind, held, owner, field, new) for kind, new in _others(held, owner, field, used))
+            elif isinstance(held, list):
+                yield from _edits_of_list(owner, field, held, used)
+
+
+def _edits_of_list(owner: ast.AST, field: str, held: list, used: _Used) -> Iterator[Edit]:
+    for place, node in enumerate(held):
+        if isinstance(node, ast.AST):
+            for kind, new in _others(node, owner, field, used):
+                yield Edit(kind, node, owner, field, [*held[:place], new, *held[place + 1 :]])
+        if isinstance(node, ast.stmt) and not isinstance(node, ast.FunctionDef):
+            rest = [*held[:place], *held[place + 1 :]] or [ast.Pass()]
+            yield Edit("too much", node, owner, field, rest)
+        if isinstance(node, ast.For) and len(node.body) > 1 and isinstance(node.body[-1], ast.Return):
+            shorter = ast.For(node.target, node.iter, node.body[:-1], node.orelse)
+            new = [*held[:place], shorter, node.body[-1], *held[place + 1 :]]
+            yield Edit("loop", node.body[-1], owner, field, new)
+    for place, (node, then) in enumerate(pairwise(held)):
+        if isinstance(node, ast.stmt | ast.ExceptHandler) and not isinstance(node, ast.FunctionDef):
+            yield Edit("lines", node, owner, field, [*held[:place], then, node, *held[place + 2 :]])
+
+
+def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[Other]:
+    """Yield what might be meant where `node` stands, in a field of its owner."""
+    if isinstance(getattr(node, "ctx", None), ast.Store | ast.Del):
+        return
+    change = CHANGES.get(type(node))
+    if change is not None:
+        yield from change(node, used)
+    if isinstance(node, NUMBERS) and not isinstance(owner, ast.Attribute | ast.Expr) and field not in ("func", "exc"):
+        yield "sign", ast.UnaryOp(ast.USub(), node)
+        yield from (("missing", ast.Call(function, [node], [])) for function in _functions())
+    if field == "test" and isinstance(owner, ast.If | ast.IfExp):
+        yield "opposite", ast.UnaryOp(ast.Not(), node)
+    if isinstance(owner, ast.ExceptHandler | ast.Raise) and field in ("type", "exc"):
+        yield from _exceptions(node)
+    if isinstance(owner, ast.BinOp) and isinstance(owner.op, ast.MatMult):
+        yield "inverse", _called(node, "inverse")
+    if isinstance(owner, ast.Attribute) and owner.attr == "apply":
+        yield "inverse", _called(node, "inverse")
+
+
+def _functions() -> list[ast.expr]:
+    in_math = [ast.Attribute(ast.Name("math", ast.Load()), name, ast.Load()) for name in WRAPPED_IN_MATH]
+    return [*(ast.Name(name, ast.Load()) for name in WRAPPED), *in_math]
+
+
+def _called(node: ast.AST, method: str) -> ast.AST:
+    return ast.Call(ast.Attribute(node, method, ast.Load()), [], [])
+
+
+def _exceptions(node: ast.AST) -> Iterator[Other]:
+    named = node.func if isinstance(node, ast.Call) else node
+    if isinstance(named, ast.Name):
+        for name in sorted(EXCEPTIONS - {named.id}):
+            new = ast.Name(name, ast.Load())
+            yield "exception", ast.Call(new, node.args, node.keywords) if isinstance(node, ast.Call) else new
+
+
+def _compared(node: ast.Compare, _used: _Used) -> Iterator[Other]:
+    for kind, others in (("edge", EDGES), ("side", SIDES), ("opposite", OPPOSITES)):
+        for place, op in enumerate(node.ops):
+            if type(op) in others:
+                ops = [*node.ops[:place], others[type(op)](), *node.ops[place + 1 :]]
+                yield kind, ast.Compare(node.left, ops, node.comparators)
+
+
+def _computed(node: ast.BinOp, _used: _Used) -> Iterator[Other]:
+    if isinstance(node.op, IN_ORDER):
+        yield "order", ast.BinOp(node.right, node.op, node.left)
+    for kind, others in (("sign", SIGNS), ("operation", OPERATIONS)):
+        if type(node.op) in others:
+            yield kind, ast.BinOp(node.left, others[type(node.op)](), node.right)
+
+
+def _joined(node: ast.BoolOp, _used: _Used) -> Iterator[Other]:
+    yield "logic", ast.BoolOp(ast.Or() if isinstance(node.op, ast.And) else ast.And(), node.values)
+
+
+def _signed(node: ast.UnaryOp, _used: _Used) -> Iterator[Other]:
+    if isinstance(node.op, ast.USub | ast.Not):
+        yield ("sign" if isinstance(node.op, ast.USub) else "opposite"), node.operand
+
+
+def _call(node: ast.Call, _used: _Used) -> Iterator[Other]:
+    for place in range(len(node.args) - 1):
+        args = [*node.args[:place], node.args[place + 1], node.args[place], *node.args[place + 2 :]]
+        yield "order", ast.Call(node.func, args, node.keywords)
+    if len(node.args) == 1 and not node.keywords and not isinstance(node.args[0], ast.Starred | ast.GeneratorExp):
+        yield "call", node.args[0]  # f(x) -> x
+        if isinstance(node.func, ast.Attribute):
+            yield "order", ast.Call(ast.Attribute(node.args[0], node.func.attr, ast.Load()), [node.func.value], [])
+    if not node.args and isinstance(node.func, ast.Attribute):
+        yield "call", node.func.value  # x.f() -> x
+
+
+def _named(node: ast.Name, used: _Used) -> Iterator[Other]:
+    if node.id in FUNCTIONS:
+        yield "function", ast.Name(FUNCTIONS[node.id], ast.Load())
+    if node.id in used.variables:
+        yield from (("name", ast.Name(name, ast.Load())) for name in sorted(used.variables - {node.id}))
+
+
+def _attribute(node: ast.Attribute, _used: _Used) -> Iterator[Other]:
+    if node.attr in FUNCTIONS:
+        yield "function", ast.Attribute(node.value, FUNCTIONS[node.attr], ast.Load())
+    for group in FIELDS:
+        if node.attr in group:
+            yield from (("field", ast.Attribute(node.value, name, ast.Load())) for name in sorted(group - {node.attr}))
+
+
+def _indexed(node: ast.Subscript, used: _Used) -> Iterator[Other]:
+    if not isinstance(node.slice, ast.Constant):
+        return
+    index = node.slice.value
+    others = sorted(used.words - {index}) if isinstance(index, str) else [-1, *range(MOST_INDEX + 1)]
+    yield from (
+        ("member", ast.Subscript(node.value, ast.Constant(other), ast.Load())) for other in others if other != index
+    )
+
+
+def _constant(node: ast.Constant, used: _Used) -> Iterator[Other]:
+    held = node.value
+    if isinstance(held, bool) or held is None:
+        if held is not None:
+            yield "opposite", ast.Constant(not held)
+    elif isinstance(held, int | float):
+        near = (held + 1, held - 1, 0, 1) if isinstance(held, int) else ()
+        others = [*near, *(held * factor for factor in FACTORS)]
+        yield from (("number", ast.Constant(other)) for other in dict.fromkeys(others) if other != held)
+    elif isinstance(held, str):
+        yield from (("word", ast.Constant(word)) for word in sorted(used.words - {held}))
+
+
+CHANGES: dict[type, Any] = {
+    ast.Compare: _compared, ast.BinOp: _computed, ast.BoolOp: _joined, ast.UnaryOp: _signed, ast.Call: _call,
+    ast.Name: _named, ast.Attribute: _attribute, ast.Subscript: _indexed, ast.Constant: _constant,
+}  # fmt: skip

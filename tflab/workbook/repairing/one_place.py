@@ -1,0 +1,187 @@
+"""Is a wrong function wrong in one place alone?  It is edited there, called again, and every call comes out right.
+
+    def fresh(age, limit): return age < limit      -->  line 1: "Look at what happens exactly at the bound."
+
+What is said cannot be false: the edit was made, and all calls were right.  It says
+the place and the kind of thing, not what belongs there.  Only `check` asks so, in the
+learner's own kernel; grading runs nothing again that somebody wrote.  It gives up
+after half a second.  Read `trying.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import sys
+import textwrap
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import redirect_stderr, redirect_stdout
+from io import StringIO
+from types import FrameType, FunctionType
+from typing import Any
+
+from ..answers import sealed
+from ..answers.form import Form
+from ..answers.values import Plain, outcome_of, outcomes_of
+from ..tasks.case import Case
+from ..words import Words
+from .edits import Edit, edits_of
+
+__all__ = ["PATIENCE_S", "said_of_one_place"]
+
+PATIENCE_S = 0.5
+AT_ONCE = 16  # edits that are called between two looks at the clock
+LONGEST_LINE = 70
+MOST_LINES = 20_000  # of a call
+FORBIDDEN = (ast.While, ast.Await, ast.Yield, ast.YieldFrom, ast.Import, ast.ImportFrom, ast.Global, ast.Nonlocal)
+TOUCHY = {"open", "input", "exec", "eval", "os", "shutil", "subprocess", "sleep", "pathlib", "Path"}
+PLACE = Words(
+    en="One change makes every call right, and it belongs in line {line}: `{text}`. {look}",
+    ko="한 곳만 고치면 모든 호출이 맞습니다. {line}번째 줄 `{text}`입니다. {look}",
+)
+LOOK = {
+    "edge": Words("Look at what happens exactly at the bound.", "경계와 정확히 같을 때 어떻게 되는지 보십시오."),
+    "side": Words("Look at which side of the comparison is the larger one.", "부등호의 방향을 보십시오."),
+    "order": Words("Two things stand there in the wrong order.", "그 줄에서 두 가지의 순서가 반대입니다."),
+    "lines": Words("What follows it belongs before it.", "바로 다음에 오는 것이 먼저 와야 합니다."),
+    "sign": Words("Look at the signs there.", "그 줄의 부호를 보십시오."),
+    "opposite": Words("It says the opposite of what is meant.", "뜻하는 것과 반대로 되어 있습니다."),
+    "logic": Words("Look at `and` and `or`.", "`and`와 `or`를 보십시오."),
+    "function": Words("Look at which function or constant is used.", "어떤 함수나 상수를 쓰는지 보십시오."),
+    "inverse": Words("An inverse is missing there.", "그 줄에 역변환이 빠졌습니다."),
+    "field": Words("Look at which field is read.", "어느 필드를 읽는지 보십시오."),
+    "member": Words("Look at which place or key is read.", "몇 번째 값이나 어느 키를 읽는지 보십시오."),
+    "loop": Words("It ends the loop in its first round.", "반복이 첫 바퀴에서 끝나 버립니다."),
+    "exception": Words("Look at which exception is named.", "어느 예외를 썼는지 보십시오."),
+    "call": Words("One call there is too many.", "그 줄에 호출이 하나 더 있습니다."),
+    "too much": Words("Without it, all is right.", "그 부분이 없으면 모두 맞습니다."),
+    "operation": Words("Look at what is multiplied and what is divided.", "무엇을 곱하고 무엇을 나누는지 보십시오."),
+    "number": Words("Look at the number there.", "그 줄의 숫자를 보십시오."),
+    "name": Words("Another variable is meant there.", "그 줄에는 다른 변수가 와야 합니다."),
+    "missing": Words("The call of a function is missing there.", "그 줄에 함수 호출이 하나 빠졌습니다."),
+    "word": Words("Look at the words in quotes.", "따옴표 안의 말을 보십시오."),
+}
+
+
+def said_of_one_place(
+    function: Any, form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], patience_s: float = PATIENCE_S
+) -> Words | None:
+    """Return where one edit makes every call right, and what to look at; None where there is none, or it takes long.
+
+    Args:
+        function: what a learner wrote; it is called again, edited, as often as there is time.
+        outcomes: what it gave in each case.
+    """
+    source = _source_of(function)
+    if source is None:
+        return None
+    text, first_line, tree = source
+    end = time.monotonic() + patience_s
+    cases = _wrong_first(form, cases, outcomes)
+    with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
+        for edit, edited in _tried(function, tree, cases[0], form, end):
+            if all(_is_right(form, edited, case) for case in cases[1:]):
+                line = getattr(edit.node, "lineno", 1)
+                quoted = _quoted(text, line, edit.node)
+                return PLACE.filled(line=first_line + line - 1, text=quoted, look=LOOK[edit.kind])
+            if time.monotonic() > end:
+                return None
+    return None
+
+
+def _quoted(text: str, line: int, node: ast.AST) -> str:
+    """Return a line as it was written; of a long one the part that is edited."""
+    whole = text.splitlines()[line - 1].strip()
+    part = (ast.get_source_segment(text, node) or whole).partition("\n")[0]
+    quoted = whole if len(whole) <= LONGEST_LINE else part[:LONGEST_LINE]
+    return quoted.replace("`", "'")
+
+
+def _source_of(function: Any) -> tuple[str, int, ast.Module] | None:
+    """Return a function's text, its first line in its cell, and its tree; None where it is better not called again."""
+    if not isinstance(function, FunctionType) or function.__closure__:
+        return None
+    try:
+        lines, first = inspect.getsourcelines(function)
+        tree = ast.parse(text := textwrap.dedent("".join(lines)))
+    except (OSError, TypeError, SyntaxError, ValueError):
+        return None
+    named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+    named |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+    is_plain = len(tree.body) == 1 and isinstance(tree.body[0], ast.FunctionDef) and not tree.body[0].decorator_list
+    if not is_plain or named & TOUCHY or any(isinstance(node, FORBIDDEN) for node in ast.walk(tree)):
+        return None
+    return text, max(first, 1), tree
+
+
+def _wrong_first(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[Case]:
+    """Return the cases, those that went wrong first: one of them refuses nearly every edit."""
+    rights = [all(sealed.judge(form, *pair)) for pair in zip(outcomes, (case.expected for case in cases), strict=True)]
+    return [case for _, case in sorted(zip(rights, cases, strict=True), key=lambda row: row[0])]
+
+
+def _tried(
+    function: FunctionType, tree: ast.Module, case: Case, form: Form, end: float
+) -> Iterator[tuple[Edit, Callable[..., Any]]]:
+    """Yield the edits with which this case comes out right, and the edited functions."""
+    made: list[tuple[Edit, Callable[..., Any]]] = []
+    every = edits_of(tree)
+    for number, edit in enumerate(every, start=1):
+        if (edited := _edited(function, tree, edit)) is not None:
+            made.append((edit, edited))
+        if len(made) == AT_ONCE or (number == len(every) and made):
+            given = outcomes_of((one for _, one in made), case.args or [])
+            for pair, outcome in zip(made, given, strict=True):
+                if all(sealed.judge(form, outcome, case.expected)):
+                    yield pair
+            made = []
+        if time.monotonic() > end:
+            return
+
+
+def _edited(function: FunctionType, tree: ast.Module, edit: Edit) -> Callable[..., Any] | None:
+    names = dict(function.__globals__)
+    with edit.made():
+        try:
+            exec(compile(ast.fix_missing_locations(tree), "<edited>", "exec"), names)
+        except Exception:  # an edit that is no Python, or a default that cannot be computed
+            return None
+    edited = names.get(function.__name__)
+    return _bounded(edited, names, function.__globals__) if callable(edited) else None
+
+
+def _bounded(function: Callable[..., Any], *own: dict[str, Any]) -> Callable[..., Any]:
+    """Return a function that is stopped after so many lines of its own: edited, a loop may feed itself."""
+
+    def called(*args: Any) -> Any:
+        left = MOST_LINES
+
+        def at_line(_frame: FrameType, _event: str, _arg: Any) -> Any:
+            nonlocal left
+            left -= 1
+            if left < 0:
+                raise _TooLongError
+            return at_line
+
+        def at_call(frame: FrameType, _event: str, _arg: Any) -> Any:
+            return at_line if any(frame.f_globals is names for names in own) else None
+
+        before = sys.gettrace()
+        sys.settrace(at_call)
+        try:
+            return function(*args)
+        except _TooLongError:
+            raise RuntimeError("too long") from None
+        finally:
+            sys.settrace(before)
+
+    return called
+
+
+class _TooLongError(BaseException):
+    """What `except Exception` in a learner's function does not catch."""
+
+
+def _is_right(form: Form, function: Callable[..., Any], case: Case) -> bool:
+    return all(sealed.judge(form, outcome_of(function, case.args or []), case.expected))
