@@ -150,7 +150,8 @@ def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
         return assigned.words(Words.joined(verdict.said, place))
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds, tip = names.get("certain"), names.get("tip")
-    names["certain"] = f" ({assigned.words(bounds)})" if bounds else ""
+    certain = assigned.words(bounds).removeprefix(f"{names.get('wrong')}: ") if bounds else ""
+    names["certain"] = f" ({certain})" if certain else ""
     names["tip"] = f". {assigned.words(tip)}" if tip and tip.en else ""
     names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
     text = assigned.words(REPLIES[verdict.mistake], **names)

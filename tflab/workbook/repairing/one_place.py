@@ -38,7 +38,7 @@ FORBIDDEN = (ast.While, ast.Await, ast.Yield, ast.YieldFrom, ast.Import, ast.Imp
 TOUCHY = {"open", "input", "exec", "eval", "os", "shutil", "subprocess", "sleep", "pathlib", "Path"}
 PLACE = Words(
     en="One change makes every call right, and it belongs in line {line}: `{text}`. {look}",
-    ko="한 곳만 고치면 모든 호출이 맞습니다. {line}번째 줄 `{text}`입니다. {look}",
+    ko="한 곳만 고치면 모든 호출이 맞습니다. 고칠 곳은 {line}번째 줄의 `{text}`입니다. {look}",
 )
 LOOK = {
     "edge": Words("Look at what happens exactly at the bound.", "경계와 정확히 같을 때 어떻게 되는지 보십시오."),

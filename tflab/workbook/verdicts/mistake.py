@@ -140,12 +140,12 @@ REPLIES = {
         ko="함수가 받은 값을 바꾸지 않고 그대로 돌려줍니다.",
     ),
     Mistake.PARTS: Words(
-        en="look again at {wrong}.{certain}",
-        ko="다시 볼 곳: {wrong}.{certain}",
+        en="look again at {wrong}{certain}.",
+        ko="다시 볼 곳: {wrong}{certain}.",
     ),
     Mistake.VALUE: Words(
-        en="the form is right, the value is not.{certain}",
-        ko="형식은 맞지만 값이 다릅니다.{certain}",
+        en="the form is right, the value is not{certain}.",
+        ko="형식은 맞지만 값이 다릅니다{certain}.",
     ),
 }
 
