@@ -114,6 +114,18 @@ def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places,
     assert slips_of("E2.2", lambda given: places(*given.optical_p_part)) == slips
 
 
+@pytest.mark.parametrize(
+    ("places", "said"),
+    [
+        (lambda x, y, z: (x, z, y), "z: the right number with the wrong sign; x, y: another of the numbers"),
+        (lambda x, y, z: (z, -x, -x), "put together as (z, -x, -x). x, y: right; z: another of the numbers"),
+        (lambda x, y, z: (-x, -y, z), "x, y, z: another of the numbers belongs there."),
+    ],
+)  # fmt: skip
+def test_of_numbers_put_together_each_place_is_judged(places, said):
+    assert said in verdict_on("E2.2", lambda given: places(*given.optical_p_part)).said.en
+
+
 def test_two_angles_by_position_in_degrees_are_told_for_what_they_are():
     def answer(given):
         return Transform.from_rpy(-90, -90).apply(given.optical_p_part)

@@ -27,10 +27,15 @@ MOST_POINTS = 6
 CLOSE = 1e-6
 RIGHT = Words(en="{names}: right", ko="{names}: 맞음")
 PUT = Words(
-    en="these are the numbers of `{name}`, put together as ({places}). Ask of each: does it stand where it belongs, "
-    "and with which sign?",
-    ko="`{name}`의 숫자를 ({places})로 늘어놓은 값입니다. 하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
+    en="these are the numbers of `{name}`, put together as ({places}). {judged}",
+    ko="`{name}`의 숫자를 ({places})로 늘어놓은 값입니다. {judged}",
 )
+ASKED = Words(
+    en="Ask of each: does it stand where it belongs, and with which sign?",
+    ko="하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
+)
+OTHER_SIGN = Words(en="{names}: the right number with the wrong sign", ko="{names}: 숫자는 맞고 부호가 반대")
+OTHER_NUMBER = Words(en="{names}: another of the numbers belongs there", ko="{names}: 다른 숫자가 올 자리")
 GIVES = Words(en="{name}: this is what `{sum}` gives", ko="{name}: `{sum}`의 값입니다")
 
 
@@ -78,7 +83,9 @@ def _said(size: int, sums: dict[int, str]) -> tuple[str, Words]:
     return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
 
 
-def put_together(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
+def put_together(
+    form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None
+) -> tuple[str, Words] | None:
     """Return in which places and with which signs the numbers of a point that was given stand in an answer; else None.
 
     Only where no two of them are alike in size, and none is 0: then it is no chance.
@@ -86,8 +93,20 @@ def put_together(form: Form, answer: Plain, given: dict[str, Plain] | None) -> t
     have = numbers_of(answer, form.size) if isinstance(form, Vector) and form.size == len(LETTERS) else None
     for name, row in _points(len(LETTERS), given or {}) if have else ():
         if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
-            return f"put together: {places}", PUT.filled(name=name, places=places)
+            want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
+            judged = _place_by_place(have, want, form.tolerance) if want else ASKED
+            return f"put together: {places}", PUT.filled(name=name, places=places, judged=judged)
     return None
+
+
+def _place_by_place(have: Sequence[float], want: Sequence[float], tolerance: float) -> Words:
+    """Return which numbers are right, which have only the wrong sign, and which stand where another belongs."""
+    found: dict[Words, list[str]] = {RIGHT: [], OTHER_SIGN: [], OTHER_NUMBER: []}
+    for letter, number, wanted in zip(LETTERS, have, want, strict=True):
+        is_right, is_turned = abs(number - wanted) <= tolerance, abs(number + wanted) <= tolerance
+        found[RIGHT if is_right else OTHER_SIGN if is_turned else OTHER_NUMBER].append(letter)
+    said = (words.filled(names=", ".join(letters)) for words, letters in found.items() if letters)
+    return Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
 
 
 def _are_distinct(row: Sequence[float], tolerance: float) -> bool:
@@ -96,10 +115,16 @@ def _are_distinct(row: Sequence[float], tolerance: float) -> bool:
 
 
 def _order(have: Sequence[float], row: Sequence[float]) -> str:
-    """Return the letters of a point's numbers in the order and with the signs in which they stand; "" if not all do."""
-    places = ["".join(f"{'-' if number * one < 0 else ''}{letter}" for letter, one in zip(LETTERS, row, strict=True)
-                      if abs(abs(number) - abs(one)) <= CLOSE) for number in have]  # fmt: skip
-    return ", ".join(places) if sorted(place[-1:] for place in places) == list(LETTERS) else ""
+    """Return the letters of a point's numbers as they stand, with their signs, some perhaps twice; "" if not all do."""
+    places = [_place(number, row) for number in have]
+    return ", ".join(places) if all(places) else ""
+
+
+def _place(number: float, row: Sequence[float]) -> str:
+    """Return the letter, and the sign, of the number of a point that this is; "" if it is none of them."""
+    found = (letter for letter, one in zip(LETTERS, row, strict=True) if abs(abs(number) - abs(one)) <= CLOSE)
+    letter = next(found, "")
+    return f"-{letter}" if letter and number * row[LETTERS.index(letter)] < 0 else letter
 
 
 def _way(form: Vector, want: Sequence[float], given: dict[str, Plain]) -> list[_Signed] | None:

@@ -94,8 +94,8 @@ def _of_parts(
 
 
 def _is_simple(names: tuple[str, ...] | None) -> bool:
-    """Return whether this is one mistake, and says more than that places and signs are others."""
-    return names is not None and len(names) == 1 and not names[0].startswith("places and signs")
+    """Return whether this is one mistake, and says more than that places, or places and signs, are others."""
+    return names is not None and len(names) == 1 and not names[0].startswith(("places and signs", "exchanged"))
 
 
 def _more_simply(
@@ -103,7 +103,7 @@ def _more_simply(
 ) -> Explanation | None:
     """Return what is more certain than two slips that meet: two parts exchanged, a sign, numbers in other places."""
     found = changed_places(task, cases, outcomes, given) or plain_in_one(task, cases, outcomes)
-    put = None if found or task.is_function else put_together(task.form, outcomes[0], given)
+    put = None if found or task.is_function else put_together(task.form, outcomes[0], cases[0].expected, given)
     return Explanation.of(*put) if put else found
 
 
