@@ -146,7 +146,10 @@ def about_z(z, w):
         (lambda yaw: about_z(abs(math.sin(yaw / 2)), math.cos(yaw / 2)), ["never to the right"]),
         (lambda yaw: about_z(math.sin(yaw) / 2, math.cos(yaw / 2)), ["sine halved outside"]),
         (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw) / 2), ["cosine halved outside"]),
-        (lambda yaw: about_z(math.sin(min(yaw, math.pi) / 2), math.cos(min(yaw, math.pi) / 2)), []),
+        (lambda yaw: about_z(math.sin(min(yaw, math.pi) / 2), math.cos(min(yaw, math.pi) / 2)),
+             ["in some: no more than half a turn"]),
+        (lambda yaw: (0.0, 0.0, 1.0, yaw), ["axis and angle"]),
+        (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw / 2)) if yaw else (0.0,) * 4, ["zeros for no turn"]),
     ],
 )  # fmt: skip
 def test_a_quaternion_of_a_yaw_is_told_what_became_of_its_signs_and_halves(of_yaw, slips):
@@ -197,6 +200,10 @@ def scaled_first(q):
         (customs(off=0.02), ["tolerance 0.1"]),
         (customs(off=0.005), ["tolerance 0.005"]),
         (customs(zero=1e-9), ["exactly zero"]),
+        (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) >= 0.1), ["at the bound"]),
+        (customs(is_first=lambda q: max(q[0], abs(q[1])) > 0.1), ["negative x passes"]),
+        (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),
+        (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
         (customs(zero=1e-3), ["zero by square"]),
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.05), ["any x or y"]),
     ],
@@ -222,10 +229,30 @@ def test_a_bound_that_is_another_is_not_said_to_be_a_certain_one():
         (lambda r, a: 1000 * r * abs(math.pi / 2 - a) / (2 * math.pi), "of a whole turn"),
         (lambda r, a: 1000 * r * abs(1.571 - a), "pi / 2 to three digits"),
         (lambda r, a: 1000 * r * math.pi / 2, "a quarter of a circle"),
+        (lambda r, a: 10_000 * abs(math.pi / 2 - a), "at 10 m"),
+        (lambda r, a: 1000 * r * abs(90 - a), "90 and radians"),
+        (lambda r, a: 1000 * r * abs(math.cos(math.radians(a))), "cosine of the written, converted"),
     ],
 )
 def test_how_far_a_point_is_off_is_told_by_the_angle_that_went_in(off, slip):
     assert slips_of("E2.7", lambda given: off(given.range_m, given.written_yaw_rad)) == [slip]
+
+
+@pytest.mark.parametrize(
+    ("pitch_of", "yaw_of", "slip"),
+    [
+        (lambda s, c: (0.0, s, 0.0, c), lambda s, c: (0.0, 0.0, c, s), "sine in the yaw's w"),
+        (lambda s, c: (c, 0.0, s, 0.0), lambda s, c: (c, 0.0, 0.0, s), "w first inside"),
+    ],
+)
+def test_of_two_quaternions_made_by_hand_the_wrong_one_is_told(pitch_of, yaw_of, slip):
+    def answer(given):
+        pitch, yaw = given.then_pitch_rad / 2, given.first_yaw_rad / 2
+        rows = (pitch_of(math.sin(pitch), math.cos(pitch)), yaw_of(math.sin(yaw), math.cos(yaw)))
+        then, first = (Transform(rotation=row) for row in rows)
+        return (then @ first).rotation
+
+    assert slips_of("E2.5", answer) == [slip]
 
 
 # -- chapters 3 and 4 -----------------------------------------------------------------

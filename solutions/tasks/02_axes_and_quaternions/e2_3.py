@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tflab.workbook.tasks import Quaternion, Slip, Task, Words
+from tflab.workbook.tasks import Quaternion, Slip, Task, Twin, Words
 
 
 def yaws(rng: np.random.Generator) -> list[tuple[float]]:
@@ -417,6 +417,83 @@ REST_OF_THE_SIZE = Slip(
 )
 
 
+def of_yaw(name: str, answer, en: str, ko: str, misconception: str = "M5") -> Twin:
+    """Return an answer that stands alone: it composes with no other slip."""
+    return Twin(name, answer, Words(en=en, ko=ko), misconception)
+
+
+def held_within(yaw: float, bound: float) -> tuple[float, float, float, float]:
+    """Return the quaternion of a yaw that is cut off at a bound to either side."""
+    return turned(max(-bound, min(bound, yaw)))
+
+
+ALONE = (
+    of_yaw(
+        "axis and angle",
+        lambda yaw: (0.0, 0.0, 1.0, yaw),
+        "These are an axis and an angle: (0, 0, 1) and the yaw. In a quaternion z takes the sine of half the angle, w the "
+        "cosine.",
+        "축 (0, 0, 1)과 각도를 나란히 적었습니다. 쿼터니언에서는 z에 각도 절반의 sin, w에 cos이 들어갑니다.",
+    ),
+    of_yaw(
+        "angle in w",
+        lambda yaw: (0.0, 0.0, math.sin(yaw / 2), yaw),
+        "The angle itself stands in w. A quaternion holds no angle: w takes the cosine of half of it.",
+        "w에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. w에는 각도 절반의 cos을 넣습니다.",
+    ),
+    of_yaw(
+        "half the angle in w",
+        lambda yaw: (0.0, 0.0, math.sin(yaw / 2), yaw / 2),
+        "Half the angle itself stands in w. w takes the cosine of it.",
+        "w에 각도의 절반을 그대로 넣었습니다. w에는 그 cos을 넣습니다.",
+    ),
+    of_yaw(
+        "one in z",
+        lambda yaw: (0.0, 0.0, 1.0, math.cos(yaw / 2)),
+        "z is always 1, as in the axis. It takes the sine of half the angle: how far the turn goes is in z as well.",
+        "z가 축의 값처럼 언제나 1입니다. z에는 각도 절반의 sin을 넣습니다. 얼마나 도는지는 z에도 들어 있습니다.",
+    ),
+    of_yaw(
+        "a direction",
+        lambda yaw: (math.cos(yaw), math.sin(yaw), 0.0, 0.0),
+        "This is the direction in which the robot looks, (cos, sin), in x and y. A quaternion of a yaw has 0 there.",
+        "로봇이 보는 방향 (cos, sin)을 x와 y에 넣었습니다. yaw의 쿼터니언에서는 x와 y가 0입니다.",
+    ),
+    of_yaw(
+        "a direction and a one",
+        lambda yaw: (math.cos(yaw), math.sin(yaw), 0.0, 1.0),
+        "x and y hold a direction, (cos, sin), and w a 1. Of a turn about z, x and y are 0; z and w tell how far it goes.",
+        "x와 y에 방향 (cos, sin)을, w에 1을 넣었습니다. z축 회전에서는 x와 y가 0이고 얼마나 도는지는 z와 w가 말합니다.",
+    ),
+    of_yaw(
+        "halves in x and y",
+        lambda yaw: (math.cos(yaw / 2), math.sin(yaw / 2), 0.0, 1.0),
+        "Cosine and sine of the half stand in x and y. They belong into w and z: a turn about z has 0 in x and y.",
+        "절반의 cos과 sin이 x와 y에 있습니다. 그 자리는 w와 z입니다. z축 회전에서는 x와 y가 0입니다.",
+    ),
+    of_yaw(
+        "zeros for no turn",
+        lambda yaw: turned(yaw) if yaw else (0.0, 0.0, 0.0, 0.0),
+        "For a yaw of 0 you give four zeros. That is no rotation at all, and TF refuses it; not to turn is (0, 0, 0, 1).",
+        "yaw가 0일 때 네 숫자가 모두 0입니다. 그것은 회전이 아니며 TF가 거절합니다. 돌지 않는 회전은 (0, 0, 0, 1)입니다.",
+    ),
+    of_yaw(
+        "no more than half a turn",
+        lambda yaw: held_within(yaw, math.pi),
+        "A yaw beyond half a turn is cut off at π. It needs no bound: sine and cosine take any angle.",
+        "반 바퀴를 넘는 yaw를 π에서 잘라 냈습니다. 한계를 둘 필요가 없습니다. sin과 cos은 어떤 각도든 받습니다.",
+        "",
+    ),
+    of_yaw(
+        "no more than a quarter turn",
+        lambda yaw: held_within(yaw, math.pi / 2),
+        "A yaw beyond a quarter turn is cut off at π/2. It needs no bound: sine and cosine take any angle.",
+        "1/4 바퀴를 넘는 yaw를 π/2에서 잘라 냈습니다. 한계를 둘 필요가 없습니다. sin과 cos은 어떤 각도든 받습니다.",
+        "",
+    ),
+)
+
+
 TASK = Task(
     id="E2.3",
     kind="F",
@@ -463,6 +540,7 @@ TASK = Task(
         SINE_HALVED_OUTSIDE,
         COSINE_HALVED_OUTSIDE,
         REST_OF_THE_SIZE,
+        *ALONE,
     ),
     hints=(
         Words(

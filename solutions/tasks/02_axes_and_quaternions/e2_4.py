@@ -8,7 +8,7 @@ import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Choice, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
 
@@ -32,6 +32,8 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         (0.0, 0.0, 0.0, 0.0),
         (0.0, 0.0, math.nan, 1.0),
         (math.inf, 0.0, 0.0, 1.0),
+        (0.0, math.nan, 0.0, 1.0),
+        (0.0, 0.0, 0.0, math.nan),
         tuple(length * part for part in good),
         (0.0, 0.0, share, round(1.0 - share, 2)),
         wxyz_from_xyzw(yawed(0.3, 1.2)),
@@ -62,15 +64,20 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "infinity": lambda part: not math.isinf(part),
         "nan": lambda part: not math.isnan(part),
         "not asked": lambda part: True,
+        "without w": math.isfinite,
     }
-    if not all(map(finites[finite], q)):
+    if not all(map(finites[finite], q[:3] if finite == "without w" else q)):
         return "nan"
     if length == "of the scaled" and math.hypot(*q) >= below:
         q = tuple(part / math.hypot(*q) for part in q)
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
     sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
-             "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3]))}  # fmt: skip
+             "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3])),
+             "x signed": max(x, abs(y)), "y signed": max(abs(x), y), "signed sum": x + y,
+             "x or z": max(abs(x), abs(q[2]))}  # fmt: skip
     beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3]),
+              "x over z": abs(q[0]) > abs(q[2]),
+              "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,
               "w over z, signed": q[3] > q[2], "x over w, signed": q[0] > q[3],
               "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3])}  # fmt: skip
     is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
@@ -85,6 +92,8 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "without w": math.hypot(*q[:3]) < below,
         "each": max(map(abs, q)) < below,
         "not asked": False,
+        "any": 0.0 in q,
+        "no vector": not any(q[:3]),
     }
     if is_zero[zero] or (zero == "w" and is_zero["length"]):
         return "zero"
@@ -95,9 +104,10 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "square": math.hypot(*q) ** 2,
         "sum": sum(map(abs, q)),
         "signed sum": sum(q),
+        "largest": max(map(abs, q)),
     }
     off = lengths[length] - 1.0
-    if (off if sides == "above" else abs(off)) > tolerance:
+    if {"above": off, "below": -off}.get(sides, abs(off)) > tolerance:
         return "not unit"
     return "w first" if is_tipped else "ok"
 
@@ -117,8 +127,8 @@ INFINITY_SLIPS_THROUGH = Slip(
     "infinity slips through",
     {"finite": "nan"},
     Words(
-        en="Infinity slips through: it is no number to compute with either. Ask math.isfinite of each of the four numbers; it finds NaN and infinity.",
-        ko="무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite로 숫자 네 개를 모두 확인하십시오. NaN과 무한대를 다 찾아냅니다.",
+        en="Infinity slips through: it is no number to compute with either. Ask math.isfinite of each of the four numbers, before anything else; it finds NaN and infinity.",
+        ko="무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite로 숫자 네 개를 맨 먼저 모두 확인하십시오. NaN과 무한대를 다 찾아냅니다.",
     ),
     misconception="M5",
 )
@@ -530,6 +540,112 @@ FIVE_THOUSANDTHS = Slip(
 )
 
 
+def the_last_that_fits(q: tuple) -> str:
+    """Judge a quaternion by every question of the task, and keep the last verdict."""
+    length = math.hypot(*q)
+    verdicts = {
+        "nan": not all(map(math.isfinite, q)),
+        "zero": length < 1e-6,
+        "not unit": abs(length - 1.0) > 0.01,
+        "w first": max(abs(q[0]), abs(q[1])) > 0.1,
+    }
+    return [verdict for verdict, fits in {"ok": True, **verdicts}.items() if fits][-1]
+
+
+def judged_by(name: str, steps: dict[str, str], en: str, ko: str) -> Twin:
+    """Return a judge that stands alone: he composes with no other slip."""
+    return Twin(name, lambda q: judged(q, **steps), Words(en=en, ko=ko))
+
+
+ALONE = (
+    Twin(
+        "the last that fits",
+        the_last_that_fits,
+        Words(
+            en="Where several verdicts fit, you name the last one, and the first is asked for. Return each where it is "
+            "found, or ask on with elif.",
+            ko="판정이 여럿 맞을 때 마지막 것을 답합니다. 처음 맞는 것을 답해야 합니다. 찾는 즉시 return 하거나 elif로 "
+            "이으십시오.",
+        ),
+    ),
+    judged_by(
+        "w not asked",
+        {"finite": "without w"},
+        "A w that is NaN slips through: you ask three of the four numbers whether they are finite.",
+        "w가 NaN인 것이 빠져나갔습니다. 네 숫자 가운데 셋만 유한한지 확인합니다.",
+    ),
+    judged_by(
+        "too long passes",
+        {"sides": "below"},
+        "You refuse a length below 1, but not one above. It differs to both sides: compare abs(length - 1).",
+        "길이가 1보다 짧으면 거절하지만 길면 통과시킵니다. 차이는 양쪽으로 납니다. abs(길이 - 1)을 비교하십시오.",
+    ),
+    judged_by(
+        "at the bound",
+        {"size": "at the bound"},
+        "A size of exactly 0.1 is not larger than 0.1: that is > and not >=.",
+        "크기가 정확히 0.1이면 0.1보다 큰 것이 아닙니다. >=가 아니라 >입니다.",
+    ),
+    judged_by(
+        "turned round",
+        {"size": "turned round"},
+        'You say "w first" where x or y is small. It is the other way round: one of them is large.',
+        'x나 y가 작을 때 "w first"라고 합니다. 반대입니다. 둘 가운데 하나가 클 때입니다.',
+    ),
+    judged_by(
+        "largest for the length",
+        {"length": "largest", "zero": "each"},
+        "You took the largest of the four numbers for the length. The length is the root of the sum of squares: "
+        "math.hypot.",
+        "네 숫자 가운데 가장 큰 것을 길이로 썼습니다. 길이는 제곱을 더해 제곱근을 구한 것입니다. math.hypot을 쓰십시오.",
+    ),
+    judged_by(
+        "zero if one is zero",
+        {"zero": "any"},
+        "You call it zero if one of the four is 0: then nearly every good one is. All four together are short: look at the "
+        "length.",
+        "네 숫자 가운데 하나만 0이어도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
+    ),
+    judged_by(
+        "zero without a vector",
+        {"zero": "no vector"},
+        "You call it zero if x, y and z are 0. (0, 0, 0, 1) is no turn at all, and a good quaternion: its length is 1.",
+        "x, y, z가 0이면 zero라고 합니다. (0, 0, 0, 1)은 돌지 않는 회전이고 올바른 쿼터니언입니다. 길이가 1입니다.",
+    ),
+    judged_by(
+        "negative x passes",
+        {"size": "x signed"},
+        "A large negative x passes: of y you ask the size, of x only whether it is above 0.1. Compare the abs() of both.",
+        "크지만 음수인 x가 통과합니다. y는 크기를 보는데 x는 0.1보다 큰지만 봅니다. 둘 다 abs()를 비교하십시오.",
+    ),
+    judged_by(
+        "negative y passes",
+        {"size": "y signed"},
+        "A large negative y passes: of x you ask the size, of y only whether it is above 0.1. Compare the abs() of both.",
+        "크지만 음수인 y가 통과합니다. x는 크기를 보는데 y는 0.1보다 큰지만 봅니다. 둘 다 abs()를 비교하십시오.",
+    ),
+    judged_by(
+        "signed sum of x and y",
+        {"size": "signed sum"},
+        "You add x and y, signs and all, and ask whether the sum is large. The task looks at the size of each by itself.",
+        "x와 y를 부호까지 더해 그 합이 큰지 봅니다. 문제에서는 하나씩 그 크기를 봅니다.",
+    ),
+    judged_by(
+        "x or z",
+        {"size": "x or z"},
+        "You look at x and z. A turn on the floor lives in z, so z may be large: the task asks x and y.",
+        "x와 z를 봅니다. 바닥에서 도는 회전은 z에 나타나므로 z는 커도 됩니다. 문제에서는 x와 y를 봅니다.",
+    ),
+    judged_by(
+        "x over z",
+        {"size": "x over z"},
+        "You ask whether x is larger than z in size. z may be large as well where w came first, and y counts too: is x or "
+        "y larger than 0.1?",
+        "x의 크기가 z보다 큰지 봅니다. w가 먼저 왔을 때 z도 클 수 있고, y도 봐야 합니다. x나 y가 0.1보다 큽니까?",
+    ),
+)
+
+
 TASK = Task(
     id="E2.4",
     kind="F",
@@ -583,6 +699,7 @@ TASK = Task(
         X_OVER_W_WITH_SIGNS,
         X_OR_Y_OVER_W,
         FIVE_THOUSANDTHS,
+        *ALONE,
     ),
     hints=(
         Words(

@@ -31,7 +31,11 @@ def turned_twice(
     """Return the rotation, step by step; other steps are the slips."""
     factor = {"radians": 1.0, "degrees": math.radians(1.0), "to degrees": math.degrees(1.0)}[unit]
     yaw_rad, pitch_rad = given.first_yaw_rad, given.then_pitch_rad
-    yaw_rad, pitch_rad = (pitch_rad, yaw_rad) if angles == "exchanged" else (yaw_rad, pitch_rad)
+    yaw_rad, pitch_rad = {
+        "exchanged": (pitch_rad, yaw_rad),
+        "yaw in both": (yaw_rad, yaw_rad),
+        "pitch in both": (pitch_rad, pitch_rad),
+    }.get(angles, (yaw_rad, pitch_rad))
     ways = {
         "twice": 2.0,
         "half": 0.5,
@@ -376,6 +380,136 @@ BOTH_TO_THE_OTHER_SIDE = Slip(
 )
 
 
+YAW_IN_BOTH = Slip(
+    "yaw in both",
+    {"angles": "yaw in both"},
+    Words(
+        en="Both turns go by the yaw's angle: the pitch has one of its own.",
+        ko="두 회전 모두 yaw의 각도만큼 돕니다. pitch에는 따로 주어진 각도를 쓰십시오.",
+    ),
+)
+
+
+PITCH_IN_BOTH = Slip(
+    "pitch in both",
+    {"angles": "pitch in both"},
+    Words(
+        en="Both turns go by the pitch's angle: the yaw has one of its own.",
+        ko="두 회전 모두 pitch의 각도만큼 돕니다. yaw에는 따로 주어진 각도를 쓰십시오.",
+    ),
+)
+
+
+def halves(given) -> tuple[float, float, float, float]:
+    """Return the sine and cosine of half the yaw, and of half the pitch."""
+    yaw, pitch = given.first_yaw_rad / 2, given.then_pitch_rad / 2
+    return math.sin(yaw), math.cos(yaw), math.sin(pitch), math.cos(pitch)
+
+
+def joined(pitch: tuple, yaw: tuple) -> tuple[float, ...]:
+    """Return the product of two quaternions of length one, the yaw first."""
+    return (Transform(rotation=pitch) @ Transform(rotation=yaw)).rotation
+
+
+def with_the_yaw_exchanged(given):
+    ys, yc, ps, pc = halves(given)
+    return joined((0.0, ps, 0.0, pc), (0.0, 0.0, yc, ys))
+
+
+def with_the_pitch_exchanged(given):
+    ys, yc, ps, pc = halves(given)
+    return joined((0.0, pc, 0.0, ps), (0.0, 0.0, ys, yc))
+
+
+def with_both_exchanged(given):
+    ys, yc, ps, pc = halves(given)
+    return joined((0.0, pc, 0.0, ps), (0.0, 0.0, yc, ys))
+
+
+def with_w_first_inside(given):
+    ys, yc, ps, pc = halves(given)
+    return joined((pc, 0.0, ps, 0.0), (yc, 0.0, 0.0, ys))
+
+
+def without_x(given):
+    ys, yc, ps, pc = halves(given)
+    return 0.0, ps * yc, pc * ys, pc * yc
+
+
+def beside_half_the_sum(given):
+    ys, _, ps, _ = halves(given)
+    return 0.0, ps, ys, math.cos((given.first_yaw_rad + given.then_pitch_rad) / 2)
+
+
+def pitch_undone(given):
+    yaw, pitch = (Transform(rotation=tuple(row)) for row in rows(given))
+    return (pitch @ yaw @ pitch.inverse()).rotation
+
+
+def of_numbers(name: str, answer, en: str, ko: str) -> Twin:
+    """Return an answer that stands alone: it composes with no other slip."""
+    return Twin(name, answer, Words(en=en, ko=ko), "M5")
+
+
+BY_HAND = (
+    of_numbers(
+        "no turn",
+        (0.0, 0.0, 0.0, 1.0),
+        "(0, 0, 0, 1) is no turn at all: neither of the two is in it.",
+        "(0, 0, 0, 1)은 돌지 않은 것입니다. 두 회전이 모두 들어 있지 않습니다.",
+    ),
+    of_numbers(
+        "pitch undone",
+        pitch_undone,
+        "You put the yaw between a pitch and its inverse: then the pitch is undone again. Both turns stay.",
+        "yaw를 pitch와 그 역회전 사이에 넣어서 pitch가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다.",
+    ),
+    of_numbers(
+        "sine in the yaw's w",
+        with_the_yaw_exchanged,
+        "In the yaw's quaternion sine and cosine have changed places: z takes the sine of the half, w the cosine.",
+        "yaw의 쿼터니언에서 sin과 cos의 자리가 바뀌었습니다. z에 절반의 sin, w에 cos을 넣습니다.",
+    ),
+    of_numbers(
+        "sine in the pitch's w",
+        with_the_pitch_exchanged,
+        "In the pitch's quaternion sine and cosine have changed places: y takes the sine of the half, w the cosine.",
+        "pitch의 쿼터니언에서 sin과 cos의 자리가 바뀌었습니다. y에 절반의 sin, w에 cos을 넣습니다.",
+    ),
+    of_numbers(
+        "sine in both w",
+        with_both_exchanged,
+        "In both quaternions sine and cosine have changed places: w takes the cosine of the half.",
+        "두 쿼터니언 모두 sin과 cos의 자리가 바뀌었습니다. w에는 절반의 cos을 넣습니다.",
+    ),
+    of_numbers(
+        "w first inside",
+        with_w_first_inside,
+        "The two quaternions went in with w in front, and were taken for (x, y, z, w): w comes last.",
+        "두 쿼터니언의 w를 앞에 두고 넣었는데, (x, y, z, w)로 읽혔습니다. w는 마지막에 옵니다.",
+    ),
+    of_numbers(
+        "x left out",
+        without_x,
+        "y, z and w are those of the product, and x is 0: two turns about two axes also mix into the third.",
+        "y, z, w는 곱한 값인데 x가 0입니다. 두 축의 회전을 이으면 셋째 축에도 값이 생깁니다.",
+    ),
+    of_numbers(
+        "halves beside half the sum",
+        beside_half_the_sum,
+        "The sines of both halves stand side by side, and w is the cosine of half the sum. Two turns are multiplied, "
+        "and mix.",
+        "두 절반의 sin을 나란히 적고 w에는 합의 절반의 cos을 넣었습니다. 두 회전은 곱하고, 그러면 서로 섞입니다.",
+    ),
+    of_numbers(
+        "sum as one pitch",
+        lambda given: Transform.from_rpy(pitch=given.first_yaw_rad + given.then_pitch_rad).rotation,
+        "You added the two angles to one pitch. They turn about two axes: each is a turn of its own.",
+        "두 각도를 더해 pitch 하나로 만들었습니다. 두 각도는 서로 다른 축을 중심으로 돕니다. 회전을 따로 만드십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.5",
     kind="N",
@@ -417,6 +551,9 @@ TASK = Task(
         YAW_HALVED,
         PITCH_HALVED,
         BOTH_TO_THE_OTHER_SIDE,
+        YAW_IN_BOTH,
+        PITCH_IN_BOTH,
+        *BY_HAND,
     ),
     hints=(
         Words(

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from tflab.workbook.tasks import Number, Slip, Task, Words
+from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 
 def few_digits(rng: np.random.Generator) -> dict:
@@ -24,6 +24,8 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "three digits": 1.571,
         "3.141 / 2": 3.141 / 2,
         "pi": math.pi,
+        "an eighth": math.pi / 4,
+        "90": 90.0,
         "none": 0.0,
     }
     missing = quarters[quarter] - given.written_yaw_rad
@@ -34,8 +36,11 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "of a quarter turn": 2 / math.pi,
         "of a whole turn": 0.5 / math.pi,
         "twice": 2.0,
+        "times pi": math.pi,
+        "times 2 pi": 2 * math.pi,
     }[part]
-    reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2}[reach]
+    reach_m = {"range": given.range_m, "left out": 1.0, "squared": given.range_m**2, "10 m": 10.0,
+               "root": math.sqrt(given.range_m)}[reach]  # fmt: skip
     off_m = {
         "aside": reach_m * missing,
         "range": reach_m,
@@ -45,6 +50,13 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "sine of degrees": reach_m * math.sin(math.degrees(missing)),
         "sine of the written": reach_m * math.sin(given.written_yaw_rad),
         "tangent of the written": reach_m * math.tan(given.written_yaw_rad),
+        "cosine, converted": reach_m * math.cos(math.radians(given.written_yaw_rad)),
+        "sine, converted": reach_m * math.sin(math.radians(given.written_yaw_rad)),
+        "cosine, in degrees": reach_m * math.cos(math.degrees(given.written_yaw_rad)),
+        "sine, in degrees": reach_m * math.sin(math.degrees(given.written_yaw_rad)),
+        "both angles": reach_m * (math.pi / 2 + given.written_yaw_rad),
+        "arc tangent": math.atan(reach_m * missing),
+        "to centimetres": round(reach_m * missing, 2),
     }
     return 1000.0 * (abs(off_m[length]) if sign == "dropped" else -abs(off_m[length]))
 
@@ -227,8 +239,8 @@ THREE_DIGITS = Slip(
     "pi / 2 to three digits",
     {"quarter": "three digits"},
     Words(
-        en="You compared with 1.571, π/2 to three decimals: far away that shows. Use math.pi.",
-        ko="1.571, 곧 소수 셋째 자리까지의 π/2와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
+        en="You compared with 1.571, π/2 to three decimals, or with 3.142 / 2: far away that shows. Use math.pi.",
+        ko="1.571, 곧 소수 셋째 자리까지의 π/2(또는 3.142 / 2)와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
     ),
 )
 
@@ -259,6 +271,85 @@ A_QUARTER_OF_A_CIRCLE = Slip(
     Words(
         en="That is the arc of the whole quarter turn. What swings the ray aside is only what is missing up to π/2.",
         ko="4분의 1바퀴 전체의 호입니다. 광선을 옆으로 미는 것은 π/2에 모자란 만큼뿐입니다.",
+    ),
+)
+
+
+def off_by(name: str, steps: dict[str, str], en: str, ko: str, misconception: str = "") -> Twin:
+    """Return an answer that stands alone: it composes with no other slip."""
+    return Twin(name, lambda given: aside_mm(given, **steps), Words(en=en, ko=ko), misconception)
+
+
+ALONE = (
+    off_by(
+        "at 10 m",
+        {"reach": "10 m"},
+        "That is how far off a point would be at 10 metres. Your range is another.",
+        "10미터 앞의 점이 어긋나는 길이입니다. 문제에 주어진 거리는 다릅니다.",
+    ),
+    off_by(
+        "root of the range",
+        {"reach": "root"},
+        "The root of the range went in. An arc is radius times angle: the range itself.",
+        "거리의 제곱근을 곱했습니다. 호의 길이는 반지름 곱하기 각도이므로 거리를 그대로 곱합니다.",
+    ),
+    off_by(
+        "an eighth of a circle",
+        {"quarter": "an eighth"},
+        "You compared with π/4. The mount turns by a quarter of a circle, π/2.",
+        "π/4와 비교했습니다. 장착은 4분의 1바퀴, 곧 π/2만큼 돕니다.",
+    ),
+    off_by(
+        "90 and radians",
+        {"quarter": "90"},
+        "You took radians off 90 degrees. Both angles need one unit: a quarter turn is math.pi / 2.",
+        "90도에서 라디안을 뺐습니다. 두 각도의 단위를 맞추십시오. 4분의 1바퀴는 math.pi / 2입니다.",
+        "M5",
+    ),
+    off_by(
+        "times pi",
+        {"part": "times pi"},
+        "There is a π too many: an arc is radius times angle, and π is in the radians already.",
+        "π를 한 번 더 곱했습니다. 호의 길이는 반지름 곱하기 각도이고, 라디안에는 π가 이미 들어 있습니다.",
+    ),
+    off_by(
+        "times two pi",
+        {"part": "times 2 pi"},
+        "There is 2π too many, as in the way round a circle: an arc is radius times angle.",
+        "원둘레를 구하듯 2π를 더 곱했습니다. 호의 길이는 반지름 곱하기 각도입니다.",
+    ),
+    off_by(
+        "both angles together",
+        {"length": "both angles"},
+        "You added π/2 and the angle that was written. What swings the ray aside is their difference.",
+        "π/2와 적힌 각도를 더했습니다. 광선을 옆으로 미는 것은 둘의 차이입니다.",
+    ),
+    off_by(
+        "arc tangent",
+        {"length": "arc tangent"},
+        "That is an angle, an arc tangent. Asked for is a length: how far aside the point is.",
+        "atan으로 구한 각도입니다. 필요한 것은 길이, 곧 점이 옆으로 벗어난 거리입니다.",
+    ),
+    off_by(
+        "to centimetres",
+        {"length": "to centimetres"},
+        "This is rounded to centimetres: the last digit of the millimetres is lost. Round at the very end, if at all.",
+        "센티미터까지로 반올림해서 밀리미터 자리가 없어졌습니다. 반올림은 맨 마지막에만 하십시오.",
+    ),
+    *(
+        off_by(
+            f"{what} of the written, {unit}",
+            {"length": f"{what}, {unit}"},
+            f"That is the {what} of the angle that was written, after it had been taken {taken}. math.sin and math.cos "
+            "want radians, as the URDF has them.",
+            f"적힌 각도를 {taken_ko} 뒤 {short}을 구한 값입니다. math.sin과 math.cos은 URDF처럼 라디안을 받습니다.",
+            "M5",
+        )
+        for what, short in (("sine", "sin"), ("cosine", "cos"))
+        for unit, taken, taken_ko in (
+            ("converted", "for degrees", "도(degree)로 여겨 라디안으로 바꾼"),
+            ("in degrees", "into degrees", "도(degree)로 바꾼"),
+        )
     ),
 )
 
@@ -296,6 +387,7 @@ TASK = Task(
         PI_CUT_SHORT,
         OF_A_WHOLE_TURN,
         A_QUARTER_OF_A_CIRCLE,
+        *ALONE,
     ),
     hints=(
         Words(
