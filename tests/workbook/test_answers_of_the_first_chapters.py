@@ -258,6 +258,82 @@ def test_of_two_quaternions_made_by_hand_the_wrong_one_is_told(pitch_of, yaw_of,
 # -- chapters 3 and 4 -----------------------------------------------------------------
 
 
+def by_hand(turn):
+    """Return an answer to E3.2 that turns points by a function of its own."""
+
+    def answer(given):
+        place, corner = given.laser_p_corner, {}
+        for frame, pose in (("base_link", given.base_T_laser), ("map", given.map_T_base)):
+            x, y = turn(*place[:2], pose.rpy()[2])
+            tx, ty, tz = pose.translation
+            place = corner[frame] = (x + tx, y + ty, place[2] + tz)
+        return corner
+
+    return answer
+
+
+def with_the_new_x(u, v, a):
+    x = u * math.cos(a) - v * math.sin(a)
+    return x, x * math.sin(a) + v * math.cos(a)
+
+
+@pytest.mark.parametrize(
+    ("turn", "slips"),
+    [
+        (lambda u, v, a: (u * math.cos(a) - v * math.sin(a), u * math.sin(a) + v * math.cos(a)), []),
+        (lambda u, v, a: (u * math.cos(a) + v * math.sin(a), u * math.sin(a) + v * math.cos(a)),
+         ["both sine's sign in x"]),
+        (lambda u, v, a: (u * math.cos(a), v * math.cos(a)), ["both cosines alone"]),
+        (with_the_new_x, ["both new x"]),
+    ],
+)  # fmt: skip
+def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, slips):
+    assert slips_of("E3.2", by_hand(turn)) == slips
+
+
+def echoed_back(back, yaw=lambda yaw: -yaw):
+    """Return an answer to E3.5 whose way back was computed so, of x, y, z and the sine and cosine of the yaw."""
+
+    def answer(given):
+        lines = [line.rstrip("]").split("[")[-1] for line in given.echo.splitlines()]
+        x, y, z = map(float, lines[1].split(", "))
+        angle = float(lines[3].split(", ")[2])
+        there = back(x, y, z, math.sin(angle), math.cos(angle))
+        return {"laser_in_base": (x, y, z), "base_in_laser": there, "yaw_back": yaw(angle)}
+
+    return answer
+
+
+@pytest.mark.parametrize(
+    ("back", "slips"),
+    [
+        (lambda x, y, z, s, c: (-x * c - y * s, x * s - y * c, -z), []),
+        (lambda x, y, z, s, c: (-x * c + y * s, x * s - y * c, -z), ["sine's sign in x"]),
+        (lambda x, y, z, s, c: (-x * c - y * s, (-x * c - y * s) * s - y * c, -z), ["new x, taken off"]),
+        (lambda x, y, z, s, c: (-x * c, -y * c, z), ["cosines alone, height kept"]),
+        (lambda x, y, z, s, c: (0.0, 0.0, 0.0), ["nowhere"]),
+    ],
+)
+def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, slips):
+    assert slips_of("E3.5", echoed_back(back)) == slips
+
+
+@pytest.mark.parametrize(
+    ("yaw", "slip"),
+    [
+        (lambda yaw: -math.asin(math.sin(yaw)), "yaw by asin"),
+        (lambda yaw: -math.atan(math.tan(yaw)), "yaw by atan"),
+        (abs, "yaw always positive"),
+    ],
+)
+def test_a_yaw_that_went_through_an_arc_is_told_where_it_goes_wrong(yaw, slip):
+    def inverted(pose):
+        x, y, c, s = pose["x"], pose["y"], math.cos(pose["yaw"]), math.sin(pose["yaw"])
+        return {"x": -x * c - y * s, "y": x * s - y * c, "yaw": yaw(pose["yaw"])}
+
+    assert slips_of("E3.3", inverted) == [slip]
+
+
 def test_the_way_back_by_a_distance_is_told_term_by_term():
     def polar(pose):
         far, yaw = math.hypot(pose["x"], pose["y"]), pose["yaw"]

@@ -46,15 +46,34 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
     c, s = math.cos(angle), math.sin(angle)
     right = (c * x - s * y, s * x + c * y)
     return {
+        "sine's sign in x": (c * x + s * y, right[1]),
+        "sine's sign in y": (right[0], c * y - s * x),
         "cosine's sign in x": (-c * x - s * y, right[1]),
         "cosine's sign in y": (right[0], s * x - c * y),
         "exchanged in x": (s * x - c * y, right[1]),
         "exchanged in y": (right[0], c * x + s * y),
+        "exchanged in both": (s * x - c * y, c * x + s * y),
         "places in x": (c * y - s * x, right[1]),
+        "both second terms": (c * x + s * y, s * x - c * y),
+        "new x": (right[0], s * right[0] + c * y),
+        "y not turned": (right[0], y),
+        "x not turned": (x, right[1]),
+        "one term each": (c * x, s * y),
+        "cosines alone": (c * x, c * y),
+        "first term alone": (c * x, s * x),
     }[way]
 
 
-WRONG_TERMS = {
+WRONG_TERMS = ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x")
+BY_HAND = {  # what to say of each of these ways
+    "sine's sign in x": Words(
+        en="one sine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
+        ko="x의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·cos α − v·sin α.",
+    ),
+    "sine's sign in y": Words(
+        en="one sine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
+        ko="y의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·sin α + v·cos α.",
+    ),
     "cosine's sign in x": Words(
         en="one cosine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
         ko="x를 구하는 식에서 cos 앞의 부호 하나가 틀렸습니다. u·cos α − v·sin α를 다시 확인하십시오.",
@@ -75,9 +94,42 @@ WRONG_TERMS = {
         en="in your x alone, u and v have changed places: it is u·cos α − v·sin α.",
         ko="x를 구하는 식에서만 u와 v의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
     ),
+    "exchanged in both": Words(
+        en="sine and cosine have changed places in the turn.",
+        ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다.",
+    ),
+    "both second terms": Words(
+        en="the second terms of your x and your y have the wrong sign: it is u·cos α − v·sin α, and u·sin α + v·cos α.",
+        ko="x와 y 두 식의 둘째 항 부호가 틀렸습니다. u·cos α − v·sin α와 u·sin α + v·cos α입니다.",
+    ),
+    "new x": Words(
+        en="y was computed from the x that had been turned already. Both take the old u and v: give the results other "
+        "names.",
+        ko="y를 구할 때 이미 돌린 x를 썼습니다. 둘 다 돌리기 전의 u와 v로 계산합니다. 결과에는 다른 이름을 붙이십시오.",
+    ),
+    "y not turned": Words(
+        en="x is turned, and y is not: both take a part of u and a part of v.",
+        ko="x만 돌리고 y는 돌리지 않았습니다. 두 식 모두에 u와 v가 함께 들어갑니다.",
+    ),
+    "x not turned": Words(
+        en="y is turned, and x is not: both take a part of u and a part of v.",
+        ko="y만 돌리고 x는 돌리지 않았습니다. 두 식 모두에 u와 v가 함께 들어갑니다.",
+    ),
+    "one term each": Words(
+        en="x has u·cos α alone, and y has v·sin α alone: each is a sum of two terms, one of u and one of v.",
+        ko="x에는 u·cos α만, y에는 v·sin α만 있습니다. 두 식 모두 u의 항과 v의 항을 더한 것입니다.",
+    ),
+    "cosines alone": Words(
+        en="both have only their cosine: the sine terms, in which the other number comes in, are missing.",
+        ko="두 식에 cos 항만 있습니다. 다른 쪽 숫자가 들어가는 sin 항이 빠졌습니다.",
+    ),
+    "first term alone": Words(
+        en="x is u·cos α and y is u·sin α: v has not come in at all.",
+        ko="x는 u·cos α, y는 u·sin α입니다. v가 전혀 들어가지 않았습니다.",
+    ),
 }
 
 
 def wrong_terms(step: str) -> tuple[Slip, ...]:
     """Return a slip for each term of the formula that may be wrong, at the step of a task that has `by_formula`."""
-    return tuple(Slip(way, {step: way}, words) for way, words in WRONG_TERMS.items())
+    return tuple(Slip(way, {step: way}, BY_HAND[way]) for way in WRONG_TERMS)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Parts, Slip, Task, Vector, Words
+from tflab.workbook.tasks import Parts, Slip, Task, Twin, Vector, Words
 
-from .draws import some_mount, some_yaw_degrees, turned
+from .draws import BY_HAND, by_formula, some_mount, some_yaw_degrees, turned
 
 
 def added(*points) -> tuple[float, ...]:
@@ -26,6 +27,8 @@ def corner_given(rng: np.random.Generator) -> dict[str, object]:
 
 def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
     """Return a point taken from the child to the parent, or what people do instead."""
+    if way in BY_HAND:
+        return added((*by_formula(*point[:2], transform.rpy()[2], way), point[2]), transform.translation)
     back = tuple(-number for number in transform.translation)
     return {
         "apply": transform.apply(point),
@@ -43,7 +46,13 @@ def taken(transform: Transform, point, way: str) -> tuple[float, ...]:
         "twice": transform.apply(transform.apply(point)),
         "half the turn": added(turned(_half(transform), point), transform.translation),
         "turned twice": added(turned(transform, turned(transform, point)), transform.translation),
+        "by degrees": _by_yaw(transform, math.degrees(transform.rpy()[2]), point),
+        "converted": _by_yaw(transform, math.radians(transform.rpy()[2]), point),
     }[way]
+
+
+def _by_yaw(transform: Transform, yaw: float, point) -> tuple[float, ...]:
+    return Transform.from_rpy(yaw=yaw, translation=transform.translation).apply(point)
 
 
 def _half(transform: Transform) -> Transform:
@@ -64,9 +73,43 @@ def moved_twice(
         return {"base_link": base_p, "map": (given.map_T_base @ given.base_T_laser).apply(base_p)}
     if product == "laser itself":
         return {"base_link": base_p, "map": given.map_T_base.apply(given.base_T_laser.translation)}
-    base_p = (*base_p[:2], 0.0) if height == "left out" else base_p
+    if product in BY_COPYING:
+        return {"base_link": base_p, "map": _copied(given, base_p, product)}
+    base_p = (*base_p[:2], {"left out": 0.0, "twice": 2 * base_p[2]}.get(height, base_p[2]))
     carried = {"as computed": base_p, "to tenths": tuple(round(number, 1) for number in base_p)}[between]
     return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else carried, then)}
+
+
+BY_COPYING = ("mount's turn", "mount's step", "mount again", "mount's step not turned", "mount's turn left out")
+
+
+def _copied(given, base_p, what: str) -> tuple[float, ...]:
+    """Return the corner on the map where something of the laser's mount went in as it should not."""
+    mount, robot, point = given.base_T_laser, given.map_T_base, given.laser_p_corner
+    return {
+        "mount's turn": added(turned(mount, base_p), robot.translation),
+        "mount's step": added(turned(robot, base_p), mount.translation),
+        "mount again": mount.apply(base_p),
+        "mount's step not turned": added(turned(robot, turned(mount, point)), mount.translation, robot.translation),
+        "mount's turn left out": added(turned(robot, point), mount.translation, robot.translation),
+    }[what]
+
+
+def on_the_way(way: str, words: Words, misconception: str = "") -> tuple[Twin, ...]:
+    """Return what was done on the way to `base_link`, on that to `map`, and by one function on both."""
+    first, then, both = (
+        Words(en=f"{en} {words.en}", ko=f"{ko} {words.ko}")
+        for en, ko in (
+            ("on the way to `base_link`,", "`base_link`로 갈 때의 계산입니다."),
+            ("on the way to `map`,", "`map`으로 갈 때의 계산입니다."),
+            ("on both ways,", "두 번의 계산에서 모두 그렇습니다."),
+        )
+    )
+    return (
+        Twin(f"first {way}", partial(moved_twice, first=way), first, misconception, part="base_link"),
+        Twin(f"then {way}", partial(moved_twice, then=way), then, misconception, part="map"),
+        Twin(f"both {way}", partial(moved_twice, first=way, then=way), both, misconception),
+    )
 
 
 SWAPPED = Slip(
@@ -487,6 +530,113 @@ THE_LASER_ON_THE_MAP = Slip(
 )
 
 
+HEIGHT_TWICE = Slip(
+    "height twice",
+    {"height": "twice"},
+    Words(
+        en="in `base_link`, the height of the mount is in z twice: once is how high the laser sits.",
+        ko="`base_link`의 z에 장착 높이를 두 번 더했습니다. 레이저의 높이는 한 번만 더합니다.",
+    ),
+    part="base_link",
+)
+
+
+def rounded_twice(given) -> dict[str, tuple]:
+    """Return both places rounded to tenths, the second computed from the rounded first."""
+    rough = moved_twice(given, between="to tenths")
+    return {name: tuple(round(number, 1) for number in row) for name, row in rough.items()}
+
+
+def without_the_robots_height(given) -> dict[str, tuple]:
+    """Return both places, the one on the map with the other's z."""
+    corner = moved_twice(given)
+    return corner | {"map": (*corner["map"][:2], corner["base_link"][2])}
+
+
+ROUNDED_TWICE = Twin(
+    "rounded twice",
+    rounded_twice,
+    Words(
+        en="both places are rounded to tenths, and `map` was computed from a rounded `base_link`. Carry numbers on as "
+        "they were computed.",
+        ko="두 위치를 모두 소수 첫째 자리로 반올림했고, `map`은 반올림한 `base_link`에서 구했습니다. 계산한 값을 그대로 "
+        "이어 쓰십시오.",
+    ),
+)
+
+
+HEIGHT_OF_THE_ROBOT = Twin(
+    "height of the robot left out",
+    without_the_robots_height,
+    Words(
+        en="for `map`, z is still that of `base_link`: base_link does not lie on the map's floor, so its own height is "
+        "added, too.",
+        ko="`map`의 z가 `base_link`의 값 그대로입니다. base_link는 map의 바닥에 있지 않으므로 그 높이도 더합니다.",
+    ),
+    part="map",
+)
+
+
+OF_THE_MOUNT = {
+    "mount's turn": Words(
+        en="for `map`, the point was turned by the laser's mount once more: from `base_link` to `map` it is the robot's "
+        "rotation that turns it.",
+        ko="`map`을 구할 때 점을 레이저 장착 회전으로 다시 돌렸습니다. `base_link`에서 `map`으로 갈 때는 로봇의 회전으로 "
+        "돌립니다.",
+    ),
+    "mount's step": Words(
+        en="for `map`, you added the step of the laser's mount again, and not that of `map_T_base`.",
+        ko="`map`을 구할 때 `map_T_base`의 이동이 아니라 레이저 장착 이동을 다시 더했습니다.",
+    ),
+    "mount again": Words(
+        en="for `map`, `base_T_laser` was applied once more, and `map_T_base` has not come in.",
+        ko="`map`을 구할 때 `base_T_laser`를 한 번 더 적용했고 `map_T_base`는 들어가지 않았습니다.",
+    ),
+    "mount's step not turned": Words(
+        en="for `map`, the step of the laser's mount was added as it is. It is measured along the robot's axes, and the "
+        "robot is turned on the map.",
+        ko="`map`을 구할 때 레이저 장착 이동을 그대로 더했습니다. 그 이동은 로봇의 축을 따라 잰 값이고, 로봇은 map에서 "
+        "돌아가 있습니다.",
+    ),
+    "mount's turn left out": Words(
+        en="for `map`, both steps were added as they are, and the point was turned by the robot alone: the mount turns "
+        "it as well, and the robot turns the mount's step.",
+        ko="`map`을 구할 때 두 이동을 그대로 더하고 점은 로봇의 회전으로만 돌렸습니다. 장착 회전도 점을 돌리고, 로봇의 "
+        "회전은 장착 이동도 돌립니다.",
+    ),
+}
+COPIED = tuple(
+    Twin(what, partial(moved_twice, product=what), words, part="map") for what, words in OF_THE_MOUNT.items()
+)
+
+
+LETTERS = Words(en="Here (u, v) is the point, and α is the yaw.", ko="(u, v)는 점이고 α는 yaw입니다.")
+HALF_THE_TURN = Words(
+    en="the point is turned by half of the angle. A quaternion holds the sine and cosine of half of it, and still turns "
+    "by all of it.",
+    ko="점을 각도의 절반만 돌렸습니다. 쿼터니언에는 각도 절반의 sin과 cos이 들어 있지만 돌리는 것은 각도 전체입니다.",
+)
+ANGLES = (
+    *on_the_way("half the turn", HALF_THE_TURN, "M5")[1:],
+    *on_the_way(
+        "by degrees",
+        Words(
+            en="the angle went into sine and cosine in degrees: they want radians.",
+            ko="각도를 도(degree)로 바꿔 sin과 cos에 넣었습니다. sin과 cos은 라디안을 받습니다.",
+        ),
+        "M5",
+    ),
+    *on_the_way(
+        "converted",
+        Words(
+            en="the point has hardly turned: the angle was in radians already, and went through `math.radians` once more.",
+            ko="점이 거의 돌지 않았습니다. 이미 라디안인 각도를 `math.radians`에 한 번 더 넣었습니다.",
+        ),
+        "M5",
+    ),
+)
+
+
 TASK = Task(
     id="E3.2",
     kind="N",
@@ -534,6 +684,12 @@ TASK = Task(
         ROUNDED_BETWEEN,
         HEIGHT_LEFT_OUT,
         THE_LASER_ON_THE_MAP,
+        HEIGHT_TWICE,
+        HEIGHT_OF_THE_ROBOT,
+        ROUNDED_TWICE,
+        *COPIED,
+        *ANGLES,
+        *(twin for way, words in BY_HAND.items() for twin in on_the_way(way, Words.joined(words, LETTERS))),
     ),
     hints=(
         Words(

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
-from tflab.workbook.tasks import Slip, Task, Words
+from tflab.workbook.tasks import Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
@@ -33,6 +34,11 @@ def yaws(yaw: float) -> dict[str, float]:
         "zero": 0.0,
         "rest of a half": math.pi - yaw,
         "one over": 1.0 / yaw if yaw else 0.0,
+        "converted": -math.radians(yaw),
+        "always positive": abs(yaw),
+        "always negative": -abs(yaw),
+        "asin": -math.asin(math.sin(yaw)),
+        "atan": -math.atan(math.tan(yaw)),
     }
 
 
@@ -41,7 +47,8 @@ def inverted(
 ) -> dict[str, float]:
     """Return b_pose_a, step by step; other steps are the slips."""
     yaw = a_pose_b["yaw"]
-    angles = {"back": -yaw, "on": yaw, "none": 0.0, "half": -yaw / 2, "asin": -math.asin(math.sin(yaw))}
+    angles = {"back": -yaw, "on": yaw, "none": 0.0, "half": -yaw / 2, "twice": -2 * yaw,
+              "asin": -math.asin(math.sin(yaw))}  # fmt: skip
     by = math.radians(angles[angle]) if unit == "degrees" else angles[angle]
     signs = {"off": (-1.0, -1.0), "on": (1.0, 1.0), "x alone": (-1.0, 1.0), "y alone": (1.0, -1.0)}.get(
         step, (1.0, 1.0)
@@ -271,6 +278,87 @@ ONE_OVER_THE_YAW = Slip(
 )
 
 
+BY_TWICE_THE_ANGLE = Slip(
+    "by twice the angle",
+    {"angle": "twice"},
+    Words(
+        en="the step is turned twice as far as it should be: by minus twice the yaw. Once is enough.",
+        ko="이동이 두 배로 돌았습니다. −yaw의 두 배만큼 돌린 값입니다. 한 번만 돌립니다.",
+    ),
+)
+
+
+# what only the yaw shows stands alone: beside a slip of x and y it is found part by part
+YAW_CONVERTED = Twin(
+    "yaw converted",
+    partial(inverted, turn="converted"),
+    Words(
+        en="the yaw went through `math.radians`, and it is in radians already: what you give is hardly turned.",
+        ko="이미 라디안인 yaw를 `math.radians`에 한 번 더 넣었습니다. 답한 yaw가 거의 0입니다.",
+    ),
+    "M5",
+)
+
+
+ALWAYS_POSITIVE = Twin(
+    "yaw always positive",
+    partial(inverted, turn="always positive"),
+    Words(
+        en="your yaw is never negative, as by `abs`. To turn back from a turn to the left is to turn to the right.",
+        ko="`abs`를 쓴 것처럼 yaw가 음수인 적이 없습니다. 왼쪽으로 돈 것을 되돌리려면 오른쪽으로 돕니다.",
+    ),
+)
+
+
+ALWAYS_NEGATIVE = Twin(
+    "yaw always negative",
+    partial(inverted, turn="always negative"),
+    Words(
+        en="your yaw is never positive, as by `-abs` or `-acos`. To turn back from a turn to the right is to turn to the "
+        "left.",
+        ko="`-abs`나 `-acos`를 쓴 것처럼 yaw가 양수인 적이 없습니다. 오른쪽으로 돈 것을 되돌리려면 왼쪽으로 돕니다.",
+    ),
+)
+
+
+YAW_BY_ASIN = Twin(
+    "yaw by asin",
+    partial(inverted, turn="asin"),
+    Words(
+        en="beyond a quarter turn your yaw comes out smaller than it is, as by `asin`, which never gives more than π/2. "
+        "The yaw came in as an angle: no arc is needed.",
+        ko="1/4 바퀴를 넘는 yaw가 실제보다 작게 나옵니다. `asin`은 π/2보다 큰 각도를 내지 않습니다. yaw는 각도로 "
+        "들어오므로 역함수가 필요 없습니다.",
+    ),
+)
+
+
+YAW_BY_ATAN = Twin(
+    "yaw by atan",
+    partial(inverted, turn="atan"),
+    Words(
+        en="beyond a quarter turn your yaw is half a turn off, as by `atan`, which never gives more than π/2. The yaw "
+        "came in as an angle: no arc is needed.",
+        ko="1/4 바퀴를 넘으면 yaw가 반 바퀴 어긋납니다. `atan`은 π/2보다 큰 각도를 내지 않습니다. yaw는 각도로 "
+        "들어오므로 역함수가 필요 없습니다.",
+    ),
+)
+
+
+SINE_FOR_COSINE_BY_HAND = Twin(
+    "sine for cosine, by hand",
+    lambda pose: {
+        "x": -math.sin(pose["yaw"]) * pose["x"] - math.cos(pose["yaw"]) * pose["y"],
+        "y": math.cos(pose["yaw"]) * pose["x"] - math.sin(pose["yaw"]) * pose["y"],
+        "yaw": -pose["yaw"],
+    },
+    Words(
+        en="where a cosine belongs stands a sine, and where a sine belongs a cosine.",
+        ko="cos이 올 자리에 sin이, sin이 올 자리에 cos이 있습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.3",
     kind="F",
@@ -303,6 +391,13 @@ TASK = Task(
         *wrong_terms("sine"),
         ONE_OVER,
         ONE_OVER_THE_YAW,
+        BY_TWICE_THE_ANGLE,
+        YAW_CONVERTED,
+        ALWAYS_POSITIVE,
+        ALWAYS_NEGATIVE,
+        YAW_BY_ASIN,
+        YAW_BY_ATAN,
+        SINE_FOR_COSINE_BY_HAND,
     ),
     hints=(
         Words(

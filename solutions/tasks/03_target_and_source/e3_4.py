@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
-from tflab.workbook.tasks import Slip, Task, Words
+from tflab.workbook.tasks import Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
@@ -66,6 +67,10 @@ def joined(
         pose |= dict(zip("xy", by_formula(x, y, angle, step), strict=True))
     if step == "exchanged":
         pose |= {"x": math.sin(angle) * x - math.cos(angle) * y, "y": math.cos(angle) * x + math.sin(angle) * y}
+    if step == "new x":
+        pose |= {"y": math.sin(angle) * pose["x"] + math.cos(angle) * y}
+    if step == "new x, added":
+        pose |= {"y": math.sin(angle) * (pose["x"] + outer["x"]) + math.cos(angle) * y}
     if step == "second lost":
         pose |= {"x": 0.0, "y": 0.0}
     if step == "first twice":
@@ -85,6 +90,10 @@ def joined(
             "first minus second": one - two,
             "mean": (one + two) / 2,
             "product": one * two,
+            "asin": math.asin(math.sin(one + two)),
+            "atan": math.atan(math.tan(one + two)),
+            "atan2 exchanged": math.atan2(math.cos(one + two), math.sin(one + two)),
+            "clamped": max(-math.pi, min(math.pi, one + two)),
         }[yaw]
     }
     return turned_round(pose) if end == "inverted" else pose
@@ -365,6 +374,93 @@ SINE_FOR_COSINE = Slip(
 )
 
 
+EACH_BY_ITS_OWN = Twin(
+    "each by its own yaw",
+    lambda one, two: {
+        **{
+            name: sum(moved(pose, pose["x"], pose["y"], pose["yaw"])[name] for pose in (one, two))
+            for name in ("x", "y")
+        },
+        "yaw": one["yaw"] + two["yaw"],
+    },
+    Words(
+        en="you turned each step by its own yaw. The first is measured in a already; the second is measured along b's "
+        "axes, and b's yaw is the first one.",
+        ko="이동을 각각 자기 yaw로 돌렸습니다. 첫째는 이미 a에서 잰 값이고, 둘째는 b의 축을 따라 잰 값인데 b의 yaw는 첫째 "
+        "yaw입니다.",
+    ),
+)
+
+
+NEW_X = Twin(
+    "new x",
+    partial(joined, step="new x"),
+    Words(
+        en="for `y` you used the x that had just been turned. Both take the old ones: give the results other names.",
+        ko="`y`를 구할 때 방금 돌린 x를 썼습니다. 둘 다 돌리기 전의 값으로 계산합니다. 결과에는 다른 이름을 붙이십시오.",
+    ),
+)
+
+
+NEW_X_ADDED = Twin(
+    "new x, added",
+    partial(joined, step="new x, added"),
+    Words(
+        en="for `y` you used the result for x, which had taken the place of the second step's. Give the results other "
+        "names.",
+        ko="`y`를 구할 때 둘째 이동의 x를 덮어쓴 결과 x를 썼습니다. 결과에는 다른 이름을 붙이십시오.",
+    ),
+)
+
+
+# what only the yaw shows stands alone: beside a slip of x and y it is found part by part
+YAW_BY_ASIN = Twin(
+    "yaw by asin",
+    partial(joined, yaw="asin"),
+    Words(
+        en="where the yaws add up to more than a quarter turn, yours comes out mirrored, as by `asin`, which never gives "
+        "more than π/2. The sum is the yaw already.",
+        ko="yaw의 합이 1/4 바퀴를 넘으면 거울에 비친 듯한 각도가 나옵니다. `asin`은 π/2보다 큰 각도를 내지 않습니다. 합이 "
+        "그대로 yaw입니다.",
+    ),
+)
+
+
+YAW_BY_ATAN = Twin(
+    "yaw by atan",
+    partial(joined, yaw="atan"),
+    Words(
+        en="where the yaws add up to more than a quarter turn, yours is half a turn off, as by `atan`, which never gives "
+        "more than π/2. The sum is the yaw already.",
+        ko="yaw의 합이 1/4 바퀴를 넘으면 반 바퀴 어긋납니다. `atan`은 π/2보다 큰 각도를 내지 않습니다. 합이 그대로 "
+        "yaw입니다.",
+    ),
+)
+
+
+ATAN2_EXCHANGED = Twin(
+    "atan2 exchanged",
+    partial(joined, yaw="atan2 exchanged"),
+    Words(
+        en="your yaw is π/2 minus the sum, as where `atan2` gets its two arguments the wrong way round: the sine comes "
+        "first.",
+        ko="yaw가 π/2에서 합을 뺀 값입니다. `atan2`의 두 인자를 바꿔 넣으면 이렇게 됩니다. sin이 먼저입니다.",
+    ),
+)
+
+
+YAW_CLAMPED = Twin(
+    "yaw clamped",
+    partial(joined, yaw="clamped"),
+    Words(
+        en="where the yaws add up to more than half a turn, yours stops at π or at −π. A turn goes on from there: it may "
+        "be written with a full turn less, but not cut off.",
+        ko="yaw의 합이 반 바퀴를 넘으면 π나 −π에서 멈춥니다. 회전은 거기서 끝나지 않습니다. 한 바퀴를 빼서 쓸 수는 있어도 "
+        "잘라 낼 수는 없습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.4",
     kind="F",
@@ -404,6 +500,13 @@ TASK = Task(
         MEAN_OF_THE_YAWS,
         *wrong_terms("step"),
         SINE_FOR_COSINE,
+        EACH_BY_ITS_OWN,
+        NEW_X,
+        NEW_X_ADDED,
+        YAW_BY_ASIN,
+        YAW_BY_ATAN,
+        ATAN2_EXCHANGED,
+        YAW_CLAMPED,
     ),
     hints=(
         Words(

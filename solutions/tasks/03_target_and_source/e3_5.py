@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
-from tflab.workbook.tasks import Angle, Parts, Slip, Task, Vector, Words
+from tflab.workbook.tasks import Angle, Parts, Slip, Task, Twin, Vector, Words
 
-from .draws import some_mount, turned
+from .draws import BY_HAND, by_formula, some_mount, turned
 
 
 def echo_given(rng: np.random.Generator) -> dict[str, str]:
@@ -40,15 +41,30 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "by degrees": Transform.from_rpy(yaw=-math.degrees(printed)).apply(away),
         "sine for cosine": (-(there[0] * s + there[1] * c), there[0] * c - there[1] * s, -there[2]),
         "exchanged": (inverse.translation[1], inverse.translation[0], inverse.translation[2]),
-    }[back]
-    seen = {"as printed": there, "swapped": inverse.translation, "negative": away}[laser]
+        "by half": Transform.from_rpy(yaw=-printed / 2).apply(away),
+        "converted": Transform.from_rpy(yaw=-math.radians(printed)).apply(away),
+        "about x": Transform.from_rpy(roll=-printed).apply(away),
+        "one over": tuple(1.0 / value for value in there),
+        "minus in x": (away[0], there[1], there[2]),
+        "minus in y": (there[0], away[1], there[2]),
+        "quarter to the left": (there[1], away[0], away[2]),
+        "quarter to the right": (away[1], there[0], away[2]),
+        "exchanged and minus": (away[1], away[0], away[2]),
+        "new x, taken off": (inverse.translation[0], inverse.translation[0] * s - there[1] * c, away[2]),
+        "nowhere": (0.0, 0.0, 0.0),
+    } | {way: (*by_formula(*away[:2], -printed, way), away[2]) for way in BY_HAND}  # fmt: skip
+    returned = returned[back]
+    seen = {"as printed": there, "swapped": inverse.translation, "negative": away, "turned": turned(mount, there),
+            "turned back": turned(inverse, there), "row of the matrix": (c, -s, 0.0)}[laser]  # fmt: skip
     returned = {"kept": (*returned[:2], -returned[2]), "left out": (*returned[:2], 0.0)}.get(height, returned)
     return {
         "laser_in_base": (*seen[:2], 0.0) if height == "left out" else seen,
         "base_in_laser": returned,
         "yaw_back": {"minus": -printed, "same": printed, "in degrees": round(math.degrees(-printed)),
                      "behind": printed + math.pi, "rest of a half": math.pi - printed, "zero": 0.0,
-                     "pitch": 0.0}[yaw],
+                     "pitch": 0.0, "degrees as printed": round(math.degrees(printed)),
+                     "degrees as computed": math.degrees(printed),
+                     "w": math.cos(printed / 2), "minus w": -math.cos(printed / 2)}[yaw],
     }  # fmt: skip
 
 
@@ -203,6 +219,167 @@ REST_OF_HALF_A_TURN = Slip(
 )
 
 
+def on_the_way_back(way: str, words: Words, misconception: str = "") -> tuple[Twin, ...]:
+    """Return a step back that was computed otherwise, and the same with the height's sign kept."""
+    kept = Words(
+        en="And the height has kept its sign: from the laser, is the robot's middle above or below?",
+        ko="높이의 부호도 그대로입니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
+    )
+    said = Words(en=f"for the way back: {words.en}", ko=f"돌아가는 길의 계산입니다. {words.ko}")
+    return (
+        Twin(way, partial(read, back=way), said, misconception),
+        Twin(f"{way}, height kept", partial(read, back=way, height="kept"), Words.joined(said, kept), misconception),
+    )
+
+
+LETTERS = Words(en="Here (u, v) is (−x, −y), and α is −yaw.", ko="(u, v)는 (−x, −y)이고 α는 −yaw입니다.")
+BACK = {
+    "by half": Words(
+        en="the step was turned by half of the yaw. Halves belong into quaternions; a point turns by all of it.",
+        ko="이동을 yaw의 절반만 돌렸습니다. 절반은 쿼터니언에만 쓰고, 점은 각도 전체만큼 돌립니다.",
+    ),
+    "converted": Words(
+        en="the step has hardly turned: the yaw is printed in radians, and went through `math.radians` once more.",
+        ko="이동이 거의 돌지 않았습니다. 라디안으로 출력된 yaw를 `math.radians`에 한 번 더 넣었습니다.",
+    ),
+    "about x": Words(
+        en="the step was turned about x, as by a roll. A yaw turns about z; `from_rpy` takes roll, pitch, yaw in this "
+        "order.",
+        ko="이동을 x축으로, 곧 roll로 돌렸습니다. yaw는 z축으로 돕니다. `from_rpy`는 roll, pitch, yaw 순서로 받습니다.",
+    ),
+    "minus in x": Words(
+        en="only x has got a minus sign. The whole step is taken off, and then it is turned.",
+        ko="x의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "minus in y": Words(
+        en="only y has got a minus sign. The whole step is taken off, and then it is turned.",
+        ko="y의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "quarter to the left": Words(
+        en="this is x in y's place and y in x's, one with a minus: as after a turn of −90°. How far is this mount turned?",
+        ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집은 값입니다. −90° 돌린 것과 같습니다. 이 장착은 얼마나 돌아가 있습니까?",
+    ),
+    "quarter to the right": Words(
+        en="this is x in y's place and y in x's, one with a minus: as after a turn of +90°. How far is this mount turned?",
+        ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집은 값입니다. +90° 돌린 것과 같습니다. 이 장착은 얼마나 돌아가 있습니까?",
+    ),
+    "exchanged and minus": Words(
+        en="x and y have changed places, each with a minus. The step has to be turned by the yaw that is printed.",
+        ko="x와 y의 자리를 바꾸고 둘 다 부호를 뒤집었습니다. 이동은 출력된 yaw로 돌려야 합니다.",
+    ),
+    "new x, taken off": Words(
+        en="y was computed from the new x, which had just been computed. Both take the old ones: give the results other "
+        "names.",
+        ko="y를 구할 때 방금 구한 새 x를 썼습니다. 둘 다 원래 값으로 계산합니다. 결과에는 다른 이름을 붙이십시오.",
+    ),
+}
+
+
+ONE_OVER = Slip(
+    "one over",
+    {"back": "one over"},
+    Words(
+        en="for the way back you divided 1 by the numbers. The inverse of a transform is the way back: turned and "
+        "stepped, no one-over.",
+        ko="돌아가는 길을 1을 나누어 구했습니다. 변환의 역은 역수가 아니라 되돌아가는 길입니다. 회전과 이동을 되돌리십시오.",
+    ),
+)
+
+
+NOWHERE = Slip(
+    "nowhere",
+    {"back": "nowhere"},
+    Words(
+        en="`base_in_laser` is (0, 0, 0): that is a frame's origin, seen from itself. Which point is `base_link` in "
+        "`base_link`? That one goes through the inverse.",
+        ko="`base_in_laser`가 (0, 0, 0)입니다. 좌표계의 원점을 그 좌표계에서 본 값입니다. `base_link`에서 본 `base_link`는 "
+        "어느 점입니까? 그 점에 역변환을 적용합니다.",
+    ),
+)
+
+
+LASER_TURNED = Slip(
+    "laser turned",
+    {"laser": "turned"},
+    Words(
+        en="for `laser_in_base` you turned the Translation by the yaw. What is printed is where the laser sits, along "
+        "the axes of `base_link`: nothing is left to turn.",
+        ko="`laser_in_base`에서 Translation을 yaw만큼 돌렸습니다. 출력된 값이 이미 `base_link`의 축으로 잰 레이저의 "
+        "위치이므로 돌릴 것이 없습니다.",
+    ),
+)
+
+
+LASER_TURNED_BACK = Slip(
+    "laser turned back",
+    {"laser": "turned back"},
+    Words(
+        en="for `laser_in_base` you turned the Translation by minus the yaw. What is printed is where the laser sits, "
+        "along the axes of `base_link`: nothing is left to turn.",
+        ko="`laser_in_base`에서 Translation을 −yaw만큼 돌렸습니다. 출력된 값이 이미 `base_link`의 축으로 잰 레이저의 "
+        "위치이므로 돌릴 것이 없습니다.",
+    ),
+)
+
+
+ROW_OF_THE_MATRIX = Slip(
+    "row of the matrix",
+    {"laser": "row of the matrix"},
+    Words(
+        en="for `laser_in_base` you took the first row of the Matrix: that is part of the rotation. The place is the "
+        "Translation, or the Matrix's last column.",
+        ko="`laser_in_base`에 Matrix의 첫 행을 썼습니다. 그것은 회전의 일부입니다. 위치는 Translation, 곧 Matrix의 마지막 "
+        "열입니다.",
+    ),
+)
+
+
+DEGREES_AS_PRINTED = Slip(
+    "degrees as printed",
+    {"yaw": "degrees as printed"},
+    Words(
+        en="this is the yaw in degrees, as it is printed. Asked for are radians, and the way back turns to the other side.",
+        ko="출력된 대로 도(degree)로 쓴 yaw입니다. 라디안으로 답해야 하고, 돌아가는 길은 반대쪽으로 돕니다.",
+    ),
+    "M5",
+)
+
+
+DEGREES_AS_COMPUTED = Slip(
+    "degrees as computed",
+    {"yaw": "degrees as computed"},
+    Words(
+        en="this is the printed yaw turned into degrees. It is in radians already, as it is asked for; and the way back "
+        "turns to the other side.",
+        ko="출력된 yaw를 도(degree)로 바꾼 값입니다. 이미 라디안이고, 라디안으로 답해야 합니다. 그리고 돌아가는 길은 반대쪽으로 "
+        "돕니다.",
+    ),
+    "M5",
+)
+
+
+W_FOR_THE_YAW = Slip(
+    "w for the yaw",
+    {"yaw": "w"},
+    Words(
+        en="this is the w of the quaternion, the cosine of half the angle. Asked for is the angle of the way back.",
+        ko="쿼터니언의 w, 곧 각도 절반의 cos입니다. 필요한 것은 돌아가는 길의 각도입니다.",
+    ),
+    "M5",
+)
+
+
+MINUS_W_FOR_THE_YAW = Slip(
+    "minus w for the yaw",
+    {"yaw": "minus w"},
+    Words(
+        en="this is the w of the quaternion with a minus. w is the cosine of half the angle, and no angle itself.",
+        ko="쿼터니언의 w에 마이너스를 붙인 값입니다. w는 각도 절반의 cos이지 각도가 아닙니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E3.5",
     kind="N",
@@ -235,6 +412,17 @@ TASK = Task(
         X_AND_Y_EXCHANGED,
         NO_YAW,
         REST_OF_HALF_A_TURN,
+        ONE_OVER,
+        NOWHERE,
+        LASER_TURNED,
+        LASER_TURNED_BACK,
+        ROW_OF_THE_MATRIX,
+        DEGREES_AS_PRINTED,
+        DEGREES_AS_COMPUTED,
+        W_FOR_THE_YAW,
+        MINUS_W_FOR_THE_YAW,
+        *(twin for way, words in BACK.items() for twin in on_the_way_back(way, words)),
+        *(twin for way in BY_HAND for twin in on_the_way_back(way, Words.joined(BY_HAND[way], LETTERS))),
     ),
     hints=(
         Words(

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Message, Slip, Task, Words
+from tflab.workbook.tasks import Message, Slip, Task, Twin, Words
 
 from .draws import some_yaw_degrees
 
 
 def mount_inputs(rng: np.random.Generator) -> list[tuple]:
     cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, some_yaw_degrees(rng)) for _ in range(4)]
-    return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90), (1, 2, 30)]
+    return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90), (1, 2, 30), (0.25, 0.40, 22.5)]
 
 
 def camera_message(parent: str, child: str, ahead_m: float, up_m: float, xyzw) -> geometry_msgs.TransformStamped:
@@ -36,20 +37,28 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     """Return the message, step by step; other steps are the slips."""
     parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
     child = "camera_optical_frame" if ends == "optical" else child
-    parent = {"map": "map", "odom": "odom"}.get(ends, parent)
-    yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg)}[angle]
+    child = {"camera": "camera", "laser": "laser_frame"}.get(ends, child)
+    parent = {"map": "map", "odom": "odom", "base": "base", "footprint": "base_footprint",
+              "laser below": "laser_frame"}.get(ends, parent)  # fmt: skip
+    yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg),
+           "whole degrees": math.radians(int(yaw_deg)), "no pi": yaw_deg / 180}[angle]  # fmt: skip
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
-            "angle": (0, 0, yaw, 1), "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
+            "angle": (0, 0, yaw, 1), "half in z": (0, 0, z, math.cos(yaw)), "half in w": (0, 0, math.sin(yaw), w),
+            "w lost": (0, 0, z, 0),  "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
     x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
                 "optical": (0.0, -up_m, ahead_m), "minus y": (ahead_m, -up_m, 0.0), "y ahead": (0.0, ahead_m, up_m),
-                "y up, z ahead": (0.0, up_m, ahead_m)}[axes]  # fmt: skip
+                "y up, z ahead": (0.0, up_m, ahead_m), "ahead twice": (ahead_m, 0.0, ahead_m),
+                "up twice": (up_m, 0.0, up_m), "ahead in y too": (ahead_m, ahead_m, up_m),
+                "up in y too": (ahead_m, up_m, up_m)}[axes]  # fmt: skip
     if numbers == "inverse":
         back = Transform(rotation=(0, 0, *half_turn(yaw)), translation=(x, y, up)).inverse()
         (x, y, up), ways["sine"] = back.translation, back.rotation
     if numbers == "turned":
         x, y, up = Transform(rotation=(0, 0, *half_turn(yaw))).apply((x, y, up))
+    if numbers == "turned back":
+        x, y, up = Transform(rotation=(0, 0, *half_turn(-yaw))).apply((x, y, up))
     if numbers == "negative":
         x, y, up = -x, -y, -up
     scale = 1000.0 if length == "mm" else 1.0
@@ -354,6 +363,130 @@ Y_UP_Z_AHEAD = Slip(
 )
 
 
+OFFSET_TURNED_BACK = Twin(
+    "offset turned back",
+    partial(mounted, numbers="turned back"),
+    Words(
+        en="you turned the offset, by minus the camera's angle. It is measured along the axes of `base_link`: however "
+        "the camera is turned, it sits in the same place.",
+        ko="위치를 카메라 각도의 반대로 돌렸습니다. 위치는 `base_link`의 축을 따라 잰 것이므로, 카메라가 어느 쪽을 보든 달린 "
+        "자리는 같습니다.",
+    ),
+    "M3",
+)
+
+
+def of_place(name: str, axes: str, en: str, ko: str) -> Twin:
+    """Return the mount with a length in a place where it does not belong."""
+    return Twin(name, partial(mounted, axes=axes), Words(en=en, ko=ko))
+
+
+PLACES = (
+    of_place(
+        "ahead twice",
+        "ahead twice",
+        "ahead_m stands in z as well as in x, and up_m nowhere. Up is z.",
+        "ahead_m이 x뿐 아니라 z에도 들어 있고, up_m은 어디에도 없습니다. 위는 z입니다.",
+    ),
+    of_place(
+        "up twice",
+        "up twice",
+        "up_m stands in x as well as in z, and ahead_m nowhere. Ahead is x.",
+        "up_m이 z뿐 아니라 x에도 들어 있고, ahead_m은 어디에도 없습니다. 앞은 x입니다.",
+    ),
+    of_place(
+        "ahead in y too",
+        "ahead in y too",
+        "ahead_m stands in y as well as in x: this camera sits to the left of the middle.",
+        "ahead_m이 x뿐 아니라 y에도 들어 있습니다. 카메라가 중심에서 왼쪽으로 벗어납니다.",
+    ),
+    of_place(
+        "up in y too",
+        "up in y too",
+        "up_m stands in y as well as in z: this camera sits to the left of the middle.",
+        "up_m이 z뿐 아니라 y에도 들어 있습니다. 카메라가 중심에서 왼쪽으로 벗어납니다.",
+    ),
+)
+
+
+def of_rotation(name: str, steps: dict[str, str], en: str, ko: str) -> Twin:
+    """Return the mount with a rotation that was made otherwise."""
+    return Twin(name, partial(mounted, **steps), Words(en=en, ko=ko), "M5")
+
+
+ROTATIONS = (
+    of_rotation(
+        "half in z alone",
+        {"quaternion": "half in z"},
+        "z is the sine of half the angle, and w the cosine of the whole: both take the half.",
+        "z는 각도 절반의 sin인데 w는 각도 전체의 cos입니다. 둘 다 절반을 씁니다.",
+    ),
+    of_rotation(
+        "half in w alone",
+        {"quaternion": "half in w"},
+        "w is the cosine of half the angle, and z the sine of the whole: both take the half.",
+        "w는 각도 절반의 cos인데 z는 각도 전체의 sin입니다. 둘 다 절반을 씁니다.",
+    ),
+    of_rotation(
+        "w lost",
+        {"quaternion": "w lost"},
+        "w is 0, which only half a turn has: it takes the cosine of half the angle.",
+        "w가 0입니다. w가 0인 것은 반 바퀴뿐입니다. w에는 각도 절반의 cos을 넣습니다.",
+    ),
+    of_rotation(
+        "whole degrees",
+        {"angle": "whole degrees"},
+        "an angle of 22.5 degrees has lost its half: `int` and `//` cut off what comes after the point.",
+        "22.5도에서 소수점 아래가 없어졌습니다. `int`와 `//`는 소수점 아래를 잘라 냅니다.",
+    ),
+    of_rotation(
+        "no pi",
+        {"angle": "no pi"},
+        "the angle was divided by 180, and π is missing: half a turn is π radians. `math.radians` does both.",
+        "각도를 180으로 나누기만 하고 π를 곱하지 않았습니다. 반 바퀴는 π 라디안입니다. `math.radians`가 둘 다 합니다.",
+    ),
+)
+
+
+def of_name(name: str, ends: str, en: str, ko: str) -> Twin:
+    """Return the mount between other frames."""
+    return Twin(name, partial(mounted, ends=ends), Words(en=en, ko=ko), "M2")
+
+
+ENDS = (
+    of_name(
+        "child camera",
+        "camera",
+        "the child is called camera; the frame that is bolted on has another name, camera_link. To TF these are two.",
+        "자식의 이름이 camera입니다. 달아야 할 좌표계의 이름은 camera_link이고, TF에게 둘은 서로 다릅니다.",
+    ),
+    of_name(
+        "child laser_frame",
+        "laser",
+        "the child is laser_frame: this moves the laser, and the camera stays unknown to TF.",
+        "자식이 laser_frame입니다. 레이저의 자리를 바꾼 셈이고, TF는 카메라를 알지 못합니다.",
+    ),
+    of_name(
+        "parent base",
+        "base",
+        "the parent is called base; the robot's frame has another name, base_link. To TF these are two.",
+        "부모의 이름이 base입니다. 로봇 좌표계의 이름은 base_link이고, TF에게 둘은 서로 다릅니다.",
+    ),
+    of_name(
+        "parent base_footprint",
+        "footprint",
+        "the parent is base_footprint, which lies on the floor. The lengths are measured from `base_link`.",
+        "부모가 바닥에 있는 base_footprint입니다. 길이는 `base_link`에서 잰 값입니다.",
+    ),
+    of_name(
+        "parent laser_frame",
+        "laser below",
+        "the parent is laser_frame: this bolts the camera onto the laser. The lengths are measured from `base_link`.",
+        "부모가 laser_frame입니다. 카메라를 레이저 위에 단 셈입니다. 길이는 `base_link`에서 잰 값입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.6",
     kind="C",
@@ -395,6 +528,10 @@ TASK = Task(
         UP_IN_MINUS_Y,
         Y_AHEAD,
         Y_UP_Z_AHEAD,
+        OFFSET_TURNED_BACK,
+        *PLACES,
+        *ROTATIONS,
+        *ENDS,
     ),
     hints=(
         Words(
