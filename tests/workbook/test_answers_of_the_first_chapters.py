@@ -8,6 +8,7 @@ import pytest
 
 from tflab.core import Transform
 from tflab.ros.time import Time
+from tflab.workbook.verdicts.mistake import Mistake
 
 from .whole_answers import slips_of, verdict_on
 
@@ -316,6 +317,15 @@ def echoed_back(back, yaw=lambda yaw: -yaw):
 )
 def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, slips):
     assert slips_of("E3.5", echoed_back(back)) == slips
+
+
+def test_a_way_back_right_in_all_but_that_it_writes_into_what_it_got_is_told_so():
+    def inverted(pose):
+        x, y, c, s = pose["x"], pose["y"], math.cos(pose["yaw"]), math.sin(pose["yaw"])
+        pose["x"], pose["y"], pose["yaw"] = -x * c - y * s, x * s - y * c, -pose["yaw"]
+        return pose
+
+    assert verdict_on("E3.3", inverted).mistake is Mistake.INPUT_CHANGED
 
 
 @pytest.mark.parametrize(

@@ -27,7 +27,7 @@ from ..words import Words, begun
 from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
-from .changes import of_changes
+from .changes import gave, of_changes
 from .common import calls_in_common
 from .components import of_components, put_together
 from .confused import confused, confused_in_lists, seen_of, word_of
@@ -64,8 +64,8 @@ def explained(
         return Explanation.of("nothing filled in", words)
     if found := of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)):
         return found
-    if task.is_function and (found := of_changes(task, cases, outcomes, explained)):
-        return found
+    if task.is_function and any(gave(outcome) is not outcome for outcome in outcomes):
+        return of_changes(task, cases, outcomes, explained)
     names = next(_ways(task, cases, outcomes, given), None)
     if not _is_simple(names) and (found := _more_simply(task, cases, outcomes, given)):
         return found
