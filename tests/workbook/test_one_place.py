@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import linecache
 import math
-import time
 
 import pytest
 
@@ -149,11 +148,40 @@ def test_nothing_of_the_learner_s_is_changed_or_printed(capsys):
     assert capsys.readouterr().out == ""
 
 
-def test_it_gives_up_in_time():
-    slow = FRESH.replace("    kept = []", "    sum(range(200_000))\n    kept = [7]")
-    begin = time.monotonic()
-    assert look(FRESH, "fresh", slow, ASKED, Sequence(Number("s", 1e-6)), patience_s=0.0) is None
-    assert time.monotonic() - begin < 30  # a bound that only what never ends would miss
+def test_lists_beside_a_function_stay_as_they_are_and_helpers_are_called():
+    source = """
+seen, kinds = [], {"limit": 0.0}
+
+def noted(stamp):
+    seen.append(stamp)
+    kinds["limit"] += 0.0
+    return stamp
+
+def fresh(stamps, now, limit):
+    return [noted(stamp) for stamp in stamps if kinds["limit"] <= now - stamp < limit]
+"""
+    function = written(source, "fresh")
+    right = written(source.replace("stamp < limit", "stamp <= limit"), "fresh")
+    cases = [Case(to_plain(list(args)), outcome_of(right, to_plain(list(args))), {}) for args in ASKED]
+    outcomes = [outcome_of(function, case.args) for case in cases]
+    before = len(function.__globals__["seen"])
+    said = said_of_one_place(function, Sequence(Number("s", 1e-6)), cases, outcomes, 60.0)
+    assert said.en.endswith(LOOK["edge"].en)
+    assert len(function.__globals__["seen"]) == before
+
+
+def test_past_its_time_nothing_is_called_any_more():
+    calls = []
+    spoilt = FRESH.replace("age <= limit", "age < limit").replace("    kept = []", "    count()\n    kept = []")
+    right, function = written(FRESH, "fresh"), written(spoilt, "fresh")
+    function.__globals__["count"] = lambda: calls.append(1)
+    cases = [Case(to_plain(list(args)), outcome_of(right, to_plain(list(args))), {}) for args in ASKED]
+    outcomes = [outcome_of(function, case.args) for case in cases]
+    for patience_s, is_found in ((60.0, True), (0.0, False)):
+        calls.clear()
+        said = said_of_one_place(function, Sequence(Number("s", 1e-6)), cases, outcomes, patience_s)
+        assert (said is not None) == is_found
+        assert bool(calls) == is_found
 
 
 def test_every_kind_of_edit_has_its_words():

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from contextlib import contextmanager, redirect_stdout, suppress
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
@@ -111,9 +111,9 @@ def _with_its_place(
     is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.twins)
     is_wrong = verdict.mistake in IN_ONE_PLACE and not is_known
     if is_wrong and not os.environ.get("NBGRADER_EXECUTION"):
-        place = said_of_one_place(answer, assigned.cases.form, assigned.variant.cases, outcomes)
-        if place is not None:
-            verdict = replace(verdict, detail=verdict.detail | {"place": place})
+        with suppress(KeyboardInterrupt):  # who stops it wants the reply
+            place = said_of_one_place(answer, assigned.cases.form, assigned.variant.cases, outcomes)
+            return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
     return verdict, outcomes
 
 

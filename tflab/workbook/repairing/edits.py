@@ -5,7 +5,7 @@
 An edit puts another value into one field of the syntax tree, and takes it out again:
 a tree is copied for none of them.  What people mean to write and do not is what
 mutation testing does to a right program, backwards (Debroy and Wong, "Using mutation to
-automatically suggest fixes for faulty programs", 2010).  Read `one_place.py` next.
+automatically suggest fixes for faulty programs", 2010).  Read `calling.py` next.
 """
 
 from __future__ import annotations

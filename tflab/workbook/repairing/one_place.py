@@ -11,14 +11,11 @@ after half a second.  Read `trying.py` next.
 from __future__ import annotations
 
 import ast
-import inspect
-import sys
-import textwrap
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
-from types import FrameType, FunctionType
+from types import FunctionType
 from typing import Any
 
 from ..answers import sealed
@@ -26,6 +23,7 @@ from ..answers.form import Form
 from ..answers.values import Plain, outcome_of, outcomes_of
 from ..tasks.case import Case
 from ..words import Words
+from .calling import edited_as, written_by
 from .edits import Edit, edits_of
 
 __all__ = ["PATIENCE_S", "said_of_one_place"]
@@ -33,9 +31,6 @@ __all__ = ["PATIENCE_S", "said_of_one_place"]
 PATIENCE_S = 0.5
 AT_ONCE = 16  # edits that are called between two looks at the clock
 LONGEST_LINE = 70
-MOST_LINES = 20_000  # of a call
-FORBIDDEN = (ast.While, ast.Await, ast.Yield, ast.YieldFrom, ast.Import, ast.ImportFrom, ast.Global, ast.Nonlocal)
-TOUCHY = {"open", "input", "exec", "eval", "os", "shutil", "subprocess", "sleep", "pathlib", "Path"}
 PLACE = Words(
     en="One change makes every call right, and it belongs in line {line}: `{text}`. {look}",
     ko="한 곳만 고치면 모든 호출이 맞습니다. 고칠 곳은 {line}번째 줄의 `{text}`입니다. {look}",
@@ -73,20 +68,18 @@ def said_of_one_place(
         function: what a learner wrote; it is called again, edited, as often as there is time.
         outcomes: what it gave in each case.
     """
-    source = _source_of(function)
-    if source is None:
-        return None
-    text, first_line, tree = source
     end = time.monotonic() + patience_s
+    written = written_by(function)
+    if written is None:
+        return None
+    text, first_line, tree = written
     cases = _wrong_first(form, cases, outcomes)
     with redirect_stdout(StringIO()), redirect_stderr(StringIO()):
         for edit, edited in _tried(function, tree, cases[0], form, end):
-            if all(_is_right(form, edited, case) for case in cases[1:]):
+            if all(_is_right(form, edited, case) for case in cases[1:]):  # past the end, none is
                 line = getattr(edit.node, "lineno", 1)
                 quoted = _quoted(text, line, edit.node)
                 return PLACE.filled(line=first_line + line - 1, text=quoted, look=LOOK[edit.kind])
-            if time.monotonic() > end:
-                return None
     return None
 
 
@@ -96,23 +89,6 @@ def _quoted(text: str, line: int, node: ast.AST) -> str:
     part = (ast.get_source_segment(text, node) or whole).partition("\n")[0]
     quoted = whole if len(whole) <= LONGEST_LINE else part[:LONGEST_LINE]
     return quoted.replace("`", "'")
-
-
-def _source_of(function: Any) -> tuple[str, int, ast.Module] | None:
-    """Return a function's text, its first line in its cell, and its tree; None where it is better not called again."""
-    if not isinstance(function, FunctionType) or function.__closure__:
-        return None
-    try:
-        lines, first = inspect.getsourcelines(function)
-        tree = ast.parse(text := textwrap.dedent("".join(lines)))
-    except (OSError, TypeError, SyntaxError, ValueError):
-        return None
-    named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    named |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    is_plain = len(tree.body) == 1 and isinstance(tree.body[0], ast.FunctionDef) and not tree.body[0].decorator_list
-    if not is_plain or named & TOUCHY or any(isinstance(node, FORBIDDEN) for node in ast.walk(tree)):
-        return None
-    return text, max(first, 1), tree
 
 
 def _wrong_first(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[Case]:
@@ -128,7 +104,7 @@ def _tried(
     made: list[tuple[Edit, Callable[..., Any]]] = []
     every = edits_of(tree)
     for number, edit in enumerate(every, start=1):
-        if (edited := _edited(function, tree, edit)) is not None:
+        if (edited := edited_as(edit, function, tree, end)) is not None:
             made.append((edit, edited))
         if len(made) == AT_ONCE or (number == len(every) and made):
             given = outcomes_of((one for _, one in made), case.args or [])
@@ -138,49 +114,6 @@ def _tried(
             made = []
         if time.monotonic() > end:
             return
-
-
-def _edited(function: FunctionType, tree: ast.Module, edit: Edit) -> Callable[..., Any] | None:
-    names = dict(function.__globals__)
-    with edit.made():
-        try:
-            exec(compile(ast.fix_missing_locations(tree), "<edited>", "exec"), names)
-        except Exception:  # an edit that is no Python, or a default that cannot be computed
-            return None
-    edited = names.get(function.__name__)
-    return _bounded(edited, names, function.__globals__) if callable(edited) else None
-
-
-def _bounded(function: Callable[..., Any], *own: dict[str, Any]) -> Callable[..., Any]:
-    """Return a function that is stopped after so many lines of its own: edited, a loop may feed itself."""
-
-    def called(*args: Any) -> Any:
-        left = MOST_LINES
-
-        def at_line(_frame: FrameType, _event: str, _arg: Any) -> Any:
-            nonlocal left
-            left -= 1
-            if left < 0:
-                raise _TooLongError
-            return at_line
-
-        def at_call(frame: FrameType, _event: str, _arg: Any) -> Any:
-            return at_line if any(frame.f_globals is names for names in own) else None
-
-        before = sys.gettrace()
-        sys.settrace(at_call)
-        try:
-            return function(*args)
-        except _TooLongError:
-            raise RuntimeError("too long") from None
-        finally:
-            sys.settrace(before)
-
-    return called
-
-
-class _TooLongError(BaseException):
-    """What `except Exception` in a learner's function does not catch."""
 
 
 def _is_right(form: Form, function: Callable[..., Any], case: Case) -> bool:
