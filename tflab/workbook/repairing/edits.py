@@ -116,23 +116,23 @@ def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[
     if isinstance(node, NUMBERS) and not isinstance(owner, ast.Attribute | ast.Expr) and field not in ("func", "exc"):
         yield "sign", ast.UnaryOp(ast.USub(), node)
         yield from (("missing", ast.Call(function, [node], [])) for function in _functions())
+    yield from _in_its_place(node, owner, field)
+
+
+def _in_its_place(node: ast.AST, owner: ast.AST, field: str) -> Iterator[Other]:
+    """Yield what might be meant because of what the node is there for: a condition, an exception, one of a product."""
     if field == "test" and isinstance(owner, ast.If | ast.IfExp):
         yield "opposite", ast.UnaryOp(ast.Not(), node)
     if isinstance(owner, ast.ExceptHandler | ast.Raise) and field in ("type", "exc"):
         yield from _exceptions(node)
-    if isinstance(owner, ast.BinOp) and isinstance(owner.op, ast.MatMult):
-        yield "inverse", _called(node, "inverse")
-    if isinstance(owner, ast.Attribute) and owner.attr == "apply":
-        yield "inverse", _called(node, "inverse")
+    is_of_product = isinstance(owner, ast.BinOp) and isinstance(owner.op, ast.MatMult)
+    if is_of_product or (isinstance(owner, ast.Attribute) and owner.attr == "apply"):
+        yield "inverse", ast.Call(ast.Attribute(node, "inverse", ast.Load()), [], [])
 
 
 def _functions() -> list[ast.expr]:
     in_math = [ast.Attribute(ast.Name("math", ast.Load()), name, ast.Load()) for name in WRAPPED_IN_MATH]
     return [*(ast.Name(name, ast.Load()) for name in WRAPPED), *in_math]
-
-
-def _called(node: ast.AST, method: str) -> ast.AST:
-    return ast.Call(ast.Attribute(node, method, ast.Load()), [], [])
 
 
 def _exceptions(node: ast.AST) -> Iterator[Other]:
