@@ -39,14 +39,20 @@ def written_by(function: Any) -> tuple[str, int, ast.Module] | None:
         tree = ast.parse(text := textwrap.dedent("".join(lines)))
     except (OSError, TypeError, SyntaxError, ValueError):
         return None
-    named = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
-    touched = named | {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
-    is_plain = len(tree.body) == 1 and isinstance(tree.body[0], ast.FunctionDef) and not tree.body[0].decorator_list
-    if not is_plain or touched & TOUCHY or any(isinstance(node, FORBIDDEN) for node in ast.walk(tree)):
+    if not _is_plain(tree):
         return None
     if any(len(held) > MOST_HELD for held in _beside(function).values() if not isinstance(held, FunctionType)):
         return None
     return text, max(first, 1), tree
+
+
+def _is_plain(tree: ast.Module) -> bool:
+    """Return whether this is one function and no more, which comes to an end and touches nothing outside."""
+    nodes = list(ast.walk(tree))
+    touched = {node.id for node in nodes if isinstance(node, ast.Name)}
+    touched |= {node.attr for node in nodes if isinstance(node, ast.Attribute)}
+    is_one = len(tree.body) == 1 and isinstance(tree.body[0], ast.FunctionDef) and not tree.body[0].decorator_list
+    return is_one and not touched & TOUCHY and not any(isinstance(node, FORBIDDEN) for node in nodes)
 
 
 def edited_as(edit: Edit, function: FunctionType, tree: ast.Module, end: float) -> Callable[..., Any] | None:
