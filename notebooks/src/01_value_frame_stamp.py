@@ -362,7 +362,7 @@ for t, pose in poses_at.items():
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 함께 달리는데 `base_link` 기준 숫자는 그대로입니다.
 # "가만히 있으니 숫자도 그대로"라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
 #
-# 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리.
+# 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리, grid of 1 m = 눈금 한 칸이 1미터.
 
 # %% name="moments-picture" tags=["predicted"] slide="subslide"
 lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
@@ -418,7 +418,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 같은 장면을 3D로 봅니다. 끌어서 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
-# 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다.
+# 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. *그림 읽기:* ball = 공, cup = 컵.
 
 # %% name="in-3d-scene" slide="skip"
 scene = lesson.Scene(height_px=360)
@@ -549,7 +549,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # The next command measures the age, and the figure shows the journeys of three messages.
 
 # %% [markdown] lang="ko" name="topic-delay-why"
-# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김.
+# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김, seconds after 7.600 s = 7.6초부터 센 시간(초).
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point

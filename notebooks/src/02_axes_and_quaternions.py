@@ -249,6 +249,7 @@ lesson.draw_body_axes()
 # %% [markdown] lang="ko" name="body-axes-colours" slide="skip"
 # 이 워크북의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다. ⊙는 보는 사람 쪽으로 나오는 축, ⊗는 반대쪽으로 들어가는 축입니다(화살의 촉과 깃).
 # 색은 RViz의 관례(x, y, z가 빨강, 초록, 파랑)를 따르되, 색을 구별하기 어려운 사람도 알아볼 수 있는 색조로 골랐습니다.
+# *그림 읽기:* forward = 앞, left = 왼쪽, up = 위.
 
 # %% [markdown] lang="en" name="signs-predict" slide="slide"
 # ## Say the sign before it moves
@@ -281,6 +282,8 @@ lesson.draw_right_hand()
 # Positive roll lifts the left side.
 
 # %% [markdown] lang="ko" name="signs-after" tags=["predicted"] slide="fragment"
+# *그림 읽기:* about x = x축을 중심으로.
+#
 # 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 따라서 −0.5는 오른쪽입니다.
 #
 # 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
@@ -660,7 +663,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 # 영상을 다루는 사람들은 공간에서도 이 관례를 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
 # ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
-# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 보세요.
+# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 보세요. *그림 읽기:* mug = 머그컵, forward = 앞, left = 왼쪽, up = 위, right = 오른쪽, down = 아래.
 
 # %% name="optical-panel" tags=["interactive"] slide="subslide"
 lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
@@ -1043,6 +1046,8 @@ lesson.draw_misread(
 # TF raised nothing. It was asked to move points from `camera_link` to `base_link`, and it did.
 
 # %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
+# *그림 읽기:* wall = 벽, floor = 바닥. 그림 위의 글은 데이터에 적힌 `frame_id`입니다.
+#
 # 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
 # TF는 아무 오류도 내지 않았습니다. `camera_link`의 점을 `base_link`로 옮겨 달라는 요청을 받았고, 그대로 했습니다.
 
@@ -1328,7 +1333,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
 # - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
-# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두세요. 카드 읽기: forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
+# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두세요. 카드 읽기: right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
 
 # %% name="recap-card" slide="subslide"
 lesson.draw_card()

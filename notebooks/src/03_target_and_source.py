@@ -330,7 +330,7 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보세요.
-# 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다.
+# 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀.
 
 # %% name="in-3d-function" slide="skip"
 scene = lesson.Scene(height_px=380)
@@ -456,6 +456,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
 # 메뉴 가운데 하나를 바꾸면 나머지도 따라 바뀝니다.
 # 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
+# *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
 # 행렬과 그 반대 행렬(목표와 원본을 맞바꾼 것)이 부호 하나만 다른 쌍을 찾아보세요.
 
 # %% name="the-sentence-panel" tags=["interactive"] slide="skip"
@@ -610,7 +611,7 @@ print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 # ### 맞지 않는 줄
 #
 # 누군가 다른 순서로 곱합니다.
-# 그림에서는 바로 드러납니다.
+# 그림에서는 바로 드러납니다. *그림 읽기:* A is not B = A와 B가 다름.
 
 # %% name="dominoes-that-do-not-fit"
 lesson.draw_dominoes(('map', 'odom'), ('base_link', 'laser_frame'), ('odom', 'base_link'))
@@ -786,6 +787,8 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # People have turned screws for days over less.
 
 # %% [markdown] lang="ko" name="inverse-seen"
+# *그림 읽기:* sign flipped = 부호만 뒤집은 것.
+#
 # 갔다가 돌아오면 출발한 자리, (2, 0, 0)이어야 합니다.
 # 부호만 뒤집은 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 딱 좋은 크기입니다.
 # 이보다 작은 차이 때문에 며칠씩 나사를 돌린 사람도 있습니다.
@@ -817,6 +820,8 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # 1. "turn forgotten"(회전을 잊음)은 어디에서 정답 뒤에 숨을까요?
 # 2. 위에서 볼 때 "swapped"(바꿔 씀)는 어디에서 숨을까요? z도 보세요.
 # 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
+#
+# *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
 
 # %% name="try-it-panel" tags=["interactive"]
 lesson.mount_panel()

@@ -650,7 +650,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # %% [markdown] lang="ko" name="radio-seen"
 # *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
 #
-# 다음은 수신기가 보관하는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다.
+# 다음은 수신기가 보관하는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 줄에 값이 있는 구간. 맨 아래는 요청 시각에 조회한 결과입니다.
 
 # %% name="radio-history" slide="subslide"
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))

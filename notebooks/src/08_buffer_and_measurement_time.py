@@ -310,7 +310,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # **3D로:** 아래입니다. 실선 축은 측정 시각의 로봇, 파선 축은 지금의 로봇입니다.
 # delay 슬라이더를 끌면서 공이 달아나는 모습을 보세요.
-# 그림 읽기: robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, error = 오차, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 위치로 그린 것.
+# 그림 읽기: robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, object = 물체, from above = 위에서 본 모습, in 3D = 3D로, error = 오차, enlarged = 확대한 것, exactly = 정확한 값, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 위치로 그린 것.
 
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
 lesson.show_latency()
@@ -961,6 +961,8 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # Why `odom` and not `map`? The ball rests in both. But `map` may jump when the localiser corrects itself in between, and the ball would jump with it (chapter 05).
 
 # %% [markdown] lang="ko" name="two-moments-read"
+# *그림 읽기:* ball = 공, ahead = 앞, to the right = 오른쪽, to the left = 왼쪽, grid of 1 m = 눈금 한 칸이 1미터.
+#
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
 # 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공의 반대쪽으로 돌았을 것입니다.
 #

@@ -128,7 +128,7 @@ lesson.draw_journeys([
 # 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
 # `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 것입니다.
 # `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0초에 늦게 켜졌고, 마지막 표본은 14.6초의 것입니다.
-# 나머지 두 연결은 볼트로 고정되어 있습니다.
+# 나머지 두 연결은 볼트로 고정되어 있습니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 줄에 값이 있는 구간.
 
 # %% name="four-edges" slide="-"
 from tf2_ros import Buffer
@@ -877,7 +877,7 @@ print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 # %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
 # ### 3D로
 #
-# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다.
+# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다. *그림 읽기:* off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
 
 # %% name="walls-walk" tags=["interactive"] slide="subslide"
 lesson.show_clock_error()
@@ -904,7 +904,7 @@ lesson.draw_placed({
 # 그러니 늦은 데이터는 잠깐 기다릴 만합니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
 # 그래도 조심스러운 프로그래머는 혹시 몰라 조회에 timeout을 0.5초로 주었습니다.
 #
-# 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다.
+# 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다. *그림 읽기:* time = 시각, sent = 보냄, stored = 저장됨.
 #
 # **예측해 봅시다.** 로봇은 3초 동안 달리고 스캔은 1초에 열 번 옵니다. 스캔 몇 개가 변환을 얻을까요?
 
@@ -1116,7 +1116,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3초보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다린다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버린다. 두 개만 두고, 넘치면 가장 오래된 것을 버린다. 0.5초보다 오래된 데이터로는 바퀴를 돌리지 않는다.
+# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다립니다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버립니다. 두 개만 두고, 넘치면 가장 오래된 것을 버립니다. 0.5초보다 오래된 데이터로는 바퀴를 돌리지 않습니다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.

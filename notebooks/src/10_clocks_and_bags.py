@@ -609,7 +609,7 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # Below zero: the newest transform lies in the node's future. After the seam two of the buffers answer with fifteen seconds from now.
 
 # %% [markdown] lang="ko" name="loop-ages-read"
-# *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간.
+# *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
 # 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 버퍼 둘은 15초 뒤의 변환으로 답합니다.
 

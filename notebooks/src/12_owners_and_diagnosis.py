@@ -200,7 +200,7 @@ lesson.draw_owners(
 # A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
@@ -434,7 +434,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리가 느림. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now treat the eighteen sick robots of the clinic below, each with another cause, and no complaint is told. One follows the six steps, one always asks what splits most for a minute.

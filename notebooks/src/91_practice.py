@@ -81,6 +81,8 @@ practice.ask()
 #
 # 때가 되어 나온 것을 맞히면 다음 상자로 올라갑니다. 힌트를 보고 맞히면 그대로 있습니다. 틀리거나, 여기서든 연습 문제에서든 잘못 아는 점이 드러나면 1번 상자로 돌아갑니다.
 # 이런 방법을 *간격 반복(spaced repetition)* 이라고 하며, 상자는 제바스티안 라이트너(Sebastian Leitner, 1972)가 생각해 냈습니다.
+#
+# *그림 읽기:* task = 과제, h = 시간, d = 일.
 
 # %% name="boxes-drawn"
 practice.boxes()

@@ -255,15 +255,15 @@ check("E3.6", camera_mount)
 # 세 노드 가운데 하나가 목표와 원본을 바꿔 썼습니다. 로그에는 오류가 하나도 없습니다.
 #
 # ```python
-# # node_a: 장애물 앞에서 멈춘다. 범퍼의 위치는 base_link 기준이다
+# # node_a: 장애물 앞에서 멈춥니다. 범퍼의 위치는 base_link 기준입니다
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
-# # node_b: map 기준으로 주어진 목적지로 간다. 바퀴는 base_link를 기준으로 움직인다
+# # node_b: map 기준으로 주어진 목적지로 갑니다. 바퀴는 base_link를 기준으로 움직입니다
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # ahead = do_transform_point(goal, t).point
 #
-# # node_c: 지도에 로봇을 그린다
+# # node_c: 지도에 로봇을 그립니다
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # here = t.transform.translation
 # ```
