@@ -241,7 +241,7 @@ print(asker.first_no)
 # %% name="place-all" tags=["predicted"] slide="fragment"
 for left_out in ((), ("/tf_static",), ("/tf",)):
     *_, scan = lesson.place_messages(lap, "map", left_out)
-    print(f"without {', '.join(left_out) or 'nothing'}:\n  {scan}\n")
+    print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
 
 # %% [markdown] lang="en" name="place-all-read" tags=["predicted"]
 # Three bags of almost the same size, 149, 0 and 0, and the two noes name different frames: without `/tf_static` nobody knows the sensor, without `/tf` nobody knows the map.
