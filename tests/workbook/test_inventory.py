@@ -262,6 +262,7 @@ def said(capsys, task_id, answer):
 
 
 def test_check_counts_answers_and_tells_nothing_before_form_b_is_in(copy, capsys):
+    assert waiting(copy, "en").startswith("The one task of 00, E0.1, is fifteen questions")
     empty = dict.fromkeys(map(str, range(1, 16)), ...)
     assert "not answered yet" in said(capsys, "E0.1", empty)
     assert "E0.1 13/15: 13 of 15 answered. Not yet: 2, 10." in said(

@@ -22,6 +22,7 @@ from pathlib import Path
 from tflab.views.gain import draw_gain
 from tflab.views.picture import Picture
 
+from ..places import chapters
 from ..progress import read_progress
 from ..tasks.task import chapter_of
 from ..words import Words
@@ -67,6 +68,10 @@ LIMITS = Words(
 FORM = Words("Form {form}, with a sentence for each option", "{form}형: 보기마다 한 문장씩")
 YOURS = Words("your answer", "내 답")
 GUESSED = Words("your guess", "짐작한 답")
+TO_DO = Words(
+    "The one task of 00, E0.1, is fifteen questions to answer before you begin. Any answers pass it.",
+    "00의 과제 하나(E0.1)는 시작하기 전에 푸는 열다섯 문제입니다. 맞든 틀리든 모두 답하면 통과합니다.",
+)
 WAITING = Words(
     "Fifteen questions: your first answers are kept. Both forms open when you have answered the second, E12.8.",
     "열다섯 문제: 처음 답을 보관했습니다. 마지막의 E12.8에 답하면 두 형이 함께 열립니다.",
@@ -82,10 +87,12 @@ def opened(root: Path, language: str) -> Opened | None:
 
 
 def waiting(root: Path, language: str) -> str:
-    """Return a line where form A is in, and form B is not; "" else."""
+    """Return a line where form B is not in: what to do, or what is kept; "" else, and where the forms are not."""
     kept = read_progress(root)
     before, after = (bool(task in kept and kept[task].answers) for task in FORMS.values())
-    return WAITING.say(language) if before and not after else ""
+    if after or not {chapter_of(task) for task in FORMS.values()} <= {int(stem[:2]) for stem in chapters(root)}:
+        return ""
+    return (WAITING if before else TO_DO).say(language)
 
 
 class Opened:
