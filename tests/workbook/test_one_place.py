@@ -104,6 +104,15 @@ def test_formulas_are_mended_too(old, new, kind):
     assert of_turned(old, new).en.endswith(LOOK[kind].en)
 
 
+def test_of_a_long_line_the_part_around_is_quoted():
+    long = TURNED.replace(
+        "return (c * x - s * y, s * x + c * y)",
+        "return (x * c - y * s + 0.0 * yaw * yaw * yaw * c, 0.0 + x * s + y * c + 0.0 * x * y * yaw * c)",
+    )
+    said = look(TURNED, "turned", long.replace("0.0 + x * s", "1.0 + x * s"), ANGLES, Vector(2, "m", "", 1e-6))
+    assert "`1.0 + x * s + y * c + 0.0 * x * y * yaw * c`" in said.en
+
+
 def test_what_is_wrong_in_two_places_is_wrong_in_none():
     spoilt = TURNED.replace("c * x - s * y", "c * x + s * y").replace("s * x + c * y", "s * x * c * y")
     assert look(TURNED, "turned", spoilt, ANGLES, Vector(2, "m", "", 1e-6)) is None
@@ -205,5 +214,5 @@ def test_check_says_it_where_no_known_mistake_fits(capsys, monkeypatch, tmp_path
         function = written("from tf2_ros import ExtrapolationException\n" + source, "interpolate")
         check("E8.2", function)
     said = capsys.readouterr().out
-    assert "line 8: `ratio / (y1 - y0)`" in said
+    assert "line 8: `(x0 + ratio * (x1 - x0), y0 + ratio / (y1 - y0))`" in said
     assert LOOK["operation"].en in said

@@ -78,17 +78,23 @@ def said_of_one_place(
         for edit, edited in _tried(function, tree, cases[0], form, end):
             if all(_is_right(form, edited, case) for case in cases[1:]):  # past the end, none is
                 line = getattr(edit.node, "lineno", 1)
-                quoted = _quoted(text, line, edit.node)
+                quoted = _quoted(text, tree, edit.node)
                 return PLACE.filled(line=first_line + line - 1, text=quoted, look=LOOK[edit.kind])
     return None
 
 
-def _quoted(text: str, line: int, node: ast.AST) -> str:
-    """Return a line as it was written; of a long one the part that is edited."""
+def _quoted(text: str, tree: ast.Module, node: ast.AST) -> str:
+    """Return a line as it was written; of a long one the longest expression around the node that can be read."""
+    line = getattr(node, "lineno", 1)
     whole = text.splitlines()[line - 1].strip()
-    part = (ast.get_source_segment(text, node) or whole).partition("\n")[0]
-    quoted = whole if len(whole) <= LONGEST_LINE else part[:LONGEST_LINE]
+    around = (ast.get_source_segment(text, other) or "" for other in ast.walk(tree) if _holds(other, node))
+    parts = [part for part in around if len(part) <= LONGEST_LINE and "\n" not in part]
+    quoted = whole if len(whole) <= LONGEST_LINE else max(parts, key=len, default=whole[:LONGEST_LINE])
     return quoted.replace("`", "'")
+
+
+def _holds(other: ast.AST, node: ast.AST) -> bool:
+    return isinstance(other, ast.expr) and any(inner is node for inner in ast.walk(other))
 
 
 def _wrong_first(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[Case]:
