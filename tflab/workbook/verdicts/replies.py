@@ -27,6 +27,10 @@ PHRASES = {
         en='hint("{id}") in a new cell (Esc, then b) helps, one step at a time.',
         ko='새 셀을 만들어(Esc, b) hint("{id}")를 실행하면 한 단계씩 도움을 받을 수 있습니다.',
     ),
+    "drawn": Words(
+        en="In the picture, yours is grey, and what is expected is in colour.",
+        ko="그림 읽기: yours = 내 답(회색), expected = 정답(색).",
+    ),
     "hint_number": Words(en="hint {number} of 3", ko="힌트 {number}/3"),
     "last_hint": Words(en="that was the last hint, once more", ko="마지막 힌트를 다시 보여 드립니다"),
     "one word": Words(
