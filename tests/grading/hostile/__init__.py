@@ -15,6 +15,8 @@
     settings     what is set for the whole process
     unseen       what no look at memory, files and processes sees
     made         objects, patches and outcomes by the dozen
+    habits       what honest people do besides answering
+    hedges       one answer or none by the moment, names that only look right, an engine that agrees
     clinic       patients named without being examined; these are for chapter 12
 
 Each entry is a recipe: an honest notebook, of chapter 03 but for the clinic, goes in, what is handed in
@@ -30,7 +32,9 @@ from .exhaustion import EXHAUSTION
 from .files import FILES
 from .forging import FORGING
 from .guessing import GUESSING, SLIPS
+from .habits import HABITS
 from .harm import HARM
+from .hedges import HEDGES
 from .helpers import HELPERS
 from .late import LATE
 from .made import MADE
@@ -50,4 +54,5 @@ __all__ = ["CLINIC", "RECIPES", "Honest", "Recipe", "honest_notebook"]
 RECIPES = [
     *FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS,
     *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE, *SETTINGS, *UNSEEN, *MADE,
+    *HABITS, *HEDGES,
 ]  # fmt: skip
