@@ -39,6 +39,7 @@ from tflab.workbook.tasks.evidence import asked_alike, credited, guessed_of, neg
 
 MOST = 0.05  # of a function's points
 TIMES = 40  # that an answer is drawn by chance
+DICE_BY_INPUT = 8  # dice that show the same for the same input: no second run tells them from a function that knows
 MOST_CONSTANTS = 100  # of choices that are combined in every way
 DICE = random.Random(0)
 NOTHING: tuple[Plain, ...] = (0.0, "", [], {"dict": {}}, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0], True, None)
@@ -127,8 +128,9 @@ def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Pl
     form, is_function, points = form_from_plain(first["form"]), first["is_function"], float(first["points"])
     earned: list[dict[str, list[float]]] = []
     rights = [] if is_function else [task["cases"][0]["expected"] for task in asked]
-    words, often = ({}, None) if is_function else (frequent_words(form, rights), usual_answer(form, rights))
-    for task in asked:
+    words = {} if is_function else frequent_words(form, rights)
+    for number, task in enumerate(asked):
+        often = None if is_function else usual_answer(form, rights, number)
         share = shares_of(task) if is_function else partial(share_of, task_id, task, form)
         earned.append({})
         for name, outcomes in by_function(task, shown) if is_function else by_value(task, form, words, often):
@@ -186,6 +188,10 @@ def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tup
             yield f"hands back argument {place}, or {kind(constant)}, in turn", mixed
     if shown:
         yield "replays what was shown", {number: shown[number % len(shown)] for number in range(len(asks))}
+    for number in range(DICE_BY_INPUT if len(frequent) < len(shown) else 0):
+        dice = [random.Random(f"{number} {row}") for row in args]
+        yield "dice by the input, of all results shown", {n: one.choice(frequent) for n, one in enumerate(dice)}
+        yield "dice by the input, by how frequent they are", {n: one.choice(shown) for n, one in enumerate(dice)}
     for one, other in product(frequent[:4], repeat=2):
         if one is not other:
             yield f"{kind(one)} and {kind(other)} in turn", {n: other if n % 2 else one for n in range(len(asks))}
@@ -227,11 +233,15 @@ def every_constant(form: Parts) -> Iterator[dict[str, Plain]]:
             yield dict(zip(form.parts, chosen, strict=True))
 
 
-def usual_answer(form: Form, expected: Sequence[Plain]) -> Plain:
-    """Return what is right most often in each part, of variants that differ; None if there are none."""
-    if not isinstance(form, Parts) or all(form.alike(plain, expected[0]) for plain in expected):
+def usual_answer(form: Form, expected: Sequence[Plain], own: int) -> Plain:
+    """Return what is right most often in each part, of all variants but one's own; None if all are alike.
+
+    Of six variants without a number in common, one's own is as frequent as each other: it would be right in a sixth.
+    """
+    others = [plain for number, plain in enumerate(expected) if number != own]
+    if not others or not isinstance(form, Parts) or all(form.alike(plain, expected[0]) for plain in expected):
         return None
-    columns = {name: [plain["dict"][name] for plain in expected] for name in form.parts}
+    columns = {name: [plain["dict"][name] for plain in others] for name in form.parts}
     return {"dict": {name: column[most_frequent(column)[0]] for name, column in columns.items()}}
 
 
