@@ -256,6 +256,25 @@ def test_of_two_quaternions_made_by_hand_the_wrong_one_is_told(pitch_of, yaw_of,
     assert slips_of("E2.5", answer) == [slip]
 
 
+def test_a_quaternion_of_its_own_formula_is_told_number_by_number():
+    def answer(given):
+        pitch, yaw = given.then_pitch_rad / 2, given.first_yaw_rad / 2
+        return (0.0, math.sin(pitch), math.sin(yaw), math.cos(yaw))
+
+    said = verdict_on("E2.5", answer).said.en
+    assert "`(0, sin(then_pitch_rad / 2), sin(first_yaw_rad / 2), cos(first_yaw_rad / 2))`" in said
+    of_yaw = verdict_on("E2.3", lambda yaw: about_z(math.sin(yaw / 2), math.sin(yaw / 2))).said.en
+    assert "`(0, 0, sin(argument 1 / 2), sin(argument 1 / 2))`" in of_yaw
+    rounded = verdict_on("E2.5", lambda given: tuple(round(number, 4) for number in answer(given)))
+    assert rounded.said is None  # to so few digits, other formulas come to it as well
+
+
+def test_a_number_of_an_angle_is_told_by_its_factors():
+    said = verdict_on("E2.7", lambda given: 1000 * given.range_m * (math.tau - given.written_yaw_rad)).said
+    assert "`1000 * range_m * (2 * pi - written_yaw_rad)`" in said.en
+    assert "`1000 * range_m * (2 * pi - written_yaw_rad)`" in said.ko
+
+
 # -- chapters 3 and 4 -----------------------------------------------------------------
 
 
@@ -290,6 +309,16 @@ def with_the_new_x(u, v, a):
 )  # fmt: skip
 def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, slips):
     assert slips_of("E3.2", by_hand(turn)) == slips
+
+
+def test_a_point_on_the_map_that_only_follows_is_not_called_a_mistake():
+    def answer(given):
+        x, y, z = given.base_T_laser.apply((*given.laser_p_corner[1::-1], 0.0))  # x and y exchanged
+        return {"base_link": (x, y, z), "map": given.map_T_base.apply((x, y, z))}
+
+    said = verdict_on("E3.2", answer).said.en
+    assert '"base_link": z: right; x: this is what `base_T_laser.translation[0] + laser_p_corner[1] * cos(' in said
+    assert '"map": this only follows from what is wrong in "base_link".' in said
 
 
 def echoed_back(back, yaw=lambda yaw: -yaw):

@@ -18,7 +18,7 @@ from ..tasks.case import TaskCases
 from ..words import Words
 from .together import Found
 
-__all__ = ["after_a_slip"]
+__all__ = ["ONLY_FOLLOWS", "after_a_slip"]
 
 ONLY_FOLLOWS = Words(
     en='this only follows from what is wrong in "{part}".',

@@ -9,7 +9,7 @@ is tried in each number that is wrong.  Read `turning.py` next.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
@@ -21,7 +21,7 @@ from ..mistakes.by_place import LETTERS
 from ..words import Words
 from .arithmetic import as_written, leaves
 
-__all__ = ["of_components", "put_together"]
+__all__ = ["of_components", "place_by_place", "put_together"]
 
 MOST_POINTS = 6
 CLOSE = 1e-6
@@ -76,9 +76,22 @@ def of_components(
     return _said(form.size, sums) if sums and all(sums.values()) else None
 
 
+def place_by_place(
+    form: Vector, answer: Plain, expected: Plain, found: Callable[[float, int], str]
+) -> tuple[str, Words] | None:
+    """Return what `found` says of each wrong number of a point, and what to say; None if it says nothing of one."""
+    have = numbers_of(answer, form.size)
+    want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
+    if have is None or want is None:
+        return None
+    sums = {place: found(have[place], place) for place in range(form.size)
+            if abs(have[place] - want[place]) > form.tolerance}  # fmt: skip
+    return _said(form.size, sums) if sums and all(sums.values()) else None
+
+
 def _said(size: int, sums: dict[int, str]) -> tuple[str, Words]:
     right = [LETTERS[place] for place in range(size) if place not in sums]
-    said = [RIGHT.filled(names=", ".join(right))]
+    said = [RIGHT.filled(names=", ".join(right))] if right else []
     said += [GIVES.filled(name=LETTERS[place], sum=text) for place, text in sums.items()]
     return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
 
@@ -94,12 +107,12 @@ def put_together(
     for name, row in _points(len(LETTERS), given or {}) if have else ():
         if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
             want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
-            judged = _place_by_place(have, want, form.tolerance) if want else ASKED
+            judged = _judged(have, want, form.tolerance) if want else ASKED
             return f"put together: {places}", PUT.filled(name=name, places=places, judged=judged)
     return None
 
 
-def _place_by_place(have: Sequence[float], want: Sequence[float], tolerance: float) -> Words:
+def _judged(have: Sequence[float], want: Sequence[float], tolerance: float) -> Words:
     """Return which numbers are right, which have only the wrong sign, and which stand where another belongs."""
     found: dict[Words, list[str]] = {RIGHT: [], OTHER_SIGN: [], OTHER_NUMBER: []}
     for letter, number, wanted in zip(LETTERS, have, want, strict=True):

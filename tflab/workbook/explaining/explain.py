@@ -32,6 +32,7 @@ from .common import calls_in_common
 from .components import of_components, put_together
 from .confused import confused, confused_in_lists, seen_of, word_of
 from .explanation import Explanation, said_of
+from .formulas import of_formula, of_formula_in_all
 from .givens import given_to
 from .habits import habit_of
 from .kinds import of_times
@@ -147,7 +148,9 @@ def _of_the_form(
     summed = (
         None
         if found
-        else computed(task.form, outcomes[0], given) or of_components(task.form, outcomes[0], cases[0].expected, given)
+        else computed(task.form, outcomes[0], given)
+        or of_components(task.form, outcomes[0], cases[0].expected, given)
+        or of_formula(task.form, outcomes[0], cases[0].expected, given)
     )
     return Explanation.of(*summed) if summed else found
 
@@ -173,7 +176,8 @@ def _summed(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -
             if not is_raised(case.expected)]  # fmt: skip
     if not rows or not isinstance(task.form, MEASURED):
         return None
-    return computed_in_all(task.form, *map(list, zip(*rows, strict=True)))
+    args, outcomes = map(list, zip(*rows, strict=True))
+    return computed_in_all(task.form, args, outcomes) or of_formula_in_all(task.form, args, outcomes)
 
 
 def _of_a_habit(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:

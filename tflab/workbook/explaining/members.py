@@ -25,13 +25,14 @@ from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, und
 from ..mistakes.losses import TOLD, stamp_of, time_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
-from .after import after_a_slip
+from .after import ONLY_FOLLOWS, after_a_slip
 from .arithmetic import computed, computed_in_all
 from .certain import certain
 from .common import calls_in_common
 from .components import of_components
 from .confused import confused, seen_of, word_of
 from .explanation import Explanation
+from .formulas import is_moved_from, of_formula
 from .givens import given_to
 from .habits import constant_of, habit_of
 from .kinds import kinds_said
@@ -194,8 +195,10 @@ def _by_itself(
         return found
     if len(outcomes) > 1:
         return _summed_in_all(table, name) or _of_words(task, table, name)
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
-        task, table, name, twins, known
+    found = (
+        _of_the_given(task, name, form, outcomes[0], wanted[0], given)
+        or _as_another_is(task, table, name, twins, known)
+        or _of_a_formula(task, table, name, given)
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
@@ -290,6 +293,19 @@ def _of_the_given(
         return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
     found = computed(form, outcome, given) or of_components(form, outcome, wanted, given)
     return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
+
+
+def _of_a_formula(task: TaskCases, table: Table, name: str, given: dict[str, Plain] | None) -> list[Found]:
+    """Return by which formula of what was given, and of the points in parts before it, a part was computed."""
+    (outcome,), (wanted,), form = table.given[name], table.wanted[name], table.forms[name]
+    before = list(table.forms)[: list(table.forms).index(name)]
+    for other in before:
+        if is_moved_from((table.given[other][0], outcome), (table.wanted[other][0], wanted), given or {}):
+            follows = Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=other), name)
+            return [follows._replace(is_of_words=True)]  # a cause comes first
+    held = {f'{task.answer}["{other}"]': table.given[other][0] for other in before}
+    found = of_formula(form, outcome, wanted, {**(given or {}), **held})
+    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 
 def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:

@@ -4,7 +4,7 @@
     given       x + u·cos α + v·sin α        found in every call, so that is what the function computes
 
 The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw or of
-two; up to three of them, added or taken off.  Read `givens.py` next.
+two; up to three of them, added or taken off.  Read `formulas.py` next.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from ..answers.values import Plain
 from ..words import Words
 from .arithmetic import as_written
 
-__all__ = ["turned_in_all"]
+__all__ = ["sum_of", "turned_in_all"]
 
 FEWEST_CALLS = 4  # more than there are terms: so many numbers are no luck
 MOST_POSES = 2
@@ -39,7 +39,7 @@ def turned_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Pla
         return None
     terms = list(_terms(args))
     wanted = np.array([row[0] for row in rows])
-    found = _sum_of(terms, wanted) if terms and np.ptp(wanted) > CLOSE else ""
+    found = sum_of(terms, wanted) if terms and np.ptp(wanted) > CLOSE else ""
     return (f"computed: {found}", SAID.filled(sum=found)) if found else None
 
 
@@ -71,17 +71,22 @@ def _poses(plains: Sequence[Plain]) -> dict[str, np.ndarray] | None:
     return {name: np.array([number[0] for number in row]) for name, row in rows.items()}
 
 
-def _sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray) -> str:
-    """Return the fewest terms that give these numbers, as they are written; "" if three do not."""
+def sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: int = 2, close: float = CLOSE) -> str:
+    """Return the fewest terms that give these numbers, as they are written; "" if none do.
+
+    Args:
+        before: how many terms there may be before the last one.
+        close: how far from the numbers their sum may be.
+    """
     values = np.array([value for _, value in terms])
-    for count in range(3):  # before the last term
+    for count in range(before + 1):
         for chosen in combinations(range(len(terms)), count):
             for signs in product((1.0, -1.0), repeat=count):
                 rest = wanted - sum((sign * values[at] for sign, at in zip(signs, chosen, strict=True)), 0.0)
                 for sign in (1.0, -1.0):
                     off = np.max(np.abs(sign * values - rest), axis=1)
                     last = int(np.argmin(off))
-                    if off[last] <= CLOSE and last not in chosen:
+                    if off[last] <= close and last not in chosen:
                         found = {**dict(zip(chosen, signs, strict=True)), last: sign}
                         return as_written((found[at], terms[at][0]) for at in sorted(found))
     return ""
