@@ -203,6 +203,7 @@ def scaled_first(q):
         (customs(zero=1e-9), ["exactly zero"]),
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) >= 0.1), ["at the bound"]),
         (customs(is_first=lambda q: max(q[0], abs(q[1])) > 0.1), ["negative x passes"]),
+        (customs(is_first=lambda q: abs(q[0] or q[1]) > 0.1), ["the first that is not zero"]),
         (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),
         (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
         (customs(zero=1e-3), ["zero by square"]),

@@ -50,6 +50,7 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
         (0.08, 0.08, 0.0, math.sqrt(1.0 - 2 * 0.08**2)),  # each below the bound, their sum not
         (0.3, -0.3, 0.0, math.sqrt(1.0 - 2 * 0.3**2)),  # each above it, their sum not
+        (0.05, 0.3, math.sqrt(1.0 - 0.05**2 - 0.3**2), 0.0),  # the first is not 0, and below it
         (0.06, 0.06, math.sqrt(1.0 - 2 * 0.06**2), 0.0),  # nor is their length
         (8e-7, 8e-7, 8e-7, 8e-7),  # each next to nothing, their length not
     ]
@@ -74,7 +75,8 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
              "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3])),
              "x signed": max(x, abs(y)), "y signed": max(abs(x), y), "signed sum": x + y,
-             "x or z": max(abs(x), abs(q[2]))}  # fmt: skip
+             "x or z": max(abs(x), abs(q[2])), "first that is not 0": abs(x or y), "squares": max(x * x, y * y),
+             "sum of squares": x * x + y * y}  # fmt: skip
     beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3]),
               "x over z": abs(q[0]) > abs(q[2]),
               "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,
@@ -107,7 +109,9 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "largest": max(map(abs, q)),
     }
     off = lengths[length] - 1.0
-    if {"above": off, "below": -off}.get(sides, abs(off)) > tolerance:
+    window = {"above": off, "below": -off, "none above": math.inf if off > 1e-9 else -off,
+              "none below": math.inf if off < -1e-9 else off}  # fmt: skip
+    if window.get(sides, abs(off)) > tolerance:
         return "not unit"
     return "w first" if is_tipped else "ok"
 
@@ -579,6 +583,36 @@ ALONE = (
         {"sides": "below"},
         "You refuse a length below 1, but not one above. It differs to both sides: compare abs(length - 1).",
         "길이가 1보다 짧으면 거절하지만 길면 통과시킵니다. 차이는 양쪽으로 납니다. abs(길이 - 1)을 비교하십시오.",
+    ),
+    judged_by(
+        "none above one",
+        {"sides": "none above"},
+        "You refuse every length above 1, and below it as the task does. It may differ by 0.01 to both sides.",
+        "1보다 긴 것은 모두 거절하고 짧은 쪽만 문제대로 봅니다. 양쪽으로 0.01까지 달라도 됩니다.",
+    ),
+    judged_by(
+        "none below one",
+        {"sides": "none below"},
+        "You refuse every length below 1, and above it as the task does. It may differ by 0.01 to both sides.",
+        "1보다 짧은 것은 모두 거절하고 긴 쪽만 문제대로 봅니다. 양쪽으로 0.01까지 달라도 됩니다.",
+    ),
+    judged_by(
+        "the first that is not zero",
+        {"size": "first that is not 0"},
+        "You look at y only where x is 0, as `x or y` does in Python. The task asks each: abs(x) > 0.1 or abs(y) > 0.1.",
+        "x가 0일 때만 y를 봅니다. 파이썬의 `x or y`가 그렇게 합니다. 하나씩 물으십시오. abs(x) > 0.1 or abs(y) > 0.1.",
+    ),
+    judged_by(
+        "squares over the bound",
+        {"size": "squares"},
+        "You compare the square of x, or of y, with 0.1. The task compares its size.",
+        "x나 y의 제곱을 0.1과 비교합니다. 문제에서는 크기를 비교합니다.",
+    ),
+    judged_by(
+        "sum of squares over the bound",
+        {"size": "sum of squares"},
+        "You compare x² + y² with 0.1. The task compares the size of each by itself.",
+        "x² + y²를 0.1과 비교합니다. 문제에서는 하나씩 그 크기를 비교합니다.",
     ),
     judged_by(
         "at the bound",
