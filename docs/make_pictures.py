@@ -33,6 +33,8 @@ SIZE = (720, 380)  # [px]
 QUALITY = 65  # of 100; below, what differs little from the frame before keeps its colour
 FILMS = (("00_start", "motion", 20, 130), ("09_exceptions_and_waiting", "walls-walk", 6, 450))  # frames, each [ms]
 REPLY = '[id="cell-id=reply"]'
+WRITTEN = f"{REPLY} :is(.jp-Cell-inputWrapper, .jp-OutputArea-child:first-child)"  # the answer and its reply
+DRAWN = f"{REPLY} .jp-OutputArea-child:not(:first-child)"  # where it went
 REPLY_MS = 6000
 REPLY_WIDTH = 720  # [px] of the window: as wide as a frame, so that the letters of the reply are not made smaller
 WRONG_ANSWER = """def invert(a_pose_b):
@@ -74,9 +76,10 @@ def _make(tab: Page, language: str, folder: Path) -> None:
         frames += [(frame, each_ms) for frame in _film(tab, cell, count)]
     tab.set_viewport_size({"width": REPLY_WIDTH, "height": SIZE[1]})
     tab.goto(_exported(_reply(language, folder), folder).as_uri())
-    drawn = _shot(tab, f"{REPLY} img")
-    tab.locator(f"{REPLY} img").evaluate("drawing => drawing.remove()")
-    frames += [(_shot(tab, REPLY), REPLY_MS), (drawn, REPLY_MS // 2)]
+    for hidden, shown_ms in ((DRAWN, REPLY_MS), (WRITTEN, REPLY_MS // 2)):
+        style = tab.add_style_tag(content=f"{hidden} {{ display: none !important }}")
+        frames.append((_shot(tab, REPLY), shown_ms))
+        style.evaluate("style => style.remove()")
     said = _plain_reply(folder / "run-reply" / "reply.ipynb")
     _write(PICTURES / ("drive.webp" if language == "en" else f"drive.{language}.webp"), frames, language, said)
 

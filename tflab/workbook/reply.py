@@ -21,7 +21,7 @@ from typing import Any
 
 from .words import begun
 
-__all__ = ["as_html", "in_notebook", "show_page", "show_reply"]
+__all__ = ["as_html", "in_notebook", "show_caption", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
 CALL = re.compile(r"\b[a-z_][\w.]*\((?:[^()\n]|\([^()\n]*\))*\)")
@@ -55,6 +55,16 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
     from IPython.display import display
 
     display({"text/plain": text, "text/html": as_html(head, said, more, kind)}, raw=True)
+
+
+def show_caption(text: str) -> None:
+    """Show what is said of the picture above."""
+    if not in_notebook():
+        print(text)
+        return
+    from IPython.display import display
+
+    display({"text/plain": text, "text/html": f'<small class="tflab-caption">{html.escape(text)}</small>'}, raw=True)
 
 
 def show_page(page: Any) -> None:

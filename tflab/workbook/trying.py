@@ -15,7 +15,7 @@ from dataclasses import replace
 from io import StringIO
 from pathlib import Path
 from threading import Timer
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
@@ -23,15 +23,12 @@ from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome
 from .explaining.changes import gave
 from .places import Workbook
 from .repairing.one_place import said_of_one_place
-from .reply import in_notebook, show_reply
+from .reply import in_notebook, show_caption, show_reply
 from .tasks.case import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
 from .verdicts.replies import PHRASES
 from .verdicts.verdict import Verdict, judge_outcomes, kind_of
 from .words import Words
-
-if TYPE_CHECKING:
-    from tflab.views.picture import Picture
 
 __all__ = ["AssignedTask", "say_verdict", "tried_on"]
 
@@ -142,13 +139,9 @@ def say_verdict(
     if assigned.cases.is_function and outcomes:
         call = assigned.phrase("case", call=_call(assigned, verdict.case), got=_shown(outcomes[verdict.case]))
         more = [call, *more]
-    picture = _both(assigned, verdict, outcomes) if draws or assigned.cases.is_function else None
-    more = [*more, assigned.phrase("drawn")] if picture else more
     show_reply(score, _reply(assigned, verdict), more, "wrong")
-    if picture:
-        from IPython.display import display
-
-        display(picture)
+    if draws or assigned.cases.is_function:
+        _show_both(assigned, verdict, outcomes)
 
 
 def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
@@ -196,12 +189,18 @@ def _shown(outcome: Plain) -> str:
         return kind_of(outcome)
 
 
-def _both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Picture | None:
-    """Return the answer drawn beside the right one, where both are in space and a picture can be shown."""
-    from IPython import get_ipython
-
-    if get_ipython() is None or not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
-        return None
+def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
+    """Draw the answer beside the right one, where both are in space, and say which is whose."""
     from .verdicts.comparison import picture_of
 
-    return picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
+    if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
+        return
+    picture = picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
+    if picture is None:
+        return
+    from IPython import get_ipython
+    from IPython.display import display
+
+    if get_ipython() is not None:
+        display(picture)
+        show_caption(assigned.phrase("drawn"))
