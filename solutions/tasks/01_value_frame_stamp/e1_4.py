@@ -41,6 +41,7 @@ def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="
         "a zero too many": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e10,
         "by a million": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e6,
         "by a thousand": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e3,
+        "three zeros too many": arrived_sec - sec + (arrived_nanosec - nanosec) / 1e12,
         "added": arrived_sec - sec + (arrived_nanosec + nanosec) / 1e9,
         "as they are": float(arrived_sec - sec + arrived_nanosec - nanosec),
         "sum": seconds_of(given.arrived) + seconds_of(given.stamp),
@@ -450,6 +451,16 @@ AGE_ADDED = Slip(
 )
 
 
+THREE_ZEROS_TOO_MANY = Slip(
+    "three zeros too many",
+    {"age": "three zeros too many"},
+    Words(
+        en="nanosec counts a thousand times too little, as by 1e12. A second has a thousand million of them: 1e9.",
+        ko="nanosec이 1000분의 1로 들어갔습니다. 1e12로 나눈 값입니다. 1초는 10억, 곧 1e9 나노초입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.4",
     kind="N",
@@ -499,6 +510,7 @@ TASK = Task(
         A_ZERO_TOO_MANY,
         NANOSECONDS,
         AGE_ADDED,
+        THREE_ZEROS_TOO_MANY,
     ),
     hints=(
         Words(

@@ -10,10 +10,11 @@ from .draws import point, time
 
 def measurements(rng):
     rows = []
-    for _ in range(5):
+    for number in range(5):
         measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)), 3)
         later_s = round(measured_s + float(rng.uniform(0.04, 0.5)), 3)
-        rows.append((round(float(rng.uniform(0.4, 6.0)), 2), time(measured_s), time(later_s)))
+        hair_m = 0.004 if number == 2 else 0.0  # what a range to centimetres has lost
+        rows.append((round(round(float(rng.uniform(0.4, 6.0)), 2) + hair_m, 3), time(measured_s), time(later_s)))
     return rows
 
 
@@ -29,7 +30,8 @@ def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", si
         "half way": (measured_ns + now_ns) // 2,
     }
     age_s = (now_ns - measured_ns) / 1e9
-    value = {"range": range_m, "none": 0.0, "age taken off": range_m - age_s, "age added": range_m + age_s}[sight]
+    value = {"range": range_m, "none": 0.0, "age taken off": range_m - age_s, "age added": range_m + age_s,
+             "centimetres": round(range_m, 2)}[sight]  # fmt: skip
     message = point(frame, stamps_ns.get(moment, 0), 0.0)
     if moment == "all in nanosec":
         message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured_ns % 2**32)
@@ -238,6 +240,16 @@ MILLISECONDS_IN_NANOSEC = Slip(
 )
 
 
+TO_CENTIMETRES = Slip(
+    "to centimetres",
+    {"sight": "centimetres"},
+    Words(
+        en="You rounded the range to centimetres. A driver hands on what was measured, as it is.",
+        ko="거리를 센티미터 단위로 반올림했습니다. 드라이버는 잰 값을 그대로 전합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E1.6",
     kind="C",
@@ -269,6 +281,7 @@ TASK = Task(
         IN_CAMERA_LINK,
         LASER_LINK,
         MILLISECONDS_IN_NANOSEC,
+        TO_CENTIMETRES,
     ),
     hints=(
         Words(
