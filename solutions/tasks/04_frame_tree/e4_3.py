@@ -45,6 +45,8 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
         up, down = ([], []) if target == source else (up[:-1], down[:-1])
     if (climb == "up alone" and target not in up) or (climb == "down alone" and source not in down):
         raise ConnectivityException("no way up") if climb == "up alone" else ConnectivityException("no way down")
+    if climb == "straight alone" and target not in up and source not in down:
+        raise ConnectivityException("neither above nor below")
     if climb not in ("to the root", "to the root, but for itself"):
         while up and down and up[-1] == down[-1]:
             up.pop()
@@ -57,7 +59,8 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up"), "all down": ("down", "down")}.get(
         words, ("up", "down")
     )
-    down = {"outward": down[::-1], "as climbed": down, "left out": []}[order]
+    down = {"outward": down[::-1], "as climbed": down, "left out": [], "but for the last": down[:0:-1]}.get(order, down[::-1])
+    up = up[1:] if order == "but for the first" else up
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]
     is_met = named == "where they meet, always" or (named == "where they meet, but for itself" and target != source)
@@ -356,6 +359,37 @@ CLIMBS_ALONE = Twin(
 )
 
 
+STRAIGHT_ALONE = Slip(
+    "straight alone",
+    {"climb": "straight alone"},
+    Words(
+        en="You find a way straight up and a way straight down, and give up where it is both. Beside each other, two frames meet in one that is above both: up to it, then down.",
+        ko="곧장 올라가는 길과 곧장 내려가는 길은 찾지만, 둘이 이어진 길은 포기합니다. 나란히 있는 두 좌표계는 둘의 위에 함께 있는 좌표계에서 만납니다. 거기까지 올라갔다가 내려가십시오.",
+    ),
+    "M11",
+)
+
+
+LAST_STEP_MISSING = Slip(
+    "last step missing",
+    {"order": "but for the last"},
+    Words(
+        en="The last step down is missing, the one that arrives at the target. It is named after its edge's child, and that is the target itself.",
+        ko="목표에 닿는 마지막 내려가는 걸음이 빠졌습니다. 걸음의 이름은 연결의 자식이고, 여기서는 목표 자신입니다.",
+    ),
+)
+
+
+FIRST_STEP_MISSING = Slip(
+    "first step missing",
+    {"order": "but for the first"},
+    Words(
+        en="The first step up is missing, the one that leaves the source. It is named after its edge's child, and that is the source itself.",
+        ko="원본을 떠나는 첫 올라가는 걸음이 빠졌습니다. 걸음의 이름은 연결의 자식이고, 여기서는 원본 자신입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E4.3",
     kind="F",
@@ -394,6 +428,9 @@ TASK = Task(
         CLIMBS_ALONE,
         REVERSED,
         UP_TO_THE_ROOT,
+        STRAIGHT_ALONE,
+        LAST_STEP_MISSING,
+        FIRST_STEP_MISSING,
     ),
     hints=(
         Words(

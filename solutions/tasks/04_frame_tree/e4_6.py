@@ -51,7 +51,18 @@ def counted(log, *, names="whole", key="child", what="nodes", least=2, order="so
     counts = {of: len(who) if what == "messages" else len(set(who)) for of, who in seen.items()}
     many = [of for of, count in counts.items() if (count == 2 if least == "just two" else count >= least)]
     many = list(dict.fromkeys(of if key == "child" else of[1] for of in many))
+    many = _earliest(log, many) if order == "the first found" else sorted(many)[:1] if order == "the first by name" else many
     return sorted(many) if order == "sorted" else many
+
+
+def _earliest(log, many):
+    """Return of these children the one of which a second node is heard first."""
+    nodes = {}
+    for node, _, child in log:
+        nodes.setdefault(child, set()).add(node)
+        if child in many and len(nodes[child]) == 2:
+            return [child]
+    return many[:1]
 
 
 MESSAGES = Slip(
@@ -189,6 +200,28 @@ NEIGHBOURS_ALONE = Twin(
 )
 
 
+FIRST_FOUND_ALONE = Slip(
+    "first found alone",
+    {"order": "the first found"},
+    Words(
+        en="You return one child at most. There may be several: does your `return` stand inside the loop?",
+        ko="많아야 자식 하나를 반환합니다. 여럿일 수 있습니다. `return`이 반복문 안에 있습니까?",
+    ),
+    "M6",
+)
+
+
+FIRST_BY_NAME_ALONE = Slip(
+    "first by name alone",
+    {"order": "the first by name"},
+    Words(
+        en="You return one child at most, the first by name. There may be several, and all of them are asked for.",
+        ko="이름순으로 첫 자식 하나만 반환합니다. 여럿일 수 있고, 모두 필요합니다.",
+    ),
+    "M6",
+)
+
+
 TASK = Task(
     id="E4.6",
     kind="F",
@@ -214,6 +247,8 @@ TASK = Task(
         NODES_AND_PARENTS,
         PARENTS_TOO,
         NEIGHBOURS_ALONE,
+        FIRST_FOUND_ALONE,
+        FIRST_BY_NAME_ALONE,
     ),
     hints=(
         Words(en="For each child, collect who sends it.", ko="자식마다 누가 보내는지 모으십시오."),

@@ -35,6 +35,7 @@ def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="
         prefix = prefix.strip("/")
     name = name.strip("/") if inner != "as it is" else name
     name = name.rpartition("/")[2] if inner == "last word" else name
+    name = name.replace("/", "") if inner == "all removed" else name
     if letters == "small":
         prefix, name = prefix.lower(), name.lower()
     is_shared = {
@@ -350,6 +351,17 @@ LAST_WORD_OF_THE_NAME = Slip(
 )
 
 
+FRAME_S_SLASHES_REMOVED = Slip(
+    "slashes inside the frame removed",
+    {"inner": "all removed"},
+    Words(
+        en="A slash inside the frame goes, too: `arm/tool0` becomes `armtool0`. Only one in front of it is too many.",
+        ko="좌표계 이름 안쪽의 슬래시까지 없앱니다. `arm/tool0`이 `armtool0`이 됩니다. 없앨 것은 맨 앞의 슬래시뿐입니다.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E4.7",
     kind="F",
@@ -390,6 +402,7 @@ TASK = Task(
         SLASH_INSIDE_IS_A_PREFIX,
         SMALL_LETTERS,
         LAST_WORD_OF_THE_NAME,
+        FRAME_S_SLASHES_REMOVED,
     ),
     hints=(
         Words(en="Clean both words first, then join them.", ko="두 낱말을 먼저 다듬고 나서 이으십시오."),
