@@ -25,6 +25,8 @@ def product(map_T_base, odom_T_base, *, poses="as given", found="as given", whee
     right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
     if wheels == "step negated":
         right = Transform([-number for number in odom_T_base.translation], odom_T_base.rotation)
+    if wheels == "turned back, step negated":
+        right = Transform([-number for number in odom_T_base.translation], odom_T_base.inverse().rotation)
     joined = left @ right if order == "found first" else right @ left
     joined = joined.inverse() if way == "turned round" else joined
     return flat(joined) if edge == "flat" else joined
@@ -250,6 +252,17 @@ ORDER_AND_NO_INVERSE = Slip(
 )
 
 
+TURNED_BACK_STEP_NEGATED = Slip(
+    "turned back, step negated",
+    {"wheels": "turned back, step negated"},
+    Words(
+        en="Of the wheels' pose the rotation is turned back, and the step has only changed its signs. In an inverse the step back is measured along the turned axes: `.inverse()` turns it, too.",
+        ko="바퀴 포즈의 회전은 뒤집었지만 이동은 부호만 바꾸었습니다. 역변환에서는 되돌아가는 이동을 돌아간 축을 따라 잽니다. `.inverse()`는 이동도 돌립니다.",
+    ),
+    "M3",
+)
+
+
 TASK = Task(
     id="E5.1",
     kind="F",
@@ -281,6 +294,7 @@ TASK = Task(
         EDGE_FLATTENED,
         THE_OTHER_ONE_TURNED_ROUND,
         ORDER_AND_NO_INVERSE,
+        TURNED_BACK_STEP_NEGATED,
     ),
     hints=(
         Words(

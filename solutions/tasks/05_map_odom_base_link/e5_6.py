@@ -52,7 +52,7 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
               wheels="turned round", found="as given", order="found first", way="as asked"):  # fmt: skip
     """Return map_T_odom, step by step; other steps are the slips."""
     asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns),
-                "milliseconds": round(stamp_ns / 1e6) * 10**6}[moment]  # fmt: skip
+                "milliseconds": round(stamp_ns / 1e6) * 10**6, "whole seconds": stamp_ns // 10**9 * 10**9}[moment]  # fmt: skip
     try:
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", asked_ns).transform
     except TransformException:
@@ -66,6 +66,9 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
     if wheels == "parts":
         return by_parts(map_T_base, odom_T_base)
     right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
+    if wheels in ("step negated", "turned back, step negated"):
+        turn = odom_T_base if wheels == "step negated" else odom_T_base.inverse()
+        right = Transform([-number for number in odom_T_base.translation], turn.rotation)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
     edge = left @ right if order == "found first" else right @ left
     return edge.inverse() if way == "turned round" else edge
@@ -243,6 +246,39 @@ ORDER_AND_NO_INVERSE = Slip(
 )
 
 
+WHOLE_SECONDS = Slip(
+    "whole seconds",
+    {"moment": "whole seconds"},
+    Words(
+        en="You ask at the whole second of the stamp. In what is cut off the robot drives on and turns: hand over `stamp_ns` as it is.",
+        ko="시각을 초 단위로 잘라 조회합니다. 잘라 낸 동안에도 로봇은 달리고 돕니다. `stamp_ns`를 그대로 넘기십시오.",
+    ),
+    "M9",
+)
+
+
+STEP_NEGATED = Slip(
+    "step negated",
+    {"wheels": "step negated"},
+    Words(
+        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
+        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
+    ),
+    "M3",
+)
+
+
+TURNED_BACK_STEP_NEGATED = Slip(
+    "turned back, step negated",
+    {"wheels": "turned back, step negated"},
+    Words(
+        en="Of the wheels' pose the rotation is turned back, and the step has only changed its signs. In an inverse the step is turned as well: `.inverse()` does both.",
+        ko="바퀴 포즈의 회전은 뒤집었지만 이동은 부호만 바꾸었습니다. 역변환에서는 이동도 함께 돌아갑니다. `.inverse()`가 둘 다 합니다.",
+    ),
+    "M3",
+)
+
+
 TASK = Task(
     id="E5.6",
     kind="F",
@@ -271,6 +307,9 @@ TASK = Task(
         AGAINST_THE_OLD_EDGE,
         THE_OTHER_ONE_TURNED_ROUND,
         ORDER_AND_NO_INVERSE,
+        WHOLE_SECONDS,
+        STEP_NEGATED,
+        TURNED_BACK_STEP_NEGATED,
     ),
     hints=(
         Words(
