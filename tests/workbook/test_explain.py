@@ -325,6 +325,9 @@ def judged_function(form, asked, twins=None):
         (Angle(), 1.0, math.sin(0.5), "z for the angle"),
         (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),
         (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
+        (Vector(3), (1.0, 2.0, 3.0), (2.0, 0.0, 3.0), "written over"),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 2.0), "stands twice"),
+        (Quaternion(), (0.5, 0.1, 0.7, 0.5), (0.5, 0.1, 0.5, 1.0), "written over"),
         (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
     ],
 )
