@@ -59,7 +59,9 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up"), "all down": ("down", "down")}.get(
         words, ("up", "down")
     )
-    down = {"outward": down[::-1], "as climbed": down, "left out": [], "but for the last": down[:0:-1]}.get(order, down[::-1])
+    down = {"outward": down[::-1], "as climbed": down, "left out": [], "but for the last": down[:0:-1]}.get(
+        order, down[::-1]
+    )
     up = up[1:] if order == "but for the first" else up
     if named == "where they meet, too" and up:
         up = [*up, parent_of.get(up[-1], up[-1])]

@@ -51,7 +51,10 @@ def counted(log, *, names="whole", key="child", what="nodes", least=2, order="so
     counts = {of: len(who) if what == "messages" else len(set(who)) for of, who in seen.items()}
     many = [of for of, count in counts.items() if (count == 2 if least == "just two" else count >= least)]
     many = list(dict.fromkeys(of if key == "child" else of[1] for of in many))
-    many = _earliest(log, many) if order == "the first found" else sorted(many)[:1] if order == "the first by name" else many
+    if order == "the first found":
+        return _earliest(log, many)
+    if order == "the first by name":
+        return sorted(many)[:1]
     return sorted(many) if order == "sorted" else many
 
 

@@ -24,11 +24,16 @@ def line(g, *, ends="parent first", length="m", side="right", places="as given",
     parent, child = names.get(ends, ("base_link", g.child))
     scale = {"m": 0.01, "cm": 1.0, "mm": 0.001}[length]
     x, y, z = g.ahead_cm * scale, g.right_cm * scale * (1 if side == "left" else -1), g.up_cm * scale
+    z = g.up_cm if places == "up in cm" else z
+    x = g.ahead_cm if places == "ahead in cm" else x
+    y = -g.right_cm if places == "right in cm" else y
     if places == "y ahead":
         x, y = -y, x
     if places == "up second":
         x, y, z = x, z, y
     value = float(g.turn_left_deg) if angle == "degrees" else math.radians(g.turn_left_deg)
+    value = {"half turns": g.turn_left_deg / 180, "tenths": round(math.radians(g.turn_left_deg), 1), "doubled": math.tau * g.turn_left_deg / 180,
+             "twice": math.degrees(g.turn_left_deg)}.get(angle, value)  # fmt: skip
     value = -value if turn == "right" else value
     if about == "none":
         value, about = 0.0, "yaw"
@@ -193,6 +198,76 @@ ANGLE_AS_QZ = Slip(
 )
 
 
+UP_IN_CENTIMETRES = Slip(
+    "up in centimetres",
+    {"places": "up in cm"},
+    Words(
+        en="The height alone went in as centimetres: the sensor hangs many metres up. All three lengths are wanted in metres.",
+        ko="높이만 센티미터 그대로 넣었습니다. 센서가 몇십 미터 위에 달립니다. 세 길이 모두 미터로 쓰십시오.",
+    ),
+)
+
+
+AHEAD_IN_CENTIMETRES = Slip(
+    "ahead in centimetres",
+    {"places": "ahead in cm"},
+    Words(
+        en="The way ahead alone went in as centimetres: the sensor hangs many metres in front of the robot. All three lengths are wanted in metres.",
+        ko="앞쪽 길이만 센티미터 그대로 넣었습니다. 센서가 로봇에서 몇십 미터 앞에 달립니다. 세 길이 모두 미터로 쓰십시오.",
+    ),
+)
+
+
+RIGHT_IN_CENTIMETRES = Slip(
+    "right in centimetres",
+    {"places": "right in cm"},
+    Words(
+        en="The way to the right alone went in as centimetres: the sensor hangs many metres beside the robot. All three lengths are wanted in metres.",
+        ko="오른쪽 길이만 센티미터 그대로 넣었습니다. 센서가 로봇에서 몇십 미터 옆에 달립니다. 세 길이 모두 미터로 쓰십시오.",
+    ),
+)
+
+
+HALF_TURNS = Slip(
+    "half turns",
+    {"angle": "half turns"},
+    Words(
+        en="The angle is counted in half turns: degrees divided by 180, and π is missing. `math.radians` does both.",
+        ko="각도를 반 바퀴 단위로 썼습니다. 180으로 나누기만 하고 π를 곱하지 않은 값입니다. `math.radians`가 둘 다 합니다.",
+    ),
+)
+
+
+ANGLE_TO_TENTHS = Slip(
+    "angle to tenths",
+    {"angle": "tenths"},
+    Words(
+        en="You rounded the angle to tenths of a radian, and a tenth is almost six degrees. Write it as it was computed.",
+        ko="각도를 0.1라디안 단위로 반올림했습니다. 0.1라디안은 거의 6도입니다. 계산한 그대로 쓰십시오.",
+    ),
+)
+
+
+TURNED_TWICE_AS_FAR = Slip(
+    "turned twice as far",
+    {"angle": "doubled"},
+    Words(
+        en="The sensor is turned twice as far. 180 degrees are π, not 2π; and a quaternion holds the sine and cosine of *half* the angle.",
+        ko="두 배로 돌아갔습니다. 180도는 2π가 아니라 π입니다. 쿼터니언에는 각도의 *절반*의 사인과 코사인이 들어갑니다.",
+    ),
+)
+
+
+TURNED_TO_DEGREES = Slip(
+    "turned to degrees once more",
+    {"angle": "twice"},
+    Words(
+        en="The degrees were multiplied by 180/π, as `math.degrees` does. They are degrees already: it is `math.radians` that you want.",
+        ko="도에 180/π를 곱했습니다. `math.degrees`가 하는 일입니다. 이미 도이므로 필요한 것은 `math.radians`입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E6.2",
     kind="C",
@@ -220,6 +295,13 @@ TASK = Task(
         WITHOUT_ROS2_RUN,
         NO_PARENT,
         ANGLE_AS_QZ,
+        UP_IN_CENTIMETRES,
+        AHEAD_IN_CENTIMETRES,
+        RIGHT_IN_CENTIMETRES,
+        HALF_TURNS,
+        ANGLE_TO_TENTHS,
+        TURNED_TWICE_AS_FAR,
+        TURNED_TO_DEGREES,
     ),
     hints=(
         Words(

@@ -46,6 +46,7 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
     only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
     ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "taken for w first": (y, z, w, x), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
+            "w left out": (x, y, z, 1.0), "w for z": (x, y, w, 1.0), "z left out": (x, y, 0.0, w), "half angles": (*(math.sin(a / 2) for a in angles), 1.0),
             "yaw alone": only_yaw, "inverse": (-x, -y, -z, w)}  # fmt: skip
     turn = t.transform.rotation
     turn.x, turn.y, turn.z, turn.w = ways[quaternion]
@@ -274,6 +275,39 @@ YAW_SECOND = Slip(
 )
 
 
+W_LEFT_OUT = Slip(
+    "w left out",
+    {"quaternion": "w left out"},
+    Words(
+        en="x, y and z of the quaternion are there, and w is still the 1 of a new message. All four are needed: `.rotation` ends with w.",
+        ko="쿼터니언의 x, y, z는 들어 있는데 w는 새 메시지의 1 그대로입니다. 넷이 모두 필요합니다. `.rotation`의 마지막이 w입니다.",
+    ),
+    "M5",
+)
+
+
+W_WRITTEN_TO_Z = Slip(
+    "w written to z",
+    {"quaternion": "w for z"},
+    Words(
+        en="z of the quaternion holds what belongs to w, and w is still 1. Four numbers, four fields: is one of them written twice?",
+        ko="쿼터니언의 z에 w의 값이 들어 있고 w는 아직 1입니다. 숫자 넷, 항목 넷입니다. 한 항목에 두 번 썼습니까?",
+    ),
+    "M5",
+)
+
+
+Z_LEFT_OUT = Slip(
+    "z left out",
+    {"quaternion": "z left out"},
+    Words(
+        en="z of the quaternion is still 0. All four numbers of `.rotation` have to be written.",
+        ko="쿼터니언의 z가 아직 0입니다. `.rotation`의 네 숫자를 모두 써야 합니다.",
+    ),
+    "M5",
+)
+
+
 TASK = Task(
     id="E6.3",
     kind="F",
@@ -311,6 +345,9 @@ TASK = Task(
         PITCH_FIRST,
         TAKEN_FOR_W_FIRST,
         YAW_SECOND,
+        W_LEFT_OUT,
+        W_WRITTEN_TO_Z,
+        Z_LEFT_OUT,
     ),
     hints=(
         Words(

@@ -92,6 +92,9 @@ def listened(letters, ends, join_s, now_s, *, past="board", edge="heard", live="
             continue
         if dead == "none runs on" and ends_s == math.inf:
             continue
+        if dead == "turned round" and ends_s >= join_s:
+            continue
+        ends_s = math.inf if dead == "turned round" else ends_s
         if dead == "read" or (ends_s > now_s if dead == "forgotten" else ends_s > join_s):
             heard |= children
     return sorted(heard)
@@ -320,6 +323,18 @@ def as_the_boards_hang_now(letters, ends, join_s, now_s, topics=("/tf", "/tf_sta
     return sorted(heard | lasting)
 
 
+def one_letter_of_each(letters, ends, join_s, now_s):
+    """Return what is known if one keeps a single letter of each node: the board in place of what was heard."""
+    kept, boards = {}, {}
+    for letter in letters:
+        if join_s <= letter["sent_s"] <= now_s:
+            kept[letter["node"]] = letter["children"]
+        elif letter["sent_s"] < join_s and letter["topic"] == "/tf_static":
+            boards[letter["node"]] = letter["children"]
+    kept |= {node: held for node, held in boards.items() if ends.get(node, math.inf) > join_s}
+    return sorted({child for children in kept.values() for child in children})
+
+
 BOARDS_OF_NOW = Twin(
     "boards of now",
     as_the_boards_hang_now,
@@ -364,6 +379,28 @@ ANY_END = Slip(
 )
 
 
+ENDED_FOR_RUNNING = Slip(
+    "ended for running",
+    {"dead": "turned round"},
+    Words(
+        en="You read just those boards that are gone: of the nodes that ended before the join. Those hang that end after it, or never.",
+        ko="사라진 게시판만 읽습니다. 합류하기 전에 끝난 노드의 것입니다. 합류한 뒤에 끝나거나 끝나지 않은 노드의 게시판을 읽어야 합니다.",
+    ),
+    "M12",
+)
+
+
+ONE_LETTER_OF_EACH = Twin(
+    "one letter of each",
+    one_letter_of_each,
+    Words(
+        en="You keep a single letter of each node, the last that you put down. All that is heard stays known, and what hung on its board at the join as well: collect the children, not a letter for each node.",
+        ko="노드마다 편지를 하나만, 마지막에 적은 것만 남깁니다. 받은 것은 모두 계속 알고, 합류할 때 게시판에 있던 것도 압니다. 노드마다 편지 하나가 아니라 자식을 모으십시오.",
+    ),
+    "M12",
+)
+
+
 TASK = Task(
     id="E6.7",
     kind="F",
@@ -400,6 +437,8 @@ TASK = Task(
         BOARDS_OF_NOW_ALONE,
         JOIN_IS_BEFORE,
         ANY_END,
+        ENDED_FOR_RUNNING,
+        ONE_LETTER_OF_EACH,
     ),
     hints=(
         Words(

@@ -43,7 +43,7 @@ def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="r
     if lens == "in the head":
         xyz = (xyz[0] + g.lens_ahead_cm, *xyz[1:])
     rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0),
-           "roll": (yaw, 0.0, 0.0), "pitch": (0.0, yaw, 0.0)}[turns]  # fmt: skip
+           "roll": (yaw, 0.0, 0.0), "pitch": (0.0, yaw, 0.0), "at the lens": (0.0, 0.0, 0.0)}[turns]  # fmt: skip
     axes = {
         "its own": (0, 1, 0), "parent": (-math.sin(yaw), math.cos(yaw), 0), "z": (0, 0, 1), "x": (1, 0, 0), "upwards": (0, -1, 0),
     }  # fmt: skip
@@ -68,7 +68,10 @@ def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="r
         "pitch alone": (0.0, math.pi / 2, 0.0),
         "pitch up alone": (0.0, -math.pi / 2, 0.0),
     }
-    first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turned[optical])
+    quarter = {"to tenths": 1.5, "to tens of degrees": 1.6}.get(optical)
+    turn = (-quarter, 0.0, -quarter) if quarter else turned[optical]
+    turn = (turn[0], turn[1], turn[2] + yaw) if turns == "at the lens" else turn
+    first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turn)
     painted = "" if place == "joint" else "<geometry><sphere radius='0.01'/></geometry>"
     parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
     visual = f'<link name="camera_link"><visual>{first}{painted}</visual></link>' if painted else ""
@@ -96,6 +99,15 @@ SLIPS = (
     slip("ends swapped", {"ends": "child first"},
          "nod_joint has its ends swapped: this robot is bolted onto its camera, and camera_link is the root. The parent is what it hangs on.",
          "nod_joint의 부모와 자식이 바뀌었습니다. 로봇을 카메라에 달아 camera_link가 루트가 되었습니다. 매달린 곳이 부모입니다.", "M2"),
+    slip("turned at the lens", {"turns": "at the lens"},
+         "nod_joint is not turned, and optical_joint has your turn as well as its quarters. The whole head is turned, with the axis that it nods about: your turn belongs to nod_joint.",
+         "nod_joint는 돌아 있지 않고, 대신 optical_joint에 사분의 일 회전과 함께 그 회전이 들어 있습니다. 끄덕이는 축까지 머리 전체가 돌아 있으므로 그 회전은 nod_joint에 써야 합니다."),
+    slip("quarter to tenths", {"optical": "to tenths"},
+         "a quarter turn is written as 1.5 in optical_joint: the picture is askew by four degrees. It is π/2, 1.5708.",
+         "optical_joint에서 사분의 일 회전을 1.5로 썼습니다. 영상이 4도 기울어집니다. π/2, 곧 1.5708입니다."),
+    slip("quarter to tenths, up", {"optical": "to tens of degrees"},
+         "a quarter turn is written as 1.6 in optical_joint: the picture is askew by two degrees. It is π/2, 1.5708.",
+         "optical_joint에서 사분의 일 회전을 1.6으로 썼습니다. 영상이 2도 기울어집니다. π/2, 곧 1.5708입니다."),
     slip("fixed", {"kind": "fixed"},
          "nod_joint is fixed: this camera never nods, whatever its motor does.",
          "nod_joint가 fixed입니다. 모터가 돌아도 카메라가 움직이지 않습니다.", "M12"),

@@ -50,6 +50,7 @@ def beam(g, *, height="both", angle="rad", way="down", ratio="tan", floor="along
         "nothing": 0.0,
         "ahead of it": up / slope - g.wall_m,
         "by the sine": up - g.wall_m * math.sin(turn),
+        "over the slope": (up / slope - g.wall_m) / slope,
     }[wall]
     return {"floor_m": floor_m, "wall_up_m": wall_m}
 
@@ -225,6 +226,17 @@ NOTHING_AT_THE_WALL = Slip(
 )
 
 
+OVER_THE_SLOPE = Slip(
+    "over the slope",
+    {"wall": "over the slope"},
+    Words(
+        en="What is left behind the wall is divided by the tangent, where it has to be multiplied: the tangent is how far the beam sinks over each metre ahead.",
+        ko="벽 너머에 남은 길이를 탄젠트로 나누었는데, 곱해야 합니다. 탄젠트는 1미터 나아갈 때 빛이 내려가는 높이입니다.",
+    ),
+    part="wall_up_m",
+)
+
+
 TASK = Task(
     id="E7.2",
     kind="N",
@@ -244,6 +256,7 @@ TASK = Task(
         WALL_BY_THE_SINE,
         AHEAD_OF_THE_WALL,
         NOTHING_AT_THE_WALL,
+        OVER_THE_SLOPE,
     ),
     hints=(
         Words(en="How high is the laser above the floor?", ko="레이저는 바닥에서 얼마나 높이 있습니까?"),

@@ -126,9 +126,13 @@ def _movement(each, at, turn, kinds, fixed, axis):
         return turned_about({"x": "z", "y": "y", "z": "x"}[each["axis"]], at)
     if each["type"] == "fixed" and fixed == "slides":
         return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
-    about = "z" if axis == "always z" or (axis == "turns about z" and each["type"] != "prismatic") else each["axis"]
+    about = (
+        "z"
+        if axis == "always z" or (axis in ("turns about z", "z and x") and each["type"] != "prismatic")
+        else each["axis"]
+    )
     about = axis[-1] if axis in ("always x", "always y") else about
-    about = "x" if axis == "slides along x" and each["type"] == "prismatic" else about
+    about = "x" if axis in ("slides along x", "z and x") and each["type"] == "prismatic" else about
     about = "z" if axis == "slides along z" and each["type"] == "prismatic" else about
     if each["type"] == "prismatic" and kinds in ("by type", "never turns"):
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
@@ -178,6 +182,9 @@ SLIPS = (
     slip("product backwards", {"product": "backwards"},
          "The product runs from the tip to the base. Lay the dominoes: what is nearer to the base stands left.",
          "곱의 순서가 팔 끝에서 시작합니다. 도미노를 놓아 보세요. 베이스에 가까운 것이 왼쪽입니다.", "M1"),
+    slip("turns about z and slides along x", {"axis": "z and x"},
+         "All your revolute joints turn about z and all your prismatic ones slide along x, whatever \"axis\" says. Each joint has its own.",
+         "\"axis\"가 무엇이든 회전 관절은 모두 z축을 돌고 직선 관절은 모두 x축을 따라 미끄러집니다. 축은 관절마다 다릅니다."),
     slip("steps added", {"frames": "steps added"},
          "You added the steps. Each is measured in axes that the joints before it have turned.",
          "이동을 그대로 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.", "M3"),
