@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Choice, Sequence, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Sequence, Slip, Task, Twin, Words
 
 NAMES = ("mapper", "detector", "planner", "camera", "localizer", "recorder", "driver", "watcher", "guard")
 ABSENT = object()
@@ -89,6 +89,23 @@ def _held(keys, params, order, lacking, text):
             continue
         value = held.get("use_sim_time", value) if order != "any true" or value is not True else value
     return value
+
+
+def handed_on(params, nodes):
+    """Return what comes out if what one node was told is where the next one begins."""
+    value = params.get("/**", {}).get("ros__parameters", {}).get("use_sim_time", False)
+    found = []
+    for node in nodes:
+        own = params.get(node, params.get(node[1:], {})).get("ros__parameters", {})
+        value = own.get("use_sim_time", value)
+        found.append(("sim" if value else "wall") if isinstance(value, bool) else "refused")
+    return found
+
+
+def refused_for_all(params, nodes):
+    """Return what comes out if a value that nobody takes ends it for the nodes that have one of their own, too."""
+    general = params.get("/**", {}).get("ros__parameters", {}).get("use_sim_time", False)
+    return clocks(params, nodes) if isinstance(general, bool) else ["refused" for _ in nodes]
 
 
 TEXT_IS_READ = Slip(
@@ -326,6 +343,26 @@ OWN_ENTRY_REPLACES_ALL = Slip(
 )
 
 
+HANDED_ON = Twin(
+    "handed on",
+    handed_on,
+    Words(
+        en="A node for which nothing of its own is set gets what the node before it had. Each node begins with what `/**` says: read that inside the loop.",
+        ko="자기 항목에서 정하지 않은 노드가 앞 노드의 값을 물려받습니다. 노드마다 `/**`의 값에서 시작해야 합니다. 그 값을 반복문 안에서 읽으십시오.",
+    ),
+)
+
+
+REFUSED_FOR_ALL = Twin(
+    "refused for all",
+    refused_for_all,
+    Words(
+        en="Where what `/**` says is refused, you refuse it for every node. One with an entry of its own that says True or False never gets to see it.",
+        ko="`/**`의 값이 거절되면 모든 노드를 거절로 답합니다. 자기 항목에 True나 False가 있는 노드는 그 값을 쓰지 않습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E10.4",
     kind="F",
@@ -361,6 +398,8 @@ TASK = Task(
         TEXT_IS_READ,
         TEXT_IS_TRUTHY,
         TEXT_IS_WALL,
+        HANDED_ON,
+        REFUSED_FOR_ALL,
     ),
     hints=(
         Words(

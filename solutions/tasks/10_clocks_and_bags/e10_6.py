@@ -54,6 +54,7 @@ def bags(rng):
         (filled(*drive, laser, camera), [scans[0], seen, scans[1], barely, late, lost, scans[2]], "map"),
         (filled(*drive, laser), [lost, early, *scans[:2]], "odom"),
         (filled(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
+        (filled(*drive, laser, camera), [scans[0], seen, lost, scans[3], late], "map"),  # by stamp it is the second
         (filled(*drive, laser), [], "map"),
     ]
 
@@ -61,8 +62,9 @@ def bags(rng):
 def placing(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
             frame="each", into="target", count="placed"):  # fmt: skip
     """Return what the bag can place, step by step."""
-    placed, noes = 0, []
-    for each in messages:
+    placed, noes, frames = 0, [], set()
+    in_order = sorted(messages, key=lambda each: (each.header.stamp.sec, each.header.stamp.nanosec))
+    for each in in_order if which == "by stamp" else messages:
         source = {
             "the first's": messages[0].header.frame_id,
             "base_link": "base_link",
@@ -73,13 +75,18 @@ def placing(buffer, messages, target, ask="the stamp", stops=False, which="first
             buffer.lookup_transform("map" if into == "map" else target, source, when)
         except Exception as error:
             noes.append(_named(type(error).__name__, kind))
+            placed += count == "or the latest" and buffer.can_transform(target, source, Time())
             if stops:
                 break
         else:
             placed += 1
-    no = {"first": noes[0], "last": noes[-1], "most": max(noes, key=noes.count)}[which] if noes else "none"
+            frames.add(source)
+    told = {"last": noes[-1:], "most": noes and [max(noes, key=noes.count)]}.get(which, noes)
+    no = told[0] if told else "none"
     share = placed / max(1, len(messages))
-    counted = {"noes": len(messages) - placed, "all": len(messages), "share": share}.get(count, placed)
+    counted = {"noes": len(messages) - placed, "all": len(messages), "share": share, "frames": len(frames)}.get(
+        count, placed
+    )
     return {"placed": counted, "first_no": no}
 
 
@@ -308,6 +315,37 @@ NANOSEC_ALONE = Slip(
 )
 
 
+FRAMES_COUNTED = Slip(
+    "frames counted",
+    {"count": "frames"},
+    Words(
+        en='"placed" is how many different frames the placed messages have, as in a set of names. Count the messages.',
+        ko='"placed"에 위치를 찾은 메시지의 서로 다른 좌표계 수가 있습니다. 이름을 집합에 모을 때 그렇습니다. 메시지를 세십시오.',
+    ),
+)
+
+
+OR_THE_LATEST = Slip(
+    "or the latest",
+    {"count": "or the latest"},
+    Words(
+        en="Where there is nothing at its stamp, you count a message all the same if there is something at another time, the latest. That places it where it was not measured.",
+        ko="측정 시각의 변환이 없어도 다른 시각, 곧 최신 변환이 있으면 셉니다. 그러면 측정한 곳이 아닌 자리에 놓입니다.",
+    ),
+    "M9",
+)
+
+
+FIRST_BY_STAMP = Slip(
+    "first by stamp",
+    {"which": "by stamp"},
+    Words(
+        en="You tell the refusal of the oldest stamp. Asked for is the first one in the order in which the messages come.",
+        ko="측정 시각이 가장 이른 메시지의 거절을 답했습니다. 메시지가 놓인 순서에서 맨 처음 나온 거절이 필요합니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E10.6",
     kind="F",
@@ -340,6 +378,9 @@ TASK = Task(
         LOOKUP_FOR_EXTRAPOLATION,
         WHOLE_SECONDS,
         NANOSEC_ALONE,
+        FRAMES_COUNTED,
+        OR_THE_LATEST,
+        FIRST_BY_STAMP,
     ),
     hints=(
         Words(

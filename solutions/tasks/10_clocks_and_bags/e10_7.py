@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-from tflab.workbook.tasks import Number, Sequence, Slip, Task, Words
+from tflab.workbook.tasks import Number, Sequence, Slip, Task, Twin, Words
 
 
 def clocks(rng):
@@ -224,6 +224,26 @@ TURNED_ROUND = Slip(
 )
 
 
+TWO_BEFORE = Twin(
+    "two before",
+    lambda clock_s: [after for before, after in zip(clock_s, clock_s[2:], strict=False) if before - after >= 1.0],
+    Words(
+        en="You compare with the reading before the last one, two places back. Compare with the one just before.",
+        ko="두 칸 앞의 값과 비교합니다. 바로 앞의 값과 비교하십시오.",
+    ),
+)
+
+
+EVERY_OTHER_PAIR = Twin(
+    "every other pair",
+    lambda clock_s: [b for a, b in zip(clock_s[::2], clock_s[1::2], strict=False) if a - b >= 1.0],
+    Words(
+        en="You look at the readings two by two, and never from the second of one pair to the first of the next. `pairwise` gives all steps.",
+        ko="값을 둘씩 묶어서 보므로, 한 쌍의 둘째 값에서 다음 쌍의 첫째 값으로 가는 걸음을 보지 않습니다. `pairwise`는 모든 걸음을 줍니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E10.7",
     kind="F",
@@ -254,6 +274,8 @@ TASK = Task(
         AGAINST_THE_FIRST,
         LAST_READING_LEFT_OUT,
         TURNED_ROUND,
+        TWO_BEFORE,
+        EVERY_OTHER_PAIR,
     ),
     hints=(
         Words(

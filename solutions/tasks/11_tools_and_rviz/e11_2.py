@@ -103,8 +103,8 @@ A_SECOND = Slip(
     "a second",
     {"period": "a second"},
     Words(
-        en="You took a second for the time between. The tool *prints* once a second; the stamps need not be a second apart.",
-        ko="사이의 시간을 1초로 보았습니다. 1초에 한 번 *출력*할 뿐, 측정 시각의 간격은 1초가 아닐 수 있습니다.",
+        en="This is the change as it is, as if just a second lay between. The tool *prints* once a second, and the stamps need not be a second apart: divide by the time between them.",
+        ko="변한 양 그대로입니다. 사이의 시간이 꼭 1초일 때의 값입니다. 1초에 한 번 *출력*할 뿐 측정 시각의 간격은 1초가 아닐 수 있으니, 그 간격으로 나누십시오.",
     ),
     partly=True,
 )

@@ -54,6 +54,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "shared": given.hz_of_tf / (len(given.sends_hz) + 1),
         "localization's": given.sends_hz["localization"],
         "without localization": given.hz_of_tf - given.sends_hz["robot_state_publisher"],
+        "without the state publisher": given.hz_of_tf - given.sends_hz["localization"],
         "the report's": float(re.search(r"([\d.]+) Hz", given.report)[1]),
     }[rate]
     avg, largest = map(float, re.search(r"avg = (\S+): max = (\S+)", given.report).groups())
@@ -73,6 +74,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
         "angle in degrees": v / w * (1 - math.cos(math.degrees(w / (2 * f)))),
         "straight": 0.0,
         "way while late": v * largest,
+        "half the square": v * w / (2 * f**2),
         "product": v * w * (1 - math.cos(w / (2 * f))),
         "radius": v / w,
         "chord itself": 2 * v / w * math.sin(w / (2 * f)),
@@ -89,12 +91,12 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
     }.get(travel, 0.0)
     if travel == "lateness without the scan":
         way = largest - given.scan_travels_s - 1 / f
-    wait = {"whole": 1.0, "half": 0.5}[period] / f + way
+    wait = {"whole": 1.0, "half": 0.5, "none": 0.0}[period] / f + way
     return {
         "odometry_hz": f,
         "late_s": of_the_report[late],
         "off_mm": 1000 * gap,
-        "wait_s": max(0.0, wait),
+        "wait_s": wait if period == "none" else max(0.0, wait),
         "enough": "yes" if 1000 * gap <= given.allowed_mm else "no",
     }
 
@@ -380,6 +382,40 @@ TRANSFORM_FORGOTTEN = Slip(
     part="wait_s",
 )
 
+
+THE_OTHER_LEFT_IN = Slip(
+    "the other left in",
+    {"rate": "without the state publisher"},
+    Words(
+        en="You took away what the localization sends, and the robot_state_publisher's messages are still in it: there are two others.",
+        ko="localization의 것만 뺐고 robot_state_publisher의 메시지는 아직 들어 있습니다. 다른 노드는 둘입니다.",
+    ),
+    part="odometry_hz",
+)
+
+
+HALF_THE_SQUARE = Slip(
+    "half the square",
+    {"curve": "half the square"},
+    Words(
+        en="v·ω·T²/2 is how far the arc leaves its first direction in a whole period. The line here joins both ends, and is at its farthest in the middle: about a quarter of that.",
+        ko="v·ω·T²/2는 한 주기 동안 호가 처음 방향에서 벗어나는 거리입니다. 여기서 직선은 두 끝을 잇고 가운데에서 가장 멀어지므로, 그 값의 4분의 1쯤입니다.",
+    ),
+    part="off_mm",
+)
+
+
+NO_PERIOD = Slip(
+    "no period",
+    {"period": "none"},
+    Words(
+        en="The odometry's period is missing: at worst the scan arrives when a message has just been sent, and the next one is a whole period away.",
+        ko="오도메트리의 주기가 빠졌습니다. 최악의 경우 스캔은 메시지가 막 나간 뒤의 순간을 측정한 것이고, 다음 메시지까지 한 주기가 남습니다.",
+    ),
+    part="wait_s",
+)
+
+
 TASK = Task(
     id="E11.3",
     kind="N",
@@ -427,6 +463,9 @@ TASK = Task(
         OTHER_VERDICT,
         LATENESS_FOR_THE_PERIOD,
         TRANSFORM_FORGOTTEN,
+        THE_OTHER_LEFT_IN,
+        HALF_THE_SQUARE,
+        NO_PERIOD,
     ),
     hints=(
         Words(

@@ -9,6 +9,7 @@ from tflab.workbook.tasks import Name, Number, Parts, Set, Slip, Task, Words
 
 STATIC = ("base_link", "laser_frame", "camera_link", "imu_link", "mast")
 MOVING = ("odom", "base_footprint", "arm_link", "pan_link", "left_wheel")
+ON_THE_MAST = "mast_top"  # it moves, and the name of a frame that does not stands in its name
 
 
 def reports(rng):
@@ -22,13 +23,16 @@ def reports(rng):
     ahead = one_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
     slow = one_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
     restless = one_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
-    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless]
+    alike = one_report(rng, future=1, is_alike=True)
+    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike]
 
 
-def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None):  # fmt: skip
+def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None, is_alike=False):  # fmt: skip
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
+    if is_alike:
+        statics, moving = ["mast", *[name for name in statics if name != "mast"]], [ON_THE_MAST, *moving[1:]]
     late_s = round(float(rng.uniform(0.15, 0.9)), 3) if late_s is None else late_s
     delays_s = [late_s, round(late_s * 0.3, 4) if late_s < 1e6 else late_s * 0.3]
     delays_s[1] = delays_s[1] if second_s is None else second_s
@@ -64,6 +68,8 @@ def figures(
         rows = [row for row in rows if row[0] in static_frames]
     if keep == "moving":
         rows = [row for row in rows if row[0] not in static_frames]
+    if keep == "no static within":
+        rows = [row for row in rows if not any(name in row[0] for name in static_frames)]
     by = {
         "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
         "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "text": lambda row: texts[row[0]],
@@ -370,6 +376,18 @@ ONLY_STATICS = Slip(
     "M12",
 )
 
+
+LEFT_OUT_BY_A_PART = Slip(
+    "left out by a part of the name",
+    {"keep": "no static within"},
+    Words(
+        en="You leave out a frame as soon as the name of a static one stands in its own, as `mast` does in `mast_top`. Names are compared whole: `name in static_frames`.",
+        ko="이름 안에 정적 좌표계의 이름이 들어 있으면 뺍니다. `mast`가 `mast_top`에 들어 있듯이 말입니다. 이름은 통째로 비교하십시오: `name in static_frames`.",
+    ),
+    "M14",
+)
+
+
 TASK = Task(
     id="E11.6",
     kind="F",
@@ -408,6 +426,7 @@ TASK = Task(
         SUM_OF_ALL,
         ONLY_THE_LASER,
         ONLY_STATICS,
+        LEFT_OUT_BY_A_PART,
     ),
     hints=(
         Words(
