@@ -22,6 +22,7 @@ from .explanation import Explains, Explanation, and_then
 __all__ = ["of_stops"]
 
 OF_TF2 = {"ConnectivityException", "ExtrapolationException", "InvalidArgumentException", "LookupException"}
+BUGS = ANY_BUG | {"AssertionError", "ZeroDivisionError"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
 STOPS = Words(
     en="in {stopped} of the {of} calls your function stops with {error}. {tip}",
@@ -52,7 +53,7 @@ def of_stops(
     first = None if is_rest_right else explained(task, *zip(*rest, strict=True))  # any slip fits that shows in none
     if (uncaught := _uncaught(task, pairs, stopped)) is not None:
         return and_then(first, uncaught) if first else uncaught
-    if first is None or len(rest) < FEWEST or stopped[0]["raises"] not in ANY_BUG | {"AssertionError"}:
+    if first is None or len(rest) < FEWEST or stopped[0]["raises"] not in BUGS:
         return None
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
