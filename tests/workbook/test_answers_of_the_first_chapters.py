@@ -448,3 +448,14 @@ def test_two_dominoes_turned_round_at_the_end_are_called_the_way_back():
         return {"x": back.translation[0], "y": back.translation[1], "yaw": back.rpy()[2]}
 
     assert slips_of("E3.4", way_back) == ["way_back"]
+
+
+def test_a_first_pose_that_is_not_turned_still_has_its_step():
+    def joined(one, two):
+        if one["yaw"] == 0.0:
+            return two
+        c, s = math.cos(one["yaw"]), math.sin(one["yaw"])
+        x, y = one["x"] + c * two["x"] - s * two["y"], one["y"] + s * two["x"] + c * two["y"]
+        return {"x": x, "y": y, "yaw": one["yaw"] + two["yaw"]}
+
+    assert verdict_on("E3.4", joined).mistake is not None

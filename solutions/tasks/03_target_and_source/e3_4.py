@@ -21,7 +21,8 @@ from .draws import (
 def compose_inputs(rng: np.random.Generator) -> list[tuple]:
     nothing = {"x": 0.0, "y": 0.0, "yaw": 0.0}
     pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
-    return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng))]
+    straight = {"x": 1.5, "y": -2.0, "yaw": 0.0}  # not turned, and not at the origin either
+    return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng)), (straight, some_planar(rng))]
 
 
 def turned_round(pose):
@@ -48,7 +49,8 @@ def joined(
     b_pose_c = turned_round(b_pose_c) if second == "inverted" else b_pose_c
     outer, inner = (b_pose_c, a_pose_b) if order == "exchanged" else (a_pose_b, b_pose_c)
     one, two = outer["yaw"], inner["yaw"]
-    angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0}[by]
+    angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0,
+             "half": one / 2, "difference": one - two}[by]  # fmt: skip
     angle = math.radians(angle) if unit == "degrees" else angle
     if turned == "first":  # and the second added as it is
         angle, step = one, "as it is"
@@ -90,6 +92,8 @@ def joined(
             "first minus second": one - two,
             "mean": (one + two) / 2,
             "product": one * two,
+            "sizes": abs(one) + abs(two),
+            "first twice": 2 * one,
             "asin": math.asin(math.sin(one + two)),
             "atan": math.atan(math.tan(one + two)),
             "atan2 exchanged": math.atan2(math.cos(one + two), math.sin(one + two)),
@@ -461,6 +465,46 @@ YAW_CLAMPED = Twin(
 )
 
 
+BY_HALF = Twin(
+    "turned by half",
+    partial(joined, by="half"),
+    Words(
+        en="the second step is turned by half of b's yaw. Halves belong into quaternions; a step turns by all of it.",
+        ko="둘째 이동을 b의 yaw의 절반만 돌렸습니다. 절반은 쿼터니언에만 쓰고, 이동은 각도 전체만큼 돌립니다.",
+    ),
+)
+
+
+BY_THE_DIFFERENCE = Twin(
+    "turned by the difference",
+    partial(joined, by="difference"),
+    Words(
+        en="the second step is turned by the difference of the yaws. It is measured along b's axes: b's own yaw turns it.",
+        ko="둘째 이동을 두 yaw의 차이만큼 돌렸습니다. 그 이동은 b의 축을 따라 잰 것이므로 b의 yaw로 돌립니다.",
+    ),
+)
+
+
+SUM_OF_SIZES = Twin(
+    "sum of the sizes",
+    partial(joined, yaw="sizes"),
+    Words(
+        en="your yaw is the sum of the sizes: a turn to the right has lost its minus sign.",
+        ko="yaw의 크기를 더했습니다. 오른쪽으로 도는 회전의 마이너스 부호가 없어졌습니다.",
+    ),
+)
+
+
+FIRST_YAW_TWICE = Twin(
+    "first yaw twice",
+    partial(joined, yaw="first twice"),
+    Words(
+        en="the first yaw is added to itself: c's own turn, the second yaw, has not come in.",
+        ko="첫째 yaw를 두 번 더했습니다. c 자신의 회전인 둘째 yaw가 들어가지 않았습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E3.4",
     kind="F",
@@ -507,6 +551,10 @@ TASK = Task(
         YAW_BY_ATAN,
         ATAN2_EXCHANGED,
         YAW_CLAMPED,
+        BY_HALF,
+        BY_THE_DIFFERENCE,
+        SUM_OF_SIZES,
+        FIRST_YAW_TWICE,
     ),
     hints=(
         Words(

@@ -64,6 +64,7 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
                      "behind": printed + math.pi, "rest of a half": math.pi - printed, "zero": 0.0,
                      "pitch": 0.0, "degrees as printed": round(math.degrees(printed)),
                      "degrees as computed": math.degrees(printed),
+                     "converted": -math.radians(printed), "from a quarter": math.pi / 2 - printed,
                      "w": math.cos(printed / 2), "minus w": -math.cos(printed / 2)}[yaw],
     }  # fmt: skip
 
@@ -358,6 +359,27 @@ DEGREES_AS_COMPUTED = Slip(
 )
 
 
+YAW_CONVERTED = Twin(
+    "yaw converted",
+    partial(read, yaw="converted"),
+    Words(
+        en="the yaw went through `math.radians`, and it is printed in radians already: what you give is hardly turned.",
+        ko="라디안으로 출력된 yaw를 `math.radians`에 한 번 더 넣었습니다. 답한 yaw가 거의 0입니다.",
+    ),
+    "M5",
+)
+
+
+REST_OF_A_QUARTER = Twin(
+    "rest of a quarter turn",
+    partial(read, yaw="from a quarter"),
+    Words(
+        en="you took the yaw off a quarter turn. To turn back is to turn by as much the other way.",
+        ko="1/4 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+)
+
+
 W_FOR_THE_YAW = Slip(
     "w for the yaw",
     {"yaw": "w"},
@@ -419,6 +441,8 @@ TASK = Task(
         ROW_OF_THE_MATRIX,
         DEGREES_AS_PRINTED,
         DEGREES_AS_COMPUTED,
+        YAW_CONVERTED,
+        REST_OF_A_QUARTER,
         W_FOR_THE_YAW,
         MINUS_W_FOR_THE_YAW,
         *(twin for way, words in BACK.items() for twin in on_the_way_back(way, words)),

@@ -41,7 +41,8 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     parent = {"map": "map", "odom": "odom", "base": "base", "footprint": "base_footprint",
               "laser below": "laser_frame"}.get(ends, parent)  # fmt: skip
     yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg),
-           "whole degrees": math.radians(int(yaw_deg)), "no pi": yaw_deg / 180}[angle]  # fmt: skip
+           "whole degrees": math.radians(int(yaw_deg)), "no pi": yaw_deg / 180,
+           "halved": math.radians(yaw_deg) / 2}[angle]  # fmt: skip
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
@@ -438,6 +439,12 @@ ROTATIONS = (
         {"angle": "whole degrees"},
         "an angle of 22.5 degrees has lost its half: `int` and `//` cut off what comes after the point.",
         "22.5도에서 소수점 아래가 없어졌습니다. `int`와 `//`는 소수점 아래를 잘라 냅니다.",
+    ),
+    of_rotation(
+        "halved twice",
+        {"angle": "halved"},
+        "the camera turns half as far as asked: the angle was halved twice.",
+        "카메라가 절반만 돌았습니다. 각도를 두 번 반으로 나누었습니다.",
     ),
     of_rotation(
         "no pi",
