@@ -491,3 +491,16 @@ def test_a_list_on_which_all_is_healthy_hears_that_beside_what_it_does_not_tell_
     assert "Fixed Frame misspelt" in said.en
     assert "something sick" not in form.remark(["rviz"], {"a cause": "localizer waits for /clock"}).en
     assert "something sick" not in form.remark([], {"a cause": "nothing is wrong"}).en
+
+
+def test_the_refusal_of_the_oldest_stamp_is_not_called_the_last():
+    def placeable(buffer, messages, target):
+        noes = []
+        for message in sorted(messages, key=lambda each: (each.header.stamp.sec, each.header.stamp.nanosec)):
+            try:
+                buffer.lookup_transform(target, message.header.frame_id, message.header.stamp)
+            except Exception as error:
+                noes.append(type(error).__name__)
+        return {"placed": len(messages) - len(noes), "first_no": (noes or ["none"])[0]}
+
+    assert slips_of("E10.6", placeable) == ["first by stamp"]
