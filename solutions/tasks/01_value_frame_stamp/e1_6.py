@@ -11,7 +11,8 @@ from .draws import point, time
 def measurements(rng):
     rows = []
     for number in range(5):
-        measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)), 3)
+        late_s = 0.6 if number == 3 else 0.0  # in its second, where who rounds has the next one
+        measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)) + late_s, 3)
         later_s = round(measured_s + float(rng.uniform(0.04, 0.5)), 3)
         hair_m = 0.004 if number == 2 else 0.0  # what a range to centimetres has lost
         rows.append((round(round(float(rng.uniform(0.4, 6.0)), 2) + hair_m, 3), time(measured_s), time(later_s)))
@@ -37,6 +38,8 @@ def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", si
         message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured_ns % 2**32)
     if moment == "milliseconds in nanosec":
         message.header.stamp = builtin_interfaces.Time(sec=measured_ns // 10**9, nanosec=measured_ns % 10**9 // 10**6)
+    if moment == "sec rounded":
+        message.header.stamp = builtin_interfaces.Time(sec=round(measured_ns / 1e9), nanosec=measured_ns % 10**9)
     for letter in axis:
         setattr(message.point, letter, value)
     return message
@@ -240,6 +243,16 @@ MILLISECONDS_IN_NANOSEC = Slip(
 )
 
 
+SEC_ROUNDED = Slip(
+    "sec rounded",
+    {"moment": "sec rounded"},
+    Words(
+        en="sec is rounded: past the half of a second it is one too many, and nanosec is added to it all the same. `measured.to_msg()` splits a time into both fields.",
+        ko="sec을 반올림했습니다. 반 초가 지나면 1이 더 많아지는데 nanosec은 그대로 더해집니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
+    ),
+)
+
+
 TO_CENTIMETRES = Slip(
     "to centimetres",
     {"sight": "centimetres"},
@@ -270,6 +283,7 @@ TASK = Task(
         ALONG_Z,
         EVERYWHERE,
         SEC_ALONE,
+        SEC_ROUNDED,
         AGE_FOR_STAMP,
         NO_RANGE,
         OTHER_NAME,
