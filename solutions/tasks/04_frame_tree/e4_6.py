@@ -108,8 +108,8 @@ UNSORTED = Slip(
     "unsorted",
     {"order": "as heard"},
     Words(
-        en="Your list is in the order in which the children were heard: sort it by name.",
-        ko="리스트가 자식을 들은 순서대로입니다. 이름 순서로 정렬하십시오.",
+        en="The right children, in another order than asked for: sort them by name.",
+        ko="자식은 맞지만 순서가 다릅니다. 이름 순서로 정렬하십시오.",
     ),
 )
 

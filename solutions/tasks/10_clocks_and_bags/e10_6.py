@@ -278,8 +278,8 @@ ALWAYS_IN_MAP = Slip(
     "always in map",
     {"into": "map"},
     Words(
-        en="You ask for all of it in `map`. The third argument says in which frame it is wanted.",
-        ko="언제나 `map` 기준으로 조회합니다. 어느 좌표계 기준으로 필요한지는 셋째 인자가 말합니다.",
+        en="You ask for all of it in one and the same frame. The third argument says in which frame it is wanted.",
+        ko="언제나 같은 좌표계 기준으로 조회합니다. 어느 좌표계 기준으로 필요한지는 셋째 인자가 말합니다.",
     ),
     "M1",
 )

@@ -128,8 +128,8 @@ ONLY_THE_FIRST = Slip(
     "only the first",
     {"which": "first"},
     Words(
-        en="You stop at the first jump. A loop comes back again and again.",
-        ko="첫 번째에서 멈춥니다. 반복 재생은 거듭 돌아옵니다.",
+        en="You name one jump alone. A loop comes back again and again.",
+        ko="되돌아간 곳을 하나만 적었습니다. 반복 재생은 거듭 돌아옵니다.",
     ),
 )
 
