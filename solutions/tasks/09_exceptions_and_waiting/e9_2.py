@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from tflab.core import seconds
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
 
 from .draws import kind_of, refusal, robot_buffer
 
@@ -62,8 +64,8 @@ def classified(
         "none read": dict.fromkeys(extrapolations, "one sample"),
     }.get(texts, {})
     kind = said.get(kind, kind)
-    has_slash = any(name.startswith("/") for name in (target, source))
-    if kind == "ok" or classes == "each its own" or (classes == "a slash is a name" and not has_slash):
+    odd = {"a slash is a name": lambda name: name.startswith("/"), "nothing is a name": lambda name: not name}
+    if kind == "ok" or classes == "each its own" or not any(map(odd.get(classes, bool), (target, source))):
         return kind
     return {
         "base first": "invalid argument",
@@ -75,6 +77,7 @@ def classified(
         "names alone": {"connectivity": "lookup"}.get(kind, kind),
         "no question is a name": {"invalid argument": "lookup"}.get(kind, kind),
         "a slash is a name": {"invalid argument": "lookup"}.get(kind, kind),
+        "nothing is a name": {"invalid argument": "lookup"}.get(kind, kind),
     }[classes]
 
 
@@ -354,6 +357,17 @@ NOTHING_IS_CAUGHT = Slip(
 )
 
 
+NOTHING_IS_A_WRONG_NAME = Twin(
+    "an empty name is a wrong name",
+    partial(classified, classes="nothing is a name"),
+    Words(
+        en="an empty name is a lookup for you. tf2 looks no such name up: it raises an InvalidArgumentException, a class of its own. Do you look at the names yourself, before you ask?",
+        ko="빈 이름을 lookup이라고 합니다. tf2는 빈 이름을 찾아보지도 않고 InvalidArgumentException을 일으키며, 이것은 따로 있는 클래스입니다. 묻기 전에 이름을 직접 따지고 있습니까?",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E9.2",
     kind="F",
@@ -386,6 +400,7 @@ TASK = Task(
         NO_PATH_IS_A_WRONG_NAME,
         NO_QUESTION_IS_A_WRONG_NAME,
         SLASH_IS_A_WRONG_NAME,
+        NOTHING_IS_A_WRONG_NAME,
         NO_BRANCH_FOR_NO_QUESTION,
         NO_BRANCH_FOR_NO_PATH,
         NO_BRANCH_FOR_NO_NAME,

@@ -62,6 +62,12 @@ def messages(rng: np.random.Generator) -> list[tuple]:
     rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
     rows.append((robot_buffer(t, is_localized=False), lost))
+    for gap_s in (
+        rng.uniform(0.05, 0.15),
+        rng.uniform(0.25, 0.35),
+    ):  # the robot was placed when its wheels had fallen silent
+        late = point_in("laser_frame", round(t + 3.0 + float(gap_s), 3))
+        rows.append((robot_buffer(t, wheels_s=3.0, map_from_s=3.5), late))
     for gap_ns in (100, 100_000, 100_000_000_000):  # what a bound in another unit lets wait
         point = point_in("laser_frame", t + 4.0)
         point.header.stamp = Time(nanoseconds=seconds(t + 4.0) + gap_ns).to_msg()
@@ -75,10 +81,10 @@ def action(
     *,
     limit_s: float = LIMIT_S,
     by_text: bool | str = False,
-    latest: bool = False,
+    latest: bool | str = False,
     wait_for_past: bool | str = False,
     swapped: bool = False,
-    two_texts: bool = False,
+    two_texts: bool | str = False,
     drops: str = "what is no future",
     spelt: str = "as it came",
     target: str = "map",
@@ -87,11 +93,14 @@ def action(
     let_through: str = "none",
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
-    stamp = Time() if latest else Time.from_msg(message.header.stamp)
+    stamp = Time() if latest is True else Time.from_msg(message.header.stamp)
     written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(spelt, str)
     frame = written(message.header.frame_id)
     ends = (target, frame)
-    error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
+    asked = tuple(reversed(ends)) if swapped else ends
+    error = refusal(buffer, *asked, stamp)
+    if latest == "first":
+        error = refusal(buffer, *asked, Time()) or error
     kind = kind_of(error)
     if error is not None and kind == let_through:
         raise error
@@ -101,6 +110,7 @@ def action(
         "names alone": {"connectivity": "lookup"},
         "no question is a name": {"invalid argument": "lookup"},
         "a slash is a name": {"invalid argument": "lookup"} if frame.startswith("/") else {},
+        "nothing is a name": {"invalid argument": "lookup"} if not frame else {},
         "exchanged": {"connectivity": "lookup", "lookup": "connectivity"},
     }.get(classes, {}).get(kind, kind)
     if kind == "future" and drops == "every extrapolation":
@@ -111,8 +121,11 @@ def action(
     if kind == "future" and drops == "whole seconds":
         newest_s = buffer.get_latest_common_time("map", frame).nanoseconds // 10**9
         return "wait" if stamp.nanoseconds // 10**9 - newest_s <= limit_s else "check clocks"
+    if kind == "future" and drops == "nanoseconds alone":
+        newest = buffer.get_latest_common_time("map", frame).nanoseconds
+        return "wait" if stamp.nanoseconds % 10**9 - newest % 10**9 <= seconds(limit_s) else "check clocks"
     if two_texts and kind == "one sample":
-        return "check clocks"
+        return two_texts if isinstance(two_texts, str) else "check clocks"
     if kind == "future":
         one, other = newest_of or ("map", "")
         newest_ns = buffer.get_latest_common_time(one, other or frame).nanoseconds
@@ -122,10 +135,11 @@ def action(
             return "wait" if asked_s - newest_s <= limit_s else "check clocks"
         if by_text == "to its six digits":
             gap_ns = round(stamp.nanoseconds, -3) - round(error.bound_ns, -3)
-        return "wait" if gap_ns <= seconds(limit_s) else "check clocks"
+        far = "drop" if drops == "what is far off" else "check clocks"
+        return "wait" if gap_ns <= seconds(limit_s) else far
     words = {"ok": "use", "past": "drop", "one sample": "drop", "lookup": "check names", "connectivity": "check tree"}
-    if kind == "past" and wait_for_past == "the past alone":
-        return "wait"
+    if kind == "past" and isinstance(wait_for_past, str):
+        return {"the past alone": "wait", "the past is used": "use"}[wait_for_past]
     if wait_for_past is True and kind in ("past", "one sample"):
         return "wait"
     return words.get(kind, "fix message")
@@ -274,6 +288,17 @@ LATEST_INSTEAD_OF_THE_STAMP = Slip(
 )
 
 
+LATEST_BEFORE_THE_STAMP = Slip(
+    "the latest before the stamp",
+    {"latest": "first"},
+    misconception="M9",
+    reply=Words(
+        en='where the newest odometry is older than the first map in odom, no moment is good for both edges. tf2 refuses then at `Time()` as well, and with another text than at the stamp: at the stamp it says "into the future". Your function acts on the answer for `Time()`. Ask once, at the message\'s stamp, and believe that.',
+        ko='가장 새로운 오도메트리가 map과 odom 사이의 첫 변환보다 오래되면 두 연결에 공통된 시각이 없습니다. 이때 tf2는 `Time()`에도 거절하는데 메시지의 시각에 물었을 때와 이유가 다릅니다. 메시지의 시각에는 "into the future"라고 합니다. 이 함수는 `Time()`에 대한 답을 따르고 있습니다. 메시지의 시각으로 한 번만 묻고 그 답을 믿으십시오.',
+    ),
+)
+
+
 WAITS_FOR_THE_PAST = Slip(
     "waits for the past",
     {"wait_for_past": True},
@@ -329,6 +354,65 @@ DIRECTION_UNREAD = Slip(
     reply=Words(
         en='you judge every extrapolation by its gap. Into the past the gap is below zero, and so it "waits" for what the buffer has forgotten; and an edge that was heard just once has no newest sample to wait for. Read the direction in the text first: only "into the future" has a gap to compare.',
         ko='외삽이면 모두 간격으로 판단합니다. 과거라면 간격이 음수라서 버퍼가 잊은 것을 "wait"하게 되고, 딱 한 번 들은 연결에는 기다릴 다음 표본이 없습니다. 먼저 오류 메시지에서 방향을 읽으십시오. 간격을 비교할 것은 "into the future"뿐입니다.',
+    ),
+)
+
+
+def third_text_is(word: str) -> Twin:
+    """Return the twin that answers the text of an edge heard just once with this word."""
+    return Twin(
+        f"third text: {word}",
+        partial(action, two_texts=word),
+        misconception="M11",
+        reply=Words(
+            en=f'where an edge was heard just once, you say "{word}". tf2 says "extrapolation at time …, but only time … is in the buffer" there: neither into the past nor into the future, and an extrapolation all the same. Any that is not into the future is a "drop".',
+            ko=f'연결을 딱 한 번 들은 곳에서 "{word}"라고 합니다. 거기서 tf2의 메시지는 "extrapolation at time …, but only time … is in the buffer"입니다. 과거도 미래도 아니지만 외삽은 외삽입니다. 미래가 아닌 외삽은 모두 "drop"입니다.',
+        ),
+    )
+
+
+THIRD_TEXTS = tuple(map(third_text_is, ("use", "check names", "check tree", "fix message")))
+
+
+GAP_ALONE = Twin(
+    "the gap alone",
+    partial(action, wait_for_past="the past is used", two_texts=True),
+    misconception="M11",
+    reply=Words(
+        en='you "use" a message that is older than all the buffer holds, and of an edge that was heard just once you judge by the gap. That a message is no newer than the latest common time does not mean that tf2 has an answer for it: ask at its stamp first, and reckon a gap only where the text says "into the future".',
+        ko='버퍼에 있는 것보다 오래된 메시지를 "use"하고, 딱 한 번 들은 연결은 간격으로 판단합니다. 최신 공통 시각보다 새롭지 않다고 해서 tf2가 답할 수 있는 것은 아닙니다. 먼저 메시지의 시각으로 묻고, "into the future"일 때만 간격을 계산하십시오.',
+    ),
+)
+
+
+GAP_OF_NANOSEC = Slip(
+    "gap of nanosec alone",
+    {"drops": "nanoseconds alone"},
+    Words(
+        en="you reckon the gap from the nanoseconds within the second: `nanosec` alone, or `%`, drops the whole seconds, and a message that is a second ahead, or thirty, comes out near. Compare `Time.nanoseconds`, which holds both.",
+        ko="간격을 초 아래의 나노초로만 계산합니다. `nanosec`만 쓰거나 `%`로 나누면 초가 사라져, 1초나 30초 앞선 메시지도 가까워 보입니다. 둘을 다 담은 `Time.nanoseconds`로 비교하십시오.",
+    ),
+)
+
+
+FAR_OFF_IS_DROPPED = Slip(
+    "far off is dropped",
+    {"drops": "what is far off"},
+    Words(
+        en='a future of more than 0.2 s is a "drop" for you. No transform on its way explains such a gap, and the next message will have it as well: the clocks are to be checked.',
+        ko='0.2초를 넘는 미래를 "drop"합니다. 오는 중인 변환으로는 그런 간격이 설명되지 않고, 다음 메시지도 마찬가지일 것입니다. 시계를 확인해야 합니다.',
+    ),
+    "M10",
+)
+
+
+NOTHING_IS_A_WRONG_NAME = Twin(
+    "an empty name is a wrong name",
+    partial(action, classes="nothing is a name"),
+    misconception="M11",
+    reply=Words(
+        en='where the frame is empty, you say "check names". tf2 looks no such name up: it raises an InvalidArgumentException, and the message is to be mended. Do you look at the name yourself, before you ask?',
+        ko='좌표계가 비어 있으면 "check names"라고 합니다. tf2는 빈 이름을 찾아보지도 않고 InvalidArgumentException을 일으키며, 고칠 것은 메시지입니다. 묻기 전에 이름을 직접 따지고 있습니까?',
     ),
 )
 
@@ -601,11 +685,17 @@ TASK = Task(
         WAITS_FOR_THE_PAST_ALONE,
         NEVER_WAITS,
         LATEST_INSTEAD_OF_THE_STAMP,
+        LATEST_BEFORE_THE_STAMP,
         WAITS_FOR_THE_PAST,
         ENDS_SWAPPED,
         WAITS_FOR_EVERY_EXTRAPOLATION,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         DIRECTION_UNREAD,
+        *THIRD_TEXTS,
+        GAP_ALONE,
+        GAP_OF_NANOSEC,
+        FAR_OFF_IS_DROPPED,
+        NOTHING_IS_A_WRONG_NAME,
         BASE_CLASS_FIRST,
         NO_PATH_IS_A_WRONG_NAME,
         NO_QUESTION_IS_A_WRONG_NAME,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import numpy as np
 
 from tflab.workbook.tasks import Number, Parts, Sequence, Slip, Task, Twin, Words
@@ -29,13 +31,15 @@ def queues(rng: np.random.Generator) -> list[tuple]:
         ([int(now) - 0.5005, int(now) + 0.005, int(now) - 0.005], float(int(now)), 0.5, 5),  # a hair beside them
         ([int(now) - 0.25, int(now) - 0.25, int(now) + 0.05], float(int(now)), 0.5, 5),  # two at once
         (before(0.3, -0.9, 0.2), now, 0.5, 5),  # further ahead than the limit
+        ([int(now) - 0.25, int(now) - 0.25, int(now) - 0.05], float(int(now)), 0.5, 2),  # one of two twins has to go
+        (before(0.3, 0.9, 0.2, 0.1), now, 0.5, 5),  # one that is too old came late
     ]
 
 
 def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", ahead="dropped", order="by stamp",
          size="newest", out="oldest first", lost="went", loop="a new list") -> dict:  # fmt: skip
     """Return what a policy keeps, step by step; other steps are the slips."""
-    came = len(stamps_s)
+    all_s, came = stamps_s, len(stamps_s)
 
     def cut_to_size(stamps_s: list[float]) -> list[float]:
         return {
@@ -45,10 +49,13 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "one less": stamps_s[max(0, len(stamps_s) - max_size + 1) :],
             "oldest": stamps_s[:max_size],
             "not cut": stamps_s,
+            "one goes": stamps_s[len(stamps_s) > max_size :],
         }[size]
 
     stamps_s = cut_to_size(sorted(stamps_s)) if first == "cut" else stamps_s
 
+    if ahead == "as now":
+        stamps_s = [min(stamp, now_s) for stamp in stamps_s]
     newest_s = max((stamp for stamp in stamps_s if stamp <= now_s), default=0.0)
 
     def stays(age_s: float) -> bool:
@@ -72,7 +79,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "whole seconds": int(age_s) >= 0,
             "by its size": abs(age_s) <= max_age_s,
             "kept": True,
-        }[ahead]
+        }.get(ahead, True)
         return is_young and is_past
 
     young = [stamp for stamp in stamps_s if stays(now_s - stamp)]
@@ -80,6 +87,12 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         young = [
             stamp for place, stamp in enumerate(stamps_s) if all(stays(now_s - each) for each in stamps_s[: place + 1])
         ]
+    if loop == "backwards to the first":
+        young = []
+        for stamp in reversed(stamps_s):
+            if now_s - stamp > max_age_s:
+                break
+            young += [stamp] if stays(now_s - stamp) else []
     if loop == "removed in it":
         young = list(stamps_s)
         for stamp in young:
@@ -93,10 +106,13 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         "sieved": came - len(young),
         "cut": len(young) - len(cut),
         "none": 0,
+        "none where none is young": came - len(cut) if young else 0,
+        "what is not among the kept": sum(stamp not in cut for stamp in all_s),
         "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
         "too old and cut": sum(now_s - stamp > max_age_s for stamp in stamps_s) + len(young) - len(cut),
     }
-    kept = {"newest first": cut[::-1], "ages": [now_s - stamp for stamp in cut]}.get(out, cut)
+    ages_s = [now_s - stamp for stamp in cut]
+    kept = {"newest first": cut[::-1], "ages": ages_s, "ages, the youngest first": ages_s[::-1]}.get(out, cut)
     return {"kept": kept, "lost": losses[lost]}
 
 
@@ -421,6 +437,67 @@ ONE_TOO_FEW = Slip(
 )
 
 
+ONE_GOES = Slip(
+    "one goes",
+    {"size": "one goes"},
+    Words(
+        en="where more are left than `max_size`, one goes and no more: with two too many, one too many stays. Is it an `if` where a loop or a slice is meant?",
+        ko="남은 것이 `max_size`보다 많으면 하나만 버립니다. 둘이 넘치면 하나가 넘친 채로 남습니다. 반복이나 자르기를 쓸 곳에 `if`를 썼습니까?",
+    ),
+)
+
+
+AHEAD_AS_NOW = Slip(
+    "the future as now",
+    {"ahead": "as now"},
+    Words(
+        en="a message from the future stays in your queue with `now_s` for its stamp. Nobody measured anything then: its clock is wrong, so do not keep it, and change no stamp.",
+        ko="미래에서 온 메시지가 `now_s`라는 시각으로 큐에 남습니다. 그 시각에 측정된 것은 없습니다. 그 시계가 틀린 것이므로 남기지 말고, 어떤 시각도 바꾸지 마십시오.",
+    ),
+    "M10",
+)
+
+
+ENDS_BACKWARDS = Slip(
+    "backwards to the first that is old",
+    {"loop": "backwards to the first"},
+    Words(
+        en="you go back from the end and stop at the first that is too old. A message may overtake an older one: what came before an old one may still be fresh. Look at each.",
+        ko="끝에서부터 거슬러 가다가 너무 오래된 것을 처음 만나면 멈춥니다. 메시지는 더 오래된 것을 앞지를 수 있으므로, 오래된 것보다 먼저 온 것이 아직 신선할 수 있습니다. 하나하나 모두 보십시오.",
+    ),
+)
+
+
+LOST_NONE_OF_NONE = Twin(
+    "nothing lost where nothing stays",
+    partial(kept, lost="none where none is young"),
+    Words(
+        en='where nothing is worth keeping, "lost" is 0 for you. All that came have gone then: count them.',
+        ko='남길 만한 것이 하나도 없으면 "lost"를 0으로 셉니다. 그때는 들어온 것이 모두 사라졌으니 그 수를 세십시오.',
+    ),
+)
+
+
+LOST_BY_STAMP = Slip(
+    "lost by stamp",
+    {"lost": "what is not among the kept"},
+    Words(
+        en='of two messages with one stamp, one stays and one goes, and "lost" misses the latter: its stamp is among those that stayed, so `not in` does not see it go. Count messages: what came minus what stayed.',
+        ko='시각이 같은 두 메시지 가운데 하나는 남고 하나는 사라지는데, "lost"가 사라진 것을 놓칩니다. 그 시각이 남은 것 가운데 있어서 `not in`으로는 보이지 않습니다. 들어온 수에서 남은 수를 빼 메시지를 세십시오.',
+    ),
+)
+
+
+AGES_YOUNGEST_FIRST = Twin(
+    "ages, the youngest first",
+    partial(kept, out="ages, the youngest first"),
+    Words(
+        en="what stays is told by its age, the youngest first. Asked for are the stamps, and the oldest first.",
+        ko="남은 것을 나이로, 그것도 어린 것부터 적었습니다. 필요한 것은 시각이고, 오래된 것부터입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.5",
     kind="F",
@@ -465,6 +542,12 @@ TASK = Task(
         REMOVED_IN_THE_LOOP,
         ONE_TOO_MANY,
         ONE_TOO_FEW,
+        ONE_GOES,
+        AHEAD_AS_NOW,
+        ENDS_BACKWARDS,
+        LOST_NONE_OF_NONE,
+        LOST_BY_STAMP,
+        AGES_YOUNGEST_FIRST,
     ),
     hints=(
         Words(

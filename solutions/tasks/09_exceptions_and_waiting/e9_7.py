@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from statistics import mean
 
 import numpy as np
@@ -40,6 +41,11 @@ def wait_of(
     if edges == "the worst of each":
         worst = 1.0 / min(every["rate_hz"]) + max(every["delay_s"]) + max(every["jitter_s"])
         return worst - scan * given.scan_delay_s
+    slow, quick = sorted(sources, key=lambda one: one["rate_hz"])
+    if edges == "the period alone":
+        return 1.0 / slow["rate_hz"]
+    if edges == "one's period and the other's delay":
+        return 1.0 / slow["rate_hz"] + quick["delay_s"] + quick["jitter_s"] - scan * given.scan_delay_s
     each = [
         periods * (one["rate_hz"] if rate == "as it is" else 1.0 / one["rate_hz"])
         + delay * one["delay_s"]
@@ -236,6 +242,26 @@ MEAN_OF_THE_EDGES = Slip(
 )
 
 
+PERIOD_ALONE = Twin(
+    "the period alone",
+    partial(wait_of, edges="the period alone"),
+    Words(
+        en="this is the longer period and nothing else. A transform is also on its way for a while, and the scan was as well: the delay and the jitter make the wait longer, the scan's own delay makes it shorter.",
+        ko="이 값은 긴 쪽의 주기뿐입니다. 변환도 오는 데 시간이 걸리고 스캔도 그랬습니다. 지연과 지터만큼 더 기다려야 하고, 스캔 자신의 지연만큼 덜 기다려도 됩니다.",
+    ),
+)
+
+
+EDGES_MIXED = Slip(
+    "edges mixed",
+    {"edges": "one's period and the other's delay"},
+    Words(
+        en="the period of map → odom, with the delay and the jitter of odom → base_footprint, gives this. Reckon each edge with its own three numbers, and then take the later.",
+        ko="map → odom의 주기에 odom → base_footprint의 지연과 지터를 더하면 이 값이 됩니다. 연결마다 자기의 세 수로 계산한 다음 늦은 쪽을 쓰십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.7",
     kind="N",
@@ -266,6 +292,8 @@ TASK = Task(
         PERIODS_ADDED,
         RATES_ADDED,
         MEAN_OF_THE_EDGES,
+        PERIOD_ALONE,
+        EDGES_MIXED,
     ),
     hints=(
         Words(
