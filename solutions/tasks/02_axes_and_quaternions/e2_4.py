@@ -475,8 +475,8 @@ NAN_COMPARED = Slip(
     "nan compared",
     {"finite": "infinity"},
     Words(
-        en="Infinity is caught, and NaN is not. NaN equals nothing, not even itself, so `part == math.nan` is never true: ask math.isfinite, or math.isnan.",
-        ko="무한대는 걸러지는데 NaN은 지나갑니다. NaN은 자기 자신과도 같지 않으므로 `part == math.nan`은 늘 거짓입니다. math.isfinite나 math.isnan으로 확인하십시오.",
+        en="NaN gets through. Any of the four may be NaN, and NaN equals nothing, not even itself, so `==` never finds it: ask math.isfinite of each part.",
+        ko="NaN이 지나갑니다. 네 성분 가운데 어느 것이나 NaN일 수 있고, NaN은 자기 자신과도 같지 않아 `==`로는 찾을 수 없습니다. 성분마다 math.isfinite로 확인하십시오.",
     ),
     "M5",
 )

@@ -21,14 +21,11 @@ def filled(buffer: BufferCore | Buffer, *edges: list[StampedTransform]):
     return buffer
 
 
-def robot_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5, map_from_s: float = 0.0) -> Buffer:
-    """Return a buffer that is good for map <- laser_frame from `t` + 1 to `t` + 4 [s], or has never heard of map.
-
-    With `map_from_s` beyond `wheels_s`, the edges share no moment: tf2 refuses at any stamp, and at `Time()` too.
-    """
+def robot_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5) -> Buffer:
+    """Return a buffer that is good for map <- laser_frame from `t` + 1 to `t` + 4 [s], or has never heard of map."""
     return filled(
         Buffer(Duration(seconds=20)),
-        edge("map", "odom", t + map_from_s, t + 2.0 + map_from_s / 2.0, t + 4.0) if is_localized else [],
+        edge("map", "odom", t, t + 2.0, t + 4.0) if is_localized else [],
         edge("odom", "base_footprint", t + 1.0, t + 2.5, t + wheels_s),
         edge("base_footprint", "base_link"),
         edge("base_link", "laser_frame", x=0.2),

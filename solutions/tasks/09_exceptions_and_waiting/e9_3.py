@@ -62,12 +62,6 @@ def messages(rng: np.random.Generator) -> list[tuple]:
     rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
     rows.append((robot_buffer(t, is_localized=False), lost))
-    for gap_s in (
-        rng.uniform(0.05, 0.15),
-        rng.uniform(0.25, 0.35),
-    ):  # the robot was placed when its wheels had fallen silent
-        late = point_in("laser_frame", round(t + 3.0 + float(gap_s), 3))
-        rows.append((robot_buffer(t, wheels_s=3.0, map_from_s=3.5), late))
     for gap_ns in (100, 100_000, 100_000_000_000):  # what a bound in another unit lets wait
         point = point_in("laser_frame", t + 4.0)
         point.header.stamp = Time(nanoseconds=seconds(t + 4.0) + gap_ns).to_msg()
@@ -81,7 +75,7 @@ def action(
     *,
     limit_s: float = LIMIT_S,
     by_text: bool | str = False,
-    latest: bool | str = False,
+    latest: bool = False,
     wait_for_past: bool | str = False,
     swapped: bool = False,
     two_texts: bool | str = False,
@@ -93,14 +87,11 @@ def action(
     let_through: str = "none",
 ) -> str:
     """Decide as the task asks; the options are the mistakes."""
-    stamp = Time() if latest is True else Time.from_msg(message.header.stamp)
+    stamp = Time() if latest else Time.from_msg(message.header.stamp)
     written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(spelt, str)
     frame = written(message.header.frame_id)
     ends = (target, frame)
-    asked = tuple(reversed(ends)) if swapped else ends
-    error = refusal(buffer, *asked, stamp)
-    if latest == "first":
-        error = refusal(buffer, *asked, Time()) or error
+    error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
     if error is not None and kind == let_through:
         raise error
@@ -284,17 +275,6 @@ LATEST_INSTEAD_OF_THE_STAMP = Slip(
     reply=Words(
         en="this asks for the latest transform, whatever the message's stamp. Then nothing is ever too old or too new, and the robot uses poses of another moment.",
         ko="메시지의 시각과 상관없이 최신 변환을 묻고 있습니다. 그러면 너무 오래되거나 너무 새로운 것이 없어지고, 로봇은 다른 시각의 포즈를 쓰게 됩니다.",
-    ),
-)
-
-
-LATEST_BEFORE_THE_STAMP = Slip(
-    "the latest before the stamp",
-    {"latest": "first"},
-    misconception="M9",
-    reply=Words(
-        en='where the newest odometry is older than the first map in odom, no moment is good for both edges. tf2 refuses then at `Time()` as well, and with another text than at the stamp: at the stamp it says "into the future". Your function acts on the answer for `Time()`. Ask once, at the message\'s stamp, and believe that.',
-        ko='가장 새로운 오도메트리가 map과 odom 사이의 첫 변환보다 오래되면 두 연결에 공통된 시각이 없습니다. 이때 tf2는 `Time()`에도 거절하는데 메시지의 시각에 물었을 때와 이유가 다릅니다. 메시지의 시각에는 "into the future"라고 합니다. 이 함수는 `Time()`에 대한 답을 따르고 있습니다. 메시지의 시각으로 한 번만 묻고 그 답을 믿으십시오.',
     ),
 )
 
@@ -685,7 +665,6 @@ TASK = Task(
         WAITS_FOR_THE_PAST_ALONE,
         NEVER_WAITS,
         LATEST_INSTEAD_OF_THE_STAMP,
-        LATEST_BEFORE_THE_STAMP,
         WAITS_FOR_THE_PAST,
         ENDS_SWAPPED,
         WAITS_FOR_EVERY_EXTRAPOLATION,

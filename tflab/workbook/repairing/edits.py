@@ -33,7 +33,8 @@ FUNCTIONS = {one: other for pair in EXCHANGED for one, other in (pair, pair[::-1
 FIELDS = [{"x", "y", "z", "w"}, {"translation", "rotation"}, {"sec", "nanosec"}, {"frame_id", "child_frame_id"}]
 EXCEPTIONS = {"ValueError", "LookupException", "ConnectivityException", "ExtrapolationException",
               "InvalidArgumentException", "TransformException"}  # fmt: skip
-WRAPPED = ("abs", "sorted", "reversed", "list", "len", "float", "int", "str")
+WRAPPED = ("abs", "list", "len", "float", "int", "str")
+ORDERED = ("sorted", "reversed")
 WRAPPED_IN_MATH = ("radians", "degrees", "sin", "cos", "sqrt")
 FACTORS = (-1, 2, 0.5, 10, 0.1, 1e3, 1e-3, 1e6, 1e-6, 1e9, 1e-9)
 MOST_INDEX = 3
@@ -116,6 +117,8 @@ def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[
     if isinstance(node, NUMBERS) and not isinstance(owner, ast.Attribute | ast.Expr) and field not in ("func", "exc"):
         yield "sign", ast.UnaryOp(ast.USub(), node)
         yield from (("missing", ast.Call(function, [node], [])) for function in _functions())
+    if isinstance(node, (*NUMBERS, ast.Tuple, ast.List)) and field == "value":
+        yield from (("order", ast.Call(ast.Name(name, ast.Load()), [node], [])) for name in ORDERED)
     yield from _in_its_place(node, owner, field)
 
 

@@ -38,7 +38,7 @@ PLACE = Words(
 LOOK = {
     "edge": Words("Look at what happens exactly at the bound.", "경계와 정확히 같을 때 어떻게 되는지 보십시오."),
     "side": Words("Look at which side of the comparison is the larger one.", "부등호의 방향을 보십시오."),
-    "order": Words("Two things stand there in the wrong order.", "그 줄에서 두 가지의 순서가 반대입니다."),
+    "order": Words("What stands there is in another order than meant.", "그 줄에 있는 것들의 순서가 잘못되었습니다."),
     "lines": Words("What follows it belongs before it.", "바로 다음에 오는 것이 먼저 와야 합니다."),
     "sign": Words("Look at the signs there.", "그 줄의 부호를 보십시오."),
     "opposite": Words("It says the opposite of what is meant.", "뜻하는 것과 반대로 되어 있습니다."),
