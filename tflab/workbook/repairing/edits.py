@@ -117,17 +117,17 @@ def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[
     if isinstance(node, NUMBERS) and not isinstance(owner, ast.Attribute | ast.Expr) and field not in ("func", "exc"):
         yield "sign", ast.UnaryOp(ast.USub(), node)
         yield from (("missing", ast.Call(function, [node], [])) for function in _functions())
-    if isinstance(node, (*NUMBERS, ast.Tuple, ast.List)) and field == "value":
-        yield from (("order", ast.Call(ast.Name(name, ast.Load()), [node], [])) for name in ORDERED)
     yield from _in_its_place(node, owner, field)
 
 
 def _in_its_place(node: ast.AST, owner: ast.AST, field: str) -> Iterator[Other]:
-    """Yield what might be meant because of what the node is there for: a condition, an exception, one of a product."""
+    """Yield what might be meant because of what the node is there for: a condition, an exception, a result."""
     if field == "test" and isinstance(owner, ast.If | ast.IfExp):
         yield "opposite", ast.UnaryOp(ast.Not(), node)
     if isinstance(owner, ast.ExceptHandler | ast.Raise) and field in ("type", "exc"):
         yield from _exceptions(node)
+    if isinstance(owner, ast.Return | ast.Assign) and isinstance(node, (*NUMBERS, ast.Tuple, ast.List)):
+        yield from (("order", ast.Call(ast.Name(name, ast.Load()), [node], [])) for name in ORDERED)
     is_of_product = isinstance(owner, ast.BinOp) and isinstance(owner.op, ast.MatMult)
     if is_of_product or (isinstance(owner, ast.Attribute) and owner.attr == "apply"):
         yield "inverse", ast.Call(ast.Attribute(node, "inverse", ast.Load()), [], [])
