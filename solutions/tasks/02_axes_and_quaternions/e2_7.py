@@ -239,8 +239,8 @@ THREE_DIGITS = Slip(
     "pi / 2 to three digits",
     {"quarter": "three digits"},
     Words(
-        en="You compared with 1.571, π/2 to three decimals, or with 3.142 / 2: far away that shows. Use math.pi.",
-        ko="1.571, 곧 소수 셋째 자리까지의 π/2(또는 3.142 / 2)와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
+        en="This comes of 1.571, π/2 to three decimals, of 3.142 / 2, or of a difference that was rounded: far away that shows. Use math.pi, and round nothing on the way.",
+        ko="1.571, 곧 소수 셋째 자리까지의 π/2나 3.142 / 2를 쓰거나 차이를 반올림하면 나오는 값입니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰고 중간에 반올림하지 마십시오.",
     ),
 )
 

@@ -168,8 +168,8 @@ FALLS_BACK = Slip(
     "falls back on latest",
     {"refusal": "latest"},
     Words(
-        en="Where the buffer refuses, you fall back on the latest transform: a wrong place instead of an honest no. Let its exception through.",
-        ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절 대신 틀린 위치가 됩니다. 예외를 그대로 내보내십시오.",
+        en="Where the buffer refuses, you answer by another transform all the same: a wrong place instead of an honest no. Let its exception through.",
+        ko="버퍼가 거절하는데도 다른 변환으로 답합니다. 정직한 거절 대신 틀린 위치가 됩니다. 예외를 그대로 내보내십시오.",
     ),
     "M9",
 )

@@ -246,8 +246,8 @@ PERIOD_ALONE = Twin(
     "the period alone",
     partial(wait_of, edges="the period alone"),
     Words(
-        en="this is the longer period and nothing else. A transform is also on its way for a while, and the scan was as well: the delay and the jitter make the wait longer, the scan's own delay makes it shorter.",
-        ko="이 값은 긴 쪽의 주기뿐입니다. 변환도 오는 데 시간이 걸리고 스캔도 그랬습니다. 지연과 지터만큼 더 기다려야 하고, 스캔 자신의 지연만큼 덜 기다려도 됩니다.",
+        en="the longer period alone gives this. A transform is also on its way for a while, and the scan was as well: the delay and the jitter make the wait longer, the scan's own delay makes it shorter.",
+        ko="긴 쪽의 주기만으로 이 값이 나옵니다. 변환도 오는 데 시간이 걸리고 스캔도 그랬습니다. 지연과 지터만큼 더 기다려야 하고, 스캔 자신의 지연만큼 덜 기다려도 됩니다.",
     ),
 )
 
