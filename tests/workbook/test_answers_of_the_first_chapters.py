@@ -119,7 +119,7 @@ def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places,
     ("places", "said"),
     [
         (lambda x, y, z: (x, z, y), "z: the right number with the wrong sign; x, y: another of the numbers"),
-        (lambda x, y, z: (z, -x, -x), "put together as (z, -x, -x). x, y: right; z: another of the numbers"),
+        (lambda x, y, z: (z, -x, -x), "z holds the number that belongs to y, which has it as well."),
         (lambda x, y, z: (-x, -y, z), "x, y, z: another of the numbers belongs there."),
     ],
 )  # fmt: skip
@@ -264,8 +264,8 @@ def test_a_quaternion_of_its_own_formula_is_told_number_by_number():
 
     said = verdict_on("E2.5", answer).said.en
     assert "`(0, sin(then_pitch_rad / 2), sin(first_yaw_rad / 2), cos(first_yaw_rad / 2))`" in said
-    of_yaw = verdict_on("E2.3", lambda yaw: about_z(math.sin(yaw / 2), math.sin(yaw / 2))).said.en
-    assert "`(0, 0, sin(argument 1 / 2), sin(argument 1 / 2))`" in of_yaw
+    of_yaw = verdict_on("E2.3", lambda yaw: about_z(math.sin(yaw), math.sin(yaw / 2))).said.en
+    assert "`(0, 0, sin(argument 1), sin(argument 1 / 2))`" in of_yaw
     rounded = verdict_on("E2.5", lambda given: tuple(round(number, 4) for number in answer(given)))
     assert rounded.said is None  # to so few digits, other formulas come to it as well
 
