@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from tflab.core import Transform
+from tflab.workbook.tasks import Slip, Words
 
 
 def on_the_floor(rng, reach_m=4.0):
@@ -29,3 +30,24 @@ def by_parts(one, other):
     """Return what subtracting steps and yaws gives: no transform of anything."""
     steps = [a - b for a, b in zip(one.translation, other.translation, strict=True)]
     return Transform.from_rpy(yaw=yaw_of(one) - yaw_of(other), translation=tuple(steps))
+
+
+def turned_round(pose, way):
+    """Return an inverse; or what is left of one whose step is only negated, the turn kept or turned back; or the pose."""
+    negated = [-number for number in pose.translation]
+    return {
+        "turned round": pose.inverse(),
+        "step negated": Transform(negated, pose.rotation),
+        "turned back, step negated": Transform(negated, pose.inverse().rotation),
+    }.get(way, pose)
+
+
+STEP_NEGATED = Slip(
+    "step negated",
+    {"wheels": "step negated"},
+    Words(
+        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
+        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
+    ),
+    "M3",
+)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.core import Transform
 from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
 
-from .draws import by_parts, on_a_slope, on_the_floor
+from .draws import STEP_NEGATED, by_parts, on_a_slope, on_the_floor, turned_round
 
 
 def two_poses(rng):
@@ -22,11 +22,7 @@ def product(map_T_base, odom_T_base, *, poses="as given", found="as given", whee
     if poses == "flat":
         map_T_base, odom_T_base = flat(map_T_base), flat(odom_T_base)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
-    right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
-    if wheels == "step negated":
-        right = Transform([-number for number in odom_T_base.translation], odom_T_base.rotation)
-    if wheels == "turned back, step negated":
-        right = Transform([-number for number in odom_T_base.translation], odom_T_base.inverse().rotation)
+    right = turned_round(odom_T_base, wheels)
     joined = left @ right if order == "found first" else right @ left
     joined = joined.inverse() if way == "turned round" else joined
     return flat(joined) if edge == "flat" else joined
@@ -109,16 +105,6 @@ WHAT_THE_WHEELS_SAY = Twin(
         ko="바퀴가 이미 발행하는 값입니다. 지도에서 찾은 위치가 들어 있지 않습니다.",
     ),
     "M7",
-)
-
-STEP_NEGATED = Slip(
-    "step negated",
-    {"wheels": "step negated"},
-    Words(
-        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
-        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
-    ),
-    "M3",
 )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException, seconds
 from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
 
-from .draws import by_parts, on_the_floor
+from .draws import STEP_NEGATED, by_parts, on_the_floor, turned_round
 
 STEP_S = 0.2  # between two poses of the wheels
 HAIR_NS = 400_000  # less than half a millisecond
@@ -65,10 +65,7 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", LATEST).transform
     if wheels == "parts":
         return by_parts(map_T_base, odom_T_base)
-    right = odom_T_base.inverse() if wheels == "turned round" else odom_T_base
-    if wheels in ("step negated", "turned back, step negated"):
-        turn = odom_T_base if wheels == "step negated" else odom_T_base.inverse()
-        right = Transform([-number for number in odom_T_base.translation], turn.rotation)
+    right = turned_round(odom_T_base, wheels)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
     edge = left @ right if order == "found first" else right @ left
     return edge.inverse() if way == "turned round" else edge
@@ -254,17 +251,6 @@ WHOLE_SECONDS = Slip(
         ko="시각을 초 단위로 잘라 조회합니다. 잘라 낸 동안에도 로봇은 달리고 돕니다. `stamp_ns`를 그대로 넘기십시오.",
     ),
     "M9",
-)
-
-
-STEP_NEGATED = Slip(
-    "step negated",
-    {"wheels": "step negated"},
-    Words(
-        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
-        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
-    ),
-    "M3",
 )
 
 
