@@ -2,29 +2,26 @@
 
     if age < max_age_s:    edge  <=      side  >      sign  -age      name  now_s
 
-An edit puts another value into one field of the syntax tree, and takes it out again:
-a tree is copied for none of them.  What people mean to write and do not is what
-mutation testing does to a right program, backwards (Debroy and Wong, "Using mutation to
-automatically suggest fixes for faulty programs", 2010).  Read `calling.py` next.
+An edit is something else at one spot of the tree (`tasks/spots.py`).  What people mean to
+write and do not is what mutation testing does to a right program, backwards (Debroy and
+Wong, "Using mutation to automatically suggest fixes for faulty programs", 2010).
+Read `calling.py` next.
 """
 
 from __future__ import annotations
 
 import ast
 from collections.abc import Iterator
-from contextlib import contextmanager
-from itertools import pairwise
+from contextlib import AbstractContextManager
 from typing import Any, NamedTuple
+
+from ..tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, Spot, held_in, spots_of
 
 __all__ = ["KINDS", "Edit", "edits_of"]
 
 KINDS = ("edge", "side", "order", "sign", "opposite", "logic", "function", "inverse", "field", "member", "loop",
          "exception", "too much", "call", "lines", "operation", "number", "name", "word", "missing")  # fmt: skip
-EDGES = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
-SIDES = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
-OPPOSITES = {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In, ast.Is: ast.IsNot,
-             ast.IsNot: ast.Is}  # fmt: skip
-SIGNS = {ast.Add: ast.Sub, ast.Sub: ast.Add}
+NEGATED = OPPOSITES | {ast.Is: ast.IsNot, ast.IsNot: ast.Is}
 OPERATIONS = {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Div}
 IN_ORDER = (ast.Sub, ast.Div, ast.MatMult, ast.Mod)  # a - b is not b - a
 EXCHANGED = [("sin", "cos"), ("min", "max"), ("any", "all"), ("degrees", "radians"), ("floor", "ceil"),
@@ -51,15 +48,9 @@ class Edit(NamedTuple):
     field: str
     value: Any
 
-    @contextmanager
-    def made(self) -> Iterator[None]:
+    def made(self) -> AbstractContextManager[None]:
         """Make the edit in its tree, for as long as this lasts."""
-        before = getattr(self.owner, self.field)
-        setattr(self.owner, self.field, self.value)
-        try:
-            yield
-        finally:
-            setattr(self.owner, self.field, before)
+        return held_in(self.owner, self.field, self.value)
 
 
 def edits_of(tree: ast.Module) -> list[Edit]:
@@ -80,31 +71,27 @@ class _Used:
 
 
 def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
-    for owner in ast.walk(tree):
-        for field, held in ast.iter_fields(owner):
-            if field in ("annotation", "returns", "decorator_list"):
-                continue
-            if isinstance(held, ast.AST):
-                yield from (Edit(kind, held, owner, field, new) for kind, new in _others(held, owner, field, used))
-            elif isinstance(held, list):
-                yield from _edits_of_list(owner, field, held, used)
-
-
-def _edits_of_list(owner: ast.AST, field: str, held: list, used: _Used) -> Iterator[Edit]:
-    for place, node in enumerate(held):
-        if isinstance(node, ast.AST):
-            for kind, new in _others(node, owner, field, used):
-                yield Edit(kind, node, owner, field, [*held[:place], new, *held[place + 1 :]])
-        if isinstance(node, ast.stmt) and not isinstance(node, ast.FunctionDef):
-            rest = [*held[:place], *held[place + 1 :]] or [ast.Pass()]
-            yield Edit("too much", node, owner, field, rest)
-        if isinstance(node, ast.For) and len(node.body) > 1 and isinstance(node.body[-1], ast.Return):
-            shorter = ast.For(node.target, node.iter, node.body[:-1], node.orelse)
-            new = [*held[:place], shorter, node.body[-1], *held[place + 1 :]]
-            yield Edit("loop", node.body[-1], owner, field, new)
-    for place, (node, then) in enumerate(pairwise(held)):
+    for spot in spots_of(tree):
+        node, owner, field = spot.node, spot.owner, spot.field
+        if field in ("annotation", "returns", "decorator_list"):
+            continue
+        yield from (Edit(kind, node, owner, field, spot.with_(new)) for kind, new in _others(node, owner, field, used))
         if isinstance(node, ast.stmt | ast.ExceptHandler) and not isinstance(node, ast.FunctionDef):
-            yield Edit("lines", node, owner, field, [*held[:place], then, node, *held[place + 2 :]])
+            yield from _edits_of_lines(spot, node)
+
+
+def _edits_of_lines(spot: Spot, node: ast.stmt | ast.ExceptHandler) -> Iterator[Edit]:
+    """Yield a statement left out, a `return` after its loop, and this and the next the other way round."""
+    owner, field = spot.owner, spot.field
+    if isinstance(node, ast.stmt):
+        yield Edit("too much", node, owner, field, spot.with_())
+    if isinstance(node, ast.For) and len(node.body) > 1 and isinstance(last := node.body[-1], ast.Return):
+        yield Edit(
+            "loop", last, owner, field, spot.with_(ast.For(node.target, node.iter, node.body[:-1], node.orelse), last)
+        )
+    held = getattr(owner, field)
+    if then := held[spot.place + 1 : spot.place + 2]:
+        yield Edit("lines", node, owner, field, [*held[: spot.place], *then, node, *held[spot.place + 2 :]])
 
 
 def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[Other]:
@@ -147,7 +134,7 @@ def _exceptions(node: ast.AST) -> Iterator[Other]:
 
 
 def _compared(node: ast.Compare, _used: _Used) -> Iterator[Other]:
-    for kind, others in (("edge", EDGES), ("side", SIDES), ("opposite", OPPOSITES)):
+    for kind, others in (("edge", EDGES), ("side", SIDES), ("opposite", NEGATED)):
         for place, op in enumerate(node.ops):
             if type(op) in others:
                 ops = [*node.ops[:place], others[type(op)](), *node.ops[place + 1 :]]

@@ -5,6 +5,7 @@
     case      what a file of cases holds
     cases     what an answer is tried on
     evidence  what an answer shows, beyond luck: guess correction
+    spots     where in a piece of Python something else can stand
     mutants   solutions spoilt on purpose, none of which may pass: mutation testing
     blank     a solution with its answers taken out
 

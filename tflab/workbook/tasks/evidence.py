@@ -24,7 +24,7 @@ an answer can get that never looks at what it is asked counts as nothing.
 
     16 cases, 7 of them "ok"      always "ok": 7        right in 13: (13 - 7) / (16 - 7) of the points
 
-Read `mutants.py` next.
+Read `spots.py` next.
 """
 
 from __future__ import annotations

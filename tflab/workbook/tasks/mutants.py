@@ -14,7 +14,6 @@ other survivor.  Read `blank.py` next.
 from __future__ import annotations
 
 import ast
-import copy
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -23,15 +22,12 @@ from ..answers.values import from_plain, outcome_of
 from .case import AND, TaskCases, Variant
 from .cases import CasesError, combinations
 from .reference import Solution, answer_cell_name
+from .spots import EDGES, OPPOSITES, SIDES, SIGNS, held_in, spots_of
 from .task import Task, TaskError
 
 __all__ = ["Tested", "mutants_of", "refuse_survivors", "survivors", "table", "tested"]
 
-COMPARED = {
-    ast.Lt: (ast.LtE, ast.Gt), ast.LtE: (ast.Lt, ast.GtE), ast.Gt: (ast.GtE, ast.Lt), ast.GtE: (ast.Gt, ast.LtE),
-    ast.Eq: (ast.NotEq,), ast.NotEq: (ast.Eq,), ast.In: (ast.NotIn,), ast.NotIn: (ast.In,),
-}  # fmt: skip
-COMPUTED = {ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
+COMPUTED = SIGNS | {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SYMMETRIC = {"min", "max", "hypot"}  # the same whichever argument comes first
 CALLED = {"sin": "cos", "cos": "sin", "min": "max", "max": "min", "any": "all", "all": "any"}
 
@@ -61,15 +57,12 @@ def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
     tree = ast.parse(source)
     whole = ast.unparse(tree)
     made: dict[str, Mutant] = {}
-    for number, node in enumerate(ast.walk(tree)):
-        for change in range(len(_changes(node, hair))):
-            changed = copy.deepcopy(tree)
-            place = next(inner for n, inner in enumerate(ast.walk(changed)) if n == number)
-            new = _changes(place, hair)[change]
-            _put(changed, place, new)
-            after = ast.unparse(ast.fix_missing_locations(changed))
+    for spot in spots_of(tree):
+        for new in _changes(spot.node, hair):
+            with held_in(spot.owner, spot.field, spot.with_(*(() if new is None else (new,)))):
+                after = ast.unparse(ast.fix_missing_locations(tree))
             if after != whole:
-                made.setdefault(after, Mutant(_name(tree, node, new), after))
+                made.setdefault(after, Mutant(_name(tree, spot.node, new), after))
     return list(made.values())
 
 
@@ -159,7 +152,7 @@ def _compared(node: ast.Compare, _hair: float) -> list[ast.AST]:
     return [
         ast.Compare(node.left, [*node.ops[:n], other(), *node.ops[n + 1 :]], node.comparators)
         for n, op in enumerate(node.ops)
-        for other in COMPARED.get(type(op), ())
+        for other in (others[type(op)] for others in (EDGES, SIDES, OPPOSITES) if type(op) in others)
     ]
 
 
@@ -220,16 +213,6 @@ CHANGES: dict[type, Callable[[Any, float], list]] = {
     ast.Compare: _compared, ast.BinOp: _computed, ast.BoolOp: _joined, ast.UnaryOp: _signed, ast.Constant: _constant,
     ast.Call: _called, ast.If: _branch, ast.Assign: _dropped, ast.AugAssign: _dropped,
 }  # fmt: skip
-
-
-def _put(tree: ast.AST, place: ast.AST, new: ast.AST | None) -> None:
-    for parent in ast.walk(tree):
-        for name, held in ast.iter_fields(parent):
-            if held is place:
-                setattr(parent, name, new)
-            elif isinstance(held, list) and any(member is place for member in held):
-                put = [new if member is place else member for member in held]
-                setattr(parent, name, [member for member in put if member is not None] or [ast.Pass()])
 
 
 def _statement(tree: ast.AST, node: ast.AST) -> str:
