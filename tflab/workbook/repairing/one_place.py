@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import redirect_stderr, redirect_stdout
 from io import StringIO
+from itertools import tee
 from types import FunctionType
 from typing import Any
 
@@ -29,7 +30,6 @@ from .edits import Edit, edits_of
 __all__ = ["PATIENCE_S", "said_of_one_place"]
 
 PATIENCE_S = 0.5
-AT_ONCE = 16  # edits that are called between two looks at the clock
 LONGEST_LINE = 70
 PLACE = Words(
     en="One change makes every call right, and it belongs in line {line}: `{text}`. {look}",
@@ -107,19 +107,14 @@ def _tried(
     function: FunctionType, tree: ast.Module, case: Case, form: Form, end: float
 ) -> Iterator[tuple[Edit, Callable[..., Any]]]:
     """Yield the edits with which this case comes out right, and the edited functions."""
-    made: list[tuple[Edit, Callable[..., Any]]] = []
-    every = edits_of(tree)
-    for number, edit in enumerate(every, start=1):
-        if (edited := edited_as(edit, function, tree, end)) is not None:
-            made.append((edit, edited))
-        if len(made) == AT_ONCE or (number == len(every) and made):
-            given = outcomes_of((one for _, one in made), case.args or [])
-            for pair, outcome in zip(made, given, strict=True):
-                if all(sealed.judge(form, outcome, case.expected)):
-                    yield pair
-            made = []
+    made = ((edit, edited_as(edit, function, tree, end)) for edit in edits_of(tree))
+    pairs, called = tee((edit, edited) for edit, edited in made if edited is not None)
+    given = outcomes_of((edited for _, edited in called), case.args or [])
+    for pair, outcome in zip(pairs, given, strict=True):
         if time.monotonic() > end:
             return
+        if all(sealed.judge(form, outcome, case.expected)):
+            yield pair
 
 
 def _is_right(form: Form, function: Callable[..., Any], case: Case) -> bool:
