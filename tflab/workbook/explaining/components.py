@@ -65,27 +65,37 @@ def of_components(
     form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None
 ) -> tuple[str, Words] | None:
     """Return what the wrong numbers of a point were computed by, and what to say; None if not all are known."""
-    if not isinstance(form, Vector) or form.size > len(LETTERS) or sealed.is_sealed(expected):
+    both = _compared(form, answer, expected) if isinstance(form, Vector) and form.size <= len(LETTERS) else None
+    if both is None:
         return None
-    have, want = numbers_of(answer, form.size), numbers_of(expected, form.size)
-    if have is None or want is None:
-        return None
-    wrong = [place for place in range(form.size) if abs(have[place] - want[place]) > form.tolerance]
+    have, want, wrong = both
     way = _way(form, want, given or {}) if 0 < len(wrong) < form.size else None
-    sums = {place: _changed(way, place, have[place]) for place in wrong} if way else {}
-    return _said(form.size, sums) if sums and all(sums.values()) else None
+    return _said_of(form, {place: _changed(way, place, have[place]) for place in wrong} if way else {})
 
 
 def place_by_place(
     form: Vector, answer: Plain, expected: Plain, found: Callable[[float, int], str]
 ) -> tuple[str, Words] | None:
     """Return what `found` says of each wrong number of a point, and what to say; None if it says nothing of one."""
+    both = _compared(form, answer, expected)
+    if both is None:
+        return None
+    have, _, wrong = both
+    return _said_of(form, {place: found(have[place], place) for place in wrong})
+
+
+def _compared(
+    form: Vector, answer: Plain, expected: Plain
+) -> tuple[Sequence[float], Sequence[float], list[int]] | None:
+    """Return the numbers of both points, and the places where they differ; None where they cannot be compared."""
     have = numbers_of(answer, form.size)
     want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
     if have is None or want is None:
         return None
-    sums = {place: found(have[place], place) for place in range(form.size)
-            if abs(have[place] - want[place]) > form.tolerance}  # fmt: skip
+    return have, want, [place for place in range(form.size) if abs(have[place] - want[place]) > form.tolerance]
+
+
+def _said_of(form: Vector, sums: dict[int, str]) -> tuple[str, Words] | None:
     return _said(form.size, sums) if sums and all(sums.values()) else None
 
 

@@ -75,6 +75,15 @@ OF_A_NUMBER: tuple[tuple[str, Callable[[float], float]], ...] = (
     ("int({}) * ", lambda number: float(int(number))),
     ("round({}) * ", lambda number: float(round(number))),
 )
+PARTS_OF_AN_ANGLE = (
+    ("{}", 1.0),
+    ("{} / 2", 0.5),
+    ("2 * {}", 2.0),
+    ("{} / 4", 0.25),
+    ("radians({} / 2)", math.radians(0.5)),
+    ("radians({})", math.radians(1.0)),
+    ("degrees({} / 2)", math.degrees(0.5)),
+)
 SCALES = (("", 1.0), ("100 * ", 100.0), ("1000 * ", 1000.0))
 
 
@@ -152,10 +161,8 @@ def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Words] | N
 def _of_angles(angles: Terms) -> Iterator[tuple[str, np.ndarray]]:
     for name, value in angles:
         yield from ((name, value), (f"{name} / 2", value / 2))
-        for part in ("{}", "{} / 2", "2 * {}", "{} / 4", "radians({} / 2)", "radians({})", "degrees({} / 2)"):
-            angle = _part_of(value, part)
-            for of in (np.sin, np.cos):
-                yield f"{of.__name__}({part.format(name)})", of(angle)
+        for (part, by), of in product(PARTS_OF_AN_ANGLE, (np.sin, np.cos)):
+            yield f"{of.__name__}({part.format(name)})", of(by * value)
         yield f"tan({name} / 2)", np.tan(value / 2)
         yield from ((f"{of.__name__}({name} / 2) ** 2", of(value / 2) ** 2) for of in (np.sin, np.cos))
     if len(angles) == MOST_ANGLES:
@@ -165,12 +172,6 @@ def _of_angles(angles: Terms) -> Iterator[tuple[str, np.ndarray]]:
             yield text, of(by * a) * and_of(by * b)
         for sign, joined in (("+", a + b), ("-", a - b)):
             yield from ((f"{of.__name__}(({one} {sign} {other}) / 2)", of(joined / 2)) for of in (np.sin, np.cos))
-
-
-def _part_of(value: np.ndarray, part: str) -> np.ndarray:
-    factor = {"{}": 1.0, "2 * {}": 2.0, "{} / 4": 0.25, "radians({})": math.radians(1.0)}.get(part, 0.5)
-    unit = {"radians({} / 2)": math.radians(1.0), "degrees({} / 2)": math.degrees(1.0)}.get(part, 1.0)
-    return unit * factor * value
 
 
 def is_moved_from(answers: tuple[Plain, Plain], right: tuple[Plain, Plain], given: dict[str, Plain]) -> bool:
