@@ -86,7 +86,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(task_id, str(error))
+        show_reply(str(task_id), str(error))
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
@@ -112,7 +112,7 @@ def hint(task_id: str) -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(task_id, str(error))
+        show_reply(str(task_id), str(error))
         return
     if assigned.cases.counts:
         show_reply(assigned.id, assigned.words(NO_HELP))
@@ -129,7 +129,7 @@ def solution(task_id: str) -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(task_id, str(error))
+        show_reply(str(task_id), str(error))
         return
     if assigned.cases.counts or assigned.workbook.edition == "class":
         show_reply(assigned.id, assigned.words(NO_HELP if assigned.cases.counts else PHRASES["solution_of_class"]))

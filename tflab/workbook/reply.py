@@ -49,22 +49,12 @@ def show_reply(head: str, said: str = "", more: Sequence[str] = (), kind: str = 
     """
     parts = PART.split(said)
     text = "\n".join([f"{head}:", *parts, *more] if parts[1:] else [f"{head}: {said}" if said else head, *more])
-    if not in_notebook():
-        print(text)
-        return
-    from IPython.display import display
-
-    display({"text/plain": text, "text/html": as_html(head, said, more, kind)}, raw=True)
+    _show(text, as_html(head, said, more, kind))
 
 
 def show_caption(text: str) -> None:
     """Show what is said of the picture above."""
-    if not in_notebook():
-        print(text)
-        return
-    from IPython.display import display
-
-    display({"text/plain": text, "text/html": f'<small class="tflab-caption">{html.escape(text)}</small>'}, raw=True)
+    _show(text, f'<small class="tflab-caption">{html.escape(text)}</small>')
 
 
 def show_page(page: Any) -> None:
@@ -75,6 +65,15 @@ def show_page(page: Any) -> None:
     from IPython.display import display
 
     display(page)
+
+
+def _show(text: str, markup: str) -> None:
+    if not in_notebook():
+        print(text)
+        return
+    from IPython.display import display
+
+    display({"text/plain": text, "text/html": markup}, raw=True)
 
 
 def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
