@@ -33,7 +33,7 @@ PATIENCE_S = 0.5
 LONGEST_LINE = 70
 PLACE = Words(
     en="One change makes every call right, and it belongs in line {line}: `{text}`. {look}",
-    ko="한 곳만 고치면 모든 호출이 맞습니다. 고칠 곳은 {line}번째 줄의 `{text}`입니다. {look}",
+    ko="한 곳만 고치면 모든 호출의 결과가 맞습니다. 고칠 곳은 {line}번째 줄의 `{text}`입니다. {look}",
 )
 LOOK = {
     "edge": Words("Look at what happens exactly at the bound.", "경계와 정확히 같을 때 어떻게 되는지 보십시오."),
