@@ -108,14 +108,9 @@ class Form:
         """Return whether two answers are the same; neither need be of this form."""
         return self.comparing()(answer, other)
 
-    def comparing(self) -> Callable[[Plain, Plain], bool]:
-        """Return `alike` for many answers that are compared with one another: each of them is read once."""
-        held: dict[int, tuple[Plain, list[Probe] | None]] = {}  # the answer, too: while it lives, its id is its own
-
-        def read(plain: Plain) -> list[Probe] | None:
-            if id(plain) not in held:
-                held[id(plain)] = (plain, self.read(plain))
-            return held[id(plain)][1]
+    def comparing(self, read: Callable[[Plain], list[Probe] | None] | None = None) -> Callable[[Plain, Plain], bool]:
+        """Return `alike` for many answers that are compared with one another, with what reads each of them."""
+        read = read or self.reading()
 
         def is_alike(answer: Plain, other: Plain) -> bool:
             if is_raised(other):
@@ -132,6 +127,17 @@ class Form:
             return given == wanted or (all(is_there) and all(matched(given, wanted, _is_given, True)))
 
         return is_alike
+
+    def reading(self) -> Callable[[Plain], list[Probe] | None]:
+        """Return `read` for many answers, of which each is read once."""
+        held: dict[int, tuple[Plain, list[Probe] | None]] = {}  # the answer, too: while it lives, its id is its own
+
+        def read(plain: Plain) -> list[Probe] | None:
+            if id(plain) not in held:
+                held[id(plain)] = (plain, self.read(plain))
+            return held[id(plain)][1]
+
+        return read
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
         """Return what can be said of a wrong answer by itself, beside the other parts of a dict; None if nothing."""

@@ -2,7 +2,7 @@
 
     form_from_plain(Vector(3, unit="m").plain()) == Vector(3, unit="m")
 
-Read `sealed.py` next.
+Read `alike.py` next.
 """
 
 from __future__ import annotations

@@ -84,21 +84,26 @@ def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
 
 
 def outcomes_of(functions: Iterable[Callable[..., Any]], args: Sequence[Plain]) -> Iterator[Plain]:
-    """Yield `outcome_of` for each function; what the arguments look like is written down once for all."""
-    before = None
+    """Yield `outcome_of` for each function; what the last one left as it was is handed to the next."""
+    remembers = any(isinstance(arg, dict) and "Patient" in arg for arg in args)  # what it was asked
+    before = held = None
     for function in functions:
-        held = [from_plain(arg) for arg in args]
+        held = [from_plain(arg) for arg in args] if remembers or held is None else held
         before = before or [to_plain(arg) for arg in held]
         try:
             given = function(*held)
         except Exception as error:
+            held = None
             yield raised(error)
             continue
         try:
             changed = [number for number, arg in enumerate(held) if to_plain(arg) != before[number]]
         except Exception:  # an argument without end, by now
             changed = [0]
-        yield {"changed": changed[0] + 1, "gave": _result(given)} if changed else _result(given)
+        result = _result(given)
+        if changed:
+            held, result = None, {"changed": changed[0] + 1, "gave": result}
+        yield result
 
 
 def _result(given: object) -> Plain:

@@ -144,17 +144,24 @@ def write_files(root: Path, files: dict[str, str]) -> list[str]:
 
 
 async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
-    turn, cases_turn = asyncio.Semaphore(max(1, jobs)), asyncio.Lock()
+    from joblib.externals.loky import get_reusable_executor
+
+    turn = asyncio.Semaphore(max(1, jobs))
+    processes = get_reusable_executor(max(1, jobs))
 
     async def build_one(path: Path) -> Made:
         async with turn:
-            made = await make_page(path, cases_turn)
+            made = await make_page(path, processes)
         name = f"{path.parents[1].name}/{path.stem}"
         progress(f"{name}: {_count(len(made.faults), 'fault', 'faults')}" if made.faults else name)
         return made
 
     longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
-    pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
+    try:
+        pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
+    except BaseException:  # such as Ctrl-C
+        processes.shutdown(wait=True, kill_workers=True)
+        raise
     built = Built()
     for path in chosen:
         made = pages[path]

@@ -15,6 +15,7 @@ from __future__ import annotations
 import asyncio
 import re
 from collections.abc import Iterable
+from concurrent.futures import Executor
 from pathlib import Path
 from typing import NamedTuple
 
@@ -44,26 +45,25 @@ class Made(NamedTuple):
     tests: tuple[Tested, ...] = ()
 
 
-async def make_page(path: Path, cases_turn: asyncio.Lock) -> Made:
+async def make_page(path: Path, processes: Executor) -> Made:
     """Make everything that comes of the source at `path`; a faulty one as far as it goes.
 
     Args:
-        cases_turn: held while cases are made, which put tflab's rclpy in place for that time.
+        processes: where cases are made, each chapter's in one: it puts tflab's rclpy in place for that time.
     """
     try:
         page = read_page(path)
         faults = page_faults(page, read_glossary())
         if path.parents[1].name == "solutions":
-            return await _solution(page, faults, cases_turn)
+            return await _solution(page, faults, processes)
         outputs, more = await run_page(page, f"notebooks/{LANGUAGES[0]}", {})
         return Made(_in_each_language(page, "notebooks", outputs), faults + more)
     except PageError as error:
         return Made({}, list(error.faults))
 
 
-async def _solution(page: Page, faults: list[PageFault], cases_turn: asyncio.Lock) -> Made:
-    async with cases_turn:
-        tasks, tests, more = await asyncio.to_thread(_cases, page)
+async def _solution(page: Page, faults: list[PageFault], processes: Executor) -> Made:
+    tasks, tests, more = await asyncio.get_running_loop().run_in_executor(processes, _cases, page)
     faults += more
     public = {page.stem: cases_json(ChapterCases(page.stem, tasks))}
     outputs, more = await run_page(page, f"solutions/{LANGUAGES[0]}", public)

@@ -27,6 +27,7 @@ from typing import Any
 
 import numpy as np
 
+from ..answers.alike import Likeness
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, outcomes_of, to_plain
 from .case import AND, FORMAT, Case, ChapterCases, TaskCases, TwinWords, Variant
 from .reference import Solution, in_process_ros, solution_in_notebook
@@ -228,15 +229,14 @@ def _value(give: Any, held: dict[str, Any]) -> Plain:
 
 def _distinct(task: Task, cases: Sequence[Case]) -> tuple[Case, ...]:
     """Return the cases without the combinations that look like something simpler, or like an earlier one."""
-    seen = [[case.expected for case in cases], *([case.twins[twin.name] for case in cases] for twin in task.twins)]
-    kept = {twin.name for twin in task.twins}
-    is_alike = task.form.comparing()
-    for key in cases[0].twins:
-        row = [case.twins[key] for case in cases]
-        if AND in key and not any(all(map(is_alike, row, other)) for other in seen):
-            kept.add(key)
-            seen.append(row)
-    return tuple(case._replace(twins={key: case.twins[key] for key in case.twins if key in kept}) for case in cases)
+    names = ["", *(twin.name for twin in task.twins), *(key for key in cases[0].twins if AND in key)]
+    likeness = Likeness(task.form, [[_of(case, name) for case in cases] for name in names])
+    kept = list(range(1 + len(task.twins)))
+    for number in range(len(kept), len(names)):
+        if not likeness.any_of(kept, number):
+            kept.append(number)
+    distinct = {names[number] for number in kept[1:]}
+    return tuple(case._replace(twins={key: case.twins[key] for key in case.twins if key in distinct}) for case in cases)
 
 
 def _inputs(task: Task, rng: np.random.Generator, fewest: int) -> Iterator[list[Plain]]:
@@ -268,14 +268,13 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
     if task.model and not all(task.form.alike(case.twins[MODEL], case.expected) for case in cases):
         raise CasesError(f"{task.id}, variant {variant}: the model without a slip is not the solution")
     names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
-    is_alike = task.form.comparing()
+    likeness = Likeness(task.form, [[_of(case, name) for case in cases] for name in names])
     for number, name in enumerate(names):
-        for other in names[number + 1 :]:
-            if all(is_alike(_of(case, name), _of(case, other)) for case in cases):
-                both = (
-                    f'the twins "{name}" and "{other}" coincide' if name else f'the twin "{other}" is the right answer'
-                )
-                raise LookAlikes(f"{task.id}, variant {variant}: {both}; draw from inputs that tell them apart")
+        for other in range(number + 1, len(names)):
+            if likeness.any_of([number], other):
+                said = f'the twins "{name}" and "{names[other]}" coincide'
+                said = said if name else f'the twin "{names[other]}" is the right answer'
+                raise LookAlikes(f"{task.id}, variant {variant}: {said}; draw from inputs that tell them apart")
 
 
 def _of(case: Case, name: str) -> Plain:
