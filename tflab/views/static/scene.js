@@ -34,7 +34,7 @@ class View {
     this.onScrubber = onScrubber;
     this.renderer = new CopyingRenderer(this.THREE, (context, camera) => {
       this.names = writeLabels(context, this, camera);
-    });
+    }, () => this.wake());
     pane.append(this.renderer.domElement);
     this.viewer = notingListeners(this.listeners, () => new MeshCat.Viewer(pane, false, this.renderer));
     this.adapt(this.viewer);
@@ -175,6 +175,7 @@ class View {
 
   dispose() {
     cancelAnimationFrame(this.waiting);
+    this.renderer.dispose();
     this.visible = false;
     for (const observer of this.observers) observer.disconnect();
     this.darkness.removeEventListener("change", this.onDarkness);
