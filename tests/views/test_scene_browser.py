@@ -123,6 +123,35 @@ def test_run_all_shows_the_box_and_dragging_the_slider_moves_it(lab, page):
         wait_for_colour(page, ORANGE, moved_x - 0.01, moved_x + 0.01, view)
 
 
+def test_where_the_processor_draws_a_scene_is_coarse_only_while_it_moves(lab, page):
+    lab.write_notebook("slow.ipynb", [SETUP, "box_scene()"])
+    lab.open(page, "slow.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
+    page.evaluate(
+        """() => {
+          let now = 0;
+          performance.now = () => now += 30; // each picture takes as long, it seems
+          window.widths = [];
+          const set = tflabRenderer.setViewport;
+          tflabRenderer.setViewport = function (x, y, width, ...rest) {
+            widths.push(width);
+            return set.call(this, x, y, width, ...rest);
+          };
+        }"""
+    )
+    width = page.evaluate("document.querySelector('.tflab-scene canvas').width")
+    page.locator(".tflab-scene-pane").focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(50)
+    page.wait_for_timeout(1000)
+    seen, coarse = page.evaluate("widths"), -(-width // 2)
+    assert set(seen) == {width, coarse}
+    assert seen[-2:] == [coarse, width]  # at rest once more, with all pixels, and then nothing
+
+
 def test_a_view_that_opens_late_shows_the_scene_as_it_is_by_then(lab, page):
     show_late = "for x_m in (0.2, 0.5, 1.0):\n    scene['robot'].set_transform(at(x_m))\nscene"
     lab.write_notebook("late.ipynb", [SETUP, "scene = box_scene()", show_late])

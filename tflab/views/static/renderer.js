@@ -56,8 +56,8 @@ class CopyingRenderer {
     this.ratio = 1;
     this.afterwards = afterwards;
     this.again = again;
-    this.isSlow = false;
-    this.rests = 0;
+    this.isSlow = false;  // when drawn with all pixels
+    this.rests = false;   // whether it moves no more, and was drawn coarsely
   }
   setPixelRatio(ratio) { this.ratio = ratio; }
   setSize(width, height) {
@@ -70,16 +70,15 @@ class CopyingRenderer {
   }
   render(scene, camera) {
     const { width, height } = this.domElement;
-    const rests = this.rests === null;
-    const part = this.isSlow && !rests ? COARSE : 1;
+    const part = this.isSlow && !this.rests ? COARSE : 1;
     const begun = performance.now();
     this.draw(scene, camera, Math.ceil(part * width), Math.ceil(part * height));
     if (part === 1) this.isSlow = performance.now() - begun > SLOW_MS;
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.afterwards(this.context, camera);
-    clearTimeout(this.rests);
-    if (this.isSlow && !rests) this.rests = setTimeout(() => { this.rests = null; this.again(); }, REST_MS);
-    else this.rests = 0;
+    this.rests = false;
+    clearTimeout(this.timer);
+    if (part < 1) this.timer = setTimeout(() => { this.rests = true; this.again(); }, REST_MS);
   }
   // Draw so many pixels with the shared renderer, and fill the copy with them.
   draw(scene, camera, width, height) {
@@ -94,5 +93,5 @@ class CopyingRenderer {
     context.clearRect(0, 0, copy.width, copy.height);
     context.drawImage(big, 0, big.height - height, width, height, 0, 0, copy.width, copy.height);
   }
-  dispose() { clearTimeout(this.rests); }
+  dispose() { clearTimeout(this.timer); }
 }
