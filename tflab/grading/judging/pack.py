@@ -166,7 +166,7 @@ def chapters_made(
 
 
 def _called(stem: str, seed: str, solutions: Path) -> tuple[str, tuple[dict[str, Any], dict[str, Any]]]:
-    with parallel_config(backend="sequential"):  # patients made in threads would share the folder they are made in
+    with parallel_config(backend="loky"):  # patients made in threads would share the folder they are made in
         return stem, chapter_cases(stem, seed, solutions)
 
 
