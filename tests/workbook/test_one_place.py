@@ -76,6 +76,7 @@ def of_turned(old, new):
         ("0 <= age", "1 <= age", "number", "if 1 <= age <= limit:"),
         ("return kept", "return kept[::-1]", "missing", None),
         ("return kept", "kept.append(limit)\n    return kept", "too much", "kept.append(limit)"),
+        ("return kept", "return kept if now < 5 else []", "choice", "return kept if now < 5 else []"),
     ],
 )
 def test_the_place_and_its_kind_are_said(old, new, kind, quoted):
@@ -102,6 +103,22 @@ def test_the_place_and_its_kind_are_said(old, new, kind, quoted):
 )
 def test_formulas_are_mended_too(old, new, kind):
     assert of_turned(old, new).en.endswith(LOOK[kind].en)
+
+
+def test_a_sum_is_mended_as_a_whole():
+    line = "def at(s, x0, x1, y0, y1):\n    r = (s - x0) / (x1 - x0)\n    return (r, y0 + r * (y1 - y0))\n"
+    asked, form = [(0.5, 0.2, 1.7, 3.0, 4.5), (2.0, 1.0, 4.0, -1.0, 7.0), (1.0, 0.5, 3.0, 2.0, 0.3)], Vector(2)
+    copied = look(line, "at", line.replace("y0 + r * (y1 - y0)", "x0 + r * (x1 - x0)"), asked, form)
+    assert "`return (r, x0 + r * (x1 - x0))`" in copied.en and copied.en.endswith(LOOK["copied"].en)
+    bare = look(line, "at", line.replace("(s - x0) /", "s - x0 /"), asked, form)
+    assert "`r = s - x0 / (x1 - x0)`" in bare.en and bare.en.endswith(LOOK["brackets"].en)
+
+
+def test_an_error_that_was_caught_has_to_go_through():
+    divided = "def share(a, b):\n    return a / b\n"
+    caught = "def share(a, b):\n    try:\n        return a / b\n    except ZeroDivisionError:\n        return 0.0\n"
+    said = look(divided, "share", caught, [(1.0, 2.0), (3.0, 0.0), (5.0, 4.0)], Number("", 1e-9))
+    assert said.en.endswith(LOOK["through"].en) and said.ko.endswith(LOOK["through"].ko)
 
 
 def test_of_a_long_line_the_part_around_is_quoted():

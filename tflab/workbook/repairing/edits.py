@@ -16,11 +16,13 @@ from contextlib import AbstractContextManager
 from typing import Any, NamedTuple
 
 from ..tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, Spot, held_in, spots_of
+from .sums import bracketed, of_others
 
 __all__ = ["KINDS", "Edit", "edits_of"]
 
-KINDS = ("edge", "side", "order", "sign", "opposite", "logic", "function", "inverse", "field", "member", "loop",
-         "exception", "too much", "call", "lines", "operation", "number", "name", "word", "missing")  # fmt: skip
+KINDS = ("through", "too much", "choice", "edge", "side", "brackets", "copied", "order", "sign", "opposite", "logic",
+         "function", "inverse", "field", "member", "loop", "exception", "call", "lines", "operation", "number", "name",
+         "word", "missing")  # fmt: skip
 NEGATED = OPPOSITES | {ast.Is: ast.IsNot, ast.IsNot: ast.Is}
 OPERATIONS = {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Div}
 IN_ORDER = (ast.Sub, ast.Div, ast.MatMult, ast.Mod)  # a - b is not b - a
@@ -81,10 +83,14 @@ def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
 
 
 def _edits_of_lines(spot: Spot, node: ast.stmt | ast.ExceptHandler) -> Iterator[Edit]:
-    """Yield a statement left out, a `return` after its loop, and this and the next the other way round."""
+    """Yield a statement left out, one way alone, a `return` after its loop, this and the next the other way round."""
     owner, field = spot.owner, spot.field
     if isinstance(node, ast.stmt):
         yield Edit("too much", node, owner, field, spot.with_())
+    if isinstance(node, ast.Try):
+        yield Edit("through", node, owner, field, spot.with_(*node.body, *node.orelse, *node.finalbody))
+    if isinstance(node, ast.If) and node.orelse:
+        yield from (Edit("choice", node, owner, field, spot.with_(*way)) for way in (node.body, node.orelse))
     if isinstance(node, ast.For) and len(node.body) > 1 and isinstance(last := node.body[-1], ast.Return):
         yield Edit(
             "loop", last, owner, field, spot.with_(ast.For(node.target, node.iter, node.body[:-1], node.orelse), last)
@@ -105,6 +111,8 @@ def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[
         yield "sign", ast.UnaryOp(ast.USub(), node)
         yield from (("missing", ast.Call(function, [node], [])) for function in _functions())
     yield from _in_its_place(node, owner, field)
+    if isinstance(node, ast.BinOp) and not isinstance(owner, ast.BinOp):
+        yield from (("copied", other) for other in of_others(node, used.variables))
 
 
 def _in_its_place(node: ast.AST, owner: ast.AST, field: str) -> Iterator[Other]:
@@ -144,9 +152,14 @@ def _compared(node: ast.Compare, _used: _Used) -> Iterator[Other]:
 def _computed(node: ast.BinOp, _used: _Used) -> Iterator[Other]:
     if isinstance(node.op, IN_ORDER):
         yield "order", ast.BinOp(node.right, node.op, node.left)
+    yield from (("brackets", other) for other in bracketed(node))
     for kind, others in (("sign", SIGNS), ("operation", OPERATIONS)):
         if type(node.op) in others:
             yield kind, ast.BinOp(node.left, others[type(node.op)](), node.right)
+
+
+def _chosen(node: ast.IfExp, _used: _Used) -> Iterator[Other]:
+    yield from (("choice", way) for way in (node.body, node.orelse))
 
 
 def _joined(node: ast.BoolOp, _used: _Used) -> Iterator[Other]:
@@ -211,4 +224,5 @@ def _constant(node: ast.Constant, used: _Used) -> Iterator[Other]:
 CHANGES: dict[type, Any] = {
     ast.Compare: _compared, ast.BinOp: _computed, ast.BoolOp: _joined, ast.UnaryOp: _signed, ast.Call: _call,
     ast.Name: _named, ast.Attribute: _attribute, ast.Subscript: _indexed, ast.Constant: _constant,
+    ast.IfExp: _chosen,
 }  # fmt: skip

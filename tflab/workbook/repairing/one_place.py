@@ -36,6 +36,22 @@ PLACE = Words(
     ko="한 곳만 고치면 모든 호출의 결과가 맞습니다. 고칠 곳은 {line}번째 줄의 `{text}`입니다. {look}",
 )
 LOOK = {
+    "through": Words(
+        "Without the `try` all is right: what it catches has to go through.",
+        "`try`가 없으면 모두 맞습니다. 거기서 잡는 예외를 그대로 내보내야 합니다.",
+    ),
+    "choice": Words(
+        "One of its two ways is right in every call: nothing has to be told apart there.",
+        "두 갈래 가운데 하나가 모든 호출에 맞습니다. 거기서는 경우를 나눌 필요가 없습니다.",
+    ),
+    "brackets": Words(
+        "Brackets are missing there: `*` and `/` come before `+` and `-`, and else it goes from left to right.",
+        "괄호가 빠졌습니다. `*`와 `/`를 `+`, `-`보다 먼저 계산하고, 나머지는 왼쪽부터 계산합니다.",
+    ),
+    "copied": Words(
+        "It computes with the numbers of something else throughout: was the line copied, and not changed everywhere?",
+        "한 줄 안에서 줄곧 다른 것의 값으로 계산합니다. 줄을 복사하고 다 고치지 않은 것이 아닙니까?",
+    ),
     "edge": Words("Look at what happens exactly at the bound.", "경계와 정확히 같을 때 어떻게 되는지 보십시오."),
     "side": Words("Look at which side of the comparison is the larger one.", "부등호의 방향을 보십시오."),
     "order": Words("What stands there is in another order than meant.", "그 줄에 있는 것들의 순서가 잘못되었습니다."),
