@@ -440,7 +440,7 @@ def test_what_was_computed_of_what_was_given_is_said(form, right, answer, said):
 
 @pytest.mark.parametrize("answer", [0.64, 0.6, 0.635])
 def test_a_number_that_no_sum_gives_to_the_last_digit_hears_of_none(answer):
-    assert not judged_with_givens(Number("rad/s"), -0.87, answer).slips
+    assert judged_with_givens(Number("rad/s"), -0.87, answer).slips.keys() <= {"a round number"}
 
 
 # -- near, and not it -------------------------------------------------------------------------

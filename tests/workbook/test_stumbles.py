@@ -11,6 +11,7 @@ from tflab.core import BufferCore, ConnectivityException, StampedTransform, Tran
 from tflab.ros.clock_type import ClockType
 from tflab.ros.messages import checks as field_checks
 from tflab.ros.messages import geometry_msgs
+from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
@@ -86,6 +87,11 @@ STUMBLES = [
     (lambda: (Time() - Time()).sec, "a Duration"),
     (lambda: Time(5), "`Time(nanoseconds="),
     (lambda: (5).nanoseconds, "plain number"),
+    (lambda: Buffer().lookup_transform("map", "base", Time(), timeout=0.2), "a Duration"),
+    (lambda: Buffer().lookup_transform_full("map", Time(), "base", Time()), "five things"),
+    (lambda: Buffer().lookup_transform("map", "base", "odom"), "expects a moment"),
+    (lambda: Buffer().transform(geometry_msgs.Point(), "map"), "with a header"),
+    (lambda: Buffer().transform("map", geometry_msgs.PointStamped()), "the message first"),
     (lambda: len(5), "no members"),
     (lambda: [{"x": 1}].__getitem__("x"), "numbers, and no names"),
     (lambda: [].add(1), "`.append("),

@@ -34,7 +34,7 @@ from .confused import confused, confused_in_lists, seen_of, word_of
 from .explanation import Explanation, said_of
 from .formulas import of_formula, of_formula_in_all
 from .givens import given_to
-from .habits import habit_of
+from .habits import habit_of, round_number
 from .kinds import of_times
 from .lists import of_lists
 from .members import changed_places, of_members, plain_in_one
@@ -151,6 +151,7 @@ def _of_the_form(
         else computed(task.form, outcomes[0], given)
         or of_components(task.form, outcomes[0], cases[0].expected, given)
         or of_formula(task.form, outcomes[0], cases[0].expected, given)
+        or (round_number(task.form, outcomes[0], cases[0].expected) if given else None)
     )
     return Explanation.of(*summed) if summed else found
 
@@ -222,7 +223,8 @@ def _ways(
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    yield from _just(form, outcomes, pairs, TWO)
+    is_a_guess = not task.is_function and given and round_number(form, outcomes[0], expected[0])
+    yield from _just(form, outcomes, pairs, A_HAIR if is_a_guess else TWO)
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
         yield from side_by_side(form, outcomes, expected, single | pairs)
     yield from _further_ways(task, single, outcomes, expected)

@@ -31,7 +31,7 @@ from .certain import certain
 from .common import calls_in_common
 from .components import of_components
 from .confused import confused, seen_of, word_of
-from .explanation import Explanation
+from .explanation import Explanation, said_of
 from .formulas import is_moved_from, of_formula
 from .givens import given_to
 from .habits import constant_of, habit_of
@@ -103,6 +103,7 @@ def _of_table(
                 _by_itself(task, table, name, given, cases[0].twins, wrong - left)
                 or _as_it_came(task.form, table, number, name, cases)
                 or _after_a_slip(task, table, name, cases, found)
+                or _slip_and_then(task, table, name, cases)
             )
     left -= {name for cause in found for name in cause.parts}
     return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
@@ -228,6 +229,18 @@ def _after_a_slip(
         more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and is_just(table.forms[part], table.given[part], rows[part]):
             return more
+    return []
+
+
+def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+    """Return a slip of the task and what is plain to see on top of it, if both give one part."""
+    form, place = table.forms[name], list(table.forms).index(name)
+    for slip in task.twins if isinstance(form, MEASURED) else ():
+        row = [section(task.form, twin, place, name) for twin in (case.twins.get(slip) for case in cases)]
+        if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
+            continue
+        for way in undone_to(form, table.given[name], row, only_plain_to_see=True):
+            return [Found({each: words_of(task, each) for each in (slip, way)}, said_of(task, [slip, way]), {name})]
     return []
 
 

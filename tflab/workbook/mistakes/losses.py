@@ -56,8 +56,15 @@ LOSSES = {
         ko="0이라면 아무것도 없다는 뜻인데, 없지 않습니다.",
     ),
     "rounded": Words(
-        en="digits were cut off: hand over the number as it was computed, without rounding.",
-        ko="자릿수를 잘라 냈습니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
+        en="right to the digits that it has, and more are needed: hand over the number as it was computed, without "
+        "rounding.",
+        ko="적힌 자릿수까지는 맞지만 자릿수가 모자랍니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
+    ),
+    "margin": Words(
+        en="this is what is asked for and a margin on top, a round amount or a round share of it. To be safe? The "
+        "amount itself is asked for, with nothing added.",
+        ko="필요한 값에 여유를 더 얹은 값입니다. 딱 떨어지는 양이나 비율만큼 큽니다. 안전을 위해서였습니까? 아무것도 "
+        "더하지 않은 값이 필요합니다.",
     ),
     "other order": Words(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
     "another order": Words(
@@ -139,6 +146,8 @@ LOSSES = {
 }
 TOO_MANY = ("members twice", "members too many")
 MOST_TOLD = 3
+AMOUNTS = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # that one adds to be safe
+SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5)
 NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
 SHOWS_AT = Words(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
 
@@ -199,7 +208,9 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
 
 
 def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
-    """Yield whether counts are one off in every call, or the sizes of several numbers right and their signs not."""
+    """Yield whether numbers have a margin on top, counts are one off in every call, or only signs are wrong."""
+    if form.unit and all(_has_a_margin(*pair) for pair in pairs):
+        yield "margin"
     off = {given - want for given, want in pairs}
     if not form.unit and len(pairs) > 1 and off in ({1}, {-1}):
         yield "one too many" if off == {1} else "one too few"
@@ -207,6 +218,14 @@ def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterat
     wanted = [want for _, want in pairs]
     if sizes_fit and min(wanted) < 0 < max(wanted) and all(given >= 0 for given, _ in pairs):
         yield "no sign"
+
+
+def _has_a_margin(given: float, wanted: float) -> bool:
+    """Return whether a number that is not round itself is another one with a round amount or share on top."""
+    if wanted <= 0.0 or round(given, 1) == given:
+        return False
+    margins = (*AMOUNTS, *(wanted * share for share in SHARES))
+    return any(abs(given - wanted - margin) < 1e-9 for margin in margins)
 
 
 def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:

@@ -11,6 +11,7 @@ to the general.  Read `fields.py` next.
 from __future__ import annotations
 
 from ..words import Words
+from .buffers import BUFFERS
 
 __all__ = ["OF_OBJECTS"]
 
@@ -172,58 +173,19 @@ TIMES = (
     (
         r"TypeError: time must have sec and nanosec",
         Words(
-            "This buffer is asked with a Time, and not with a number: `Time(nanoseconds=…)` makes one.",
-            "이 버퍼에는 수가 아니라 Time을 넘깁니다. `Time(nanoseconds=…)`로 만드십시오.",
-        ),
-    ),
-)
-BUFFERS = (
-    (
-        r"TypeError: (BufferCore|Buffer)\.lookup_transform\(\) missing",
-        Words(
-            "A lookup takes three things: the target frame, the source frame and the moment.",
-            "조회에는 목표 좌표계, 원본 좌표계, 시각의 세 가지가 필요합니다.",
+            "Where this buffer expects a moment, it was handed something else: a number, say, or a frame's name. "
+            "`Time(nanoseconds=…)` makes a moment, and the order is that of the method.",
+            "이 버퍼가 시각을 받을 자리에 숫자나 좌표계 이름처럼 다른 것을 넘겼습니다. 시각은 `Time(nanoseconds=…)`로 "
+            "만들고, 인자의 순서는 메서드를 따르십시오.",
         ),
     ),
     (
-        r"InvalidArgumentException: .*cannot start with a '/'",
+        rf"AttributeError: '(int|float)' {NO_ATTRIBUTE} 'nanoseconds'",
         Words(
-            "A frame is asked for without the slash in front.",
-            "좌표계는 앞에 슬래시를 붙이지 않고 묻습니다.",
-        ),
-    ),
-    (
-        r"InvalidArgumentException: .*cannot be empty",
-        Words(
-            "You ask for a frame without a name: the text is empty that you hand over.",
-            "이름이 없는 좌표계를 물었습니다. 넘긴 문자열이 비어 있습니다.",
-        ),
-    ),
-    (
-        r"ExtrapolationException: Lookup would require extrapolation into the future",
-        Words(
-            "You ask about a moment later than all that the buffer holds (both stand in the text), and this call has "
-            "an answer. Is it the moment of this call, and in the unit that the buffer takes?",
-            "버퍼에 있는 것보다 나중 시각을 물었습니다(두 시각이 메시지에 있습니다). 이 호출에는 답이 있습니다. 이 "
-            "호출에서 말하는 시각이 맞고, 버퍼가 받는 단위입니까?",
-        ),
-    ),
-    (
-        r"ExtrapolationException: Lookup would require extrapolation into the past",
-        Words(
-            "You ask about a moment earlier than all that the buffer holds (both stand in the text), and this call has "
-            "an answer. Is it the moment of this call, and in the unit that the buffer takes?",
-            "버퍼에 있는 것보다 이른 시각을 물었습니다(두 시각이 메시지에 있습니다). 이 호출에는 답이 있습니다. 이 "
-            "호출에서 말하는 시각이 맞고, 버퍼가 받는 단위입니까?",
-        ),
-    ),
-    (
-        r"ConnectivityException: Could not find a connection between",
-        Words(
-            "In this buffer no way leads between the two frames of the text, and this call has an answer: are they the "
-            "frames of this call?",
-            "메시지에 나온 두 좌표계는 이 버퍼에서 이어져 있지 않은데, 이 호출에는 답이 있습니다. 이 호출에서 말하는 "
-            "좌표계가 맞습니까?",
+            "A plain number stands where a Duration or a Time is expected. A `timeout`, say, is a Duration: "
+            "`Duration(seconds=…)`.",
+            "Duration이나 Time이 와야 할 자리에 그냥 숫자가 있습니다. 예를 들어 `timeout`에는 `Duration(seconds=…)`을 "
+            "넘깁니다.",
         ),
     ),
 )

@@ -162,7 +162,7 @@ def _mistake(
     form, outcome, expected = task.form, outcomes[case], cases[case].expected
     if all(map(is_unanswered, outcomes)):
         return Mistake.UNANSWERED, {}, None
-    missing = _coarse(form, outcome) if isinstance(form, Parts) and not task.is_function else None
+    missing = _missing(task, outcomes, outcome)
     if missing is not None and missing[0] is Mistake.OPTION:  # a frame that is no child at all is none to choose from
         found = explained(task, cases, outcomes, variant.given)
         if found is not None and "parents for children" in found.slips:
@@ -176,6 +176,18 @@ def _mistake(
     if found is not None:
         return Mistake.SLIP, {}, found
     return *_unexplained(task, cases, outcomes, rights, case, outcome, expected), None
+
+
+def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
+    """Return what is wrong with the parts of an answer before they are looked at; of calls, that all lack the same."""
+    if not isinstance(task.form, Parts):
+        return None
+    fault = _coarse(task.form, outcome)
+    if fault is None or not task.is_function:
+        return fault
+    dicts = [other for other in outcomes if isinstance(other, dict) and "dict" in other]
+    is_always = fault[0] is Mistake.MISSING_PARTS and all(_coarse(task.form, other) == fault for other in dicts)
+    return fault if is_always and len(dicts) > 1 else None
 
 
 def _unexplained(
