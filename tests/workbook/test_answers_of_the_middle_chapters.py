@@ -57,6 +57,13 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
         ({"(stamp_s - t0) / (t1 - t0)": "(stamp_s - t0) // (t1 - t0)"}, ["a whole ratio"]),
         ({"(stamp_s - t0) / (t1 - t0)": "stamp_s / (t1 - t0)"}, ["stamp by the gap"]),
         ({"(stamp_s - t0) / (t1 - t0)": "(stamp_s - t0) / t1"}, ["by the second stamp"]),
+        ({"(stamp_s - t0) / (t1 - t0)": "stamp_s - t0 / (t1 - t0)"}, ["no brackets"]),
+        ({"y0 + u * (y1 - y0)": "x0 + u * (x1 - x0)"}, ["y of x"]),
+        ({"y0 + u * (y1 - y0)": "y0 + u * (x1 - x0)"}, ["y by x"]),
+        ({"(t0, x0, y0, a0), (t1, x1, y1, a1)": "(t0, x0, a0, y0), (t1, x1, a1, y1)"}, ["yaw before y"]),
+        ({"a0 + u * turn": "a1 - u * turn"}, ["yaw back from the later"]),
+        ({"a0 + u * turn": "math.atan2(y1 - y0, x1 - x0)"}, ["yaw along the way"]),
+        ({ABOVE: "", BELOW: "", "a0 + u * turn": "math.degrees(a0 + u * turn)"}, ["the long way", "unit degrees"]),
         ({"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "x0 + u * x1, y0 + u * y1"}, ["second position added"]),
         ({"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "u * x1, u * y1"}, ["share of the later position"]),
         ({LATE: "", ABOVE: "", BELOW: ""}, ["guesses after", "the long way"]),
@@ -116,6 +123,22 @@ def test_a_point_left_in_odom_and_called_map_is_told_apart_from_one_that_says_od
     assert slips_of("E8.3", called) == ["odom called map"]
 
 
+@pytest.mark.parametrize(
+    ("of_map", "of_the_rest", "slip"),
+    [
+        ("now", AT, "map of now"),
+        ("Time()", AT, "map of the latest"),
+        (AT, "Time()", "robot of the latest"),
+        (AT, "now", "robot of now"),
+    ],
+)
+def test_two_moments_on_one_way_are_told_apart(of_map, of_the_rest, slip):
+    lookup = f'"map", {of_map}, {OWN}, {of_the_rest}, "odom"'
+    source = ON_THE_MAP.format(source=OWN, time=AT).replace(f'lookup_transform("map", {OWN}, {AT})',
+                                                            f"lookup_transform_full({lookup})")  # fmt: skip
+    assert slip in slips_of("E8.3", source)
+
+
 LATE_ERROR = """
 delay_s = given.delay_ms / {delay}
 forwards_m = given.speed_mps * delay_s
@@ -139,6 +162,11 @@ def test_the_sum_of_two_numbers_with_their_signs_is_told_as_what_it_comes_to(var
         (100, "given.range_m * given.yaw_rate_degps * delay_s", ["hundredths", "degrees"]),
         (1000, "given.range_m * math.sin(given.yaw_rate_degps * delay_s)", ["sine of degrees"]),
         (1000, "forwards_m * math.radians(given.yaw_rate_degps)", ["speed for the range"]),
+        (1e6, LEFT, ["microseconds"]),
+        (1e6, "given.range_m * given.yaw_rate_degps * delay_s", ["microseconds", "degrees"]),
+        ("given.delay_ms", LEFT, ["no delay"]),
+        (1000, "given.range_m * given.yaw_rate_degps / 360 * delay_s", ["turns"]),
+        (1000, "(given.range_m - forwards_m) * math.radians(given.yaw_rate_degps) * delay_s", ["range left over"]),
     ],
 )
 def test_how_far_off(delay, left, slips):
@@ -166,7 +194,11 @@ def test_an_overwritten_stamp_is_not_said_to_show_only_while_the_robot_moves(par
         ("sum(1 / rate for rate in rates) / 2", ["mean period"]),
         ("2 / sum(rates)", ["mean rate"]),
         ("1 / sum(rates)", ["sum of rates"]),
-        ("1.0", ["a second more"]),
+        ("1.0", ["1.0 s more"]),
+        ("0.1", ["0.1 s more"]),
+        ("0.1 * given.thinking_s", ["1.1 times the thinking time"]),
+        ("1 / min(rates) + 0.1", ["margin"]),
+        ("max(rates)", ["fast rate instead of period"]),
         ("1 / max(rates)", ["the fast lane"]),
         ("2 / max(rates)", ["the fast lane", "two periods"]),
     ],

@@ -41,6 +41,8 @@ def between(
     stamp_s, before, after, *, early="refused", late="refused", ratio="from the first", position="line", turn="short"
 ) -> dict:
     """Return what the buffer does, step by step; other steps are the slips."""
+    if turn == "yaw before y":
+        before, after = ((t, x, y, yaw) for t, x, yaw, y in (before, after))
     (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
     outside = early if 2 * stamp_s < t0 + t1 else late
     if not _is_answered(stamp_s, t0, t1, outside):
@@ -51,7 +53,7 @@ def between(
     short = math.remainder(yaw1 - yaw0, math.tau)
     return {
         "position": _place(at, (x0, y0), (x1, y1), position, yaw0, short if position == "arc" else 0.0),
-        "yaw": _yaw(at, yaw0, yaw1, turn),
+        "yaw": math.atan2(y1 - y0, x1 - x0) if turn == "the way" else _yaw(at, yaw0, yaw1, turn),
     }
 
 
@@ -79,6 +81,7 @@ def _share(asked, t0, t1, ratio):
         "of the stamp": asked / t1,
         "of the gap": asked / (t1 - t0),
         "by the second stamp": (asked - t0) / t1,
+        "no brackets": asked - t0 / (t1 - t0),
     }.get(ratio, 0.0)
 
 
@@ -92,13 +95,16 @@ def _place(at, first, second, position, yaw0, turn):
     steps = [abs(step) for step in steps] if position == "upwards" else steps
     steps = second if position in ("second added", "share of the second") else steps
     x0, y0 = (0.0, 0.0) if position in ("from zero", "share of the second") else first
-    return (x0 + part * steps[0], y0 if position == "x alone" else y0 + part * steps[1])
+    x = x0 + part * steps[0]
+    ys = {"x alone": y0, "x twice": x, "y by x": y0 + part * steps[0]}
+    return (x, ys.get(position, y0 + part * steps[1]))
 
 
 def _yaw(at, yaw0, yaw1, turn):
     difference, short = yaw1 - yaw0, math.remainder(yaw1 - yaw0, math.tau)
     turns = {
         "short": short,
+        "yaw before y": short,
         "difference": difference,
         "kept": 0.0,
         "modulo pi": math.remainder(difference, math.pi),
@@ -111,6 +117,8 @@ def _yaw(at, yaw0, yaw1, turn):
         "second added": yaw1,
         "too far": difference + math.copysign(math.tau, difference) if abs(difference) > math.pi else difference,
         "left of pi": difference % math.pi,
+        "each by itself": yaw1 % math.tau - yaw0 % math.tau,
+        "the smallest": min(difference, difference + math.tau, difference - math.tau),
     }
     sines, cosines = ((1 - at) * of(yaw0) + at * of(yaw1) for of in (math.sin, math.cos))
     yaws = {
@@ -118,6 +126,7 @@ def _yaw(at, yaw0, yaw1, turn):
         "mean": (yaw0 + yaw1) / 2,
         "half": yaw0 + short / 2,
         "later": yaw1,
+        "back from the later": yaw1 - at * short,
         "share of the later": at * yaw1,
         "arrows": math.atan2(sines, cosines),
     }
@@ -615,6 +624,86 @@ SIZE_OF_THE_TURN = Slip(
 )
 
 
+Y_OF_X = Slip(
+    "y of x",
+    {"position": "x twice"},
+    Words(
+        en="y is the same as x: it is computed of `x0` and `x1` throughout. Was the line of x copied?",
+        ko="y가 x와 똑같습니다. 줄곧 `x0`과 `x1`로 계산했습니다. x의 줄을 복사한 것 아닙니까?",
+    ),
+)
+
+
+Y_BY_X = Slip(
+    "y by x",
+    {"position": "y by x"},
+    Words(
+        en="y starts where it should, and goes on by the difference of x: it has one of its own, `y1 - y0`.",
+        ko="y는 맞는 곳에서 출발하지만 x의 차이만큼 나아갑니다. y에는 y의 차이 `y1 - y0`이 있습니다.",
+    ),
+)
+
+
+YAW_BEFORE_Y = Twin(
+    "yaw before y",
+    lambda *given: between(*given, turn="yaw before y"),
+    Words(
+        en="y and yaw are exchanged in both samples: where you read y there is yaw, and the other way round. A sample is `(stamp_s, x, y, yaw)`.",
+        ko="두 표본에서 y와 yaw를 바꾸어 읽었습니다. y로 읽은 자리에 yaw가, yaw로 읽은 자리에 y가 있습니다. 표본은 `(stamp_s, x, y, yaw)`입니다.",
+    ),
+)
+
+
+ALONG_THE_WAY = Slip(
+    "yaw along the way",
+    {"turn": "the way"},
+    Words(
+        en="Your yaw is the direction from the first place to the second. A robot may look another way than it goes: its yaw turns from the first sample's to the second's.",
+        ko="yaw로 첫 위치에서 둘째 위치로 가는 방향을 답했습니다. 로봇은 가는 쪽과 다른 쪽을 볼 수 있습니다. yaw는 첫 표본의 yaw에서 둘째 표본의 yaw로 돌아갑니다.",
+    ),
+)
+
+
+NO_BRACKETS = Twin(
+    "no brackets",
+    lambda *given: between(*given, ratio="no brackets"),
+    Words(
+        en="Your ratio is `stamp_s - t0 / (t1 - t0)`: only t0 is divided. The brackets around `stamp_s - t0` are missing.",
+        ko="비율을 `stamp_s - t0 / (t1 - t0)`으로 계산해 t0만 나누었습니다. `stamp_s - t0`을 감싸는 괄호가 빠졌습니다.",
+    ),
+)
+
+
+EACH_YAW_BY_ITSELF = Slip(
+    "each yaw by itself",
+    {"turn": "each by itself"},
+    Words(
+        en="Your yaw goes the long way round where one of the two lies left of straight ahead and the other right of it: each was brought into 0 to 2π by itself. It is their difference that has to be brought into −π to π.",
+        ko="한 yaw는 0보다 작고 다른 yaw는 0보다 클 때 먼 쪽으로 돕니다. 두 각을 따로 0에서 2π 사이로 옮겼기 때문입니다. −π에서 π 사이로 옮겨야 하는 것은 두 각의 차입니다.",
+    ),
+)
+
+
+SMALLEST_TURN = Slip(
+    "the smallest turn",
+    {"turn": "the smallest"},
+    Words(
+        en="Of the turns that differ by 2π you take the smallest number, and that is the most negative one. The shortest turn is the one with the smallest size: `key=abs`.",
+        ko="2π씩 다른 회전 가운데 가장 작은 수를 골랐는데, 그것은 가장 큰 음수입니다. 가장 짧은 회전은 크기가 가장 작은 것입니다: `key=abs`.",
+    ),
+)
+
+
+YAW_BACK_FROM_THE_LATER = Slip(
+    "yaw back from the later",
+    {"turn": "back from the later"},
+    Words(
+        en="Your yaw starts at the second sample and goes back with the ratio: at the first stamp it is the second yaw already. Start at the first one.",
+        ko="yaw가 둘째 표본에서 출발해 비율만큼 되돌아옵니다. 첫 측정 시각에 벌써 둘째 yaw가 됩니다. 첫째에서 출발하십시오.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -678,6 +767,14 @@ TASK = Task(
         SECOND_YAW_ADDED,
         SECOND_POSITION_ADDED,
         SHARE_OF_THE_LATER_POSITION,
+        Y_OF_X,
+        Y_BY_X,
+        YAW_BEFORE_Y,
+        ALONG_THE_WAY,
+        NO_BRACKETS,
+        EACH_YAW_BY_ITSELF,
+        SMALLEST_TURN,
+        YAW_BACK_FROM_THE_LATER,
     ),
     hints=(
         Words(

@@ -44,6 +44,15 @@ def asked_at(moment, stamp, now):
     }[moment]
 
 
+def looked_up(buffer, names, moment, stamp, now):
+    """Return the transform for one moment, or for two: that of map, and that of the sensor."""
+    one, _, other = moment.partition(" and ")
+    target_time, source_time = (asked_at(each, stamp, now) for each in (one, other or one))
+    if not other:
+        return buffer.lookup_transform(*names, target_time)
+    return buffer.lookup_transform_full(names[0], target_time, names[1], source_time, "odom")
+
+
 def on_the_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
                refusal="let through", move="all", stamp="kept", asks="nothing", label="true"):  # fmt: skip
     """Return the point, step by step; other steps are the slips."""
@@ -56,7 +65,7 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
     names = (target, message.header.frame_id if source == "the message's" else source)
     names = names[::-1] if ends == "swapped" else names
     try:
-        transform = buffer.lookup_transform(*names, asked_at(moment, message.header.stamp, now))
+        transform = looked_up(buffer, names, moment, message.header.stamp, now)
     except TransformException:
         if refusal == "let through":
             raise
@@ -348,6 +357,50 @@ A_TENTH_BEFORE_NOW = Slip(
 )
 
 
+MAP_OF_NOW = Slip(
+    "map of now",
+    {"moment": "now and stamp"},
+    Words(
+        en="You ask for two moments: map → odom as it is at `now`, and only the rest of the way at the stamp. For `now` there is mostly nothing yet, and the point lay where it was at the stamp: ask the whole way at that.",
+        ko="두 시각을 섞었습니다. map → odom은 `now`의 것을, 나머지 경로만 측정 시각의 것을 물었습니다. `now`에는 대개 아직 아무것도 없고, 점은 측정 시각의 그 자리에 있었습니다. 경로 전체를 측정 시각으로 물으십시오.",
+    ),
+    "M9",
+)
+
+
+MAP_OF_THE_LATEST = Slip(
+    "map of the latest",
+    {"moment": "latest and stamp"},
+    Words(
+        en="You ask for two moments: the newest map → odom, and only the rest of the way at the stamp. Where the localiser has corrected itself since, the point jumps: ask the whole way at the stamp.",
+        ko="두 시각을 섞었습니다. map → odom은 가장 새로운 것을, 나머지 경로만 측정 시각의 것을 물었습니다. 그사이 위치 추정이 보정했다면 점이 튑니다. 경로 전체를 측정 시각으로 물으십시오.",
+    ),
+    "M9",
+)
+
+
+ROBOT_OF_THE_LATEST = Slip(
+    "robot of the latest",
+    {"moment": "stamp and latest"},
+    Words(
+        en="You ask for two moments: map → odom at the stamp, and the robot in odom where it was last. It has driven on since it saw the point: ask the whole way at the stamp.",
+        ko="두 시각을 섞었습니다. map → odom은 측정 시각의 것을, odom에서 로봇의 위치는 가장 새로운 것을 물었습니다. 로봇은 점을 본 뒤에 더 달렸습니다. 경로 전체를 측정 시각으로 물으십시오.",
+    ),
+    "M9",
+)
+
+
+ROBOT_OF_NOW = Slip(
+    "robot of now",
+    {"moment": "stamp and now"},
+    Words(
+        en="You ask for two moments: map → odom at the stamp, and the robot in odom at `now`. It has driven on since it saw the point, and for `now` there is mostly nothing yet: ask the whole way at the stamp.",
+        ko="두 시각을 섞었습니다. map → odom은 측정 시각의 것을, odom에서 로봇의 위치는 `now`의 것을 물었습니다. 로봇은 점을 본 뒤에 더 달렸고, `now`에는 대개 아직 아무것도 없습니다. 경로 전체를 측정 시각으로 물으십시오.",
+    ),
+    "M9",
+)
+
+
 PUT_BACK = tuple(
     Slip(
         f"{slip.name}, and the stamp put back",
@@ -359,7 +412,7 @@ PUT_BACK = tuple(
         ),
         slip.misconception,
     )
-    for slip in (SEC_ALONE, HALF_WAY, DIGITS, A_TENTH_BEFORE_NOW)
+    for slip in (SEC_ALONE, HALF_WAY, DIGITS, A_TENTH_BEFORE_NOW, MAP_OF_NOW, MAP_OF_THE_LATEST)
 )
 
 
@@ -413,6 +466,10 @@ TASK = Task(
         A_TENTH_BEFORE_NOW,
         LEFT_IN_BASE_LINK,
         *PUT_BACK,
+        MAP_OF_NOW,
+        MAP_OF_THE_LATEST,
+        ROBOT_OF_THE_LATEST,
+        ROBOT_OF_NOW,
     ),
     hints=(
         Words(

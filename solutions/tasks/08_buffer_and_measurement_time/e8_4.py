@@ -8,6 +8,17 @@ from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
 
 
 def motion(rng):
+    """Draw until what the drive turned aside is neither nothing nor what the ray's end lags behind."""
+    while True:
+        given = _motion(rng)
+        delay_s = given["delay_ms"] / 1000.0
+        angle = math.radians(abs(given["yaw_rate_degps"])) * delay_s
+        of_the_way, of_the_ray = given["speed_mps"] * delay_s * angle, given["range_m"] * (1.0 - math.cos(angle))
+        if of_the_way > 0.008 and abs(of_the_way - of_the_ray) > 0.007:
+            return given
+
+
+def _motion(rng):
     way = float(rng.choice([-1.0, 1.0]))
     speed_mps = float(rng.uniform(0.6, 1.8))
     yaw_rate_degps = way * float(rng.uniform(15.0, 40.0))
@@ -35,16 +46,25 @@ def late(
     way="speed",
 ):
     """Return the estimate, step by step; other steps are the slips."""
-    delay_s = given.delay_ms * delay
+    delay_s = given.delay_ms * delay if delay else 1.0
     yaw_rate = given.yaw_rate_degps if angle == "degrees" else math.radians(given.yaw_rate_degps)
-    yaw_rate = math.degrees(given.yaw_rate_degps) if angle == "to degrees" else yaw_rate
+    yaw_rate = {
+        "to degrees": math.degrees(given.yaw_rate_degps),
+        "turns": given.yaw_rate_degps / 360.0,
+        "twice": 2.0 * yaw_rate,
+    }.get(angle, yaw_rate)
     ahead, aside = forwards * given.speed_mps * delay_s, side * yaw_rate * delay_s
     aside *= {"speed": given.speed_mps, "range": given.range_m, "none": 1.0, "forgotten": 0.0}.get(arc, given.range_m)
-    aside = {"the way": ahead * yaw_rate * delay_s, "no delay": given.range_m * side * yaw_rate}.get(arc, aside)
+    aside = {
+        "the way": ahead * yaw_rate * delay_s,
+        "range left over": (given.range_m - ahead) * side * yaw_rate * delay_s,
+        "no delay": given.range_m * side * yaw_rate,
+    }.get(arc, aside)
     ahead = {
         "times range": ahead * given.range_m,
         "range minus": given.range_m - ahead,
         "range plus": given.range_m + ahead,
+        "no delay": given.speed_mps,
     }.get(way, ahead)
     aside = {
         "speed times range": ahead * given.range_m,
@@ -60,6 +80,8 @@ def late(
         "mean": (ahead + aside) / 2,
         "sizes taken off": abs(ahead) - abs(aside),
         "squares": ahead**2 + aside**2,
+        "rms": math.hypot(ahead, aside) / math.sqrt(2.0),
+        "direction": math.atan2(aside, ahead),
     }
     return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
@@ -338,6 +360,104 @@ TOGETHER_SQUARES = Slip(
 )
 
 
+MICROSECONDS = Slip(
+    "microseconds",
+    {"delay": 1e-6},
+    Words(
+        en="Everything is a thousand times too small: the milliseconds were divided by a million, as microseconds are, or kilometres come out.",
+        ko="모든 값이 1000분의 1입니다. 밀리초를 마이크로초처럼 100만으로 나누었거나, 답이 킬로미터 단위입니다.",
+    ),
+)
+
+
+SIXTIETHS = Slip(
+    "sixtieths",
+    {"delay": 1.0 / 60.0},
+    Words(
+        en="You divided the milliseconds by 60. A thousand of them make a second.",
+        ko="밀리초를 60으로 나누었습니다. 1초는 1000밀리초입니다.",
+    ),
+)
+
+
+NO_DELAY = Slip(
+    "no delay",
+    {"delay": 0.0},
+    Words(
+        en="The delay is missing: that is how far off it would be after a whole second.",
+        ko="지연이 빠졌습니다. 꼬박 1초가 지났을 때의 오차입니다.",
+    ),
+)
+
+
+NO_DELAY_FORWARDS = Slip(
+    "no delay forwards",
+    {"way": "no delay"},
+    Words(
+        en="Forwards the delay is missing: the speed alone is what the robot drives in a whole second.",
+        ko="앞쪽에 지연이 빠졌습니다. 속력만으로는 꼬박 1초 동안 가는 거리입니다.",
+    ),
+    part="forwards_m",
+)
+
+
+TURNS = Slip(
+    "turns",
+    {"angle": "turns"},
+    Words(
+        en="The degrees were divided by 360: that makes turns, and an arc is radius times *radians*.",
+        ko="도를 360으로 나누었습니다. 그러면 바퀴 수가 됩니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
+    ),
+    "M5",
+    part="left_m",
+)
+
+
+TWO_PI_OVER_180 = Slip(
+    "two pi over 180",
+    {"angle": "twice"},
+    Words(
+        en="To the left it is twice too much: half a turn, 180°, is π radians, and 2π belongs to 360°.",
+        ko="왼쪽이 두 배입니다. 180°가 π 라디안이고, 2π는 360°입니다.",
+    ),
+    "M5",
+    part="left_m",
+)
+
+
+RANGE_LEFT_OVER = Slip(
+    "range left over",
+    {"arc": "range left over"},
+    Words(
+        en="To the left you took the range less the way driven. The product of the page takes the range as it was measured.",
+        ko="왼쪽에 `range_m`에서 간 거리를 뺀 값을 썼습니다. 본문의 곱에는 잰 거리를 그대로 씁니다.",
+    ),
+    part="left_m",
+)
+
+
+TOGETHER_RMS = Slip(
+    "together: root of the mean",
+    {"together": "rms"},
+    Words(
+        en="That is the root of the *mean* of the squares. The hypotenuse is the root of their sum.",
+        ko="제곱의 *평균*에 제곱근을 씌웠습니다. 빗변은 제곱의 합에 제곱근을 씌운 것입니다.",
+    ),
+    part="together_m",
+)
+
+
+TOGETHER_DIRECTION = Slip(
+    "together: direction",
+    {"together": "direction"},
+    Words(
+        en="That is an angle, as `math.atan2` gives it: to which side the error points. Asked for is its length.",
+        ko="`math.atan2`가 주는 각도, 곧 오차가 향하는 방향입니다. 필요한 것은 길이입니다.",
+    ),
+    part="together_m",
+)
+
+
 TASK = Task(
     id="E8.4",
     kind="N",
@@ -376,6 +496,15 @@ TASK = Task(
         TOGETHER_FORWARDS,
         TOGETHER_LEFT,
         TOGETHER_SQUARES,
+        MICROSECONDS,
+        SIXTIETHS,
+        NO_DELAY,
+        NO_DELAY_FORWARDS,
+        TURNS,
+        TWO_PI_OVER_180,
+        RANGE_LEFT_OVER,
+        TOGETHER_RMS,
+        TOGETHER_DIRECTION,
     ),
     hints=(
         Words(

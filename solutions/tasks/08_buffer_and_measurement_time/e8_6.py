@@ -7,17 +7,21 @@ from itertools import pairwise
 
 from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
+AMOUNTS_S = (0.05, 0.1, 0.2, 0.5, 2.0)  # that one adds to be safe, beside 1.0
+SHARES = (1.1, 1.2, 1.25, 1.5)
+
 
 def detector(rng):
     """Draw until no two of the times that one may come to are near one another."""
     while True:
-        slow, fast = float(rng.choice([0.4, 1.25, 2.5, 4.0])), float(rng.choice([20.0, 25.0, 50.0]))
+        slow, fast = float(rng.choice([0.35, 0.7, 1.4, 3.5])), float(rng.choice([22.0, 24.0, 45.0]))  # no round periods
         thinking_s, period_s, short_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow, 1.0 / fast
         sums = [by * thinking_s + times * period_s for by in (0, 1, 2) for times in (-1, 0, 0.5, 1, 2, 3)]
         means = [(period_s + short_s) / 2, period_s + short_s, 1.0 / (slow + fast), 2.0 / (slow + fast), 1.0]
         sums += [thinking_s + more for more in (*means, -short_s, short_s, 2 * short_s, 3 * short_s)]
         times_s = [*sums, thinking_s * period_s, thinking_s * slow, thinking_s + slow, 10.0, 20.0, 30.0]
-        times_s = sorted([*times_s, 1.5 * thinking_s, 10.0 + period_s, float(math.ceil(thinking_s + period_s))])
+        times_s += [by * thinking_s for by in SHARES] + [thinking_s + by for by in AMOUNTS_S]
+        times_s = sorted([*times_s, 10.0 + period_s, float(math.ceil(thinking_s + period_s))])
         if min(b - a for a, b in pairwise(times_s)) > 0.005:
             return {"thinking_s": thinking_s, "rate_hz": {"map -> odom": slow, "odom -> base_link": fast}}
 
@@ -25,7 +29,8 @@ def detector(rng):
 def memory(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
     """Return how long it must remember, step by step; other steps are the slips."""
     periods = [1.0 / rate for rate in g.rate_hz.values()]
-    more = {"slow": max(periods), "fast": min(periods), "both": sum(periods), "rate": min(g.rate_hz.values())}[lane]
+    more = {"slow": max(periods), "fast": min(periods), "both": sum(periods), "rate": min(g.rate_hz.values())}
+    more = (more | {"fast rate": max(g.rate_hz.values())})[lane]
     return thinking * g.thinking_s * times * more if joined == "multiplied" else thinking * g.thinking_s + times * more
 
 
@@ -249,23 +254,29 @@ SUM_OF_RATES = Twin(
 )
 
 
-HALF_THE_THINKING_MORE = Twin(
-    "half the thinking more",
-    lambda g: 1.5 * g.thinking_s,
-    Words(
-        en="That is one and a half times the thinking time. How much more than the thinking time is needed, the slowest edge says.",
-        ko="계산 시간의 한 배 반입니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
-    ),
+SHARES_MORE = tuple(
+    Twin(
+        f"{share} times the thinking time",
+        lambda g, share=share: share * g.thinking_s,
+        Words(
+            en=f"That is {share} times the thinking time. How much more than the thinking time is needed, the slowest edge says, and no share of it.",
+            ko=f"계산 시간의 {share}배입니다. 계산 시간보다 얼마나 더 필요한지는 비율이 아니라 가장 느린 연결이 정합니다.",
+        ),
+    )
+    for share in SHARES
 )
 
 
-A_SECOND_MORE = Twin(
-    "a second more",
-    lambda g: g.thinking_s + 1.0,
-    Words(
-        en="That is the thinking time and a second. How much more than the thinking time is needed, the slowest edge says.",
-        ko="계산 시간에 1초를 더한 값입니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결이 정합니다.",
-    ),
+AMOUNTS_MORE = tuple(
+    Twin(
+        f"{amount_s} s more",
+        lambda g, amount_s=amount_s: g.thinking_s + amount_s,
+        Words(
+            en=f"That is the thinking time and {amount_s:g} s. How much more than the thinking time is needed, the slowest edge says, and no margin.",
+            ko=f"계산 시간에 {amount_s:g}초를 더한 값입니다. 계산 시간보다 얼마나 더 필요한지는 여유가 아니라 가장 느린 연결이 정합니다.",
+        ),
+    )
+    for amount_s in (*AMOUNTS_S, 1.0)
 )
 
 
@@ -309,6 +320,16 @@ HALF_AS_MUCH_AGAIN = Twin(
 )
 
 
+FAST_RATE_INSTEAD_OF_PERIOD = Slip(
+    "fast rate instead of period",
+    {"lane": "fast rate"},
+    Words(
+        en="That is a time with the faster edge's rate added to it. A period is one over the rate, and the slow edge decides.",
+        ko="시간에 더 빠른 연결의 주파수를 더했습니다. 주기는 주파수의 역수이고, 정하는 것은 느린 연결입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.6",
     kind="N",
@@ -344,11 +365,12 @@ TASK = Task(
         MEAN_PERIOD,
         MEAN_RATE,
         SUM_OF_RATES,
-        HALF_THE_THINKING_MORE,
-        A_SECOND_MORE,
+        *SHARES_MORE,
+        *AMOUNTS_MORE,
         TEN_AND_A_PERIOD,
         MINUTE,
         ROUNDED_UP,
+        FAST_RATE_INSTEAD_OF_PERIOD,
     ),
     hints=(
         Words(

@@ -55,6 +55,9 @@ def classified(
     if moment == "path first":
         first = kind_of(refusal(buffer, target, source, Time()))
         kind = first if first in ("connectivity", "lookup") else kind
+    if texts == "by the newest" and kind in extrapolations:
+        newest = buffer.get_latest_common_time(target, source).nanoseconds
+        kind = "future" if stamp.nanoseconds > newest else "past"
     said = {
         "turned round": {"past": "future", "future": "past"},
         "two": {"one sample": "past"},
@@ -368,6 +371,17 @@ NOTHING_IS_A_WRONG_NAME = Twin(
 )
 
 
+BY_THE_NEWEST = Slip(
+    "by the newest",
+    {"texts": "by the newest"},
+    Words(
+        en="you judge an extrapolation by comparing `stamp` with the latest common time. tf2 has told you why already, in the text of its exception: an edge that was heard just once is neither future nor past there, and the latest common time does not show it.",
+        ko="`stamp`와 최신 공통 시각을 비교해 외삽의 종류를 정했습니다. 까닭은 tf2의 오류 메시지에 이미 있습니다. 한 번만 들은 연결은 미래도 과거도 아닌데, 최신 공통 시각으로는 드러나지 않습니다.",
+    ),
+    "M11",
+)
+
+
 TASK = Task(
     id="E9.2",
     kind="F",
@@ -406,6 +420,7 @@ TASK = Task(
         NO_BRANCH_FOR_NO_NAME,
         NO_BRANCH_FOR_EXTRAPOLATION,
         NOTHING_IS_CAUGHT,
+        BY_THE_NEWEST,
     ),
     hints=(
         Words(

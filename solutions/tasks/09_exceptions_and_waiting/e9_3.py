@@ -323,6 +323,10 @@ THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Slip(
 )
 
 
+def use_or_wait(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    return "use" if action(buffer, message) == "use" else "wait"
+
+
 def use_or_drop(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
     return "use" if action(buffer, message) == "use" else "drop"
 
@@ -641,6 +645,17 @@ ODOM_THROUGHOUT = Twin(
 )
 
 
+A_WAIT_FOR_EVERY_NO = Twin(
+    "a wait for every no",
+    use_or_wait,
+    Words(
+        en='every refusal is a "wait" for you. Only what is on its way is worth one: a little into the future. A typo, a torn tree, a wrong clock and the past stay as they are, however long you wait. `can_transform` says only yes or no: the class of the exception, and its text, say why.',
+        ko='거절이면 무조건 "wait"입니다. 기다릴 만한 것은 오는 중인 것, 곧 조금 미래인 경우뿐입니다. 오타, 끊어진 트리, 틀린 시계, 과거는 아무리 기다려도 그대로입니다. `can_transform`은 예, 아니요만 답합니다. 까닭은 예외의 클래스와 오류 메시지에 있습니다.',
+    ),
+    "M10",
+)
+
+
 TASK = Task(
     id="E9.3",
     kind="F",
@@ -698,6 +713,7 @@ TASK = Task(
         WANTED_IN_BASE_LINK,
         WANTED_IN_ODOM,
         ODOM_THROUGHOUT,
+        A_WAIT_FOR_EVERY_NO,
     ),
     hints=(
         Words(

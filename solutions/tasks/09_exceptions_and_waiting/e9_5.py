@@ -33,11 +33,13 @@ def queues(rng: np.random.Generator) -> list[tuple]:
         (before(0.3, -0.9, 0.2), now, 0.5, 5),  # further ahead than the limit
         ([int(now) - 0.25, int(now) - 0.25, int(now) - 0.05], float(int(now)), 0.5, 2),  # one of two twins has to go
         (before(0.3, 0.9, 0.2, 0.1), now, 0.5, 5),  # one that is too old came late
+        ([int(now) - 0.5, int(now) - 0.25], float(int(now)), 0.5, 5),  # at one limit alone
+        ([int(now) - 0.25, float(int(now))], float(int(now)), 0.5, 5),  # at the other
     ]
 
 
 def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", ahead="dropped", order="by stamp",
-         size="newest", out="oldest first", lost="went", loop="a new list") -> dict:  # fmt: skip
+         size="newest", out="oldest first", lost="went", loop="a new list", age="now minus stamp") -> dict:  # fmt: skip
     """Return what a policy keeps, step by step; other steps are the slips."""
     all_s, came = stamps_s, len(stamps_s)
 
@@ -59,6 +61,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
     newest_s = max((stamp for stamp in stamps_s if stamp <= now_s), default=0.0)
 
     def stays(age_s: float) -> bool:
+        age_s = -age_s if age == "stamp minus now" else age_s
         is_young = {
             "dropped": age_s <= max_age_s,
             "at the limit": age_s < max_age_s,
@@ -106,6 +109,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         "sieved": came - len(young),
         "cut": len(young) - len(cut),
         "none": 0,
+        "none where there is no room": came - len(cut) if max_size else 0,
         "none where none is young": came - len(cut) if young else 0,
         "what is not among the kept": sum(stamp not in cut for stamp in all_s),
         "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
@@ -498,6 +502,27 @@ AGES_YOUNGEST_FIRST = Twin(
 )
 
 
+AGE_TURNED_ROUND = Slip(
+    "age turned round",
+    {"age": "stamp minus now"},
+    Words(
+        en="your age is turned round: `stamp - now_s` is below 0 for all that was ever measured, and above it only for what comes from the future. An age is `now_s - stamp`.",
+        ko="나이를 거꾸로 뺐습니다. `stamp - now_s`는 실제로 측정한 것에서는 언제나 0 이하이고 미래에서 온 것에서만 0보다 큽니다. 나이는 `now_s - stamp`입니다.",
+    ),
+    "M10",
+)
+
+
+LOST_NONE_WITHOUT_ROOM = Twin(
+    "nothing lost without room",
+    partial(kept, lost="none where there is no room"),
+    Words(
+        en='where `max_size` is 0, "lost" is 0 for you, too. All that came have gone then: count them.',
+        ko='`max_size`가 0일 때 "lost"도 0입니다. 그때는 온 것이 모두 버려졌으니 세어야 합니다.',
+    ),
+)
+
+
 TASK = Task(
     id="E9.5",
     kind="F",
@@ -548,6 +573,8 @@ TASK = Task(
         LOST_NONE_OF_NONE,
         LOST_BY_STAMP,
         AGES_YOUNGEST_FIRST,
+        AGE_TURNED_ROUND,
+        LOST_NONE_WITHOUT_ROOM,
     ),
     hints=(
         Words(

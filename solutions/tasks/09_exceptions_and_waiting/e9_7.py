@@ -14,12 +14,12 @@ def two_edges(rng: np.random.Generator) -> dict:
     """Draw two edges of which the slow one decides, and a scan that has been under way for a while."""
     return {
         "localization": {
-            "rate_hz": float(rng.choice((4.0, 5.0, 8.0, 10.0))),
+            "rate_hz": float(rng.choice((6.0, 7.0, 7.5, 9.0))),
             "delay_s": round(float(rng.uniform(0.070, 0.090)), 3),
             "jitter_s": round(float(rng.uniform(0.020, 0.040)), 3),
         },
         "wheel_odometry": {
-            "rate_hz": float(rng.choice((20.0, 25.0))),
+            "rate_hz": float(rng.choice((22.0, 24.0, 26.0))),
             "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
             "jitter_s": round(float(rng.uniform(0.045, 0.060)), 3),
         },
@@ -53,6 +53,12 @@ def wait_of(
         for one in sources
     ]
     return combine(each) - scan * given.scan_delay_s
+
+
+def delay_taken_off(given) -> float:
+    """Return the wait for the edge that decides, its delay with the wrong sign."""
+    later = max((given.localization, given.wheel_odometry), key=lambda one: 1.0 / one["rate_hz"] + one["delay_s"])
+    return 1.0 / later["rate_hz"] - later["delay_s"] + later["jitter_s"] - given.scan_delay_s
 
 
 PERIOD_FORGOTTEN = Slip(
@@ -262,6 +268,36 @@ EDGES_MIXED = Slip(
 )
 
 
+SCAN_S_DELAY_TWICE = Slip(
+    "scan's delay twice",
+    {"scan": 2.0},
+    Words(
+        en="the scan's own delay is taken off twice. It was under way once.",
+        ko="스캔의 지연을 두 번 뺐습니다. 스캔이 오는 데 걸린 시간은 한 번뿐입니다.",
+    ),
+)
+
+
+DELAY_TAKEN_OFF = Twin(
+    "delay taken off",
+    delay_taken_off,
+    Words(
+        en="you take the transform's delay off. It makes the transform later, and so the wait longer.",
+        ko="변환의 지연을 뺐습니다. 지연만큼 변환이 늦게 오므로 더 오래 기다려야 합니다.",
+    ),
+)
+
+
+HALF_MORE_PERIOD = Slip(
+    "one and a half periods",
+    {"periods": 1.5},
+    Words(
+        en="one and a half periods are more than is needed: the first transform stamped after the scan will do, and it comes within one.",
+        ko="한 주기 반은 필요한 것보다 깁니다. 스캔 뒤 처음으로 측정한 변환이면 되고, 그것은 한 주기 안에 나옵니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E9.7",
     kind="N",
@@ -294,6 +330,9 @@ TASK = Task(
         MEAN_OF_THE_EDGES,
         PERIOD_ALONE,
         EDGES_MIXED,
+        SCAN_S_DELAY_TWICE,
+        DELAY_TAKEN_OFF,
+        HALF_MORE_PERIOD,
     ),
     hints=(
         Words(
