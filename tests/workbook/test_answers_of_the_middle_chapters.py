@@ -62,6 +62,8 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
         ({"y0 + u * (y1 - y0)": "y0 + u * (x1 - x0)"}, ["y by x"]),
         ({"(t0, x0, y0, a0), (t1, x1, y1, a1)": "(t0, x0, a0, y0), (t1, x1, a1, y1)"}, ["yaw before y"]),
         ({"a0 + u * turn": "a1 - u * turn"}, ["yaw back from the later"]),
+        ({"y0 + u * (y1 - y0)": "u * y0 + (1 - u) * y1"}, ["y from the other end"]),
+        ({"turn = a1 - a0": "turn = y1 - y0", "a0 + u * turn": "y0 + u * turn"}, ["yaw of y"]),
         ({"a0 + u * turn": "math.atan2(y1 - y0, x1 - x0)"}, ["yaw along the way"]),
         ({ABOVE: "", BELOW: "", "a0 + u * turn": "math.degrees(a0 + u * turn)"}, ["the long way", "unit degrees"]),
         ({"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "x0 + u * x1, y0 + u * y1"}, ["second position added"]),
@@ -137,6 +139,17 @@ def test_two_moments_on_one_way_are_told_apart(of_map, of_the_rest, slip):
     source = ON_THE_MAP.format(source=OWN, time=AT).replace(f'lookup_transform("map", {OWN}, {AT})',
                                                             f"lookup_transform_full({lookup})")  # fmt: skip
     assert slip in slips_of("E8.3", source)
+
+
+@pytest.mark.parametrize(
+    ("ending", "slip"),
+    [("return None", "gives up on the old"), ("raise ExtrapolationException('old')", "refuses the old")],
+)
+def test_who_answers_young_messages_alone_is_told_so(ending, slip):
+    is_old = "    if now - Time.from_msg(message.header.stamp) > Duration(seconds=0.35):\n"
+    source = ON_THE_MAP.format(source=OWN, time=AT).replace("    stamp =", f"{is_old}        {ending}\n    stamp =")
+    imports = "from rclpy.duration import Duration\nfrom tf2_ros import ExtrapolationException\n"
+    assert slips_of("E8.3", imports + source) == [slip]
 
 
 LATE_ERROR = """

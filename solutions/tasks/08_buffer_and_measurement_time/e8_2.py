@@ -53,7 +53,10 @@ def between(
     short = math.remainder(yaw1 - yaw0, math.tau)
     return {
         "position": _place(at, (x0, y0), (x1, y1), position, yaw0, short if position == "arc" else 0.0),
-        "yaw": math.atan2(y1 - y0, x1 - x0) if turn == "the way" else _yaw(at, yaw0, yaw1, turn),
+        "yaw": {
+            "the way": math.atan2(y1 - y0, x1 - x0),
+            "of y": y0 + at * math.remainder(y1 - y0, math.tau),
+        }.get(turn, _yaw(at, yaw0, yaw1, turn)),
     }
 
 
@@ -96,7 +99,12 @@ def _place(at, first, second, position, yaw0, turn):
     steps = second if position in ("second added", "share of the second") else steps
     x0, y0 = (0.0, 0.0) if position in ("from zero", "share of the second") else first
     x = x0 + part * steps[0]
-    ys = {"x alone": y0, "x twice": x, "y by x": y0 + part * steps[0]}
+    ys = {
+        "x alone": y0,
+        "x twice": x,
+        "y by x": y0 + part * steps[0],
+        "y from the other end": y0 + (1.0 - part) * steps[1],
+    }
     return (x, ys.get(position, y0 + part * steps[1]))
 
 
@@ -105,6 +113,8 @@ def _yaw(at, yaw0, yaw1, turn):
     turns = {
         "short": short,
         "yaw before y": short,
+        "the way": short,
+        "of y": short,
         "difference": difference,
         "kept": 0.0,
         "modulo pi": math.remainder(difference, math.pi),
@@ -704,6 +714,26 @@ YAW_BACK_FROM_THE_LATER = Slip(
 )
 
 
+Y_FROM_THE_OTHER_END = Slip(
+    "y from the other end",
+    {"position": "y from the other end"},
+    Words(
+        en="x goes from the first sample to the second, and y the other way round: near the first sample it is near the second one's. Both take the same ratio.",
+        ko="x는 첫 표본에서 둘째로 가는데 y는 거꾸로입니다. 첫 표본 가까이에서 y는 둘째 표본에 가깝습니다. 둘에 같은 비율을 쓰십시오.",
+    ),
+)
+
+
+YAW_OF_Y = Slip(
+    "yaw of y",
+    {"turn": "of y"},
+    Words(
+        en="Your yaw is computed of the two y. A sample is `(stamp_s, x, y, yaw)`: yaw is the last of the four.",
+        ko="yaw를 두 y로 계산했습니다. 표본은 `(stamp_s, x, y, yaw)`이고 yaw는 넷 가운데 마지막입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -775,6 +805,8 @@ TASK = Task(
         EACH_YAW_BY_ITSELF,
         SMALLEST_TURN,
         YAW_BACK_FROM_THE_LATER,
+        Y_FROM_THE_OTHER_END,
+        YAW_OF_Y,
     ),
     hints=(
         Words(

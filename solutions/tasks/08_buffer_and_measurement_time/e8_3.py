@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tflab.core import TransformException
+from tflab.core import ExtrapolationException, TransformException
 from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Message, Slip, Task, Words
@@ -61,6 +61,10 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
             header=std_msgs.Header(stamp=message.header.stamp, frame_id=target), point=message.point
         )
     if asks == "for now" and not buffer.can_transform(target, message.header.frame_id, now):
+        return None
+    if asks.startswith("how old") and now.nanoseconds - Time.from_msg(message.header.stamp).nanoseconds > 400_000_000:
+        if asks == "how old, and refuses":
+            raise ExtrapolationException("too old")
         return None
     names = (target, message.header.frame_id if source == "the message's" else source)
     names = names[::-1] if ends == "swapped" else names
@@ -426,6 +430,28 @@ LEFT_IN_BASE_LINK = Slip(
 )
 
 
+GIVES_UP_ON_THE_OLD = Slip(
+    "gives up on the old",
+    {"asks": "how old"},
+    Words(
+        en="You answer only for a message that has just come, and return nothing where it is older. Its age says nothing of what the buffer knows: ask at its stamp, and let the buffer refuse.",
+        ko="방금 온 메시지에만 답하고 더 오래된 것에는 아무것도 반환하지 않습니다. 메시지의 나이로는 버퍼가 그 시각을 아는지 알 수 없습니다. 측정 시각으로 묻고, 거절은 버퍼에 맡기십시오.",
+    ),
+    "M9",
+)
+
+
+REFUSES_THE_OLD = Slip(
+    "refuses the old",
+    {"asks": "how old, and refuses"},
+    Words(
+        en="You answer only for a message that has just come, and refuse yourself where it is older. Its age says nothing of what the buffer knows: ask at its stamp, and let the buffer refuse.",
+        ko="방금 온 메시지에만 답하고 더 오래된 것은 직접 거절합니다. 메시지의 나이로는 버퍼가 그 시각을 아는지 알 수 없습니다. 측정 시각으로 묻고, 거절은 버퍼에 맡기십시오.",
+    ),
+    "M9",
+)
+
+
 TASK = Task(
     id="E8.3",
     kind="F",
@@ -470,6 +496,8 @@ TASK = Task(
         MAP_OF_THE_LATEST,
         ROBOT_OF_THE_LATEST,
         ROBOT_OF_NOW,
+        GIVES_UP_ON_THE_OLD,
+        REFUSES_THE_OLD,
     ),
     hints=(
         Words(

@@ -7,8 +7,8 @@ from itertools import pairwise
 
 from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
-AMOUNTS_S = (0.05, 0.1, 0.2, 0.5, 2.0)  # that one adds to be safe, beside 1.0
-SHARES = (1.1, 1.2, 1.25, 1.5)
+AMOUNTS_S = (0.05, 0.1, 0.2, 0.3, 0.5, 2.0)  # that one adds to be safe, beside 1.0
+SHARES = (1.1, 1.2, 1.25, 1.3, 1.5)
 
 
 def detector(rng):

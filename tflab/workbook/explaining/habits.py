@@ -92,9 +92,13 @@ def round_number(form: Form, outcome: Plain, wanted: Plain) -> tuple[str, Words]
 
 
 def _is_round(number: float) -> bool:
-    """Return whether a number has one digit, or a 5 behind it: 0.3, 15, 2.5, and no 0."""
+    """Return whether a number is whole, or has one digit, or a 5 behind it: 12, 0.3, 2.5, and no 0."""
     digits = f"{abs(number):.9f}".replace(".", "").strip("0")
-    return len(digits) == 1 or (len(digits) == 2 and digits.endswith("5"))
+    return (
+        (number != 0.0 and float(number).is_integer())
+        or len(digits) == 1
+        or (len(digits) == 2 and digits.endswith("5"))
+    )
 
 
 def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> tuple[str, Words] | None:
