@@ -63,6 +63,10 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
         ({"(t0, x0, y0, a0), (t1, x1, y1, a1)": "(t0, x0, a0, y0), (t1, x1, a1, y1)"}, ["yaw before y"]),
         ({"a0 + u * turn": "a1 - u * turn"}, ["yaw back from the later"]),
         ({"y0 + u * (y1 - y0)": "u * y0 + (1 - u) * y1"}, ["y from the other end"]),
+        (
+            {"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "u * x0 + (1 - u) * x1, u * y0 + (1 - u) * y1"},
+            ["position from the other end"],
+        ),
         ({"turn = a1 - a0": "turn = y1 - y0", "a0 + u * turn": "y0 + u * turn"}, ["yaw of y"]),
         ({"a0 + u * turn": "math.atan2(y1 - y0, x1 - x0)"}, ["yaw along the way"]),
         ({ABOVE: "", BELOW: "", "a0 + u * turn": "math.degrees(a0 + u * turn)"}, ["the long way", "unit degrees"]),

@@ -94,7 +94,7 @@ def _place(at, first, second, position, yaw0, turn):
     if position in ("arc", "heading first"):
         way, heading = at * math.hypot(*steps), yaw0 + at * turn
         return (first[0] + way * math.cos(heading), first[1] + way * math.sin(heading))
-    part = {"kept": 0.0, "later": 1.0, "half": 0.5}.get(position, at)
+    part = {"kept": 0.0, "later": 1.0, "half": 0.5, "from the other end": 1.0 - at}.get(position, at)
     steps = [abs(step) for step in steps] if position == "upwards" else steps
     steps = second if position in ("second added", "share of the second") else steps
     x0, y0 = (0.0, 0.0) if position in ("from zero", "share of the second") else first
@@ -734,6 +734,16 @@ YAW_OF_Y = Slip(
 )
 
 
+POSITION_FROM_THE_OTHER_END = Twin(
+    "position from the other end",
+    lambda *given: between(*given, position="from the other end"),
+    Words(
+        en="Your position goes from the second sample to the first: near the first sample it is near the second. Its ratio is counted from the wrong end.",
+        ko="위치가 둘째 표본에서 첫 표본으로 갑니다. 첫 표본 가까이에서 둘째 표본의 위치에 가깝습니다. 위치의 비율을 반대쪽 끝에서부터 셌습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -807,6 +817,7 @@ TASK = Task(
         YAW_BACK_FROM_THE_LATER,
         Y_FROM_THE_OTHER_END,
         YAW_OF_Y,
+        POSITION_FROM_THE_OTHER_END,
     ),
     hints=(
         Words(
