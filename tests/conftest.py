@@ -90,6 +90,21 @@ class Lab:
         page.wait_for_selector(f"body[data-jp-theme-light={light}]", state="attached")
 
 
+@pytest.fixture
+def undone() -> Iterator[None]:
+    """What `%load_ext tflab` changes in this process is as it was when the test is over."""
+    from tflab import ros
+    from tflab.ros.logging import write_to_stdout
+    from tflab.ros.messages import set_field_checks
+    from tflab.ros.process import use_graph
+
+    yield
+    ros.deactivate()
+    set_field_checks(None)
+    write_to_stdout(False)
+    use_graph(None)
+
+
 @pytest.fixture(scope="session")
 def chromium() -> Iterator:
     """A headless Chromium with WebGL in software."""

@@ -9,6 +9,7 @@ import pytest
 from tflab import ros
 from tflab.ros import distro
 from tflab.ros.activation import FOLDER, PACKAGES, is_active
+from tflab.ros.messages import field_checks
 from tflab.ros.notebook import load_in_notebook
 
 
@@ -132,25 +133,16 @@ def test_an_unknown_distribution_is_refused(monkeypatch):
         distro.current()
 
 
-def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys):
+def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys, undone):
     class Shell:
         def push(self, names):
             self.names = names
 
-    from tflab.ros.logging import write_to_stdout
-    from tflab.ros.messages import field_checks, set_field_checks
-    from tflab.ros.process import use_graph
-
     shell = Shell()
     graph = load_in_notebook(shell)
-    try:
-        assert capsys.readouterr().out == ("tflab: in-process ROS 2 (jazzy), virtual time, message fields checked.\n")
-        assert shell.names["graph"] is graph is ros.current_graph()
-        assert graph.driver.is_virtual and field_checks()
-    finally:
-        set_field_checks(None)
-        write_to_stdout(False)
-        use_graph(None)
+    assert capsys.readouterr().out == "tflab: in-process ROS 2 (jazzy), virtual time, message fields checked.\n"
+    assert shell.names["graph"] is graph is ros.current_graph()
+    assert graph.driver.is_virtual and field_checks()
 
 
 def test_deactivating_gives_python_its_own_sleep_back(graph):

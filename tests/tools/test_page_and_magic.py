@@ -249,7 +249,7 @@ def test_an_ampersand_inside_quotes_is_a_letter():
     assert split_line("topic pub /chatter std_msgs/msg/String 'data: a&'")[1][-1] == "data: a&"
 
 
-def test_the_first_cell_of_a_page_begins_a_new_world_whenever_it_runs(capsys):
+def test_the_first_cell_of_a_page_begins_a_new_world_whenever_it_runs(capsys, undone):
     shell = InteractiveShell.instance()
     try:
         said = []

@@ -12,7 +12,17 @@ from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Pose, Qua
 from tflab.workbook.answers.values import Plain, raised
 
 HALF = 0.7071067811865476
-ODD: list[Plain] = [None, "map", {"unanswered": True}, raised(ValueError("no")), 1.0, 1.0005, 1.002, [1.0, 0.0, 0.0], {}]
+ODD: list[Plain] = [
+    None,
+    "map",
+    {"unanswered": True},
+    raised(ValueError("no")),
+    1.0,
+    1.0005,
+    1.002,
+    [1.0, 0.0, 0.0],
+    {},
+]
 
 
 @pytest.mark.parametrize(
