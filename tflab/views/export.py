@@ -49,6 +49,7 @@ TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
 <div class="jp-RenderedImage jp-OutputArea-output {{ extra_class }}">
 <img src="data:image/png;base64,{{ output.data['image/png'] | escape_html }}"
 {%- if size.width %} width="{{ size.width | escape_html }}"{% endif -%}
+{%- if size.width %} style="min-width: {{ (0.7 * size.width) | int }}px"{% endif -%}
 {%- if size.height %} height="{{ size.height | escape_html }}"{% endif -%}
 {%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
 >

@@ -23,7 +23,7 @@
   // -- a drawing shrinks with the page as far as it can be read; then it says that it scrolls
   const wide = new ResizeObserver((all) => all.forEach(({ target }) =>
     target.toggleAttribute("data-scrolls", target.scrollWidth > target.clientWidth + 1)));
-  for (const one of document.querySelectorAll("main .jp-RenderedSVG")) wide.observe(one);
+  for (const one of document.querySelectorAll("main :is(.jp-RenderedSVG, .jp-RenderedImage)")) wide.observe(one);
 
   // -- the same place in the other language: cells have the same names there
   byClass("book-language").addEventListener("click", (event) => {
