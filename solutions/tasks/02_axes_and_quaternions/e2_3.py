@@ -47,6 +47,7 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "sine beside the rest of its size": (sine, 1.0 - abs(sine)),
         "sine beside the square": (sine, 1.0 - sine**2),
         "angle to length one": (yaw / math.hypot(yaw, 1.0), 1.0 / math.hypot(yaw, 1.0)),
+        "half of it to length one": (yaw / math.hypot(yaw, 2.0), 2.0 / math.hypot(yaw, 2.0)),
     }[z]
     sine = -sine if way == "right" else sine
     row = [sine if z == "all three" or name == axis else 0.0 for name in "xyz"]
@@ -310,6 +311,17 @@ HALF_ANGLE_AND_ITS_ROOT = Slip(
 )
 
 
+HALF_TO_LENGTH_ONE = Slip(
+    "half the angle to length one",
+    {"z": "half of it to length one"},
+    Words(
+        en="You wrote half the angle itself into z, 1 into w, and scaled them to length one. For small angles that is close, for large ones not: z takes the sine of the half, w the cosine.",
+        ko="z에 각도의 절반, w에 1을 넣고 길이를 1로 맞추었습니다. 작은 각도에서는 비슷하지만 큰 각도에서는 다릅니다. z에는 절반의 sin, w에는 cos을 넣습니다.",
+    ),
+    "M5",
+)
+
+
 ANGLE_TO_LENGTH_ONE = Slip(
     "angle to length one",
     {"z": "angle to length one"},
@@ -531,6 +543,7 @@ TASK = Task(
         W_LEFT_AT_ONE,
         HALF_ANGLE_AND_ITS_ROOT,
         ANGLE_TO_LENGTH_ONE,
+        HALF_TO_LENGTH_ONE,
         ANGLE_BESIDE_THE_COSINE,
         HALF_BESIDE_THE_COSINE,
         REST_OF_ONE,

@@ -54,6 +54,7 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
         "exchanged in y": (right[0], c * x + s * y),
         "exchanged in both": (s * x - c * y, c * x + s * y),
         "places in x": (c * y - s * x, right[1]),
+        "x's line for y": (right[0], right[0]),
         "both second terms": (c * x + s * y, s * x - c * y),
         "new x": (right[0], s * right[0] + c * y),
         "y not turned": (right[0], y),
@@ -64,7 +65,9 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
     }[way]
 
 
-WRONG_TERMS = ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x")
+WRONG_TERMS = (
+    "cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x", "x's line for y",
+)  # fmt: skip
 BY_HAND = {  # what to say of each of these ways
     "sine's sign in x": Words(
         en="one sine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
@@ -93,6 +96,10 @@ BY_HAND = {  # what to say of each of these ways
     "places in x": Words(
         en="in your x alone, u and v have changed places: it is u·cos α − v·sin α.",
         ko="x를 구하는 식에서만 u와 v의 자리가 바뀌었습니다. u·cos α − v·sin α입니다.",
+    ),
+    "x's line for y": Words(
+        en="your y is computed as x is: a copied line that was not changed? It is u·sin α + v·cos α.",
+        ko="y도 x의 식으로 구했습니다. 복사한 줄을 고치지 않았습니까? y는 u·sin α + v·cos α입니다.",
     ),
     "exchanged in both": Words(
         en="sine and cosine have changed places in the turn.",

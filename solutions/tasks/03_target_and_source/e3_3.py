@@ -11,6 +11,7 @@ from tflab.workbook.tasks import Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
+    WRONG_TERMS,
     by_formula,
     some_planar,
     wrong_terms,
@@ -59,7 +60,7 @@ def inverted(
     x = c * u - s * v
     x = x if sine != "one sign" else c * u + s * v
     to_y = -s if sine == "sign in y" else s
-    by_hand = sine in ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x")
+    by_hand = sine in WRONG_TERMS
     if step == "one over":
         u, v = (1.0 / number if number else 0.0 for number in (a_pose_b["x"], a_pose_b["y"]))
     if by_hand or step == "one over":

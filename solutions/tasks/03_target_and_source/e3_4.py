@@ -11,6 +11,7 @@ from tflab.workbook.tasks import Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
+    WRONG_TERMS,
     by_formula,
     moved,
     some_planar,
@@ -65,7 +66,7 @@ def joined(
     if step in ("one sign in x", "one sign in y"):
         c, s = math.cos(angle), math.sin(angle)
         pose |= {"x": c * x + s * y} if step == "one sign in x" else {"y": c * y - s * x}
-    if step in ("cosine's sign in x", "cosine's sign in y", "exchanged in x", "exchanged in y", "places in x"):
+    if step in WRONG_TERMS:
         pose |= dict(zip("xy", by_formula(x, y, angle, step), strict=True))
     if step == "exchanged":
         pose |= {"x": math.sin(angle) * x - math.cos(angle) * y, "y": math.cos(angle) * x + math.sin(angle) * y}

@@ -42,6 +42,7 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
               "laser below": "laser_frame"}.get(ends, parent)  # fmt: skip
     yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg),
            "whole degrees": math.radians(int(yaw_deg)), "no pi": yaw_deg / 180,
+           "twice": math.radians(math.radians(yaw_deg)),
            "halved": math.radians(yaw_deg) / 2}[angle]  # fmt: skip
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
@@ -451,6 +452,12 @@ ROTATIONS = (
         {"angle": "no pi"},
         "the angle was divided by 180, and π is missing: half a turn is π radians. `math.radians` does both.",
         "각도를 180으로 나누기만 하고 π를 곱하지 않았습니다. 반 바퀴는 π 라디안입니다. `math.radians`가 둘 다 합니다.",
+    ),
+    of_rotation(
+        "radians of radians",
+        {"angle": "twice"},
+        "the angle was made radians twice: the camera hardly turns. `math.radians`, or π/180, belongs there once.",
+        "각도를 라디안으로 두 번 바꾸어서 카메라가 거의 돌지 않습니다. `math.radians`나 π/180은 한 번만 씁니다.",
     ),
 )
 
