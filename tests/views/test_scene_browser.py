@@ -123,33 +123,28 @@ def test_run_all_shows_the_box_and_dragging_the_slider_moves_it(lab, page):
         wait_for_colour(page, ORANGE, moved_x - 0.01, moved_x + 0.01, view)
 
 
-def test_where_the_processor_draws_a_scene_is_coarse_only_while_it_moves(lab, page):
-    lab.write_notebook("slow.ipynb", [SETUP, "box_scene()"])
-    lab.open(page, "slow.ipynb")
+def test_an_object_in_the_place_of_another_is_drawn_with_the_program_that_is_there(lab, page):
+    page.add_init_script(
+        """window.links = 0;
+        const link = WebGL2RenderingContext.prototype.linkProgram;
+        WebGL2RenderingContext.prototype.linkProgram = function (...all) { links++; return link.apply(this, all); };"""
+    )
+    paint = "slider.observe(lambda change: (scene.delete(), scene['robot/box'].set_object(Box([0.5, 0.5, 0.5]), "
+    again = paint + "MeshBasicMaterial(color=0x0072B2 if change['new'] % 2 else 0xD55E00))), 'value')"
+    slider = "slider = ipywidgets.IntSlider(0, 0, 9)"
+    lab.write_notebook(
+        "again.ipynb", [SETUP, f"scene = box_scene()\n{slider}\n{again}\nipywidgets.VBox([slider, scene])"]
+    )
+    lab.open(page, "again.ipynb")
     lab.run_all(page)
     wait_for_views(page)
     wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
-    page.evaluate(
-        """() => {
-          let now = 0;
-          performance.now = () => now += 30; // each picture takes as long, it seems
-          window.widths = [];
-          const set = tflabRenderer.setViewport;
-          tflabRenderer.setViewport = function (x, y, width, ...rest) {
-            widths.push(width);
-            return set.call(this, x, y, width, ...rest);
-          };
-        }"""
-    )
-    width = page.evaluate("document.querySelector('.tflab-scene canvas').width")
-    page.locator(".tflab-scene-pane").focus()
-    for _ in range(3):
-        page.keyboard.press("ArrowLeft")
-        page.wait_for_timeout(50)
-    page.wait_for_timeout(1000)
-    seen, coarse = page.evaluate("widths"), -(-width // 2)
-    assert set(seen) == {width, coarse}
-    assert seen[-2:] == [coarse, width]  # at rest once more, with all pixels, and then nothing
+    before = page.evaluate("links")
+    page.locator(".widget-slider [role=slider]").first.focus()
+    for colour in (BLUE, ORANGE, BLUE):
+        page.keyboard.press("ArrowRight")
+        wait_for_colour(page, colour, *IN_THE_MIDDLE)
+    assert page.evaluate("links") == before > 0
 
 
 def test_a_view_that_opens_late_shows_the_scene_as_it_is_by_then(lab, page):

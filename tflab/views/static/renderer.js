@@ -41,23 +41,15 @@ function sharedRenderer(THREE) {
   return globalThis.tflabRenderer;
 }
 
-const SLOW_MS = 24;    // a picture that takes longer is drawn by the processor: nothing of a drag is seen in time
-const COARSE = 0.5;    // of the pixels in each direction, while such a picture moves
-const REST_MS = 200;   // when it stands still for so long, it is drawn with all of them
-
 // What meshcat's viewer takes for its renderer: draws with the shared one, keeps a copy.
-// `afterwards(context, camera)` writes on the copy; `again()` asks for the same picture once more.
 class CopyingRenderer {
-  constructor(THREE, afterwards, again) {
+  constructor(THREE, afterwards) {
     this.shared = sharedRenderer(THREE);
     this.shadowMap = this.shared.shadowMap;
     this.domElement = document.createElement("canvas");
     this.context = this.domElement.getContext("2d");
     this.ratio = 1;
     this.afterwards = afterwards;
-    this.again = again;
-    this.isSlow = false;  // when drawn with all pixels
-    this.rests = false;   // whether it moves no more, and was drawn coarsely
   }
   setPixelRatio(ratio) { this.ratio = ratio; }
   setSize(width, height) {
@@ -70,28 +62,19 @@ class CopyingRenderer {
   }
   render(scene, camera) {
     const { width, height } = this.domElement;
-    const part = this.isSlow && !this.rests ? COARSE : 1;
-    const begun = performance.now();
-    this.draw(scene, camera, Math.ceil(part * width), Math.ceil(part * height));
-    if (part === 1) this.isSlow = performance.now() - begun > SLOW_MS;
+    const big = this.shared.domElement;
+    if (big.width < width || big.height < height) { // it only grows: a new size costs more than a frame
+      this.shared.setSize(Math.max(big.width, width), Math.max(big.height, height), false);
+    }
+    this.shared.setViewport(0, 0, width, height);
+    this.shared.setScissor(0, 0, width, height);
+    this.shared.render(scene, camera);
+    this.context.setTransform(1, 0, 0, 1, 0, 0);
+    this.context.clearRect(0, 0, width, height);
+    this.context.drawImage(big, 0, big.height - height, width, height, 0, 0, width, height);
     this.context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.afterwards(this.context, camera);
-    this.rests = false;
-    clearTimeout(this.timer);
-    if (part < 1) this.timer = setTimeout(() => { this.rests = true; this.again(); }, REST_MS);
   }
-  // Draw so many pixels with the shared renderer, and fill the copy with them.
-  draw(scene, camera, width, height) {
-    const { domElement: copy, context, shared } = this, big = shared.domElement;
-    if (big.width < width || big.height < height) { // it only grows: a new size costs more than a frame
-      shared.setSize(Math.max(big.width, width), Math.max(big.height, height), false);
-    }
-    shared.setViewport(0, 0, width, height);
-    shared.setScissor(0, 0, width, height);
-    shared.render(scene, camera);
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, copy.width, copy.height);
-    context.drawImage(big, 0, big.height - height, width, height, 0, 0, copy.width, copy.height);
-  }
-  dispose() { clearTimeout(this.timer); }
+  dispose() {}
 }
+

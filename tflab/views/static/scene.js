@@ -28,13 +28,14 @@ class View {
     this.names = [];
     this.picked = "";
     this.listeners = [];
+    this.kept = [];             // what lets go of materials that made way for others
     this.turned = false;        // whether somebody chose where to look from
     this.visible = true;
     this.waiting = 0;
     this.onScrubber = onScrubber;
     this.renderer = new CopyingRenderer(this.THREE, (context, camera) => {
       this.names = writeLabels(context, this, camera);
-    }, () => this.wake());
+    });
     pane.append(this.renderer.domElement);
     this.viewer = notingListeners(this.listeners, () => new MeshCat.Viewer(pane, false, this.renderer));
     this.adapt(this.viewer);
@@ -59,7 +60,12 @@ class View {
       if (command.type === "look") this.look(command.eye, command.target);
       else if (command.type === "sweep") this.onScrubber(sweepTrack(this, command));
       else if (command.type === "set_animation") this.onScrubber(animationTrack(this, handle.bind(viewer), command));
-      else handle.call(viewer, command);
+      else {
+        const names = command.path?.split("/").filter(Boolean) ?? [];
+        if (command.type === "set_object") this.keepPrograms([...names, "<object>"]);
+        if (command.type === "delete") this.keepPrograms(names);
+        handle.call(viewer, command);
+      }
       if (command.type === "set_object") this.grown = true;
     };
     this.look(EYE.map((value) => 5 * value), [0, 0, 0]); // until there is something to look at
@@ -95,6 +101,7 @@ class View {
     if (!this.pane.clientWidth || !this.pane.clientHeight) return;
     if (this.grown) { this.grown = false; this.fit(); }
     this.viewer.render();
+    for (const letGo of this.kept.splice(0)) letGo();
     const lost = this.before && this.seenFrames().size && [...this.before].some((frame) => this.isOut(frame));
     this.before = null;
     if (lost) this.fit(true);
@@ -105,6 +112,16 @@ class View {
   isOut(frame) {
     const { width, height } = this.renderer;
     return this.names.some(({ frame: name, origin: { x, y } }) => name === frame && (x < 0 || y < 0 || x > width || y > height));
+  }
+
+  // A shader's program goes with its last material, and to make it again takes longer than to draw: the materials
+  // of what makes way for something else go when that is drawn, which by then shares their programs.
+  keepPrograms(names) {
+    this.viewer.scene_tree.find(names).object.traverse(({ material }) => {
+      for (const one of [material ?? []].flat()) {
+        one.dispose = () => { this.kept.push(() => { delete one.dispose; one.dispose(); }); };
+      }
+    });
   }
 
   run(bytes) { notingListeners(this.listeners, () => this.viewer.handle_command_bytearray(bytes)); }
@@ -175,7 +192,6 @@ class View {
 
   dispose() {
     cancelAnimationFrame(this.waiting);
-    this.renderer.dispose();
     this.visible = false;
     for (const observer of this.observers) observer.disconnect();
     this.darkness.removeEventListener("change", this.onDarkness);
