@@ -129,12 +129,17 @@ def test_an_object_in_the_place_of_another_is_drawn_with_the_program_that_is_the
         const link = WebGL2RenderingContext.prototype.linkProgram;
         WebGL2RenderingContext.prototype.linkProgram = function (...all) { links++; return link.apply(this, all); };"""
     )
-    paint = "slider.observe(lambda change: (scene.delete(), scene['robot/box'].set_object(Box([0.5, 0.5, 0.5]), "
-    again = paint + "MeshBasicMaterial(color=0x0072B2 if change['new'] % 2 else 0xD55E00))), 'value')"
-    slider = "slider = ipywidgets.IntSlider(0, 0, 9)"
-    lab.write_notebook(
-        "again.ipynb", [SETUP, f"scene = box_scene()\n{slider}\n{again}\nipywidgets.VBox([slider, scene])"]
-    )
+    again = """
+scene, slider = box_scene(), ipywidgets.IntSlider(0, 0, 9)
+def paint(change):
+    with scene.redraw():  # one message, so that no picture comes between
+        scene.delete()
+        colour = 0x0072B2 if change["new"] % 2 else 0xD55E00
+        scene["robot/box"].set_object(Box([0.5, 0.5, 0.5]), MeshBasicMaterial(color=colour))
+slider.observe(paint, "value")
+ipywidgets.VBox([slider, scene])
+"""
+    lab.write_notebook("again.ipynb", [SETUP, again])
     lab.open(page, "again.ipynb")
     lab.run_all(page)
     wait_for_views(page)
