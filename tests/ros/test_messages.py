@@ -24,7 +24,7 @@ from tflab.ros.messages import (
     tf2_msgs,
     type_named,
 )
-from tflab.ros.messages.base import Message
+from tflab.ros.messages.base import Message, filled
 from tflab.ros.messages.definition import Array, BasicType, NamespacedType, UnboundedSequence, parse_definition
 from tflab.ros.messages.geometry_msgs import (
     Point,
@@ -408,6 +408,15 @@ def test_a_copy_has_arrays_of_its_own(duplicate):
     original.covariance[0] = 1.0
     scan.ranges[0] = 9.0
     assert (pose_twin.covariance[0], scan_twin.ranges[0]) == (0.0, 1.0)
+
+
+def test_a_message_filled_unlooked_at_is_like_one_made_with_keywords_and_checks_what_is_set_later(checked):
+    filled_one = filled(Vector3, 1.0, 2.0, 3.0)
+    assert filled_one == Vector3(x=1.0, y=2.0, z=3.0)
+    with pytest.raises(AssertionError, match="The 'x' field must be of type 'float'"):
+        filled_one.x = 1
+    with pytest.raises(ValueError, match="shorter"):
+        filled(Vector3, 1.0, 2.0)
 
 
 def test_deepcopy_keeps_what_was_shared_inside_shared():

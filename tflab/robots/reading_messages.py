@@ -9,6 +9,8 @@ Transforms are converted by `tflab/ros/convert.py`.  Read `nodes.py` next.
 
 from __future__ import annotations
 
+from array import array
+
 from tflab.ros.convert import msg_from_stamp, msg_from_transform
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 
@@ -38,7 +40,7 @@ def occupancy_grid_msg(
 def joint_state_msg(reading: JointReading) -> sensor_msgs.JointState:
     """Return the message of joint positions."""
     return sensor_msgs.JointState(
-        header=_header(reading.stamp_ns, ""), name=list(reading.names), position=list(reading.positions)
+        header=_header(reading.stamp_ns, ""), name=list(reading.names), position=array("d", reading.positions)
     )
 
 
@@ -67,7 +69,7 @@ def laser_scan_msg(scan: Scan) -> sensor_msgs.LaserScan:
         scan_time=scan.time_increment_ns * len(scan.ranges) * SECONDS_PER_NSEC,
         range_min=scan.range_min,
         range_max=scan.range_max,
-        ranges=list(scan.ranges),
+        ranges=array("f", scan.ranges),
     )
 
 

@@ -15,6 +15,7 @@ from tflab.core import NSEC_PER_SEC, StampedTransform, Transform, sec_nanosec_fr
 from tflab.core.transforms import stamped_from_pose
 
 from .messages import builtin_interfaces, geometry_msgs, std_msgs
+from .messages.base import filled
 
 __all__ = [
     "duration_ns_from",
@@ -108,12 +109,10 @@ _NAMES_AND_STAMP = (str, str, int, int)
 
 
 def msg_from_transform(transform: Transform) -> geometry_msgs.Transform:
-    """Return the message of a transform."""
-    (x, y, z), (qx, qy, qz, qw) = transform.translation, transform.rotation
-    return geometry_msgs.Transform(
-        translation=geometry_msgs.Vector3(x=x, y=y, z=z),
-        rotation=geometry_msgs.Quaternion(x=qx, y=qy, z=qz, w=qw),
-    )
+    """Return the message of a transform; its numbers are floats, and fit."""
+    move = filled(geometry_msgs.Vector3, *transform.translation)
+    turn = filled(geometry_msgs.Quaternion, *transform.rotation)
+    return filled(geometry_msgs.Transform, move, turn)
 
 
 def msg_from_stamped(stamped: StampedTransform) -> geometry_msgs.TransformStamped:
