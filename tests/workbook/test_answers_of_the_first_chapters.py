@@ -102,12 +102,37 @@ def test_a_ball_straight_ahead_is_told_that_its_distance_shrinks():
 # -- chapter 2 ------------------------------------------------------------------------
 
 
+SIGNS = {"angular_z_turning_left": "positive", "pitch_nose_down": "positive", "y_right_in_base_link": "negative",
+         "x_right_in_optical_frame": "positive", "y_above_in_optical_frame": "negative"}  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("turned", "slips"),
+    [
+        (("angular_z_turning_left", "y_right_in_base_link"), ["left hand"]),
+        (("angular_z_turning_left", "pitch_nose_down"), ["turned by the left hand"]),
+        (("angular_z_turning_left", "pitch_nose_down", "y_right_in_base_link"), ["an aeroplane's axes"]),
+        (("pitch_nose_down", "y_above_in_optical_frame"), ["by the word"]),
+        (("angular_z_turning_left", "y_above_in_optical_frame"), ["compass", "y up in the picture"]),
+    ],
+)
+def test_signs_that_come_of_one_thought_are_told_it_together(turned, slips):
+    other = {"positive": "negative", "negative": "positive"}
+    signs = {name: other[sign] if name in turned else sign for name, sign in SIGNS.items()}
+    assert slips_of("E2.1", lambda given: signs) == slips
+
+
 @pytest.mark.parametrize(
     ("places", "slips"),
     [
         (lambda x, y, z: (x, z, y), ["put together: x, z, y"]),
         (lambda x, y, z: (-z, y, x), ["put together: -z, y, x"]),
         (lambda x, y, z: (z, -x, y), ["up and down"]),
+        (lambda x, y, z: (z, -x * z, -y * z), ["times the depth"]),
+        (lambda x, y, z: (math.sqrt(z * z - x * x - y * y), -x, -y), ["depth of a ray"]),
+        (lambda x, y, z: (1.5, -0.4, 0.2), ["the mug of the page"]),
+        (lambda x, y, z: (-0.5, 0.5, -0.5), ["numbers of the rotation"]),
+        (lambda x, y, z: Transform(rotation=(0.5, 0.5, -0.5, 0.5)).apply((x, y, z)), ["sign of x tossed"]),
         (lambda x, y, z: (z, -x, -y), []),
     ],
 )
@@ -121,6 +146,7 @@ def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places,
         (lambda x, y, z: (x, z, y), "z: the right number with the wrong sign; x, y: another of the numbers"),
         (lambda x, y, z: (z, -x, -x), "z holds the number that belongs to y, which has it as well."),
         (lambda x, y, z: (-x, -y, z), "x, y, z: another of the numbers belongs there."),
+        (lambda x, y, z: (z, -z, -y), "z stands twice: was a place written over before it was read"),
     ],
 )  # fmt: skip
 def test_of_numbers_put_together_each_place_is_judged(places, said):
@@ -150,6 +176,8 @@ def about_z(z, w):
         (lambda yaw: about_z(math.sin(min(yaw, math.pi) / 2), math.cos(min(yaw, math.pi) / 2)),
              ["in some: no more than half a turn"]),
         (lambda yaw: (0.0, 0.0, 1.0, yaw), ["axis and angle"]),
+        (lambda yaw: about_z(math.sin(math.atan(math.tan(yaw)) / 2), math.cos(math.atan(math.tan(yaw)) / 2)),
+             ["by atan"]),
         (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw / 2)) if yaw else (0.0,) * 4, ["zeros for no turn"]),
     ],
 )  # fmt: skip
@@ -166,12 +194,17 @@ def test_of_a_turn_to_the_other_side_it_is_not_said_which_was_asked():
 
 
 def customs(
-    *, is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.1, length=lambda q: math.hypot(*q), zero=1e-6, off=0.01
+    *,
+    is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.1,
+    length=lambda q: math.hypot(*q),
+    zero=1e-6,
+    off=0.01,
+    finite=all,
 ):
     """Return a judge of quaternions that asks the four questions in their order."""
 
     def judge(q):
-        if not all(map(math.isfinite, q)):
+        if not finite(map(math.isfinite, q)):
             return "nan"
         if length(q) < zero:
             return "zero"
@@ -204,6 +237,9 @@ def scaled_first(q):
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) >= 0.1), ["at the bound"]),
         (customs(is_first=lambda q: max(q[0], abs(q[1])) > 0.1), ["negative x passes"]),
         (customs(is_first=lambda q: abs(q[0] or q[1]) > 0.1), ["the first that is not zero"]),
+        (customs(is_first=lambda q: abs(q[0]) or abs(q[1]) > 0.1), ["any x"]),
+        (customs(is_first=lambda q: max(abs(q[1]), abs(q[2])) > 0.1), ["read w first"]),
+        (customs(finite=any), ["none finite"]),
         (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),
         (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
         (customs(zero=1e-3), ["zero by square"]),
@@ -212,6 +248,21 @@ def scaled_first(q):
 )
 def test_an_officer_is_told_which_question_is_another(judge, slips):
     assert slips_of("E2.4", judge) == slips
+
+
+def test_a_verdict_that_is_never_returned_is_told_by_its_name():
+    verdict = verdict_on("E2.4", lambda q: None if customs()(q) == "ok" else customs()(q))
+    assert verdict.mistake is Mistake.SOMETIMES_NOTHING
+    assert 'it is the way to "ok" that has no `return`' in verdict.detail["certain"].en
+
+
+def test_a_bound_of_one_call_is_not_told_of_all():
+    def by_parts(yaw):
+        half = yaw / 2 if yaw > 0 else 0.7 * yaw / 2 + 0.1
+        return about_z(math.sin(half), math.cos(half))
+
+    verdict = verdict_on("E2.3", by_parts)
+    assert verdict.said is None and verdict.detail["certain"].en.startswith("in the call below: off by at most")
 
 
 def test_a_bound_that_is_another_is_not_said_to_be_a_certain_one():
@@ -238,6 +289,18 @@ def test_a_bound_that_is_another_is_not_said_to_be_a_certain_one():
 )
 def test_how_far_a_point_is_off_is_told_by_the_angle_that_went_in(off, slip):
     assert slips_of("E2.7", lambda given: off(given.range_m, given.written_yaw_rad)) == [slip]
+
+
+def test_the_angles_of_the_right_turn_are_no_quaternion():
+    def angles(given):
+        pitch, yaw = Transform.from_rpy(pitch=given.then_pitch_rad), Transform.from_rpy(yaw=given.first_yaw_rad)
+        return (pitch @ yaw).rpy()
+
+    assert slips_of("E2.5", lambda given: (*angles(given), 1.0)) == ["angles for a quaternion"]
+    three = verdict_on("E2.5", angles)
+    assert three.mistake is Mistake.SHAPE and "as `.rpy()` gives them" in three.detail["tip"].en
+    nested = verdict_on("E2.5", lambda given: [[0.0, 0.0, 0.0, 1.0]])
+    assert "a pair of brackets too many" in nested.detail["tip"].en
 
 
 @pytest.mark.parametrize(

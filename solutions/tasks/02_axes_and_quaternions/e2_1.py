@@ -78,6 +78,57 @@ Y_UP_IN_THE_PICTURE = Twin(
 )
 
 
+LEFT_HAND = Twin(
+    "left hand",
+    signs("angular_z_turning_left", BODY_RIGHT),
+    Words(
+        en="Both are so where y points right and z up: those are the axes of a left hand, and turns count by it, too. ROS takes the right hand: thumb up along z, fingers from x forward to y, left.",
+        ko="y가 오른쪽, z가 위를 가리킨다면 둘 다 그렇습니다. 그것은 왼손의 축이고 회전도 왼손으로 셉니다. ROS는 오른손을 씁니다. 엄지를 z 방향으로 세우면 나머지 손가락은 앞쪽 x에서 왼쪽 y로 감깁니다.",
+    ),
+)
+
+
+AEROPLANE_AXES = Twin(
+    "an aeroplane's axes",
+    signs("angular_z_turning_left", "pitch_nose_down", BODY_RIGHT),
+    Words(
+        en="All three are so with the axes of an aeroplane or a ship: x forward, y right, z down. In ROS y points left and z up.",
+        ko="셋 다 비행기나 배의 축이라면 그렇습니다. x 앞, y 오른쪽, z 아래입니다. ROS에서는 y가 왼쪽, z가 위를 가리킵니다.",
+    ),
+)
+
+
+TURNED_BY_THE_LEFT_HAND = Twin(
+    "turned by the left hand",
+    signs("angular_z_turning_left", "pitch_nose_down"),
+    Words(
+        en="Both turns go the other way, as the fingers of the left hand curl. Take the right one: thumb along z for the yaw, along y, to the left, for the pitch.",
+        ko="두 회전 모두 왼손의 손가락이 감기는 쪽, 곧 반대쪽으로 셌습니다. 오른손을 쓰십시오. yaw라면 엄지를 z 방향으로, pitch라면 왼쪽인 y 방향으로 뻗으십시오.",
+    ),
+)
+
+
+MIRRORED = Twin(
+    "mirrored",
+    signs(OPTICAL_RIGHT),
+    Words(
+        en="So it would be with the body's y, which points left, or in a mirror, seen from in front. The picture is what the camera itself sees: its x counts to the right.",
+        ko="왼쪽을 가리키는 본체의 y이거나, 앞에서 마주 본 거울 속이라면 그렇습니다. 영상은 카메라가 직접 본 것이고 x는 오른쪽으로 셉니다.",
+    ),
+    misconception="M4",
+)
+
+
+BY_THE_WORD = Twin(
+    "by the word",
+    signs("pitch_nose_down", OPTICAL_UP),
+    Words(
+        en="Both go by the word, down for minus and above for plus. No word has a sign: it is the axis that says it. A pitch turns about y, from z to x; and in a picture y points down.",
+        ko="둘 다 낱말대로 아래를 음수, 위를 양수로 보았습니다. 부호는 낱말이 아니라 축이 정합니다. pitch는 y축 둘레로 z에서 x 쪽으로 돌고, 영상에서는 y가 아래를 가리킵니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.1",
     kind="M",
@@ -91,6 +142,11 @@ TASK = Task(
         RIGHT_IS_PLUS,
         OPTICAL_AS_BODY,
         Y_UP_IN_THE_PICTURE,
+        LEFT_HAND,
+        AEROPLANE_AXES,
+        TURNED_BY_THE_LEFT_HAND,
+        MIRRORED,
+        BY_THE_WORD,
     ),
     hints=(
         Words(en="Do not calculate. Use your right hand.", ko="계산하지 마십시오. 오른손을 쓰십시오."),

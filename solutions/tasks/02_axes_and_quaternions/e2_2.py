@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Slip, Task, Vector, Words
+from tflab.workbook.tasks import Slip, Task, Twin, Vector, Words
 
 
 def detection(rng: np.random.Generator) -> dict:
@@ -17,25 +17,39 @@ def detection(rng: np.random.Generator) -> dict:
     return {"optical_p_part": (round(float(right), 2), round(float(down), 2), round(float(rng.uniform(1.2, 3.0)), 2))}
 
 
-def picked(
-    given, *, turns="both", side="left", height="up", depth="ahead", places="own", origin="camera", length="kept"
-):
+MUG = (0.40, -0.20, 1.50)  # the page's example
+
+
+def picked(given, *, part="given", turns="both", side="left", height="up", depth="ahead", places="own", origin="camera",
+           length="kept"):  # fmt: skip
     """Return the part in camera_link, step by step; other steps are the slips."""
-    x, y, z = given.optical_p_part
+    x, y, z = MUG if part == "the page's" else given.optical_p_part
+    x, y, z = {
+        "times the depth": (x * z, y * z, z),
+        "over the depth": (x / z, y / z, z),
+        "of a ray": (x, y, math.sqrt(z * z - x * x - y * y)),
+        "with a ray": (x, y, math.hypot(x, y, z)),
+        "mount added": (x + 0.10, y, z + 0.30),
+    }.get(part, (x, y, z))
     quarter = math.pi / 2
     x, y, z = {
         "both": lambda: (z, -x, -y),
         "none": lambda: (x, y, z),
         "back": lambda: (-y, -z, x),
         "other order": lambda: (y, z, x),
+        "sign of x tossed": lambda: (y, -z, -x),
+        "sign of z tossed": lambda: (-y, z, -x),
         "x and z exchanged": lambda: (z, y, x),
         "x and z exchanged, y minus": lambda: (z, -y, x),
-        "upright": lambda: (x, z, -y),
         "roll alone": lambda: Transform.from_rpy(roll=-quarter).apply((x, y, z)),
         "yaw alone": lambda: Transform.from_rpy(yaw=-quarter).apply((x, y, z)),
         "pitch": lambda: Transform.from_rpy(pitch=quarter).apply((x, y, z)),
         "roll to the other side": lambda: Transform.from_rpy(roll=quarter, yaw=-quarter).apply((x, y, z)),
         "yaw to the other side": lambda: Transform.from_rpy(roll=-quarter, yaw=quarter).apply((x, y, z)),
+        "half turns": lambda: (-x, y, -z),
+        "converted twice": lambda: Transform.from_rpy(roll=math.radians(-quarter), yaw=math.radians(-quarter)).apply(
+            (x, y, z)
+        ),
         "eighths": lambda: Transform.from_rpy(roll=-quarter / 2, yaw=-quarter / 2).apply((x, y, z)),
         "degrees": lambda: Transform.from_rpy(roll=-90.0, yaw=-90.0).apply((x, y, z)),
         "degrees, by position": lambda: Transform.from_rpy(-90.0, -90.0).apply((x, y, z)),
@@ -43,7 +57,12 @@ def picked(
     }[turns]()
     x, y, z = (-x if depth == "behind" else x), (-y if side == "right" else y), (-z if height == "down" else z)
     x, y, z = (x, z, y) if places == "exchanged" else (x, y, z)
-    ahead, up = {"base_link": (0.10, 0.30), "taken off": (-0.10, -0.30), "raised": (0.0, 0.30)}.get(origin, (0.0, 0.0))
+    ahead, up = {
+        "base_link": (0.10, 0.30),
+        "taken off": (-0.10, -0.30),
+        "raised": (0.0, 0.30),
+        "set forward": (0.10, 0.0),
+    }.get(origin, (0.0, 0.0))
     x, z = x + ahead, z + up
     share = math.hypot(x, y, z) if length == "one" else 1.0
     return (x / share, y / share, z / share)
@@ -64,8 +83,8 @@ BACKWARDS = Slip(
     "backwards",
     {"turns": "back"},
     Words(
-        en="You went the other way, from the body to the picture (or turned twice: this rotation is a third of a full turn, so twice forward is once back). The part must end up in front: is your x the depth?",
-        ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. 두 번 돌려도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 같은 쪽으로 두 번 돌리면 반대쪽으로 한 번 돌린 것과 같습니다. 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
+        en="You went the other way, from the body to the picture. (A transposed matrix, `p @ R`, a second turn, since this one is a third of a whole, and a quaternion of halves with the sign of its w tossed all come to the same.) The part must end up in front: is your x the depth?",
+        ko="거꾸로 본체에서 영상 쪽으로 옮겼습니다. (행렬의 전치나 `p @ R`, 0.5로 된 쿼터니언에서 w의 부호를 틀린 것, 두 번 돌린 것도 같은 값이 됩니다. 이 회전은 한 바퀴의 3분의 1이라서 두 번 돌리면 반대쪽으로 한 번 돌린 것과 같습니다.) 부품은 앞에 있어야 합니다. x가 깊이와 같습니까?",
     ),
     misconception="M4",
 )
@@ -75,8 +94,8 @@ NO_SIGNS = Slip(
     "no signs",
     {"side": "right", "height": "down"},
     Words(
-        en="The axes are in their places, but their directions are not: right is not left, and down is not up. (Quarter turns by +π/2, a roll and a yaw, come to the same: both are negative.)",
-        ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다. (roll과 yaw를 +π/2로 돌려도 같은 값이 됩니다. 둘 다 음수입니다.)",
+        en="The axes are in their places, but their directions are not: right is not left, and down is not up. (Quarter turns by +π/2, a roll and a yaw, come to the same: both are negative. So does a quaternion of four halves whose signs are all alike.)",
+        ko="축의 자리는 맞지만 방향이 틀립니다. 오른쪽은 왼쪽이 아니고, 아래는 위가 아닙니다. (roll과 yaw를 +π/2로 돌려도 같은 값이 됩니다. 둘 다 음수입니다. 0.5 네 개의 부호가 모두 같은 쿼터니언도 그렇습니다.)",
     ),
     misconception="M4",
 )
@@ -140,8 +159,8 @@ OTHER_ORDER = Slip(
     "other order",
     {"turns": "other order"},
     Words(
-        en="These are the two right turns in the other order, or a pitch stands in the place of one of them: with quarter turns all of that comes to the same. First the roll, about x, which stands next to the point; then the yaw, about z.",
-        ko="두 회전의 순서가 반대이거나, 둘 가운데 하나가 올 자리에 pitch를 썼습니다. 90도 회전에서는 모두 결과가 같습니다. 먼저 x축으로 도는 roll이 점 바로 옆에 오고, 그다음이 z축으로 도는 yaw입니다.",
+        en="These are the two right turns in the other order, or a pitch stands in the place of one of them: with quarter turns all of that comes to the same, and so does a quaternion of halves whose y has lost its sign. First the roll, about x, which stands next to the point; then the yaw, about z.",
+        ko="두 회전의 순서가 반대이거나, 둘 가운데 하나가 올 자리에 pitch를 썼습니다. 90도 회전에서는 모두 결과가 같습니다. 0.5로 된 쿼터니언에서 y의 부호를 틀려도 그렇습니다. 먼저 x축으로 도는 roll이 점 바로 옆에 오고, 그다음이 z축으로 도는 yaw입니다.",
     ),
 )
 
@@ -223,8 +242,8 @@ ROLL_TO_THE_OTHER_SIDE = Slip(
     "roll to the other side",
     {"turns": "roll to the other side"},
     Words(
-        en="Depth and height have the other sign, as after a roll the other way: both quarter turns are negative, -π/2.",
-        ko="깊이와 높이의 부호가 반대입니다. roll을 반대 방향으로 돌리면 이렇게 됩니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
+        en="Depth and height have the other sign: as where a camera looks along -z and y goes up (OpenGL, Blender), and after a roll the other way, or two signs of the quaternion tossed. In ROS the optical z goes forward and its y down; both quarter turns are negative, -π/2.",
+        ko="깊이와 높이의 부호가 반대입니다. 카메라가 -z 쪽을 보고 y가 위로 가는 축(OpenGL, Blender)으로 보았거나, roll을 반대 방향으로 돌렸거나, 쿼터니언의 부호를 둘 틀리면 이렇게 됩니다. ROS의 광학 좌표계는 z가 앞, y가 아래이고, 1/4 바퀴는 둘 다 음수, -π/2입니다.",
     ),
     "M4",
 )
@@ -234,8 +253,8 @@ YAW_TO_THE_OTHER_SIDE = Slip(
     "yaw to the other side",
     {"turns": "yaw to the other side"},
     Words(
-        en="Depth and side have the other sign, as after a yaw the other way: both quarter turns are negative, -π/2.",
-        ko="깊이와 옆 방향의 부호가 반대입니다. yaw를 반대 방향으로 돌리면 이렇게 됩니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
+        en="Depth and side have the other sign, as after a yaw the other way, or with two signs of the quaternion tossed: both quarter turns are negative, -π/2.",
+        ko="깊이와 옆 방향의 부호가 반대입니다. yaw를 반대 방향으로 돌리거나 쿼터니언의 부호를 둘 틀리면 이렇게 됩니다. 1/4 바퀴 둘 다 음수, -π/2입니다.",
     ),
     "M4",
 )
@@ -294,6 +313,123 @@ DEGREES_BY_POSITION = Slip(
 )
 
 
+CAMERA_SET_FORWARD = Slip(
+    "camera set forward",
+    {"origin": "set forward"},
+    Words(
+        en="You added how far ahead on the robot the camera is, 0.10. camera_link has its origin in the camera, and counts from there.",
+        ko="카메라가 로봇의 중심보다 앞에 있는 거리 0.10을 더했습니다. camera_link의 원점은 카메라에 있고 거기서부터 잽니다.",
+    ),
+)
+
+
+MOUNT_ADDED_FIRST = Slip(
+    "mount added first",
+    {"part": "mount added"},
+    Words(
+        en="You added the camera's mount of the page to the numbers of the picture. The picture and camera_link have one origin: there is nothing to add, and these two count along other axes.",
+        ko="본문의 카메라 장착 위치를 영상의 숫자에 더했습니다. 영상의 좌표계와 camera_link는 원점이 같아 더할 것이 없고, 두 값은 재는 축도 다릅니다.",
+    ),
+)
+
+
+HALF_TURNS = Slip(
+    "half turns",
+    {"turns": "half turns"},
+    Words(
+        en="This is what two half turns give, a roll and a yaw by π: no axis changes places, only signs. A quarter turn is π/2.",
+        ko="π만큼, 곧 반 바퀴씩 roll과 yaw로 돌린 값입니다. 그러면 축의 자리는 그대로이고 부호만 바뀝니다. 1/4 바퀴는 π/2입니다.",
+    ),
+    "M5",
+)
+
+
+CONVERTED_TWICE = Slip(
+    "converted twice",
+    {"turns": "converted twice"},
+    Words(
+        en="The point has hardly turned: -π/2 was taken for degrees, and converted to radians once more. It is in radians already.",
+        ko="점이 거의 돌지 않았습니다. -π/2를 도로 보고 라디안으로 한 번 더 바꾸었습니다. 이미 라디안입니다.",
+    ),
+    "M5",
+)
+
+
+TIMES_THE_DEPTH = Slip(
+    "times the depth",
+    {"part": "times the depth"},
+    Words(
+        en="The sideways and the downward number were multiplied by the depth, as one does with pixels over the focal length. These are metres already.",
+        ko="옆과 아래로 잰 숫자에 깊이를 곱했습니다. 초점 거리로 나눈 픽셀이라면 그렇게 하지만, 이 숫자는 이미 미터입니다.",
+    ),
+)
+
+
+OVER_THE_DEPTH = Slip(
+    "over the depth",
+    {"part": "over the depth"},
+    Words(
+        en="The sideways and the downward number were divided by the depth, as for a place in the picture. Asked for is the place in space, in metres.",
+        ko="옆과 아래로 잰 숫자를 깊이로 나누었습니다. 그것은 영상 속의 위치입니다. 필요한 것은 미터로 잰 공간의 위치입니다.",
+    ),
+)
+
+
+DEPTH_OF_A_RAY = Slip(
+    "depth of a ray",
+    {"part": "of a ray"},
+    Words(
+        en="You took the third number for the length of the ray to the part, and worked out the depth by Pythagoras. It is the depth itself, straight ahead.",
+        ko="세 번째 숫자를 부품까지의 직선거리로 보고 피타고라스로 깊이를 구했습니다. 그 숫자가 곧 앞으로 잰 깊이입니다.",
+    ),
+)
+
+
+RAY_FOR_DEPTH = Slip(
+    "ray for depth",
+    {"part": "with a ray"},
+    Words(
+        en="In the depth's place is the distance to the part, the root of all three squares. Ahead is the depth alone, the third number.",
+        ko="깊이가 올 자리에 부품까지의 직선거리, 곧 세 수의 제곱합의 제곱근이 있습니다. 앞쪽은 세 번째 숫자인 깊이뿐입니다.",
+    ),
+)
+
+
+NUMBERS_OF_THE_ROTATION = Twin(
+    "numbers of the rotation",
+    (-0.5, 0.5, -0.5),
+    Words(
+        en="These are the first three numbers of the turn's quaternion, as `.rotation` holds them. A place is moved by `.apply(point)`; that of a transform is its `.translation`.",
+        ko="`.rotation`에 든 쿼터니언의 처음 세 숫자입니다. 점은 `.apply(점)`으로 옮기고, 변환의 위치는 `.translation`입니다.",
+    ),
+)
+
+
+def of_a_sign_tossed(name: str) -> Slip:
+    """Return the slip of a quaternion (-0.5, 0.5, -0.5, 0.5) in which one sign is another."""
+    return Slip(
+        f"sign of {name} tossed",
+        {"turns": f"sign of {name} tossed"},
+        Words(
+            en=f"This is what the quaternion of the page gives when its {name} has the other sign, and quarter turns about "
+            "other axes may come to it, too. It takes a roll and a yaw, both -π/2.",
+            ko=f"본문의 쿼터니언에서 {name}의 부호가 반대일 때의 값입니다. 다른 축으로 1/4 바퀴씩 돌려도 이렇게 될 수 있습니다. "
+            "roll과 yaw가 필요하고 둘 다 -π/2입니다.",
+        ),
+        "M4",
+    )
+
+
+THE_MUG_OF_THE_PAGE = Slip(
+    "the mug of the page",
+    {"part": "the page's"},
+    Words(
+        en="The numbers are those of the page's mug, (0.40, -0.20, 1.50). Your part is another: `e2_2.optical_p_part`.",
+        ko="본문에 나온 머그컵 (0.40, -0.20, 1.50)의 숫자입니다. 옮길 것은 `e2_2.optical_p_part`의 부품입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E2.2",
     kind="N",
@@ -328,6 +464,18 @@ TASK = Task(
         MOUNT_TAKEN_OFF,
         CAMERA_RAISED,
         DEGREES_BY_POSITION,
+        of_a_sign_tossed("x"),
+        of_a_sign_tossed("z"),
+        THE_MUG_OF_THE_PAGE,
+        CAMERA_SET_FORWARD,
+        MOUNT_ADDED_FIRST,
+        HALF_TURNS,
+        CONVERTED_TWICE,
+        TIMES_THE_DEPTH,
+        OVER_THE_DEPTH,
+        DEPTH_OF_A_RAY,
+        RAY_FOR_DEPTH,
+        NUMBERS_OF_THE_ROTATION,
     ),
     hints=(
         Words(

@@ -40,6 +40,7 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "w positive": (sine, abs(cosine)),
         "both positive": (abs(sine), abs(cosine)),
         "all three": (sine, cosine),
+        "diagonal": (sine, cosine),
         "sine alone": (sine, 0.0),
         "sine beside one": (sine, 1.0),
         "half of it beside its root": (yaw / 2, math.sqrt(max(0.0, 1.0 - (yaw / 2) ** 2))),
@@ -50,7 +51,8 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
         "half of it to length one": (yaw / math.hypot(yaw, 2.0), 2.0 / math.hypot(yaw, 2.0)),
     }[z]
     sine = -sine if way == "right" else sine
-    row = [sine if z == "all three" or name == axis else 0.0 for name in "xyz"]
+    sine = sine / math.sqrt(3.0) if z == "diagonal" else sine
+    row = [sine if z in ("all three", "diagonal") or name == axis else 0.0 for name in "xyz"]
     return (cosine, *row) if order == "w first" else (*row, cosine)
 
 
@@ -222,8 +224,8 @@ NEVER_RIGHT = Slip(
     "never to the right",
     {"z": "positive"},
     Words(
-        en="z has lost its sign, so your robot turns left for every yaw. The sine of a negative angle is negative.",
-        ko="z의 부호가 사라져 어떤 yaw에서도 왼쪽으로 돕니다. 음의 각도의 sin은 음수입니다.",
+        en="Every turn to the right comes out as the same one to the left: z has lost its sign, or w took it. The sine of a negative angle is negative, its cosine is not turned.",
+        ko="오른쪽으로 도는 회전이 모두 같은 크기의 왼쪽 회전이 됩니다. z의 부호가 사라졌거나 w에 붙었습니다. 음의 각도의 sin은 음수이고, cos은 그대로입니다.",
     ),
 )
 
@@ -242,6 +244,16 @@ ALL_THREE = Slip(
     Words(
         en="The sine stands in x, y and z. A yaw turns about z alone: x and y are 0.",
         ko="sin이 x, y, z에 모두 있습니다. yaw는 z축만 중심으로 돕니다. x와 y는 0입니다.",
+    ),
+)
+
+
+ABOUT_THE_DIAGONAL = Slip(
+    "about the diagonal",
+    {"z": "diagonal"},
+    Words(
+        en="x, y and z share the sine: this turns about the diagonal (1, 1, 1). The axis of a yaw is (0, 0, 1): x and y are 0.",
+        ko="x, y, z가 sin을 나누어 가졌습니다. 대각선 (1, 1, 1) 둘레의 회전입니다. yaw의 축은 (0, 0, 1)이므로 x와 y는 0입니다.",
     ),
 )
 
@@ -272,8 +284,8 @@ MODULO_PI = Slip(
     "modulo pi",
     {"half": "modulo pi"},
     Words(
-        en="You took the angle modulo π: half a turn, and every turn to the right, comes out as another one. An angle needs no wrapping here.",
-        ko="각도를 π로 나눈 나머지를 썼습니다. 반 바퀴와 오른쪽 회전이 모두 다른 각도가 됩니다. 여기서는 각도를 감을 필요가 없습니다.",
+        en="You took the angle modulo π: every turn to the right, and every one to the left from half a circle on, comes out as another. An angle needs no wrapping here.",
+        ko="각도를 π로 나눈 나머지를 썼습니다. 오른쪽 회전과, 왼쪽으로 반 바퀴부터의 회전이 모두 다른 각도가 됩니다. 여기서는 각도를 감을 필요가 없습니다.",
     ),
 )
 
@@ -390,8 +402,8 @@ NO_SIGN_AT_ALL = Slip(
     "no sign at all",
     {"z": "both positive"},
     Words(
-        en="Neither z nor w is ever negative here, as if both came from square roots: the signs are lost. For a turn to the right by less than half a circle z is negative, and beyond half a turn w is. Sine and cosine of half the angle have both signs.",
-        ko="z도 w도 음수가 되지 않습니다. 둘 다 제곱근으로 구한 것처럼 부호가 사라졌습니다. 오른쪽으로 반 바퀴보다 적게 돌면 z가, 반 바퀴를 넘으면 w가 음수입니다. 각도 절반의 sin과 cos에는 두 부호가 모두 들어 있습니다.",
+        en="Neither z nor w is ever negative here, as if both came from square roots, or the angle from acos: the signs are lost. For a turn to the right by less than half a circle z is negative, and beyond half a turn w is. Sine and cosine of half the angle have both signs.",
+        ko="z도 w도 음수가 되지 않습니다. 둘 다 제곱근으로 구했거나 각도를 acos으로 구한 것처럼 부호가 사라졌습니다. 오른쪽으로 반 바퀴보다 적게 돌면 z가, 반 바퀴를 넘으면 w가 음수입니다. 각도 절반의 sin과 cos에는 두 부호가 모두 들어 있습니다.",
     ),
 )
 
@@ -490,6 +502,28 @@ ALONE = (
         "yaw가 0일 때 네 숫자가 모두 0입니다. 그것은 회전이 아니며 TF가 거절합니다. 돌지 않는 회전은 (0, 0, 0, 1)입니다.",
     ),
     of_yaw(
+        "by atan",
+        lambda yaw: turned(math.atan(math.tan(yaw))),
+        "The angle was brought to between -π/2 and π/2, as `atan` gives it: a yaw beyond a quarter turn comes out as another. "
+        "It needs no wrapping: sine and cosine take any angle.",
+        "`atan`처럼 각도를 -π/2와 π/2 사이로 옮겼습니다. 1/4 바퀴를 넘는 yaw는 다른 각도가 됩니다. 각도를 감을 필요가 "
+        "없습니다. sin과 cos은 어떤 각도든 받습니다.",
+    ),
+    of_yaw(
+        "by asin",
+        lambda yaw: turned(math.asin(math.sin(yaw))),
+        "The angle was worked out by `asin`, which knows nothing beyond a quarter turn: there a yaw comes out as its mirror "
+        "image. It needs no wrapping: sine and cosine take any angle.",
+        "`asin`으로 각도를 구했습니다. asin은 1/4 바퀴 너머를 알지 못해 그보다 큰 yaw가 거울에 비친 각도가 됩니다. 각도를 감을 "
+        "필요가 없습니다. sin과 cos은 어떤 각도든 받습니다.",
+    ),
+    of_yaw(
+        "times pi",
+        lambda yaw: turned(math.pi * yaw),
+        "There is a π too many: the yaw is in radians, and π is in it already. Half of it goes into sine and cosine.",
+        "π를 한 번 더 곱했습니다. yaw는 라디안이어서 π가 이미 들어 있습니다. sin과 cos에는 그 절반만 넣습니다.",
+    ),
+    of_yaw(
         "no more than half a turn",
         lambda yaw: held_within(yaw, math.pi),
         "A yaw beyond half a turn is cut off at π. It needs no bound: sine and cosine take any angle.",
@@ -536,6 +570,7 @@ TASK = Task(
         NEVER_RIGHT,
         W_NEVER_NEGATIVE,
         ALL_THREE,
+        ABOUT_THE_DIAGONAL,
         QUARTER_OF_THE_ANGLE,
         SINE_OF_THE_WHOLE,
         MODULO_PI,

@@ -11,6 +11,7 @@ from tflab.core.quaternions import wxyz_from_xyzw
 from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
+PARTLY = {"without w": "xyz", "without x": "yzw", "without y": "xzw", "without z": "xyw"}  # which are asked for NaN
 
 
 def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, float, float]]]:
@@ -34,6 +35,7 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         (math.inf, 0.0, 0.0, 1.0),
         (0.0, math.nan, 0.0, 1.0),
         (0.0, 0.0, 0.0, math.nan),
+        (math.nan, 0.0, 0.0, 1.0),
         tuple(length * part for part in good),
         (0.0, 0.0, share, round(1.0 - share, 2)),
         wxyz_from_xyzw(yawed(0.3, 1.2)),
@@ -50,9 +52,12 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
         (0.08, 0.08, 0.0, math.sqrt(1.0 - 2 * 0.08**2)),  # each below the bound, their sum not
         (0.3, -0.3, 0.0, math.sqrt(1.0 - 2 * 0.3**2)),  # each above it, their sum not
+        (0.0, 0.08, 0.0, math.sqrt(1.0 - 0.08**2)),  # y alone is not 0
         (0.05, 0.3, math.sqrt(1.0 - 0.05**2 - 0.3**2), 0.0),  # the first is not 0, and below it
         (0.06, 0.06, math.sqrt(1.0 - 2 * 0.06**2), 0.0),  # nor is their length
         (8e-7, 8e-7, 8e-7, 8e-7),  # each next to nothing, their length not
+        (math.nan, math.nan, math.nan, math.nan),
+        (0.9, 0.0, math.nan, 0.0),  # not finite, and tipped
     ]
     return [(q,) for q in drawn]
 
@@ -65,9 +70,12 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "infinity": lambda part: not math.isinf(part),
         "nan": lambda part: not math.isnan(part),
         "not asked": lambda part: True,
-        "without w": math.isfinite,
+        "any": math.isfinite,
+        "last": lambda part: True,
+        **dict.fromkeys(PARTLY, math.isfinite),
     }
-    if not all(map(finites[finite], q[:3] if finite == "without w" else q)):
+    asked = [finites[finite](part) for name, part in zip("xyzw", q, strict=True) if name in PARTLY.get(finite, "xyzw")]
+    if not (any(asked) if finite == "any" else all(asked)):
         return "nan"
     if length == "of the scaled" and math.hypot(*q) >= below:
         q = tuple(part / math.hypot(*q) for part in q)
@@ -81,7 +89,9 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
               "x over z": abs(q[0]) > abs(q[2]),
               "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,
               "w over z, signed": q[3] > q[2], "x over w, signed": q[0] > q[3],
-              "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3])}  # fmt: skip
+              "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3]),
+              "any x": q[0] != 0.0 or abs(q[1]) > above, "any y": abs(q[0]) > above or q[1] != 0.0,
+              "read w first": max(abs(q[1]), abs(q[2])) > above}  # fmt: skip
     is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
@@ -113,15 +123,17 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
               "none below": math.inf if off < -1e-9 else off}  # fmt: skip
     if window.get(sides, abs(off)) > tolerance:
         return "not unit"
-    return "w first" if is_tipped else "ok"
+    if is_tipped:
+        return "w first"
+    return "nan" if finite == "last" and not all(map(math.isfinite, q)) else "ok"
 
 
 NAN_SLIPS_THROUGH = Slip(
     "nan slips through",
     {"finite": "not asked"},
     Words(
-        en="NaN slips through: every comparison with it is False, so no 'if' catches it. Ask for it first, with math.isfinite.",
-        ko="NaN이 빠져나갔습니다. NaN과의 비교는 모두 False여서 어떤 if에도 걸리지 않습니다. math.isfinite로 맨 먼저 확인하십시오.",
+        en="NaN slips through: math.sqrt and math.hypot raise nothing, every comparison with NaN is False, and `in` finds it by luck alone. Ask for it first, with math.isfinite.",
+        ko="NaN이 빠져나갔습니다. math.sqrt나 math.hypot은 예외를 내지 않고, NaN과의 비교는 모두 False이며, `in`으로는 운이 좋아야 찾습니다. math.isfinite로 맨 먼저 확인하십시오.",
     ),
     misconception="M5",
 )
@@ -131,8 +143,8 @@ INFINITY_SLIPS_THROUGH = Slip(
     "infinity slips through",
     {"finite": "nan"},
     Words(
-        en="Infinity slips through: it is no number to compute with either. Ask math.isfinite of each of the four numbers, before anything else; it finds NaN and infinity.",
-        ko="무한대가 빠져나갔습니다. 무한대로도 계산할 수 없습니다. math.isfinite로 숫자 네 개를 맨 먼저 모두 확인하십시오. NaN과 무한대를 다 찾아냅니다.",
+        en="Infinity slips through: you ask for NaN alone, or ask only after the length, and infinity is never of length one. Ask math.isfinite of each of the four numbers, before anything else; it finds both.",
+        ko="무한대가 빠져나갔습니다. NaN만 확인했거나, 길이를 본 다음에야 확인했습니다. 무한대의 길이는 1이 될 수 없습니다. math.isfinite로 숫자 네 개를 맨 먼저 모두 확인하십시오. 둘 다 찾아냅니다.",
     ),
     misconception="M5",
 )
@@ -183,8 +195,8 @@ SUM_FOR_LENGTH = Slip(
     "sum for length",
     {"length": "sum"},
     Words(
-        en="That is the sum of the four numbers, not their length. The length is the root of the sum of squares: math.hypot.",
-        ko="그것은 숫자 네 개의 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
+        en="That is the sum of the sizes of the four numbers, not their length. The length is the root of the sum of squares: math.hypot.",
+        ko="그것은 숫자 네 개의 크기를 더한 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
 )
 
@@ -279,8 +291,8 @@ ONLY_X = Slip(
     "only x",
     {"looks": "x"},
     Words(
-        en="You look at x alone. The task says x or y: a large y would tip the robot over just the same.",
-        ko="x만 보았습니다. 문제에는 x나 y라고 적혀 있습니다. y가 커도 로봇은 똑같이 넘어집니다.",
+        en="You look at x alone. (Does a loop return in its first round?) The task says x or y: a large y would tip the robot over just the same.",
+        ko="x만 보았습니다. (반복문이 첫 바퀴에서 반환하지 않습니까?) 문제에는 x나 y라고 적혀 있습니다. y가 커도 로봇은 똑같이 넘어집니다.",
     ),
 )
 
@@ -538,8 +550,8 @@ FIVE_THOUSANDTHS = Slip(
     "tolerance 0.005",
     {"tolerance": 0.005},
     Words(
-        en="Your tolerance for the length is narrower than the task's: a length of 1.008 is refused, and it should not be.",
-        ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.008을 거절하는데, 통과시켜야 합니다.",
+        en="Your tolerance for the length is narrower than the task's: a length of 1.008 is refused, and it should not be. To round the length to two digits allows half of 0.01 alone.",
+        ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.008을 거절하는데, 통과시켜야 합니다. 길이를 소수 둘째 자리로 반올림하면 0.01의 절반만 허용하게 됩니다.",
     ),
 )
 
@@ -573,10 +585,36 @@ ALONE = (
         ),
     ),
     judged_by(
-        "w not asked",
-        {"finite": "without w"},
-        "A w that is NaN slips through: you ask three of the four numbers whether they are finite.",
-        "w가 NaN인 것이 빠져나갔습니다. 네 숫자 가운데 셋만 유한한지 확인합니다.",
+        "none finite",
+        {"finite": "any"},
+        'You say "nan" only where none of the four is finite: any and all are exchanged. One that is not finite is enough: '
+        "not all of them are.",
+        '네 숫자가 모두 유한하지 않을 때만 "nan"이라고 합니다. any와 all이 바뀌었습니다. 하나만 유한하지 않아도 됩니다.',
+    ),
+    judged_by(
+        "finite asked last",
+        {"finite": "last"},
+        "You ask last whether the four are finite. By then infinity has been called not unit, and NaN beside a large x or y "
+        "w first. The task asks it first.",
+        "유한한지를 맨 나중에 확인합니다. 그 전에 무한대는 not unit이 되고, 큰 x나 y와 함께 온 NaN은 w first가 됩니다. "
+        "문제에서는 이것을 맨 먼저 봅니다.",
+    ),
+    judged_by(
+        "read w first",
+        {"size": "read w first"},
+        "You look at the second and third of the four numbers, as if they were (w, x, y, z). q is (x, y, z, w): x and y are "
+        "the first two.",
+        "네 숫자를 (w, x, y, z)로 읽은 것처럼 둘째와 셋째 숫자를 봅니다. q는 (x, y, z, w)이므로 x와 y는 처음 둘입니다.",
+    ),
+    *(
+        judged_by(
+            f"{name} not asked",
+            {"finite": f"without {name}"},
+            f"A{'n' if name == 'x' else ''} {name} that is not finite slips through: you ask three of the four numbers "
+            "whether they are.",
+            f"유한하지 않은 {name}를 놓쳤습니다. 네 숫자 가운데 셋만 유한한지 확인합니다.",
+        )
+        for name in "xyzw"
     ),
     judged_by(
         "too long passes",
@@ -601,6 +639,17 @@ ALONE = (
         {"size": "first that is not 0"},
         "You look at y only where x is 0, as `x or y` does in Python. The task asks each: abs(x) > 0.1 or abs(y) > 0.1.",
         "x가 0일 때만 y를 봅니다. 파이썬의 `x or y`가 그렇게 합니다. 하나씩 물으십시오. abs(x) > 0.1 or abs(y) > 0.1.",
+    ),
+    *(
+        judged_by(
+            f"any {one}",
+            {"size": f"any {one}"},
+            f"Any {one} that is not 0 is too large for you, and of {other} you ask whether it is above 0.1. In `abs(x) or abs(y) > "
+            "0.1` only the last is compared: ask each, abs(x) > 0.1 or abs(y) > 0.1.",
+            f"{one}는 0만 아니면 크다고 보고, {other}만 0.1과 비교합니다. `abs(x) or abs(y) > 0.1`에서는 마지막 것만 "
+            "비교합니다. 하나씩 물으십시오. abs(x) > 0.1 or abs(y) > 0.1.",
+        )
+        for one, other in ("xy", "yx")
     ),
     judged_by(
         "squares over the bound",

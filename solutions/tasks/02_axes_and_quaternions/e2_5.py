@@ -455,8 +455,8 @@ BY_HAND = (
     of_numbers(
         "no turn",
         (0.0, 0.0, 0.0, 1.0),
-        "(0, 0, 0, 1) is no turn at all: neither of the two is in it.",
-        "(0, 0, 0, 1)은 돌지 않은 것입니다. 두 회전이 모두 들어 있지 않습니다.",
+        "(0, 0, 0, 1) is no turn at all: neither of the two is in it. Multiplied number by number and scaled to length one, they come to this as well: quaternions have a product of their own, `@` of two Transforms.",
+        "(0, 0, 0, 1)은 돌지 않은 것입니다. 두 회전이 모두 들어 있지 않습니다. 숫자끼리 곱해서 길이를 1로 맞추어도 이렇게 됩니다. 쿼터니언에는 고유한 곱이 있고, Transform 둘을 `@`로 이으면 됩니다.",
     ),
     of_numbers(
         "pitch undone",

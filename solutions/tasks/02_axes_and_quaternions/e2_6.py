@@ -67,8 +67,8 @@ QUATERNION = Twin(
     "quaternion",
     lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
     Words(
-        en="A quaternion of zeros would not turn the cloud: the transform would be refused and nothing drawn. One with w first would show in the angles. Look at the three lines of evidence.",
-        ko="모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다. w를 먼저 썼다면 각도에 드러납니다. 증거 세 줄을 보십시오.",
+        en="A quaternion of zeros would not turn the cloud: the transform would be refused and nothing drawn. One with w first would show in the angles: -90 0 -90 does not come of it, that is how an optical frame is mounted. Look at the three lines of evidence.",
+        ko="모두 0인 쿼터니언이라면 변환이 거절되어 아무것도 그려지지 않습니다. w를 먼저 썼다면 각도에 드러납니다. -90 0 -90은 그렇게 나온 값이 아니라 광학 좌표계의 올바른 장착입니다. 증거 세 줄을 보십시오.",
     ),
     misconception="M5",
     part="fault",
@@ -203,16 +203,16 @@ TASK = Task(
             ko="내 노드에서 고치면 나에게만 고쳐집니다.",
         ),
         "right": Words(
-            en="right is -y of base_link: then the depth, the third number, would have to be read as -y.",
-            ko="오른쪽은 base_link의 -y입니다. 그러려면 세 번째 숫자인 깊이가 -y로 읽혀야 합니다.",
+            en="right is -y of base_link: then the depth, the third number, would have to be read as -y, as where the optical turn is made twice, or backwards.",
+            ko="오른쪽은 base_link의 -y입니다. 그러려면 세 번째 숫자인 깊이가 -y로 읽혀야 하고, 광학 좌표계의 회전을 두 번 하거나 거꾸로 하면 그렇게 됩니다.",
         ),
         "left": Words(
-            en="left is +y of base_link: then the depth, the third number, would have to be read as y.",
-            ko="왼쪽은 base_link의 +y입니다. 그러려면 세 번째 숫자인 깊이가 y로 읽혀야 합니다.",
+            en="left is +y of base_link: then the depth, the third number, would have to be read as y, as where of the optical turn only the roll is made. Without any turn the second number is y, which counts down, to the floor.",
+            ko="왼쪽은 base_link의 +y입니다. 그러려면 세 번째 숫자인 깊이가 y로 읽혀야 하고, 광학 좌표계의 회전 가운데 roll만 하면 그렇게 됩니다. 아예 돌리지 않으면 y가 되는 것은 두 번째 숫자, 곧 바닥이 있는 아래쪽입니다.",
         ),
         "above": Words(
-            en="above is +z of base_link: then the depth, the third number, would have to be read as z.",
-            ko="위는 base_link의 +z입니다. 그러려면 세 번째 숫자인 깊이가 z로 읽혀야 합니다.",
+            en="above is +z of base_link: then the depth, the third number, would have to be read as z, as where the optical turn is not made at all.",
+            ko="위는 base_link의 +z입니다. 그러려면 세 번째 숫자인 깊이가 z로 읽혀야 하고, 광학 좌표계의 회전을 아예 하지 않으면 그렇게 됩니다.",
         ),
         "ahead": Words(
             en="ahead is where the wall would be if nothing were wrong.",

@@ -56,6 +56,8 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "sine, in degrees": reach_m * math.sin(math.degrees(given.written_yaw_rad)),
         "both angles": reach_m * (math.pi / 2 + given.written_yaw_rad),
         "arc tangent": math.atan(reach_m * missing),
+        "bracket missing": reach_m * quarters[quarter] - given.written_yaw_rad / 1000.0,
+        "bracket missing, in metres": reach_m * quarters[quarter] - given.written_yaw_rad,
         "to centimetres": round(reach_m * missing, 2),
     }
     return 1000.0 * (abs(off_m[length]) if sign == "dropped" else -abs(off_m[length]))
@@ -329,6 +331,20 @@ ALONE = (
         {"length": "arc tangent"},
         "That is an angle, an arc tangent. Asked for is a length: how far aside the point is.",
         "atan으로 구한 각도입니다. 필요한 것은 길이, 곧 점이 옆으로 벗어난 거리입니다.",
+    ),
+    *(
+        off_by(
+            name,
+            {"length": name},
+            f"The written angle was taken off {taken}, not off π/2: `*` and `/` come before `-`. The difference of the two "
+            "angles belongs into brackets.",
+            f"π/2가 아니라 {taken_ko}에서 적힌 각도를 뺐습니다. `*`와 `/`를 `-`보다 먼저 계산합니다. 두 각도의 차이를 괄호로 "
+            "묶으십시오.",
+        )
+        for name, taken, taken_ko in (
+            ("bracket missing", "the millimetres", "밀리미터로 곱한 값"),
+            ("bracket missing, in metres", "the metres", "미터로 곱한 값"),
+        )
     ),
     off_by(
         "to centimetres",

@@ -35,6 +35,10 @@ ASKED = Words(
     ko="하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
 )
 OTHER_SIGN = Words(en="{names}: the right number with the wrong sign", ko="{names}: 숫자는 맞고 부호가 반대")
+TWICE = Words(
+    en="{letter} stands twice: was a place written over before it was read, or a line copied?",
+    ko="{letter}이(가) 두 번 나옵니다. 읽기 전에 덮어썼거나 줄을 복사하지 않았습니까?",
+)
 OTHER_NUMBER = Words(en="{names}: another of the numbers belongs there", ko="{names}: 다른 숫자가 올 자리")
 GIVES = Words(en="{name}: this is what `{sum}` gives", ko="{name}: `{sum}`의 값입니다")
 
@@ -118,8 +122,16 @@ def put_together(
         if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
             want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
             judged = _judged(have, want, form.tolerance) if want else ASKED
-            return f"put together: {places}", PUT.filled(name=name, places=places, judged=judged)
+            said = PUT.filled(name=name, places=places, judged=judged)
+            return f"put together: {places}", Words.joined(said, _stands_twice(places))
     return None
+
+
+def _stands_twice(places: str) -> Words | None:
+    """Return that a letter stands in two places, whatever its sign; None if none does."""
+    letters = places.replace("-", "").split(", ")
+    letter = next((one for one in letters if letters.count(one) == 2), None)
+    return TWICE.filled(letter=letter) if letter else None
 
 
 def _judged(have: Sequence[float], want: Sequence[float], tolerance: float) -> Words:

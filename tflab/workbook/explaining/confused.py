@@ -20,7 +20,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..words import Words
 
-__all__ = ["confused", "confused_in_lists", "seen_of", "word_of"]
+__all__ = ["confused", "confused_in_lists", "never_said", "seen_of", "word_of"]
 
 SWAPPED = Words(
     en='"{one}" and "{other}" have changed places.',
@@ -41,6 +41,10 @@ NONE_OF_THEM = Words(
 SOMETIMES = Words(
     en='in {wrong} of the {of} places that ask for "{wanted}", there is "{said}".',
     ko='"{wanted}"이어야 하는 곳 {of}개 가운데 {wrong}개에 "{said}"이(가) 있습니다.',
+)
+NOTHING = Words(
+    en='wherever "{wanted}" is asked for, nothing is returned: it is the way to "{wanted}" that has no `return`',
+    ko='"{wanted}"이어야 하는 곳마다 아무것도 반환하지 않습니다. "{wanted}"(으)로 가는 갈래에 `return`이 없습니다',
 )
 
 
@@ -122,6 +126,15 @@ def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequenc
     return confused(
         form.of, [word for said, _ in pairs for word in said], [word for _, asked in pairs for word in asked]
     )
+
+
+def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
+    """Return the only word for which a function returns nothing, if it does so wherever that one is asked for."""
+    pairs = {(word_of(form, want), outcome is None) for want, outcome in zip(wanted, outcomes, strict=True)}
+    words = {word for word, is_nothing in pairs if is_nothing}
+    if len(words) != 1 or None in words or (word := words.pop(), False) in pairs:
+        return None
+    return NOTHING.filled(wanted=word)
 
 
 def word_of(form: Choice, plain: Plain) -> str | None:

@@ -16,7 +16,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..answers.form import Form, member
+from ..answers.form import Form, inside, is_number, member
 from ..answers.forms import Angle, Choice, Message, Name, Number, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
@@ -40,6 +40,23 @@ AN_ERROR = Words(
     ko="예외 자체를 넘겼습니다. 여기서 필요한 것은 낱말입니다. 그 클래스의 이름은 `type(error).__name__`입니다",
 )
 
+ANGLES = Words(
+    en="Three numbers are angles, as `.rpy()` gives them, or an axis; the four of a Transform's rotation are in "
+    "`.rotation`",
+    ko="숫자 셋은 `.rpy()`가 주는 각도이거나 축입니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 있습니다",
+)
+WITHOUT_ZEROS = Words(
+    en="Two numbers say too little: a number that is 0 stands there, too",
+    ko="숫자 둘로는 모자랍니다. 0인 숫자도 자리에 써야 합니다",
+)
+ONE_INSIDE = Words(
+    en="There is a pair of brackets too many: the numbers stand in a list inside another",
+    ko="괄호가 한 겹 더 있습니다. 숫자가 든 리스트가 다른 리스트 안에 있습니다",
+)
+A_MATRIX = Words(
+    en="That is a matrix; the four numbers of a Transform's rotation are in `.rotation`",
+    ko="행렬을 넘겼습니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 있습니다",
+)
 OF_A_TRANSFORM = {
     Quaternion: Words(
         en="That is a whole transform; its quaternion is `.rotation`",
@@ -87,7 +104,15 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
         return A_STAMP if kind == "message" else A_TIME.filled(kind=kind)
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
         return NO_MESSAGE.filled(name=form.type.rpartition("/")[2])
+    if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
+        return _said_of_no_quaternion(numbers)
     return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
+
+
+def _said_of_no_quaternion(members: list[Plain]) -> Words | None:
+    if members and all(isinstance(row, list) or isinstance(inside(row), list) for row in members):
+        return A_MATRIX if len(members) > 1 else ONE_INSIDE
+    return {2: WITHOUT_ZEROS, 3: ANGLES}.get(len(members)) if all(map(is_number, members)) else None
 
 
 def _said_of_an_object(form: Form, outcome: dict[str, Plain]) -> Words | None:

@@ -24,6 +24,7 @@ from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequ
 from ..answers.members import members_of
 from ..answers.values import Plain
 from ..words import Words
+from .angles import ANGLES, holds_angles
 from .shell_words import LINES, told_of_a_line, wrong_in
 from .trees import TREES, of_trees, told_of_a_tree
 from .universal import OF_FORM
@@ -100,6 +101,7 @@ LOSSES = {
         en="this is one less than it should be: is an end, or the one you count from, left out?",
         ko="하나 모자랍니다. 끝이나 세기 시작한 것을 빠뜨리지 않았습니까?",
     ),
+    "angles for a quaternion": ANGLES,
     "no sign": Words(
         en="the sizes are right, and every sign is plus: was it taken off, by `abs`, a square or a distance?",
         ko="크기는 맞지만 부호가 모두 플러스입니다. `abs`나 제곱, 거리로 부호를 없애지 않았습니까?",
@@ -201,10 +203,16 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
         yield "zero"
     if len(rows[0][1]) in NEW and not isinstance(form, Number | Angle):
         yield from _told(_misplaced(rows, form.tolerance))
-    if isinstance(form, Number):
-        yield from _counted_or_signed([(given[0], want[0]) for given, want in rows], form)
+    yield from _lost_by_kind(form, rows)
     if not is_empty and _all_rounded(form, rows):
         yield "rounded"
+
+
+def _lost_by_kind(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
+    if isinstance(form, Number):
+        yield from _counted_or_signed([(given[0], want[0]) for given, want in rows], form)
+    elif isinstance(form, Quaternion) and all(holds_angles(*row) for row in rows):
+        yield "angles for a quaternion"
 
 
 def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:

@@ -215,7 +215,7 @@ def _constant(node: ast.Constant, used: _Used) -> Iterator[Other]:
             yield "opposite", ast.Constant(not held)
     elif isinstance(held, int | float):
         near = (held + 1, held - 1, 0, 1) if isinstance(held, int) else ()
-        others = [*near, *(held * factor for factor in FACTORS)]
+        others = [*near, *(held * factor for factor in FACTORS), *([1 / held] if held else [])]
         yield from (("number", ast.Constant(other)) for other in dict.fromkeys(others) if other != held)
     elif isinstance(held, str):
         yield from (("word", ast.Constant(word)) for word in sorted(used.words - {held}))

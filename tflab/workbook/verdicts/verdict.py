@@ -23,6 +23,7 @@ from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..explaining.certain import certain
 from ..explaining.common import calls_in_common
+from ..explaining.confused import never_said
 from ..explaining.explain import explained
 from ..explaining.explanation import Explanation
 from ..explaining.kinds import kind_said
@@ -41,6 +42,8 @@ JOINED = Words(
     en="`+` between two lists or tuples joins them; it does not add their numbers",
     ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
 )
+
+IN_THIS_CALL = Words(en="in the call below: {said}", ko="아래 호출에서: {said}")
 
 NESTED = Words(
     en="One dict holds all edges; in yours, other dicts stand inside it",
@@ -208,7 +211,7 @@ def _unexplained(
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
     if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
         return Mistake(habit), {}
-    bounds = certain(form, outcome, expected)
+    bounds = _bounds(task, cases, outcomes, rights, case)
     if task.is_function and (
         common := calls_in_common(form, [case.args for case in cases], outcomes, [case.expected for case in cases])
     ):
@@ -219,12 +222,25 @@ def _unexplained(
     return Mistake.VALUE, {"certain": bounds}
 
 
+def _bounds(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], shown: int
+) -> Words | None:
+    """Return what is certain of the answer; of calls, of all that go wrong, or else of the one that is shown."""
+    said = certain(task.form, outcomes[shown], cases[shown].expected)
+    wrong = (number for number, row in enumerate(rights) if not all(row))
+    if said is None or all(said == certain(task.form, outcomes[number], cases[number].expected) for number in wrong):
+        return said
+    return IN_THIS_CALL.filled(said=said)
+
+
 def _of_nothing(
     form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
 ) -> dict[str, Any]:
     """Return what the calls have in common in which a function gives nothing, if all others are right."""
     if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
         return {}
+    if isinstance(form, Choice) and (said := never_said(form, outcomes, [case.expected for case in cases])):
+        return {"certain": said}
     args = [case.args for case in cases]
     return {"certain": calls_in_common(form, args, outcomes, [case.expected for case in cases])}
 
@@ -305,20 +321,25 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
         and not isinstance(form, Number | Angle | Choice | Message)
         and _holds_numbers(body)
     ):
-        return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else {}
+        return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else _tip_of(form, outcome)
     return Mistake.TYPE, _meant(form, outcome)
 
 
 def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     """Return the tip for what has the wrong kind in a way that is plain to see."""
-    if (said := kind_said(form, outcome)) is not None:
-        return {"tip": said}
+    if tip := _tip_of(form, outcome):
+        return tip
     body = inside(outcome)
     if not (isinstance(form, Tree) and isinstance(body, dict)):
         return {}
     odd = next((held for held in body.values() if not isinstance(held, str)), None)
     is_nested = any(isinstance(inside(held), dict) for held in body.values())
     return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": NESTED} if is_nested else {})}
+
+
+def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
+    said = kind_said(form, outcome)
+    return {} if said is None else {"tip": said}
 
 
 def _is_joined(form: Form, outcome: Plain) -> bool:
