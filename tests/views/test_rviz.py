@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pytest
+import umsgpack
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.views.rviz import (
@@ -218,6 +219,20 @@ def test_choosing_a_fixed_frame_in_the_widget_redraws_and_takes_away_what_cannot
     assert frame_line(rviz, "base_link").startswith("frame in odom: x 1.000 m")
     assert set(picker.options) == {*PARENTS, "mpa"}
     assert picker.label == "odom"  # which is what the browser shows
+
+
+def test_another_fixed_frame_moves_maps_paths_clouds_and_scans_and_sends_none_of_them_again():
+    at = world()
+    plan = Path("map", LATEST, ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0)))
+    cloud = PointCloud2("laser_frame", seconds(2.0), ((1.0, 0.0, 0.0),))
+    more = (Display("Path", (plan,), "/plan"), Display("PointCloud2", (cloud,), "/points"))
+    rviz = RViz(at.parents, (*at.displays, *more), at.ask)
+    sent: list[dict] = []
+    rviz.scene.send = lambda _content, buffers=(): sent.extend(umsgpack.unpackb(buffer) for buffer in buffers)
+    rviz.fixed_frame = "base_link"
+    moved = {command["path"].split("/")[2] for command in sent if command["type"] == "set_transform"}
+    assert {"Map", "Path", "PointCloud2", "LaserScan", "RobotModel"} <= {name.partition("_")[0] for name in moved}
+    assert not [command["path"] for command in sent if command["type"] == "set_object"]
 
 
 def test_new_values_keep_the_fixed_frame():

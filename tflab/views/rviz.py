@@ -206,20 +206,22 @@ def _draw_tf(scene: Scene, parents: Mapping[str, str], poses: Mapping[str, Trans
 
 
 def _draw_message(scene: Scene, path: str, message: Message, fixed_T_message: Transform, colour: str) -> None:
+    """Draw a message where it was measured, and move it: another Fixed Frame moves it, and sends nothing else."""
     if isinstance(message, LaserScan):
         rays = (message.ranges_m, message.angle_min_rad, message.angle_increment_rad)
         draw_scan(scene, path, fixed_T_message, *rays, colour=colour)
         return
+    scene[path].set_transform(fixed_T_message.matrix())
     if isinstance(message, MapCells):
         cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
         message_p = np.column_stack([cells, np.zeros(len(cells))])
-        draw_points(scene, path, fixed_T_message.apply(message_p), "#808890", 1.4 * message.resolution_m, "map cells")
+        draw_points(scene, path, message_p, "#808890", 1.4 * message.resolution_m, "map cells")
         return
-    fixed_p = fixed_T_message.apply(np.asarray(message.points, dtype=float).reshape(-1, 3))
+    message_p = np.asarray(message.points, dtype=float).reshape(-1, 3)
     if isinstance(message, Path):
-        draw_path(scene, path, fixed_p, colour)
+        draw_path(scene, path, message_p, colour)
     else:
-        draw_points(scene, path, fixed_p, colour)
+        draw_points(scene, path, message_p, colour)
 
 
 def _place(entry: Shown, number: int, message: int) -> str:

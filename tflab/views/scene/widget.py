@@ -194,7 +194,9 @@ class Scene(anywidget.AnyWidget):
         self._tell(command.lower())
 
     def _tell(self, command: dict) -> None:
-        command = with_stable_ids(plain(command), command["path"])
+        command = plain(command)
+        if command["type"] == "set_object":
+            command = with_stable_ids(command, command["path"])
         with self.redraw():
             if self._recording is not None:
                 self._recording.append(command)
