@@ -37,7 +37,7 @@ if TYPE_CHECKING:
 __all__ = ["RulersPicture", "describe_rulers", "draw_rulers", "readings_of"]
 
 ROBOT = "base_link"
-ROBOT_SCALE = 1.4
+ROBOT_SCALE = 2.4  # larger than life: what lies on its tray must not cover it
 CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
 SAME_M = 0.0005  # what prints alike is called the same
 MARGIN_M = 1.0  # around what is shown, at the least
@@ -135,7 +135,7 @@ class _Map:
         self.robot = RobotArtists(ax, FROM_ABOVE, style.GREY, scale=ROBOT_SCALE)
         self.legs = {axis: _Leg(ax, axis) for axis in ("x", "y")}
         (self.origin,) = ax.plot([], [], linestyle="none", marker="o", markersize=5, color=style.INK, zorder=40)
-        (self.thing,) = ax.plot([], [], linestyle="none", marker="o", markersize=9, color=style.ACCENT, zorder=41)
+        (self.thing,) = ax.plot([], [], linestyle="none", marker="o", markersize=7, color=style.ACCENT, zorder=41)
         legs = [artist for leg in self.legs.values() for artist in leg.artists]
         self.artists = [*self.robot.artists, *legs, self.origin, self.thing, self.numbers, self.change]
 
