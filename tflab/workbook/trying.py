@@ -22,6 +22,7 @@ from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .explaining.changes import gave
 from .places import Workbook
+from .repairing.lint import said_of_its_text
 from .repairing.one_place import said_of_one_place
 from .reply import in_notebook, show_caption, show_reply
 from .tasks.case import TaskCases, Variant
@@ -107,14 +108,15 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
 def _with_its_place(
     assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
 ) -> tuple[Verdict, list[Plain]]:
-    """Return the verdict, and where no known mistake fits, the one place in the function that is wrong."""
+    """Return the verdict with what is plain to see in a wrong function, or where one edit makes it right."""
+    if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
+        return verdict, outcomes
     is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.twins)
-    is_wrong = verdict.mistake in IN_ONE_PLACE and not is_known
-    if is_wrong and not os.environ.get("NBGRADER_EXECUTION"):
+    place = said_of_its_text(answer)
+    if place is None and verdict.mistake in IN_ONE_PLACE and not is_known:
         with suppress(KeyboardInterrupt):  # who stops it wants the reply
             place = said_of_one_place(answer, assigned.cases.form, assigned.variant.cases, outcomes)
-            return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
-    return verdict, outcomes
+    return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 
 
 # -- saying ---------------------------------------------------------------------------

@@ -51,6 +51,19 @@ ACCUSED_THE_ONE_THAT_MOVES = Twin(
 )
 
 
+ACCUSED_THE_ONE_THAT_REACHES_BACK = Twin(
+    "accused the one that reaches back",
+    {**RIGHT, "d edge": "odom"},
+    misconception="M11",
+    reply=Words(
+        en="map -> odom reaches back furthest, to 20.5 s, and so it has the moment of line d. Into the past the walk "
+        "ends at an edge that begins too late: the last number of line d says when.",
+        ko="map -> odom은 가장 오래전인 20.5초부터 있으므로 d의 요청 시각에도 표본이 있습니다. 과거로는 너무 늦게 시작하는 "
+        "연결에서 막힙니다. 그 시작은 d의 마지막 숫자입니다.",
+    ),
+)
+
+
 THIRD_TEXT_MISSED = Twin(
     "third text missed",
     {**RIGHT, "e": "past"},
@@ -212,6 +225,7 @@ TASK = Task(
     twins=(
         ACCUSED_THE_NAMED_FRAME,
         ACCUSED_THE_ONE_THAT_MOVES,
+        ACCUSED_THE_ONE_THAT_REACHES_BACK,
         THIRD_TEXT_MISSED,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         SLASH_TAKEN_FOR_A_NAME,

@@ -52,6 +52,8 @@ def classified(
     extrapolations = ("future", "past", "one sample")
     if refused is not None and let_through in (kind, "extrapolation" if kind in extrapolations else kind, "any"):
         raise refused
+    if moment == "no path at the latest" and refusal(buffer, target, source, Time()) is not None:
+        return "connectivity"
     if moment == "path first":
         first = kind_of(refusal(buffer, target, source, Time()))
         kind = first if first in ("connectivity", "lookup") else kind
@@ -92,6 +94,16 @@ ASKED_FOR_THE_LATEST = Slip(
         ko="어떤 시각을 주어도 최신을 물은 것처럼 판단합니다. `stamp`를 조회에 그대로 넘기고 있습니까?",
     ),
     "M9",
+)
+
+NO_ANSWER_AT_THE_LATEST_IS_NO_PATH = Twin(
+    "no answer at the latest is no path",
+    partial(classified, moment="no path at the latest"),
+    Words(
+        en='whatever tf2 refuses at the latest, too, is "connectivity" for you: a name that is unknown, and one that is none, as well. That `can_transform` is false, or that a lookup at `Time()` fails, says no more than no. Which no it is stands in the class of the exception.',
+        ko='최신으로 물어도 거절되면 모두 "connectivity"라고 합니다. 모르는 이름도, 이름이 될 수 없는 것도 그렇습니다. `can_transform`이 False이거나 `Time()` 조회가 실패해도 안 된다는 것만 알 수 있습니다. 왜 안 되는지는 예외의 클래스에 있습니다.',
+    ),
+    "M11",
 )
 
 PATH_BEFORE_MOMENT = Slip(
@@ -232,8 +244,8 @@ NO_TEXT_IS_READ = Slip(
     "no text is read",
     {"texts": "none read"},
     Words(
-        en='every extrapolation is "one sample" for you. Its text may say "into the future" or "into the past"; what is left says neither. Do you look for just these words, in `str(error)`?',
-        ko='외삽이면 무조건 "one sample"입니다. 오류 메시지에 "into the future"나 "into the past"가 있을 수 있고, 둘 다 없는 것만 남습니다. `str(error)`에서 바로 그 말을 찾고 있습니까?',
+        en='every extrapolation is "one sample" for you. Its text may say "into the future" or "into the past"; what is left says neither. Do you look for just these words, in `str(error)` as a whole and in small letters? Of its single words one is "future.", with the full stop.',
+        ko='외삽이면 무조건 "one sample"입니다. 오류 메시지에 "into the future"나 "into the past"가 있을 수 있고, 둘 다 없는 것만 남습니다. `str(error)` 전체에서 바로 그 말을, 소문자로 찾고 있습니까? 낱말로 나누면 마침표가 붙은 "future."가 됩니다.',
     ),
     "M11",
 )
@@ -395,6 +407,7 @@ TASK = Task(
     twins=(
         ASKED_FOR_THE_LATEST,
         PATH_BEFORE_MOMENT,
+        NO_ANSWER_AT_THE_LATEST_IS_NO_PATH,
         TWO_TEXTS,
         BASE_CLASS_FIRST,
         FUTURE_AND_PAST_SWAPPED,

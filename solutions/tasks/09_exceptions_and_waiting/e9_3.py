@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from tflab.core import seconds
+from tflab.core import TransformException, seconds
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
@@ -130,7 +130,7 @@ def action(
         return "wait" if gap_ns <= seconds(limit_s) else far
     words = {"ok": "use", "past": "drop", "one sample": "drop", "lookup": "check names", "connectivity": "check tree"}
     if kind == "past" and isinstance(wait_for_past, str):
-        return {"the past alone": "wait", "the past is used": "use"}[wait_for_past]
+        return {"the past alone": "wait", "the past is used": "use", "the clocks": "check clocks"}[wait_for_past]
     if wait_for_past is True and kind in ("past", "one sample"):
         return "wait"
     return words.get(kind, "fix message")
@@ -262,8 +262,8 @@ NEVER_WAITS = Slip(
     {"limit_s": -1.0},
     misconception="M10",
     reply=Words(
-        en="your function suspects the clocks at any gap, even at one of 100 ns. A small one is ordinary: the transform is on its way. Is the bound in the unit of the gap? In nanoseconds 0.2 s are 200 000 000.",
-        ko="간격이 100나노초뿐이어도 시계를 의심합니다. 작은 간격은 흔한 일이고 변환이 오는 중입니다. 한계의 단위가 간격의 단위와 같습니까? 0.2초를 나노초로 쓰면 200 000 000입니다.",
+        en="your function suspects the clocks at any gap, even at one of 100 ns. A small one is ordinary: the transform is on its way. Is the gap the stamp minus the latest common time, and not the time on a clock minus the stamp? And is the bound in its unit? In nanoseconds 0.2 s are 200 000 000.",
+        ko="간격이 100나노초뿐이어도 시계를 의심합니다. 작은 간격은 흔한 일이고 변환이 오는 중입니다. 간격이 시계의 현재 시각이 아니라 최신 공통 시각과의 차이입니까? 한계의 단위가 간격의 단위와 같습니까? 0.2초를 나노초로 쓰면 200 000 000입니다.",
     ),
 )
 
@@ -323,12 +323,38 @@ THIRD_TEXT_TAKEN_FOR_THE_FUTURE = Slip(
 )
 
 
-def use_or_wait(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
-    return "use" if action(buffer, message) == "use" else "wait"
+def one_word(buffer: Buffer, message: geometry_msgs.PointStamped, *, word: str) -> str:
+    return "use" if action(buffer, message) == "use" else word
 
 
-def use_or_drop(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
-    return "use" if action(buffer, message) == "use" else "drop"
+def no_path_at_the_latest(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    at_the_latest = refusal(buffer, "map", message.header.frame_id, Time())
+    return action(buffer, message) if at_the_latest is None else "check tree"
+
+
+def gap_first(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    stamp = Time.from_msg(message.header.stamp)
+    try:
+        newest = buffer.get_latest_common_time("map", message.header.frame_id)
+    except TransformException as error:
+        return {"LookupException": "check names", "ConnectivityException": "check tree"}.get(
+            type(error).__name__, "fix message"
+        )
+    gap_ns = stamp.nanoseconds - newest.nanoseconds
+    if gap_ns > 0:
+        return "wait" if gap_ns <= seconds(LIMIT_S) else "check clocks"
+    return action(buffer, message)
+
+
+GAP_BEFORE_THE_LOOKUP = Twin(
+    "gap before the lookup",
+    gap_first,
+    misconception="M11",
+    reply=Words(
+        en='you reckon the gap before you ask tf2. `get_latest_common_time` refuses in its own way: without a path it raises no ConnectivityException. And an edge that was heard just once has a gap and no future. Look up at the stamp first, and reckon the gap only where the text says "into the future".',
+        ko='tf2에 묻기 전에 간격부터 계산합니다. `get_latest_common_time`은 거절하는 방식이 달라서, 경로가 없어도 ConnectivityException을 일으키지 않습니다. 딱 한 번 들은 연결에는 간격은 있어도 미래가 없습니다. 먼저 메시지의 시각으로 조회하고, "into the future"일 때만 간격을 계산하십시오.',
+    ),
+)
 
 
 DIRECTION_UNREAD = Slip(
@@ -338,6 +364,17 @@ DIRECTION_UNREAD = Slip(
     reply=Words(
         en='you judge every extrapolation by its gap. Into the past the gap is below zero, and so it "waits" for what the buffer has forgotten; and an edge that was heard just once has no newest sample to wait for. Read the direction in the text first: only "into the future" has a gap to compare.',
         ko='외삽이면 모두 간격으로 판단합니다. 과거라면 간격이 음수라서 버퍼가 잊은 것을 "wait"하게 되고, 딱 한 번 들은 연결에는 기다릴 다음 표본이 없습니다. 먼저 오류 메시지에서 방향을 읽으십시오. 간격을 비교할 것은 "into the future"뿐입니다.',
+    ),
+)
+
+
+DIRECTION_LOST = Slip(
+    "direction lost",
+    {"wait_for_past": "the clocks", "two_texts": True},
+    misconception="M11",
+    reply=Words(
+        en='you never drop: the past, and an edge that was heard just once, are "check clocks" for you. Is it the size of the gap alone that you judge, as `abs(...)` makes it, or an `else` for all that may not wait? Read the direction in the text first: a gap is compared only where it says "into the future".',
+        ko='버리는 일이 없습니다. 과거도, 딱 한 번 들은 연결도 "check clocks"입니다. `abs(...)`처럼 간격의 크기만 보거나, 기다리지 않을 것을 모두 `else`에 넣지 않았습니까? 먼저 오류 메시지에서 방향을 읽으십시오. 간격을 비교할 것은 "into the future"뿐입니다.',
     ),
 )
 
@@ -491,7 +528,7 @@ NO_BRANCH_FOR_NO_NAME = Twin(
 
 ONE_ACTION_FOR_EVERY_NO = Twin(
     "one action for every no",
-    use_or_drop,
+    partial(one_word, word="drop"),
     misconception="M11",
     reply=Words(
         en='every refusal is a "drop" for you. Then a transform that is 0.1 s late costs a message each time, and a typo is never found: one branch for each class.',
@@ -647,12 +684,39 @@ ODOM_THROUGHOUT = Twin(
 
 A_WAIT_FOR_EVERY_NO = Twin(
     "a wait for every no",
-    use_or_wait,
+    partial(one_word, word="wait"),
     Words(
         en='every refusal is a "wait" for you. Only what is on its way is worth one: a little into the future. A typo, a torn tree, a wrong clock and the past stay as they are, however long you wait. `can_transform` says only yes or no: the class of the exception, and its text, say why.',
         ko='거절이면 무조건 "wait"입니다. 기다릴 만한 것은 오는 중인 것, 곧 조금 미래인 경우뿐입니다. 오타, 끊어진 트리, 틀린 시계, 과거는 아무리 기다려도 그대로입니다. `can_transform`은 예, 아니요만 답합니다. 까닭은 예외의 클래스와 오류 메시지에 있습니다.',
     ),
     "M10",
+)
+
+
+def every_no_is(word: str) -> Twin:
+    """Return the twin that does this whatever tf2 refuses."""
+    return Twin(
+        f"every no: {word}",
+        partial(one_word, word=word),
+        misconception="M11",
+        reply=Words(
+            en=f'every refusal is "{word}" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text. One branch for each.',
+            ko=f'이유가 무엇이든 거절이면 모두 "{word}"입니다. `can_transform`은 예, 아니요만 답하고 `except` 하나도 마찬가지입니다. 까닭은 예외의 클래스에 있고, 외삽이라면 오류 메시지에 있습니다. 경우마다 분기를 하나씩 두십시오.',
+        ),
+    )
+
+
+EVERY_NO = tuple(map(every_no_is, ("check names", "check tree", "check clocks")))
+
+
+NO_ANSWER_AT_THE_LATEST_IS_NO_PATH = Twin(
+    "no answer at the latest is no path",
+    no_path_at_the_latest,
+    misconception="M11",
+    reply=Words(
+        en='whatever tf2 refuses at the latest, too, is "check tree" for you: a name that is unknown, and one that is none, as well. That `can_transform` is false, or that a lookup at `Time()` fails, says no more than no. Which no it is stands in the class of the exception.',
+        ko='최신으로 물어도 거절되면 모두 "check tree"라고 합니다. 모르는 이름도, 이름이 될 수 없는 것도 그렇습니다. `can_transform`이 False이거나 `Time()` 조회가 실패해도 안 된다는 것만 알 수 있습니다. 왜 안 되는지는 예외의 클래스에 있습니다.',
+    ),
 )
 
 
@@ -685,6 +749,7 @@ TASK = Task(
         WAITS_FOR_EVERY_EXTRAPOLATION,
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         DIRECTION_UNREAD,
+        DIRECTION_LOST,
         *THIRD_TEXTS,
         GAP_ALONE,
         GAP_OF_NANOSEC,
@@ -714,6 +779,9 @@ TASK = Task(
         WANTED_IN_ODOM,
         ODOM_THROUGHOUT,
         A_WAIT_FOR_EVERY_NO,
+        *EVERY_NO,
+        GAP_BEFORE_THE_LOOKUP,
+        NO_ANSWER_AT_THE_LATEST_IS_NO_PATH,
     ),
     hints=(
         Words(

@@ -55,8 +55,8 @@ ALWAYS_LATE = Twin(
     always_late,
     misconception="M10",
     reply=Words(
-        en="not all three are late. Subtract stamp from heard for each message first, and look at the sign and at how much the numbers tremble.",
-        ko="셋 다 늦은 것은 아닙니다. 먼저 메시지마다 들은 시각에서 측정 시각을 빼고, 부호와 떨림을 보십시오.",
+        en="not all three are late. Subtract stamp from heard for each message first, and look at the sign and at how much the numbers tremble. If a loop wrote this: does each turn read its own robot's rows?",
+        ko="셋 다 늦은 것은 아닙니다. 먼저 메시지마다 들은 시각에서 측정 시각을 빼고, 부호와 떨림을 보십시오. 반복문으로 구했다면 바퀴마다 그 로봇의 행을 읽습니까?",
     ),
 )
 
@@ -70,8 +70,8 @@ ALWAYS_A_CLOCK = Twin(
     always_fast,
     misconception="M10",
     reply=Words(
-        en="not every gap is the laser's clock. A fast laser clock makes the delay of /scan too small: look at /scan of each robot first.",
-        ko="모든 간격이 레이저 시계 탓은 아닙니다. 레이저 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오.",
+        en="not every gap is the laser's clock. A fast laser clock makes the delay of /scan too small: look at /scan of each robot first. If a loop wrote this: does each turn read its own robot's rows?",
+        ko="모든 간격이 레이저 시계 탓은 아닙니다. 레이저 시계가 빠르면 /scan의 지연이 너무 작아집니다. 로봇마다 /scan부터 보십시오. 반복문으로 구했다면 바퀴마다 그 로봇의 행을 읽습니까?",
     ),
 )
 
@@ -115,8 +115,8 @@ SIGN_OVERLOOKED = Twin(
     no_sign,
     misconception="M10",
     reply=Words(
-        en="one robot hears its scans before they are measured: a clock does that, and no network. And were it the listener's clock, that robot's /odom would come out wrong by as much. What is its delay there?",
-        ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 네트워크로는 그럴 수 없으니 시계 탓입니다. 듣는 쪽의 시계가 틀렸다면 그 로봇의 /odom도 그만큼 어긋났을 것입니다. /odom의 지연은 얼마입니까?",
+        en="one robot hears its scans before they are measured: a clock does that, and no network. And were it the listener's clock, that robot's /odom would come out wrong by as much. What is its delay there? If you computed it: column 1 minus column 0, of the rows of /scan?",
+        ko="한 로봇은 스캔을 측정하기도 전에 듣습니다. 네트워크로는 그럴 수 없으니 시계 탓입니다. 듣는 쪽의 시계가 틀렸다면 그 로봇의 /odom도 그만큼 어긋났을 것입니다. /odom의 지연은 얼마입니까? 계산했다면 /scan의 행에서 1열 빼기 0열로 했습니까?",
     ),
 )
 
@@ -130,8 +130,8 @@ TREMBLE_NOT_TRUSTED = Twin(
     tremble_not_trusted,
     misconception="M10",
     reply=Words(
-        en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told.",
-        ko="한 로봇의 /odom은 메시지마다 4분의 1초씩 떨립니다. 시계는 그러지 않지만 네트워크는 그럽니다. 그만큼은 알 수 있습니다.",
+        en="one robot's /odom trembles by a quarter of a second from message to message. A clock does not do that, a network does: so much can be told. If you computed it: from the rows of /odom, and is the bound a tenth of a second or so?",
+        ko="한 로봇의 /odom은 메시지마다 4분의 1초씩 떨립니다. 시계는 그러지 않지만 네트워크는 그럽니다. 그만큼은 알 수 있습니다. 계산했다면 /odom의 행으로 했습니까? 기준은 0.1초쯤입니까?",
     ),
 )
 
@@ -145,8 +145,8 @@ ALWAYS_OPEN = Twin(
     always_open,
     misconception="M10",
     reply=Words(
-        en="you leave all three open. Of two of them the numbers do tell it: one hears its scans before their stamps while its /odom comes as it should, and the /odom of another trembles, which no clock does.",
-        ko="셋 다 알 수 없다고 했습니다. 그 가운데 둘은 숫자로 알 수 있습니다. 하나는 /odom은 제대로 오는데 스캔을 측정 시각보다 먼저 듣고, 다른 하나는 /odom이 떨립니다. 시계는 그렇게 떨리지 않습니다.",
+        en="you leave all three open. Of two of them the numbers do tell it: one hears its scans before their stamps while its /odom comes as it should, and the /odom of another trembles, which no clock does. If a loop wrote this: does each turn read its own robot's rows?",
+        ko="셋 다 알 수 없다고 했습니다. 그 가운데 둘은 숫자로 알 수 있습니다. 하나는 /odom은 제대로 오는데 스캔을 측정 시각보다 먼저 듣고, 다른 하나는 /odom이 떨립니다. 시계는 그렇게 떨리지 않습니다. 반복문으로 구했다면 바퀴마다 그 로봇의 행을 읽습니까?",
     ),
 )
 
@@ -203,8 +203,8 @@ STAMP_MINUS_HEARD = Twin(
     turned_around(UNKNOWN),
     misconception="M10",
     reply=Words(
-        en="you call the laser's clock fast just where it is not, and not where it is: your subtraction is turned around. The delay is heard minus stamp; then what has come from the future is below zero.",
-        ko="레이저 시계가 빠르지 않은 곳에서만 빠르다고 하고, 빠른 곳에서는 아니라고 합니다. 뺄셈이 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
+        en="you call the laser's clock fast just where it is not, and not where it is: your subtraction is turned around, or your comparison. The delay is heard minus stamp; then what has come from the future is below zero.",
+        ko="레이저 시계가 빠르지 않은 곳에서만 빠르다고 하고, 빠른 곳에서는 아니라고 합니다. 뺄셈이나 비교가 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
     ),
 )
 
@@ -214,8 +214,8 @@ STAMP_MINUS_HEARD_AND_LATE = Twin(
     turned_around(LATE),
     misconception="M10",
     reply=Words(
-        en="you call the one fast clock late, and the two others fast: your subtraction is turned around. The delay is heard minus stamp; then what has come from the future is below zero.",
-        ko="빠른 시계 하나를 늦었다고 하고 나머지 둘을 빠르다고 했습니다. 뺄셈이 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
+        en="you call the one fast clock late, and the two others fast: your subtraction is turned around, or your comparison. The delay is heard minus stamp; then what has come from the future is below zero.",
+        ko="빠른 시계 하나를 늦었다고 하고 나머지 둘을 빠르다고 했습니다. 뺄셈이나 비교가 뒤집혔습니다. 지연은 들은 시각에서 측정 시각을 뺀 값이고, 그러면 미래에서 온 것이 음수가 됩니다.",
     ),
 )
 

@@ -35,6 +35,10 @@ def queues(rng: np.random.Generator) -> list[tuple]:
         (before(0.3, 0.9, 0.2, 0.1), now, 0.5, 5),  # one that is too old came late
         ([int(now) - 0.5, int(now) - 0.25], float(int(now)), 0.5, 5),  # at one limit alone
         ([int(now) - 0.25, float(int(now))], float(int(now)), 0.5, 5),  # at the other
+        *(([int(now) - age], float(int(now)), 0.5, 5) for age in (0.9, 0.5, 0.0, -0.4)),  # one alone, of each sort
+        (before(0.3, 0.1), now, 1.0, 1),  # room for one
+        (before(0.25, 0.05, 0.15), now, 1.0, 5),  # out of order, and room for all
+        ([int(now) - 0.25, int(now) - 0.25, int(now) - 0.05], float(int(now)), 0.5, 5),  # room for both twins
     ]
 
 
@@ -50,11 +54,13 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
             "one more": stamps_s[max(0, len(stamps_s) - max_size - 1) :],
             "one less": stamps_s[max(0, len(stamps_s) - max_size + 1) :],
             "oldest": stamps_s[:max_size],
+            "all but the newest": stamps_s[:-max_size],
             "not cut": stamps_s,
             "one goes": stamps_s[len(stamps_s) > max_size :],
         }[size]
 
-    stamps_s = cut_to_size(sorted(stamps_s)) if first == "cut" else stamps_s
+    if first == "cut":
+        stamps_s = cut_to_size(list(stamps_s) if order == "cut by place" else sorted(stamps_s))
 
     if ahead == "as now":
         stamps_s = [min(stamp, now_s) for stamp in stamps_s]
@@ -101,8 +107,9 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         for stamp in young:
             if not stays(now_s - stamp):
                 young.remove(stamp)
-    young = {"by stamp": sorted(young), "by place": young, "set": sorted(set(young))}[order]
+    young = {"by stamp": sorted(young), "by place": young, "cut by place": young, "set": sorted(set(young))}[order]
     cut = young if first == "cut" else cut_to_size(young)
+    cut = sorted(cut) if order == "cut by place" else cut
     losses = {
         "went": came - len(cut),
         "stayed": len(cut),
@@ -112,6 +119,7 @@ def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", 
         "none where there is no room": came - len(cut) if max_size else 0,
         "none where none is young": came - len(cut) if young else 0,
         "what is not among the kept": sum(stamp not in cut for stamp in all_s),
+        "ahead": sum(stamp > now_s for stamp in all_s),
         "too old": sum(now_s - stamp > max_age_s for stamp in stamps_s),
         "too old and cut": sum(now_s - stamp > max_age_s for stamp in stamps_s) + len(young) - len(cut),
     }
@@ -136,6 +144,26 @@ AGE_IGNORED = Slip(
     reply=Words(
         en="there are messages in your queue that are older than the limit. A queue that is not full may still be stale.",
         ko="한계보다 오래된 메시지가 큐에 남아 있습니다. 꽉 차지 않은 큐도 낡을 수 있습니다.",
+    ),
+)
+
+
+NOTHING_SIEVED = Slip(
+    "nothing sieved",
+    {"old": "kept", "ahead": "kept"},
+    reply=Words(
+        en="nothing is sieved out: what is too old stays, and what comes from the future as well. Is it `or` where both bounds have to hold, or `and` where one of two reasons is enough to go?",
+        ko="아무것도 거르지 않습니다. 너무 오래된 것도, 미래에서 온 것도 남습니다. 두 조건이 다 맞아야 남는 곳에 `or`를 썼거나, 하나만 어겨도 버릴 곳에 `and`를 썼습니까?",
+    ),
+)
+
+
+ALL_BUT_THE_NEWEST = Slip(
+    "all but the newest",
+    {"size": "all but the newest"},
+    reply=Words(
+        en="`[:-max_size]` is all but the last `max_size`: just those that should stay go.",
+        ko="`[:-max_size]`은 마지막 `max_size`개를 뺀 나머지입니다. 남아야 할 바로 그것들이 나갑니다.",
     ),
 )
 
@@ -188,6 +216,16 @@ BY_PLACE = Slip(
     reply=Words(
         en="you go by the order of arrival. Messages may overtake each other: age is a matter of the stamp.",
         ko="도착 순서를 따르고 있습니다. 메시지는 서로 앞지를 수 있습니다. 나이는 측정 시각으로 정합니다.",
+    ),
+)
+
+
+CUT_BY_PLACE = Slip(
+    "cut by place",
+    {"order": "cut by place"},
+    reply=Words(
+        en="you sort only what is left: which messages have to go, you decide by the order of arrival. A `deque(maxlen=…)` does so, too. Messages may overtake each other: sort by stamp before you cut.",
+        ko="남은 것만 정렬합니다. 무엇을 버릴지는 도착 순서로 정했습니다. `deque(maxlen=…)`도 그렇게 합니다. 메시지는 서로 앞지를 수 있으니 자르기 전에 시각 순으로 정렬하십시오.",
     ),
 )
 
@@ -298,6 +336,15 @@ LOST_OLD = Slip(
     Words(
         en='"lost" counts only those that are too old. Those from the future and those for which there is no room went, too.',
         ko='"lost"가 너무 오래된 것만 셉니다. 미래에서 온 것과 자리가 없어 버린 것도 세어야 합니다.',
+    ),
+)
+
+LOST_AHEAD = Slip(
+    "lost are only those ahead",
+    {"lost": "ahead"},
+    Words(
+        en='"lost" counts only those from the future. Those that are too old and those for which there is no room went, too.',
+        ko='"lost"가 미래에서 온 것만 셉니다. 너무 오래된 것과 자리가 없어 버린 것도 세어야 합니다.',
     ),
 )
 
@@ -536,11 +583,14 @@ TASK = Task(
     twins=(
         KEEPS_THE_OLDEST,
         AGE_IGNORED,
+        NOTHING_SIEVED,
+        ALL_BUT_THE_NEWEST,
         SIZE_IGNORED,
         FUTURE_KEPT,
         AGE_BY_ITS_SIZE,
         NEWEST_FIRST,
         BY_PLACE,
+        CUT_BY_PLACE,
         CUT_BEFORE_SIEVING,
         EVERYTHING_KEPT,
         COUNTED_WHAT_STAYED,
@@ -553,6 +603,7 @@ TASK = Task(
         LOST_CUT,
         LOST_NONE,
         LOST_OLD,
+        LOST_AHEAD,
         LOST_WITHOUT_THE_FUTURE,
         AGES,
         OLD_ONES_WANTED,

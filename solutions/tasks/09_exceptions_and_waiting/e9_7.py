@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import partial
 from statistics import mean
 
@@ -11,19 +12,26 @@ from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
 
 
 def two_edges(rng: np.random.Generator) -> dict:
-    """Draw two edges of which the slow one decides, and a scan that has been under way for a while."""
+    """Draw two edges of which the slow one decides, and a scan that has been under way for a while.
+
+    Each ends in another tenth of a millisecond: two mistakes do not come to the same number by chance.
+    """
+
+    def drawn(low_s: float, high_s: float, rest_ms: float) -> float:
+        return round(round(float(rng.uniform(low_s, high_s)), 3) + rest_ms / 1000.0, 4)
+
     return {
         "localization": {
             "rate_hz": float(rng.choice((6.0, 7.0, 7.5, 9.0))),
-            "delay_s": round(float(rng.uniform(0.070, 0.090)), 3),
-            "jitter_s": round(float(rng.uniform(0.020, 0.040)), 3),
+            "delay_s": drawn(0.070, 0.089, 0.3),
+            "jitter_s": drawn(0.020, 0.039, 0.4),
         },
         "wheel_odometry": {
             "rate_hz": float(rng.choice((22.0, 24.0, 26.0))),
-            "delay_s": round(float(rng.uniform(0.004, 0.015)), 3),
-            "jitter_s": round(float(rng.uniform(0.045, 0.060)), 3),
+            "delay_s": drawn(0.004, 0.014, 0.6),
+            "jitter_s": drawn(0.045, 0.059, 0.7),
         },
-        "scan_delay_s": round(float(rng.uniform(0.010, 0.022)), 3),
+        "scan_delay_s": drawn(0.010, 0.021, 0.9),
     }
 
 
@@ -33,6 +41,12 @@ def wait_of(
     """Return the wait; the options are the mistakes."""
     sources = (given.localization, given.wheel_odometry)
     every = {name: [one[name] for one in sources] for name in ("rate_hz", "delay_s", "jitter_s")}
+    period_of = {
+        "one over it": lambda hz: 1.0 / hz,
+        "as it is": lambda hz: hz,
+        "milliseconds": lambda hz: 1000.0 / hz,
+        "radians": lambda hz: 1.0 / (math.tau * hz),
+    }[rate]
     if edges in ("periods added", "rates added"):
         rates = every["rate_hz"]
         period = sum(1.0 / hz for hz in rates) if edges == "periods added" else 1.0 / sum(rates)
@@ -41,18 +55,24 @@ def wait_of(
     if edges == "the worst of each":
         worst = 1.0 / min(every["rate_hz"]) + max(every["delay_s"]) + max(every["jitter_s"])
         return worst - scan * given.scan_delay_s
-    slow, quick = sorted(sources, key=lambda one: one["rate_hz"])
+    slow = min(sources, key=lambda one: one["rate_hz"])
+    if edges == "delays added":
+        late = sum(every["delay_s"]) + sum(every["jitter_s"])
+        return 1.0 / slow["rate_hz"] + late - scan * given.scan_delay_s
     if edges == "the period alone":
         return 1.0 / slow["rate_hz"]
-    if edges == "one's period and the other's delay":
-        return 1.0 / slow["rate_hz"] + quick["delay_s"] + quick["jitter_s"] - scan * given.scan_delay_s
-    each = [
-        periods * (one["rate_hz"] if rate == "as it is" else 1.0 / one["rate_hz"])
-        + delay * one["delay_s"]
-        + jitter * one["jitter_s"]
-        for one in sources
-    ]
+    if isinstance(edges, tuple):  # whose period, whose delay, whose jitter
+        of_period, of_delay, of_jitter = (getattr(given, name) for name in edges)
+        mixed = 1.0 / of_period["rate_hz"] + of_delay["delay_s"] + of_jitter["jitter_s"]
+        return mixed - scan * given.scan_delay_s
+    parts = [(periods * period_of(one["rate_hz"]), delay * one["delay_s"], jitter * one["jitter_s"]) for one in sources]
+    each = [math.hypot(*row) if edges == "root of squares" else sum(row) for row in parts]
     return combine(each) - scan * given.scan_delay_s
+
+
+def of_edges(edges: str | tuple[str, str, str]) -> dict:
+    """Return the steps of who takes numbers from the wrong edges: besides, only the scan's delay can be wrong."""
+    return {"edges": edges, "periods": 1.0, "delay": 1.0, "jitter": 1.0}
 
 
 def delay_taken_off(given) -> float:
@@ -65,8 +85,8 @@ PERIOD_FORGOTTEN = Slip(
     "period forgotten",
     {"periods": 0.0},
     reply=Words(
-        en="with this wait it succeeds sometimes. In the worst case the transform you need is stamped a whole period after the scan.",
-        ko="이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔보다 한 주기 뒤입니다.",
+        en="the period is missing: with this wait it succeeds only sometimes. In the worst case the transform you need is stamped a whole period after the scan.",
+        ko="주기가 빠졌습니다. 이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔보다 한 주기 뒤입니다.",
     ),
 )
 
@@ -85,8 +105,8 @@ JITTER_FORGOTTEN = Slip(
     "jitter forgotten",
     {"jitter": 0.0},
     reply=Words(
-        en="you reckon with a quiet day. By how much may a transform be later than its delay?",
-        ko="조용한 날만 계산했습니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
+        en="the jitter is missing: you reckon with a quiet day. By how much may a transform be later than its delay?",
+        ko="지터가 빠져 조용한 날만 계산했습니다. 변환은 정해진 지연보다 얼마나 더 늦을 수 있습니까?",
     ),
 )
 
@@ -115,8 +135,8 @@ QUICK_EDGE = Slip(
     "quick edge",
     {"combine": min},
     reply=Words(
-        en="that is the edge that comes first. A lookup needs all of them.",
-        ko="먼저 오는 연결로 계산했습니다. 조회에는 모든 연결이 필요합니다.",
+        en="this is the wait for one edge alone, `wheel_odometry`, which comes first. A lookup needs `map → odom`, too: is an edge left out, or is it `min` where the later one decides?",
+        ko="먼저 오는 연결인 `wheel_odometry` 하나로만 계산했습니다. 조회에는 `map → odom`도 필요합니다. 연결 하나를 빠뜨렸습니까, 늦은 쪽이 정하는 곳에 `min`을 썼습니까?",
     ),
 )
 
@@ -210,17 +230,17 @@ HALF_THE_JITTER = Slip(
 
 THE_WORST_OF_EACH = Slip(
     "the worst of each",
-    {"edges": "the worst of each"},
+    of_edges("the worst of each"),
     Words(
-        en="you took the longest period, the longest delay and the largest jitter, each from whichever edge has it. They are of two edges: reckon each edge by itself, and then take the later.",
-        ko="주기와 지연과 지터를 저마다 가장 큰 연결에서 골랐습니다. 서로 다른 연결의 것입니다. 연결마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
+        en="you took the longest period, the longest delay and the largest jitter, each from whichever edge has it. They are of two edges: is it a `max` for each number, or a line copied from the other edge? Reckon each edge by itself, and then take the later.",
+        ko="주기와 지연과 지터를 저마다 가장 큰 연결에서 골랐습니다. 서로 다른 연결의 것입니다. 수마다 `max`를 썼거나 다른 연결의 줄을 복사했습니까? 연결마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
     ),
 )
 
 
 PERIODS_ADDED = Slip(
     "periods added",
-    {"edges": "periods added"},
+    of_edges("periods added"),
     Words(
         en="you added the periods of the two edges. They run side by side, each at its own rate: reckon each edge by itself, and then take the later.",
         ko="두 연결의 주기를 더했습니다. 둘은 저마다의 주파수로 나란히 옵니다. 연결마다 따로 계산한 다음 늦은 쪽을 고르십시오.",
@@ -230,7 +250,7 @@ PERIODS_ADDED = Slip(
 
 RATES_ADDED = Slip(
     "rates added",
-    {"edges": "rates added"},
+    of_edges("rates added"),
     Words(
         en="you added the rates, as if either message would do. A lookup needs one of each edge: reckon each by itself, and then take the later.",
         ko="두 연결의 주파수를 더해, 아무 메시지나 오면 되는 것처럼 계산했습니다. 조회에는 연결마다 하나씩 필요합니다. 따로 계산한 다음 늦은 쪽을 고르십시오.",
@@ -258,12 +278,77 @@ PERIOD_ALONE = Twin(
 )
 
 
-EDGES_MIXED = Slip(
-    "edges mixed",
-    {"edges": "one's period and the other's delay"},
+def mixed(period: str, delay: str, jitter: str) -> Slip:
+    """Return the slip that takes its three numbers from different edges."""
+    of = (("rate_hz", period), ("delay_s", delay), ("jitter_s", jitter))
+    rows = [f"`{name}` of `{source}`" for name, source in of]
+    korean = [f"`{source}`의 `{name}`" for name, source in of]
+    return Slip(
+        f"mixed: {period}, {delay}, {jitter}",
+        of_edges((period, delay, jitter)),
+        Words(
+            en=f"this comes of {rows[0]}, {rows[1]} and {rows[2]}: was a line copied, and not changed everywhere? Reckon each edge with its own three numbers, and then take the later.",
+            ko=f"{korean[0]}, {korean[1]}, {korean[2]}로 계산한 값입니다. 줄을 복사하고 다 고치지 않은 것이 아닙니까? 연결마다 자기의 세 수로 계산한 다음 늦은 쪽을 쓰십시오.",
+        ),
+    )
+
+
+LOCAL, WHEELS = "localization", "wheel_odometry"
+MIXED = (
+    mixed(LOCAL, WHEELS, WHEELS),
+    mixed(LOCAL, WHEELS, LOCAL),
+    mixed(WHEELS, LOCAL, LOCAL),
+    mixed(WHEELS, LOCAL, WHEELS),
+    mixed(WHEELS, WHEELS, LOCAL),
+)
+
+
+DELAYS_ADDED = Slip(
+    "delays added",
+    of_edges("delays added"),
     Words(
-        en="the period of map → odom, with the delay and the jitter of odom → base_footprint, gives this. Reckon each edge with its own three numbers, and then take the later.",
-        ko="map → odom의 주기에 odom → base_footprint의 지연과 지터를 더하면 이 값이 됩니다. 연결마다 자기의 세 수로 계산한 다음 늦은 쪽을 쓰십시오.",
+        en="you added the delays and the jitters of both edges. Their messages travel at the same time: reckon each edge by itself, and then take the later.",
+        ko="두 연결의 지연과 지터를 모두 더했습니다. 메시지는 동시에 오므로 연결마다 따로 계산한 다음 늦은 쪽을 쓰십시오.",
+    ),
+)
+
+
+ROOT_OF_SQUARES = Twin(
+    "root of squares",
+    partial(wait_of, edges="root of squares"),
+    Words(
+        en="you took the root of the squares. That is how errors that vary by chance add up; in the worst case the three come one after the other, and are added as they are.",
+        ko="제곱을 더해 제곱근을 구했습니다. 그것은 제멋대로 변하는 오차를 합치는 법입니다. 최악의 경우에는 셋이 차례로 다 걸리므로 그대로 더합니다.",
+    ),
+)
+
+
+PERIOD_IN_MILLISECONDS = Slip(
+    "period in milliseconds",
+    {"rate": "milliseconds"},
+    Words(
+        en="your period is in milliseconds, and what you add to it is in seconds: 1000 over the rate is 1 over it in ms.",
+        ko="주기는 밀리초인데 거기에 더하는 값은 초입니다. 1000을 주파수로 나누면 밀리초가 됩니다.",
+    ),
+)
+
+
+PERIOD_OF_RADIANS = Twin(
+    "period of radians",
+    partial(wait_of, rate="radians"),
+    Words(
+        en="you divided by 2π, too. A rate in Hz counts messages, not radians: the period is one over it.",
+        ko="2π로도 나누었습니다. Hz는 라디안이 아니라 1초에 오는 메시지의 수이므로 주기는 그 역수입니다.",
+    ),
+)
+
+
+HALF_THE_SCAN_S_DELAY = Twin(
+    "half the scan's delay",
+    partial(wait_of, scan=0.5),
+    Words(
+        en="half of the scan's delay is taken off. All of it has passed when the scan is there.",
+        ko="스캔 지연의 절반만 뺐습니다. 스캔이 도착했을 때는 그 지연이 모두 지나갔습니다.",
     ),
 )
 
@@ -329,7 +414,12 @@ TASK = Task(
         RATES_ADDED,
         MEAN_OF_THE_EDGES,
         PERIOD_ALONE,
-        EDGES_MIXED,
+        *MIXED,
+        DELAYS_ADDED,
+        ROOT_OF_SQUARES,
+        PERIOD_IN_MILLISECONDS,
+        PERIOD_OF_RADIANS,
+        HALF_THE_SCAN_S_DELAY,
         SCAN_S_DELAY_TWICE,
         DELAY_TAKEN_OFF,
         HALF_MORE_PERIOD,

@@ -19,7 +19,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import sections
 from ..mistakes.fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
-from ..mistakes.losses import TOLD
+from ..mistakes.losses import MARGINS, TOLD, by_comparison
 from ..mistakes.names import of_names, unfilled
 from ..tasks.case import AND, Case, TaskCases
 from ..tasks.evidence import habit
@@ -223,11 +223,16 @@ def _ways(
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    is_a_guess = not task.is_function and given and round_number(form, outcomes[0], expected[0])
+    is_a_guess = not task.is_function and given and _is_short(form, outcomes[0], expected[0])
     yield from _just(form, outcomes, pairs, A_HAIR if is_a_guess else TWO)
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
         yield from side_by_side(form, outcomes, expected, single | pairs)
     yield from _further_ways(task, single, outcomes, expected)
+
+
+def _is_short(form: Form, outcome: Plain, wanted: Plain) -> bool:
+    """Return whether a number is round, or the right one in few digits: two slips that are near to it are chance."""
+    return bool(round_number(form, outcome, wanted)) or "rounded" in by_comparison(form, [outcome], [wanted])
 
 
 def _gives(cases: Sequence[Case]) -> tuple[dict[str, list[Plain]], dict[str, list[Plain]]]:
@@ -262,11 +267,22 @@ def _further_ways(
     for first, row in single.items():
         yield from ((first, then) for then in undone_to(task.form, outcomes, row, only_plain_to_see=True))
     yield from ((name,) for name in undone_to(task.form, outcomes, expected))
+    yield from _and_a_margin(task, single, outcomes)
     if task.is_function and isinstance(task.form, MEASURED):
         answered = [row for row in zip(outcomes, expected, strict=True) if not is_raised(row[1])]
         where = IN_SOME if len(answered) < 2 or any(alike(task.form, *row) for row in answered) else ""
         yield from ((where + name,) for name, row in single.items() if _in_some(task, outcomes, expected, row))
         yield from ((name,) for name in in_some(task.form, outcomes, expected))
+
+
+def _and_a_margin(
+    task: TaskCases, single: dict[str, list[Plain]], outcomes: Sequence[Plain]
+) -> Iterator[tuple[str, ...]]:
+    """Yield a slip and then a margin, on top or off, that give a number."""
+    if not isinstance(task.form, Number) or task.is_function:
+        return
+    ways = ((first, by_comparison(task.form, list(outcomes), row)) for first, row in single.items())
+    yield from ((first, then) for first, lost in ways for then in lost if then in MARGINS)
 
 
 def _in_some(task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain], twin: Sequence[Plain]) -> bool:

@@ -29,7 +29,7 @@ from .shell_words import LINES, told_of_a_line, wrong_in
 from .trees import TREES, of_trees, told_of_a_tree
 from .universal import OF_FORM
 
-__all__ = ["TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
+__all__ = ["MARGINS", "TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
 
 Numbers = tuple[float, ...]
 TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
@@ -62,10 +62,12 @@ LOSSES = {
         ko="적힌 자릿수까지는 맞지만 자릿수가 모자랍니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
     ),
     "margin": Words(
-        en="this is what is asked for and a margin on top, a round amount or a round share of it. To be safe? The "
-        "amount itself is asked for, with nothing added.",
-        ko="필요한 값에 여유를 더 얹은 값입니다. 딱 떨어지는 양이나 비율만큼 큽니다. 안전을 위해서였습니까? 아무것도 "
-        "더하지 않은 값이 필요합니다.",
+        en="a margin is on top, a round amount or share. To be safe? The amount itself is asked for, nothing added.",
+        ko="딱 떨어지는 양이나 비율만큼 여유를 더 얹었습니다. 안전을 위해서였습니까? 여유 없는 값이 필요합니다.",
+    ),
+    "margin off": Words(
+        en="a round amount or share is taken off besides. The amount itself is asked for, with nothing taken off.",
+        ko="딱 떨어지는 양이나 비율만큼 더 뺐습니다. 아무것도 더 빼지 않은 값이 필요합니다.",
     ),
     "other order": Words(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
     "another order": Words(
@@ -148,7 +150,8 @@ LOSSES = {
 }
 TOO_MANY = ("members twice", "members too many")
 MOST_TOLD = 3
-AMOUNTS = (0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # that one adds to be safe
+AMOUNTS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # added to be safe
+MARGINS = {"margin": 1.0, "margin off": -1.0}
 SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5)
 NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
 SHOWS_AT = Words(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
@@ -210,15 +213,15 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
 
 def _lost_by_kind(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
     if isinstance(form, Number):
-        yield from _counted_or_signed([(given[0], want[0]) for given, want in rows], form)
+        pairs = [(given[0], want[0]) for given, want in rows]
+        yield from _with_a_margin(pairs, form)
+        yield from _counted_or_signed(pairs, form)
     elif isinstance(form, Quaternion) and all(holds_angles(*row) for row in rows):
         yield "angles for a quaternion"
 
 
 def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
-    """Yield whether numbers have a margin on top, counts are one off in every call, or only signs are wrong."""
-    if form.unit and all(_has_a_margin(*pair) for pair in pairs):
-        yield "margin"
+    """Yield whether counts are one off in every call, or only signs are wrong."""
     off = {given - want for given, want in pairs}
     if not form.unit and len(pairs) > 1 and off in ({1}, {-1}):
         yield "one too many" if off == {1} else "one too few"
@@ -228,12 +231,18 @@ def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterat
         yield "no sign"
 
 
-def _has_a_margin(given: float, wanted: float) -> bool:
-    """Return whether a number that is not round itself is another one with a round amount or share on top."""
-    if wanted <= 0.0 or round(given, 1) == given:
-        return False
-    margins = (*AMOUNTS, *(wanted * share for share in SHARES))
-    return any(abs(given - wanted - margin) < 1e-9 for margin in margins)
+def _with_a_margin(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
+    yield from (name for name, sign in MARGINS.items() if form.unit and _have_a_margin(pairs, sign))
+
+
+def _have_a_margin(pairs: list[tuple[float, float]], sign: float) -> bool:
+    """Return whether numbers that are not round themselves are others with a round amount or share on top, or off."""
+    for given, wanted in pairs:
+        margins = (*AMOUNTS, *(wanted * share for share in SHARES))
+        is_plain = wanted > 0.0 and given > 0.0 and round(given, 1) != given
+        if not is_plain or not any(abs(given - wanted - sign * margin) < 1e-9 for margin in margins):
+            return False
+    return True
 
 
 def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:

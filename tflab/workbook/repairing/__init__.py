@@ -4,6 +4,7 @@
     edits       how a function can differ from the one that was meant, in one place
     calling     an edited function, called on copies and with an end
     one_place   the place where one edit makes every call right, and what is said of it
+    lint        what is plain to see in its text
 
 Start with `sums.py`; each page names the next.
 """

@@ -22,7 +22,7 @@ from typing import Any
 
 from .edits import Edit
 
-__all__ = ["edited_as", "written_by"]
+__all__ = ["edited_as", "text_of", "with_its_own", "written_by"]
 
 MOST_LINES = 20_000  # of a call
 MOST_HELD = 1_000  # members of a list beside the function
@@ -30,20 +30,32 @@ FORBIDDEN = (ast.While, ast.Await, ast.Yield, ast.YieldFrom, ast.Import, ast.Imp
 TOUCHY = {"open", "input", "exec", "eval", "os", "shutil", "subprocess", "sleep", "pathlib", "Path"}
 
 
-def written_by(function: Any) -> tuple[str, int, ast.Module] | None:
-    """Return a function's text, its first line in its cell, and its tree; None where it is better not called again."""
-    if not isinstance(function, FunctionType) or function.__closure__:
+def text_of(function: Any) -> tuple[str, int, ast.Module] | None:
+    """Return a function's text, its first line in its cell, and its tree; None where it cannot be read."""
+    if not isinstance(function, FunctionType):
         return None
     try:
         lines, first = inspect.getsourcelines(function)
         tree = ast.parse(text := textwrap.dedent("".join(lines)))
     except (OSError, TypeError, SyntaxError, ValueError):
         return None
-    if not _is_plain(tree):
+    return text, max(first, 1), tree
+
+
+def written_by(function: Any) -> tuple[str, int, ast.Module] | None:
+    """Return the same, and None where it is better not called again."""
+    written = None if getattr(function, "__closure__", None) else text_of(function)
+    if written is None or not _is_plain(written[2]):
         return None
     if any(len(held) > MOST_HELD for held in _beside(function).values() if not isinstance(held, FunctionType)):
         return None
-    return text, max(first, 1), tree
+    return written
+
+
+def with_its_own(function: Any) -> list[Any]:
+    """Return a function, and those of its cells that it calls."""
+    beside = _beside(function) if isinstance(function, FunctionType) else {}
+    return [function, *(held for held in beside.values() if isinstance(held, FunctionType) and held is not function)]
 
 
 def _is_plain(tree: ast.Module) -> bool:

@@ -5,7 +5,7 @@
 What is said cannot be false: the edit was made, and all calls were right.  It says
 the place and the kind of thing, not what belongs there.  Only `check` asks so, in the
 learner's own kernel; grading runs nothing again that somebody wrote.  It gives up
-after half a second.  Read `trying.py` next.
+after half a second.  Read `lint.py` next.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from ..words import Words
 from .calling import edited_as, written_by
 from .edits import Edit, edits_of
 
-__all__ = ["PATIENCE_S", "said_of_one_place"]
+__all__ = ["PATIENCE_S", "quoted", "said_of_one_place"]
 
 PATIENCE_S = 0.5
 LONGEST_LINE = 70
@@ -94,19 +94,20 @@ def said_of_one_place(
         for edit, edited in _tried(function, tree, cases[0], form, end):
             if all(_is_right(form, edited, case) for case in cases[1:]):  # past the end, none is
                 line = getattr(edit.node, "lineno", 1)
-                quoted = _quoted(text, tree, edit.node)
-                return PLACE.filled(line=first_line + line - 1, text=quoted, look=LOOK[edit.kind])
+                return PLACE.filled(
+                    line=first_line + line - 1, text=quoted(text, tree, edit.node), look=LOOK[edit.kind]
+                )
     return None
 
 
-def _quoted(text: str, tree: ast.Module, node: ast.AST) -> str:
+def quoted(text: str, tree: ast.Module, node: ast.AST) -> str:
     """Return a line as it was written; of a long one the longest expression around the node that can be read."""
     line = getattr(node, "lineno", 1)
     whole = text.splitlines()[line - 1].strip()
     around = (ast.get_source_segment(text, other) or "" for other in ast.walk(tree) if _holds(other, node))
     parts = [part for part in around if len(part) <= LONGEST_LINE and "\n" not in part]
-    quoted = whole if len(whole) <= LONGEST_LINE else max(parts, key=len, default=whole[:LONGEST_LINE])
-    return quoted.replace("`", "'")
+    short = whole if len(whole) <= LONGEST_LINE else max(parts, key=len, default=whole[:LONGEST_LINE])
+    return short.replace("`", "'")
 
 
 def _holds(other: ast.AST, node: ast.AST) -> bool:

@@ -1,0 +1,76 @@
+"""What is plain to see in a function's text: said where it stands, and of nothing that means what it says."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.workbook.repairing import lint
+
+from .test_one_place import written
+
+KIND = """
+def kind(ask, text):
+    try:
+        ask()
+    except KeyError:
+        return "key"
+    except LookupError as error:
+        if "future" in text:
+            return "future"
+        elif "past" in text:
+            return "past"
+        return str(error)
+    words = [word for word in text.split() if word]
+    words.sort()
+    return words or "ok"
+"""
+
+
+def seen(old, new):
+    assert old in KIND
+    return lint.said_of_its_text(written(KIND.replace(old, new), "kind"))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ('"future" in text', '"future" or "Future" in text', 8, lint.HOLDS_ALWAYS.filled(word='"future"')),
+        ('"future" in text', 'text == "future" or "past"', 8, lint.HOLDS_ALWAYS.filled(word='"past"')),
+        ('"future" in text', '"into" and "future" in text', 8, lint.ASKS_NOTHING.filled(word='"into"')),
+        ('"future" in text', '("future" or "later") in text', 8, lint.ONE_ALWAYS.filled(word='"future"')),
+        ('"future" in text', 'text.find("future")', 8, lint.FOUND_NOWHERE),
+        ('"future" in text', '"future" in text == True', 8, lint.A_CHAIN),
+        ('"past" in text', '"future" in text', 10, lint.ASKED_ABOVE),
+        ("except KeyError", "except Exception", 7, lint.NEVER_REACHED.filled(name="Exception")),
+        ("except KeyError", "except (KeyError or IndexError)", 5, lint.FIRST_CLASS_ALONE),
+        ("    words =", '    finally:\n        return "ok"\n    words =', 14, lint.GOES_OVER_ALL),
+        ("words.sort()", "words.sort", 14, lint.NOT_CALLED),
+        ("words.sort()", "sorted(words)", 14, lint.NOT_KEPT),
+        ("words.sort()", 'words == ["ok"]', 14, lint.NOT_SET),
+        ("words.sort()", "words = words.sort()", 14, lint.GIVES_NONE.filled(name="sort")),
+        ("str(error)", "str(LookupError)", 12, lint.TEXT_OF_A_CLASS),
+    ],
+)
+def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
+    told = seen(old, new)
+    for text, words in zip(told, said, strict=True):
+        assert text.endswith(words) and str(line) in text
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("words.sort()", "words = sorted(words)"),
+        ("words.sort()", "words.append(text)"),
+        ("except KeyError", "except (KeyError, IndexError)"),
+        ('"past" in text', '"past" in text or "before" in text'),
+        ('"past" in text', 'text.find("past") >= 0'),
+        ("return words", 'return words if text else text or "none"'),
+    ],
+)
+def test_nothing_is_said_of_what_means_what_it_says(old, new):
+    assert seen(old, new) is None
+
+
+def test_what_cannot_be_read_is_let_be():
+    assert lint.said_of_its_text(len) is None

@@ -1,0 +1,229 @@
+"""What is plain to see in a function's text?  A condition that always holds, a line that no call can reach.
+
+    if "future" or "Future" in text:    a text alone counts as true: this holds always
+    except TransformException: ...      takes what is meant for
+    except LookupException: ...         this one
+    finally: return "ok"                goes over every other `return`
+
+A *linter* looks for such things.  Nothing is run, and what is said is true by Python's
+own rules, whatever was asked for.  Read `trying.py` next.
+"""
+
+from __future__ import annotations
+
+import ast
+import builtins
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from ..words import Words
+from .calling import text_of, with_its_own
+from .one_place import quoted
+
+__all__ = ["said_of_its_text"]
+
+Found = Iterator[tuple[ast.AST, Words]]
+
+IN_LINE = Words(en="In line {line}, `{text}`: {said}", ko="{line}번째 줄의 `{text}`: {said}")
+HOLDS_ALWAYS = Words(
+    "`or` asks each side by itself, and {word} alone counts as true: this holds always. Write the whole comparison on "
+    "each side.",
+    "`or`는 양쪽을 따로 판단하고 {word}만 있으면 참입니다. 그래서 이 조건은 언제나 참입니다. 양쪽에 비교식을 끝까지 "
+    "쓰십시오.",
+)
+ONE_ALWAYS = Words(
+    "`or` gives the first side that counts as true, here always {word}. Among several is `in (…, …)`.",
+    "`or`는 참인 첫 번째 것을 내놓으므로 여기서는 언제나 {word}입니다. 여럿 가운데 하나인지는 `in (…, …)`으로 "
+    "보십시오.",
+)
+ASKS_NOTHING = Words(
+    "`and` asks each side by itself, and {word} alone counts as true: it asks nothing. Write the whole comparison on "
+    "each side.",
+    "`and`는 양쪽을 따로 판단하고 {word}만 있으면 언제나 참이라 아무것도 따지지 않습니다. 양쪽에 비교식을 끝까지 "
+    "쓰십시오.",
+)
+FIRST_CLASS_ALONE = Words(
+    "`or` between two classes gives the first alone. Several stand in brackets: `except (A, B):`.",
+    "클래스 둘 사이의 `or`는 첫 번째만 남깁니다. 여럿을 잡으려면 괄호로 묶으십시오: `except (A, B):`.",
+)
+NEVER_REACHED = Words(
+    "it is never reached. `except {name}` stands above it and takes all of these, too: Python takes the first that "
+    "fits, so the wider class comes last.",
+    "여기에는 결코 이르지 않습니다. 위의 `except {name}`에 모두 걸립니다. 파이썬은 들어맞는 첫 번째를 택하므로 더 넓은 "
+    "클래스를 뒤에 두십시오.",
+)
+GOES_OVER_ALL = Words(
+    "`finally` runs whatever happened, and its `return` goes over every other one, and over exceptions.",
+    "`finally`는 무슨 일이 있어도 실행되고, 그 안의 `return`은 다른 모든 `return`과 예외를 덮어씁니다.",
+)
+FOUND_NOWHERE = Words(
+    "`find` gives -1 where there is nothing, and -1 counts as true; 0, the very beginning, does not. Ask with `in`.",
+    "`find`는 없으면 -1을 주는데 -1은 참이고, 맨 앞에 있을 때의 0은 거짓입니다. `in`으로 물으십시오.",
+)
+A_CHAIN = Words(
+    "comparisons in a row are a chain: `a in b == c` means `a in b and b == c`.",
+    "비교를 잇달아 쓰면 사슬이 됩니다. `a in b == c`는 `a in b and b == c`라는 뜻입니다.",
+)
+ASKED_ABOVE = Words(
+    "the same is asked above already, so this one is never reached.",
+    "위에서 이미 같은 것을 물었으므로 여기에는 결코 이르지 않습니다.",
+)
+NOT_KEPT = Words(
+    "what this gives is new, and nobody keeps it: what it was made of stays as it was.",
+    "여기서 새로 만든 것을 아무 데도 담지 않습니다. 원래 것은 그대로입니다.",
+)
+NOT_CALLED = Words(
+    "this names a method and does not call it: its brackets are missing.",
+    "메서드의 이름만 있고 호출하지 않습니다. 괄호가 빠졌습니다.",
+)
+NOT_SET = Words("`==` compares and sets nothing; `=` sets.", "`==`는 비교만 합니다. 값은 `=`로 넣습니다.")
+GIVES_NONE = Words(
+    "`.{name}(…)` changes the list in its place and gives None: let it stand in a line of its own.",
+    "`.{name}(…)`은 리스트 자체를 바꾸고 None을 줍니다. 따로 한 줄로 쓰십시오.",
+)
+TEXT_OF_A_CLASS = Words(
+    "this is the text of the class, the same each time. What tf2 says stands in the error that was caught: "
+    "`except … as error`, `str(error)`.",
+    "이것은 클래스의 글자라 언제나 같습니다. tf2의 말은 잡은 예외에 있습니다: `except … as error`, `str(error)`.",
+)
+
+NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
+METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
+IN_PLACE = {"append", "extend", "sort", "reverse"}
+OF_NUMPY = {"np", "numpy"}
+
+
+def said_of_its_text(function: Any) -> Words | None:
+    """Return what is plain to see first in the text of a function, or of one of its cell that it calls; else None."""
+    return next(filter(None, map(_said_of, with_its_own(function))), None)
+
+
+def _said_of(function: Any) -> Words | None:
+    if (written := text_of(function)) is None:
+        return None
+    text, first, tree = written
+    found = sorted(_found(tree, vars(builtins) | function.__globals__), key=lambda row: row[0].lineno)
+    for node, said in found[:1]:
+        line = first + node.lineno - 1
+        return IN_LINE.filled(line=line, text=quoted(text, tree, node).rstrip(":"), said=said)
+    return None
+
+
+def _found(tree: ast.Module, names: Mapping[str, Any]) -> Found:
+    tests = _tests(tree)
+    for node in ast.walk(tree):
+        for look in LOOKS.get(type(node), ()):
+            yield from look(node, names)
+        if isinstance(node, ast.BoolOp):
+            yield from _joined(node, tests)
+        elif node in tests and isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "find":
+            yield node, FOUND_NOWHERE
+
+
+def _tests(tree: ast.Module) -> set[ast.AST]:
+    """Return what is only asked whether it counts as true."""
+    tests = {test for node in ast.walk(tree) if isinstance(test := getattr(node, "test", None), ast.expr)}
+    tests |= {test for node in ast.walk(tree) if isinstance(node, ast.comprehension) for test in node.ifs}
+    asked = list(tests)
+    for node in asked:  # which grows
+        if isinstance(node, ast.BoolOp):
+            asked += node.values
+        elif isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not):
+            asked.append(node.operand)
+    return set(asked)
+
+
+def _joined(node: ast.BoolOp, tests: set[ast.AST]) -> Found:
+    """Yield that a side of `or` or `and` is a constant."""
+    held = [value for value in node.values if isinstance(value, ast.Constant) and value.value]
+    inner = [value for value in held if value is not node.values[-1]]
+    if isinstance(node.op, ast.And) and inner:
+        yield node, ASKS_NOTHING.filled(word=_word(inner[0]))
+    elif isinstance(node.op, ast.Or) and held and node in tests:
+        yield node, HOLDS_ALWAYS.filled(word=_word(held[0]))
+    elif isinstance(node.op, ast.Or) and inner and inner[0] is node.values[0]:
+        yield node, ONE_ALWAYS.filled(word=_word(inner[0]))
+
+
+def _word(node: ast.Constant) -> str:
+    return f'"{node.value}"' if isinstance(node.value, str) else str(node.value)
+
+
+def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
+    """Yield handlers that others stand before, and a `return` that goes over all others."""
+    before: list[tuple[str, type]] = []
+    for handler in node.handlers:
+        classes = _classes(handler.type, names)
+        takers = [next((name for name, one in before if issubclass(other, one)), None) for _, other in classes]
+        if classes and all(takers):
+            yield handler, NEVER_REACHED.filled(name=takers[0])
+        before += classes
+        if isinstance(handler.type, ast.BoolOp) and isinstance(handler.type.op, ast.Or):
+            yield handler, FIRST_CLASS_ALONE
+    yield from ((last, GOES_OVER_ALL) for last in node.finalbody if isinstance(last, ast.Return))
+
+
+def _classes(node: ast.expr | None, names: Mapping[str, Any]) -> list[tuple[str, type]]:
+    """Return the exceptions that a handler names; none where one of them is not known."""
+    members = node.elts if isinstance(node, ast.Tuple) else [node]
+    held = [(one.id, names.get(one.id)) for one in members if isinstance(one, ast.Name)]
+    return held if len(held) == len(members) and all(map(_is_exception, held)) else []
+
+
+def _is_exception(named: tuple[str, Any]) -> bool:
+    return isinstance(named[1], type) and issubclass(named[1], BaseException)
+
+
+def _of_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
+    if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
+        yield node, A_CHAIN
+
+
+def _of_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
+    """Yield an `elif` that asks what was asked before it."""
+    asked, other = ast.dump(node.test), node.orelse
+    while len(other) == 1 and isinstance(other[0], ast.If):
+        if ast.dump(other[0].test) == asked:
+            yield other[0], ASKED_ABOVE
+        other = other[0].orelse
+
+
+def _of_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
+    """Yield a line that stands for itself and does nothing."""
+    held = node.value
+    if isinstance(held, ast.Attribute):
+        yield node, NOT_CALLED
+    elif isinstance(held, ast.Compare) and isinstance(held.ops[0], ast.Eq):
+        yield node, NOT_SET
+    elif isinstance(held, ast.Call) and _is_of_new(held.func):
+        yield node, NOT_KEPT
+
+
+def _is_of_new(function: ast.expr) -> bool:
+    if isinstance(function, ast.Attribute):
+        is_sort = function.attr == "sort" and getattr(function.value, "id", "") in OF_NUMPY
+        return is_sort or function.attr in METHODS_OF_NEW
+    return isinstance(function, ast.Name) and function.id in NEW_EACH_TIME
+
+
+def _of_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mapping[str, Any]) -> Found:
+    """Yield a list that is changed in its place where a new one is meant."""
+    held = node.iter if isinstance(node, ast.For) else node.value
+    method = held.func if isinstance(held, ast.Call) and isinstance(held.func, ast.Attribute) else None
+    if method and method.attr in IN_PLACE and getattr(method.value, "id", "") not in OF_NUMPY:
+        yield node, GIVES_NONE.filled(name=method.attr)
+
+
+def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
+    """Yield `str(LookupException)`, where the text of an error is meant."""
+    if getattr(node.func, "id", "") == "str" and len(node.args) == 1 and isinstance(node.args[0], ast.Name):
+        name = node.args[0].id
+        if _is_exception((name, names.get(name))):
+            yield node, TEXT_OF_A_CLASS
+
+
+LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
+    ast.Try: (_of_handlers,), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if,), ast.Expr: (_of_a_line,),
+    ast.Assign: (_of_what_is_kept,), ast.Return: (_of_what_is_kept,), ast.For: (_of_what_is_kept,),
+    ast.Call: (_of_a_text,),
+}  # fmt: skip
