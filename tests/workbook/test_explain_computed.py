@@ -8,7 +8,7 @@ from itertools import pairwise
 import pytest
 
 from tflab.core import Transform
-from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
+from tflab.workbook.answers.forms import Angle, Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks.case import Case
@@ -184,6 +184,41 @@ def test_of_a_point_that_is_turned_in_the_plane_the_terms_are_told(wrong, text):
     rows = [((pose,), {"x": 100.0 + n, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
             for n, pose in enumerate(TURNED)]  # fmt: skip
     assert list(called(form, rows).slips) == ([f"x: computed: {text}"] if text else [])
+
+
+@pytest.mark.parametrize(
+    ("wrong", "seen"),
+    [
+        (lambda x, y, a: x * math.cos(a), "`argument 1: y` does not come into it at all."),
+        (lambda x, y, a: x * math.cos(a) + y * math.sin(a),
+         "`argument 1: y * sin(argument 1: yaw)` has the wrong sign."),
+        (lambda x, y, a: x * math.sin(a) - y * math.sin(a), "`argument 1: x` goes with the other of sine and cosine."),
+        (lambda x, y, a: x - y * math.sin(a),
+         "`argument 1: x` stands there as it is, and is measured along axes that are turned."),
+    ],
+)  # fmt: skip
+def test_of_a_turn_that_is_asked_for_it_is_told_where_the_terms_differ(wrong, seen):
+    form = Parts({"x": Number("m"), "y": Number("m")})
+    right = [x * math.cos(a) - y * math.sin(a) for x, y, a in map(dict.values, TURNED)]
+    rows = [((pose,), {"x": want, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
+            for pose, want in zip(TURNED, right, strict=True)]  # fmt: skip
+    assert called(form, rows).said.en.endswith(f"gives. {seen}")
+
+
+@pytest.mark.parametrize(
+    ("bearing", "text"),
+    [
+        (lambda x, y, a: math.atan2(-y, -x), "atan2(-(argument 1: y), -(argument 1: x))"),
+        (lambda x, y, a: math.atan2(2 * x, y + 1.0), "atan2(your y, your x)"),
+        (lambda x, y, a: a + math.atan2(y, x), "argument 1: yaw + atan2(argument 1: y, argument 1: x)"),
+        (lambda x, y, a: a + math.atan2(y, x) / 2, None),
+    ],
+)
+def test_a_bearing_that_was_taken_for_a_yaw_is_told(bearing, text):
+    form = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
+    rows = [((pose,), place | {"yaw": -pose["yaw"]}, place | {"yaw": bearing(*pose.values())})
+            for pose in TURNED for place in [{"x": pose["y"] + 1.0, "y": 2 * pose["x"]}]]  # fmt: skip
+    assert list(called(form, rows).slips) == ([f"yaw: bearing: {text}"] if text else [])
 
 
 def test_a_sign_in_one_part_alone_is_told_before_two_slips_that_meet_there():

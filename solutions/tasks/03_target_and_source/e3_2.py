@@ -223,7 +223,7 @@ THE_LASER_ITSELF = Slip(
         ko="그것은 레이저가 달린 자리입니다. 모서리가 아직 들어가지 않았습니다. `.apply(...)`에 `laser_p_corner`를 "
         "넣으십시오.",
     ),
-    part="base_link",
+    partly=True,
 )
 
 

@@ -146,10 +146,11 @@ TURNED_ON = Slip(
     "turned_on",
     {"angle": "on"},
     Words(
-        en="you turned the step, but the wrong way: by yaw instead of by minus yaw. Try it with a quarter "
-        "turn to the left and stand up.",
-        ko="이동을 돌리기는 했는데 방향이 반대입니다. −yaw가 아니라 yaw로 돌렸습니다. 왼쪽으로 90° 돌린 경우를 "
-        "일어서서 직접 해 보십시오.",
+        en="you turned the step, but the wrong way: it comes out turned by yaw instead of by minus yaw. If you took a minus "
+        "for it, there are two: −yaw once more, or −yaw in a formula whose sines have other signs already. They undo "
+        "each other.",
+        ko="이동을 돌리기는 했는데 방향이 반대입니다. −yaw가 아니라 yaw만큼 돌아갔습니다. 마이너스를 붙였다면 두 번 붙인 것입니다. "
+        "−yaw를 한 번 더 뒤집었거나, sin의 부호가 이미 뒤집힌 공식에 −yaw를 넣으면 서로 지워집니다.",
     ),
 )
 

@@ -98,8 +98,10 @@ TURNED_ON = Slip(
     "turned_on",
     {"back": "turned on"},
     Words(
-        en="for the way back the step was turned, but by yaw instead of by minus yaw.",
-        ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw로 돌렸습니다.",
+        en="for the way back the step was turned, but by yaw instead of by minus yaw. If you took a minus for it, there "
+        "are two: −yaw and `.inverse()`, or −yaw in a formula whose sines have other signs already. They undo each other.",
+        ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw만큼 돌아갔습니다. 마이너스를 붙였다면 두 번 붙인 것입니다. "
+        "−yaw에 `.inverse()`까지 쓰거나, sin의 부호가 이미 뒤집힌 공식에 −yaw를 넣으면 서로 지워집니다.",
     ),
 )
 
@@ -216,6 +218,18 @@ REST_OF_HALF_A_TURN = Slip(
     Words(
         en="you took the yaw off half a turn. To turn back is to turn by as much the other way.",
         ko="반 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+)
+
+
+WITH_A_YAW_OF_ZERO = Slip(
+    "with a yaw of zero",
+    {"back": "sign only", "yaw": "zero"},
+    Words(
+        en="you reckoned with a yaw of 0: the step of the way back has only other signs, and its yaw is 0. This mount is "
+        "turned. The line RPY prints roll, pitch, yaw, in this order: the yaw is the last of the three.",
+        ko="yaw를 0으로 보고 계산했습니다. 돌아가는 길의 이동은 부호만 뒤집혔고 yaw도 0입니다. 이 레이저는 돌려서 "
+        "달았습니다. RPY 줄은 roll, pitch, yaw 순서이므로 yaw는 셋 가운데 마지막 숫자입니다.",
     ),
 )
 
@@ -433,6 +447,7 @@ TASK = Task(
         SINE_FOR_COSINE,
         X_AND_Y_EXCHANGED,
         NO_YAW,
+        WITH_A_YAW_OF_ZERO,
         REST_OF_HALF_A_TURN,
         ONE_OVER,
         NOWHERE,

@@ -39,10 +39,10 @@ AGAINST_THE_ARROW = Twin(
     "against_the_arrow",
     blamed("node_a", ROBOTS[0]),
     Words(
-        en="node_a is right: written in the point's frame, wanted in `base_link`. Parent → child is the "
-        "family; data runs the other way.",
-        ko="node_a는 맞습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 부모 → 자식은 가족 "
-        "관계이고, 데이터는 그 반대로 흐릅니다.",
+        en="node_a is right. In the call the target comes first, the frame in which the data is wanted: `base_link`. The "
+        "source comes second, the frame in which it is written: the point's own. Who is whose parent plays no part.",
+        ko="node_a는 맞습니다. 호출에서는 데이터를 보고 싶은 좌표계인 목표가 먼저이고, 여기서는 `base_link`입니다. 데이터가 적힌 "
+        "좌표계인 원본은 그다음이고, 여기서는 점의 헤더에 있는 좌표계입니다. 누가 누구의 부모인지와는 상관없습니다.",
     ),
     "M2",
 )
@@ -90,9 +90,10 @@ NODE_A_AT_REST = Twin(
     "node_a_at_rest",
     blamed("node_a", ROBOTS[0], HIDDEN[1]),
     Words(
-        en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`. "
-        "And a wrong transform would be wrong at rest, too. Say the sentences of the other two nodes.",
-        ko="node_a는 바르게 물었습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보고 싶습니다. 그리고 틀린 변환은 "
+        en="node_a asks rightly: the target comes first, and its point is wanted in `base_link`; the source comes second, "
+        "and the point is written in the frame of its own header. And a wrong transform would be wrong at rest, too. Say the sentences of the other two nodes.",
+        ko="node_a는 바르게 물었습니다. 목표가 먼저인데, 점을 보고 싶은 기준이 `base_link`입니다. 원본은 그다음인데, 점은 자기 "
+        "헤더의 좌표계 기준입니다. 그리고 틀린 변환은 "
         "서 있을 때도 틀립니다. 나머지 두 노드를 문장으로 말해 보십시오.",
     ),
     "M2",
@@ -145,12 +146,16 @@ TASK = Task(
     cures=("M1", "M2"),
     means={
         "node_a": Words(
-            en="node_a asks rightly: its point is written in the point's own frame, and wanted in `base_link`.",
-            ko="node_a는 바르게 물었습니다. 점은 자기 헤더의 좌표계 기준이고, 그것을 `base_link` 기준으로 보려 합니다.",
+            en="node_a asks rightly: the target comes first, and its point is wanted in `base_link`; the source comes "
+            "second, and the point is written in the frame of its own header.",
+            ko="node_a는 바르게 물었습니다. 목표가 먼저인데, 점을 보려는 기준이 `base_link`입니다. 원본은 그다음인데, 점은 자기 "
+            "헤더의 좌표계 기준입니다.",
         ),
         "node_c": Words(
-            en="node_c asks rightly: the robot's origin is written in `base_link`, and wanted in `map`.",
-            ko="node_c는 바르게 물었습니다. 로봇의 원점은 `base_link` 기준이고, 그것을 `map` 기준으로 보려 합니다.",
+            en="node_c asks rightly: the target comes first, and the robot's origin is wanted in `map`; the source comes "
+            "second, and it is written in `base_link`.",
+            ko="node_c는 바르게 물었습니다. 목표가 먼저인데, 로봇의 원점을 보려는 기준이 `map`입니다. 원본은 그다음인데, 그 "
+            "원점은 `base_link` 기준입니다.",
         ),
         "stops for the wrong things": Words(
             en="to stop for obstacles is node_a's work, and node_a asks rightly.",

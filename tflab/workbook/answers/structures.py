@@ -30,7 +30,10 @@ MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 
 @dataclass(frozen=True)
 class Choice(Form):
-    """One of `options`, read as a person means it: `'Use it.'` is "use it"; of names alone, each letter counts."""
+    """One of `options`, read as a person means it: `'Use it.'` is "use it", " Node_B " is "node_b".
+
+    Capitals count where two options differ by nothing else; of names alone, all but capitals and spaces counts.
+    """
 
     options: tuple[str, ...] = ()
 
@@ -176,16 +179,14 @@ def _options_meant(options: tuple[str, ...], text: str) -> tuple[str, ...]:
     names = [option for option in options if _is_name(option)]
     as_names = {option: _is_read_as_a_name(option, options, names) for option in options}
     meant = [option for option, is_name in as_names.items() if _meant(option, is_name) == _meant(text, is_name)]
-    spelt = {"_".join(text.split())}  # no name has a space in it
-    if " " in text.strip():
-        spelt.add("_".join(text.casefold().split()))  # "Node B" is said, not written
+    spelt = {"_".join(text.casefold().split())}  # no name has a space in it
     if all(name.startswith("/") for name in names):
         spelt.add("/" + _meant(text, is_name=True))  # `ros2` takes both
-    return tuple(meant or [option for option in options if option in spelt])
+    return tuple(meant or [option for option in options if option.casefold() in spelt])
 
 
 def _is_read_as_a_name(option: str, options: tuple[str, ...], names: list[str]) -> bool:
-    """Return whether each letter of an option counts: among names alone, and where it does not say that there is none.
+    """Return whether each sign of an option counts: among names alone, and where it does not say that there is none.
 
     Where phrases stand among them (`tf2_echo` beside "no ROS 2 tool"), it is a list of words.
     """
@@ -194,9 +195,9 @@ def _is_read_as_a_name(option: str, options: tuple[str, ...], names: list[str]) 
 
 
 def _meant(text: str, is_name: bool) -> str:
-    """Return a text without quotes, spaces and the like; a word also without capitals, commas, "Exception"."""
-    text = "".join(text.replace("→", "->").split()).strip("\"'`“”‘’")
-    return text if is_name else text.rstrip(".").translate(UNHEARD).casefold().removesuffix("exception")
+    """Return a text without capitals, quotes, spaces and the like; a word also without commas, "Exception"."""
+    text = "".join(text.replace("→", "->").split()).strip("\"'`“”‘’").casefold()
+    return text if is_name else text.rstrip(".").translate(UNHEARD).removesuffix("exception")
 
 
 def _text(plain: Plain) -> str:

@@ -7,6 +7,7 @@
     arithmetic  what was computed of what was given
     components  which number of a point was computed of what
     turning     how a point was turned in the plane
+    bearings    where something lies, taken for how it is turned
     formulas    by which formula of angles, ranges, points and poses a value was computed
     givens      what was given, as it was
     kinds       what is of the wrong kind, plain to see

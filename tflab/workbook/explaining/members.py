@@ -27,6 +27,7 @@ from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .after import ONLY_FOLLOWS, after_a_slip
 from .arithmetic import computed, computed_in_all
+from .bearings import bearing_in_all
 from .certain import certain
 from .common import calls_in_common
 from .components import of_components
@@ -207,7 +208,11 @@ def _by_itself(
 def _summed_in_all(table: Table, name: str) -> list[Found]:
     """Return what a function computes for one part in every call."""
     form, outcomes = table.forms[name], table.given[name]
-    found = computed_in_all(form, table.args, outcomes) or turned_in_all(form, table.args, outcomes)
+    found = (
+        computed_in_all(form, table.args, outcomes)
+        or turned_in_all(form, table.args, outcomes, table.wanted[name])
+        or bearing_in_all(form, table.args, outcomes, table.given)
+    )
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 

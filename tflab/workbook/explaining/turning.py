@@ -2,9 +2,11 @@
 
     asked for   x + u·cos α - v·sin α
     given       x + u·cos α + v·sin α        found in every call, so that is what the function computes
+                                             `v·sin α` has the wrong sign
 
 The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw or of
-two; up to three of them, added or taken off.  Read `formulas.py` next.
+two; up to three of them, added or taken off.  What is asked for is read in the same way, and so it can be said
+where the two differ: the kind of thing, never what belongs there.  Read `bearings.py` next.
 """
 
 from __future__ import annotations
@@ -20,32 +22,100 @@ from ..answers.values import Plain
 from ..words import Words
 from .arithmetic import as_written
 
-__all__ = ["sum_of", "turned_in_all"]
+__all__ = ["FEWEST_CALLS", "poses_among", "sum_of", "turned_in_all"]
 
 FEWEST_CALLS = 4  # more than there are terms: so many numbers are no luck
 MOST_POSES = 2
 CLOSE = 1e-6
 PLANAR = ("x", "y", "yaw")
 SAID = Words(
-    en="in every call this is what `{sum}` gives. Compare it, term by term, with what has to be computed.",
-    ko="어느 호출에서나 `{sum}`의 값입니다. 구해야 할 식과 한 항씩 비교하십시오.",
+    en="in every call this is what `{sum}` gives. {seen}",
+    ko="어느 호출에서나 `{sum}`의 값입니다. {seen}",
 )
+COMPARE = Words(
+    en="Compare it, term by term, with what has to be computed.",
+    ko="구해야 할 식과 한 항씩 비교하십시오.",
+)
+MISSING = Words(en="`{what}` does not come into it at all.", ko="`{what}`이(가) 전혀 들어가지 않았습니다.")
+TOO_MUCH = Words(en="`{what}` does not belong in it.", ko="`{what}`은(는) 들어갈 값이 아닙니다.")
+OTHER_SIGN = Words(en="`{what}` has the wrong sign.", ko="`{what}`의 부호가 반대입니다.")
+OTHER_OF_TWO = Words(
+    en="`{what}` goes with the other of sine and cosine.",
+    ko="`{what}`에는 sin과 cos 가운데 다른 쪽을 곱합니다.",
+)
+OTHER_ANGLE = Words(
+    en="`{what}` is turned by another angle than it should be.",
+    ko="`{what}`을(를) 다른 각도로 돌렸습니다.",
+)
+NOT_TURNED = Words(
+    en="`{what}` stands there as it is, and is measured along axes that are turned.",
+    ko="`{what}`을(를) 그대로 썼습니다. 돌아가 있는 축을 따라 잰 값입니다.",
+)
+TURNED_TOO = Words(
+    en="`{what}` is turned, and is measured along the right axes already.",
+    ko="`{what}`을(를) 돌렸습니다. 이미 맞는 축을 따라 잰 값입니다.",
+)
+Sum = dict[str, float]  # terms, as they are written, each with its sign
 
 
-def turned_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Words] | None:
+def turned_in_all(
+    form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain], wanted: Sequence[Plain]
+) -> tuple[str, Words] | None:
     """Return which terms a function's number has in every call, and what to say; None if no few terms give it."""
-    rows = [numbers_of(answer, None) for answer in answers] if isinstance(form, Number) else []
-    if len(rows) < FEWEST_CALLS or None in rows:
+    rows = [[numbers_of(plain, None) for plain in plains] if isinstance(form, Number) else []
+            for plains in (answers, wanted)]  # fmt: skip
+    terms = list(_terms(args)) if rows[0] and None not in rows[0] and len(rows[0]) >= FEWEST_CALLS else []
+    if not terms or np.ptp(numbers := np.array([row[0] for row in rows[0]])) <= CLOSE:
         return None
-    terms = list(_terms(args))
-    wanted = np.array([row[0] for row in rows])
-    found = sum_of(terms, wanted) if terms and np.ptp(wanted) > CLOSE else ""
-    return (f"computed: {found}", SAID.filled(sum=found)) if found else None
+    found = _sum_of(terms, numbers)
+    if not found:
+        return None
+    right = _sum_of(terms, np.array([row[0] for row in rows[1]])) if None not in rows[1] else {}
+    text = _written(found)
+    return f"computed: {text}", SAID.filled(sum=text, seen=_seen(found, right))
+
+
+def _seen(found: Sum, right: Sum) -> Words:
+    """Return where a sum differs from the one that is asked for, or that it is to be compared."""
+    of_found, of_right = _by_number(found), _by_number(right)
+    if not right or any(name.startswith("hypot") for name in of_found):
+        return COMPARE
+    said = [(MISSING, name) for name in of_right if name not in of_found]
+    for name, terms in of_found.items():
+        if name not in of_right:
+            said.append((TOO_MUCH, name))
+        else:
+            said += _differences(name, terms, of_right[name])
+    return Words.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else COMPARE
+
+
+def _by_number(terms: Sum) -> dict[str, Sum]:
+    """Return the terms of each number that goes in, with what it is multiplied by and the sign."""
+    by_number: dict[str, Sum] = {}
+    for text, sign in terms.items():
+        number, _, factor = text.partition(" * ")
+        by_number.setdefault(number, {})[factor] = sign
+    return by_number
+
+
+def _differences(name: str, terms: Sum, right: Sum) -> Iterator[tuple[Words, str]]:
+    """Yield in what the terms of one number differ from those that are asked for, and of what that is said."""
+    if len(terms) > 1 or len(right) > 1:
+        yield from ((TOO_MUCH, f"{name} * {factor}" if factor else name) for factor in terms if factor not in right)
+        return
+    ((factor, sign),), ((other, wanted),) = terms.items(), right.items()
+    if factor == other:
+        yield from ((OTHER_SIGN, f"{name} * {factor}" if factor else name),) if sign != wanted else ()
+    elif not factor or not other:
+        yield (TURNED_TOO if factor else NOT_TURNED), name
+    else:
+        yield from ((OTHER_OF_TWO, name),) if factor[:3] != other[:3] else ()
+        yield from ((OTHER_ANGLE, name),) if factor[3:] != other[3:] else ()
 
 
 def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
     """Yield what may stand in the formula, with what it is in each call."""
-    poses = {at: held for at in range(min(map(len, args))) if (held := _poses([call[at] for call in args])) is not None}
+    poses = poses_among(args)
     if not 0 < len(poses) <= MOST_POSES:
         return
     angles = {f"argument {at + 1}: yaw": pose["yaw"] for at, pose in poses.items()}
@@ -58,6 +128,12 @@ def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
             for angle, value in angles.items():
                 yield f"{text} * cos({angle})", number * np.cos(value)
                 yield f"{text} * sin({angle})", number * np.sin(value)
+
+
+def poses_among(args: Sequence[list[Plain]]) -> dict[int, dict[str, np.ndarray]]:
+    """Return the arguments that are poses in the plane, by their place: x, y and yaw, call by call."""
+    rows = ((at, _poses([call[at] for call in args])) for at in range(min(map(len, args), default=0)))
+    return {at: held for at, held in rows if held is not None}
 
 
 def _poses(plains: Sequence[Plain]) -> dict[str, np.ndarray] | None:
@@ -78,6 +154,14 @@ def sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: 
         before: how many terms there may be before the last one.
         close: how far from the numbers their sum may be.
     """
+    return _written(_sum_of(terms, wanted, before, close))
+
+
+def _written(terms: Sum) -> str:
+    return as_written((sign, text) for text, sign in terms.items())
+
+
+def _sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: int = 2, close: float = CLOSE) -> Sum:
     values = np.array([value for _, value in terms])
     for count in range(before + 1):
         for chosen in combinations(range(len(terms)), count):
@@ -88,5 +172,5 @@ def sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: 
                     last = int(np.argmin(off))
                     if off[last] <= close and last not in chosen:
                         found = {**dict(zip(chosen, signs, strict=True)), last: sign}
-                        return as_written((found[at], terms[at][0]) for at in sorted(found))
-    return ""
+                        return {terms[at][0]: found[at] for at in sorted(found)}
+    return {}
