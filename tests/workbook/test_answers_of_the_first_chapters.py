@@ -446,6 +446,30 @@ def test_the_way_back_by_a_distance_is_told_term_by_term():
     assert "`- hypot(argument 1: x, argument 1: y) * sin(argument 1: yaw)`" in said
 
 
+@pytest.mark.parametrize("same", ["base_link", "map"])
+def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
+    calls = {"a": ["map", "laser_frame"], "b": [same, same], "c": ["base_link", "camera_link"],
+             "d": ["laser_frame", "base_link"]}  # fmt: skip
+    assert slips_of("E3.1", calls) == [f"b[{int(same == 'base_link')}]: {same}"]
+
+
+@pytest.mark.parametrize(
+    ("node", "said"),
+    [
+        (" Node_B ", None),
+        (["node_b", "node_c"], "Exactly one of them is asked for"),
+    ],
+)
+def test_a_node_is_read_as_it_is_meant_and_one_alone_is_asked_for(node, said):
+    answer = {
+        "node": node,
+        "robot": "drives to another place",
+        "hidden_while": "it stands on the map's origin, not turned",
+    }
+    verdict = verdict_on("E3.7", answer)
+    assert (verdict.detail["tip"].en if said else verdict.mistake) == said
+
+
 def test_a_way_is_told_apart_from_two_mistakes_that_look_like_it():
     def climbed(parent_of, frame):
         way = [frame]

@@ -335,6 +335,13 @@ def test_what_is_lost_or_moved_within_an_answer_is_named(form, right, wrong, nam
     assert list(judged(form, right, {}, wrong).slips) == [name]
 
 
+def test_a_place_that_is_right_in_one_call_was_not_left_at_zero():
+    asked = [((1,), (0.3, 0.0, 0.6)), ((2,), (1.0, 0.0, 2.0)), ((3,), (1.5, 0.0, 0.5))]
+    cut = [(0.0, 0.0, 0.0), (1.0, 0.0, 2.0), (1.0, 0.0, 0.0)]
+    task, variant = bare(Vector(3, "m"), *(Case(to_plain(list(args)), to_plain(want), {}) for args, want in asked))
+    assert list(judge_outcomes(task, variant, [to_plain(each) for each in cut]).slips) == ["rounded"]
+
+
 def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
     assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).slips == {}
 

@@ -99,10 +99,17 @@ def test_the_place_and_its_kind_are_said(old, new, kind, quoted):
         ("math.sin(yaw)", "yaw", "missing"),
         ("c * x - s * y", "s * y - c * x", "order"),
         ("math.cos(yaw)", "math.cos(2 * yaw)", "number"),
+        ("c, s =", "s, c =", "order"),
+        ("    return", "    if yaw > 0:\n        c, s = 1.0, 0.0\n    return", "too much"),
     ],
 )
 def test_formulas_are_mended_too(old, new, kind):
     assert of_turned(old, new).en.endswith(LOOK[kind].en)
+
+
+def test_a_line_that_belongs_into_every_call_is_not_called_a_line_of_another_variable():
+    said = of_turned("    return (c * x", "    if yaw > 0:\n        return (c * x")
+    assert said.en.endswith(LOOK["choice"].en) and "`if yaw > 0:`" in said.en
 
 
 def test_a_sum_is_mended_as_a_whole():

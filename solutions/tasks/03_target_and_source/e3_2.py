@@ -215,6 +215,20 @@ BOTH_INVERTED = Slip(
 )
 
 
+PRODUCT_INVERTED = Slip(
+    "product inverted",
+    {"product": "inverted"},
+    Words(
+        en="for `map` you inverted the product: turned round, it takes points of the map to the laser. As it stands it "
+        "takes those of the laser to the map.",
+        ko="`map`을 구할 때 곱을 뒤집었습니다. 뒤집은 곱은 map 기준 점을 레이저 기준으로 옮깁니다. 그대로 두어야 레이저 기준 "
+        "점을 map 기준으로 옮깁니다.",
+    ),
+    "M1",
+    part="map",
+)
+
+
 THE_LASER_ITSELF = Slip(
     "the_laser_itself",
     {"first": "origin"},
@@ -657,6 +671,7 @@ TASK = Task(
         AN_EDGE_SKIPPED,
         INVERSE_CARRIED_ON,
         OUT_OF_THE_MAP,
+        PRODUCT_INVERTED,
         FIRST_NO_TURN,
         FIRST_STEP_FIRST,
         FIRST_TURN_ONLY,

@@ -61,6 +61,8 @@ def inverted(
     x = x if sine != "one sign" else c * u + s * v
     to_y = -s if sine == "sign in y" else s
     by_hand = sine in WRONG_TERMS
+    if step == "a quarter":
+        return {"x": -a_pose_b["y"], "y": a_pose_b["x"], "yaw": yaws(yaw)[turn]}
     if step == "one over":
         u, v = (1.0 / number if number else 0.0 for number in (a_pose_b["x"], a_pose_b["y"]))
     if by_hand or step == "one over":
@@ -151,6 +153,18 @@ TURNED_ON = Slip(
         "each other.",
         ko="이동을 돌리기는 했는데 방향이 반대입니다. −yaw가 아니라 yaw만큼 돌아갔습니다. 마이너스를 붙였다면 두 번 붙인 것입니다. "
         "−yaw를 한 번 더 뒤집었거나, sin의 부호가 이미 뒤집힌 공식에 −yaw를 넣으면 서로 지워집니다.",
+    ),
+)
+
+
+HALF_A_TURN_OFF = Slip(
+    "half a turn off",
+    {"step": "kept", "angle": "on"},
+    Words(
+        en="the step is turned by yaw and has kept its sign. Just this comes, too, where sine and cosine of −yaw both get a "
+        "minus: of −α the sine is −sin α, and the cosine is cos α as before.",
+        ko="이동을 yaw만큼 돌렸고 부호도 그대로입니다. −yaw의 sin과 cos 둘 다에 마이너스를 붙여도 똑같은 값이 나옵니다. −α의 "
+        "sin은 −sin α이지만 cos은 그대로 cos α입니다.",
     ),
 )
 
@@ -269,6 +283,19 @@ ONE_OVER = Slip(
 )
 
 
+A_QUARTER_TURN = Slip(
+    "a quarter turn",
+    {"step": "a quarter"},
+    Words(
+        en="x and y have changed places, one with a minus: that is right only for a yaw of π/2, a quarter "
+        "turn. The step turns back by the yaw that comes in.",
+        ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집었습니다. 1/4 바퀴를 되돌린 값이고, yaw가 π/2일 때만 맞습니다. 이동은 "
+        "받은 yaw만큼 되돌립니다.",
+    ),
+    "M3",
+)
+
+
 ONE_OVER_THE_YAW = Slip(
     "one over the yaw",
     {"turn": "one over"},
@@ -376,6 +403,7 @@ TASK = Task(
         SAME_TURN,
         TURNED_ON,
         NOT_TAKEN_OFF,
+        HALF_A_TURN_OFF,
         TURN_KEPT,
         X_OVERWRITTEN,
         X_OVERWRITTEN_IN_PLACE,
@@ -392,6 +420,7 @@ TASK = Task(
         REST_OF_HALF_A_TURN,
         *wrong_terms("sine"),
         ONE_OVER,
+        A_QUARTER_TURN,
         ONE_OVER_THE_YAW,
         BY_TWICE_THE_ANGLE,
         YAW_CONVERTED,

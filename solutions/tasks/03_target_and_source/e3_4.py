@@ -98,6 +98,9 @@ def joined(
             "asin": math.asin(math.sin(one + two)),
             "atan": math.atan(math.tan(one + two)),
             "atan2 exchanged": math.atan2(math.cos(one + two), math.sin(one + two)),
+            "mean of directions": math.atan2(math.sin(one) + math.sin(two), math.cos(one) + math.cos(two)),
+            "half turns off": one + two - math.copysign(math.pi, one + two) * (abs(one + two) > math.pi),
+            "modulo pi": (one + two) % math.pi,
             "clamped": max(-math.pi, min(math.pi, one + two)),
         }[yaw]
     }
@@ -454,6 +457,40 @@ ATAN2_EXCHANGED = Twin(
 )
 
 
+MEAN_OF_DIRECTIONS = Twin(
+    "mean of directions",
+    partial(joined, yaw="mean of directions"),
+    Words(
+        en="you took the direction midway between the two yaws, as `atan2` of added sines and added cosines gives it: two "
+        "turns, one after the other, add up.",
+        ko="두 yaw의 한가운데 방향을 구했습니다. sin끼리, cos끼리 더해 `atan2`에 넣으면 이렇게 됩니다. 이어지는 두 회전은 "
+        "더합니다.",
+    ),
+)
+
+
+HALF_TURNS_OFF = Twin(
+    "half turns off",
+    partial(joined, yaw="half turns off"),
+    Words(
+        en="where the yaws add up to more than half a turn, yours is π off: a full turn may be taken off or added there, "
+        "2π, and half a turn is another direction.",
+        ko="yaw의 합이 반 바퀴를 넘으면 π만큼 어긋납니다. 거기서 더하거나 빼도 되는 것은 한 바퀴, 곧 2π입니다. 반 바퀴면 다른 "
+        "방향이 됩니다.",
+    ),
+)
+
+
+YAW_MODULO_PI = Twin(
+    "yaw modulo pi",
+    partial(joined, yaw="modulo pi"),
+    Words(
+        en="your yaw always lies between 0 and π, as by `% math.pi`: half turns are lost. A full turn is 2π.",
+        ko="`% math.pi`를 쓴 것처럼 yaw가 언제나 0과 π 사이입니다. 반 바퀴가 사라집니다. 한 바퀴는 2π입니다.",
+    ),
+)
+
+
 YAW_CLAMPED = Twin(
     "yaw clamped",
     partial(joined, yaw="clamped"),
@@ -551,6 +588,9 @@ TASK = Task(
         YAW_BY_ASIN,
         YAW_BY_ATAN,
         ATAN2_EXCHANGED,
+        MEAN_OF_DIRECTIONS,
+        HALF_TURNS_OFF,
+        YAW_MODULO_PI,
         YAW_CLAMPED,
         BY_HALF,
         BY_THE_DIFFERENCE,

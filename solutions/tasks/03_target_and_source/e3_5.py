@@ -52,6 +52,10 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "exchanged and minus": (away[1], away[0], away[2]),
         "new x, taken off": (inverse.translation[0], inverse.translation[0] * s - there[1] * c, away[2]),
         "nowhere": (0.0, 0.0, 0.0),
+        "moved by the mount": mount.apply(away),
+        "mount applied twice": mount.apply(there),
+        "its distance": (math.hypot(*there), 0.0, 0.0),
+        "behind, at its distance": (-math.hypot(*there), 0.0, 0.0),
     } | {way: (*by_formula(*away[:2], -printed, way), away[2]) for way in BY_HAND}  # fmt: skip
     returned = returned[back]
     seen = {"as printed": there, "swapped": inverse.translation, "negative": away, "turned": turned(mount, there),
@@ -65,6 +69,8 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
                      "pitch": 0.0, "degrees as printed": round(math.degrees(printed)),
                      "degrees as computed": math.degrees(printed),
                      "converted": -math.radians(printed), "from a quarter": math.pi / 2 - printed,
+                     "from 360": 360.0 - printed, "from 180": 180.0 - printed, "one over": 1.0 / printed,
+                     "minus one over": -1.0 / printed,
                      "w": math.cos(printed / 2), "minus w": -math.cos(printed / 2)}[yaw],
     }  # fmt: skip
 
@@ -86,10 +92,10 @@ SIGN_ONLY = Slip(
     "sign_only",
     {"back": "sign only"},
     Words(
-        en="for the way back you flipped the signs. The mount is turned, so the step has to be turned, "
-        "too. Stand where the laser is and look for the robot's middle.",
-        ko="돌아가는 쪽은 부호만 뒤집었습니다. 센서가 돌아가 있으므로 이동도 돌려야 합니다. 레이저 자리에 서서 "
-        "로봇 중심이 어느 쪽인지 찾아보십시오.",
+        en="for the way back only the signs are flipped. The mount is turned, so the step has to be turned, too. If you "
+        "made a Transform: does the yaw go into it, and does `.inverse()` follow? Its `.translation` alone is what went in.",
+        ko="돌아가는 쪽은 부호만 뒤집혔습니다. 센서가 돌아가 있으므로 이동도 돌려야 합니다. Transform을 만들었다면, 거기에 yaw를 "
+        "넣었고 `.inverse()`를 불렀습니까? `.translation`만 읽으면 넣은 값이 그대로 나옵니다.",
     ),
     "M3",
 )
@@ -206,8 +212,10 @@ NO_YAW = Slip(
     "no yaw",
     {"yaw": "zero"},
     Words(
-        en="the yaw of the way back is 0 for you. Seen from the laser the robot is turned too: as far, and to the other side.",
-        ko="돌아가는 길의 yaw를 0으로 두었습니다. 레이저에서 보면 로봇도 돌아 있습니다. 크기는 같고 방향은 반대입니다.",
+        en="the yaw of the way back is 0 for you. Seen from the laser the robot is turned too: as far, and to the other "
+        "side. In the line RPY (roll, pitch, yaw) the yaw is the last number; the first two are 0.",
+        ko="돌아가는 길의 yaw가 0입니다. 레이저에서 보면 로봇도 돌아 있습니다. 크기는 같고 방향은 반대입니다. RPY(roll, pitch, "
+        "yaw) 줄에서 yaw는 마지막 숫자이고, 앞의 둘은 0입니다.",
     ),
 )
 
@@ -236,15 +244,19 @@ WITH_A_YAW_OF_ZERO = Slip(
 
 def on_the_way_back(way: str, words: Words, misconception: str = "") -> tuple[Twin, ...]:
     """Return a step back that was computed otherwise, and the same with the height's sign kept."""
+    said = _said_of_the_way_back(words)
     kept = Words(
         en="And the height has kept its sign: from the laser, is the robot's middle above or below?",
         ko="높이의 부호도 그대로입니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
     )
-    said = Words(en=f"for the way back: {words.en}", ko=f"돌아가는 길의 계산입니다. {words.ko}")
     return (
         Twin(way, partial(read, back=way), said, misconception),
         Twin(f"{way}, height kept", partial(read, back=way, height="kept"), Words.joined(said, kept), misconception),
     )
+
+
+def _said_of_the_way_back(words: Words) -> Words:
+    return Words(en=f"for the way back: {words.en}", ko=f"돌아가는 길의 계산입니다. {words.ko}")
 
 
 LETTERS = Words(en="Here (u, v) is (−x, −y), and α is −yaw.", ko="(u, v)는 (−x, −y)이고 α는 −yaw입니다.")
@@ -282,10 +294,34 @@ BACK = {
         en="x and y have changed places, each with a minus. The step has to be turned by the yaw that is printed.",
         ko="x와 y의 자리를 바꾸고 둘 다 부호를 뒤집었습니다. 이동은 출력된 yaw로 돌려야 합니다.",
     ),
+    "mount applied twice": Words(
+        en="the mount moved its own Translation. Which point is `base_link` in `base_link`? That one goes through the "
+        "inverse.",
+        ko="Translation을 장착 변환으로 한 번 더 옮겼습니다. `base_link`에서 본 `base_link`는 어느 점입니까? 그 점에 역변환을 "
+        "적용합니다.",
+    ),
     "new x, taken off": Words(
         en="y was computed from the new x, which had just been computed. Both take the old ones: give the results other "
         "names.",
         ko="y를 구할 때 방금 구한 새 x를 썼습니다. 둘 다 원래 값으로 계산합니다. 결과에는 다른 이름을 붙이십시오.",
+    ),
+}
+
+
+AT_NO_HEIGHT = {  # whose height comes out as 0, and so has no sign
+    "moved by the mount": Words(
+        en="the mount moved (−x, −y, −z), which are no numbers of a point in the laser. Which point is `base_link` in "
+        "`base_link`? That one goes through the inverse.",
+        ko="(−x, −y, −z)를 장착 변환으로 옮겼습니다. 이 숫자는 레이저 기준의 점이 아닙니다. `base_link`에서 본 `base_link`는 "
+        "어느 점입니까? 그 점에 역변환을 적용합니다.",
+    ),
+    "its distance": Words(
+        en="this is how far away it is, put straight ahead. From the laser, too, the robot's middle lies in some direction.",
+        ko="거리만 구해서 정면에 놓은 값입니다. 레이저에서 보아도 로봇 중심은 어느 한 방향에 있습니다.",
+    ),
+    "behind, at its distance": Words(
+        en="this is how far away it is, put straight behind. From the laser the robot's middle lies in another direction.",
+        ko="거리만 구해서 바로 뒤에 놓은 값입니다. 레이저에서 보면 로봇 중심은 다른 방향에 있습니다.",
     ),
 }
 
@@ -394,6 +430,52 @@ REST_OF_A_QUARTER = Twin(
 )
 
 
+def of_the_yaw(name: str, way: str, en: str, ko: str) -> Twin:
+    """Return the right places, and a yaw of the way back that was computed otherwise."""
+    return Twin(name, partial(read, yaw=way), Words(en=en, ko=ko))
+
+
+YAWS = (
+    of_the_yaw(
+        "from 360",
+        "from 360",
+        "the yaw was taken off 360, and it is in radians: a full turn is 2π there.",
+        "360에서 yaw를 뺐습니다. yaw는 라디안이고, 라디안으로 한 바퀴는 2π입니다.",
+    ),
+    of_the_yaw(
+        "from 180",
+        "from 180",
+        "the yaw was taken off 180, and it is in radians; and to turn back is to turn by as much the other way.",
+        "180에서 yaw를 뺐습니다. yaw는 라디안입니다. 그리고 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+    of_the_yaw(
+        "one over the yaw",
+        "one over",
+        "this is 1 divided by the yaw. To turn back is to turn by as much the other way.",
+        "1을 yaw로 나눈 값입니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+    of_the_yaw(
+        "minus one over the yaw",
+        "minus one over",
+        "this is −1 divided by the yaw. To turn back is to turn by as much the other way.",
+        "−1을 yaw로 나눈 값입니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+)
+
+
+LASER_NEGATIVE = Slip(
+    "laser negative",
+    {"laser": "negative"},
+    Words(
+        en="for `laser_in_base` you flipped the signs. What is printed is where the second frame sits in the first, the "
+        "laser in `base_link`: it stands there as it is asked for.",
+        ko="`laser_in_base`에서 부호를 뒤집었습니다. 출력된 값은 첫째를 기준으로 둘째가 있는 자리, 곧 `base_link`에서 본 "
+        "레이저입니다. 그대로가 답입니다.",
+    ),
+    "M1",
+)
+
+
 W_FOR_THE_YAW = Slip(
     "w for the yaw",
     {"yaw": "w"},
@@ -458,8 +540,11 @@ TASK = Task(
         DEGREES_AS_COMPUTED,
         YAW_CONVERTED,
         REST_OF_A_QUARTER,
+        LASER_NEGATIVE,
+        *YAWS,
         W_FOR_THE_YAW,
         MINUS_W_FOR_THE_YAW,
+        *(Twin(way, partial(read, back=way), _said_of_the_way_back(words)) for way, words in AT_NO_HEIGHT.items()),
         *(twin for way, words in BACK.items() for twin in on_the_way_back(way, words)),
         *(twin for way in BY_HAND for twin in on_the_way_back(way, Words.joined(BY_HAND[way], LETTERS))),
     ),

@@ -28,6 +28,9 @@ def camera_message(parent: str, child: str, ahead_m: float, up_m: float, xyzw) -
     return t
 
 
+OPTICAL = Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)
+
+
 def half_turn(yaw: float) -> tuple[float, float]:
     return math.sin(yaw / 2), math.cos(yaw / 2)
 
@@ -41,14 +44,16 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     parent = {"map": "map", "odom": "odom", "base": "base", "footprint": "base_footprint",
               "laser below": "laser_frame"}.get(ends, parent)  # fmt: skip
     yaw = {"degrees": yaw_deg, "radians": math.radians(yaw_deg), "to degrees": math.degrees(yaw_deg),
-           "whole degrees": math.radians(int(yaw_deg)), "no pi": yaw_deg / 180,
+           "whole degrees": math.radians(int(yaw_deg)),
+           "half cut off": math.radians(2 * (yaw_deg // 2)), "no pi": yaw_deg / 180,
            "twice": math.radians(math.radians(yaw_deg)),
            "halved": math.radians(yaw_deg) / 2}[angle]  # fmt: skip
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
             "angle": (0, 0, yaw, 1), "half in z": (0, 0, z, math.cos(yaw)), "half in w": (0, 0, math.sin(yaw), w),
-            "w lost": (0, 0, z, 0),  "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z)}  # fmt: skip
+            "w lost": (0, 0, z, 0),  "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z),
+            "optical": (Transform(rotation=(0, 0, z, w)) @ OPTICAL).rotation}  # fmt: skip
     x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
                 "optical": (0.0, -up_m, ahead_m), "minus y": (ahead_m, -up_m, 0.0), "y ahead": (0.0, ahead_m, up_m),
                 "y up, z ahead": (0.0, up_m, ahead_m), "ahead twice": (ahead_m, 0.0, ahead_m),
@@ -440,6 +445,20 @@ ROTATIONS = (
         {"angle": "whole degrees"},
         "an angle of 22.5 degrees has lost its half: `int` and `//` cut off what comes after the point.",
         "22.5도에서 소수점 아래가 없어졌습니다. `int`와 `//`는 소수점 아래를 잘라 냅니다.",
+    ),
+    of_rotation(
+        "half cut off",
+        {"angle": "half cut off"},
+        "half of an odd number of degrees has lost its half degree: `//` cuts off what comes after the point.",
+        "홀수인 각도를 반으로 나눌 때 0.5도가 없어졌습니다. `//`는 소수점 아래를 잘라 냅니다.",
+    ),
+    of_rotation(
+        "optical axes on top",
+        {"quaternion": "optical"},
+        "the turn of an optical frame was put on top. camera_link has the axes of a robot's part, x ahead; the optical "
+        "frame hangs below it, and has its own transform.",
+        "광학 좌표계의 회전까지 더했습니다. camera_link는 로봇 부품의 축(x가 앞)을 씁니다. 광학 좌표계는 그 아래에 따로 "
+        "달리고 변환도 따로 있습니다.",
     ),
     of_rotation(
         "halved twice",

@@ -44,6 +44,10 @@ FOUR = Words(
     en="the four numbers are `({sum})`. Compare each with what belongs in its place.",
     ko="네 숫자는 `({sum})`의 값입니다. 하나씩 그 자리에 올 것과 비교하십시오.",
 )
+NO_ROTATION = Words(
+    en="The squares of the four do not add up to 1, as those of any rotation do.",
+    ko="네 숫자의 제곱을 더하면 1이 되지 않습니다. 회전이라면 언제나 1입니다.",
+)
 Terms = list[tuple[str, np.ndarray]]
 
 OF_AN_ANGLE: tuple[tuple[str, Callable[[float], float]], ...] = (
@@ -101,10 +105,12 @@ def of_formula(form: Form, answer: Plain, expected: Plain, given: dict[str, Plai
 
 def of_formula_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Words] | None:
     """Return by which formula a function computes a quaternion of an angle in every call; None if by none of these."""
-    rows = [numbers_of(call[0], None) if len(call) == 1 else None for call in args]
-    if not isinstance(form, Quaternion) or len(rows) < FEWEST_CALLS or None in rows:
+    if not isinstance(form, Quaternion) or len(args) < FEWEST_CALLS:
         return None
-    return _of_halves(answers, [("argument 1", np.array([row[0] for row in rows if row]))])
+    columns = ([numbers_of(call[at], None) for call in args] for at in range(min(map(len, args))))
+    angles = [(f"argument {at}", np.array([row[0] for row in rows if row]))
+              for at, rows in enumerate(columns, start=1) if None not in rows]  # fmt: skip
+    return next(filter(None, (_of_halves(answers, [angle]) for angle in angles)), None)
 
 
 def _angles(given: dict[str, Plain]) -> list[tuple[str, float]]:
@@ -155,7 +161,8 @@ def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Words] | N
     if not all(found) or len(set(found)) < 2:
         return None
     text = ", ".join(found)
-    return f"computed: {text}", FOUR.filled(sum=text)
+    is_rotation = np.allclose(np.sum(columns**2, axis=0), 1.0, atol=1e-3)
+    return f"computed: {text}", Words.joined(FOUR.filled(sum=text), None if is_rotation else NO_ROTATION)
 
 
 def _of_angles(angles: Terms) -> Iterator[tuple[str, np.ndarray]]:

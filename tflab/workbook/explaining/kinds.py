@@ -14,11 +14,13 @@ Read `habits.py` next.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 from ..answers.form import Form, inside, is_number, member
 from ..answers.forms import Angle, Choice, Message, Name, Number, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
+from ..answers.members import members_of
 from ..answers.values import Plain
 from ..mistakes.fitting import all_alike
 from ..tasks.case import Case, TaskCases
@@ -57,6 +59,7 @@ A_MATRIX = Words(
     en="That is a matrix; the four numbers of a Transform's rotation are in `.rotation`",
     ko="행렬을 넘겼습니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 있습니다",
 )
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 OF_A_TRANSFORM = {
     Quaternion: Words(
         en="That is a whole transform; its quaternion is `.rotation`",
@@ -74,6 +77,18 @@ OF_A_TRANSFORM = {
 NO_MESSAGE = Words(
     en="A message is made by its class, and then its fields are filled in: `message = {name}()`",
     ko="메시지는 그 클래스로 만들고 항목을 채웁니다: `message = {name}()`",
+)
+A_FIELD = Words(
+    en="That is its `.{field}` alone: hand over the whole message",
+    ko="메시지의 `.{field}`만 넘겼습니다. 메시지 전체를 넘기십시오",
+)
+SEVERAL = Words(
+    en="Exactly one of them is asked for",
+    ko="그 가운데 정확히 하나만 써야 합니다",
+)
+A_TEXT = Words(
+    en="That is a text in which numbers stand: `.split(', ')` parts a line, and `float(…)` makes a number of each part",
+    ko="숫자가 적힌 문자열입니다. `.split(', ')`로 나누고 조각마다 `float(…)`로 수를 만드십시오",
 )
 A_TIME = Words(
     en="A {kind} is no number: its seconds are `.nanoseconds / 1e9`",
@@ -103,9 +118,13 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
         kind = next(iter(outcome))
         return A_STAMP if kind == "message" else A_TIME.filled(kind=kind)
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
-        return NO_MESSAGE.filled(name=form.type.rpartition("/")[2])
+        return _said_of_no_such_message(form, outcome)
+    if isinstance(form, Choice) and (held := members_of(outcome)) and len(held) > 1:
+        return SEVERAL if all(form.option(one) in form.options for one in held) else None
     if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
         return _said_of_no_quaternion(numbers)
+    if isinstance(form, Vector) and isinstance(outcome, str):
+        return A_TEXT if len(NUMBER.findall(outcome)) >= form.size else None
     return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
 
 
@@ -113,6 +132,13 @@ def _said_of_no_quaternion(members: list[Plain]) -> Words | None:
     if members and all(isinstance(row, list) or isinstance(inside(row), list) for row in members):
         return A_MATRIX if len(members) > 1 else ONE_INSIDE
     return {2: WITHOUT_ZEROS, 3: ANGLES}.get(len(members)) if all(map(is_number, members)) else None
+
+
+def _said_of_no_such_message(form: Message, outcome: Plain) -> Words:
+    kind = str(outcome["message"][0]) if isinstance(outcome, dict) and "message" in outcome else ""
+    fields = {path.partition(".")[0] for path in form.fields}
+    field = kind.rpartition("/")[2].lower()
+    return A_FIELD.filled(field=field) if field in fields else NO_MESSAGE.filled(name=form.type.rpartition("/")[2])
 
 
 def _said_of_an_object(form: Form, outcome: dict[str, Plain]) -> Words | None:

@@ -33,7 +33,7 @@ from .common import calls_in_common
 from .components import of_components
 from .confused import confused, seen_of, word_of
 from .explanation import Explanation, said_of
-from .formulas import is_moved_from, of_formula
+from .formulas import is_moved_from, of_formula, of_formula_in_all
 from .givens import given_to
 from .habits import constant_of, habit_of
 from .kinds import kinds_said
@@ -209,9 +209,10 @@ def _summed_in_all(table: Table, name: str) -> list[Found]:
     """Return what a function computes for one part in every call."""
     form, outcomes = table.forms[name], table.given[name]
     found = (
-        computed_in_all(form, table.args, outcomes)
-        or turned_in_all(form, table.args, outcomes, table.wanted[name])
+        turned_in_all(form, table.args, outcomes, table.wanted[name])
+        or computed_in_all(form, table.args, outcomes)
         or bearing_in_all(form, table.args, outcomes, table.given)
+        or of_formula_in_all(form, table.args, outcomes)
     )
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 

@@ -48,6 +48,7 @@ def slips_in_parts(task: TaskCases, table: Table, cases: Sequence[Case], wrong: 
         twins = [case.twins[key] for case in cases]
         slips = {name: words_of(task, name) for name in key.split(AND)}
         changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
+        same = _of_whole_lists(same, changed)
         if changed and changed <= same & wrong:
             found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
         elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in slips.items()):
@@ -57,6 +58,12 @@ def slips_in_parts(task: TaskCases, table: Table, cases: Sequence[Case], wrong: 
         elif len(slips) == 1:
             found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
     return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:
+    """Return the parts without members of lists of which another member is not what the slip gives."""
+    others = {name.partition("[")[0] for name in changed - same if "[" in name}
+    return {name for name in same if name.partition("[")[0] not in others}
 
 
 def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: TwinWords) -> bool:

@@ -4,15 +4,15 @@
     given       x + u·cos α + v·sin α        found in every call, so that is what the function computes
                                              `v·sin α` has the wrong sign
 
-The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw or of
+The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw, of half of it or of
 two; up to three of them, added or taken off.  What is asked for is read in the same way, and so it can be said
 where the two differ: the kind of thing, never what belongs there.  Read `bearings.py` next.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
-from itertools import combinations, product
 
 import numpy as np
 
@@ -51,10 +51,25 @@ NOT_TURNED = Words(
     en="`{what}` stands there as it is, and is measured along axes that are turned.",
     ko="`{what}`을(를) 그대로 썼습니다. 돌아가 있는 축을 따라 잰 값입니다.",
 )
+ANGLE_ITSELF = Words(
+    en="`{what}` is multiplied by the angle itself, where its sine or cosine belongs: they are alike only for small "
+    "angles.",
+    ko="sin이나 cos을 곱할 자리에 각도 자체를 `{what}`에 곱했습니다. 둘은 각도가 작을 때만 비슷합니다.",
+)
+DIVIDED = Words(
+    en="`{what}` is divided there: to turn is to multiply by a sine or a cosine, whichever way it goes.",
+    ko="`{what}`을(를) 나누었습니다. 어느 쪽으로 돌리든 sin이나 cos을 곱합니다.",
+)
+DISTANCE = Words(
+    en="`{what}` is how far away it lies: in which direction is lost.",
+    ko="`{what}`은(는) 거리입니다. 어느 방향인지는 사라집니다.",
+)
 TURNED_TOO = Words(
     en="`{what}` is turned, and is measured along the right axes already.",
     ko="`{what}`을(를) 돌렸습니다. 이미 맞는 축을 따라 잰 값입니다.",
 )
+TIMES = re.compile(" [*/] ")
+UNLIKE = {" * ": ANGLE_ITSELF, " / cos": DIVIDED}  # what is done with an angle, and is no turn
 Sum = dict[str, float]  # terms, as they are written, each with its sign
 
 
@@ -78,7 +93,9 @@ def turned_in_all(
 def _seen(found: Sum, right: Sum) -> Words:
     """Return where a sum differs from the one that is asked for, or that it is to be compared."""
     of_found, of_right = _by_number(found), _by_number(right)
-    if not right or any(name.startswith("hypot") for name in of_found):
+    if distance := next((name for name in of_found if name.startswith("hypot")), ""):
+        return DISTANCE.filled(what=distance)
+    if not right:
         return COMPARE
     said = [(MISSING, name) for name in of_right if name not in of_found]
     for name, terms in of_found.items():
@@ -93,24 +110,33 @@ def _by_number(terms: Sum) -> dict[str, Sum]:
     """Return the terms of each number that goes in, with what it is multiplied by and the sign."""
     by_number: dict[str, Sum] = {}
     for text, sign in terms.items():
-        number, _, factor = text.partition(" * ")
-        by_number.setdefault(number, {})[factor] = sign
+        number = TIMES.split(text, maxsplit=1)[0]
+        by_number.setdefault(number, {})[text.removeprefix(number)] = sign
     return by_number
 
 
 def _differences(name: str, terms: Sum, right: Sum) -> Iterator[tuple[Words, str]]:
     """Yield in what the terms of one number differ from those that are asked for, and of what that is said."""
     if len(terms) > 1 or len(right) > 1:
-        yield from ((TOO_MUCH, f"{name} * {factor}" if factor else name) for factor in terms if factor not in right)
+        yield from ((TOO_MUCH, name + factor) for factor in terms if factor not in right)
         return
     ((factor, sign),), ((other, wanted),) = terms.items(), right.items()
+    (function, angle), (others, another) = _parts(factor), _parts(other)
     if factor == other:
-        yield from ((OTHER_SIGN, f"{name} * {factor}" if factor else name),) if sign != wanted else ()
+        yield from ((OTHER_SIGN, name + factor),) if sign != wanted else ()
     elif not factor or not other:
         yield (TURNED_TOO if factor else NOT_TURNED), name
+    elif function in UNLIKE:
+        yield UNLIKE[function], name
     else:
-        yield from ((OTHER_OF_TWO, name),) if factor[:3] != other[:3] else ()
-        yield from ((OTHER_ANGLE, name),) if factor[3:] != other[3:] else ()
+        yield from ((OTHER_OF_TWO, name),) if function != others else ()
+        yield from ((OTHER_ANGLE, name),) if angle != another else ()
+
+
+def _parts(factor: str) -> tuple[str, str]:
+    """Return what is done with an angle, and the angle: " * cos", "argument 1: yaw"."""
+    function, bracket, angle = factor.partition("(")
+    return (function, angle[:-1]) if bracket else (factor[: len(" * ")], factor[len(" * ") :])
 
 
 def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
@@ -118,9 +144,11 @@ def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
     poses = poses_among(args)
     if not 0 < len(poses) <= MOST_POSES:
         return
-    angles = {f"argument {at + 1}: yaw": pose["yaw"] for at, pose in poses.items()}
-    if len(angles) == MOST_POSES:
-        angles |= {" + ".join(angles): sum(angles.values())}
+    yaws = {f"argument {at + 1}: yaw": pose["yaw"] for at, pose in poses.items()}
+    angles = yaws | {f"{name} / 2": yaw / 2 for name, yaw in yaws.items()}
+    if len(yaws) == MOST_POSES:
+        (one, a), (other, b) = yaws.items()
+        angles |= {f"{one} + {other}": a + b, f"{one} - {other}": a - b, f"{one} + {other} / 2": a + b / 2}
     for at, pose in poses.items():
         x, y = (f"argument {at + 1}: {name}" for name in PLANAR[:2])
         for text, number in ((x, pose["x"]), (y, pose["y"]), (f"hypot({x}, {y})", np.hypot(pose["x"], pose["y"]))):
@@ -128,6 +156,9 @@ def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
             for angle, value in angles.items():
                 yield f"{text} * cos({angle})", number * np.cos(value)
                 yield f"{text} * sin({angle})", number * np.sin(value)
+            for angle, value in yaws.items():
+                yield f"{text} * {angle}", number * value
+                yield f"{text} / cos({angle})", number / np.cos(value)
 
 
 def poses_among(args: Sequence[list[Plain]]) -> dict[int, dict[str, np.ndarray]]:
@@ -163,14 +194,38 @@ def _written(terms: Sum) -> str:
 
 def _sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: int = 2, close: float = CLOSE) -> Sum:
     values = np.array([value for _, value in terms])
+    signed = np.concatenate([values, -values])
     for count in range(before + 1):
-        for chosen in combinations(range(len(terms)), count):
-            for signs in product((1.0, -1.0), repeat=count):
-                rest = wanted - sum((sign * values[at] for sign, at in zip(signs, chosen, strict=True)), 0.0)
-                for sign in (1.0, -1.0):
-                    off = np.max(np.abs(sign * values - rest), axis=1)
-                    last = int(np.argmin(off))
-                    if off[last] <= close and last not in chosen:
-                        found = {**dict(zip(chosen, signs, strict=True)), last: sign}
-                        return {terms[at][0]: found[at] for at in sorted(found)}
+        sums, members = _sums(signed, len(terms), count)
+        if found := min(_fitting(signed, len(terms), wanted, sums, members, close), default=None):
+            return {terms[at % len(terms)][0]: 1.0 if at < len(terms) else -1.0 for at in found}
     return {}
+
+
+def _sums(signed: np.ndarray, size: int, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the sums of none, one or two terms with their signs, and which terms those are."""
+    every = np.arange(len(signed))
+    if count == 0:
+        return np.zeros((1, signed.shape[1])), np.zeros((1, 0), dtype=int)
+    if count == 1:
+        return signed, every[:, None]
+    one, other = np.meshgrid(every, every, indexing="ij")
+    pairs = np.stack([one, other], axis=-1)[one % size < other % size]
+    return signed[pairs[:, 0]] + signed[pairs[:, 1]], pairs
+
+
+def _fitting(
+    signed: np.ndarray, size: int, wanted: np.ndarray, sums: np.ndarray, members: np.ndarray, close: float
+) -> Iterator[tuple[int, ...]]:
+    """Yield the terms that give the wanted numbers together with one of these sums, in their order."""
+    order = np.argsort(sums[:, 0])
+    first = sums[order, 0]
+    rests = wanted - signed
+    starts, ends = (
+        np.searchsorted(first, rests[:, 0] + off, side) for off, side in ((-close, "left"), (close, "right"))
+    )
+    for last in np.flatnonzero(starts < ends):
+        for row in order[starts[last] : ends[last]]:
+            places = [int(at) for at in (*members[row], last)]
+            if len({at % size for at in places}) == len(places) and np.max(np.abs(sums[row] - rests[last])) <= close:
+                yield tuple(sorted(places, key=lambda at: at % size))

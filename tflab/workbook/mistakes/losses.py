@@ -200,7 +200,7 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
     if None in sum(rows, ()):
         return
     is_empty = not any(any(given) for given, _ in rows)
-    if isinstance(form, Vector) and all(_left_at_zero(*row, form.tolerance) for row in rows):
+    if isinstance(form, Vector) and _left_at_zero(rows, form.tolerance):
         yield "empty" if is_empty else "left at zero"
     elif is_empty and isinstance(form, Number | Angle):
         yield "zero"
@@ -245,8 +245,13 @@ def _have_a_margin(pairs: list[tuple[float, float]], sign: float) -> bool:
     return True
 
 
-def _left_at_zero(given: Numbers, wanted: Numbers, tolerance: float) -> bool:
-    return all(number == 0.0 or abs(number - want) <= tolerance for number, want in zip(given, wanted, strict=True))
+def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool:
+    """Return whether each place is right in all rows, or 0 in all of them."""
+    places = zip(*(zip(*row, strict=True) for row in rows), strict=True)
+    return all(
+        not any(number for number, _ in pairs) or all(abs(number - want) <= tolerance for number, want in pairs)
+        for pairs in map(list, places)
+    )
 
 
 def _misplaced(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> Iterator[tuple[str, str]]:

@@ -13,6 +13,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 from contextlib import AbstractContextManager
+from itertools import permutations
 from typing import Any, NamedTuple
 
 from ..tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, Spot, held_in, spots_of
@@ -37,6 +38,7 @@ ORDERED = ("sorted", "reversed")
 WRAPPED_IN_MATH = ("radians", "degrees", "sin", "cos", "sqrt")
 FACTORS = (-1, 2, 0.5, 10, 0.1, 1e3, 1e-3, 1e6, 1e-6, 1e9, 1e-9)
 MOST_INDEX = 3
+MOST_UNPACKED = 4
 NUMBERS = (ast.Name, ast.Attribute, ast.Subscript, ast.Call, ast.BinOp)  # what a sign may stand before
 Other = tuple[str, ast.AST]  # a kind, and what is meant instead
 
@@ -89,8 +91,11 @@ def _edits_of_lines(spot: Spot, node: ast.stmt | ast.ExceptHandler) -> Iterator[
         yield Edit("too much", node, owner, field, spot.with_())
     if isinstance(node, ast.Try):
         yield Edit("through", node, owner, field, spot.with_(*node.body, *node.orelse, *node.finalbody))
-    if isinstance(node, ast.If) and node.orelse:
-        yield from (Edit("choice", node, owner, field, spot.with_(*way)) for way in (node.body, node.orelse))
+    if isinstance(node, ast.If):
+        ways = (way for way in (node.body, node.orelse) if way)
+        yield from (Edit("choice", node, owner, field, spot.with_(*way)) for way in ways)
+    if isinstance(node, ast.Assign) and isinstance(node.targets[0], ast.Tuple):
+        yield from (Edit("order", node, node, "targets", [other]) for other in _unpacked_otherwise(node.targets[0]))
     if isinstance(node, ast.For) and len(node.body) > 1 and isinstance(last := node.body[-1], ast.Return):
         yield Edit(
             "loop", last, owner, field, spot.with_(ast.For(node.target, node.iter, node.body[:-1], node.orelse), last)
@@ -98,6 +103,12 @@ def _edits_of_lines(spot: Spot, node: ast.stmt | ast.ExceptHandler) -> Iterator[
     held = getattr(owner, field)
     if then := held[spot.place + 1 : spot.place + 2]:
         yield Edit("lines", node, owner, field, [*held[: spot.place], *then, node, *held[spot.place + 2 :]])
+
+
+def _unpacked_otherwise(names: ast.Tuple) -> Iterator[ast.Tuple]:
+    """Yield the same names in each other order: x, y, yaw for yaw, x, y."""
+    orders = permutations(names.elts) if len(names.elts) <= MOST_UNPACKED else ()
+    yield from (ast.Tuple(list(order), ast.Store()) for order in orders if list(order) != names.elts)
 
 
 def _others(node: ast.AST, owner: ast.AST, field: str, used: _Used) -> Iterator[Other]:
