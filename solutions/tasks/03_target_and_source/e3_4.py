@@ -100,6 +100,7 @@ def joined(
             "atan2 exchanged": math.atan2(math.cos(one + two), math.sin(one + two)),
             "mean of directions": math.atan2(math.sin(one) + math.sin(two), math.cos(one) + math.cos(two)),
             "half turns off": one + two - math.copysign(math.pi, one + two) * (abs(one + two) > math.pi),
+            "half a turn more": one + two + math.pi,
             "modulo pi": (one + two) % math.pi,
             "clamped": max(-math.pi, min(math.pi, one + two)),
         }[yaw]
@@ -481,6 +482,16 @@ HALF_TURNS_OFF = Twin(
 )
 
 
+HALF_A_TURN_MORE = Twin(
+    "half a turn more",
+    partial(joined, yaw="half a turn more"),
+    Words(
+        en="your yaw is the sum and half a turn, in every call: that is the opposite direction. The sum is the yaw already.",
+        ko="어느 호출에서나 yaw가 합에 반 바퀴를 더하거나 뺀 값입니다. 반대 방향입니다. 합이 그대로 yaw입니다.",
+    ),
+)
+
+
 YAW_MODULO_PI = Twin(
     "yaw modulo pi",
     partial(joined, yaw="modulo pi"),
@@ -590,6 +601,7 @@ TASK = Task(
         ATAN2_EXCHANGED,
         MEAN_OF_DIRECTIONS,
         HALF_TURNS_OFF,
+        HALF_A_TURN_MORE,
         YAW_MODULO_PI,
         YAW_CLAMPED,
         BY_HALF,
