@@ -119,13 +119,19 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
         return A_STAMP if kind == "message" else A_TIME.filled(kind=kind)
     if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
         return _said_of_no_such_message(form, outcome)
+    return _said_of_what_it_holds(form, outcome) or (
+        _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
+    )
+
+
+def _said_of_what_it_holds(form: Form, outcome: Plain) -> Words | None:
+    """Return what to say of a list or a text by what stands in it."""
     if isinstance(form, Choice) and (held := members_of(outcome)) and len(held) > 1:
         return SEVERAL if all(form.option(one) in form.options for one in held) else None
     if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
         return _said_of_no_quaternion(numbers)
-    if isinstance(form, Vector) and isinstance(outcome, str):
-        return A_TEXT if len(NUMBER.findall(outcome)) >= form.size else None
-    return _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
+    is_text = isinstance(form, Vector) and isinstance(outcome, str)
+    return A_TEXT if is_text and len(NUMBER.findall(outcome)) >= form.size else None
 
 
 def _said_of_no_quaternion(members: list[Plain]) -> Words | None:
