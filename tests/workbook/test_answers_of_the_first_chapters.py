@@ -240,6 +240,11 @@ def scaled_first(q):
         (customs(is_first=lambda q: abs(q[0]) or abs(q[1]) > 0.1), ["any x"]),
         (customs(is_first=lambda q: max(abs(q[1]), abs(q[2])) > 0.1), ["read w first"]),
         (customs(finite=any), ["none finite"]),
+        (customs(finite=lambda parts: next(iter(parts))), ["asked of x"]),
+        (customs(off=math.inf), ["never not unit"]),
+        (customs(off=0.5), ["tolerance 0.5"]),
+        (customs(is_first=lambda q: abs(q[0] and q[1]) > 0.1), ["x and y in Python"]),
+        (lambda q: "w first" if max(abs(q[0]), abs(q[1])) > 0.1 else customs()(q), ["w first before all"]),
         (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),
         (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
         (customs(zero=1e-3), ["zero by square"]),
@@ -254,6 +259,15 @@ def test_a_verdict_that_is_never_returned_is_told_by_its_name():
     verdict = verdict_on("E2.4", lambda q: None if customs()(q) == "ok" else customs()(q))
     assert verdict.mistake is Mistake.SOMETIMES_NOTHING
     assert 'it is the way to "ok" that has no `return`' in verdict.detail["certain"].en
+
+
+def test_a_verdict_that_is_raised_is_told_to_be_returned():
+    def judge(q):
+        if customs()(q) == "nan":
+            raise ValueError("nan")
+        return customs()(q)
+
+    assert '`return "nan"`' in verdict_on("E2.4", judge).detail["tip"].en
 
 
 def test_a_bound_of_one_call_is_not_told_of_all():
@@ -299,8 +313,14 @@ def test_the_angles_of_the_right_turn_are_no_quaternion():
     assert slips_of("E2.5", lambda given: (*angles(given), 1.0)) == ["angles for a quaternion"]
     three = verdict_on("E2.5", angles)
     assert three.mistake is Mistake.SHAPE and "as `.rpy()` gives them" in three.detail["tip"].en
-    nested = verdict_on("E2.5", lambda given: [[0.0, 0.0, 0.0, 1.0]])
-    assert "a pair of brackets too many" in nested.detail["tip"].en
+    for row, said in (
+        ([[0.0, 0.0, 0.0, 1.0]], "a pair of brackets too many"),
+        ([[0.0, 0.0, 0.0, 1.0]] * 2, "Several rows of numbers"),
+        ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "That is a matrix"),
+        ([0.0, 0.0, 0.0, 1.0] * 2, "`+` between two lists"),
+        ([0.0, 1.0], "Two numbers say too little"),
+    ):
+        assert said in verdict_on("E2.5", lambda given, row=row: row).detail["tip"].en
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,7 @@ import math
 import pytest
 
 from tflab.workbook import check, checks
-from tflab.workbook.answers.forms import Number, Sequence, Vector
+from tflab.workbook.answers.forms import Choice, Number, Sequence, Vector
 from tflab.workbook.answers.values import outcome_of, to_plain
 from tflab.workbook.places import workbook_data
 from tflab.workbook.repairing import edits
@@ -110,6 +110,13 @@ def test_formulas_are_mended_too(old, new, kind):
 def test_a_line_that_belongs_into_every_call_is_not_called_a_line_of_another_variable():
     said = of_turned("    return (c * x", "    if yaw > 0:\n        return (c * x")
     assert said.en.endswith(LOOK["choice"].en) and "`if yaw > 0:`" in said.en
+
+
+def test_a_number_whose_exponent_has_the_other_sign_is_found():
+    asked = [(5e-7,), (0.5,), (2e-6,), (5e5,), (5e6,)]
+    text = "def is_short(length):\n    return 'short' if length < 1e-6 else 'long'\n"
+    said = look(text, "is_short", text.replace("1e-6", "1e6"), asked, Choice(("short", "long")))
+    assert said.en.endswith(LOOK["number"].en)
 
 
 def test_a_sum_is_mended_as_a_whole():

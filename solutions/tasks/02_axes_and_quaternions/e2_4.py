@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 import numpy as np
 
@@ -11,7 +12,7 @@ from tflab.core.quaternions import wxyz_from_xyzw
 from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
-PARTLY = {"without w": "xyz", "without x": "yzw", "without y": "xzw", "without z": "xyw"}  # which are asked for NaN
+PARTLY = ["".join(some) for size in (1, 2, 3) for some in combinations("xyzw", size)]  # which are asked for NaN
 
 
 def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, float, float]]]:
@@ -74,7 +75,10 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "last": lambda part: True,
         **dict.fromkeys(PARTLY, math.isfinite),
     }
-    asked = [finites[finite](part) for name, part in zip("xyzw", q, strict=True) if name in PARTLY.get(finite, "xyzw")]
+    letters = finite if finite in PARTLY else "xyzw"
+    asked = [finites[finite](part) for letter, part in zip("xyzw", q, strict=True) if letter in letters]
+    if first == "of all" and max(map(abs, q[:2])) > above:
+        return "w first"
     if not (any(asked) if finite == "any" else all(asked)):
         return "nan"
     if length == "of the scaled" and math.hypot(*q) >= below:
@@ -84,12 +88,15 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
              "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3])),
              "x signed": max(x, abs(y)), "y signed": max(abs(x), y), "signed sum": x + y,
              "x or z": max(abs(x), abs(q[2])), "first that is not 0": abs(x or y), "squares": max(x * x, y * y),
-             "sum of squares": x * x + y * y}  # fmt: skip
+             "sum of squares": x * x + y * y, "x and y": abs(x and y), "z": abs(q[2]), "w large": abs(q[3])}  # fmt: skip
     beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3]),
               "x over z": abs(q[0]) > abs(q[2]),
               "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,
               "w over z, signed": q[3] > q[2], "x over w, signed": q[0] > q[3],
               "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3]),
+              "w near one": abs(q[3]) > 0.9, "z small": abs(q[2]) < above,
+              "just one": (abs(q[0]) > above) != (abs(q[1]) > above), "both small": max(abs(x), abs(y)) < above,
+              "any x, signed y": q[0] != 0.0 or q[1] > above,
               "any x": q[0] != 0.0 or abs(q[1]) > above, "any y": abs(q[0]) > above or q[1] != 0.0,
               "read w first": max(abs(q[1]), abs(q[2])) > above}  # fmt: skip
     is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
@@ -105,6 +112,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
         "each": max(map(abs, q)) < below,
         "not asked": False,
         "any": 0.0 in q,
+        "any small": min(map(abs, q)) < below,
         "no vector": not any(q[:3]),
     }
     if is_zero[zero] or (zero == "w" and is_zero["length"]):
@@ -120,7 +128,8 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     }
     off = lengths[length] - 1.0
     window = {"above": off, "below": -off, "none above": math.inf if off > 1e-9 else -off,
-              "none below": math.inf if off < -1e-9 else off}  # fmt: skip
+              "none below": math.inf if off < -1e-9 else off,
+              "a share": abs(off) / max(1.0, lengths[length])}  # fmt: skip
     if window.get(sides, abs(off)) > tolerance:
         return "not unit"
     if is_tipped:
@@ -132,8 +141,8 @@ NAN_SLIPS_THROUGH = Slip(
     "nan slips through",
     {"finite": "not asked"},
     Words(
-        en="NaN slips through: math.sqrt and math.hypot raise nothing, every comparison with NaN is False, and `in` finds it by luck alone. Ask for it first, with math.isfinite.",
-        ko="NaN이 빠져나갔습니다. math.sqrt나 math.hypot은 예외를 내지 않고, NaN과의 비교는 모두 False이며, `in`으로는 운이 좋아야 찾습니다. math.isfinite로 맨 먼저 확인하십시오.",
+        en="NaN slips through: math.sqrt and math.hypot raise nothing, every comparison with NaN is False, and `in` finds it by luck alone. Ask for it first, with math.isfinite, called with each part.",
+        ko="NaN이 빠져나갔습니다. math.sqrt나 math.hypot은 예외를 내지 않고, NaN과의 비교는 모두 False이며, `in`으로는 운이 좋아야 찾습니다. 성분마다 math.isfinite를 호출해 맨 먼저 확인하십시오.",
     ),
     misconception="M5",
 )
@@ -316,6 +325,24 @@ ONLY_Y = Slip(
     ),
 )
 
+NEVER_NOT_UNIT = Slip(
+    "never not unit",
+    {"tolerance": math.inf},
+    Words(
+        en='You never say "not unit" of a length that is not zero: the question about the length is missing or never reached, its bound is far too wide, or it asks for a length above and below at once.',
+        ko='길이가 0이 아니면 "not unit"이라고 하는 일이 없습니다. 길이를 묻지 않았거나, 거기까지 가지 못하거나, 기준이 지나치게 넓거나, 크면서 동시에 작아야 한다고 물었습니다.',
+    ),
+)
+
+WITHIN_A_HALF = Slip(
+    "tolerance 0.5",
+    {"tolerance": 0.5},
+    Words(
+        en="Your tolerance for the length is about a half, as by round(length): the task allows 0.01.",
+        ko="길이의 허용 오차가 0.5쯤 됩니다. round(길이)가 그렇습니다. 문제에서는 0.01까지만 허용합니다.",
+    ),
+)
+
 LOOSE = Slip(
     "tolerance 0.1",
     {"tolerance": 0.1},
@@ -466,8 +493,8 @@ NEVER_W_FIRST = Slip(
     "never w first",
     {"size": "never"},
     Words(
-        en='You say "w first" to none of these. The question about x and y is missing or never reached, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
-        ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 거기까지 가지 못하거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
+        en='You say "w first" to none of these. The question about x and y is missing or never reached, its bound is too high, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
+        ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 거기까지 가지 못하거나, 기준이 너무 높거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
     ),
     "M5",
 )
@@ -608,13 +635,13 @@ ALONE = (
     ),
     *(
         judged_by(
-            f"{name} not asked",
-            {"finite": f"without {name}"},
-            f"A{'n' if name == 'x' else ''} {name} that is not finite slips through: you ask three of the four numbers "
-            "whether they are.",
-            f"유한하지 않은 {name}를 놓쳤습니다. 네 숫자 가운데 셋만 유한한지 확인합니다.",
+            f"asked of {letters}",
+            {"finite": letters},
+            f"Of {' and '.join(letters)} alone you ask whether {'it is' if len(letters) == 1 else 'they are'} finite: a NaN in "
+            "another of the four slips through.",
+            f"{', '.join(letters)}만 유한한지 확인합니다. 네 숫자 가운데 다른 것이 NaN이면 빠져나갑니다.",
         )
-        for name in "xyzw"
+        for letters in PARTLY
     ),
     judged_by(
         "too long passes",
@@ -690,6 +717,88 @@ ALONE = (
         "네 숫자 가운데 하나만 0이어도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
     ),
     judged_by(
+        "zero if one is small",
+        {"zero": "any small"},
+        "You call it zero if one of the four is next to 0: then nearly every good one is. All four together are short: look "
+        "at the length.",
+        "네 숫자 가운데 하나만 0에 가까워도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
+    ),
+    judged_by(
+        "w first before all",
+        {"first": "of all"},
+        "You ask about x and y before anything else: what is not finite, or not of length one, is called w first. The task "
+        "says in which order to ask.",
+        "x와 y부터 묻습니다. 그래서 유한하지 않거나 길이가 1이 아닌 것도 w first가 됩니다. 묻는 순서는 문제에 적혀 있습니다.",
+    ),
+    judged_by(
+        "a share for the tolerance",
+        {"sides": "a share"},
+        "Above 1 your tolerance is a hair wider than the task's: math.isclose with rel_tol=0.01 takes a share of the larger "
+        "number, for one. Compare abs(length - 1) with 0.01.",
+        "1보다 길 때 허용 오차가 문제보다 조금 넓습니다. 예를 들어 rel_tol=0.01인 math.isclose는 둘 중 큰 수의 비율로 봅니다. "
+        "abs(길이 - 1)을 0.01과 비교하십시오.",
+    ),
+    judged_by(
+        "the square within 0.02",
+        {"length": "square", "tolerance": 0.02},
+        "You compare the square of the length with 1, and 0.02 is nearly the same bound and not quite. Take the root: "
+        "math.sqrt, or math.hypot at once.",
+        "길이의 제곱을 1과 비교합니다. 0.02는 비슷한 기준이지만 똑같지는 않습니다. math.sqrt로 제곱근을 구하거나 처음부터 "
+        "math.hypot을 쓰십시오.",
+    ),
+    judged_by(
+        "w large",
+        {"size": "w large"},
+        "You ask whether w is larger than 0.1. It is in nearly every good turn: look at the size of x and of y.",
+        "w가 0.1보다 큰지 묻습니다. 올바른 회전에서도 거의 늘 그렇습니다. x와 y의 크기를 보십시오.",
+    ),
+    judged_by(
+        "w near one",
+        {"size": "w near one"},
+        "You ask whether w is nearly 1. It is in every small turn, and in no turn at all: look at the size of x and of y.",
+        "w가 1에 가까운지 묻습니다. 조금만 돌거나 돌지 않을 때도 그렇습니다. x와 y의 크기를 보십시오.",
+    ),
+    judged_by(
+        "z large",
+        {"size": "z"},
+        "You look at z alone. A turn on the floor lives in z, so z may be large: the task asks x and y.",
+        "z만 봅니다. 바닥에서 도는 회전은 z에 나타나므로 z는 커도 됩니다. 문제에서는 x와 y를 봅니다.",
+    ),
+    judged_by(
+        "z small",
+        {"size": "z small"},
+        "You ask whether z is small. It is where the robot hardly turns, and that is good: look at the size of x and of y.",
+        "z가 작은지 묻습니다. 로봇이 거의 돌지 않으면 그렇고, 그것은 올바릅니다. x와 y의 크기를 보십시오.",
+    ),
+    judged_by(
+        "just one of them",
+        {"size": "just one"},
+        "You want just one of x and y to be large. Where both are it is w first, too: join with `or`.",
+        "x와 y 가운데 하나만 커야 한다고 봅니다. 둘 다 커도 w first입니다. `or`로 이으십시오.",
+    ),
+    judged_by(
+        "both small",
+        {"size": "both small"},
+        'You say "w first" where x and y are both small. It is the other way round: there it is "ok".',
+        'x와 y가 둘 다 작을 때 "w first"라고 합니다. 반대입니다. 그때가 "ok"입니다.',
+    ),
+    judged_by(
+        "x and y in Python",
+        {"size": "x and y"},
+        "`x and y` is no question in Python but a number: y where x is not 0, and else x. Ask each: abs(x) > 0.1 or "
+        "abs(y) > 0.1.",
+        "파이썬에서 `x and y`는 물음이 아니라 숫자입니다. x가 0이 아니면 y, 0이면 x입니다. 하나씩 물으십시오. "
+        "abs(x) > 0.1 or abs(y) > 0.1.",
+    ),
+    judged_by(
+        "any x, y with its sign",
+        {"size": "any x, signed y"},
+        "Any x that is not 0 is too large for you, and of y you ask whether it is above 0.1, sign and all, as in "
+        "`x or y > 0.1`. Ask the size of each: abs(x) > 0.1 or abs(y) > 0.1.",
+        "`x or y > 0.1`처럼 x는 0만 아니면 크다고 보고, y는 부호까지 넣어 0.1과 비교합니다. 하나씩 크기를 물으십시오. "
+        "abs(x) > 0.1 or abs(y) > 0.1.",
+    ),
+    judged_by(
         "zero without a vector",
         {"zero": "no vector"},
         "You call it zero if x, y and z are 0. (0, 0, 0, 1) is no turn at all, and a good quaternion: its length is 1.",
@@ -759,6 +868,8 @@ TASK = Task(
         ZERO_IS_ONLY_NOT_UNIT,
         ONLY_Y,
         LOOSE,
+        WITHIN_A_HALF,
+        NEVER_NOT_UNIT,
         FINE,
         ZERO_SOON,
         ZERO_EXACTLY,

@@ -53,7 +53,11 @@ def turned_twice(
     second = ways[pitch] * factor * pitch_rad
     then = Transform.from_rpy(roll=second) if pitch == "roll" else Transform.from_rpy(pitch=second)
     both = first @ then if order == "pitch first" else then @ first
-    both = first.inverse() @ then @ first if order == "sandwiched" else both
+    both = {
+        "sandwiched": first.inverse() @ then @ first,
+        "yaw twice": first @ then @ first,
+        "pitch twice": then @ first @ then,
+    }.get(order, both)
     return both.inverse().rotation if result == "inverse" else both.rotation
 
 
@@ -94,8 +98,8 @@ OTHER_ORDER = Slip(
     "other order",
     {"order": "pitch first"},
     Words(
-        en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still.",
-        ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다.",
+        en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still. (In a product by hand, x has the other sign.)",
+        ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다. (직접 곱했다면 x의 부호가 반대입니다.)",
     ),
 )
 
@@ -317,6 +321,26 @@ SANDWICHED = Slip(
 )
 
 
+YAW_ON_BOTH_SIDES = Slip(
+    "yaw on both sides",
+    {"order": "yaw twice"},
+    Words(
+        en="The yaw is in it twice, before the pitch and after it. Each turn is made once.",
+        ko="yaw가 pitch의 앞과 뒤에 두 번 들어 있습니다. 회전마다 한 번씩만 곱합니다.",
+    ),
+)
+
+
+PITCH_ON_BOTH_SIDES = Slip(
+    "pitch on both sides",
+    {"order": "pitch twice"},
+    Words(
+        en="The pitch is in it twice, before the yaw and after it. Each turn is made once.",
+        ko="pitch가 yaw의 앞과 뒤에 두 번 들어 있습니다. 회전마다 한 번씩만 곱합니다.",
+    ),
+)
+
+
 AVERAGED_TO_LENGTH_ONE = Twin(
     "averaged to length one",
     lambda given: of_length_one([a + b for a, b in zip(*rows(given), strict=True)]),
@@ -374,8 +398,8 @@ BOTH_TO_THE_OTHER_SIDE = Slip(
     "both to the other side",
     {"yaw": "right", "pitch": "up"},
     Words(
-        en="Both turns go to the other side: a positive yaw turns left, a positive pitch takes the nose down.",
-        ko="두 회전 모두 반대쪽으로 돕니다. 양의 yaw는 왼쪽으로, 양의 pitch는 앞이 내려가는 쪽으로 돕니다.",
+        en="Both turns go to the other side: a positive yaw turns left, a positive pitch takes the nose down. (The inverse of the two in the other order is just that.)",
+        ko="두 회전 모두 반대쪽으로 돕니다. 양의 yaw는 왼쪽으로, 양의 pitch는 앞이 내려가는 쪽으로 돕니다. (순서를 바꾼 곱의 역회전도 이와 같습니다.)",
     ),
 )
 
@@ -545,6 +569,8 @@ TASK = Task(
         PITCH_TWICE,
         YAW_ABOUT_X,
         SANDWICHED,
+        YAW_ON_BOTH_SIDES,
+        PITCH_ON_BOTH_SIDES,
         AVERAGED_TO_LENGTH_ONE,
         ONE_TURN_ABOUT_A_SLANTED_AXIS,
         HALVED,

@@ -26,6 +26,7 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "pi": math.pi,
         "an eighth": math.pi / 4,
         "90": 90.0,
+        "floor": 1.0,
         "none": 0.0,
     }
     missing = quarters[quarter] - given.written_yaw_rad
@@ -56,6 +57,9 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
         "sine, in degrees": reach_m * math.sin(math.degrees(given.written_yaw_rad)),
         "both angles": reach_m * (math.pi / 2 + given.written_yaw_rad),
         "arc tangent": math.atan(reach_m * missing),
+        "of the written": reach_m * missing / given.written_yaw_rad,
+        "to metres": round(abs(reach_m * missing)),
+        "range and angle": reach_m + abs(missing),
         "bracket missing": reach_m * quarters[quarter] - given.written_yaw_rad / 1000.0,
         "bracket missing, in metres": reach_m * quarters[quarter] - given.written_yaw_rad,
         "to centimetres": round(reach_m * missing, 2),
@@ -345,6 +349,30 @@ ALONE = (
             ("bracket missing", "the millimetres", "밀리미터로 곱한 값"),
             ("bracket missing, in metres", "the metres", "미터로 곱한 값"),
         )
+    ),
+    off_by(
+        "pi // 2",
+        {"quarter": "floor"},
+        "You compared with 1, as `math.pi // 2` gives it: `//` cuts off what is behind the point. A quarter turn is math.pi / 2.",
+        "1과 비교했습니다. `math.pi // 2`의 값입니다. `//`는 소수점 아래를 잘라 버립니다. 4분의 1바퀴는 math.pi / 2입니다.",
+    ),
+    off_by(
+        "relative to the written",
+        {"length": "of the written"},
+        "You divided the missing angle by the one that was written. The missing angle itself is what swings the ray.",
+        "모자란 각도를 적힌 각도로 나누었습니다. 광선을 옆으로 미는 것은 비율이 아니라 모자란 각도 자체입니다.",
+    ),
+    off_by(
+        "range and angle",
+        {"length": "range and angle"},
+        "You added the range and the angle, metres and radians. An arc is radius times angle.",
+        "거리와 각도를, 곧 미터와 라디안을 더했습니다. 호의 길이는 반지름 곱하기 각도입니다.",
+    ),
+    off_by(
+        "to metres",
+        {"length": "to metres"},
+        "This is a whole number of metres, as after rounding too early: 0, or a full thousand. Round at the very end, if at all.",
+        "너무 일찍 반올림해서 미터 단위의 정수, 곧 0이나 1000이 되었습니다. 반올림은 맨 마지막에만 하십시오.",
     ),
     off_by(
         "to centimetres",

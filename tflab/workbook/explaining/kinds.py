@@ -43,13 +43,22 @@ AN_ERROR = Words(
 )
 
 ANGLES = Words(
-    en="Three numbers are angles, as `.rpy()` gives them, or an axis; the four of a Transform's rotation are in "
-    "`.rotation`",
-    ko="숫자 셋은 `.rpy()`가 주는 각도이거나 축입니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 있습니다",
+    en="Three numbers are angles, as `.rpy()` gives them, an axis or a place; the four of a Transform's rotation are "
+    "in `.rotation`",
+    ko="숫자 셋은 `.rpy()`가 주는 각도이거나 축, 또는 위치입니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 "
+    "있습니다",
 )
 WITHOUT_ZEROS = Words(
     en="Two numbers say too little: a number that is 0 stands there, too",
     ko="숫자 둘로는 모자랍니다. 0인 숫자도 자리에 써야 합니다",
+)
+ROWS = Words(
+    en="Several rows of numbers stand there, and one quaternion is asked for: of two turns it is their product",
+    ko="숫자 묶음이 여럿 있습니다. 필요한 것은 쿼터니언 하나이고, 두 회전이라면 그 곱입니다",
+)
+JOINED = Words(
+    en="`+` between two lists or tuples joins them; it does not add their numbers",
+    ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
 )
 ONE_INSIDE = Words(
     en="There is a pair of brackets too many: the numbers stand in a list inside another",
@@ -126,6 +135,8 @@ def kind_said(form: Form, outcome: Plain) -> Words | None:
 
 def _said_of_what_it_holds(form: Form, outcome: Plain) -> Words | None:
     """Return what to say of a list or a text by what stands in it."""
+    if _is_joined(form, outcome):
+        return JOINED
     if isinstance(form, Choice) and (held := members_of(outcome)) and len(held) > 1:
         return SEVERAL if all(form.option(one) in form.options for one in held) else None
     if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
@@ -134,9 +145,17 @@ def _said_of_what_it_holds(form: Form, outcome: Plain) -> Words | None:
     return A_TEXT if is_text and len(NUMBER.findall(outcome)) >= form.size else None
 
 
+def _is_joined(form: Form, outcome: Plain) -> bool:
+    """Return whether a list or tuple holds as many numbers as several points, or quaternions, have."""
+    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else 0
+    body = outcome["tuple"] if isinstance(outcome, dict) and "tuple" in outcome else outcome
+    is_row = isinstance(body, list) and all(map(is_number, body))
+    return size > 0 and is_row and len(body) > size and len(body) % size == 0
+
+
 def _said_of_no_quaternion(members: list[Plain]) -> Words | None:
     if members and all(isinstance(row, list) or isinstance(inside(row), list) for row in members):
-        return A_MATRIX if len(members) > 1 else ONE_INSIDE
+        return {1: ONE_INSIDE, 3: A_MATRIX, 4: A_MATRIX}.get(len(members), ROWS)
     return {2: WITHOUT_ZEROS, 3: ANGLES}.get(len(members)) if all(map(is_number, members)) else None
 
 

@@ -12,11 +12,12 @@ from __future__ import annotations
 
 import difflib
 
+from ..answers.form import Form
 from ..answers.forms import Choice, Parts
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["near_an_option", "one_part_alone", "option_of_another"]
+__all__ = ["near_an_option", "one_part_alone", "option_of_another", "raised_option"]
 
 ON, OFF = ("true", "on", "yes"), ("false", "off", "no")
 NEAR = 0.8  # share of letters that two words have in common
@@ -28,6 +29,10 @@ NEARLY = Words(en='The nearest of them is "{option}"', ko='가장 비슷한 보�
 ALONE = Words(
     en='That is the word for "{name}" alone, and each of these is asked for each time',
     ko='"{name}"에 들어갈 낱말 하나뿐입니다. 이것들이 언제나 모두 있어야 합니다',
+)
+RAISED = Words(
+    en='"{option}" is an answer: it is returned, not raised, `return "{option}"`',
+    ko='"{option}"은(는) 답입니다. 예외로 일으키지 말고 반환하십시오: `return "{option}"`',
 )
 A_TOPIC = Words(
     en='With a name in front it is another topic: whoever listens on "{option}" hears nothing of it',
@@ -44,6 +49,12 @@ def near_an_option(form: Choice, answer: str) -> Words | None:
     meant = next((words for words in (ON, OFF) if answer.lower() in words), ())
     near += [option for option in form.options if option.lower() in meant]
     return NEARLY.filled(option=near[0]) if near else None
+
+
+def raised_option(form: Form, text: str) -> Words | None:
+    """Return that an option was raised as an error's text; None of any other error."""
+    option = form.option(text) if isinstance(form, Choice) and text else None
+    return None if option is None else RAISED.filled(option=option)
 
 
 def one_part_alone(form: Parts, outcome: Plain) -> Words | None:

@@ -34,14 +34,9 @@ from ..tasks import evidence
 from ..tasks.case import Case, TaskCases, TwinWords, Variant
 from ..words import Words
 from .mistake import Mistake
-from .options import near_an_option, one_part_alone, option_of_another
+from .options import near_an_option, one_part_alone, option_of_another, raised_option
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
-
-JOINED = Words(
-    en="`+` between two lists or tuples joins them; it does not add their numbers",
-    ko="리스트나 튜플끼리 `+`를 쓰면 이어 붙을 뿐, 숫자가 더해지지 않습니다",
-)
 
 IN_THIS_CALL = Words(en="in the call below: {said}", ko="아래 호출에서: {said}")
 
@@ -263,7 +258,11 @@ def _ending(
     if is_raised(outcome):
         meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
         error, text = outcome["raises"], outcome.get("text", "")
-        detail = {"error": error, "text": text.rstrip(". "), "tip": tip_for(error, text)}
+        detail = {
+            "error": error,
+            "text": text.rstrip(". "),
+            "tip": raised_option(task.form, text) or tip_for(error, text),
+        }
         return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
     if task.is_function and outcome is None and not is_raised(expected):
         always = all(other is None for other in outcomes)
@@ -321,7 +320,7 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
         and not isinstance(form, Number | Angle | Choice | Message)
         and _holds_numbers(body)
     ):
-        return Mistake.SHAPE, {"tip": JOINED} if _is_joined(form, outcome) else _tip_of(form, outcome)
+        return Mistake.SHAPE, _tip_of(form, outcome)
     return Mistake.TYPE, _meant(form, outcome)
 
 
@@ -340,13 +339,6 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
 def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
     said = kind_said(form, outcome)
     return {} if said is None else {"tip": said}
-
-
-def _is_joined(form: Form, outcome: Plain) -> bool:
-    """Return whether a list or tuple holds as many numbers as several points have."""
-    body = inside(outcome)
-    is_list = kind_of(outcome).startswith(("list", "tuple")) and isinstance(form, Vector)
-    return is_list and len(body) > form.size and len(body) % form.size == 0
 
 
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
