@@ -2,6 +2,7 @@
 
     units       in which other unit it may be
     by_place    which of a point's numbers has the wrong sign, which two have changed places
+    written     which place holds the number of another
     angles      whether a quaternion's numbers are its angles
     universal   mistakes that any answer can have
     names       what is wrong with a name: its slashes, or nothing was filled in

@@ -15,7 +15,6 @@ import math
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator
-from itertools import permutations
 
 from ..answers import sealed
 from ..answers.form import Row as Marks
@@ -28,24 +27,13 @@ from .angles import ANGLES, holds_angles
 from .shell_words import LINES, told_of_a_line, wrong_in
 from .trees import TREES, of_trees, told_of_a_tree
 from .universal import OF_FORM
+from .written import NEW, WRITTEN, misplaced
 
 __all__ = ["MARGINS", "TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
 
 Numbers = tuple[float, ...]
 TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
 
-WRITTEN = {  # a name is followed by the place that holds a number, and by the place whose number it is
-    "written over": Words(
-        en="{place} holds the number that belongs to {of}, and nothing was written to {of}: is {place} written twice? "
-        "The rest is right.",
-        ko="{of}에 쓸 값이 {place}에 있고 {of}에는 아무것도 쓰지 않았습니다. {place}에 두 번 썼습니까? "
-        "나머지는 맞습니다.",
-    ),
-    "stands twice": Words(
-        en="{place} holds the number that belongs to {of}, which has it as well. The rest is right.",
-        ko="{of}의 값이 {of}뿐 아니라 {place}에도 들어 있습니다. 나머지는 맞습니다.",
-    ),
-}
 LOSSES = {
     "empty": Words(en="this is still empty.", ko="아직 비어 있습니다."),
     "left at zero": Words(
@@ -153,7 +141,6 @@ MOST_TOLD = 3
 AMOUNTS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # added to be safe
 MARGINS = {"margin": 1.0, "margin off": -1.0}
 SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5)
-NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
 SHOWS_AT = Words(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
 
 
@@ -205,7 +192,7 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
     elif is_empty and isinstance(form, Number | Angle):
         yield "zero"
     if len(rows[0][1]) in NEW and not isinstance(form, Number | Angle):
-        yield from _told(_misplaced(rows, form.tolerance))
+        yield from _told(misplaced(rows, form.tolerance))
     yield from _lost_by_kind(form, rows)
     if not is_empty and _all_rounded(form, rows):
         yield "rounded"
@@ -252,24 +239,6 @@ def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool
         not any(number for number, _ in pairs) or all(abs(number - want) <= tolerance for number, want in pairs)
         for pairs in map(list, places)
     )
-
-
-def _misplaced(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> Iterator[tuple[str, str]]:
-    """Yield which place holds the number of which other, in all of these points, where nothing else is wrong."""
-    size = len(rows[0][1])
-    for place, of in permutations(range(size), 2):
-        twice: list[int | None] = [of if one == place else one for one in range(size)]
-        over = [None if one == of else held for one, held in enumerate(twice)]
-        for kind, held in (("written over", over), ("stands twice", twice)):
-            if all(_holds(given, want, held, tolerance) for given, want in rows):
-                yield kind, f"{'xyzw'[place]}, {'xyzw'[of]}"
-
-
-def _holds(given: Numbers, wanted: Numbers, held: list[int | None], tolerance: float) -> bool:
-    """Return whether each place holds the wanted number of the place that is named, or what it is new with."""
-    new = NEW[len(wanted)]
-    want = [new[place] if of is None else wanted[of] for place, of in enumerate(held)]
-    return all(abs(one - other) <= tolerance for one, other in zip(given, want, strict=True))
 
 
 def _all_rounded(form: Form, rows: list[tuple[Numbers, Numbers]]) -> bool:
