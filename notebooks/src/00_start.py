@@ -57,10 +57,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room
 #
-# Run the cell below, then press ▶ under its picture. Drag to turn it; click into it and scroll to come closer.
+# Run the cell below, then press ▶ under its picture: the drive takes 24 seconds, and the film shows it in four. Drag to turn it; click into it and scroll to come closer; double-click to see all of it again.
 #
 # - The body with wheels and an arm is our robot. It goes round a pillar.
-# - The coloured dots are what its laser measures, ten times a second. They lie on the walls, although the laser knows nothing of walls: it only knows how far away something is, *as seen from itself*. In the bends they slip off the walls a little; chapter 08 is about that.
+# - The coloured dots are what its laser measures, ten times a second; the pale area between them and the robot is what it has swept. The dots lie on the walls, although the laser knows nothing of walls: it only knows how far away something is, *as seen from itself*. In the bends they slip off the walls a little; chapter 08 is about that.
 # - The three arrows on the robot are the frame [[base_link]], and those on top are `laser_frame`. The ones that stay on the floor are `map`.
 #
 # Everything in this workbook is about the step from *as seen from itself* to *on the map*.
@@ -68,10 +68,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="motion-why" slide="slide"
 # ## 방 안을 달리는 로봇
 #
-# 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다.
+# 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 24초 동안의 주행을 4초 만에 보여 줍니다. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다. 두 번 클릭하면 처음처럼 전체가 보입니다.
 #
 # - 바퀴와 팔이 달린 몸체가 우리 로봇입니다. 기둥을 돌며 달립니다.
-# - 색이 있는 점은 레이저가 1초에 열 번 재는 곳입니다. 점들은 벽 위에 놓이지만 레이저는 벽을 모릅니다. *레이저를 기준으로* 무언가가 얼마나 떨어져 있는지만 압니다. 모퉁이를 돌 때는 점들이 벽에서 조금 벗어납니다. 그 이야기는 08장에서 합니다.
+# - 색이 있는 점은 레이저가 1초에 열 번 재는 곳이고, 점과 로봇 사이의 옅은 면은 레이저가 훑은 자리입니다. 점들은 벽 위에 놓이지만 레이저는 벽을 모릅니다. *레이저를 기준으로* 무언가가 얼마나 떨어져 있는지만 압니다. 모퉁이를 돌 때는 점들이 벽에서 조금 벗어납니다. 그 이야기는 08장에서 합니다.
 # - 로봇에 붙은 화살표 세 개가 [[base_link|`base_link`]] 좌표계이고, 그 위의 것이 `laser_frame`입니다. 바닥에 가만히 있는 것은 `map`입니다.
 #
 # 이 워크북은 *레이저 기준*의 값을 *지도 기준*으로 옮기는 이야기입니다.

@@ -276,6 +276,14 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     page.wait_for_function(f"(before) => {picture} !== before", arg=before)
     assert find(page, ORANGE)[0] > 0
 
+    # and stays above the floor, by mouse and by key
+    above = "(({ camera, controls }) => camera.position.y - controls.target.y)([...tflabViews][0].viewer)"
+    for _ in range(3):
+        drag(page, pane, pane["x"] + pane["width"] / 2, pane["y"] + 5)
+    for _ in range(12):
+        page.keyboard.press("ArrowDown")
+    assert abs(page.evaluate(above)) < 1e-6
+
     # each scrubber moves its own box
     wait_for_colour(page, BLUE, *AT_MINUS_1_M, view=1)
     sliders = page.locator(".tflab-scrubber input")

@@ -170,6 +170,12 @@ def test_a_task_is_found_as_one_would_write_it(copy, capsys, task_id):
     assert said(capsys, task_id, "rubbish").startswith("E3.1 ✗")
 
 
+def test_a_task_and_its_answer_may_be_exchanged_where_that_is_plain(copy, capsys):
+    _, right = right_corner(capsys)
+    assert said(capsys, right, "E3.1").startswith("E3.1 ✓")
+    assert said(capsys, right, "elsewhere").startswith(str(right))
+
+
 def test_an_answer_left_out_is_asked_for(copy, capsys):
     check("E3.1")
     assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out

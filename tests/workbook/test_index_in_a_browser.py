@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
+
 import nbformat
 import pytest
 from axe_playwright_python.sync_playwright import Axe
 from nbformat.sign import NotebookNotary
 
+import tflab
+from tflab.ros.activation import PACKAGES
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.progress import record_try
 
 pytestmark = pytest.mark.browser
 
+SCRIPT = Path(tflab.__file__).parent / "workbook/copy/jupyter/labextensions/tflab/static/remoteEntry.js"
 PYTHON = {"name": "python3", "display_name": "Python 3"}
 MODEL = "jupyterapp.shell.currentWidget.content.model"
 CELLS = f"{MODEL}.cells"
@@ -39,6 +45,29 @@ def test_the_first_page_runs_and_shows_what_has_been_passed(language: str, lab, 
     assert page.locator('.tflab-progress [title^="E3.2"]').text_content() == "□"
     assert page.locator('.jp-OutputArea-output[data-mime-type*="error"]').count() == 0
     assert page.locator("abbr[title]").count() >= 3
+
+
+def test_what_the_first_cell_brings_is_told_from_a_slip_of_ones_own(lab, page) -> None:
+    copy = lay_out(lab.folder / "copy_too_early", "en")
+    going_on = {"tags": ["raises-exception"]}
+    cells = [
+        nbformat.v4.new_code_cell(source, id=f"cell-{i}", metadata=going_on)
+        for i, source in enumerate(
+            ["import rclpy", "%rviz2 -f map", "lesson", "%rviz -f map", "import rclpi", "1 + ''"]
+        )
+    ]
+    metadata = {"kernelspec": PYTHON | {"language": "python"}, "tflab": {"language": "en"}}
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), copy / "notebooks" / "en" / "mine.ipynb")
+    lab.open(page, f"{copy.name}/notebooks/en/mine.ipynb")
+    lab.run_all(page)
+    page.wait_for_function("document.querySelectorAll('.tflab-first').length === 3")
+    cells_with = "[...document.querySelectorAll('.jp-CodeCell')].map((cell) => !!cell.querySelector('.tflab-first'))"
+    assert page.evaluate(cells_with) == [True, True, True, False, False, False]
+
+
+def test_the_packages_of_the_first_cell_are_those_that_it_activates() -> None:
+    listed = re.search(r"const PACKAGES = new Set\(\[(.+?)\]\)", SCRIPT.read_text(encoding="utf-8"), re.DOTALL)
+    assert set(re.findall(r'"(\w+)"', listed[1])) == set(PACKAGES)
 
 
 def test_a_link_on_the_first_page_opens_the_exercise_in_the_same_copy(lab, page) -> None:

@@ -50,6 +50,7 @@ def test_the_drive_begins_to_be_seen_where_the_robot_goes_straight_on():
         ((0.2, 0.0, 0.15), "That is where the laser is."),
         ((2.2, -0.5, 0.15), "y has the wrong sign"),
         ((2.2, 0.5, 0.15), "First question ✓ 1/1\n"),
+        (..., "in place of the dots, and run the cell again"),
     ],
 )
 def test_the_first_question_has_a_reply_to_each_mistake_and_keeps_nothing(answer, said, tmp_path, monkeypatch, capsys):

@@ -62,6 +62,21 @@ def test_any_other_error_is_pythons_alone(shell, capsys) -> None:
     assert "Not there" not in said(shell, "1 / 0", capsys)[1]
 
 
+@pytest.mark.parametrize(
+    ("cell", "tip"),
+    [
+        ("[1.0] - [2.0]", "take their members one by one"),
+        ("(1.0,) * (2.0,)", "one by one"),
+        ("[1.0] + 2.0", "one by one"),
+        ("'1' - 2", "`float(text)` makes a number of a text"),
+        ("len(3)", None),
+    ],
+)
+def test_a_type_error_has_the_tip_that_check_has(shell, capsys, cell: str, tip: str | None) -> None:
+    last = said(shell, cell, capsys)[1]
+    assert tip in last if tip else plain(last).startswith("TypeError: ")
+
+
 def test_an_error_is_shown_as_far_as_the_readers_own_lines_go(shell, capsys) -> None:
     asks = "from tflab.core import BufferCore\ndef ask():\n    BufferCore().lookup_transform('map', 'odom', 0)\nask()"
     assert said(shell, asks, capsys)[0] == "LookupException"
@@ -116,6 +131,7 @@ def test_a_shell_that_treats_its_own_errors_keeps_doing_so() -> None:
 
 def test_an_answer_that_fails_leaves_none_from_before(capsys) -> None:
     shell = InteractiveShell.instance()
+    shell.user_ns["check"] = print
     try:
         unmade.register(shell)
         for made, broken in (("def f(a):\n    return a", "def f(a)\n    return a"), ("x = 1", "x = y + 1")):
@@ -125,5 +141,8 @@ def test_an_answer_that_fails_leaves_none_from_before(capsys) -> None:
             assert name in shell.user_ns
             shell.run_cell(broken, cell_id="e3-3-answer")
             assert name not in shell.user_ns
+            assert "stopped with an error" in said(shell, f"check('E3.3', {name})", capsys)[1]
+            shell.run_cell(made, cell_id="e3-3-answer")
+            assert "stopped" not in said(shell, f"del {name}\ncheck('E3.3', {name})", capsys)[1]
     finally:
         InteractiveShell.clear_instance()

@@ -78,11 +78,13 @@ def task(task_id: str) -> SimpleNamespace | None:
 
 
 def check(task_id: str, answer: Any = NOTHING) -> float | None:
-    """Say what is right or wrong about an answer; it never raises.
+    """Say what is right or wrong about an answer; it never raises.  The two may be exchanged where that is plain.
 
     Returns:
         None; under nbgrader (NBGRADER_EXECUTION) the points, as it takes them for partial credit.
     """
+    if not isinstance(task_id, str) and isinstance(answer, str) and LIKE_A_TASK.fullmatch(answer.strip()):
+        task_id, answer = answer, task_id
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:

@@ -12,6 +12,7 @@ from typing import Any
 
 from .answers.forms import Vector
 from .places import read_workbook, workbook_root
+from .reply import show_reply
 from .tasks.case import Case, TaskCases, TwinWords, Variant
 from .trying import AssignedTask, say_verdict, tried_on
 from .words import Words
@@ -22,6 +23,10 @@ NAME = Words(en="First question", ko="첫 질문")
 GO_ON = Words(
     en="Change the answer, and run the cell again. Another mistake gets another reply: try one.",
     ko="답을 고쳐 셀을 다시 실행해 보세요. 실수가 다르면 답장도 다릅니다. 일부러 틀려 봐도 됩니다.",
+)
+UNANSWERED = Words(
+    en="Write three numbers (x, y, z) in place of the dots, and run the cell again.",
+    ko="점 세 개(`...`) 자리에 숫자 세 개 (x, y, z)를 쓰고 셀을 다시 실행해 보세요.",
 )
 DONE = Words(
     en="From the laser to the middle of the robot is a step, and the step was added. That is half of TF.",
@@ -89,6 +94,9 @@ def ask_first(base_p_post: Any) -> None:
     root = workbook_root()
     workbook = read_workbook(root)
     name = NAME.say(workbook.language)
+    if base_p_post is ...:
+        show_reply(name, UNANSWERED.say(workbook.language))
+        return
     assigned = AssignedTask(name, "", QUESTION, QUESTION.variants[0], root, workbook)
     verdict, outcomes = tried_on(assigned, base_p_post)
     said = GO_ON if verdict.mistake else DONE

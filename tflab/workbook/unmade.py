@@ -3,6 +3,8 @@
     NameError: name 'base_p_corner' is not defined
     base_p_corner: Not there yet. Run the cell above with your answer, then this one again.
 
+The tips that `check` has for Python's own TypeErrors are given here, too.
+
 An error is shown as far as the reader's own code goes: what the engine was at is
 left out, unless somebody asks for everything (`%xmode Verbose`).  An answer's cell
 that fails leaves no older answer behind for `check` to speak of.
@@ -19,6 +21,7 @@ from pathlib import Path
 from types import SimpleNamespace, TracebackType
 from typing import Any
 
+from .mistakes.stumbles import tip_for
 from .places import WorkbookError, read_workbook
 from .reply import show_reply
 from .words import Words
@@ -35,6 +38,10 @@ NOT_BEGUN = Words(
 NO_ANSWER = Words(
     "Not there yet. Run the cell above with your answer, then this one again.",
     "아직 없습니다. 답을 쓴 위의 셀을 먼저 실행한 다음 이 셀을 다시 실행하십시오.",
+)
+STOPPED = Words(
+    "The cell that makes it stopped with an error. Mend what the error names, run that cell, then this one again.",
+    "이 값을 만드는 셀이 오류로 멈췄습니다. 오류가 가리키는 곳을 고쳐 그 셀을 실행한 다음 이 셀을 다시 실행하십시오.",
 )
 NOT_YET = Words(
     "Not there yet. If a cell above makes it, run that one first (Run → Run All Above Selected Cell), "
@@ -69,15 +76,23 @@ def register(ipython: Any) -> None:
         ipython.set_custom_exc((Exception,), _show)
 
 
+_stopped: set[str] = set()  # what answers' cells would have made that failed when they were run last
+
+
 def _drop_stale(result: Any) -> None:
     """Forget what an answer's cell made before, if it has failed now."""
     from IPython import get_ipython
 
     shell = get_ipython()
-    if result.success or shell is None or not str(result.info.cell_id or "").endswith("-answer"):
+    if shell is None or not str(result.info.cell_id or "").endswith("-answer"):
         return
-    for function, value in MAKES.findall(result.info.raw_cell):
-        shell.user_ns.pop(function or value, None)
+    made = {function or value for function, value in MAKES.findall(result.info.raw_cell)}
+    if result.success:
+        _stopped.difference_update(made)
+        return
+    _stopped.update(made)
+    for name in made:
+        shell.user_ns.pop(name, None)
 
 
 def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: int | None = None) -> None:
@@ -89,6 +104,8 @@ def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: i
     shell.showtraceback((kind, error, traceback), tb_offset=tb_offset)
     if kind is NameError and error.name:
         show_reply(error.name, _said(error.name, shell.user_ns))
+    elif kind is TypeError and (tip := tip_for("TypeError", str(error)).say(_language())):
+        show_reply("TypeError", tip)
     elif kind is RuntimeError and str(error) in OF_ORDER:
         show_reply("rclpy", OF_ORDER[str(error)].say(_language()))
 
@@ -126,6 +143,8 @@ def _said(name: str, space: Mapping[str, Any]) -> str:
     """Return what a reader can do about a name that is not there."""
     if name in OURS:
         return NOT_BEGUN.say(_language())
+    if name in _stopped:
+        return STOPPED.say(_language())
     for holder, held in space.items():
         if type(held) is SimpleNamespace and name in vars(held) and not holder.startswith("_"):
             return GIVEN.say(_language(), holder=holder, name=name)

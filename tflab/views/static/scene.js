@@ -9,6 +9,7 @@
 
 const BLUR_PX = 4;             // a click may move this far and is still a click
 const PICK_PX = 16;            // how near to a frame's origin a click must be
+const LOWEST = Math.PI / 2;    // from below the floor, a room is its own mirror image
 const SWEEP_SECONDS = 4;       // how long playing a sweep takes
 
 // ---- one view ------------------------------------------------------------------------------------
@@ -72,6 +73,7 @@ class View {
     this.turned = false;
     for (const name of ["Background", "Axes"]) viewer.set_property([name], "visible", false);
     viewer.controls.addEventListener("start", () => { this.turned = true; });
+    viewer.controls.maxPolarAngle = LOWEST;
     viewer.set_3d_pane_size();
   }
 
@@ -160,7 +162,7 @@ class View {
     const arm = camera.position.clone().sub(controls.target);
     const place = new this.THREE.Spherical().setFromVector3(arm);
     place.theta += right;
-    place.phi = Math.min(Math.PI - 0.05, Math.max(0.05, place.phi - up));
+    place.phi = Math.min(LOWEST, Math.max(0.05, place.phi - up));
     camera.position.copy(controls.target).add(arm.setFromSpherical(place));
     this.turned = true;
     this.wake();

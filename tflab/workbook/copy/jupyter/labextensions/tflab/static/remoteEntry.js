@@ -59,11 +59,21 @@
     }
   }
 
+  // What the first cell brings along: of anything else, a word that is not found is a slip.
+  const MAGICS = /magic function `%(ros2|rviz2)` not found/;
+  const PACKAGES = new Set([
+    "action_msgs", "builtin_interfaces", "diagnostic_msgs", "example_interfaces", "geometry_msgs", "lifecycle_msgs",
+    "message_filters", "nav_msgs", "rcl_interfaces", "rclpy", "rosgraph_msgs", "sensor_msgs", "sensor_msgs_py",
+    "std_msgs", "std_srvs", "tf2_geometry_msgs", "tf2_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs", "trajectory_msgs",
+    "unique_identifier_msgs", "visualization_msgs",
+  ]);
+
   // Once the first cell has run, tflab itself says what to do about a name that is not there, in an output of its own.
   function isTooEarly(model, isLast) {
     if (!isLast) return false;
-    const { ename } = model.data?.["application/vnd.jupyter.error"] ?? {};
-    return ename === "NameError" || /magic function `%\w+` not found/.test(model.data?.["application/vnd.jupyter.stderr"] ?? "");
+    const { ename, evalue } = model.data?.["application/vnd.jupyter.error"] ?? {};
+    const missing = /^No module named '(\w+)'$/.exec(evalue)?.[1];
+    return ename === "NameError" || PACKAGES.has(missing) || MAGICS.test(model.data?.["application/vnd.jupyter.stderr"] ?? "");
   }
 
   function sayWhatIsFirst(output, language) {
