@@ -44,6 +44,8 @@ def seen(old, new):
         ("except KeyError", "except Exception", 7, lint.NEVER_REACHED.filled(name="Exception")),
         ("except KeyError", "except (KeyError or IndexError)", 5, lint.FIRST_CLASS_ALONE),
         ("    words =", '    finally:\n        return "ok"\n    words =', 14, lint.GOES_OVER_ALL),
+        ("words.sort()", "return words\n    words.sort()", 15, lint.AFTER_THE_END),
+        ('return "key"', 'print("key")', 6, lint.ONLY_PRINTED),
         ("words.sort()", "words.sort", 14, lint.NOT_CALLED),
         ("words.sort()", "sorted(words)", 14, lint.NOT_KEPT),
         ("words.sort()", 'words == ["ok"]', 14, lint.NOT_SET),
@@ -62,6 +64,7 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
     [
         ("words.sort()", "words = sorted(words)"),
         ("words.sort()", "words.append(text)"),
+        ('return words or "ok"', 'return words\n    raise NotImplementedError("your turn")'),
         ("except KeyError", "except (KeyError, IndexError)"),
         ('"past" in text', '"past" in text or "before" in text'),
         ('"past" in text', 'text.find("past") >= 0'),

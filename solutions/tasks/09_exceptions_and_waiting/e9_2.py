@@ -63,6 +63,7 @@ def classified(
     said = {
         "turned round": {"past": "future", "future": "past"},
         "two": {"one sample": "past"},
+        "two, and an answer": {"one sample": "ok"},
         "two, and future": {"one sample": "future"},
         "all future": {"past": "future", "one sample": "future"},
         "all past": {"future": "past", "one sample": "past"},
@@ -74,6 +75,7 @@ def classified(
         return kind
     return {
         "base first": "invalid argument",
+        "by the text": kind if kind in extrapolations else "one sample",
         "one word": "lookup",
         "one word: future": "future",
         "one word: past": "past",
@@ -120,8 +122,8 @@ BASE_CLASS_FIRST = Slip(
     "base class first",
     {"classes": "base first"},
     Words(
-        en="every refusal ends in the same branch. Python takes the first `except` that fits, and the base class fits everything: let it come last.",
-        ko="모든 거절이 같은 분기로 들어갑니다. 파이썬은 조건에 맞는 `except` 가운데 맨 위의 것을 택하고, 부모 클래스는 무엇에나 해당합니다. 맨 뒤로 보내십시오.",
+        en='every refusal is "invalid argument" for you. Is there one `except` for all? Python takes the first that fits, and the base class fits everything: give each class its own, and let the base class come last.',
+        ko='모든 거절이 "invalid argument"입니다. `except` 하나로 모두 잡습니까? 파이썬은 조건에 맞는 맨 위의 것을 택하고, 부모 클래스는 무엇에나 해당합니다. 클래스마다 하나씩 두고 부모 클래스는 맨 뒤로 보내십시오.',
     ),
     "M11",
 )
@@ -213,6 +215,28 @@ THIRD_TEXT_IS_THE_FUTURE = Slip(
     Words(
         en="extrapolation has three texts: an edge that was heard just once is neither future nor past, and tf2 says so.",
         ko="외삽에는 문장이 셋 있습니다. 한 번만 들은 연결은 미래도 과거도 아니고, tf2가 그렇게 말합니다.",
+    ),
+    "M11",
+)
+
+
+THIRD_TEXT_IS_AN_ANSWER = Slip(
+    "third text is an answer",
+    {"texts": "two, and an answer"},
+    Words(
+        en='where an edge was heard just once, you say "ok". tf2 has no answer there: one sample is good for its own moment alone, and another one was asked for. That is "one sample".',
+        ko='한 번만 들은 연결을 "ok"라고 합니다. 거기서 tf2는 답하지 못합니다. 표본 하나는 그 시각에만 쓸 수 있는데 다른 시각을 물었습니다. "one sample"입니다.',
+    ),
+    "M11",
+)
+
+
+TEXTS_ALONE = Slip(
+    "texts alone",
+    {"classes": "by the text"},
+    Words(
+        en='a wrong name, no path and what is no question are "one sample" for you, too: you look at the text and not at the class. "one sample" is what is left of an ExtrapolationException, not of every exception.',
+        ko='틀린 이름도, 없는 경로도, 질문이 되지 않는 것도 "one sample"이라고 합니다. 클래스는 보지 않고 오류 메시지만 봅니다. "one sample"은 모든 예외가 아니라 ExtrapolationException에서 남는 것입니다.',
     ),
     "M11",
 )
@@ -418,6 +442,8 @@ TASK = Task(
         EVERY_NO_IS_NO_PATH,
         WHOLE_SECONDS,
         THIRD_TEXT_IS_THE_FUTURE,
+        THIRD_TEXT_IS_AN_ANSWER,
+        TEXTS_ALONE,
         EVERY_EXTRAPOLATION_IS_THE_FUTURE,
         EVERY_EXTRAPOLATION_IS_THE_PAST,
         NO_TEXT_IS_READ,

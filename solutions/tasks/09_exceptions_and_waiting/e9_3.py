@@ -379,6 +379,44 @@ DIRECTION_LOST = Slip(
 )
 
 
+DIRECTIONS_EXCHANGED = Twin(
+    "directions exchanged",
+    partial(action, drops="every extrapolation", wait_for_past="the past alone", two_texts=True),
+    misconception="M10",
+    reply=Words(
+        en='the directions have changed places: you drop what lies in the future, and judge the rest by its gap. Only where the text says "into the future" is a transform on its way; look whether a `not` is missing, or one too many.',
+        ko='방향이 뒤바뀌었습니다. 미래는 버리고 나머지를 간격으로 판단합니다. 변환이 오는 중인 것은 메시지에 "into the future"가 있을 때뿐입니다. `not`이 빠지거나 더 들어가지 않았는지 보십시오.',
+    ),
+)
+
+
+EVERY_EXTRAPOLATION_IS_A_CLOCK = Twin(
+    "every extrapolation is a clock",
+    partial(action, limit_s=-1.0, wait_for_past="the clocks", two_texts=True),
+    misconception="M10",
+    reply=Words(
+        en='every extrapolation is "check clocks" for you. Three kinds are in this class: a little into the future may wait, far into the future is a clock, and what is past does not come back. The text and the gap tell them apart.',
+        ko='외삽이면 무조건 "check clocks"입니다. 이 클래스에는 세 가지가 있습니다. 조금 미래면 기다릴 만하고, 한참 미래면 시계 문제이며, 과거는 돌아오지 않습니다. 오류 메시지와 간격으로 가려집니다.',
+    ),
+)
+
+
+def by_the_text_alone(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    word = action(buffer, message)
+    return "drop" if word in ("check names", "check tree", "fix message") else word
+
+
+TEXTS_ALONE = Twin(
+    "texts alone",
+    by_the_text_alone,
+    misconception="M11",
+    reply=Words(
+        en='a wrong name, no path and what is no question are a "drop" for you, too: you look at the text and not at the class. "drop" is for what is left of an ExtrapolationException, not of every exception.',
+        ko='틀린 이름도, 없는 경로도, 질문이 되지 않는 것도 "drop"합니다. 클래스는 보지 않고 오류 메시지만 봅니다. "drop"은 모든 예외가 아니라 ExtrapolationException에서 남는 것입니다.',
+    ),
+)
+
+
 def third_text_is(word: str) -> Twin:
     """Return the twin that answers the text of an edge heard just once with this word."""
     return Twin(
@@ -392,7 +430,7 @@ def third_text_is(word: str) -> Twin:
     )
 
 
-THIRD_TEXTS = tuple(map(third_text_is, ("use", "check names", "check tree", "fix message")))
+THIRD_TEXTS = tuple(map(third_text_is, ("use", "wait", "check names", "check tree", "fix message")))
 
 
 GAP_ALONE = Twin(
@@ -482,9 +520,9 @@ SLASH_IS_A_WRONG_NAME = Slip(
 )
 
 
-NAMES_AND_TREE_EXCHANGED = Twin(
+NAMES_AND_TREE_EXCHANGED = Slip(
     "names and tree exchanged",
-    partial(action, classes="exchanged"),
+    {"classes": "exchanged"},
     misconception="M11",
     reply=Words(
         en='"check names" and "check tree" have changed places: a name that nobody knows is a LookupException, two known ones without a path a ConnectivityException.',
@@ -605,6 +643,27 @@ LIMIT_IS_BLUNT = Twin(
     Words(
         en="you wait where the gap is a nanosecond beyond 0.2 s, and no longer at a millisecond: the gap loses its last digits before you compare it. Compare nanoseconds as they are.",
         ko="간격이 0.2초를 1나노초 넘어도 기다리고 1밀리초를 넘으면 기다리지 않습니다. 비교하기 전에 간격의 아래 자릿수가 사라집니다. 나노초를 그대로 비교하십시오.",
+    ),
+)
+
+
+LIMIT_OF_HALF_A_SECOND = Slip(
+    "a limit of half a second",
+    {"limit_s": 0.5},
+    misconception="M10",
+    reply=Words(
+        en="you still wait where the gap is a third of a second, and no longer where it is more than half of one. The task draws the line at 0.2 s: 200 000 000 ns.",
+        ko="간격이 3분의 1초일 때도 기다리고, 0.5초를 넘으면 기다리지 않습니다. 문제의 기준은 0.2초, 곧 200 000 000 ns입니다.",
+    ),
+)
+
+
+LIMIT_OF_A_TENTH = Slip(
+    "a limit of a tenth",
+    {"limit_s": 0.1},
+    Words(
+        en="you check the clocks where the gap is just below 0.2 s, and wait only where it is smaller by half or so. The task draws the line at 0.2 s: 200 000 000 ns.",
+        ko="간격이 0.2초보다 조금 작을 때 이미 시계를 의심하고, 그 절반쯤이어야 기다립니다. 문제의 기준은 0.2초, 곧 200 000 000 ns입니다.",
     ),
 )
 
@@ -750,6 +809,9 @@ TASK = Task(
         THIRD_TEXT_TAKEN_FOR_THE_FUTURE,
         DIRECTION_UNREAD,
         DIRECTION_LOST,
+        DIRECTIONS_EXCHANGED,
+        EVERY_EXTRAPOLATION_IS_A_CLOCK,
+        TEXTS_ALONE,
         *THIRD_TEXTS,
         GAP_ALONE,
         GAP_OF_NANOSEC,
@@ -771,6 +833,8 @@ TASK = Task(
         THE_LIMIT_IS_TOO_FAR,
         LIMIT_OF_A_QUARTER,
         LIMIT_IS_BLUNT,
+        LIMIT_OF_HALF_A_SECOND,
+        LIMIT_OF_A_TENTH,
         LIMIT_OF_A_SECOND,
         LIMIT_OF_SECONDS,
         LIMIT_IN_MICROSECONDS,

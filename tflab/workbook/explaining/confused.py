@@ -75,7 +75,14 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
         return None
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
     if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
-        return Confusion("{} and {} swapped".format(*swapped), SWAPPED.filled(one=swapped[0], other=swapped[1]))
+        one, other = swapped
+        words = SWAPPED.filled(one=one, other=other)
+        back = [
+            {one: other, other: one}.get(word, word) if want in swapped else word
+            for want, word in zip(asked, said, strict=True)
+        ]
+        rest = _others_confused(asked, back)
+        return Confusion(f"{one} and {other} swapped", Words.joined(words, rest))
     return _most_confused(asked, said, wrong, whole)
 
 
@@ -102,6 +109,13 @@ def _most_confused(
     words = SOMETIMES if not whole else INSTEAD if want in said else NEVER
     named = words.filled(wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named, want, word)
+
+
+def _others_confused(asked: Sequence[str | None], said: Sequence[str | None]) -> Words | None:
+    """Return which word is said besides for another, wherever that one is asked for."""
+    wrong = Counter(_different(asked, said))
+    whole = {pair: count for pair, count in wrong.items() if None not in pair and count == asked.count(pair[0])}
+    return _most_confused(asked, said, wrong, whole).said if whole else None
 
 
 def _different(asked: Sequence[str | None], said: Sequence[str | None]) -> list[tuple[str | None, str | None]]:

@@ -14,6 +14,7 @@ from __future__ import annotations
 import ast
 import builtins
 from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
 from typing import Any
 
 from ..words import Words
@@ -87,6 +88,16 @@ TEXT_OF_A_CLASS = Words(
     "이것은 클래스의 글자라 언제나 같습니다. tf2의 말은 잡은 예외에 있습니다: `except … as error`, `str(error)`.",
 )
 
+AFTER_THE_END = Words(
+    "it is never reached: what stands above it ends the function, or the round of the loop.",
+    "여기에는 결코 이르지 않습니다. 바로 위에서 함수나 반복의 그 바퀴가 끝납니다.",
+)
+ONLY_PRINTED = Words(
+    "`print` shows the word and the function goes on; `return` gives it to whoever called.",
+    "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 부른 곳에 주는 것은 `return`입니다.",
+)
+
+ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
 METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
 IN_PLACE = {"append", "extend", "sort", "reverse"}
@@ -112,6 +123,7 @@ def _said_of(function: Any) -> Words | None:
 def _found(tree: ast.Module, names: Mapping[str, Any]) -> Found:
     tests = _tests(tree)
     for node in ast.walk(tree):
+        yield from _after_an_end(node)
         for look in LOOKS.get(type(node), ()):
             yield from look(node, names)
         if isinstance(node, ast.BoolOp):
@@ -147,6 +159,25 @@ def _joined(node: ast.BoolOp, tests: set[ast.AST]) -> Found:
 
 def _word(node: ast.Constant) -> str:
     return f'"{node.value}"' if isinstance(node.value, str) else str(node.value)
+
+
+def _after_an_end(node: ast.AST) -> Found:
+    """Yield what stands behind a `return` in the same block, but for the `raise` that a blank answer has."""
+    blocks = [getattr(node, name, None) for name in ("body", "orelse", "finalbody")]
+    for block in (held for held in blocks if isinstance(held, list)):
+        for one, then in pairwise(block):
+            if isinstance(one, ENDS) and not isinstance(then, ast.Raise):
+                yield then, AFTER_THE_END
+
+
+def _only_printed(node: ast.Try, _names: Mapping[str, Any]) -> Found:
+    """Yield a handler that prints a word where another one returns its own."""
+    if not any(isinstance(handler.body[-1], ast.Return) for handler in node.handlers):
+        return
+    for (held,) in (handler.body for handler in node.handlers if len(handler.body) == 1):
+        call = held.value if isinstance(held, ast.Expr) and isinstance(held.value, ast.Call) else None
+        if call and getattr(call.func, "id", "") == "print":
+            yield held, ONLY_PRINTED
 
 
 def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
@@ -223,7 +254,7 @@ def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
 
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
-    ast.Try: (_of_handlers,), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if,), ast.Expr: (_of_a_line,),
+    ast.Try: (_of_handlers, _only_printed), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if,), ast.Expr: (_of_a_line,),
     ast.Assign: (_of_what_is_kept,), ast.Return: (_of_what_is_kept,), ast.For: (_of_what_is_kept,),
     ast.Call: (_of_a_text,),
 }  # fmt: skip
