@@ -241,7 +241,7 @@ graph.stop()
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
-# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 어느 좌표계 기준의 데이터를 어느 좌표계 기준으로 보려 할까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
+# | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
 # | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 한 좌표계에서 다른 좌표계까지 어떻게 이어질까요? | 50 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
 # | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 누가, 얼마나 자주 위치를 알려 줄까요? | 60 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb) |

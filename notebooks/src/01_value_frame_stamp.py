@@ -63,7 +63,7 @@ from tflab.workbook import lesson
 # *Read them:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876); the writer's side of it: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 쓰는 쪽에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
+# *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 메시지를 받아 쓰는 프로그램에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
@@ -408,7 +408,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # %% [markdown] lang="ko" name="rulers-answer"
 # <details><summary>바꿀 수 있나요?</summary>
 #
-# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 숫자의 차이는 변하지 않는 이동 하나이고, 그래서 이런 이동은 한 번만 보냅니다.
+# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 숫자는 언제나 같은 만큼 다릅니다. 레이저를 단 위치만큼입니다. 변하지 않는 값이므로 한 번만 보내면 됩니다.
 #
 # </details>
 
@@ -476,7 +476,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # And here are the same two fields of another message: that of the IMU, a sensor that measures how the robot turns and speeds up. **Predict:** which second is this?
 
 # %% [markdown] lang="ko" name="one-message-seen"
-# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표가 없었다면 공을 로봇 위쪽에 두었을 것입니다.
+# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
 #
 # 이번에는 IMU(로봇의 회전과 가속을 재는 센서) 메시지에서 같은 두 항목을 읽습니다. **예측해 봅시다.** 몇 초일까요?
 

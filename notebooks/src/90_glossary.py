@@ -7,7 +7,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 용어집
 #
-# 이 강의에 나오는 용어를 장의 순서대로 모았습니다.
+# 이 워크북에 나오는 용어를 장의 순서대로 모았습니다.
 # 본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.
 
 # %% [markdown] lang="en" name="chapter-0" slide="skip"

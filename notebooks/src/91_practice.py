@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # Practice without end
 #
-# The course's tasks again, each time with other numbers.
+# The course's tasks again; where a task has numbers, each time with others.
 # What went wrong comes back soon; what goes right comes back later and later.
 # Nothing here counts: no marks, no ticks, and nobody sees it but you.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 끝없는 연습
 #
-# 강의의 과제를 매번 다른 숫자로 다시 풉니다.
+# 각 장의 과제를 다시 풉니다. 숫자가 있는 과제는 매번 숫자가 다릅니다.
 # 틀린 것은 금방 다시 나오고, 맞힌 것은 점점 더 뒤에 나옵니다.
 # 여기서 푼 것은 점수에도 학습 현황에도 들어가지 않으며, 본인 말고는 아무도 보지 못합니다.
 
@@ -24,7 +24,7 @@ from tflab.workbook import practice
 # %% [markdown] lang="ko" name="where" slide="skip"
 # ## 지금 어디까지 왔을까요?
 #
-# 무엇이 드러났고 언제였는지, 다음에 무엇이 나오는지 보여 줍니다. 기록은 내 워크북의 `practice.json`에 있습니다.
+# 지금까지 무엇을 틀렸는지, 언제였는지, 다음에는 무엇이 나오는지 보여 줍니다. 기록은 내 워크북의 `practice.json`에 있습니다.
 
 # %% name="standing"
 practice.standing()
@@ -69,7 +69,7 @@ practice.ask()
 # %% [markdown] lang="ko" name="boxes" slide="skip"
 # ## 언제 다시 나올까요?
 #
-# 강의의 내용은 저마다 상자 다섯 개 가운데 하나에 들어 있습니다. *역변환을 부호만 바꾸는 것으로 여김*처럼 잘못 알기 쉬운 점 하나하나와, 그런 것을 찾지 않는 과제 하나하나입니다.
+# 상자는 다섯 개이고, 연습할 것은 저마다 그 가운데 하나에 들어 있습니다. 잘못 알기 쉬운 점 하나(예: *역변환은 부호만 바꾸면 된다*)가 연습할 것 하나입니다. 그런 점을 다루지 않는 과제는 과제 하나가 연습할 것 하나입니다.
 #
 # | 상자 | 다시 나오는 때 | 또는 |
 # |--:|:--|:--|
@@ -80,7 +80,7 @@ practice.ask()
 # | 5 | 108개 뒤 | 3주 뒤 |
 #
 # 때가 되어 나온 것을 맞히면 다음 상자로 올라갑니다. 힌트를 보고 맞히면 그대로 있습니다. 틀리거나, 여기서든 연습 문제에서든 잘못 아는 점이 드러나면 1번 상자로 돌아갑니다.
-# 이런 방법을 *간격 반복(spaced repetition)* 이라고 하며, 상자는 제바스티안 라이트너(Sebastian Leitner, 1972)가 생각해 냈습니다.
+# 이런 방법을 *간격 반복(spaced repetition)*이라고 하며, 상자는 제바스티안 라이트너(Sebastian Leitner, 1972)가 생각해 냈습니다.
 #
 # *그림 읽기:* task = 과제, h = 시간, d = 일.
 

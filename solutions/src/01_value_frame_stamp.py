@@ -211,7 +211,7 @@ check("E1.5", numbers)
 # ## E1.6 · 이름표 두 개를 쓰십시오 (3점)
 #
 # 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 쟀고, 함수는 그보다 나중인 `now`에 호출됩니다. 둘 다 `Time`입니다.
-# 정직한 드라이버가 발행할 `PointStamped`를 반환하십시오.
+# 드라이버가 사실대로 발행할 `PointStamped`를 반환하십시오.
 
 
 # %% name="e1-6-answer" tags=["answer"]

@@ -223,6 +223,19 @@ def test_the_solution_opens_after_three_tries(copy, capsys):
     assert "solution(" in said(capsys, "E3.4", 9.0)
 
 
+def test_an_answer_that_lacks_a_part_is_no_try_yet(copy, capsys):
+    for unfinished in (..., {"target": "map"}, {"target": "map", "source": ...}):
+        said(capsys, "E3.3", unfinished)
+    solution("E3.3")
+    assert "0 so far" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("ask", [hint, solution])
+def test_asked_of_no_task_it_says_which_there_are(copy, capsys, ask):
+    ask()
+    assert "E3.1" in capsys.readouterr().out
+
+
 def test_what_stops_a_check_in_the_same_way_again_is_no_new_try(copy, capsys):
     for wrong in ("no function", "none, either"):
         said(capsys, "E3.2", wrong)

@@ -56,6 +56,7 @@ class _Nothing:
 NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
+UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
 _hints_seen: dict[str, int] = {}  # where no progress is kept
 
@@ -95,7 +96,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
         verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
         verdict, outcomes = tried_on(assigned, answer)
-        if verdict.mistake is not Mistake.UNANSWERED:
+        if verdict.mistake not in UNFINISHED:
             twin = next(iter(verdict.slips), None)
             came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
             progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
@@ -109,8 +110,8 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     return None
 
 
-def hint(task_id: str) -> None:
-    """Print the next of a task's three hints."""
+def hint(task_id: str = "") -> None:
+    """Print the next of a task's three hints; without a task, which there are."""
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
@@ -126,8 +127,11 @@ def hint(task_id: str) -> None:
     show_reply(f"{assigned.id} · {head}", assigned.words(hints[min(number, len(hints)) - 1]))
 
 
-def solution(task_id: str) -> None:
-    """Print the solution's answer cell, after a pass or three tries; a class's solutions are with its instructor."""
+def solution(task_id: str = "") -> None:
+    """Print the solution's answer cell, after a pass or three tries; a class's solutions are with its instructor.
+
+    Without a task, say which there are.
+    """
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:

@@ -53,7 +53,7 @@ GLOSSARY_TITLE = Words(
     "Every term of the course, in the order in which the chapters need them.\n"
     "On the pages, rest the pointer on a dotted word to read the same sentence.",
     ko="# 용어집\n\n"
-    "이 강의에 나오는 용어를 장의 순서대로 모았습니다.\n"
+    "이 워크북에 나오는 용어를 장의 순서대로 모았습니다.\n"
     "본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.",
 )
 GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
