@@ -57,6 +57,14 @@ def test_an_exercise_that_was_renamed_is_looked_for_in_words(copy: Path, monkeyp
     assert "is not there; the folder has mine.ipynb. Renamed? Type `tflab check` with its path." in said
 
 
+def test_a_number_of_no_exercise_is_told_those_there_are(copy: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(copy)
+    assert main(["99"]) == 2
+    assert 'there is no exercise "99"; there is 03_' in capsys.readouterr().err
+    assert main(["mine_of_yesterday.ipynb"]) == 2
+    assert "cannot be opened" in capsys.readouterr().err
+
+
 def test_a_mistake_is_named_and_what_is_open_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
     assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b"}))]) == 1
     said = capsys.readouterr().out

@@ -96,8 +96,10 @@ def _called(word: str) -> Path:
     if root is None or Path(word).exists():
         return Path(word)
     try:
-        (stem,) = places.stems_called([word], places.chapters(root))
-    except LookupError:
+        (stem,) = places.stems_called([word], places.chapters(root), what="exercise")
+    except LookupError as nothing:
+        if not Path(word).suffix and len(Path(word).parts) == 1:
+            raise WorkbookError(str(nothing)) from None
         return Path(word)
     called = root / "exercises" / read_workbook(root).language / places.exercise_file(stem)
     if not called.exists():
