@@ -26,7 +26,8 @@ def messages(rng):
     return [
         row("laser_frame", 0.35, seconds(0.3)),  # nanosec below 0.1 s: 0.05
         row("camera_link", 0.15, seconds(0.2)),  # across a full second
-        (*row("laser_frame", 0.5, seconds(1.5))[:2], 1.5),  # just that old, of floats too: halves have no last digit to lose
+        # just that old; of floats too, for halves have no last digit to lose
+        (*row("laser_frame", 0.5, seconds(1.5))[:2], 1.5),
         row("laser_frame", 0.5, limit_ns - hair),
         row("laser_frame", 0.5, limit_ns + hair),
         row("map", 0.02, limit_ns + seconds(0.4)),
