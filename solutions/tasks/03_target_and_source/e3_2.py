@@ -80,7 +80,10 @@ def moved_twice(
     return {"base_link": base_p, "map": taken(given.map_T_base, point if product == "skipped" else carried, then)}
 
 
-BY_COPYING = ("mount's turn", "mount's step", "mount again", "mount's step not turned", "mount's turn left out")
+BY_COPYING = (
+    "mount's turn", "mount's step", "mount again", "mount's step not turned", "mount's turn left out",
+    "mount's turn once more", "robot's step once more", "both inverses",
+)  # fmt: skip
 
 
 def _copied(given, base_p, what: str) -> tuple[float, ...]:
@@ -90,6 +93,9 @@ def _copied(given, base_p, what: str) -> tuple[float, ...]:
         "mount's turn": added(turned(mount, base_p), robot.translation),
         "mount's step": added(turned(robot, base_p), mount.translation),
         "mount again": mount.apply(base_p),
+        "mount's turn once more": added(turned(robot, turned(mount, base_p)), robot.translation),
+        "robot's step once more": added(robot.apply(base_p), robot.translation),
+        "both inverses": (robot.inverse() @ mount.inverse()).apply(point),
         "mount's step not turned": added(turned(robot, turned(mount, point)), mount.translation, robot.translation),
         "mount's turn left out": added(turned(robot, point), mount.translation, robot.translation),
     }[what]
@@ -611,6 +617,20 @@ OF_THE_MOUNT = {
         "robot is turned on the map.",
         ko="`map`을 구할 때 레이저 장착 이동을 그대로 더했습니다. 그 이동은 로봇의 축을 따라 잰 값이고, 로봇은 map에서 "
         "돌아가 있습니다.",
+    ),
+    "mount's turn once more": Words(
+        en="for `map`, a point of `base_link` was turned by the laser's mount once more: it has that turn already.",
+        ko="`map`을 구할 때 `base_link` 기준인 점을 레이저 장착 회전으로 한 번 더 돌렸습니다. 그 회전은 이미 들어 있습니다.",
+    ),
+    "robot's step once more": Words(
+        en="for `map`, the step of `map_T_base` was added once more: `.apply` and `@` have added it already.",
+        ko="`map`을 구할 때 `map_T_base`의 이동을 한 번 더 더했습니다. `.apply`와 `@`가 이미 더했습니다.",
+    ),
+    "both inverses": Words(
+        en="for `map`, both transforms were inverted and joined in this order. As they stand their neighbours match: "
+        "`base_T_laser` takes the point to the base, and `map_T_base` takes it on.",
+        ko="`map`을 구할 때 두 변환을 뒤집어 이 순서로 이었습니다. 그대로 두면 이웃이 맞습니다. `base_T_laser`가 점을 "
+        "베이스로, `map_T_base`가 그것을 지도로 옮깁니다.",
     ),
     "mount's turn left out": Words(
         en="for `map`, both steps were added as they are, and the point was turned by the robot alone: the mount turns "

@@ -34,6 +34,8 @@ def yaws(yaw: float) -> dict[str, float]:
         "behind": yaw + math.pi,
         "zero": 0.0,
         "rest of a half": math.pi - yaw,
+        "rest of a quarter": math.pi / 2 - yaw,
+        "modulo pi": -yaw % math.pi,
         "one over": 1.0 / yaw if yaw else 0.0,
         "converted": -math.radians(yaw),
         "always positive": abs(yaw),
@@ -362,6 +364,26 @@ YAW_BY_ASIN = Twin(
 )
 
 
+REST_OF_A_QUARTER = Twin(
+    "rest of a quarter turn",
+    partial(inverted, turn="rest of a quarter"),
+    Words(
+        en="you took the yaw off a quarter turn. To turn back is to turn by as much the other way.",
+        ko="1/4 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
+    ),
+)
+
+
+YAW_MODULO_PI = Twin(
+    "yaw modulo pi",
+    partial(inverted, turn="modulo pi"),
+    Words(
+        en="your yaw always lies between 0 and π, as by `% math.pi`: half turns are lost. A full turn is 2π.",
+        ko="`% math.pi`를 쓴 것처럼 yaw가 언제나 0과 π 사이입니다. 반 바퀴가 사라집니다. 한 바퀴는 2π입니다.",
+    ),
+)
+
+
 YAW_BY_ATAN = Twin(
     "yaw by atan",
     partial(inverted, turn="atan"),
@@ -427,6 +449,8 @@ TASK = Task(
         ALWAYS_POSITIVE,
         ALWAYS_NEGATIVE,
         YAW_BY_ASIN,
+        REST_OF_A_QUARTER,
+        YAW_MODULO_PI,
         YAW_BY_ATAN,
         SINE_FOR_COSINE_BY_HAND,
     ),

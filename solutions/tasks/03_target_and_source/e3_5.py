@@ -47,6 +47,11 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "one over": tuple(1.0 / value for value in there),
         "minus in x": (away[0], there[1], there[2]),
         "minus in y": (there[0], away[1], there[2]),
+        "minus in z": (there[0], there[1], away[2]),
+        "minus in x and z": (away[0], there[1], away[2]),
+        "minus in y and z": (there[0], away[1], away[2]),
+        "not taken off in the plane": (*turned(inverse, there)[:2], away[2]),
+        "inverse of minus": inverse.apply(away),
         "quarter to the left": (there[1], away[0], away[2]),
         "quarter to the right": (away[1], there[0], away[2]),
         "exchanged and minus": (away[1], away[0], away[2]),
@@ -59,8 +64,9 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
     } | {way: (*by_formula(*away[:2], -printed, way), away[2]) for way in BY_HAND}  # fmt: skip
     returned = returned[back]
     seen = {"as printed": there, "swapped": inverse.translation, "negative": away, "turned": turned(mount, there),
-            "turned back": turned(inverse, there), "row of the matrix": (c, -s, 0.0)}[laser]  # fmt: skip
-    returned = {"kept": (*returned[:2], -returned[2]), "left out": (*returned[:2], 0.0)}.get(height, returned)
+            "turned back": turned(inverse, there), "row of the matrix": (c, -s, 0.0),
+            "Rotation line": (0.0, 0.0, math.sin(printed / 2)), "RPY line": (0.0, 0.0, printed)}[laser]  # fmt: skip
+    returned = {"kept": (*returned[:2], there[2]), "left out": (*returned[:2], 0.0)}.get(height, returned)
     return {
         "laser_in_base": (*seen[:2], 0.0) if height == "left out" else seen,
         "base_in_laser": returned,
@@ -274,14 +280,6 @@ BACK = {
         "order.",
         ko="이동을 x축으로, 곧 roll로 돌렸습니다. yaw는 z축으로 돕니다. `from_rpy`는 roll, pitch, yaw 순서로 받습니다.",
     ),
-    "minus in x": Words(
-        en="only x has got a minus sign. The whole step is taken off, and then it is turned.",
-        ko="x의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
-    ),
-    "minus in y": Words(
-        en="only y has got a minus sign. The whole step is taken off, and then it is turned.",
-        ko="y의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
-    ),
     "quarter to the left": Words(
         en="this is x in y's place and y in x's, one with a minus: as after a turn of −90°. How far is this mount turned?",
         ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집은 값입니다. −90° 돌린 것과 같습니다. 이 장착은 얼마나 돌아가 있습니까?",
@@ -300,6 +298,12 @@ BACK = {
         ko="Translation을 장착 변환으로 한 번 더 옮겼습니다. `base_link`에서 본 `base_link`는 어느 점입니까? 그 점에 역변환을 "
         "적용합니다.",
     ),
+    "inverse of minus": Words(
+        en="the inverse moved (−x, −y, −z), and takes the step off itself: so it is off twice. Which point is `base_link` "
+        "in `base_link`? That one goes through the inverse.",
+        ko="역변환으로 (−x, −y, −z)를 옮겼습니다. 역변환이 이동을 빼므로 두 번 뺀 셈입니다. `base_link`에서 본 `base_link`는 "
+        "어느 점입니까? 그 점에 역변환을 적용합니다.",
+    ),
     "new x, taken off": Words(
         en="y was computed from the new x, which had just been computed. Both take the old ones: give the results other "
         "names.",
@@ -308,7 +312,32 @@ BACK = {
 }
 
 
-AT_NO_HEIGHT = {  # whose height comes out as 0, and so has no sign
+ALONE = {  # what is said of the height, too, or whose height comes out as 0
+    "minus in x": Words(
+        en="only x has got a minus sign. The whole step is taken off, and then it is turned.",
+        ko="x의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "minus in y": Words(
+        en="only y has got a minus sign. The whole step is taken off, and then it is turned.",
+        ko="y의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "minus in z": Words(
+        en="only the height has got a minus sign. The whole step is taken off, and then it is turned.",
+        ko="높이의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "minus in x and z": Words(
+        en="x and the height have got a minus sign, y has not. The whole step is taken off, and then it is turned.",
+        ko="x와 높이의 부호만 뒤집고 y는 그대로 두었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "minus in y and z": Words(
+        en="y and the height have got a minus sign, x has not. The whole step is taken off, and then it is turned.",
+        ko="y와 높이의 부호만 뒤집고 x는 그대로 두었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
+    ),
+    "not taken off in the plane": Words(
+        en="x and y are turned rightly and have kept their sign; only the height is taken off. From the laser, the "
+        "robot's middle lies on the other side.",
+        ko="x와 y를 바르게 돌렸지만 부호가 그대로이고, 높이의 부호만 뒤집혔습니다. 레이저에서 보면 로봇 중심은 반대쪽에 있습니다.",
+    ),
     "moved by the mount": Words(
         en="the mount moved (−x, −y, −z), which are no numbers of a point in the laser. Which point is `base_link` in "
         "`base_link`? That one goes through the inverse.",
@@ -382,6 +411,22 @@ ROW_OF_THE_MATRIX = Slip(
         ko="`laser_in_base`에 Matrix의 첫 행을 썼습니다. 그것은 회전의 일부입니다. 위치는 Translation, 곧 Matrix의 마지막 "
         "열입니다.",
     ),
+)
+
+
+LINES = tuple(
+    Twin(
+        line,
+        partial(read, laser=line),
+        Words(
+            en=f"for `laser_in_base` you took the {held.en} of the {line}. Where the laser sits stands in the Translation.",
+            ko=f"`laser_in_base`에 {line}의 {held.ko}를 썼습니다. 레이저의 위치는 Translation 줄에 있습니다.",
+        ),
+    )
+    for line, held in (
+        ("Rotation line", Words("first three numbers", "앞의 숫자 세 개")),
+        ("RPY line", Words("angles", "각도")),
+    )
 )
 
 
@@ -536,6 +581,7 @@ TASK = Task(
         LASER_TURNED,
         LASER_TURNED_BACK,
         ROW_OF_THE_MATRIX,
+        *LINES,
         DEGREES_AS_PRINTED,
         DEGREES_AS_COMPUTED,
         YAW_CONVERTED,
@@ -544,7 +590,7 @@ TASK = Task(
         *YAWS,
         W_FOR_THE_YAW,
         MINUS_W_FOR_THE_YAW,
-        *(Twin(way, partial(read, back=way), _said_of_the_way_back(words)) for way, words in AT_NO_HEIGHT.items()),
+        *(Twin(way, partial(read, back=way), _said_of_the_way_back(words)) for way, words in ALONE.items()),
         *(twin for way, words in BACK.items() for twin in on_the_way_back(way, words)),
         *(twin for way in BY_HAND for twin in on_the_way_back(way, Words.joined(BY_HAND[way], LETTERS))),
     ),

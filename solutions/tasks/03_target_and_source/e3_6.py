@@ -51,7 +51,7 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
     ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
-            "angle": (0, 0, yaw, 1), "half in z": (0, 0, z, math.cos(yaw)), "half in w": (0, 0, math.sin(yaw), w),
+            "angle": (0, 0, yaw, 1), "degrees": (0, 0, yaw_deg, 1), "half in z": (0, 0, z, math.cos(yaw)), "half in w": (0, 0, math.sin(yaw), w),
             "w lost": (0, 0, z, 0),  "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z),
             "optical": (Transform(rotation=(0, 0, z, w)) @ OPTICAL).rotation}  # fmt: skip
     x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
@@ -445,6 +445,14 @@ ROTATIONS = (
         {"angle": "whole degrees"},
         "an angle of 22.5 degrees has lost its half: `int` and `//` cut off what comes after the point.",
         "22.5도에서 소수점 아래가 없어졌습니다. `int`와 `//`는 소수점 아래를 잘라 냅니다.",
+    ),
+    of_rotation(
+        "degrees in z",
+        {"quaternion": "degrees"},
+        "you wrote the degrees themselves into z. A quaternion holds no angle: z takes the sine of half of it, w the "
+        "cosine.",
+        "z에 도(degree)를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. z에는 각도 절반의 sin, w에는 cos을 "
+        "넣으십시오.",
     ),
     of_rotation(
         "half cut off",

@@ -167,7 +167,7 @@ def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Words] | N
 
 def _of_angles(angles: Terms) -> Iterator[tuple[str, np.ndarray]]:
     for name, value in angles:
-        yield from ((name, value), (f"{name} / 2", value / 2))
+        yield from ((name, value), (f"{name} / 2", value / 2), (f"radians({name})", np.radians(value)))
         for (part, by), of in product(PARTS_OF_AN_ANGLE, (np.sin, np.cos)):
             yield f"{of.__name__}({part.format(name)})", of(by * value)
         yield f"tan({name} / 2)", np.tan(value / 2)

@@ -111,6 +111,8 @@ def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) 
     word = inside(outcomes[0])
     is_word = isinstance(form, Choice) and isinstance(word, str)
     what = Words(f'"{word}"', f'"{word}"이(가)') if is_word else Words("the same", "같은 것이")
+    if isinstance(form, Number | Angle) and (row := numbers_of(outcomes[0], None)) is not None:
+        what = Words(f"{row[0]:g}", f"{row[0]:g}이(가)")
     return "the same in every call", SAME.filled(what=what)
 
 

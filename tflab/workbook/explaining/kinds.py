@@ -99,6 +99,14 @@ A_TEXT = Words(
     en="That is a text in which numbers stand: `.split(', ')` parts a line, and `float(…)` makes a number of each part",
     ko="숫자가 적힌 문자열입니다. `.split(', ')`로 나누고 조각마다 `float(…)`로 수를 만드십시오",
 )
+ONE_TEXT = Words(
+    en="That is a text, as one prints it: hand over the number itself; of a text that was read, `float(…)` makes one",
+    ko="출력용 문자열입니다. 수를 그대로 넘기십시오. 읽어 온 문자열이라면 `float(…)`가 수로 만듭니다",
+)
+THREE_ANGLES = Words(
+    en="If these are roll, pitch, yaw, as `.rpy()` gives them, the yaw is the last, `[2]`",
+    ko="`.rpy()`가 주는 roll, pitch, yaw라면 yaw는 마지막, 곧 `[2]`입니다",
+)
 A_TIME = Words(
     en="A {kind} is no number: its seconds are `.nanoseconds / 1e9`",
     ko="{kind}은(는) 수가 아닙니다. 초는 `.nanoseconds / 1e9`입니다",
@@ -141,8 +149,17 @@ def _said_of_what_it_holds(form: Form, outcome: Plain) -> Words | None:
         return SEVERAL if all(form.option(one) in form.options for one in held) else None
     if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
         return _said_of_no_quaternion(numbers)
-    is_text = isinstance(form, Vector) and isinstance(outcome, str)
-    return A_TEXT if is_text and len(NUMBER.findall(outcome)) >= form.size else None
+    if isinstance(form, Angle) and isinstance(held := inside(outcome), list) and len(held) == len("rpy"):
+        return THREE_ANGLES if all(map(is_number, held)) else None
+    return _said_of_a_text(form, outcome) if isinstance(outcome, str) else None
+
+
+def _said_of_a_text(form: Form, outcome: str) -> Words | None:
+    """Return that numbers stand in a text where they are asked for."""
+    count = len(NUMBER.findall(outcome))
+    if isinstance(form, Number | Angle):
+        return ONE_TEXT if count == 1 else None
+    return A_TEXT if isinstance(form, Vector) and count >= form.size else None
 
 
 def _is_joined(form: Form, outcome: Plain) -> bool:

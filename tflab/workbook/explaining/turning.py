@@ -56,6 +56,10 @@ ANGLE_ITSELF = Words(
     "angles.",
     ko="sin이나 cos을 곱할 자리에 각도 자체를 `{what}`에 곱했습니다. 둘은 각도가 작을 때만 비슷합니다.",
 )
+TANGENT = Words(
+    en="`{what}` is multiplied by a tangent, where a sine or a cosine belongs.",
+    ko="sin이나 cos을 곱할 자리에 tan을 `{what}`에 곱했습니다.",
+)
 DIVIDED = Words(
     en="`{what}` is divided there: to turn is to multiply by a sine or a cosine, whichever way it goes.",
     ko="`{what}`을(를) 나누었습니다. 어느 쪽으로 돌리든 sin이나 cos을 곱합니다.",
@@ -69,7 +73,7 @@ TURNED_TOO = Words(
     ko="`{what}`을(를) 돌렸습니다. 이미 맞는 축을 따라 잰 값입니다.",
 )
 TIMES = re.compile(" [*/] ")
-UNLIKE = {" * ": ANGLE_ITSELF, " / cos": DIVIDED}  # what is done with an angle, and is no turn
+UNLIKE = {" * ": ANGLE_ITSELF, " / cos": DIVIDED, " * tan": TANGENT}  # what is done with an angle, and is no turn
 Sum = dict[str, float]  # terms, as they are written, each with its sign
 
 
@@ -146,6 +150,7 @@ def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
         return
     yaws = {f"argument {at + 1}: yaw": pose["yaw"] for at, pose in poses.items()}
     angles = yaws | {f"{name} / 2": yaw / 2 for name, yaw in yaws.items()}
+    angles |= {f"{of.__name__}({name})": of(yaw) for name, yaw in yaws.items() for of in (np.degrees, np.radians)}
     if len(yaws) == MOST_POSES:
         (one, a), (other, b) = yaws.items()
         angles |= {f"{one} + {other}": a + b, f"{one} - {other}": a - b, f"{one} + {other} / 2": a + b / 2}
@@ -159,6 +164,7 @@ def _terms(args: Sequence[list[Plain]]) -> Iterator[tuple[str, np.ndarray]]:
             for angle, value in yaws.items():
                 yield f"{text} * {angle}", number * value
                 yield f"{text} / cos({angle})", number / np.cos(value)
+                yield f"{text} * tan({angle})", number * np.tan(value)
 
 
 def poses_among(args: Sequence[list[Plain]]) -> dict[int, dict[str, np.ndarray]]:
