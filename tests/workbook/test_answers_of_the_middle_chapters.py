@@ -73,6 +73,25 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
         ({"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "x0 + u * x1, y0 + u * y1"}, ["second position added"]),
         ({"x0 + u * (x1 - x0), y0 + u * (y1 - y0)": "u * x1, u * y1"}, ["share of the later position"]),
         ({LATE: "", ABOVE: "", BELOW: ""}, ["guesses after", "the long way"]),
+        ({"u = (stamp_s - t0) / (t1 - t0)": "u = ((stamp_s - t0) / (t1 - t0)) ** 2"}, ["ratio squared"]),
+        ({"a0 + u * turn": "a0 + u * u * turn"}, ["ratio squared"]),
+        ({"u = (stamp_s - t0)": "u = 100 * (stamp_s - t0)"}, ["ratio in per cent"]),
+        (
+            {"x0 + u * (x1 - x0), y0": "x0 + (stamp_s - t0) * (x1 - x0), y0", " u * (y1": " (stamp_s - t0) * (y1"},
+            ["seconds for a ratio"],
+        ),
+        ({"turn = a1 - a0": "turn = math.asin(math.sin(a1 - a0))"}, ["asin of the sine"]),
+        ({"turn = a1 - a0": "turn = math.atan2(math.cos(a1 - a0), math.sin(a1 - a0))"}, ["atan2 exchanged"]),
+        ({ABOVE: "", BELOW: "", "turn = a1 - a0": "turn = (a1 - a0 + math.pi) % math.tau"}, ["half a turn on"]),
+        ({ABOVE: "", BELOW: "", "turn = a1 - a0": "turn = (a1 - a0) % math.tau - math.pi"}, ["half a turn back"]),
+        ({"turn -= math.tau": "turn = math.pi", "turn += math.tau": "turn = -math.pi"}, ["cut off at pi"]),
+        ({ABOVE: "    if abs(turn) > math.pi:\n        turn = -turn\n", BELOW: ""}, ["turned the other way"]),
+        ({"turn -= math.tau": "turn = math.tau - turn"}, ["rest of the turn"]),
+        ({"a0 + u * turn": "a0 + u * turn / 2"}, ["half the turn"]),
+        ({"a0 + u * turn": "a1 + u * turn"}, ["yaw on from the second"]),
+        ({"y0 + u * (y1 - y0)": "x0 + u * (y1 - y0)"}, ["y from x"]),
+        ({"x0 + u * (x1 - x0)": "x0 + u * (x1 - y0)"}, ["x less y"]),
+        ({"(t0, x0, y0, a0), (t1, x1, y1, a1)": "(t0, a0, x0, y0), (t1, a1, x1, y1)"}, ["yaw before x"]),
     ],
 )
 def test_between_two_samples(changes, slips):
@@ -98,12 +117,46 @@ OWN, AT = "message.header.frame_id", "Time.from_msg(stamp)"
 
 
 @pytest.mark.parametrize(
-    "time",
-    ["Time(seconds=stamp.sec + stamp.nanosec)", "Time(nanoseconds=stamp.sec)", "Time(nanoseconds=stamp.nanosec)"],
+    ("time", "what"),
+    [
+        ("Time(seconds=stamp.sec + stamp.nanosec)", "is its sec plus nanosec, taken for seconds, too."),
+        ("Time(nanoseconds=stamp.sec)", "is the stamp's sec, taken for nanoseconds, without its nanosec."),
+        ("Time(nanoseconds=stamp.nanosec)", "is the stamp's nanosec, with its sec left out"),
+        ("Time(seconds=stamp.sec + stamp.nanosec * 1e-6)", "nanosec taken for millionths of a second."),
+        ("Time(nanoseconds=stamp.sec * 10**6 + stamp.nanosec)", "is its nanosec, and sec taken for milliseconds."),
+        ("Time(nanoseconds=now.nanoseconds - Time.from_msg(stamp).nanoseconds)", "to argument 3, and no moment."),
+        ("Time(nanoseconds=now.nanoseconds + 10**9)", "is 1 s later than argument 3, in each call."),
+        ("Time(nanoseconds=Time.from_msg(stamp).nanoseconds - 2 * 10**9)", "2 s earlier than the stamp, in each call."),
+    ],
 )
-def test_whoever_is_always_refused_is_told_so_and_not_which_field_was_read(time):
-    said = verdict_on("E8.3", ON_THE_MAP.format(source=OWN, time=time)).said.en
-    assert said.startswith("Every call ends in a refusal") and "You asked for the stamp's nanosec" not in said
+def test_whoever_is_always_refused_is_told_for_which_moment_the_buffer_was_asked(time, what):
+    assert what in verdict_on("E8.3", ON_THE_MAP.format(source=OWN, time=time)).said.en
+
+
+@pytest.mark.parametrize("result", ["message", "do_transform_point(message, transform) and message"])
+def test_what_was_moved_and_not_kept_is_told_so(result):
+    source = ON_THE_MAP.replace("return do_transform_point(message, buffer", "transform = buffer").rstrip().rstrip(")")
+    source = source.format(source=OWN, time=AT) + f")\n    return {result}\n"
+    assert slips_of("E8.3", source) == ["nothing moved"]
+
+
+@pytest.mark.parametrize(
+    ("refusal", "slip"), [("return None", "swallows the refusal"), ("stamp = now", "falls back on now")]
+)
+def test_a_fall_back_that_is_mostly_refused_is_told_all_the_same(refusal, slip):
+    source = f"""
+from tf2_geometry_msgs import do_transform_point
+from tf2_ros import TransformException
+
+def point_to_map(buffer, message, now):
+    stamp, frame = message.header.stamp, message.header.frame_id
+    try:
+        buffer.lookup_transform("map", frame, stamp)
+    except TransformException:
+        {refusal}
+    return do_transform_point(message, buffer.lookup_transform("map", frame, stamp))
+"""
+    assert slips_of("E8.3", source) == [slip]
 
 
 @pytest.mark.parametrize(
@@ -191,6 +244,14 @@ def test_how_far_off(delay, left, slips):
     assert slips_of("E8.4", source) == slips
 
 
+def test_a_length_of_parts_of_which_one_is_wrong_follows_and_is_no_mistake_of_its_own():
+    left = "given.range_m * math.radians(given.yaw_rate_degps) * given.delay_ms"
+    said = verdict_on("E8.4", LATE_ERROR.format(delay=1000, left=left, together="math.hypot(forwards_m, left_m)")).said
+    assert (
+        said.en == '"left_m": right, if it were in mm. "together_m": this only follows from what is wrong in "left_m".'
+    )
+
+
 CAUSES = """
 causes = {"a": "stamp overwritten", "b": "static mount wrong", "c": "two clocks", "d": "cache too short",
           "e": "odometry slow", "f": "import missing"}
@@ -218,6 +279,10 @@ def test_an_overwritten_stamp_is_not_said_to_show_only_while_the_robot_moves(par
         ("max(rates)", ["fast rate instead of period"]),
         ("1 / max(rates)", ["the fast lane"]),
         ("2 / max(rates)", ["the fast lane", "two periods"]),
+        ("1 / min(rates) - 1 / max(rates)", ["difference of periods"]),
+        ("0 + math.ceil(given.thinking_s) - given.thinking_s", ["thinking rounded up"]),
+        ("math.ceil(given.thinking_s * min(rates)) + 1 - given.thinking_s", ["count of min samples, and 1"]),
+        ("given.thinking_s + 2 / min(rates)", ["twice all"]),
     ],
 )
 def test_how_long_it_must_remember(more, slips, variant):

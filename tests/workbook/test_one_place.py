@@ -98,7 +98,6 @@ def test_the_place_and_its_kind_are_said(old, new, kind, quoted):
         ("s * x + c * y", "s * y + c * y", "name"),
         ("math.sin(yaw)", "yaw", "missing"),
         ("c * x - s * y", "s * y - c * x", "order"),
-        ("math.cos(yaw)", "math.cos(2 * yaw)", "number"),
         ("c, s =", "s, c =", "order"),
         ("    return", "    if yaw > 0:\n        c, s = 1.0, 0.0\n    return", "too much"),
     ],
@@ -117,6 +116,20 @@ def test_a_number_whose_exponent_has_the_other_sign_is_found():
     text = "def is_short(length):\n    return 'short' if length < 1e-6 else 'long'\n"
     said = look(text, "is_short", text.replace("1e-6", "1e6"), asked, Choice(("short", "long")))
     assert said.en.endswith(LOOK["number"].en)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "part"),
+    [
+        ("c * x - s * y", "c * c * x - s * y", "c"),
+        ("s * x + c * y", "s * x + c * y / 2", "2"),
+        ("s * x + c * y)", "s * x + c * y + x)", "x"),
+        ("math.cos(yaw)", "math.cos(2 * yaw)", "2"),
+    ],
+)
+def test_a_step_too_many_is_told_by_what_it_is_made_with(old, new, part):
+    said, words = of_turned(old, new), LOOK["surplus"].filled(part=part)
+    assert said.en.endswith(words.en) and said.ko.endswith(words.ko)
 
 
 def test_a_sum_is_mended_as_a_whole():

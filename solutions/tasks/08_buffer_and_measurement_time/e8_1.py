@@ -99,8 +99,8 @@ OFF_THE_PATH = Slip(
     "off the path",
     {"lanes": "all"},
     Words(
-        en="You counted an edge that the lookup does not walk. Which edges lie between map and laser_frame?",
-        ko="조회가 지나지 않는 연결까지 세었습니다. map과 laser_frame 사이에 있는 연결은 무엇입니까?",
+        en="You counted base_link -> arm_link, an edge that the lookup does not walk. (It has the first of the names, and that is what `min` of the dict itself gives.) Which edges lie between map and laser_frame?",
+        ko="조회가 지나지 않는 연결인 base_link -> arm_link까지 세었습니다. (dict 자체에 `min`을 쓰면 이름이 맨 앞인 이 연결이 나옵니다.) map과 laser_frame 사이에 있는 연결은 무엇입니까?",
     ),
 )
 

@@ -37,12 +37,15 @@ def two_samples(rng):
     return rows
 
 
+ORDERS = {"yaw before y": (0, 1, 3, 2), "yaw before x": (0, 2, 3, 1)}  # in which x, y and yaw stand in what was read
+
+
 def between(
     stamp_s, before, after, *, early="refused", late="refused", ratio="from the first", position="line", turn="short"
 ) -> dict:
     """Return what the buffer does, step by step; other steps are the slips."""
-    if turn == "yaw before y":
-        before, after = ((t, x, y, yaw) for t, x, yaw, y in (before, after))
+    if turn in ORDERS:
+        before, after = ([row[place] for place in ORDERS[turn]] for row in (before, after))
     (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
     outside = early if 2 * stamp_s < t0 + t1 else late
     if not _is_answered(stamp_s, t0, t1, outside):
@@ -85,6 +88,11 @@ def _share(asked, t0, t1, ratio):
         "of the gap": asked / (t1 - t0),
         "by the second stamp": (asked - t0) / t1,
         "no brackets": asked - t0 / (t1 - t0),
+        "squared": share**2,
+        "root": math.sqrt(max(share, 0.0)),
+        "smooth": share**2 * (3.0 - 2.0 * share),
+        "cosine": (1.0 - math.cos(math.pi * share)) / 2.0,
+        "per cent": 100.0 * share,
     }.get(ratio, 0.0)
 
 
@@ -97,14 +105,26 @@ def _place(at, first, second, position, yaw0, turn):
     part = {"kept": 0.0, "later": 1.0, "half": 0.5, "from the other end": 1.0 - at}.get(position, at)
     steps = [abs(step) for step in steps] if position == "upwards" else steps
     steps = second if position in ("second added", "share of the second") else steps
-    x0, y0 = (0.0, 0.0) if position in ("from zero", "share of the second") else first
+    x0, y0 = {"from zero": (0.0, 0.0), "share of the second": (0.0, 0.0), "on from the second": second}.get(
+        position, first
+    )
     x = x0 + part * steps[0]
     ys = {
         "x alone": y0,
         "x twice": x,
         "y by x": y0 + part * steps[0],
         "y from the other end": y0 + (1.0 - part) * steps[1],
+        "y from x": x0 + part * steps[1],
+        "y to x": y0 + part * (second[0] - y0),
+        "y less x": y0 + part * (second[1] - x0),
     }
+    xs = {
+        "x from y": y0 + part * steps[0],
+        "x to y": x0 + part * (second[1] - x0),
+        "x less y": x0 + part * (second[0] - y0),
+        "x by y": x0 + part * steps[1],
+    }
+    x = xs.get(position, x)
     return (x, ys.get(position, y0 + part * steps[1]))
 
 
@@ -112,7 +132,6 @@ def _yaw(at, yaw0, yaw1, turn):
     difference, short = yaw1 - yaw0, math.remainder(yaw1 - yaw0, math.tau)
     turns = {
         "short": short,
-        "yaw before y": short,
         "the way": short,
         "of y": short,
         "difference": difference,
@@ -129,26 +148,37 @@ def _yaw(at, yaw0, yaw1, turn):
         "left of pi": difference % math.pi,
         "each by itself": yaw1 % math.tau - yaw0 % math.tau,
         "the smallest": min(difference, difference + math.tau, difference - math.tau),
+        "asin": math.asin(math.sin(difference)),
+        "exchanged": math.atan2(math.cos(difference), math.sin(difference)),
+        "half a turn on": (difference + math.pi) % math.tau,
+        "half a turn back": difference % math.tau - math.pi,
+        "cut off": max(-math.pi, min(math.pi, difference)),
+        "the other way": -difference if abs(difference) > math.pi else difference,
+        "rest of the turn": math.tau - abs(difference) if abs(difference) > math.pi else difference,
+        "half": short / 2,
+        "in degrees": math.degrees(short),
     }
     sines, cosines = ((1 - at) * of(yaw0) + at * of(yaw1) for of in (math.sin, math.cos))
     yaws = {
         "from zero": at * short,
         "mean": (yaw0 + yaw1) / 2,
-        "half": yaw0 + short / 2,
+        "in the middle": yaw0 + short / 2,
+        "from degrees": math.radians(yaw0) + at * math.radians(difference),
+        "on from the second": yaw1 + at * short,
         "later": yaw1,
         "back from the later": yaw1 - at * short,
         "share of the later": at * yaw1,
         "arrows": math.atan2(sines, cosines),
     }
-    return yaws[turn] if turn in yaws else yaw0 + at * turns[turn]
+    return yaws[turn] if turn in yaws else yaw0 + at * turns.get(turn, short)
 
 
 THE_LONG_WAY = Slip(
     "the long way",
     {"turn": "difference"},
     Words(
-        en="Your yaw goes the long way round when it crosses ±π: between 170° and −170° your robot looks to the front, where the real one turned 20° at the back.",
-        ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 이 함수의 로봇은 정면을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다.",
+        en="Your yaw goes the long way round when it crosses ±π: between 170° and −170° your robot looks to the front, where the real one turned 20° at the back. It is the *difference* that has to be brought into −π to π, before the ratio. To bring the two yaws or the result there changes nothing, nor does `math.fmod` by 2π, nor 180 or 360: these are radians.",
+        ko="±π를 넘을 때 yaw가 먼 길로 돌아갑니다. 170°와 −170° 사이에서 이 함수의 로봇은 정면을 보지만, 진짜 로봇은 뒤쪽에서 20°만 돌았습니다. 비율을 곱하기 전에 두 yaw의 *차이*를 −π에서 π 사이로 옮겨야 합니다. 두 yaw나 결과를 그 사이로 옮겨도, 2π에 대한 `math.fmod`를 써도 달라지지 않습니다. 단위가 라디안이므로 180이나 360도 소용이 없습니다.",
     ),
 )
 
@@ -220,6 +250,7 @@ COUNTED_FROM_THE_WRONG_END = Slip(
         en="Your ratio is counted from the later sample: near the first sample you answer as if near the second.",
         ko="비율을 뒤쪽 표본에서 세었습니다. 첫 표본 가까이에서 둘째 표본 가까이에 있는 것처럼 답합니다.",
     ),
+    partly=True,
 )
 
 
@@ -414,6 +445,7 @@ SECONDS_FOR_A_RATIO = Slip(
         en="Your ratio is a number of seconds. Divide it by the time from the first sample to the second: between 0 and 1.",
         ko="비율이 초 단위의 시간입니다. 첫 표본에서 둘째 표본까지의 시간으로 나누면 0과 1 사이가 됩니다.",
     ),
+    partly=True,
 )
 
 RATIO_OF_THE_STAMP = Slip(
@@ -423,6 +455,7 @@ RATIO_OF_THE_STAMP = Slip(
         en="Your ratio is counted from time zero. Count from the first sample, and divide by the time between the two.",
         ko="비율을 시각 0에서부터 셌습니다. 첫 표본에서부터 세고, 두 표본 사이의 시간으로 나누십시오.",
     ),
+    partly=True,
 )
 
 STAMP_BY_THE_GAP = Twin(
@@ -454,7 +487,7 @@ POSITION_IN_THE_MIDDLE = Twin(
 
 YAW_IN_THE_MIDDLE = Twin(
     "yaw in the middle",
-    lambda *given: between(*given, turn="half"),
+    lambda *given: between(*given, turn="in the middle"),
     Words(
         en="Your yaw is the middle of the two, wherever `stamp_s` lies. It turns with the ratio.",
         ko="`stamp_s`가 어디에 있든 yaw가 두 표본의 한가운데입니다. 비율만큼 돌아가야 합니다.",
@@ -495,6 +528,7 @@ AWAY_FROM_THE_SECOND = Slip(
         en="You go from the first sample away from the second. The way between them is the second minus the first.",
         ko="첫 표본에서 둘째 표본의 반대쪽으로 갑니다. 둘 사이의 차이는 둘째에서 첫째를 뺀 것입니다.",
     ),
+    partly=True,
 )
 
 POSITION_FROM_ZERO = Slip(
@@ -560,6 +594,7 @@ BACK_FROM_THE_SECOND = Slip(
         en="Your share is counted back from the second sample, and then added to the first: it is below zero. Count it from the first.",
         ko="비율을 둘째 표본에서 거꾸로 세어 첫째에 더했으므로 0보다 작습니다. 첫째에서부터 세십시오.",
     ),
+    partly=True,
 )
 
 
@@ -744,6 +779,218 @@ POSITION_FROM_THE_OTHER_END = Twin(
 )
 
 
+RATIO_SQUARED = Slip(
+    "ratio squared",
+    {"ratio": "squared"},
+    Words(
+        en="Your ratio is squared, or multiplied by itself, as if the robot set off from rest. The buffer knows no acceleration: a third of the time is a third of the way.",
+        ko="정지했다가 출발하는 것처럼 비율을 제곱했습니다(비율에 비율을 곱했습니다). 버퍼는 가속을 모릅니다. 시간이 3분의 1 지나면 3분의 1만큼 갑니다.",
+    ),
+    partly=True,
+)
+
+
+ROOT_OF_THE_RATIO = Twin(
+    "root of the ratio",
+    lambda *given: between(*given, ratio="root"),
+    Words(
+        en="You took the square root of the ratio. The buffer goes evenly: a third of the time is a third of the way.",
+        ko="비율에 제곱근을 씌웠습니다. 버퍼에서는 고르게 갑니다. 시간이 3분의 1 지나면 3분의 1만큼 갑니다.",
+    ),
+    partly=True,
+)
+
+
+SMOOTHED_RATIOS = tuple(
+    Twin(
+        f"ratio smoothed: {ratio}",
+        lambda *given, ratio=ratio: between(*given, ratio=ratio),
+        Words(
+            en="Your ratio begins slowly, is quick in the middle and ends slowly, as animations do it. The buffer goes evenly along the line: a third of the time is a third of the way.",
+            ko="애니메이션에서처럼 비율이 천천히 시작해 가운데에서 빨라졌다가 천천히 끝납니다. 버퍼는 선을 따라 고르게 갑니다. 시간이 3분의 1 지나면 3분의 1만큼 갑니다.",
+        )
+        if ratio == "smooth"
+        else Words(
+            en="Your ratio follows a cosine, slow at both ends. The buffer goes evenly along the line: a third of the time is a third of the way.",
+            ko="비율이 코사인을 따라 양 끝에서 느립니다. 버퍼는 선을 따라 고르게 갑니다. 시간이 3분의 1 지나면 3분의 1만큼 갑니다.",
+        ),
+        partly=True,
+    )
+    for ratio in ("smooth", "cosine")
+)
+
+
+RATIO_IN_PER_CENT = Twin(
+    "ratio in per cent",
+    lambda *given: between(*given, ratio="per cent"),
+    Words(
+        en="Your ratio is in per cent, up to 100. What a difference is multiplied by goes from 0 to 1.",
+        ko="비율이 0에서 100까지인 백분율입니다. 차이에 곱하는 비율은 0에서 1까지입니다.",
+    ),
+    partly=True,
+)
+
+
+YAW_BEFORE_X = Twin(
+    "yaw before x",
+    lambda *given: between(*given, turn="yaw before x"),
+    Words(
+        en="You read yaw where x stands, x where y stands, and y where yaw stands. A sample is `(stamp_s, x, y, yaw)`: yaw comes last.",
+        ko="x 자리의 값을 yaw로, y 자리의 값을 x로, yaw 자리의 값을 y로 읽었습니다. 표본은 `(stamp_s, x, y, yaw)`이고 yaw가 마지막입니다.",
+    ),
+)
+
+
+ASIN_OF_THE_SINE = Slip(
+    "asin of the sine",
+    {"turn": "asin"},
+    Words(
+        en="Your turn is the arc sine of a sine: that never exceeds a quarter turn, and a larger one is folded back. `math.atan2` of sine *and* cosine keeps all of −π to π.",
+        ko="사인의 역사인을 회전으로 썼습니다. 그 값은 4분의 1바퀴를 넘지 못하고, 더 큰 회전은 접혀서 작아집니다. 사인과 코사인을 *둘 다* 쓰는 `math.atan2`는 −π에서 π까지 모두 나타냅니다.",
+    ),
+)
+
+
+ATAN2_EXCHANGED = Slip(
+    "atan2 exchanged",
+    {"turn": "exchanged"},
+    Words(
+        en="Your turn is a quarter turn minus the right one, as `math.atan2` gives it with its arguments exchanged: the sine comes first, and then the cosine.",
+        ko="회전이 4분의 1바퀴에서 맞는 값을 뺀 것입니다. `math.atan2`의 두 인자를 바꾸면 이렇게 됩니다. 사인이 먼저이고 코사인이 다음입니다.",
+    ),
+)
+
+
+HALF_A_TURN_ON = Slip(
+    "half a turn on",
+    {"turn": "half a turn on"},
+    Words(
+        en="Your difference lies between 0 and 2π, half a turn too far: π was added before `% (2π)`, and has to be taken off again after it.",
+        ko="차이가 0에서 2π 사이에 있고 반 바퀴만큼 큽니다. `% (2π)` 앞에서 더한 π를 그다음에 다시 빼야 합니다.",
+    ),
+)
+
+
+HALF_A_TURN_BACK = Slip(
+    "half a turn back",
+    {"turn": "half a turn back"},
+    Words(
+        en="π was taken off after `% (2π)`, and not added before it: your difference is half a turn off, and of two equal yaws it is −π.",
+        ko="`% (2π)` 뒤에서 π를 뺐는데 앞에서 더하지 않았습니다. 차이가 반 바퀴 어긋나서, 두 yaw가 같으면 −π가 됩니다.",
+    ),
+)
+
+
+CUT_OFF_AT_PI = Slip(
+    "cut off at pi",
+    {"turn": "cut off"},
+    Words(
+        en="A difference of more than half a turn is cut off at ±π. It is another turn then: take off or add a whole one, 2π, and the direction stays what it is.",
+        ko="반 바퀴가 넘는 차이를 ±π에서 잘랐습니다. 그러면 다른 회전이 됩니다. 한 바퀴, 곧 2π를 빼거나 더해야 방향이 그대로입니다.",
+    ),
+)
+
+
+TURNED_THE_OTHER_WAY = Slip(
+    "turned the other way",
+    {"turn": "the other way"},
+    Words(
+        en="Where the difference is more than half a turn you only change its sign: the robot turns the other way round, as far as before, and ends elsewhere. The other way round is shorter: 2π less.",
+        ko="차이가 반 바퀴를 넘으면 부호만 바꿉니다. 반대쪽으로 똑같이 많이 돌아서 다른 방향에서 끝납니다. 반대쪽으로는 더 짧게, 2π에서 뺀 만큼 돕니다.",
+    ),
+)
+
+
+REST_OF_THE_TURN = Slip(
+    "rest of the turn",
+    {"turn": "rest of the turn"},
+    Words(
+        en="Where the difference is more than half a turn you take what is left of a whole one, `2π - abs(...)`, and its sign is lost: from more than π the short way goes to the right.",
+        ko="차이가 반 바퀴를 넘으면 한 바퀴에서 남은 만큼인 `2π - abs(...)`를 쓰므로 부호가 사라집니다. 차이가 π보다 크면 짧은 길은 오른쪽입니다.",
+    ),
+)
+
+
+HALF_THE_TURN = Slip(
+    "half the turn",
+    {"turn": "half"},
+    Words(
+        en="Your yaw turns only half as far: at the second sample it is in the middle between the two. Half the angle belongs into a quaternion, and this is a yaw.",
+        ko="yaw가 절반만 돕니다. 둘째 표본의 시각에 두 yaw의 가운데에 있습니다. 각의 절반을 쓰는 것은 쿼터니언이고, 이것은 yaw입니다.",
+    ),
+)
+
+
+TURN_IN_DEGREES = Slip(
+    "turn in degrees",
+    {"turn": "in degrees"},
+    Words(
+        en="To the first yaw, in radians, you add a share of the turn in degrees. Wrap the difference by 2π, or turn it back into radians before you add.",
+        ko="라디안인 첫째 yaw에 도 단위의 회전을 비율만큼 더합니다. 차이를 2π로 감거나, 더하기 전에 라디안으로 되돌리십시오.",
+    ),
+    "M5",
+)
+
+
+YAW_FROM_DEGREES = Slip(
+    "yaw from degrees",
+    {"turn": "from degrees"},
+    Words(
+        en="You turn the yaws into radians, and they are in radians already: `math.radians` makes them 57 times smaller.",
+        ko="yaw를 라디안으로 바꾸었는데 이미 라디안입니다. `math.radians`를 쓰면 57분의 1로 작아집니다.",
+    ),
+    "M5",
+)
+
+
+YAW_ON_FROM_THE_SECOND = Slip(
+    "yaw on from the second",
+    {"turn": "on from the second"},
+    Words(
+        en="Your yaw starts at the second sample's and turns on from there. It starts at the first one's.",
+        ko="yaw가 둘째 표본의 값에서 시작해 더 돌아갑니다. 첫 표본의 값에서 시작해야 합니다.",
+    ),
+)
+
+
+POSITION_ON_FROM_THE_SECOND = Slip(
+    "position on from the second",
+    {"position": "on from the second"},
+    Words(
+        en="Your position starts at the second sample and goes on from there. It starts at the first one.",
+        ko="위치가 둘째 표본에서 시작해 더 나아갑니다. 첫 표본에서 시작해야 합니다.",
+    ),
+)
+
+
+OF_THE_OTHER_AXIS = tuple(
+    Twin(
+        name,
+        lambda *given, name=name: between(*given, position=name),
+        Words(
+            en=f"In the line of {one} a number of {other} stands: it {en}. `{one}0` and `{one}1` alone belong there.",
+            ko=f"{one}를 구하는 줄에 {other}의 값이 섞여 {ko}. 거기에는 `{one}0`과 `{one}1`만 써야 합니다.",
+        ),
+    )
+    for one, other in ("yx", "xy")
+    for name, en, ko in (
+        (f"{one} from {other}", f"starts at `{other}0`", f"`{other}0`에서 출발합니다"),
+        (f"{one} to {other}", f"goes towards `{other}1`", f"`{other}1` 쪽으로 갑니다"),
+        (f"{one} less {other}", f"takes `{other}0` off `{one}1`", f"`{one}1`에서 `{other}0`을 뺍니다"),
+    )
+)
+
+
+X_BY_Y = Slip(
+    "x by y",
+    {"position": "x by y"},
+    Words(
+        en="x starts where it should, and goes on by the difference of y: it has one of its own, `x1 - x0`.",
+        ko="x는 맞는 곳에서 출발하지만 y의 차이만큼 나아갑니다. x에는 x의 차이 `x1 - x0`이 있습니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.2",
     kind="F",
@@ -818,6 +1065,25 @@ TASK = Task(
         Y_FROM_THE_OTHER_END,
         YAW_OF_Y,
         POSITION_FROM_THE_OTHER_END,
+        RATIO_SQUARED,
+        ROOT_OF_THE_RATIO,
+        *SMOOTHED_RATIOS,
+        RATIO_IN_PER_CENT,
+        YAW_BEFORE_X,
+        ASIN_OF_THE_SINE,
+        ATAN2_EXCHANGED,
+        HALF_A_TURN_ON,
+        HALF_A_TURN_BACK,
+        CUT_OFF_AT_PI,
+        TURNED_THE_OTHER_WAY,
+        REST_OF_THE_TURN,
+        HALF_THE_TURN,
+        TURN_IN_DEGREES,
+        YAW_FROM_DEGREES,
+        YAW_ON_FROM_THE_SECOND,
+        POSITION_ON_FROM_THE_SECOND,
+        *OF_THE_OTHER_AXIS,
+        X_BY_Y,
     ),
     hints=(
         Words(

@@ -15,7 +15,7 @@ from .draws import _moved, _time, drive, seen
 def sightings(rng):
     """Points from within the buffer, one from before it, and one whose transform has not come yet."""
     rows = []
-    for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15):
+    for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15, -0.15):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
         if share == 0.6:  # its nanosec is below 0.1 s
@@ -25,6 +25,8 @@ def sightings(rng):
             now_s = round(stamp_s + 0.3, 3)
         if share == 0.15:  # it is old, and transforms have come for what is now
             now_s = round(stamp_s + 0.9, 3)
+        if share == -0.15:  # it is from before all transforms, and there are some for what is now
+            now_s = round(start_s + 0.5, 3)
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows
 
@@ -37,7 +39,6 @@ def asked_at(moment, stamp, now):
         "latest": Time(),
         "now": now,
         "sec alone": Time(seconds=stamp.sec),
-        "nanosec alone": Time(nanoseconds=stamp.nanosec),
         "digits": Time(seconds=float(f"{stamp.sec}.{stamp.nanosec}")),
         "a tenth before now": Time(nanoseconds=now.nanoseconds - 100_000_000),
         "half way": Time(nanoseconds=(right.nanoseconds + now.nanoseconds) // 2),
@@ -77,12 +78,25 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
             return None
         if refusal == "as it came":
             return message
-        transform = buffer.lookup_transform(*names, Time())
+        transform = buffer.lookup_transform(*names, now if refusal == "now" else Time())
+    if move == "nothing":
+        return message
     if move == "step":
         transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
     if move == "turn":
         transform.transform.translation = geometry_msgs.Vector3()
+    if move == "turned back":
+        transform.transform.rotation.z *= -1.0
+    if move == "half turned":
+        yaw = math.atan2(transform.transform.rotation.z, transform.transform.rotation.w)
+        transform.transform.rotation = geometry_msgs.Quaternion(z=math.sin(yaw / 2), w=math.cos(yaw / 2))
+    if move == "step taken off":
+        step = transform.transform.translation
+        transform.transform.translation = geometry_msgs.Vector3(x=-step.x, y=-step.y, z=-step.z)
+        transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
     moved = _moved(message, transform)
+    if move == "on the floor":
+        moved.point.z = message.point.z
     moved = _moved(moved, transform) if move == "twice" else moved
     stamps = {"now": now.to_msg(), "zero": builtin_interfaces.Time(), "put back": message.header.stamp}
     moved.header.stamp = stamps.get(stamp, moved.header.stamp)
@@ -273,15 +287,6 @@ SEC_ALONE = Slip(
     ),
 )
 
-NANOSEC_ALONE = Slip(
-    "nanosec alone",
-    {"moment": "nanosec alone"},
-    Words(
-        en="Every call ends in a refusal, even where the buffer knows the message's moment. Read in the error which time was requested: nanosec alone, say, is a moment within the first second of all. `Time.from_msg(stamp)` reads both fields. Whether the rest is right shows only once the buffer answers.",
-        ko="버퍼가 메시지의 순간을 아는 때에도 호출이 모두 거절로 끝납니다. 어느 시각을 요청했는지 오류에서 읽어 보십시오. 이를테면 nanosec만 쓰면 맨 처음 1초 안의 순간이 됩니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다. 나머지가 맞는지는 버퍼가 답한 다음에 알 수 있습니다.",
-    ),
-)
-
 HALF_WAY = Slip(
     "half way to now",
     {"moment": "half way"},
@@ -452,6 +457,78 @@ REFUSES_THE_OLD = Slip(
 )
 
 
+NOTHING_MOVED = Slip(
+    "nothing moved",
+    {"move": "nothing"},
+    Words(
+        en="Where the buffer has an answer, you return the message as it came. `buffer.transform` and `do_transform_point` leave what they are handed as it is, and *return* the moved point: keep that, and return it.",
+        ko="버퍼가 답하는데도 받은 메시지를 그대로 반환합니다. `buffer.transform`과 `do_transform_point`는 넘겨받은 것을 바꾸지 않고 옮긴 점을 *반환*합니다. 그 반환값을 받아서 돌려주십시오.",
+    ),
+)
+
+
+FALLS_BACK_ON_NOW = Slip(
+    "falls back on now",
+    {"refusal": "now"},
+    Words(
+        en="Where the buffer refuses for the stamp, you ask for `now` instead. Mostly it refuses that, too; where it does not, an honest refusal becomes a wrong point: let the exception through.",
+        ko="버퍼가 측정 시각의 변환을 거절하면 대신 `now`의 변환을 묻습니다. 그것도 대개 거절되지만, 거절되지 않으면 정직한 거절이 틀린 점으로 바뀝니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+
+FALLS_BACK_ON_NOW_AND_PUTS_BACK = Slip(
+    "falls back on now, and the stamp put back",
+    {"refusal": "now", "stamp": "put back"},
+    Words(
+        en="Where the buffer refuses for the stamp, you ask for `now` instead, and put the message's own stamp on the result: a wrong point, and a label that hides it. Let the exception through.",
+        ko="버퍼가 측정 시각의 변환을 거절하면 대신 `now`의 변환을 묻고, 결과에 메시지의 측정 시각을 적습니다. 틀린 점인데 이름표가 그것을 숨깁니다. 예외를 그대로 내보내십시오.",
+    ),
+    "M9",
+)
+
+
+STEP_TAKEN_OFF = Slip(
+    "step taken off",
+    {"move": "step taken off"},
+    Words(
+        en="You took the translation off, and left the rotation out. `map_T_sensor` takes points from the sensor's frame into map as it is: turn the point, then *add* the translation.",
+        ko="이동을 빼고 회전을 빠뜨렸습니다. `map_T_sensor`는 센서 기준의 점을 그대로 map 기준으로 옮깁니다. 점을 돌린 다음 이동을 *더하십시오*.",
+    ),
+)
+
+
+TURNED_BACK = Slip(
+    "turned back",
+    {"move": "turned back"},
+    Words(
+        en="The translation is right, and the point was turned the other way: a sign of the yaw, or of a sine, is the wrong one.",
+        ko="이동은 맞지만 점을 반대쪽으로 돌렸습니다. yaw나 사인의 부호가 반대입니다.",
+    ),
+)
+
+
+HALF_TURNED = Slip(
+    "half turned",
+    {"move": "half turned"},
+    Words(
+        en="The point was turned only half as far as it has to be: a quaternion's z and w are sine and cosine of *half* the angle, so yaw is `2 * atan2(z, w)`.",
+        ko="점을 절반만 돌렸습니다. 쿼터니언의 z와 w는 각의 *절반*의 사인과 코사인이므로 yaw는 `2 * atan2(z, w)`입니다.",
+    ),
+)
+
+
+ON_THE_FLOOR = Slip(
+    "on the floor",
+    {"move": "on the floor"},
+    Words(
+        en="x and y are moved, and z is still the sensor's: it stands above the floor, and that height is part of the translation.",
+        ko="x와 y는 옮겼지만 z는 아직 센서 기준입니다. 센서는 바닥보다 높이 있고, 그 높이도 이동의 일부입니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.3",
     kind="F",
@@ -481,7 +558,6 @@ TASK = Task(
         ALWAYS_FROM_THE_LASER,
         ALWAYS_FROM_THE_CAMERA,
         SEC_ALONE,
-        NANOSEC_ALONE,
         HALF_WAY,
         STEP_ALONE,
         TURN_ALONE,
@@ -498,6 +574,13 @@ TASK = Task(
         ROBOT_OF_NOW,
         GIVES_UP_ON_THE_OLD,
         REFUSES_THE_OLD,
+        NOTHING_MOVED,
+        FALLS_BACK_ON_NOW,
+        FALLS_BACK_ON_NOW_AND_PUTS_BACK,
+        STEP_TAKEN_OFF,
+        TURNED_BACK,
+        HALF_TURNED,
+        ON_THE_FLOOR,
     ),
     hints=(
         Words(

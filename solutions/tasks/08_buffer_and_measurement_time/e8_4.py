@@ -114,8 +114,8 @@ WRONG_SIDE = Slip(
     "wrong side",
     {"side": -1.0},
     Words(
-        en="The wrong side. If the robot has turned left meanwhile, its straight ahead points further left, and so does the old sight.",
-        ko="반대쪽입니다. 그사이 로봇이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고, 옛 관측도 왼쪽으로 갑니다.",
+        en="The wrong side: the sign is turned round, or a minus is lost, as `abs` loses it. Where the robot has turned left meanwhile, its straight ahead points further left, and so does the old sight; a negative yaw rate turns right.",
+        ko="반대쪽입니다. 부호를 뒤집었거나 `abs`처럼 음의 부호를 없앴습니다. 그사이 로봇이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고 옛 관측도 왼쪽으로 갑니다. 음의 각속도는 오른쪽으로 도는 것입니다.",
     ),
     part="left_m",
 )
@@ -370,6 +370,36 @@ MICROSECONDS = Slip(
 )
 
 
+TWICE_THE_DELAY = Slip(
+    "twice the delay",
+    {"delay": 2e-3},
+    Words(
+        en="Everything is twice as much: the delay went in twice, or a 2 that nothing here needs. While it lasts the robot drives and turns once.",
+        ko="모두 두 배입니다. 지연이 두 번 들어갔거나, 필요 없는 2를 곱했습니다. 로봇은 지연되는 동안 한 번 달리고 돕니다.",
+    ),
+)
+
+
+HALF_THE_DELAY = Slip(
+    "half the delay",
+    {"delay": 5e-4},
+    Words(
+        en="Everything is half as much: half the delay went in, or a mean of then and now. The error is that of the whole delay, at its end.",
+        ko="모두 절반입니다. 지연의 절반만 넣었거나, 그때와 지금의 평균을 썼습니다. 오차는 지연이 다 지난 뒤의 것입니다.",
+    ),
+)
+
+
+TIMES_A_THOUSAND = Slip(
+    "times a thousand",
+    {"delay": 1e3},
+    Words(
+        en="You multiplied the milliseconds by a thousand: a second has a thousand of them, so they are divided.",
+        ko="밀리초에 1000을 곱했습니다. 1초가 1000밀리초이므로 1000으로 나누어야 합니다.",
+    ),
+)
+
+
 SIXTIETHS = Slip(
     "sixtieths",
     {"delay": 1.0 / 60.0},
@@ -498,6 +528,9 @@ TASK = Task(
         TOGETHER_SQUARES,
         MICROSECONDS,
         SIXTIETHS,
+        TWICE_THE_DELAY,
+        HALF_THE_DELAY,
+        TIMES_A_THOUSAND,
         NO_DELAY,
         NO_DELAY_FORWARDS,
         TURNS,

@@ -18,12 +18,27 @@ def detector(rng):
         thinking_s, period_s, short_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow, 1.0 / fast
         sums = [by * thinking_s + times * period_s for by in (0, 1, 2) for times in (-1, 0, 0.5, 1, 2, 3)]
         means = [(period_s + short_s) / 2, period_s + short_s, 1.0 / (slow + fast), 2.0 / (slow + fast), 1.0]
-        sums += [thinking_s + more for more in (*means, -short_s, short_s, 2 * short_s, 3 * short_s)]
+        sums += [
+            thinking_s + more for more in (*means, -short_s, short_s, 2 * short_s, 3 * short_s, period_s - short_s)
+        ]
         times_s = [*sums, thinking_s * period_s, thinking_s * slow, thinking_s + slow, 10.0, 20.0, 30.0]
         times_s += [by * thinking_s for by in SHARES] + [thinking_s + by for by in AMOUNTS_S]
-        times_s = sorted([*times_s, 10.0 + period_s, float(math.ceil(thinking_s + period_s))])
-        if min(b - a for a, b in pairwise(times_s)) > 0.005:
+        times_s += [10.0 + period_s, *map(float, _in_whole(thinking_s, slow, fast)), (thinking_s + 1.0) * period_s]
+        times_s = sorted([*times_s, *_in_whole_periods(thinking_s, slow)])
+        is_no_rounding = abs(math.ceil(thinking_s) - thinking_s - period_s) > 0.1
+        if is_no_rounding and min(b - a for a, b in pairwise(times_s)) > 0.005:
             return {"thinking_s": thinking_s, "rate_hz": {"map -> odom": slow, "odom -> base_link": fast}}
+
+
+def _in_whole(thinking_s, slow, fast):
+    """Return the whole numbers that one may come to: of seconds, and of samples."""
+    counts = [math.ceil(thinking_s * rate) for rate in (slow, fast)]
+    return (math.ceil(thinking_s), math.ceil(thinking_s + 1.0 / slow), *counts, *(count + 1 for count in counts))
+
+
+def _in_whole_periods(thinking_s, slow):
+    count = math.ceil(thinking_s * slow)
+    return (count / slow, (count + 1) / slow, math.ceil(thinking_s) + 1.0 / slow)
 
 
 def memory(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
@@ -38,8 +53,8 @@ THINKING_ONLY = Slip(
     "thinking only",
     {"times": 0.0},
     Words(
-        en="Then the sample just before the stamp may be gone already, and without it there is nothing to interpolate from.",
-        ko="그러면 측정 시각 바로 이전의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
+        en="That is the thinking time alone (or the larger of it and a period). Then the sample just before the stamp may be gone already, and without it there is nothing to interpolate from.",
+        ko="계산 시간뿐입니다(또는 계산 시간과 주기 가운데 큰 쪽입니다). 그러면 측정 시각 바로 이전의 표본이 이미 사라졌을 수 있고, 그것이 없으면 보간할 수 없습니다.",
     ),
 )
 
@@ -125,8 +140,8 @@ PERIOD_ALONE = Slip(
     "period alone",
     {"thinking": 0.0},
     Words(
-        en="The thinking time is missing: so far back lies the picture's stamp already when the question comes.",
-        ko="계산 시간이 빠졌습니다. 물어볼 때 영상의 측정 시각은 이미 그만큼 과거에 있습니다.",
+        en="That is a period alone (or the larger of it and the thinking time). The thinking time is missing: so far back lies the picture's stamp already when the question comes.",
+        ko="주기뿐입니다(또는 주기와 계산 시간 가운데 큰 쪽입니다). 계산 시간이 빠졌습니다. 물어볼 때 영상의 측정 시각은 이미 그만큼 과거에 있습니다.",
     ),
 )
 
@@ -330,6 +345,83 @@ FAST_RATE_INSTEAD_OF_PERIOD = Slip(
 )
 
 
+COUNTS = tuple(
+    Twin(
+        f"count of {which.__name__} samples, and {more}",
+        lambda g, which=which, more=more: float(math.ceil(g.thinking_s * which(g.rate_hz.values())) + more),
+        Words(
+            en=f"This whole number is how many samples the {en} edge sends while it thinks, rounded up{', and one more' if more else ''}. A count of samples is no time, nor would a guess be a rule: `cache_time` is in seconds.",
+            ko=f"이 정수는 계산하는 동안 {ko} 연결이 보내는 표본의 개수를 올림한 것{'에 하나를 더한 값' if more else ''}입니다. 표본의 개수는 시간이 아니고, 어림한 값도 규칙이 아닙니다. `cache_time`의 단위는 초입니다.",
+        ),
+    )
+    for which, en, ko in ((min, "slow", "느린"), (max, "fast", "빠른"))
+    for more in (0, 1)
+)
+
+
+THINKING_ROUNDED_UP = Twin(
+    "thinking rounded up",
+    lambda g: float(math.ceil(g.thinking_s)),
+    Words(
+        en="That is the thinking time, rounded up to whole seconds. How much more than the thinking time is needed, the slowest edge says: one period of it, whatever the next whole second is.",
+        ko="계산 시간을 초 단위로 올린 값입니다. 계산 시간보다 얼마나 더 필요한지는 가장 느린 연결의 한 주기가 정합니다. 초의 자리올림과는 상관없습니다.",
+    ),
+)
+
+
+THINKING_ROUNDED_UP_AND_A_PERIOD = Twin(
+    "thinking rounded up, and a period",
+    lambda g: math.ceil(g.thinking_s) + 1.0 / min(g.rate_hz.values()),
+    Words(
+        en="You rounded the thinking time up to whole seconds before you added the period. Nothing has to be whole here: it is longer than it need be.",
+        ko="주기를 더하기 전에 계산 시간을 초 단위로 올렸습니다. 정수일 필요가 없습니다. 필요한 것보다 깁니다.",
+    ),
+)
+
+
+WHOLE_PERIODS = tuple(
+    Twin(
+        f"whole periods, and {more}",
+        lambda g, more=more: (math.ceil(g.thinking_s * min(g.rate_hz.values())) + more) / min(g.rate_hz.values()),
+        Words(
+            en=f"That is a whole number of the slow edge's periods: as many as the thinking time takes, rounded up{', and one more' if more else ''}. The thinking time need not be a whole number of them: it counts as it is, and a period is added.",
+            ko=f"느린 연결의 주기를 정수 번 센 값입니다. 계산 시간이 차지하는 주기의 수를 올림했습니다{'(그리고 하나를 더했습니다)' if more else ''}. 계산 시간은 주기의 정수배가 아니어도 됩니다. 그대로 두고 한 주기를 더합니다.",
+        ),
+    )
+    for more in (0, 1)
+)
+
+
+BRACKETS = Twin(
+    "brackets",
+    lambda g: (g.thinking_s + 1.0) / min(g.rate_hz.values()),
+    Words(
+        en="You divided the thinking time by the rate, too: only the 1 is divided by it. One over the rate is a period, and that is added to a time in seconds.",
+        ko="계산 시간까지 Hz로 나누었습니다. Hz로 나눌 것은 1뿐입니다. 1을 Hz로 나눈 것이 주기이고, 그것을 초 단위의 시간에 더합니다.",
+    ),
+)
+
+
+DIFFERENCE_OF_PERIODS = Twin(
+    "difference of periods",
+    lambda g: g.thinking_s + 1.0 / min(g.rate_hz.values()) - 1.0 / max(g.rate_hz.values()),
+    Words(
+        en="From the slow edge's period you took off the fast one's. Each lane needs a period of its own, and the fast one does not shorten the slow one's.",
+        ko="느린 연결의 주기에서 빠른 연결의 주기를 뺐습니다. 시간줄마다 자기 주기만큼 필요하고, 빠른 연결이 있다고 느린 연결의 주기가 짧아지지 않습니다.",
+    ),
+)
+
+
+TWICE_ALL = Twin(
+    "twice all",
+    lambda g: 2.0 * (g.thinking_s + 1.0 / min(g.rate_hz.values())),
+    Words(
+        en="That is twice the thinking time and two periods, all doubled to be safe: it is always enough, and longer than it need be.",
+        ko="계산 시간과 주기를 모두 두 배로 했습니다. 언제나 충분하지만 필요한 것보다 깁니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.6",
     kind="N",
@@ -371,6 +463,13 @@ TASK = Task(
         MINUTE,
         ROUNDED_UP,
         FAST_RATE_INSTEAD_OF_PERIOD,
+        *COUNTS,
+        THINKING_ROUNDED_UP,
+        THINKING_ROUNDED_UP_AND_A_PERIOD,
+        *WHOLE_PERIODS,
+        BRACKETS,
+        DIFFERENCE_OF_PERIODS,
+        TWICE_ALL,
     ),
     hints=(
         Words(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from tflab.core import TransformException
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
@@ -34,20 +36,24 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
     """Return the coordinates, step by step; other steps are the slips."""
     if move == "not":
         return (message.point.x, message.point.y, message.point.z)
-    if move == "at one moment":  # the mount never changes, so no moment is refused
-        moved = _moved(message, buffer.lookup_transform(target, message.header.frame_id, Time()))
-        return (moved.point.x, moved.point.y, moved.point.z)
-    if move == "base taken off":
+    if move in ("at one moment", "mount"):  # which never changes, so no moment is refused
+        mount = buffer.lookup_transform(target, message.header.frame_id, Time())
+        place = _moved(message, mount).point if move == "at one moment" else mount.transform.translation
+        return (place.x, place.y, place.z)
+    if move in ("base taken off", "base turned on"):
         seen_in_odom = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
-        base = buffer.lookup_transform("odom", "base_link", now).transform.translation
-        return tuple(getattr(seen_in_odom.point, name) - getattr(base, name) for name in "xyz")
-    if move == "step taken off":
+        base = buffer.lookup_transform("odom", "base_link", now).transform
+        x, y, z = (getattr(seen_in_odom.point, name) - getattr(base.translation, name) for name in "xyz")
+        yaw = 2.0 * math.atan2(base.rotation.z, base.rotation.w) if move == "base turned on" else 0.0
+        return (x * math.cos(yaw) - y * math.sin(yaw), x * math.sin(yaw) + y * math.cos(yaw), z)
+    if move in ("step taken off", "step added"):
         seen = _moved(message, buffer.lookup_transform(target, message.header.frame_id, message.header.stamp)).point
         then, later = (
             buffer.lookup_transform("odom", "base_link", moment).transform.translation
             for moment in (message.header.stamp, now)
         )
-        return tuple(getattr(seen, name) - (getattr(later, name) - getattr(then, name)) for name in "xyz")
+        way = -1.0 if move == "step taken off" else 1.0
+        return tuple(getattr(seen, name) + way * (getattr(later, name) - getattr(then, name)) for name in "xyz")
     if move == "second from map":
         seen_in_odom = _moved(message, buffer.lookup_transform("odom", message.header.frame_id, message.header.stamp))
         point = _moved(seen_in_odom, buffer.lookup_transform(target, "map", now)).point
@@ -64,7 +70,8 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
     ends_at = [(target, times[base]), (message.header.frame_id if source == "the message's" else source, times[sight])]
     if target in ("odom", "map"):  # which rests: its time does not matter
         ends_at[0] = (target, times[sight])
-    (one, one_time), (other, other_time) = ends_at[::-1] if ends == "swapped" else ends_at
+    (one, one_time), (other, other_time) = ends_at if ends == "wanted first" else ends_at[::-1]
+    one_time, other_time = (other_time, one_time) if ends == "names swapped" else (one_time, other_time)
     try:
         transform = buffer.lookup_transform_full(one, one_time, other, other_time, fixed)
     except TransformException:
@@ -77,7 +84,10 @@ def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom
         transform.transform.rotation = geometry_msgs.Quaternion(w=1.0)
     if move == "turn alone":
         transform.transform.translation = geometry_msgs.Vector3()
+    if move == "translation":
+        return tuple(getattr(transform.transform.translation, name) for name in "xyz")
     moved = _moved(message, transform)
+    moved = _moved(moved, transform) if move == "twice" else moved
     return (moved.point.x, moved.point.y, moved.point.z)
 
 
@@ -85,8 +95,8 @@ BASE_LINK_THEN = Slip(
     "base_link then",
     {"base": "stamp"},
     Words(
-        en="That is the object in the base_link of one single moment, as if the robot had stood still between the sighting and now. It has driven on.",
-        ko="어느 한 순간의 base_link 기준으로만 구한 위치입니다. 본 때와 지금 사이에 로봇이 서 있었던 것처럼 계산했지만, 로봇은 계속 달렸습니다.",
+        en="That is the object in the base_link of one single moment, the sighting's, as if the robot had stood still until now. It has driven on. If you went over odom by two `buffer.transform`: the second reads the stamp off the point in odom, and that is still the old one.",
+        ko="본 때의 base_link 기준으로 구한 위치입니다. 그때부터 지금까지 로봇이 서 있었던 것처럼 계산했지만, 로봇은 계속 달렸습니다. `buffer.transform`을 두 번 써서 odom을 거쳤다면, 둘째 호출은 odom 기준 점에 적힌 시각을 읽는데 그것은 아직 옛 측정 시각입니다.",
     ),
     "M9",
 )
@@ -188,8 +198,8 @@ AT_ONE_MOMENT = Slip(
     "at one moment",
     {"move": "at one moment"},
     Words(
-        en="Your point stays in one moment: you asked for one alone, or held fast a frame that rides along. Between the sensor and base_link nothing ever moves, so that is where the object was *seen*; the drive since then is missing.",
-        ko="점이 한 시각에 머물러 있습니다. 한 시각의 변환만 조회했거나, 로봇과 함께 움직이는 좌표계를 고정으로 삼았습니다. 센서와 base_link 사이는 움직이지 않으므로 물체를 *본* 곳이 나옵니다. 그 뒤에 달린 것이 빠졌습니다.",
+        en="Your point stays in one moment: you asked for one alone (a new stamp on the old sighting makes it no newer), or held fast a frame that rides along. Between the sensor and base_link nothing ever moves, so that is where the object was *seen*; the drive since then is missing.",
+        ko="점이 한 시각에 머물러 있습니다. 한 시각의 변환만 조회했거나(옛 관측에 새 시각을 적어도 새것이 되지 않습니다), 로봇과 함께 움직이는 좌표계를 고정으로 삼았습니다. 센서와 base_link 사이는 움직이지 않으므로 물체를 *본* 곳이 나옵니다. 그 뒤에 달린 것이 빠졌습니다.",
     ),
     "M9",
 )
@@ -322,6 +332,79 @@ FIRST_WAY_ROUND = Slip(
 )
 
 
+TRANSLATION_ALONE = Slip(
+    "translation alone",
+    {"move": "translation"},
+    Words(
+        en="You return the transform's own translation: where the sensor was, seen from base_link, and not the object. The point was never moved: hand it to `do_transform_point` with that transform.",
+        ko="변환 자체의 이동을 반환합니다. base_link에서 본 센서의 위치이지 물체의 위치가 아닙니다. 점을 옮기지 않았습니다. 그 변환과 함께 `do_transform_point`에 넘기십시오.",
+    ),
+)
+
+
+TRANSLATION_OF_ONE_MOMENT = Slip(
+    "translation of one moment",
+    {"move": "mount"},
+    Words(
+        en="You return where the sensor sits on base_link, the translation of a lookup for one moment: no point was moved by it, and the drive since the sighting is not in it.",
+        ko="한 시각의 조회에서 이동만 꺼내, 센서가 base_link의 어디에 달렸는지를 반환합니다. 점을 옮기지 않았고, 본 뒤에 로봇이 달린 것도 들어 있지 않습니다.",
+    ),
+)
+
+
+NAMES_SWAPPED = Slip(
+    "names swapped",
+    {"ends": "names swapped"},
+    Words(
+        en="The two frames have changed places, and the two times have not: you ask from base_link at the stamp to the sensor's frame at `now`. The target comes first, and each frame is followed by its own time.",
+        ko="두 좌표계는 자리가 바뀌었는데 두 시각은 그대로입니다. 측정 시각의 base_link에서 `now`의 센서 좌표계로 가는 변환을 물었습니다. 목표가 먼저이고, 좌표계마다 바로 뒤에 자기 시각이 옵니다.",
+    ),
+    "M1",
+)
+
+
+STEP_ADDED = Slip(
+    "step added",
+    {"move": "step added"},
+    Words(
+        en="To the point in the base_link of then you added how far base_link has come since. What the robot drives towards comes nearer, so that way is taken off; and along odom's axes, without the turn, it would not fit either: a pose is more than a step.",
+        ko="그때의 base_link 기준 점에 그 뒤로 base_link가 간 거리를 더했습니다. 로봇이 다가가면 물체는 가까워지므로 빼야 할 거리이고, odom의 축으로 잰 데다 회전도 빠져서 빼더라도 맞지 않습니다. 포즈는 이동만이 아닙니다.",
+    ),
+    "M3",
+)
+
+
+BASE_TURNED_ON = Slip(
+    "base turned on",
+    {"move": "base turned on"},
+    Words(
+        en="From the point in odom you took off where base_link is, and then turned by base_link's yaw: from odom into base_link it is turned *back*, by minus that.",
+        ko="odom 기준의 점에서 base_link의 위치를 뺀 다음 base_link의 yaw만큼 돌렸습니다. odom에서 base_link로 갈 때는 *거꾸로*, 그 반대 부호만큼 돌립니다.",
+    ),
+    "M3",
+)
+
+
+MOVED_TWICE = Slip(
+    "moved twice",
+    {"move": "twice"},
+    Words(
+        en="The point was moved twice by the same transform: once it is in base_link, it stays.",
+        ko="같은 변환으로 점을 두 번 옮겼습니다. 한 번 옮기면 이미 base_link 기준입니다.",
+    ),
+)
+
+
+ODOM_OF_NOW = Slip(
+    "odom of now",
+    {"target": "odom", "sight": "now"},
+    Words(
+        en="These are coordinates in odom, and of a sighting that is taken for one of now. Is odom the target, and base_link the fixed frame? odom is what stands still between the two moments, and comes last.",
+        ko="odom 기준의 좌표이고, 본 것을 지금의 것으로 다루었습니다. odom이 목표이고 base_link가 고정 아닙니까? 두 순간 사이에 가만히 있는 것이 odom이고, 맨 뒤에 옵니다.",
+    ),
+)
+
+
 TASK = Task(
     id="E8.7",
     kind="F",
@@ -356,6 +439,13 @@ TASK = Task(
         SEC_ALONE,
         SECOND_WAY_ROUND,
         FIRST_WAY_ROUND,
+        TRANSLATION_ALONE,
+        TRANSLATION_OF_ONE_MOMENT,
+        NAMES_SWAPPED,
+        STEP_ADDED,
+        BASE_TURNED_ON,
+        MOVED_TWICE,
+        ODOM_OF_NOW,
     ),
     hints=(
         Words(

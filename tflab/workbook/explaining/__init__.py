@@ -21,6 +21,7 @@
     lists       members of a list, all together
     robots      links of a robot, each by itself
     refusals    errors that were swallowed
+    requested   for which moment a buffer was asked
     beside      slips that show in different calls
     apart       slips that show in different words
     stops       errors in some calls, beside what is wrong in others

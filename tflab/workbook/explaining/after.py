@@ -3,22 +3,38 @@
     "stamp_s"   38.2      a slip of the task
     "speed"     0.54      what that slip gives here, too: it only follows
     "yaw_rate"  17.4      what it gives here, in degrees: a second mistake, and it is named
+    "length"    9.1       the hypotenuse of two other parts, as it has to be: it follows from the one that is wrong
 
 Read `members.py` next.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import math
+from collections.abc import Callable, Sequence
+from itertools import combinations
 
-from ..answers.form import Form
+from ..answers import sealed
+from ..answers.form import Form, numbers_of
+from ..answers.forms import Angle, Number
 from ..answers.values import Plain
 from ..mistakes.fitting import MEASURED, is_just, undone_to, words_of
 from ..tasks.case import TaskCases
 from ..words import Words
 from .together import Found
 
-__all__ = ["ONLY_FOLLOWS", "after_a_slip"]
+__all__ = ["after_a_slip", "followers", "only_follows"]
+
+CLOSE = 1e-7  # as a share
+JOINED: tuple[Callable[[float, float], float], ...] = (
+    math.hypot,
+    lambda a, b: a + b,
+    lambda a, b: a - b,
+    lambda a, b: b - a,
+    lambda a, b: a * b,
+    lambda a, b: a / b,
+    lambda a, b: b / a,
+)
 
 ONLY_FOLLOWS = Words(
     en='this only follows from what is wrong in "{part}".',
@@ -39,7 +55,40 @@ def after_a_slip(
     if not isinstance(form, MEASURED) or any(value is None for value in row):
         return []
     if is_just(form, outcomes, row):
-        follows = Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=made_in), name)
-        return [follows._replace(is_of_words=True)]  # a cause comes first
+        return [only_follows(name, made_in)]
     way = next(undone_to(form, outcomes, row, only_plain_to_see=True), None)
     return [Found({way: words_of(task, way)}, words_of(task, way).reply, {name})] if way else []
+
+
+def only_follows(name: str, made_in: str) -> Found:
+    """Return that a part is wrong only because of another; a cause comes first."""
+    return Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=made_in), name)._replace(is_of_words=True)
+
+
+def followers(
+    forms: dict[str, Form], given: dict[str, list[Plain]], wanted: dict[str, list[Plain]], wrong: set[str]
+) -> dict[str, str]:
+    """Return the wrong parts of a value that come of two before them as they have to, and which of those is wrong."""
+    if any(len(row) > 1 or sealed.is_sealed(row[0]) for row in wanted.values()):
+        return {}
+    names = [name for name, form in forms.items() if isinstance(form, Number | Angle)]
+    found: dict[str, str] = {}
+    for *before, made in combinations(names, 3):
+        first = next((name for name in before if name in wrong - found.keys()), None)
+        if first and made in wrong and _is_made_alike(given, wanted, (*before, made)):
+            found[made] = first
+    return found
+
+
+def _is_made_alike(given: dict[str, list[Plain]], wanted: dict[str, list[Plain]], names: Sequence[str]) -> bool:
+    """Return whether the third of these parts comes of the first two in the answer as it does in what is right."""
+    rows = [[numbers_of(held[name][0], None) for name in names] for held in (given, wanted)]
+    return any(all(_comes_of(row, of) for row in rows) for of in JOINED)
+
+
+def _comes_of(row: Sequence[tuple[float, ...] | None], of: Callable[[float, float], float]) -> bool:
+    """Return whether the third number is made of the first two in this way; not where one is zero, or no number."""
+    if not all(numbers and numbers[0] for numbers in row):
+        return False
+    one, other, made = (numbers[0] for numbers in row if numbers)
+    return abs(of(one, other) - made) <= CLOSE * abs(made)

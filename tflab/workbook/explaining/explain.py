@@ -39,6 +39,7 @@ from .kinds import of_times
 from .lists import of_lists
 from .members import changed_places, of_members, plain_in_one
 from .refusals import of_refusals
+from .requested import of_requests
 from .robots import of_robots
 from .stops import of_stops
 
@@ -63,7 +64,7 @@ def explained(
         return _of_parts(task, cases, outcomes, given)
     if words := unfilled(task.form, outcomes):
         return Explanation.of("nothing filled in", words)
-    if found := of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)):
+    if found := _of_moments(task, cases, outcomes, given):
         return found
     if task.is_function and any(gave(outcome) is not outcome for outcome in outcomes):
         return of_changes(task, cases, outcomes, explained)
@@ -79,6 +80,13 @@ def explained(
         or of_refusals(task, cases, outcomes, explained)
         or _of_the_form(task, cases, outcomes, given)
     )
+
+
+def _of_moments(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return that a time stands where a number is asked for, or for which moment a buffer was asked that refuses."""
+    return of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)) or of_requests(cases, outcomes)
 
 
 def _of_parts(

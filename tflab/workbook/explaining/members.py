@@ -25,7 +25,7 @@ from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, und
 from ..mistakes.losses import TOLD, stamp_of, time_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
-from .after import ONLY_FOLLOWS, after_a_slip
+from .after import after_a_slip, followers, only_follows
 from .arithmetic import computed, computed_in_all
 from .bearings import bearing_in_all
 from .certain import certain
@@ -39,7 +39,7 @@ from .habits import constant_of, habit_of
 from .kinds import kinds_said
 from .orders import named_twice, of_orders, of_places
 from .slips_in_parts import Table, is_something, slips_in_parts
-from .together import Found, together
+from .together import Found, each_part_once, together
 from .turning import turned_in_all
 
 __all__ = ["changed_places", "of_members", "plain_in_one"]
@@ -89,15 +89,12 @@ def _of_table(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
     """Return the same where each case asks for a value, and each outcome can be read."""
-    form = task.form
-    table = _table(form, cases, outcomes)
-    names = list(table.forms)
-    wrong = {name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])}
-    left, found = set(wrong), []
-    for cause in _of_several(task, table, cases, wrong):
-        if cause.parts <= left:
-            found.append(cause)
-            left -= cause.parts
+    table = _table(task.form, cases, outcomes)
+    names, wrong = list(table.forms), set(_wrong_in(table))
+    several, follow = _of_several_and_what_follows(task, table, cases, wrong)
+    wrong -= follow.keys()
+    found = each_part_once(several, wrong)
+    left = wrong.difference(*(cause.parts for cause in found))
     for number, name in enumerate(names):
         if name in left:
             found += (
@@ -107,7 +104,18 @@ def _of_table(
                 or _slip_and_then(task, table, name, cases)
             )
     left -= {name for cause in found for name in cause.parts}
+    found += [only_follows(*pair) for pair in follow.items()] if found else []
     return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
+
+
+def _of_several_and_what_follows(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]
+) -> tuple[list[Found], dict[str, str]]:
+    """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
+    several = _of_several(task, table, cases, wrong)
+    is_of_all = any(wrong <= cause.parts for cause in several)
+    follow = {} if is_of_all else followers(table.forms, table.given, table.wanted, wrong)
+    return (_of_several(task, table, cases, wrong - follow.keys()) if follow else several), follow
 
 
 def _of_several(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
@@ -128,7 +136,7 @@ def changed_places(
         return None
     table = _table(task.form, cases, outcomes)
     names = list(table.forms)
-    wrong = {name for name in names if not all_alike(table.forms[name], table.given[name], table.wanted[name])}
+    wrong = set(_wrong_in(table))
     found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
     return together([found], {}, names) if found else None
 
@@ -140,7 +148,7 @@ def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plai
     if any(task.form.read(outcome) is None for outcome in outcomes):
         return None
     table = _table(task.form, cases, outcomes)
-    wrong = [name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])]
+    wrong = _wrong_in(table)
     if len(wrong) != 1:
         return None
     (name,) = wrong
@@ -159,6 +167,10 @@ def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Tabl
     given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
     wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
     return Table(forms, given, wanted, [case.args or [] for case in cases])
+
+
+def _wrong_in(table: Table) -> list[str]:
+    return [name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])]
 
 
 # -- what explains a part ------------------------------------------------------------------
@@ -320,8 +332,7 @@ def _of_a_formula(task: TaskCases, table: Table, name: str, given: dict[str, Pla
     before = list(table.forms)[: list(table.forms).index(name)]
     for other in before:
         if is_moved_from((table.given[other][0], outcome), (table.wanted[other][0], wanted), given or {}):
-            follows = Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=other), name)
-            return [follows._replace(is_of_words=True)]  # a cause comes first
+            return [only_follows(name, other)]
     held = {f'{task.answer}["{other}"]': table.given[other][0] for other in before}
     found = of_formula(form, outcome, wanted, {**(given or {}), **held})
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []

@@ -17,7 +17,7 @@ from ..tasks.case import TwinWords
 from ..words import Words
 from .explanation import Explanation
 
-__all__ = ["Found", "together"]
+__all__ = ["Found", "each_part_once", "together"]
 
 LOOK = Words(en="look again.", ko="다시 보십시오.")
 MOST_TOLD = 4  # causes; who reads more than that at once mends none
@@ -40,6 +40,16 @@ class Found(NamedTuple):
     def of(cls, name: str, said: Words, *parts: str) -> Found:
         """Return that of one mistake which no task has to know."""
         return cls({name: TwinWords(said, "")}, said, set(parts))
+
+
+def each_part_once(causes: Sequence[Found], wrong: set[str]) -> list[Found]:
+    """Return the causes that explain parts which none before them explains."""
+    left, found = set(wrong), []
+    for cause in causes:
+        if cause.parts <= left:
+            found.append(cause)
+            left -= cause.parts
+    return found
 
 
 def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Sequence[str]) -> Explanation:

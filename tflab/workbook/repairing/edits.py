@@ -22,8 +22,8 @@ from .sums import bracketed, of_others
 __all__ = ["KINDS", "Edit", "edits_of"]
 
 KINDS = ("through", "too much", "choice", "edge", "side", "brackets", "copied", "order", "sign", "opposite", "logic",
-         "function", "inverse", "field", "member", "loop", "exception", "call", "lines", "operation", "number", "name",
-         "word", "missing")  # fmt: skip
+         "function", "inverse", "field", "member", "loop", "exception", "surplus", "call", "lines", "operation",
+         "number", "name", "word", "missing")  # fmt: skip
 NEGATED = OPPOSITES | {ast.Is: ast.IsNot, ast.IsNot: ast.Is}
 OPERATIONS = {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.FloorDiv: ast.Div}
 IN_ORDER = (ast.Sub, ast.Div, ast.MatMult, ast.Mod)  # a - b is not b - a
@@ -44,13 +44,16 @@ Other = tuple[str, ast.AST]  # a kind, and what is meant instead
 
 
 class Edit(NamedTuple):
-    """One thing written otherwise: what kind it is of, the node that stands there now, and the field to be set."""
+    """One thing written otherwise: of which kind, the node that stands there now, the field to be set, and what comes
+    instead where that is one node.
+    """
 
     kind: str
     node: ast.AST
     owner: ast.AST
     field: str
     value: Any
+    new: ast.AST | None = None
 
     def made(self) -> AbstractContextManager[None]:
         """Make the edit in its tree, for as long as this lasts."""
@@ -79,7 +82,8 @@ def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
         node, owner, field = spot.node, spot.owner, spot.field
         if field in ("annotation", "returns", "decorator_list"):
             continue
-        yield from (Edit(kind, node, owner, field, spot.with_(new)) for kind, new in _others(node, owner, field, used))
+        others = _others(node, owner, field, used)
+        yield from (Edit(kind, node, owner, field, spot.with_(new), new) for kind, new in others)
         if isinstance(node, ast.stmt | ast.ExceptHandler) and not isinstance(node, ast.FunctionDef):
             yield from _edits_of_lines(spot, node)
 
@@ -164,6 +168,7 @@ def _computed(node: ast.BinOp, _used: _Used) -> Iterator[Other]:
     if isinstance(node.op, IN_ORDER):
         yield "order", ast.BinOp(node.right, node.op, node.left)
     yield from (("brackets", other) for other in bracketed(node))
+    yield from (("surplus", side) for side in (node.left, node.right))
     for kind, others in (("sign", SIGNS), ("operation", OPERATIONS)):
         if type(node.op) in others:
             yield kind, ast.BinOp(node.left, others[type(node.op)](), node.right)

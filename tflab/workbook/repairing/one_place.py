@@ -65,6 +65,10 @@ LOOK = {
     "member": Words("Look at which place or key is read.", "몇 번째 값이나 어느 키를 읽는지 보십시오."),
     "loop": Words("It ends the loop in its first round.", "반복이 첫 바퀴에서 끝나 버립니다."),
     "exception": Words("Look at which exception is named.", "어느 예외를 썼는지 보십시오."),
+    "surplus": Words(
+        "There is one step too many in it: without `{part}`, all is right.",
+        "계산이 한 단계 더 들어갔습니다. `{part}`이(가) 없으면 모두 맞습니다.",
+    ),
     "call": Words("One call there is too many.", "그 줄에 호출이 하나 더 있습니다."),
     "too much": Words("Without it, all is right.", "그 부분이 없으면 모두 맞습니다."),
     "operation": Words("Look at what is multiplied and what is divided.", "무엇을 곱하고 무엇을 나누는지 보십시오."),
@@ -94,9 +98,8 @@ def said_of_one_place(
         for edit, edited in _tried(function, tree, cases[0], form, end):
             if all(_is_right(form, edited, case) for case in cases[1:]):  # past the end, none is
                 line = getattr(edit.node, "lineno", 1)
-                return PLACE.filled(
-                    line=first_line + line - 1, text=quoted(text, tree, edit.node), look=LOOK[edit.kind]
-                )
+                look = LOOK[edit.kind].filled(part=_left_out(text, edit))
+                return PLACE.filled(line=first_line + line - 1, text=quoted(text, tree, edit.node), look=look)
     return None
 
 
@@ -108,6 +111,14 @@ def quoted(text: str, tree: ast.Module, node: ast.AST) -> str:
     parts = [part for part in around if len(part) <= LONGEST_LINE and "\n" not in part]
     short = whole if len(whole) <= LONGEST_LINE else max(parts, key=len, default=whole[:LONGEST_LINE])
     return short.replace("`", "'")
+
+
+def _left_out(text: str, edit: Edit) -> str:
+    """Return the side of a sum that is left out; "" of an edit that leaves out none."""
+    if edit.kind != "surplus" or not isinstance(edit.node, ast.BinOp):
+        return ""
+    side = edit.node.right if edit.new is edit.node.left else edit.node.left
+    return (ast.get_source_segment(text, side) or "").replace("`", "'")
 
 
 def _holds(other: ast.AST, node: ast.AST) -> bool:
