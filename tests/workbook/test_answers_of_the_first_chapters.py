@@ -126,7 +126,7 @@ def test_signs_that_come_of_one_thought_are_told_it_together(turned, slips):
     ("places", "slips"),
     [
         (lambda x, y, z: (x, z, y), ["put together: x, z, y"]),
-        (lambda x, y, z: (-z, y, x), ["put together: -z, y, x"]),
+        (lambda x, y, z: (-z, y, x), ["pitch, minus"]),
         (lambda x, y, z: (z, -x, y), ["up and down"]),
         (lambda x, y, z: (z, -x * z, -y * z), ["times the depth"]),
         (lambda x, y, z: (math.sqrt(z * z - x * x - y * y), -x, -y), ["depth of a ray"]),
@@ -243,6 +243,11 @@ def scaled_first(q):
         (customs(finite=lambda parts: next(iter(parts))), ["asked of x"]),
         (customs(off=math.inf), ["never not unit"]),
         (customs(off=0.5), ["tolerance 0.5"]),
+        (customs(off=math.inf, is_first=lambda q: False), ["nan and zero alone"]),
+        (
+            customs(is_first=lambda q: max(-q[0], -q[1]) > 0.1 if q[3] < 0 else max(q[0], q[1]) > 0.1),
+            ["signs turned by w"],
+        ),
         (customs(is_first=lambda q: abs(q[0] and q[1]) > 0.1), ["x and y in Python"]),
         (lambda q: "w first" if max(abs(q[0]), abs(q[1])) > 0.1 else customs()(q), ["w first before all"]),
         (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),

@@ -46,6 +46,9 @@ def picked(given, *, part="given", turns="both", side="left", height="up", depth
         "pitch": lambda: Transform.from_rpy(pitch=quarter).apply((x, y, z)),
         "roll to the other side": lambda: Transform.from_rpy(roll=quarter, yaw=-quarter).apply((x, y, z)),
         "yaw to the other side": lambda: Transform.from_rpy(roll=-quarter, yaw=quarter).apply((x, y, z)),
+        "roll alone, plus": lambda: (x, -z, y),
+        "yaw alone, plus": lambda: (-y, x, z),
+        "pitch, minus": lambda: (-z, y, x),
         "half turns": lambda: (-x, y, -z),
         "converted twice": lambda: Transform.from_rpy(roll=math.radians(-quarter), yaw=math.radians(-quarter)).apply(
             (x, y, z)
@@ -405,6 +408,26 @@ NUMBERS_OF_THE_ROTATION = Twin(
 )
 
 
+def of_one_turn(turns: str, axis: str, en: str, ko: str) -> Slip:
+    """Return the slip of a single quarter turn, to the side where it does not belong."""
+    return Slip(
+        turns,
+        {"turns": turns},
+        Words(
+            en=f"This is what a single quarter turn about {axis} gives, {en}. It takes two, a roll and a yaw, both by -π/2.",
+            ko=f"{axis}축 둘레로 1/4 바퀴 한 번만, {ko} 돌린 값입니다. roll과 yaw, 두 번을 모두 -π/2로 돌려야 합니다.",
+        ),
+        "M4",
+    )
+
+
+ONE_TURN_TO_THE_OTHER_SIDE = (
+    of_one_turn("roll alone, plus", "x", "a roll by +π/2", "+π/2로"),
+    of_one_turn("yaw alone, plus", "z", "a yaw by +π/2", "+π/2로"),
+    of_one_turn("pitch, minus", "y", "a pitch by -π/2", "-π/2로"),
+)
+
+
 def of_a_sign_tossed(name: str) -> Slip:
     """Return the slip of a quaternion (-0.5, 0.5, -0.5, 0.5) in which one sign is another."""
     return Slip(
@@ -464,6 +487,7 @@ TASK = Task(
         MOUNT_TAKEN_OFF,
         CAMERA_RAISED,
         DEGREES_BY_POSITION,
+        *ONE_TURN_TO_THE_OTHER_SIDE,
         of_a_sign_tossed("x"),
         of_a_sign_tossed("z"),
         THE_MUG_OF_THE_PAGE,

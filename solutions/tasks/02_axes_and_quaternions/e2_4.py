@@ -52,9 +52,11 @@ def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, floa
         *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound, and beside it
         (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
         (0.08, 0.08, 0.0, math.sqrt(1.0 - 2 * 0.08**2)),  # each below the bound, their sum not
+        (-0.4, 0.0, 0.0, math.sqrt(1.0 - 0.4**2)),  # negative, beside a w that is not
         (0.3, -0.3, 0.0, math.sqrt(1.0 - 2 * 0.3**2)),  # each above it, their sum not
         (0.0, 0.08, 0.0, math.sqrt(1.0 - 0.08**2)),  # y alone is not 0
         (0.05, 0.3, math.sqrt(1.0 - 0.05**2 - 0.3**2), 0.0),  # the first is not 0, and below it
+        (0.06, -0.07, 0.6, math.sqrt(1.0 - 0.06**2 - 0.07**2 - 0.6**2)),  # none of the four is 0
         (0.06, 0.06, math.sqrt(1.0 - 2 * 0.06**2), 0.0),  # nor is their length
         (8e-7, 8e-7, 8e-7, 8e-7),  # each next to nothing, their length not
         (math.nan, math.nan, math.nan, math.nan),
@@ -94,6 +96,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
               "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,
               "w over z, signed": q[3] > q[2], "x over w, signed": q[0] > q[3],
               "x or y over w": max(abs(q[0]), abs(q[1])) > abs(q[3]),
+              "turned by w": max(-x, -y) > above if q[3] < 0.0 else max(x, y) > above,
               "w near one": abs(q[3]) > 0.9, "z small": abs(q[2]) < above,
               "just one": (abs(q[0]) > above) != (abs(q[1]) > above), "both small": max(abs(x), abs(y)) < above,
               "any x, signed y": q[0] != 0.0 or q[1] > above,
@@ -102,13 +105,14 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     is_tipped = (beside[size] if size in beside else sizes[size] > above) or (w == "positive" and q[3] < 0.0)
     if first == "w" and is_tipped:
         return "w first"
+    without = {letter: [*q[:place], *q[place + 1 :]] for place, letter in enumerate("xyzw")}
     is_zero = {
         "w": q[3] == 0.0,
         "sum": abs(sum(q)) < below,
         "signed sum": sum(q) < below,
         "length": math.hypot(*q) < below,
         "square": math.hypot(*q) ** 2 < below,
-        "without w": math.hypot(*q[:3]) < below,
+        **{f"without {letter}": math.hypot(*row) < below for letter, row in without.items()},
         "each": max(map(abs, q)) < below,
         "not asked": False,
         "any": 0.0 in q,
@@ -118,7 +122,7 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     if is_zero[zero] or (zero == "w" and is_zero["length"]):
         return "zero"
     lengths = {
-        "without w": math.hypot(*q[:3]),
+        **{f"without {letter}": math.hypot(*row) for letter, row in without.items()},
         "root": math.hypot(*q),
         "of the scaled": math.hypot(*q),
         "square": math.hypot(*q) ** 2,
@@ -131,7 +135,9 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
               "none below": math.inf if off < -1e-9 else off,
               "a share": abs(off) / max(1.0, lengths[length])}  # fmt: skip
     if window.get(sides, abs(off)) > tolerance:
-        return "not unit"
+        return "w first" if first == "last of all" and is_tipped else "not unit"
+    if first == "last of all":
+        return "ok"
     if is_tipped:
         return "w first"
     return "nan" if finite == "last" and not all(map(math.isfinite, q)) else "ok"
@@ -730,12 +736,40 @@ ALONE = (
         "says in which order to ask.",
         "x와 y부터 묻습니다. 그래서 유한하지 않거나 길이가 1이 아닌 것도 w first가 됩니다. 묻는 순서는 문제에 적혀 있습니다.",
     ),
+    *(
+        judged_by(
+            f"length without {letter}",
+            {"length": f"without {letter}", "zero": f"without {letter}"},
+            f"The length is made of three of the four numbers: {letter} is not in it.",
+            f"네 숫자 가운데 셋만으로 길이를 구했습니다. {letter}가 빠졌습니다.",
+        )
+        for letter in "xyz"
+    ),
+    judged_by(
+        "nan and zero alone",
+        {"tolerance": math.inf, "size": "never"},
+        'Apart from "nan" and "zero" you only say "ok": the questions about the length and about x and y are missing, or '
+        "answered by no each time.",
+        '"nan"과 "zero" 말고는 언제나 "ok"라고 합니다. 길이와, x와 y에 관한 물음이 없거나 언제나 아니라는 답이 나옵니다.',
+    ),
+    judged_by(
+        "nan alone",
+        {"zero": "not asked", "tolerance": math.inf, "size": "never"},
+        'Apart from "nan" you only say "ok": the other three questions are missing, or answered by no each time.',
+        '"nan" 말고는 언제나 "ok"라고 합니다. 나머지 세 물음이 없거나 언제나 아니라는 답이 나옵니다.',
+    ),
+    judged_by(
+        "ok before w first",
+        {"first": "last of all"},
+        'You say "ok" as soon as the length is right: x and y are asked after that, where it is too late.',
+        '길이가 맞으면 바로 "ok"라고 합니다. x와 y는 그 뒤에야 묻게 되어 늦습니다.',
+    ),
     judged_by(
         "a share for the tolerance",
         {"sides": "a share"},
-        "Above 1 your tolerance is a hair wider than the task's: math.isclose with rel_tol=0.01 takes a share of the larger "
-        "number, for one. Compare abs(length - 1) with 0.01.",
-        "1보다 길 때 허용 오차가 문제보다 조금 넓습니다. 예를 들어 rel_tol=0.01인 math.isclose는 둘 중 큰 수의 비율로 봅니다. "
+        "Above 1 your tolerance is wider than the task's, and below it is not: math.isclose with rel_tol=0.01 takes a share "
+        "of the larger number, for one. Compare abs(length - 1) with 0.01.",
+        "1보다 길 때만 허용 오차가 문제보다 넓습니다. 예를 들어 rel_tol=0.01인 math.isclose는 둘 중 큰 수의 비율로 봅니다. "
         "abs(길이 - 1)을 0.01과 비교하십시오.",
     ),
     judged_by(
@@ -811,6 +845,14 @@ ALONE = (
         "크지만 음수인 x가 통과합니다. y는 크기를 보는데 x는 0.1보다 큰지만 봅니다. 둘 다 abs()를 비교하십시오.",
     ),
     judged_by(
+        "signs turned by w",
+        {"size": "turned by w"},
+        "A large negative x or y passes beside a w that is not negative: to turn the signs where w is negative takes none "
+        "from x and y. Compare the abs() of both.",
+        "w가 음수가 아니면 크지만 음수인 x나 y가 통과합니다. w가 음수일 때 부호를 뒤집어도 x와 y의 부호는 없어지지 않습니다. "
+        "둘 다 abs()를 비교하십시오.",
+    ),
+    judged_by(
         "negative y passes",
         {"size": "y signed"},
         "A large negative y passes: of x you ask the size, of y only whether it is above 0.1. Compare the abs() of both.",
@@ -850,6 +892,7 @@ TASK = Task(
     model=judged,
     twins=(
         NAN_SLIPS_THROUGH,
+        NEVER_NOT_UNIT,
         SCALED_FIRST,
         INFINITY_SLIPS_THROUGH,
         W_FIRST_BEFORE_LENGTH,
@@ -869,7 +912,6 @@ TASK = Task(
         ONLY_Y,
         LOOSE,
         WITHIN_A_HALF,
-        NEVER_NOT_UNIT,
         FINE,
         ZERO_SOON,
         ZERO_EXACTLY,

@@ -55,6 +55,7 @@ def turned_twice(
     both = first @ then if order == "pitch first" else then @ first
     both = {
         "sandwiched": first.inverse() @ then @ first,
+        "sandwiched the other way": first @ then @ first.inverse(),
         "yaw twice": first @ then @ first,
         "pitch twice": then @ first @ then,
     }.get(order, both)
@@ -248,8 +249,8 @@ ANGLES_EXCHANGED = Slip(
     "angles exchanged",
     {"angles": "exchanged"},
     Words(
-        en="The two angles have changed places: the yaw turns by the pitch's angle, and the pitch by the yaw's.",
-        ko="두 각도가 서로 바뀌었습니다. yaw가 pitch의 각도로, pitch가 yaw의 각도로 돌았습니다.",
+        en="The two angles have changed places: the yaw turns by the pitch's angle, and the pitch by the yaw's. (Or y and z of the quaternion have.)",
+        ko="두 각도가 서로 바뀌었습니다. yaw가 pitch의 각도로, pitch가 yaw의 각도로 돌았습니다. (쿼터니언의 y와 z가 바뀌어도 같습니다.)",
     ),
 )
 
@@ -317,6 +318,16 @@ SANDWICHED = Slip(
     Words(
         en="You put the pitch between a yaw and its inverse: then the yaw is undone again. Both turns stay: the later one stands left.",
         ko="pitch를 yaw와 그 역회전 사이에 넣어서 yaw가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다. 나중 것이 왼쪽에 섭니다.",
+    ),
+)
+
+
+SANDWICHED_THE_OTHER_WAY = Slip(
+    "sandwiched the other way",
+    {"order": "sandwiched the other way"},
+    Words(
+        en="You made yaw @ pitch @ yaw.inverse(), as one takes a turn about another axis: the yaw is undone again. Both turns stay: the later one stands left.",
+        ko="다른 축의 회전으로 바꿀 때처럼 yaw @ pitch @ yaw.inverse()를 만들어서 yaw가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다. 나중 것이 왼쪽에 섭니다.",
     ),
 )
 
@@ -569,6 +580,7 @@ TASK = Task(
         PITCH_TWICE,
         YAW_ABOUT_X,
         SANDWICHED,
+        SANDWICHED_THE_OTHER_WAY,
         YAW_ON_BOTH_SIDES,
         PITCH_ON_BOTH_SIDES,
         AVERAGED_TO_LENGTH_ONE,
