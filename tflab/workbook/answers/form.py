@@ -12,9 +12,7 @@ rows, and one that fits is enough.  Nothing here runs a stranger's code.
     answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
 
 This page holds what all forms share, and numbers in space; choices, messages and
-lists are next: read `structures.py`.
-
-Read `structures.py` next.
+lists are next.  Read `structures.py` next.
 """
 
 from __future__ import annotations
@@ -95,9 +93,12 @@ class Form:
         """Return for each probe of `expected` whether `answer` has it."""
         if is_raised(expected):
             return [isinstance(answer, dict) and answer.get("raises") == expected["raises"]]
-        wanted = self.probes(expected)
-        if wanted is None:
+        if (wanted := self.probes(expected)) is None:
             raise ValueError(f"the expected value is not a {type(self).__name__}: {expected!r}")
+        return self.has(answer, wanted)
+
+    def has(self, answer: Plain, wanted: list[Probe]) -> list[bool]:
+        """Return for each of these probes whether `answer` has it."""
         return matched(self.read(answer), wanted, _is_given, self.in_any_order)
 
     def same(self, answer: Plain, expected: Plain) -> bool:

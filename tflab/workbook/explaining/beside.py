@@ -10,8 +10,9 @@ two of them give, and each of them has to show alone somewhere.  Read `apart.py`
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import combinations, permutations
+from collections.abc import Callable, Collection, Iterator, Sequence
+from functools import partial
+from itertools import combinations
 
 from ..answers import sealed
 from ..answers.form import Form
@@ -32,21 +33,27 @@ def side_by_side(
     Args:
         gives: what each slip gives, call by call, and each two together.
     """
-    shows = {
-        name: _calls(_is_other(form, *pair) for pair in zip(row, expected, strict=True)) for name, row in gives.items()
-    }
     wrong = _calls(not alike(form, *pair) for pair in zip(outcomes, expected, strict=True))
-    within = [name for name in gives if AND not in name and shows[name] and not shows[name] & ~wrong]
+    shown = partial(_shown, form.comparing(), expected)
+    shows = {name: shown(row) for name, row in gives.items() if AND not in name}
+    within = [name for name, seen in shows.items() if seen and not seen & ~wrong]
+    pairs = {two: _in_either_order(gives, *two) for two in combinations(within, 2)}
+    shows |= {name: shown(gives[name]) for names in pairs.values() for name in names}
     for chosen in (slips for count in range(2, MOST + 1) for slips in combinations(within, count)):
-        ways = _ways(gives, chosen)
+        ways = _ways(pairs, chosen)
         if _covers(shows, chosen, ways, wrong) and _fit(form, outcomes, gives, shows, ways):
             yield chosen
 
 
-def _ways(gives: dict[str, list[Plain]], chosen: tuple[str, ...]) -> list[str]:
+def _in_either_order(gives: Collection[str], one: str, other: str) -> list[str]:
+    return [name for name in (one + AND + other, other + AND + one) if name in gives]
+
+
+def _ways(pairs: dict[tuple[str, str], list[str]], chosen: tuple[str, ...]) -> list[str]:
     """Return what was computed of these slips: each two together, and those alone that are in no pair."""
-    pairs = [name for pair in permutations(chosen, 2) if (name := AND.join(pair)) in gives]
-    return pairs + [name for name in chosen if not any(name in pair.split(AND) for pair in pairs)]
+    together = {two: pairs[two] for two in combinations(chosen, 2) if pairs[two]}
+    paired = {name for two in together for name in two}
+    return [way for ways in together.values() for way in ways] + [name for name in chosen if name not in paired]
 
 
 def _calls(marks: Iterator[bool]) -> int:
@@ -54,8 +61,12 @@ def _calls(marks: Iterator[bool]) -> int:
     return sum(1 << number for number, mark in enumerate(marks) if mark)
 
 
-def _is_other(form: Form, twin: Plain, wanted: Plain) -> bool:
-    return twin != wanted if sealed.is_sealed(wanted) else not form.alike(twin, wanted)
+def _shown(is_alike: Callable[[Plain, Plain], bool], expected: Sequence[Plain], row: Sequence[Plain]) -> int:
+    """Return the calls in which what a slip gives is not what is right."""
+    return _calls(
+        twin != wanted and (sealed.is_sealed(wanted) or not is_alike(twin, wanted))
+        for twin, wanted in zip(row, expected, strict=True)
+    )
 
 
 def _covers(shows: dict[str, int], chosen: tuple[str, ...], ways: Sequence[str], wrong: int) -> bool:

@@ -123,7 +123,7 @@ def _shown(form: Form, table: Table, twins: Sequence[Plain], share: float) -> tu
 
 def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
     return all(
-        twin == want if sealed.is_sealed(want) else form.alike(twin, want)
+        twin == want or (not sealed.is_sealed(want) and form.alike(twin, want))
         for twin, want in zip(twins, wanted, strict=True)
     )
 

@@ -61,6 +61,7 @@ def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
         read = form.read(wanted)
         if read is None or not all(read):  # a mistake need not be of the form at all, nor all of its members
             return [given == wanted]
+        return form.has(given, read)
     return sealed.judge(form, given, wanted)
 
 
