@@ -244,7 +244,7 @@ def test_one_word_for_all_is_right_where_it_is_right_for_all_and_of_two_it_is_a_
     assert passed_of({"a": "yes", "b": "no"}, {"a": "yes", "b": "yes"}) == 1
 
 
-WORSE_THAN_LOTS = {("E2.1", "an aeroplane's axes")}  # says "negative" three times of five: one is right, of two that are
+WORSE_THAN_LOTS = {("E2.1", "an aeroplane's axes")}  # three of five "negative": one is right, of the two that are
 
 
 @pytest.mark.parametrize("path", sorted(workbook_data().glob("exercises/cases/*.json")), ids=lambda path: path.stem)
