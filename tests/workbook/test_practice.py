@@ -499,6 +499,15 @@ def test_a_standing_before_the_first_question_says_so() -> None:
     assert sentences.standing(kept.Kept(), "en", START_S).startswith("Nothing has been practised yet.")
 
 
+def test_what_an_exercise_has_shown_comes_next_before_any_question_was_asked(copy: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(copy)
+    progress.record_try(copy, "E3.2", 0, 4, "minus")
+    practice.standing()
+    assert "What comes next: M3." in capsys.readouterr().out
+    assert practice.boxes().text.startswith("box 1 (1 task / 1 h): M3 *")
+    assert not (copy / kept.FILE).exists()
+
+
 def test_a_picture_shows_in_which_box_each_idea_lies_and_which_is_due(copy: Path) -> None:
     progress.record_try(copy, "E3.2", 0, 4, "minus")
     Session(copy).question()

@@ -27,11 +27,10 @@ from ..reply import in_notebook, show_reply
 from ..tasks.task import TaskError
 from ..trying import say_verdict
 from ..words import Words
-from .kept import read_kept
 from .question import DrawnQuestion
 from .sentences import afterwards, why_asked
 from .sentences import standing as standing_of
-from .session import Session
+from .session import Session, known_of
 from .spacing import DAY_S, GAPS, HOUR_S, Spacing, is_due
 
 __all__ = ["ask", "boxes", "check", "given", "hint", "say_hint", "say_solution", "skip", "solution", "standing"]
@@ -113,12 +112,12 @@ def given() -> SimpleNamespace:
 def standing() -> None:
     """Print what was shown, when, and what comes next."""
     root = workbook_root()
-    print(standing_of(read_kept(root), read_workbook(root).language))
+    print(standing_of(known_of(root), read_workbook(root).language))
 
 
 def boxes() -> Picture:
     """Draw in which box each idea lies, and which is due."""
-    kept, now_s = read_kept(workbook_root()), int(time.time())
+    kept, now_s = known_of(workbook_root()), int(time.time())
     lying = {name: idea.box for name, idea in sorted(kept.ideas.items(), key=lambda one: _in_order(one[0]))}
     due = [name for name, idea in kept.ideas.items() if is_due(idea, kept.number, now_s)]
     return draw_boxes(lying, [_wait(gap) for gap in GAPS], due)

@@ -27,7 +27,7 @@ from .kept import Kept, Open, Practised, change_kept, read_kept
 from .question import DrawnQuestion, question_of
 from .spacing import Idea, after, choose
 
-__all__ = ["Result", "Session"]
+__all__ = ["Result", "Session", "known_of"]
 
 # Not an answer yet, or one of another form: it shows nothing of the idea.
 NO_ANSWER = (
@@ -78,7 +78,7 @@ class Session:
     @property
     def kept(self) -> Kept:
         """Return what is known of this learner."""
-        return read_kept(self.root)
+        return known_of(self.root)
 
     def question(self) -> DrawnQuestion:
         """Return the open question, or a new one."""
@@ -147,7 +147,7 @@ class Session:
         return self._closed(kept, item, "wrong" if kept.open.tries else "skipped")
 
     def _opened(self, kept: Kept) -> Kept:
-        kept = self._with_exercises(kept)
+        kept = _with_exercises(kept, self.root)
         if kept.open is not None:
             is_asked_about = kept.open.task in self._items or not self._is_chosen
             if is_asked_about and self._item(kept.open.task) is not None:
@@ -156,15 +156,6 @@ class Session:
         tasks = {name: item.ideas for name, item in self._items.items()}
         choice = choose(tasks, kept.ideas, kept.last_asked, kept.number, _now_s())
         return replace(kept, open=Open(kept.number, *choice))
-
-    def _with_exercises(self, kept: Kept) -> Kept:
-        """Return what is known, with the misconceptions that `check` has named since: they are due."""
-        counts = shown_in_exercises(self.root)
-        ideas = dict(kept.ideas)
-        for name, count in counts.items():
-            if (more := count - kept.exercises.get(name, 0)) > 0:
-                ideas[name] = Idea(shown=more + (ideas[name].shown if name in ideas else 0))
-        return replace(kept, ideas=ideas, exercises=counts)
 
     def _closed(self, kept: Kept, item: Askable, came: str) -> Kept:
         opened, now_s = kept.open, _now_s()
@@ -179,6 +170,21 @@ class Session:
             ideas = {**ideas, opened.idea: replace(ideas[opened.idea], number=opened.number, asked_s=now_s)}
         line = Practised(opened.number, opened.task, opened.idea, now_s, came, opened.shown)
         return replace(kept, open=None, ideas=ideas, asked=(*kept.asked, line))
+
+
+def known_of(root: Path) -> Kept:
+    """Return what is known of the learner whose copy this is, with what exercises have shown since."""
+    return _with_exercises(read_kept(root), root)
+
+
+def _with_exercises(kept: Kept, root: Path) -> Kept:
+    """Return what is known, with the misconceptions that `check` has named since: they are due."""
+    counts = shown_in_exercises(root)
+    ideas = dict(kept.ideas)
+    for name, count in counts.items():
+        if (more := count - kept.exercises.get(name, 0)) > 0:
+            ideas[name] = Idea(shown=more + (ideas[name].shown if name in ideas else 0))
+    return replace(kept, ideas=ideas, exercises=counts)
 
 
 def _now_s() -> int:
