@@ -1,4 +1,4 @@
-"""Every mistake that a task knows, alone and with each other one, is told apart and named."""
+"""Every mistake that a task knows is told apart and named, alone and together with others."""
 
 from __future__ import annotations
 
@@ -13,15 +13,18 @@ from .each_task import SOLUTIONS, each_task
 SAID_MORE_SIMPLY = {Mistake.ECHO, Mistake.CONSTANT, Mistake.NOTHING_RETURNED, Mistake.RAISES}
 
 
+PAIRS = 400  # of a task that has more, this many: each takes a tenth of a second, and some have fifteen hundred
+
+
 @each_task
-def test_every_slip_and_every_two_get_their_own_reply_and_the_solution_full_marks(stem, task):
+def test_every_slip_and_two_at_a_time_get_their_own_reply_and_the_solution_full_marks(stem, task):
     solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
     with in_process_ros():
         made = task_cases(task, PUBLIC_SEED if task.is_costly else "replies", solution)
     for variant in made.variants:
         right = [case.expected for case in variant.cases]
         assert judge_outcomes(made, variant, right).mistake is None
-        for name in variant.cases[0].twins:
+        for name in _looked_at(variant.cases[0].twins):
             verdict = judge_outcomes(made, variant, [case.twins[name] for case in variant.cases])
             if verdict.mistake in SAID_MORE_SIMPLY and " + " in name:
                 continue
@@ -34,6 +37,12 @@ def test_every_slip_and_every_two_get_their_own_reply_and_the_solution_full_mark
             assert said == name or (
                 made.form.plain().get("parts") and sorted(verdict.slips) == sorted(name.split(" + "))
             )
+
+
+def _looked_at(names):
+    """Return all single slips, and of the pairs each, or each second, or third ..."""
+    pairs = [name for name in names if " + " in name]
+    return [name for name in names if " + " not in name] + pairs[:: -(-len(pairs) // PAIRS) or 1]
 
 
 def _is_explained_by_one(task, variant, name, verdict):
