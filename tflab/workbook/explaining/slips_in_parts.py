@@ -12,12 +12,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..answers import sealed
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section
-from ..mistakes.fitting import MEASURED, ONE, TWO, is_just, words_of
+from ..mistakes.fitting import MEASURED, ONE, TWO, gives_what_is_right, is_just, words_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .explanation import said_of
@@ -114,18 +113,11 @@ def _shown(form: Form, table: Table, twins: Sequence[Plain], share: float) -> tu
         return changed, same
     for number, (name, part) in enumerate(table.forms.items()):
         row = [section(form, twin, number, name) for twin in twins]
-        if not _all_same(part, row, table.wanted[name]):
+        if not all(gives_what_is_right(part.alike, *pair) for pair in zip(row, table.wanted[name], strict=True)):
             changed.add(name)
         if is_just(part, table.given[name], row, share):
             same.add(name)
     return changed, same
-
-
-def _all_same(form: Form, twins: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
-    return all(
-        twin == want or (not sealed.is_sealed(want) and form.alike(twin, want))
-        for twin, want in zip(twins, wanted, strict=True)
-    )
 
 
 def _more_than_zero(table: Table, parts: set[str]) -> set[str]:

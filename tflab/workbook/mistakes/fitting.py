@@ -11,7 +11,7 @@ be right with it, too.  Read `explaining/` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from ..answers import sealed
 from ..answers.form import Form, numbers_of
@@ -29,6 +29,7 @@ __all__ = [
     "IN_SOME",
     "alike",
     "all_alike",
+    "gives_what_is_right",
     "in_some",
     "is_just",
     "row_of",
@@ -75,6 +76,11 @@ def alike(form: Form, given: Plain, wanted: Plain) -> bool:
 def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
     """Return whether all outcomes are what is wanted."""
     return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
+
+
+def gives_what_is_right(is_alike: Callable[[Plain, Plain], bool], twin: Plain, wanted: Plain) -> bool:
+    """Return whether a mistake gives what is right: the very same, or what is alike where that is not sealed."""
+    return twin == wanted or (not sealed.is_sealed(wanted) and is_alike(twin, wanted))
 
 
 def is_just(form: Form, outcomes: Sequence[Plain], twins: Sequence[Plain], share: float = ONE) -> bool:
