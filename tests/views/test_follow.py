@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tflab.views.film import STATIC
+from tflab.views.film import javascript
 
 pytestmark = pytest.mark.browser
 
@@ -56,7 +56,7 @@ PANEL = """async (source) => {
 @pytest.fixture(name="panel")
 def panel_fixture(page):
     page.goto("about:blank")
-    page.evaluate(PANEL, (STATIC / "follow.js").read_text())
+    page.evaluate(PANEL, javascript("near", "follow"))
     return page
 
 

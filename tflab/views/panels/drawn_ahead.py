@@ -79,7 +79,7 @@ class DrawnAhead(anywidget.AnyWidget):
         anew: how often what is drawn came to depend on more than them; what the browser has of before is gone then.
     """
 
-    _esm = javascript("follow")
+    _esm = javascript("near", "follow")
     _css = STATIC / "scene.css"
     controls = traitlets.List().tag(sync=True, **widgets.widget_serialization)
     png = traitlets.Bytes().tag(sync=True)

@@ -6,7 +6,7 @@
 //                                      hears of every move, has drawn it
 //
 // A drawing belongs to the places of all controls, and to the one that was moved.  The Python half is
-// panels/drawn_ahead.py.
+// panels/drawn_ahead.py; near.js comes before this file.
 
 const KEPT = 600;      // drawings; some ten kilobytes each
 const ASKED = 200;     // places at a time
@@ -18,8 +18,6 @@ const EVERY_MS = 60;   // how often at most the kernel is asked
 
 const rounded = (place) => (typeof place === "number" ? Number(place.toFixed(6)) : place);
 const keyOf = (places, moved) => JSON.stringify([moved, ...places.map(rounded)]);
-const isMenu = (control) => control.get("_options_labels") !== undefined;
-const placeOf = (control) => control.get(isMenu(control) ? "index" : "value");
 const isTold = (control) => Boolean(control._state_lock); // the kernel moves it: it follows another one
 
 // Every place that a control can be moved to.
@@ -31,11 +29,6 @@ function placesOf(control) {
   for (let i = 0; low + i * step <= high + 1e-9; i++) places.push(low + i * step);
   if (high - places[places.length - 1] > 1e-6) places.push(high);
   return places;
-}
-
-function controlsOf(model) {
-  const names = model.widget_manager ? model.get("controls") : []; // an exported page has neither
-  return Promise.all(names.map((name) => model.widget_manager.get_model(name.replace("IPY_MODEL_", ""))));
 }
 
 // The places still to be drawn, in the order in which a hand may come to them; `here` is where it is now.
@@ -132,18 +125,7 @@ export default {
         want(moved);
       }));
     });
-    const touch = ({ target }) => { // a hand comes near: by the mouse, by the keyboard
-      const panel = el.closest(".tflab-panel");
-      const near = panel?.contains(target) && target.closest?.(".widget-slider, .widget-dropdown, .widget-checkbox");
-      const name = near && near.textContent;
-      const i = near ? controls.findIndex((control) => name.startsWith(control.get("description"))) : -1;
-      if (i >= 0 && i !== touch.last) want(i);
-      touch.last = i;
-    };
-    for (const event of ["focusin", "pointerover"]) {
-      document.addEventListener(event, touch);
-      undo.push(() => document.removeEventListener(event, touch));
-    }
+    undo.push(onHand(el, ".tflab-panel", () => controls, want));
     take();
     return () => {
       clearTimeout(asking);
