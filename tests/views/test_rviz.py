@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import copy
 import math
+import struct
 from typing import NamedTuple
 
 import numpy as np
@@ -173,6 +175,42 @@ def test_symptom_5_two_publishers_make_the_robot_jump():
 
     rviz.sweep("t", [0.0, 0.1, 0.2, 0.3], at)
     assert "base_link  frame in map: x 0.000 m" in rviz.scene.describe()
+
+
+@pytest.mark.parametrize("without", [(), ("wheel_link",), ("base_link",)])
+def test_each_choice_that_is_drawn_ahead_is_what_choosing_it_shows(without):
+    rviz = RViz(*world(without=without), fixed_frame="laser_frame")
+    sent = []
+    rviz.scene.send = lambda message, buffers: sent.append((message, buffers))
+    rviz.scene._handle_custom_msg({"type": "hand"}, [])
+    ((message, steps),) = sent
+    assert message == {"type": "ahead"} and len(steps) == len(rviz._picker.options) > 3
+
+    ahead = copy.deepcopy(rviz.scene._state)
+    for option, step in zip(rviz._picker.options, steps, strict=True):
+        for packed in unjoined(step):
+            ahead.apply(umsgpack.unpackb(packed), packed)
+        rviz.fixed_frame = option
+        assert what_stands(ahead) == what_stands(rviz.scene._state), option
+
+
+def unjoined(step: bytes) -> list[bytes]:
+    (count,) = struct.unpack_from("<I", step)
+    packed, i = [], 4
+    for _ in range(count):
+        (length,) = struct.unpack_from("<I", step, i)
+        packed.append(step[i + 4 : i + 4 + length])
+        i += 4 + length
+    return packed
+
+
+def what_stands(state) -> dict:
+    """Return the last word on everything that is there, with numbers to a micrometre."""
+    return {
+        subject: np.round(word.command["matrix"], 6).tolist() if "matrix" in word.command else word.packed
+        for subject, word in state._words.items()
+        if subject[0] != "delete"
+    }
 
 
 def test_symptom_6_a_broken_chain_leaves_the_map_without_a_robot():

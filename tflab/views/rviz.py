@@ -146,6 +146,7 @@ class RViz(ipywidgets.VBox):
         self._picker.options = sorted({*parents, chosen})
         self._picker.value = chosen
         self._picker.observe(self._on_choice, "value")
+        self.scene.follow(self._picker, lambda i: self._draw_from(self._picker.options[i]))
 
     def _on_choice(self, _change: object) -> None:
         self._redraw()
@@ -157,14 +158,13 @@ class RViz(ipywidgets.VBox):
         return super()._repr_mimebundle_(**kwargs)
 
     def _sweep_fixed_frames(self) -> None:
-        frames = sorted({*self._parents, self.fixed_frame})
-        seen = {frame: look_through(frame, self._parents, self._displays, self._ask) for frame in frames}
-        everything = set().union(*map(_paths, seen.values()))
+        frames = self._picker.options
+        self.scene.sweep("Fixed Frame", frames, self._draw_from, start=frames.index(self.fixed_frame))
 
-        def draw(frame: str) -> None:
-            draw_in_scene(self.scene, self._parents, seen[frame], everything, self._axis_m)
-
-        self.scene.sweep("Fixed Frame", frames, draw, start=frames.index(self.fixed_frame))
+    def _draw_from(self, frame: str) -> None:
+        """Draw what another Fixed Frame shows, whatever stood there before."""
+        shown = look_through(frame, self._parents, self._displays, self._ask)
+        draw_in_scene(self.scene, self._parents, shown, _everywhere(self._parents, self._displays), self._axis_m)
 
     def _redraw(self) -> None:
         self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)
@@ -239,6 +239,11 @@ def _paths(shown: Sequence[Shown]) -> set[str]:
             paths.add(_place(entry, i, 0))
         paths |= {_place(entry, i, j) for j in range(len(entry.placed))}
     return paths
+
+
+def _everywhere(parents: Mapping[str, str], displays: Sequence[Display]) -> set[str]:
+    """Return where `draw_in_scene` might draw, whichever frame is fixed."""
+    return _paths(look_through(next(iter(parents), ""), parents, displays, lambda *_: Transform()))
 
 
 def _list_as_html(shown: Sequence[Shown]) -> str:

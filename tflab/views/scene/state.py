@@ -16,14 +16,14 @@ MessagePack, which is what the viewer reads.  Read `words.py` next.
 from __future__ import annotations
 
 import struct
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tflab.core import Transform
 
-__all__ = ["SceneState", "pack", "plain", "with_stable_ids"]
+__all__ = ["SceneState", "joined", "pack", "plain", "with_stable_ids"]
 
 AT_THE_END = ("set_animation", "sweep")  # they refer to objects, which must be there first
 ID_KEYS = ("uuid", "geometry", "material", "map", "image")
@@ -73,10 +73,10 @@ class SceneState:
         return word is not None and word.command == command and not self._is_painted(path)
 
     def packed(self) -> bytes:
-        """Return the scene for the viewer: the count, then each command after its length (u32, little-endian)."""
+        """Return the scene for the viewer."""
         first = [word.packed for (kind, _, _), word in self._words.items() if kind not in AT_THE_END]
         last = [word.packed for (kind, _, _), word in self._words.items() if kind in AT_THE_END]
-        return struct.pack("<I", self.count) + b"".join(struct.pack("<I", len(p)) + p for p in first + last)
+        return joined(self.count, first + last)
 
     def properties(self, key: str) -> dict[str, Any]:
         """Return the value of the property `key` of each path that has it, in the order they were set."""
@@ -105,6 +105,11 @@ class SceneState:
         self._words = {
             subject: word for subject, word in self._words.items() if not (subject[1] + "/").startswith(below)
         }
+
+
+def joined(count: int, commands: Iterable[bytes]) -> bytes:
+    """Return packed commands as one: `count` of them, then each after its length (u32, little-endian)."""
+    return struct.pack("<I", count) + b"".join(struct.pack("<I", len(each)) + each for each in commands)
 
 
 def plain(value: Any) -> Any:

@@ -39,11 +39,12 @@ from ipywidgets import widget_serialization
 from .. import style
 from ..film import STATIC, javascript
 from .meshes import grid
-from .state import SceneState, pack, plain, with_stable_ids
+from .state import SceneState, joined, pack, plain, with_stable_ids
 from .words import describe
 
 if TYPE_CHECKING:
     import numpy as np
+    from ipywidgets import Dropdown
     from meshcat import Visualizer
     from meshcat.animation import Animation
 
@@ -70,9 +71,10 @@ class Scene(anywidget.AnyWidget):
     Attributes:
         picked: the name of the frame that was clicked on, "" for none.
         position: where the scrubber stands: seconds of an animation, or a step of a sweep.
+        controls: the menu that is followed, if one is.
     """
 
-    _esm = javascript("renderer", "labels", "camera", "scrubber", "scene")
+    _esm = javascript("near", "renderer", "labels", "camera", "scrubber", "ahead", "pointer", "scene")
     _css = STATIC / "scene.css"
     asset = traitlets.Instance(ViewerAsset).tag(sync=True, **widget_serialization)
     scene = traitlets.Bytes(b"").tag(sync=True)
@@ -80,6 +82,7 @@ class Scene(anywidget.AnyWidget):
     height_px = traitlets.Int(420).tag(sync=True)
     picked = traitlets.Unicode("").tag(sync=True)
     position = traitlets.Float(0.0).tag(sync=True)
+    controls = traitlets.List().tag(sync=True, **widget_serialization)
 
     def __init__(self, height_px: int = 420, grid_m: float = 1.0, grid_cells: int = 10) -> None:
         self._lock = RLock()
@@ -88,10 +91,12 @@ class Scene(anywidget.AnyWidget):
         self._depth = 0  # of nested redraws
         self._flushed = 0  # how many commands the `scene` trait knows of
         self._recording: list[dict] | None = None
+        self._draw_choice: Callable[[int], object] | None = None
         super().__init__(asset=_asset(), height_px=height_px)
         self.visualizer = _visualizer(_Window(self._hear))
         if grid_m > 0.0:
             self["/Grid"].set_object(grid(grid_m, grid_cells))
+        self.on_msg(self._answer)
         _flush_after_cells(self)
 
     # -- ordinary meshcat -------------------------------------------------
@@ -160,6 +165,18 @@ class Scene(anywidget.AnyWidget):
             texts = [f"{name} = {_in_words(value, digits)} {unit}".strip() for value in values]
             self._tell({"type": "sweep", "path": "", "texts": texts, "steps": steps, "start": start})
 
+    def follow(self, menu: Dropdown, draw: Callable[[int], object]) -> None:
+        """Let what is chosen from `menu` be seen before the kernel has drawn it.
+
+        `draw(i)` draws the i-th choice into this scene.  When a hand comes near the menu, all
+        choices are drawn and sent, and the browser shows the one that is then made.  It stays
+        the caller's to draw it, too: that is what counts.  Call it again when a choice has come
+        to look otherwise.
+        """
+        with self._lock:
+            self.controls, self._draw_choice = [menu], draw
+            self.send({"type": "ahead"}, [])  # what the browser may have is of before
+
     def on_pick(self, function: Callable[[str], object]) -> None:
         """Have `function(name)` called when a frame is clicked on, with "" when the click hits none."""
         self.observe(lambda change: function(change["new"]), "picked")
@@ -215,11 +232,21 @@ class Scene(anywidget.AnyWidget):
         finally:
             self._recording = None
 
+    def _answer(self, _widget: Scene, message: dict, _buffers: object) -> None:
+        """Send what each choice looks like: a hand is near."""
+        if message.get("type") != "hand" or self._draw_choice is None:
+            return
+        with self.redraw():
+            (menu,) = self.controls
+            steps = _without_repeats([self._recorded(self._draw_choice, i) for i in range(len(menu.options))])
+            self.send({"type": "ahead"}, [joined(len(step), map(pack, step)) for step in steps])
+
     def _send_pending(self) -> None:
         pending, self._pending = self._pending, []
         if not pending:
             return
-        self.send({"type": "commands", "last": self._state.count}, pending)
+        at = [menu.index for menu in self.controls]
+        self.send({"type": "commands", "last": self._state.count, "at": at}, pending)
         if self._state.count - self._flushed > COMMANDS_BETWEEN_SNAPSHOTS:
             self.flush()
 

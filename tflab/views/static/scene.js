@@ -4,10 +4,9 @@
 //                            >  viewer (three.js)  ------------------->  this view's 2D canvas, then names on top
 //   messages (live)         /
 //
-// This is the last of five files that scene.py puts one after the other: renderer.js, labels.js,
-// camera.js, scrubber.js and this one.  Hand-written; there is no build step.
+// This is the last of the files that widget.py puts one after the other: near.js, renderer.js, labels.js,
+// camera.js, scrubber.js, ahead.js, pointer.js and this one.  Hand-written; there is no build step.
 
-const BLUR_PX = 4;             // a click may move this far and is still a click
 const PICK_PX = 16;            // how near to a frame's origin a click must be
 const LOWEST = Math.PI / 2;    // from below the floor, a room is its own mirror image
 const SWEEP_SECONDS = 4;       // how long playing a sweep takes
@@ -36,7 +35,7 @@ class View {
     this.onScrubber = onScrubber;
     this.renderer = new CopyingRenderer(this.THREE, (context, camera) => {
       this.names = writeLabels(context, this, camera);
-    });
+    }, () => this.wake());
     pane.append(this.renderer.domElement);
     this.viewer = notingListeners(this.listeners, () => new MeshCat.Viewer(pane, false, this.renderer));
     this.adapt(this.viewer);
@@ -103,7 +102,7 @@ class View {
     if (!this.pane.clientWidth || !this.pane.clientHeight) return;
     if (this.grown) { this.grown = false; this.fit(); }
     this.viewer.render();
-    for (const letGo of this.kept.splice(0)) letGo();
+    if (!this.renderer.isQuick) for (const letGo of this.kept.splice(0)) letGo();
     const lost = this.before && this.seenFrames().size && [...this.before].some((frame) => this.isOut(frame));
     this.before = null;
     if (lost) this.fit(true);
@@ -117,13 +116,20 @@ class View {
   }
 
   // A shader's program goes with its last material, and to make it again takes longer than to draw: the materials
-  // of what makes way for something else go when that is drawn, which by then shares their programs.
+  // of what makes way for something else go when that is drawn by all, which by then share their programs.
   keepPrograms(names) {
     this.viewer.scene_tree.find(names).object.traverse(({ material }) => {
       for (const one of [material ?? []].flat()) {
         one.dispose = () => { this.kept.push(() => { delete one.dispose; one.dispose(); }); };
       }
     });
+  }
+
+  // Run commands that somebody waits to see; what then is out of the picture is looked for.
+  take(commands) {
+    this.before ??= this.seenFrames();
+    for (const command of commands) this.run(command);
+    this.wake();
   }
 
   run(bytes) { notingListeners(this.listeners, () => this.viewer.handle_command_bytearray(bytes)); }
@@ -199,6 +205,7 @@ class View {
     this.darkness.removeEventListener("change", this.onDarkness);
     for (const args of this.listeners) window.removeEventListener(...args);
     this.viewer.controls.dispose();
+    this.renderer.dispose();
     this.viewer.scene_tree.dispose_recursive();
     this.pane.replaceChildren();
   }
@@ -286,7 +293,7 @@ function makePlayer(model, box) {
 }
 
 // Let a view show what the model has, and hears from now on.
-function connect(view, player, model, live, on) {
+function connect(view, player, model, live, on, ahead) {
   const replay = () => {
     player.quiet = true;
     for (const command of readSnapshot(model.get("scene")).commands) view.run(command);
@@ -296,11 +303,10 @@ function connect(view, player, model, live, on) {
     if (model.get("position")) player.seek(model.get("position"));
     view.wake();
   };
-  const hear = (first, last, commands) => {
-    view.before ??= view.seenFrames(); // another fixed frame may put them elsewhere
-    for (const command of commands) view.run(command);
+  const hear = (first, last, commands, at) => {
+    view.take(commands); // another fixed frame may put them elsewhere
     if (first === view.seen) view.seen = last; // else something was missed: the next snapshot mends it
-    view.wake();
+    ahead.mend(at);
   };
   const highlight = () => { view.picked = model.get("picked"); view.wake(); };
   on("change:position", () => { player.seek(model.get("position")); view.wake(); });
@@ -330,7 +336,8 @@ function renderScene(model, el, live) {
     const player = makePlayer(model, box);
     const view = new View(MeshCat, box, pane, player.take);
     (globalThis.tflabViews ??= new Set()).add(view); // so that a test, or a curious reader, can look inside
-    undo.push(connect(view, player, model, live, on), player.stop, () => {
+    const ahead = followMenu(view, model, live, el);
+    undo.push(connect(view, player, model, live, on, ahead), ahead.stop, player.stop, () => {
       globalThis.tflabViews.delete(view);
       view.dispose();
     });
@@ -341,37 +348,10 @@ function renderScene(model, el, live) {
   return () => { gone = true; undo.forEach((action) => action()); };
 }
 
-function listenToPointer(view, onPick) {
-  const { pane, box } = view;
-  let down = null;
-  pane.addEventListener("pointerdown", (event) => { down = event; pane.focus({ preventScroll: true }); });
-  pane.addEventListener("pointerup", (event) => {
-    if (!down || Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) > BLUR_PX) return;
-    const corner = pane.getBoundingClientRect();
-    onPick(view.frameAt(event.clientX - corner.left, event.clientY - corner.top));
-  });
-  pane.addEventListener("dblclick", () => view.fit(true));
-  // Until the view is clicked on, the wheel scrolls the page.
-  box.addEventListener("wheel", (event) => {
-    if (document.activeElement !== pane && !event.ctrlKey) event.stopPropagation();
-  }, { capture: true, passive: true });
-  const turns = { ArrowLeft: [-0.1, 0], ArrowRight: [0.1, 0], ArrowUp: [0, 0.1], ArrowDown: [0, -0.1] };
-  const keys = {
-    ...Object.fromEntries(Object.entries(turns).map(([key, by]) => [key, () => view.turn(...by)])),
-    "+": () => view.zoom(1 / 1.2), "=": () => view.zoom(1 / 1.2), "-": () => view.zoom(1.2), Home: () => view.fit(true),
-  };
-  pane.addEventListener("keydown", (event) => {
-    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    event.stopPropagation();
-    keys[event.key]();
-  });
-}
-
 // anywidget gives `initialize` and `render` different proxies of one model, so they share `live`.
 export default () => {
   // What was said since the snapshot, and whether something said before we listened is missing from it.
-  const live = { log: [], last: 0, gap: false, views: new Set() };
+  const live = { log: [], last: 0, gap: false, views: new Set(), ahead: [] };
   return {
     initialize({ model }) {
       const startFromSnapshot = () => {
@@ -380,12 +360,13 @@ export default () => {
       };
       startFromSnapshot();
       const onMessage = (message, buffers) => {
+        if (message.type === "ahead") live.ahead = buffers.map((step) => readSnapshot(step).commands);
         if (message.type !== "commands") return;
         const commands = buffers.map(bytesOf), first = message.last - commands.length;
         live.gap ||= first !== live.last;
         live.log.push(...commands);
         live.last = message.last;
-        for (const hear of live.views) hear(first, message.last, commands);
+        for (const hear of live.views) hear(first, message.last, commands, message.at);
       };
       model.on("msg:custom", onMessage);
       model.on("change:scene", startFromSnapshot);

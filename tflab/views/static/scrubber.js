@@ -1,7 +1,7 @@
 // How does one go through time without a kernel?  A button that plays, a slider, and what it stands at.
 //
 // A track says where it ends, how fine its steps are, how long it plays, and what to call a place.
-// Read scene.js next.
+// Read ahead.js next.
 
 function makeScrubber(track, onMove) {
   const bar = document.createElement("div");
