@@ -21,18 +21,25 @@ function cornersOf(THREE, root) {
   return corners;
 }
 
-// The middle of all corners as seen from the direction `eye`, and how far away all are in the picture.
+// Where to stand, looking from the direction `eye`, so that all is in the picture, and what is then in its middle.
 function bestPlace(THREE, corners, center, eye, camera) {
   const right = new THREE.Vector3(0, 1, 0).cross(eye).normalize();
   const up = eye.clone().cross(right);
   const along = (axis) => corners.map((corner) => corner.clone().sub(center).dot(axis));
   const midway = (values) => (Math.min(...values) + Math.max(...values)) / 2;
-  const [rights, ups, nears] = [along(right), along(up), along(eye)];
-  const [midRight, midUp] = [midway(rights), midway(ups)];
-  const tall = Math.tan(camera.fov / 2 * Math.PI / 180), wide = tall * camera.aspect;
-  const needed = corners.map((_, i) => nears[i]
-    + Math.max(Math.abs(rights[i] - midRight) / wide, Math.abs(ups[i] - midUp) / tall));
-  const middle = center.clone().addScaledVector(right, midRight).addScaledVector(up, midUp);
-  return { middle, distance: MARGIN * Math.max(0.5, ...needed) };
+  const nears = along(eye), tall = Math.tan(camera.fov / 2 * Math.PI / 180), wide = tall * camera.aspect;
+  const sides = [[right, along(right), wide], [up, along(up), tall]].map(([axis, offs, half]) => ({ axis, offs, half, mid: 0 }));
+  const needed = () => Math.max(0.5, ...sides.flatMap(
+    ({ offs, half, mid }) => offs.map((off, i) => nears[i] + Math.abs(off - mid) / half)));
+  for (let i = 0; i < 5; i++) { // what is near reaches further out, so the middle depends on the distance
+    const distance = needed();
+    for (const side of sides) {
+      side.mid += distance * midway(side.offs.map((off, j) => (off - side.mid) / (distance - nears[j])));
+    }
+  }
+  const middle = center.clone();
+  for (const { axis, mid } of sides) middle.addScaledVector(axis, mid);
+  const place = middle.clone().addScaledVector(eye, MARGIN * needed());
+  middle.addScaledVector(eye, (center.y - middle.y) / eye.y); // a hand turns it about what is there, not below it
+  return { middle, place };
 }
-

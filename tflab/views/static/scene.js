@@ -154,11 +154,12 @@ class View {
     this.fitted = sphere;
     const { camera, controls } = this.viewer;
     const eye = new this.THREE.Vector3(EYE[0], EYE[2], -EYE[1]).normalize();
-    const { middle, distance } = bestPlace(this.THREE, corners, sphere.center, eye, camera);
+    const { middle, place } = bestPlace(this.THREE, corners, sphere.center, eye, camera);
+    const distance = place.distanceTo(middle);
     camera.near = distance / 100;
     camera.far = distance * 100;
     controls.target.copy(middle);
-    camera.position.copy(middle).addScaledVector(eye, distance);
+    camera.position.copy(place);
     this.turned = false;
     this.wake();
   }
