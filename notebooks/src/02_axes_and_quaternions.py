@@ -117,11 +117,13 @@ lesson.draw_scene(
 # %% [markdown] lang="en" name="story-after"
 # The grey circle is where the arm would go: up, above the camera, into the air.
 # No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
+# (The frame that the numbers were really written in is not drawn. It sits where the camera does, turned; you meet it further down.)
 # By the end of this page you will find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
 # 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
 # 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 계산만 놓고 보면 어느 좌표계든 다를 것이 없습니다.
+# (숫자가 실제로 적힌 좌표계는 그림에 없습니다. 카메라와 같은 자리에 돌아간 채로 있으며, 뒤에서 만납니다.)
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"

@@ -276,6 +276,8 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # So the arrow that is usually drawn, parent → child, shows the family; the data runs against it, child → parent.
 #
 # Call it by both names, the parent first: `base_T_laser`, and say "laser, expressed in base".
+#
+# `buffer.core`, in the next cell, is a short cut of this workbook, and a robot has none: it answers not with a message but with a value, to be multiplied with `@` and applied to points.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -294,6 +296,8 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
 #
 # 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base 기준 laser"라고 읽습니다.
+#
+# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 돌려줍니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -303,7 +307,6 @@ print('its own origin, moved   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0
 print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
-# `buffer.core` is a short cut of this workbook, and a robot has none: it answers not with a message but with a value, to be multiplied and applied with `@`.
 # (The order of the two names in the call is the next section.)
 #
 # Look at the first two lines: they must be the same, and that settles which way a transform works.
@@ -311,7 +314,6 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 # Child data goes in, parent data comes out.
 
 # %% [markdown] lang="ko" name="one-transform-numbers-seen"
-# `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 돌려줍니다.
 # (호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
 #
 # 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없습니다. 이 사실 하나로 변환의 방향을 언제든 확인할 수 있습니다.

@@ -691,12 +691,12 @@ late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
-# Read the last line. It asked for 13.000 s; the latest data is at 12.946 s.
-# 54 ms are missing, so a "cure" is near: let 0.2 s pass and ask again.
+# Read the last line. It asked for 13.000 s. The edge that the text tells of ends at 12.946 s; `map → odom`, as `Time()` said above, ends at 12.890 s already.
+# So 110 ms are missing, and a "cure" is near: let 0.2 s pass and ask again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했는데 최신 데이터가 12.946초입니다.
-# 겨우 54 ms 차이라 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
+# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 위에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
+# 110 ms가 모자랄 뿐이니 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
 
 # %% name="the-cure" slide="fragment"
 end_ns = graph.now_ns + seconds(0.2)

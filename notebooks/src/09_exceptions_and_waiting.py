@@ -60,6 +60,8 @@
 
 # %% name="load" slide="skip"
 # %load_ext tflab
+from collections import deque
+
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.workbook import lesson
 
@@ -75,7 +77,7 @@ from tflab.workbook import lesson
 # For some of them that was the cure. For others it was a plaster over a wound.
 # **How can you tell which?** That is what this chapter is about.
 #
-# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "Dropped": the desktop found no transform for that scan.)
+# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "62 ms, dropped": received 62 ms after its stamp, and the desktop found no transform for that scan.)
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 43밀리초 뒤의 미래
@@ -89,7 +91,7 @@ from tflab.workbook import lesson
 # 누군가에게는 제대로 된 해결책이었고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
-# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. 그림 읽기: stamped = 측정, sent = 송신, received = 수신, dropped = 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. 그림 읽기: stamped = 측정, sent = 송신, received = 수신, 62 ms, dropped = 측정하고 62 ms 뒤에 수신했으나 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_journeys([
@@ -1005,7 +1007,7 @@ lesson.draw_lanes(patient)
 # 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
 
 # %% name="called-node" slide="subslide"
-from collections import deque
+promises = deque()
 
 
 class Called(lesson.WaitingNode):
@@ -1022,7 +1024,7 @@ class Called(lesson.WaitingNode):
             self.answers.append(future.result().transform.translation)
 
 # %% name="called-run" slide="-"
-promises = deque()
+promises.clear()  # of an earlier run
 called = lesson.on_robot_c(Called, delay_s=0.15)  # one thread
 print(len(called.busy), 'scans,', len(called.answers), 'answered')
 lesson.draw_lanes(called)
@@ -1441,7 +1443,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 two stamps are subtracted: make both with `Time.from_msg(...)`, for times of different clocks do not mix.
+# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 two times are subtracted, and the buffer gives one of them: subtract their `.nanoseconds`, for times of different clocks do not mix.
 # After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb): whose time is it, when a recording is played?
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
@@ -1458,6 +1460,6 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 뺍니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘 다 `Time.from_msg(...)`로 만듭니다.
+# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 돌려준 것입니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘의 `.nanoseconds`를 뺍니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
 # 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

@@ -4,6 +4,7 @@ import math
 
 from tflab.core import Transform
 from tflab.views.readings import describe_readings, draw_readings
+from tflab.views.style import fmt_all
 
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))
 
@@ -27,5 +28,10 @@ def test_the_two_readings_are_opposite_transforms():
 
 def test_both_pictures_name_the_transform_that_their_reading_needs():
     picture = draw_readings("map", "odom", TURNED)
-    assert [text.get_text() for text in picture.figure.texts] == ["map_T_odom", "odom_T_map"]
+    names_and_numbers = [text.get_text() for text in picture.figure.texts]
+    assert names_and_numbers[::2] == ["map_T_odom", "odom_T_map"]
+    there, back = names_and_numbers[1::2]
+    assert there.endswith("along the axes of map") and back.endswith("along the axes of odom")
+    assert there.startswith(fmt_all(TURNED.translation, digits=2))
+    assert back.startswith(fmt_all(TURNED.inverse().translation, digits=2))
     assert len(picture.figure.axes) == 2

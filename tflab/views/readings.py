@@ -44,16 +44,19 @@ def draw_readings(a: str, b: str, a_T_b: Transform) -> Picture:
     places = np.array(((0.0, 0.0, 0.0), a_T_b.translation))
     length_m = 0.4 * span_m
     with style.our_settings():
-        for column, (caption, name) in enumerate(zip(CAPTIONS, _names(a, b), strict=True)):
-            ax = clear_paper(picture.figure.add_axes((0.015 + 0.495 * column, 0.12, 0.475, 0.84)))
+        readings = zip(CAPTIONS, _names(a, b), (a_T_b, a_T_b.inverse()), (a, b), strict=True)
+        for column, (caption, name, transform, axes_of) in enumerate(readings):
+            ax = clear_paper(picture.figure.add_axes((0.015 + 0.495 * column, 0.15, 0.475, 0.81)))
             reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
             show_all(ax, SLANTING.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.5 * length_m)
             draw_ground(ax, SLANTING, (-span_m, 2 * span_m), (-span_m, span_m), 0.5 * span_m)
             draw_frames(ax, {a: Transform(), b: a_T_b}, SLANTING, length_m)
             draw_arrow(ax, *places, curve=0.0 if column == 0 else 0.18, line="solid" if column == 0 else DASHES)
             write_caption(ax, caption.format(a=a, b=b))
-            picture.figure.text(0.25 + 0.495 * column, 0.07, name, ha="center", va="center", color=style.ACCENT,
-                                fontsize=style.TITLE_PT, family="monospace")  # fmt: skip
+            numbers = f"{style.fmt_all(transform.translation, digits=2)} along the axes of {axes_of}"
+            middle = {"x": 0.25 + 0.495 * column, "ha": "center", "va": "center", "color": style.ACCENT}
+            picture.figure.text(y=0.105, s=name, fontsize=style.TITLE_PT, family="monospace", **middle)
+            picture.figure.text(y=0.04, s=numbers, fontsize=style.TEXT_PT, **middle)
     picture.text = describe_readings(a, b, a_T_b)
     return picture
 
