@@ -181,12 +181,10 @@ def test_an_answer_left_out_is_asked_for(copy, capsys):
     assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out
 
 
-def test_hints_come_one_by_one_and_are_counted(copy, capsys):
-    for _ in range(4):
+def test_hints_come_one_by_one_with_those_before_and_are_counted(copy, capsys):
+    for shown in (["hint 1"], ["hint 2", "hint 1"], ["hint 3", "hint 1", "hint 2"], ["hint 3", "hint 1", "hint 2"]):
         hint("E3.1")
-    assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == [
-        "hint 1", "hint 2", "hint 3", "hint 3",
-    ]  # fmt: skip
+        assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == shown
     assert json.loads((copy.root / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
 
 

@@ -50,19 +50,25 @@ def test_the_first_page_runs_and_shows_what_has_been_passed(language: str, lab, 
 def test_what_the_first_cell_brings_is_told_from_a_slip_of_ones_own(lab, page) -> None:
     copy = lay_out(lab.folder / "copy_too_early", "en")
     going_on = {"tags": ["raises-exception"]}
-    cells = [
-        nbformat.v4.new_code_cell(source, id=f"cell-{i}", metadata=going_on)
-        for i, source in enumerate(
-            ["import rclpy", "%rviz2 -f map", "lesson", "%rviz -f map", "import rclpi", "1 + ''"]
-        )
+    sources = [
+        "import rclpy",
+        "%rviz2 -f map",
+        "lesson",
+        "%rviz -f map",
+        "import rclpi",
+        "1 + ''",
+        "hint(E1.2)",
+        "hint(1",
     ]
+    cells = [nbformat.v4.new_code_cell(source, id=f"cell-{i}", metadata=going_on) for i, source in enumerate(sources)]
     metadata = {"kernelspec": PYTHON | {"language": "python"}, "tflab": {"language": "en"}}
     nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), copy / "notebooks" / "en" / "mine.ipynb")
     lab.open(page, f"{copy.name}/notebooks/en/mine.ipynb")
     lab.run_all(page)
-    page.wait_for_function("document.querySelectorAll('.tflab-first').length === 3")
-    cells_with = "[...document.querySelectorAll('.jp-CodeCell')].map((cell) => !!cell.querySelector('.tflab-first'))"
-    assert page.evaluate(cells_with) == [True, True, True, False, False, False]
+    page.wait_for_function("document.querySelectorAll('.tflab-advice').length === 4")
+    cells_with = "[...document.querySelectorAll('.jp-CodeCell')].map((cell) => !!cell.querySelector('.tflab-advice'))"
+    assert page.locator(".tflab-advice").last.inner_text().startswith("A task's number stands in quotes")
+    assert page.evaluate(cells_with) == [True, True, True, False, False, False, True, False]
 
 
 def test_the_packages_of_the_first_cell_are_those_that_it_activates() -> None:

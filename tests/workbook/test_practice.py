@@ -410,10 +410,12 @@ def test_the_log_says_what_was_shown_when_and_what_comes_next(copy: Path, monkey
 def test_without_a_copy_one_may_practise_and_is_told_that_nothing_is_kept(
     copy: Path, monkeypatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(copy.parent)
+    elsewhere = copy.parent / "elsewhere"
+    elsewhere.mkdir()
+    monkeypatch.chdir(elsewhere)
     assert run(monkeypatch, "quit") == 0
     assert "nothing is kept; make one with: tflab lab" in capsys.readouterr().out
-    assert not list(copy.parent.glob("practice*"))
+    assert not list(elsewhere.iterdir())
 
 
 def test_a_chapter_that_is_not_there_is_said(copy: Path, monkeypatch, capsys: pytest.CaptureFixture[str]) -> None:

@@ -173,5 +173,11 @@ def test_tflab_progress_finds_the_copy_below_the_folder_it_is_called_in(
     lay_out(tmp_path / "tflab_workbook", "en")
     assert progress_command([]) == 0
     assert "Only a passed check ticks" in capsys.readouterr().out
+    (tmp_path / "tflab_workbook").rename(tmp_path / "mine")  # the only one there is
+    assert progress_command([]) == 0
+    assert "Only a passed check ticks" in capsys.readouterr().out
+    lay_out(tmp_path / "yours", "en")
+    assert progress_command([]) == 0
+    assert "Nothing is kept here" in capsys.readouterr().out
     assert progress_command([str(tmp_path)]) == 2
     assert "tflab lab makes one" in capsys.readouterr().err

@@ -37,7 +37,7 @@ from .tasks.cases import CasesError, read_chapter
 from .tasks.evidence import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError, variant_of
-from .trying import AssignedTask, say_verdict, tried_on
+from .trying import AssignedTask, say_verdict, show_hint, tried_on
 from .verdicts.mistake import Mistake
 from .verdicts.replies import LATER, PHRASES
 from .verdicts.verdict import Verdict
@@ -122,9 +122,7 @@ def hint(task_id: str = "") -> None:
         return
     number = progress.record_hint(assigned.root, assigned.id) or _hints_seen.get(assigned.id, 0) + 1
     _hints_seen[assigned.id] = number
-    hints = assigned.cases.hints
-    head = assigned.phrase("hint_number", number=number) if number <= len(hints) else assigned.phrase("last_hint")
-    show_reply(f"{assigned.id} · {head}", assigned.words(hints[min(number, len(hints)) - 1]))
+    show_hint(assigned, number)
 
 
 def solution(task_id: str = "") -> None:

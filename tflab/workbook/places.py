@@ -90,8 +90,13 @@ def workbook_root(start: str | Path | None = None) -> Path:
 
 
 def copy_at_hand() -> Path | None:
-    """Return the copy that a command means to which none is named: the one we are in, or the one below; else None."""
-    return next((root for root in (workbook_root(), Path.cwd() / COPY) if (root / MARK).is_file()), None)
+    """Return the copy that a command means to which none is named; else None.
+
+    That is the one we are in, the one below of the usual name, or the only one below.
+    """
+    usual = next((root for root in (workbook_root(), Path.cwd() / COPY) if (root / MARK).is_file()), None)
+    below = [mark.parent for mark in Path.cwd().glob(f"*/{MARK}")]
+    return usual or (below[0] if len(below) == 1 else None)
 
 
 def read_workbook(root: str | Path | None = None) -> Workbook:

@@ -31,7 +31,7 @@ from .verdicts.replies import PHRASES
 from .verdicts.verdict import Verdict, judge_outcomes, kind_of
 from .words import Words
 
-__all__ = ["AssignedTask", "say_verdict", "tried_on"]
+__all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
 IN_ONE_PLACE = {Mistake.VALUE, Mistake.PARTS, Mistake.NO_REFUSAL, Mistake.OTHER_EXCEPTION, Mistake.RAISES,
                 Mistake.SOMETIMES_NOTHING, Mistake.SLIP}  # fmt: skip
@@ -120,6 +120,15 @@ def _with_its_place(
 
 
 # -- saying ---------------------------------------------------------------------------
+
+
+def show_hint(assigned: AssignedTask, number: int) -> None:
+    """Show a task's hint of this number, and the ones before it, smaller."""
+    hints = [assigned.words(hint) for hint in assigned.cases.hints]
+    of = min(number, len(hints))
+    head = assigned.phrase("hint_number" if number <= len(hints) else "last_hint", number=number)
+    before = [f"{assigned.phrase('hint_number', number=i)}: {hint}" for i, hint in enumerate(hints[: of - 1], 1)]
+    show_reply(f"{assigned.id} · {head}", hints[of - 1], before)
 
 
 def say_verdict(

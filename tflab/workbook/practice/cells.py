@@ -25,7 +25,7 @@ from ..checks import TRIES_BEFORE_SOLUTION, solution_text
 from ..places import MARK, WorkbookError, read_workbook, workbook_root
 from ..reply import in_notebook, show_reply
 from ..tasks.task import TaskError
-from ..trying import say_verdict
+from ..trying import say_verdict, show_hint
 from ..words import Words
 from .question import DrawnQuestion
 from .sentences import afterwards, why_asked
@@ -125,11 +125,7 @@ def boxes() -> Picture:
 
 def say_hint(session: Session, question: DrawnQuestion) -> None:
     """Show the next hint of a question."""
-    task = session.assigned(question)
-    number = session.hint(question)
-    hints = task.cases.hints
-    head = task.phrase("hint_number", number=number) if number <= len(hints) else task.phrase("last_hint")
-    show_reply(f"{task.id} · {head}", task.words(hints[min(number, len(hints)) - 1]))
+    show_hint(session.assigned(question), session.hint(question))
 
 
 def say_solution(session: Session, question: DrawnQuestion) -> None:

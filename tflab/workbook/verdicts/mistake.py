@@ -52,8 +52,8 @@ class Mistake(str, Enum):
 
 REPLIES = {
     Mistake.UNANSWERED: Words(
-        en="not answered yet. Write your answer in the cell above, then run that cell and this one.",
-        ko="아직 답하지 않았습니다. 위 셀에 답을 쓰고, 그 셀과 이 셀을 차례로 실행하십시오.",
+        en="not answered yet. Write your answer where the `...` or the `raise` stands, and run its cell and the check.",
+        ko="아직 답하지 않았습니다. `...`이나 `raise`가 있는 자리에 답을 쓰고, 그 셀과 `check`를 실행하십시오.",
     ),
     Mistake.NOT_A_FUNCTION: Words(
         en="{answer} should be a function, and it is not ({got}). Hand over the function itself, without calling it.",

@@ -7,6 +7,7 @@
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //   a name, in a new kernel          what to run first                 the page's first cell would say so, had it run
+//   hint(E1.2)                       that the number is a word         Python's words are "invalid syntax"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
@@ -21,6 +22,11 @@
   const FIRST = {
     en: "The page's first cell has not run in this kernel. Run it first (or all of them: Run → Run All Above Selected Cell), then this cell again.",
     ko: "이 커널에서는 페이지의 첫 셀을 아직 실행하지 않았습니다. 첫 셀을 먼저 실행한 다음(Run → Run All Above Selected Cell을 고르면 위의 셀을 모두 실행합니다) 이 셀을 다시 실행하세요.",
+  };
+
+  const QUOTES = {
+    en: 'A task\'s number stands in quotes: hint("E1.2"), check("E1.2", …).',
+    ko: '과제 번호는 따옴표 안에 씁니다: hint("E1.2"), check("E1.2", …).',
   };
 
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet" });
@@ -76,10 +82,20 @@
     return ename === "NameError" || PACKAGES.has(missing) || MAGICS.test(model.data?.["application/vnd.jupyter.stderr"] ?? "");
   }
 
-  function sayWhatIsFirst(output, language) {
-    if (output.querySelector(".tflab-first")) return;
-    const said = Object.assign(document.createElement("p"), { className: "tflab-first", textContent: FIRST[language] });
-    output.querySelector(".jp-OutputArea-output")?.append(said); // below the error, not beside it
+  function isUnquoted(model) {
+    const { ename, traceback } = model.data?.["application/vnd.jupyter.error"] ?? {};
+    const plain = (traceback ?? []).join("\n").replace(/\x1b\[[\d;]*m/g, ""); // without colours
+    return ename === "SyntaxError" && /\b(task|check|hint|solution)\(\s*[Ee]\d+\.\d/.test(plain);
+  }
+
+  // What to do about an error, if we know; below it, not beside it.
+  function advise(output, advice) {
+    const said = output.querySelector(".tflab-advice");
+    if (said?.textContent === advice) return;
+    said?.remove();
+    if (!advice) return;
+    const words = Object.assign(document.createElement("p"), { className: "tflab-advice", textContent: advice });
+    output.querySelector(".jp-OutputArea-output")?.append(words);
   }
 
   function describe(output, model, language, isLast) {
@@ -89,8 +105,7 @@
     keepKeys(output);
     if (!language) return;
     shrink(output);
-    if (isTooEarly(model, isLast)) sayWhatIsFirst(output, language);
-    else output.querySelector(".tflab-first")?.remove();
+    advise(output, isTooEarly(model, isLast) ? FIRST[language] : isUnquoted(model) ? QUOTES[language] : "");
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
