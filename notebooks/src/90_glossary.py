@@ -10,6 +10,16 @@
 # 이 워크북에 나오는 용어를 장의 순서대로 모았습니다.
 # 본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.
 
+# %% [markdown] lang="en" name="index" slide="skip"
+# In the order of the alphabet, each with the number of its chapter:
+#
+# authority 4 · bag 10 · base_footprint 5 · base_link 1 · body frame 2 · broadcaster 6 · buffer 8 · cache time 8 · callback 9 · child frame 3 · clock offset 9 · ConnectivityException 9 · decay time 11 · detector 2 · display status 11 · drift 5 · dynamic transform 6 · edge 4 · evidence 12 · executor 9 · extrapolation 8 · ExtrapolationException 9 · fixed frame 8 · forward kinematics 7 · frame 1 · frame prefix 4 · future 9 · gimbal lock 2 · header 1 · interpolation 8 · InvalidArgumentException 9 · inverse 3 · jitter 9 · joint 7 · latency 8 · latest common time 8 · link 7 · listener 8 · localization 5 · lookup 3 · LookupException 9 · map 5 · message 0 · message filter 9 · motion distortion 8 · namespace 4 · node 0 · odom 5 · odometry 5 · optical frame 2 · owner 11 · parent frame 3 · path 4 · point cloud 2 · pose 1 · publish 0 · QoS 6 · quaternion 2 · reentrant 9 · REP-103 2 · REP-105 5 · right-handed 2 · robot_state_publisher 7 · roll, pitch, yaw 2 · root 4 · rotation 2 · RViz 0 · sample 8 · second owner 12 · simulation time 10 · smear 8 · snapshot 11 · source frame 3 · stamp 1 · static transform 6 · suspect 12 · target frame 3 · tcp 7 · TF tree 4 · TF2 0 · tf2_echo 3 · tf2_monitor 11 · thread 9 · timeline 8 · timeout 9 · TimeoutException 9 · topic 0 · transform 3 · TransformException 9 · transient local 6 · translation 3 · transport delay 9 · TypeException 8 · unit quaternion 2 · URDF 7 · view_frames 4 · yaw 2
+
+# %% [markdown] lang="ko" name="index" slide="skip"
+# 가나다순으로 찾기(숫자는 그 용어를 설명한 장입니다):
+#
+# 검출기 2 · 경로 4 · 고정 좌표계 8 · 관절 7 · 광학 좌표계 2 · 네임스페이스 4 · 노드 0 · 단위 쿼터니언 2 · 동적 좌표 변환 6 · 두 번째 발행자 12 · 드리프트 5 · 디스플레이 상태 11 · 롤·피치·요 2 · 루트 4 · 링크 7 · 메시지 0 · 메시지 필터 9 · 목표 좌표계 3 · 발행 0 · 발행 주체 4 · 발행 책임 11 · 번짐 8 · 변환 발행기 6 · 변환 버퍼 8 · 변환 수신기 8 · 보간 8 · 보관 시간 8 · 본체 축 좌표계 2 · 부모 좌표계 3 · 스냅샷 11 · 스레드 9 · 시간줄 8 · 시계 차이 9 · 시뮬레이션 시간 10 · 실행기 9 · 역변환 3 · 연결 4 · 오도메트리 5 · 오른손 좌표계 2 · 외삽 8 · 요 2 · 용의자 12 · 움직임 왜곡 8 · 원본 좌표계 3 · 위치 추정 5 · 이동 3 · 자식 좌표계 3 · 재진입 9 · 전송 지연 9 · 전송 후 보존 6 · 접두사 4 · 정기구학 7 · 정적 좌표 변환 6 · 조회 3 · 좌표 변환 3 · 좌표계 1 · 증거 12 · 지연 8 · 지터 9 · 짐벌 락 2 · 최신 공통 시각 8 · 측정 시각 1 · 콜백 9 · 쿼터니언 2 · 토픽 0 · 포인트 클라우드 2 · 포즈 1 · 표본 8 · 표시 유지 시간 11 · 퓨처 9 · 헤더 1 · 회전 2 · bag 10 · base_footprint 5 · base_link 1 · ConnectivityException 9 · ExtrapolationException 9 · InvalidArgumentException 9 · LookupException 9 · map 5 · odom 5 · QoS 6 · REP-103 2 · REP-105 5 · robot_state_publisher 7 · RViz 0 · tcp 7 · TF 트리 4 · TF2 0 · tf2_echo 3 · tf2_monitor 11 · timeout 9 · TimeoutException 9 · TransformException 9 · TypeException 8 · URDF 7 · view_frames 4
+
 # %% [markdown] lang="en" name="chapter-0" slide="skip"
 # ## Chapter 0 · Start here
 #

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import re
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 from ..inventory.items import read_inventory
@@ -55,6 +56,10 @@ GLOSSARY_TITLE = Words(
     ko="# 용어집\n\n"
     "이 워크북에 나오는 용어를 장의 순서대로 모았습니다.\n"
     "본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.",
+)
+GLOSSARY_INDEX = Words(
+    en="In the order of the alphabet, each with the number of its chapter:",
+    ko="가나다순으로 찾기(숫자는 그 용어를 설명한 장입니다):",
 )
 GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
 
@@ -101,7 +106,8 @@ def start_page(root: Path) -> str:
 def glossary_page() -> str:
     """Return the source of the glossary as a page."""
     terms = read_glossary().values()
-    cells = [_cells("title", GLOSSARY_TITLE, "slide")]
+    index = Words(*(_index(terms, language) for language in LANGUAGES))
+    cells = [_cells("title", GLOSSARY_TITLE, "slide"), _cells("index", index, "skip")]
     for chapter in read_course().chapters:
         own = [term for term in terms if term.chapter == chapter.stem]
         if own:
@@ -152,6 +158,13 @@ def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:
     head = GLOSSARY_CHAPTER.say(language, number=chapter.number, title=chapter.title.say(language))
     lines = [f"- **{_shown(term, language)}**: {term.definition.say(language)}" for term in terms]
     return "\n".join([head, "", *lines])
+
+
+def _index(terms: Iterable[Term], language: str) -> str:
+    numbers = {chapter.stem: chapter.number for chapter in read_course().chapters}
+    words = [(term.word.en if term.code else term.word.say(language), numbers[term.chapter]) for term in terms]
+    words.sort(key=lambda one: (language == "ko" and one[0][0].isascii(), one[0].lower()))  # in Korean, Latin letters last
+    return "\n\n".join([GLOSSARY_INDEX.say(language), " · ".join(f"{word} {number}" for word, number in words)])
 
 
 def _shown(term: Term, language: str) -> str:
