@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -56,7 +58,24 @@ def test_a_user_without_a_home_is_told_so(monkeypatch: pytest.MonkeyPatch, capsy
     assert "Set HOME to a folder of yours." in capsys.readouterr().err
 
 
-def test_pages_run_in_this_python_even_if_the_user_has_a_kernel_of_the_same_name(monkeypatch, capsys) -> None:
-    monkeypatch.delenv("JUPYTER_PREFER_ENV_PATH", raising=False)
-    cli.main(["--version"])
-    assert os.environ["JUPYTER_PREFER_ENV_PATH"] == "1"
+def test_pages_run_in_this_python_even_if_the_user_has_a_kernel_of_the_same_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
+) -> None:
+    elsewhere = {
+        "argv": ["/elsewhere/python", "-m", "ipykernel_launcher"],
+        "display_name": "mine",
+        "language": "python",
+    }
+    kernel = tmp_path / "share" / "kernels" / "python3" / "kernel.json"
+    kernel.parent.mkdir(parents=True)
+    kernel.write_text(json.dumps(elsewhere))
+    monkeypatch.setenv("JUPYTER_PATH", str(tmp_path / "share"))
+    monkeypatch.setenv("JUPYTER_PREFER_ENV_PATH", "0")
+    find = (
+        "from jupyter_client import KernelManager; print(KernelManager(kernel_name='python3').format_kernel_cmd()[0])"
+    )
+    assert subprocess.check_output([sys.executable, "-c", find], text=True).strip() == "/elsewhere/python"
+    for _ in range(2):
+        cli.main(["--version"])
+    assert os.environ["JUPYTER_PATH"].count(os.pathsep) == 1
+    assert subprocess.check_output([sys.executable, "-c", find], text=True).strip() == sys.executable

@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from importlib import import_module
 from io import TextIOWrapper
+from pathlib import Path
 from typing import NamedTuple
 
 from . import __version__
@@ -64,8 +65,7 @@ def main(words: Sequence[str] | None = None) -> int:
     Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
     A disk that is full, a place where one may not write, or a part that is not installed is one line.
     """
-    # Pages run in this very Python, also where its user has told Jupyter of another one called "python3".
-    os.environ.setdefault("JUPYTER_PREFER_ENV_PATH", "1")
+    _keep_to_this_python()
     words = list(sys.argv[1:] if words is None else words)
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:  # closed by whoever called, as by `>&-`
@@ -88,6 +88,13 @@ def main(words: Sequence[str] | None = None) -> int:
         _leave_nothing_to_flush()
         return UNUSABLE
     return code
+
+
+def _keep_to_this_python() -> None:
+    """Have pages run in this very Python, also where its user has told Jupyter of another one called "python3"."""
+    before = os.environ.get("JUPYTER_PATH", "").split(os.pathsep)
+    ours = str(Path(__file__).parent / "workbook" / "copy" / "jupyter")  # `kernels` in it
+    os.environ["JUPYTER_PATH"] = os.pathsep.join([ours, *(path for path in before if path not in ("", ours))])
 
 
 def _leave_nothing_to_flush() -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -221,6 +222,25 @@ def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
     )
     answer = subprocess.run([sys.executable, "-c", probe, *lab.OUR_OPTIONS], capture_output=True, text=True, check=True)
     assert json.loads(answer.stdout) == [None, "NeverCheckForUpdate", "readonly"]
+
+
+@pytest.mark.parametrize("owner", ["ServerApp", "FileContentsManager"])
+def test_a_users_own_folder_to_begin_with_is_no_hindrance(tmp_path: Path, owner: str) -> None:
+    own, copy = tmp_path / "own", tmp_path / "copy"
+    for folder in (own, copy):
+        folder.mkdir()
+    (own / "jupyter_server_config.json").write_text(json.dumps({owner: {"preferred_dir": str(own)}}))
+    probe = (
+        "import sys; from jupyterlab.labapp import LabApp;"
+        "app = LabApp.initialize_server(argv=sys.argv[1:]);"
+        "print(app.contents_manager.preferred_dir, app.contents_manager.root_dir)"
+    )
+    options = [*lab.OUR_OPTIONS, f"--ServerApp.root_dir={copy}", "--no-browser", "--allow-root", "--port=0"]
+    environment = os.environ | {"JUPYTER_CONFIG_DIR": str(own)}
+    answer = subprocess.run([sys.executable, "-c", probe, *options], capture_output=True, text=True, env=environment)
+    assert answer.returncode == 0, answer.stderr
+    assert answer.stdout.split() == [str(copy)]
+    assert "Unrecognized" not in answer.stderr
 
 
 def test_the_root_is_the_copy_whatever_the_users_own_settings_say(started: list) -> None:

@@ -41,6 +41,8 @@ OUR_OPTIONS = (
     "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
     "--LabApp.extension_manager=readonly",
     f"--LabApp.extra_labextensions_path={SETTINGS / 'labextensions'}",
+    "--FileContentsManager.preferred_dir=",  # one of the user's own would lie outside of the copy
+    "--LanguageServerManager.autodetect=False",  # jupyter-lsp, where it is, would ask npm
 )
 FIRST_PAGE = "00_start.ipynb"
 PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier

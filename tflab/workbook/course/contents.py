@@ -163,7 +163,9 @@ def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:
 def _index(terms: Iterable[Term], language: str) -> str:
     numbers = {chapter.stem: chapter.number for chapter in read_course().chapters}
     words = [(term.word.en if term.code else term.word.say(language), numbers[term.chapter]) for term in terms]
-    words.sort(key=lambda one: (language == "ko" and one[0][0].isascii(), one[0].lower()))  # in Korean, Latin letters last
+    words.sort(
+        key=lambda one: (language == "ko" and one[0][0].isascii(), one[0].lower())
+    )  # in Korean, Latin letters last
     return "\n\n".join([GLOSSARY_INDEX.say(language), " · ".join(f"{word} {number}" for word, number in words)])
 
 
