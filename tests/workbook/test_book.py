@@ -244,6 +244,9 @@ def test_the_reference_is_dark_at_night_and_on_paper_the_text_alone(tmp_path: Pa
     assert "Alias for field" not in page.content()
     back = page.get_by_text("Back to the book").evaluate("link => link.href")
     assert back == f"file://{tmp_path}/index.html"
+    page.locator("nav a[href$='core/buffer.html']").first.click()  # every page of the engine has one of its own
+    assert page.locator("#BufferCore").count() == 1
+    page.go_back()
     background = "getComputedStyle(document.body).backgroundColor"
     assert page.evaluate(background) == "rgb(255, 255, 255)"
     page.emulate_media(color_scheme="dark")

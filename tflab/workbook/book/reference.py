@@ -2,16 +2,21 @@
 
     tflab/core/*.py --pdoc--> reference/tflab/core.html
 
-An API reference: nothing of it is written twice.  Modules laid out as ROS's own
-packages only hand on names, so they are left out.  Read `pages/` next.
+An API reference: nothing of it is written twice.  Of a room there is what its face
+names, of the engine every page, for they are its textbook.  Modules laid out as ROS's
+own packages only hand on names, so they are left out.  Read `pages/` next.
 """
 
 from __future__ import annotations
 
 import re
 from pathlib import Path
+from pkgutil import iter_modules
+from types import ModuleType
 from unittest.mock import patch
 from warnings import catch_warnings, simplefilter
+
+from tflab import core
 
 __all__ = ["HIDDEN", "sentences_kept", "write_reference"]
 
@@ -38,11 +43,17 @@ def write_reference(folder: Path) -> Path:
     )
     with (
         patch("pdoc.docstrings.google", _sections),
+        patch.object(core, "__all__", [*core.__all__, *_pages_of(core)]),
         catch_warnings(),
     ):  # a name that only a type checker imports stays a word, without a link
         simplefilter("ignore", UserWarning)
         pdoc.pdoc("tflab", *(f"!{name}" for name in HIDDEN), output_directory=folder)
     return folder / "tflab.html"
+
+
+def _pages_of(room: ModuleType) -> list[str]:
+    """Return a room's pages that its face does not name: of the engine, they are what is to be read."""
+    return sorted({page.name for page in iter_modules(room.__path__)} - set(room.__all__))
 
 
 def sentences_kept(docstring: str) -> str:
