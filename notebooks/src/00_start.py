@@ -169,7 +169,7 @@ graph.run(seconds=2.0)
 # This is a small [[rviz]], ROS 2's window for looking. Choose another [[fixed frame|Fixed Frame]] in the menu: the picture changes, the data does not.
 # Take `base_link`: now the robot is the middle, and the room stands around it as the robot sees it. Time stands still here; where a robot drives, the room comes towards it.
 #
-# If the box stays empty, your browser has WebGL switched off. Every 3D view is followed by a figure of the same thing: in your copy it is folded until you run its cell or click on the three dots.
+# If the box stays empty, your browser has WebGL switched off. Every 3D view is followed by a figure of the same thing: in your copy it is folded until you run its cell by itself or click on the three dots.
 
 # %% [markdown] lang="ko" name="rviz-why" slide="slide"
 # ## ROS 2가 보는 것을 봅시다
@@ -177,7 +177,7 @@ graph.run(seconds=2.0)
 # ROS 2의 화면 도구인 [[rviz|RViz]]를 작게 만든 것입니다. 메뉴에서 [[fixed frame|고정 좌표계(Fixed Frame)]]를 바꿔 보세요. 그림은 바뀌지만 데이터는 바뀌지 않습니다.
 # `base_link`를 고르면 로봇이 중심이 되고, 방은 로봇에서 본 대로 놓입니다. 여기서는 시간이 멈추어 있지만, 달리는 로봇이라면 방이 다가옵니다.
 #
-# 상자가 비어 있다면 브라우저의 WebGL이 꺼져 있는 것입니다. 3D 화면 다음에는 늘 같은 내용의 그림이 있습니다. 내 워크북에서는 접혀 있고, 그 셀을 실행하거나 점 세 개를 클릭하면 펼쳐집니다.
+# 상자가 비어 있다면 브라우저의 WebGL이 꺼져 있는 것입니다. 3D 화면 다음에는 늘 같은 내용의 그림이 있습니다. 내 워크북에서는 접혀 있고, 그 셀만 따로 실행하거나 점 세 개를 클릭하면 펼쳐집니다.
 
 # %% name="rviz" tags=["interactive"]
 # %rviz2 -f map

@@ -414,22 +414,24 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # The same in 3D: drag to turn it, and move the scrubber to let the robot drive.
-# The arrow goes from the robot to the ball, and its label is what `base_link` says.
+# The arrow goes from the robot to the ball, and its label is what `base_link` says. The cup rides along on the tray.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 같은 장면을 3D로 봅니다. 끌어서 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
-# 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. *그림 읽기:* ball = 공, cup = 컵.
+# 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. 컵은 로봇에 실려 함께 갑니다. *그림 읽기:* ball = 공, cup = 컵.
 
 # %% name="in-3d-scene" slide="skip"
 scene = lesson.Scene(height_px=360)
-scene.look(eye=(2.5, -8.0, 4.5), target=(3.5, -1.0, 0.0))
+scene.look(eye=(2.6, -6.2, 3.0), target=(3.5, -1.0, 0.1))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.8)
 lesson.draw_ball(scene, 'ball', map_p_ball)
 
 
 def at_time(t):
     pose = robot.truth_at(seconds(t))['base_link']
+    lesson.draw_body(scene, robot, seconds(t))
     lesson.draw_frame(scene, 'base_link', pose, parent='map', length_m=0.5)
+    lesson.draw_mug(scene, 'cup', pose.apply(base_p_cup), 'cup', height_m=0.14)
     said = lesson.fmt_all(pose.inverse().apply(map_p_ball), digits=1)
     lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said)
 

@@ -93,7 +93,7 @@ from .panels import (
     tree_panel,
 )
 from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
-from .room import draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
+from .room import draw_body, draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
 from .toolbox import draw_toolbox, tools_panel
 from .waiting import (
     GapWatcher,
@@ -165,6 +165,7 @@ __all__ = [
     "draw_arrow",
     "draw_ball",
     "draw_bend",
+    "draw_body",
     "draw_body_axes",
     "draw_both_ways",
     "draw_buffer",

@@ -28,10 +28,11 @@ from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_pat
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.style import GREY
 
-__all__ = ["draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
+__all__ = ["draw_body", "draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
 
 NOW_AXIS_M = 0.3  # of each frame of a whole robot: its parts stand a hand apart
 GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
+DOT_M = 0.14  # where a ray ends: as wide as a wall is drawn
 EVERY_RAY = 4  # of the laser's: enough to see the walls
 WALL_COLOUR = "#808890"
 STEP_S = 0.25
@@ -41,7 +42,6 @@ STRAIGHT_S = 2.0  # the drive begins to be seen here, where ahead is to be seen:
 def show_drive(for_s: float = 24.0) -> Scene:
     """Return a scene to be played: the robot drives for `for_s` [s], and its laser looks round."""
     robot = TeachingRobot(Drive(start_ns=0))
-    links = links_to_see(robot.urdf)
     scene = Scene(grid_cells=GRID_CELLS)
     scene.look((0.4, -5.2, 4.2), (2.6, -0.3, 0.0))
     draw_walls(scene)
@@ -51,15 +51,21 @@ def show_drive(for_s: float = 24.0) -> Scene:
         stamp_ns = round(moment_s * NSEC_PER_SEC)
         poses = robot.truth_at(stamp_ns)
         scan = robot.laser.scan_at(stamp_ns)
-        draw_robot(scene, "robot", links, poses)
+        draw_body(scene, robot, stamp_ns)
         draw_frame(scene, "base_link", poses["base_link"], "map", length_m=0.5)
         draw_frame(scene, "laser_frame", poses["laser_frame"], "base_link", length_m=0.3)
         few = scan.ranges[::EVERY_RAY]
-        draw_scan(scene, "scan", poses["laser_frame"], few, scan.angle_min, scan.angle_increment * EVERY_RAY)
+        rays = (few, scan.angle_min, scan.angle_increment * EVERY_RAY)
+        draw_scan(scene, "scan", poses["laser_frame"], *rays, size_m=DOT_M)
 
     moments_s = np.arange(0.0, for_s + STEP_S, STEP_S).tolist()
     scene.sweep("time", moments_s, draw, unit="s", start=min(round(STRAIGHT_S / STEP_S), len(moments_s) - 1))
     return scene
+
+
+def draw_body(scene: Scene, robot: TeachingRobot, stamp_ns: int) -> None:
+    """Draw a robot's body into a scene, where it truly is at a stamp."""
+    draw_robot(scene, "robot", links_to_see(robot.urdf), robot.truth_at(stamp_ns))
 
 
 def draw_room(at_s: float) -> Picture:
