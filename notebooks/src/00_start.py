@@ -57,7 +57,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room
 #
-# Run the cell below, then press ▶ under its picture: the drive takes 24 seconds, and the film shows it in four. Drag to turn it; click into it and scroll to come closer; double-click to see all of it again.
+# Run the cell below, then press ▶ under its picture: the drive takes 24 seconds, and the film shows it in four. Drag to turn it; click into it and scroll to come closer; double-click to see all of it again. (By keyboard: Tab into it; the arrows turn it, with Shift they move it, + and − go nearer and away, Home shows all, Escape leads back.)
 #
 # - The body with wheels and an arm is our robot. It goes round a pillar.
 # - The coloured dots are what its laser measures, ten times a second; the pale area between them and the robot is what it has swept. The dots lie on the walls, although the laser knows nothing of walls: it only knows how far away something is, *as seen from itself*. In the bends they slip off the walls a little; chapter 08 is about that.
@@ -68,7 +68,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="motion-why" slide="slide"
 # ## 방 안을 달리는 로봇
 #
-# 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 24초 동안의 주행을 4초 만에 보여 줍니다. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다. 두 번 클릭하면 처음처럼 전체가 보입니다.
+# 아래 셀을 실행하고 그림 밑의 ▶를 눌러 보세요. 24초 동안의 주행을 4초 만에 보여 줍니다. 마우스로 끌면 돌아가고, 그림을 클릭한 뒤 휠을 굴리면 가까워집니다. 두 번 클릭하면 처음처럼 전체가 보입니다. (키보드로는 Tab으로 들어가 화살표 키로 돌리고, Shift와 화살표 키로 옮기고, +와 −로 다가가거나 물러나며, Home으로 전체를 봅니다. Esc를 누르면 셀로 돌아옵니다.)
 #
 # - 바퀴와 팔이 달린 몸체가 우리 로봇입니다. 기둥을 돌며 달립니다.
 # - 색이 있는 점은 레이저가 1초에 열 번 재는 곳이고, 점과 로봇 사이의 옅은 면은 레이저가 훑은 자리입니다. 점들은 벽 위에 놓이지만 레이저는 벽을 모릅니다. *레이저를 기준으로* 무언가가 얼마나 떨어져 있는지만 압니다. 모퉁이를 돌 때는 점들이 벽에서 조금 벗어납니다. 그 이야기는 08장에서 합니다.

@@ -531,7 +531,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # It is often said that a place shifts by the distance driven. That holds straight on; when the robot turns meanwhile, what is far away shifts by much more (chapter 08).
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
-# 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 뒤로 달린 것입니다.
+# 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 부호를 거꾸로 쓴 것입니다.
 # 흔히 움직인 거리만큼 위치가 밀린다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
@@ -551,7 +551,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # The next command measures the age, and the figure shows the journeys of three messages.
 
 # %% [markdown] lang="ko" name="topic-delay-why"
-# 다음 명령은 나이를 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김, seconds after 7.600 s = 7.6초부터 센 시간(초).
+# 다음 명령은 메시지가 얼마나 오래되었는지 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김, seconds after 7.600 s = 7.6초부터 센 시간(초).
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -568,14 +568,14 @@ lesson.draw_journeys([
 #
 # A number in `base_link` is milk: 3.60 m was true at 5.8 s, and it is sour on arrival.
 # The same place in `map` is tinned, if the thing rests: (6.5, −1.5) keeps.
-# So put a measurement into a frame in which it keeps, **with the pose of its stamp**, and do it early.
+# So put a measurement into a frame in which it keeps, **with the [[pose]] of its stamp**, and do it early.
 
 # %% [markdown] lang="ko" name="milk" slide="subslide"
 # ### 우유와 통조림
 #
 # `base_link` 기준의 숫자는 우유입니다. 3.60 m는 5.8초에는 맞았지만 도착했을 때는 이미 상했습니다.
 # 가만히 있는 물체라면, 같은 위치를 `map` 기준으로 적은 (6.5, −1.5)는 통조림입니다. 상하지 않습니다.
-# 그러니 측정값은 오래 지나도 변하지 않는 좌표계로 일찍 옮기되, **측정 시각의 포즈로** 옮기십시오.
+# 그러니 측정값은 오래 지나도 변하지 않는 좌표계로 일찍 옮기되, **측정 시각의 [[pose|포즈(pose)]]로** 옮기십시오.
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
@@ -693,7 +693,7 @@ buffer.transform(misspelt, 'map')
 # **Predict:** since the picture the robot has driven on, 1.25 m by now. Where does the ball land in `map`, and what does TF2 say?
 
 # %% [markdown] lang="ko" name="shouts"
-# 둘 다 소리치고, 어느 이름이 문제인지 알려 줍니다.
+# 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.
 # 이번에는 측정 시각을 잊어 봅시다. TF2에게 측정 시각 0은 "가장 최근 것이면 된다"는 뜻입니다.
 #
 # **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 뭐라고 할까요?

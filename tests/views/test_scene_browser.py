@@ -277,6 +277,7 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     wait_for_colour(page, ORANGE, *IN_THE_MIDDLE)
 
     # 3D turns
+    wait_for_rest(page)
     picture = "document.querySelector('.tflab-scene canvas').toDataURL()"
     before = page.evaluate(picture)
     pane = page.locator(".tflab-scene-pane").first.bounding_box()
@@ -291,6 +292,12 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     for _ in range(12):
         page.keyboard.press("ArrowDown")
     assert abs(page.evaluate(above)) < 1e-6
+
+    # by key it moves, too
+    beside = "(({ controls }) => controls.target.x)([...tflabViews][0].viewer)"
+    before = page.evaluate(beside)
+    page.keyboard.press("Shift+ArrowRight")
+    assert page.evaluate(beside) > before
 
     # each scrubber moves its own box
     wait_for_colour(page, BLUE, *AT_MINUS_1_M, view=1)
@@ -316,10 +323,14 @@ def test_the_arrow_keys_move_a_sweep_in_jupyterlab(lab, page):
     lab.write_notebook("sweep_by_keys.ipynb", [SETUP, f"scene = box_scene()\n{sweep}\nscene"])
     lab.open(page, "sweep_by_keys.ipynb")
     lab.run_all(page)
-    page.locator(".tflab-scrubber input").focus()
+    scrubber = page.get_by_role("slider", name="x")
+    scrubber.focus()
     for key in ("ArrowRight", "ArrowRight", "ArrowLeft"):
         page.keyboard.press(key)
     page.wait_for_function("document.querySelector('.tflab-scrubber output').innerText === 'x = 1.00'")
+    assert scrubber.get_attribute("aria-valuetext") == "x = 1.00"
+    page.keyboard.press("Escape")
+    page.wait_for_function("document.activeElement.matches('.jp-Cell')")
 
 
 MENU = """
@@ -340,6 +351,19 @@ menu.observe(slowly, "value")
 scene.follow(menu, draw)
 ipywidgets.VBox([menu, scene, seen, drawn])
 """
+
+
+def test_a_narrow_picture_shows_what_a_wide_one_shows(lab, page):
+    lab.write_notebook(
+        "narrow_scene.ipynb", [SETUP, "scene = box_scene()\nscene['robot/box'].set_transform(at(1.6))\nscene"]
+    )
+    lab.open(page, "narrow_scene.ipynb")
+    lab.run_all(page)
+    wait_for_views(page)
+    wait_for_colour(page, ORANGE, 0.5, 1.0)
+    page.set_viewport_size({"width": 390, "height": 800})
+    page.wait_for_timeout(500)
+    wait_for_colour(page, ORANGE, 0.5, 0.95)
 
 
 def test_what_is_chosen_from_a_menu_is_seen_before_the_kernel_has_drawn_it(lab, page):

@@ -181,6 +181,11 @@ def test_an_answer_left_out_is_asked_for(copy, capsys):
     assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out
 
 
+def test_a_task_without_its_point_is_the_one_that_is_meant(copy, capsys):
+    hint("e31")
+    assert 'Did you mean "E3.1"?' in capsys.readouterr().out
+
+
 def test_hints_come_one_by_one_with_those_before_and_are_counted(copy, capsys):
     for shown in (["hint 1"], ["hint 2", "hint 1"], ["hint 3", "hint 1", "hint 2"], ["hint 3", "hint 1", "hint 2"]):
         hint("E3.1")

@@ -170,3 +170,19 @@ SVG('<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="40"><rect w
     assert (column.get_attribute("data-scrolls") is not None) is scrolls
     shown = page.locator(".jp-RenderedSVG img").bounding_box()["width"]
     assert shown == pytest.approx(0.8 * width) if scrolls else shown <= column.bounding_box()["width"]
+
+
+@pytest.mark.parametrize(("width", "is_folded"), [(390, True), (1366, False)])
+def test_in_a_narrow_window_the_list_of_files_makes_room(lab, page, width, is_folded) -> None:
+    cells = [nbformat.v4.new_code_cell("1 + 1")]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "narrow.ipynb")
+    page.set_viewport_size({"width": width, "height": 768})
+    lab.open(page, "narrow.ipynb")
+    page.goto(f"{lab.url}/lab/workspaces/narrow{width}/tree/narrow.ipynb")
+    page.wait_for_selector(".tflab-page")
+    page.wait_for_timeout(500)
+    assert page.evaluate("jupyterapp.shell.leftCollapsed") is is_folded
+    page.evaluate("jupyterapp.shell.expandLeft()")
+    page.wait_for_timeout(500)
+    assert page.evaluate("jupyterapp.shell.leftCollapsed") is False

@@ -238,7 +238,8 @@ def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) ->
         except CasesError:
             continue
     known = [task for chapter in chapters for task in chapter]
-    close = difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7)
+    undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
+    close = undotted or difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7)
     suggestion = PHRASES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
     if len(chapters) > 1:
         known = [_from_to(chapter) for chapter in chapters]

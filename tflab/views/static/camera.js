@@ -3,7 +3,15 @@
 // Read scrubber.js next.
 
 const EYE = [-0.62, -1.15, 0.72]; // x to the right, y away, z up
+const TALL_DEG = 40;              // from the bottom to the top of the picture
+const WIDE = 1.8;                 // how much wider than tall a picture is at least that needs no more
 const MARGIN = 1.15;              // room for names around what is drawn
+
+// How tall the picture is [deg]; of a narrow one so much that as much is in it sidewards.
+function fieldOfView(aspect) {
+  const tall = Math.tan(TALL_DEG / 2 * Math.PI / 180) * Math.max(1, WIDE / aspect);
+  return 2 * Math.atan(tall) * 180 / Math.PI;
+}
 
 // The corners of the box around each thing below `root`.
 function cornersOf(THREE, root) {

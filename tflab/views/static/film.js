@@ -23,7 +23,7 @@ export default {
     const show = (step) => { image.src = addresses[step]; image.alt = words[step]; };
     const track = {
       end: addresses.length - 1, step: 1, seconds: 4, start: model.get("position"), play: false,
-      text: (t) => texts[Math.round(t)],
+      name: nameIn(texts), text: (t) => texts[Math.round(t)],
     };
     const scrubber = makeScrubber(track, (t) => {
       model.set("position", Math.round(t));

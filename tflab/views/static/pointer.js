@@ -4,6 +4,18 @@
 
 const BLUR_PX = 4;             // a click may move this far and is still a click
 
+// Move sidewards and up, in parts of how far away one stands.
+function move(view, right, up) {
+  const { camera, controls } = view.viewer, far = camera.position.distanceTo(controls.target);
+  for (const [column, by] of [[0, right], [1, up]]) {
+    const step = new view.THREE.Vector3().setFromMatrixColumn(camera.matrix, column).multiplyScalar(by * far);
+    camera.position.add(step);
+    controls.target.add(step);
+  }
+  view.turned = true;
+  view.wake();
+}
+
 function listenToPointer(view, onPick) {
   const { pane, box } = view;
   let down = null;
@@ -24,10 +36,11 @@ function listenToPointer(view, onPick) {
     "+": () => view.zoom(1 / 1.2), "=": () => view.zoom(1 / 1.2), "-": () => view.zoom(1.2), Home: () => view.fit(true),
   };
   pane.addEventListener("keydown", (event) => {
-    if (!keys[event.key] || event.ctrlKey || event.metaKey || event.altKey) return;
+    const act = event.shiftKey && turns[event.key] ? () => move(view, ...turns[event.key]) : keys[event.key];
+    if (!act || event.ctrlKey || event.metaKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    keys[event.key]();
+    act();
   });
 }
 

@@ -49,11 +49,12 @@ class View {
     viewer.gui.domElement.remove();
     viewer.animate = () => {};
     viewer.set_dirty = () => this.wake();
-    viewer.camera.fov = 40;
     const resize = viewer.set_3d_pane_size;
     viewer.set_3d_pane_size = () => {
       const { clientWidth, clientHeight } = this.pane;
-      if (clientWidth && clientHeight) resize.call(viewer, clientWidth, clientHeight);
+      if (!clientWidth || !clientHeight) return;
+      viewer.camera.fov = fieldOfView(clientWidth / clientHeight);
+      resize.call(viewer, clientWidth, clientHeight);
     };
     const handle = viewer.handle_command;
     viewer.handle_command = (command) => {
@@ -219,7 +220,7 @@ function animationTrack(view, handle, command) {
   const animator = view.viewer.animator;
   return {
     end: animator.duration, step: 0.001, seconds: animator.duration, start: 0, play: command.options.play,
-    text: (t) => `${t.toFixed(2)} s`,
+    name: "time", text: (t) => `${t.toFixed(2)} s`,
     seek(t) {
       for (const action of animator.actions) { action.play(); action.enabled = true; action.paused = false; }
       animator.seek(t);
@@ -230,7 +231,7 @@ function animationTrack(view, handle, command) {
 function sweepTrack(view, command) {
   return {
     end: command.steps.length - 1, step: 1, seconds: SWEEP_SECONDS, start: command.start, play: false,
-    text: (i) => command.texts[Math.round(i)],
+    name: nameIn(command.texts), text: (i) => command.texts[Math.round(i)],
     seek(i) { for (const inner of command.steps[Math.round(i)]) view.runDecoded(inner); },
   };
 }
@@ -267,7 +268,7 @@ function emptyBox(model) {
   pane.style.height = `${model.get("height_px")}px`;
   pane.tabIndex = 0;
   pane.setAttribute("role", "img");
-  pane.title = "drag, arrow keys: turn; right drag: move; click, then wheel, + and -: zoom; double click, Home: see everything";
+  pane.title = "drag, arrow keys: turn; right drag, Shift and arrow keys: move; click, then wheel, + and -: zoom; double click, Home: see everything";
   box.append(pane);
   return { box, pane };
 }

@@ -1,17 +1,24 @@
 // How does one go through time without a kernel?  A button that plays, a slider, and what it stands at.
 //
-// A track says where it ends, how fine its steps are, how long it plays, and what to call a place.
+// A track says its name, where it ends, how fine its steps are, how long it plays, and what to call a place.
 // Read ahead.js next.
+
+const nameIn = ([text]) => text.split(/ = |: /)[0]; // of "time = 2.00 s"
 
 function makeScrubber(track, onMove) {
   const bar = document.createElement("div");
   bar.className = "tflab-scrubber";
-  bar.innerHTML = `<button type="button"></button><input type="range" min="0" aria-label="scrubber"><output></output>`;
+  bar.innerHTML = `<button type="button"></button><input type="range" min="0"><output></output>`;
   const [button, slider, output] = bar.children;
+  slider.setAttribute("aria-label", track.name);
   slider.max = track.end;
   slider.step = track.step;
   let playing = 0;
-  const show = (t) => { slider.value = t; output.textContent = track.text(t); };
+  const show = (t) => {
+    slider.value = t;
+    output.textContent = track.text(t);
+    slider.setAttribute("aria-valuetext", track.text(t));
+  };
   const pause = () => {
     cancelAnimationFrame(playing);
     playing = 0;

@@ -4,12 +4,14 @@
 //   image/png, svg + text/plain      <img alt="...">                   JupyterLab drops the words that came along
 //   a slider                         its name                          ipywidgets shows it, and does not say it
 //   a menu, a button, a handle       its own keys                      JupyterLab takes them for its shortcuts
+//   Escape in an output              back to its cell                  nothing else leads out of a 3D view but the mouse
 //   a page of the workbook           its language; no line of code is cut
 //   a view whose model is nowhere    the words, and "run this cell"    instead of "model not found"
 //   a name, in a new kernel          what to run first                 the page's first cell would say so, had it run
 //   hint(E1.2)                       that the number is a word         Python's words are "invalid syntax"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
+//   a narrow window                  the list of files is folded       of a page nothing could be read
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
 // `tflab lab` brings it along, and an install of tflab puts it where any JupyterLab of the same Python finds it:
@@ -138,12 +140,21 @@
     });
   }
 
+  // In a narrow window the list of files leaves a page a few letters a line. Whoever opens it again keeps it.
+  let hasRoom = false;
+
+  function makeRoom(shell) {
+    if (!hasRoom && innerWidth < 800) shell.collapseLeft?.();
+    hasRoom = true;
+  }
+
   function describeAll(shell) {
     for (const widget of shell.widgets("main")) {
       const { content } = widget;
       watch(widget);
       const ours = content?.widgets && content.model?.getMetadata?.("tflab");
       const language = ours && (ours.language === "ko" ? "ko" : "en");
+      if (ours) makeRoom(shell);
       if (ours) dress(content, language);
       if (ours) keepFolded(content);
       for (const cell of content?.widgets ?? []) {
@@ -187,6 +198,9 @@
         asked = false;
         describeAll(shell);
       };
+      document.addEventListener("keydown", ({ key, target }) => {
+        if (key === "Escape") target.closest?.(".jp-OutputArea-output")?.closest(".jp-Cell")?.focus();
+      });
       new MutationObserver(() => {
         if (!asked) setTimeout(look, 200);
         asked = true;
