@@ -2,13 +2,14 @@
 # # Glossary
 #
 # Every term of the course, in the order in which the chapters need them.
-# On the pages, rest the pointer on a dotted word to read the same sentence.
+# On the pages, rest the pointer on a dotted word, or come to it by Tab, to read the same sentence.
+# In brackets stands the Korean word.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 용어집
 #
 # 이 워크북에 나오는 용어를 장의 순서대로 모았습니다.
-# 본문에서 점선이 그어진 낱말에 마우스를 올리면 같은 설명이 나타납니다.
+# 본문에서 점선이 그어진 낱말에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
 
 # %% [markdown] lang="en" name="index" slide="skip"
 # In the order of the alphabet, each with the number of its chapter:

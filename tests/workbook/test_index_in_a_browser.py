@@ -97,6 +97,18 @@ def test_a_picture_says_what_it_shows_a_page_its_language_and_no_line_of_code_is
     )
 
 
+def test_a_dotted_word_explains_itself_by_key(lab, page) -> None:
+    cells = [nbformat.v4.new_markdown_cell('An <abbr title="An origin and three axes.">frame</abbr> has a name.')]
+    notebook = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    nbformat.write(notebook, lab.folder / "dotted.ipynb")
+    lab.open(page, "dotted.ipynb")
+    page.wait_for_selector("abbr[tabindex='0']").focus()
+    said = "getComputedStyle(document.querySelector('abbr'), '::after').content"
+    assert page.evaluate(said) == '"An origin and three axes."'
+    page.evaluate("document.activeElement.blur()")
+    assert page.evaluate(said) == "none"
+
+
 def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -> None:
     view = {"model_id": "0" * 32, "version_major": 2, "version_minor": 0}
     shown = {"application/vnd.jupyter.widget-view+json": view, "text/plain": "odom and base_link, 2.00 m apart"}

@@ -24,6 +24,7 @@
   const wide = new ResizeObserver((all) => all.forEach(({ target }) =>
     target.toggleAttribute("data-scrolls", target.scrollWidth > target.clientWidth + 1)));
   for (const one of document.querySelectorAll("main :is(.jp-RenderedSVG, .jp-RenderedImage)")) wide.observe(one);
+  for (const word of document.querySelectorAll("main abbr[title]")) word.tabIndex = 0; // by key, and by touch
 
   // -- the same place in the other language: cells have the same names there
   byClass("book-language").addEventListener("click", (event) => {

@@ -11,6 +11,7 @@
 //   hint(E1.2)                       that the number is a word         Python's words are "invalid syntax"
 //   a kernel that says what it is    a page is not unsaved for that   JupyterLab writes it into the page
 //   a drawing wider than its column  smaller, as far as it can be read; then it scrolls, and says so
+//   a dotted word                    reached by key, and by touch      its explanation waits for a pointer
 //   a narrow window                  the list of files is folded       of a page nothing could be read
 //   Run All                          a live view's still twin stays folded   JupyterLab unfolds what it runs
 //
@@ -157,6 +158,7 @@
       if (ours) makeRoom(shell);
       if (ours) dress(content, language);
       if (ours) keepFolded(content);
+      if (ours) for (const word of content.node.querySelectorAll("abbr[title]:not([tabindex])")) word.tabIndex = 0;
       for (const cell of content?.widgets ?? []) {
         const area = cell.outputArea;
         area?.widgets.forEach((output, place) => {
