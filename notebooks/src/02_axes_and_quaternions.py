@@ -518,7 +518,7 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# **빈칸 두 개를 채워 보십시오.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
+# **빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
 
 # %% name="faded-run"
 half = math.radians(-40) / 2  # to the right is negative
@@ -716,7 +716,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
-# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
+# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
 #
 # 따라서 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
@@ -950,6 +950,12 @@ from rclpy.time import Time
 graph.run(seconds=0.5)
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
+# %% [markdown] lang="en" name="zero-notes" slide="notes"
+# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
+
+# %% [markdown] lang="ko" name="zero-notes" slide="notes"
+# 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
+
 # %% [markdown] lang="en" name="zero-after" slide="subslide"
 # Look at what happened, and where.
 #
@@ -973,12 +979,6 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 따라서 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
-
-# %% [markdown] lang="en" name="zero-notes" slide="notes"
-# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
-
-# %% [markdown] lang="ko" name="zero-notes" slide="notes"
-# 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
 
 # %% [markdown] lang="en" name="break-cloud" slide="slide"
 # ## Break it on purpose, 2: one word in a header

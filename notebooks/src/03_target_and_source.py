@@ -56,7 +56,7 @@
 # - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
 # - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
 # - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
-# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 엔진에서 쓰는 `Time()`입니다.
+# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 이 워크북의 `buffer.core`에서 `Time()` 대신 쓰는 이름입니다.
 #
 # 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
@@ -692,7 +692,7 @@ lesson.draw_sentence(places, asked)
 # Fill both blanks, and run.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸 두 개를 채워 보기
+# ### 빈칸 두 개를 채워 보세요
 #
 # 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
 # 빈칸 두 개를 채우고 실행해 보세요.

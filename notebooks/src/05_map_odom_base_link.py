@@ -87,7 +87,7 @@ from tflab.workbook import lesson
 # 로봇이 1분 동안 0.5 m/s로 방 안을 돌며 달립니다. 한쪽 바퀴가 로봇이 아는 것보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
 #
 # 1. 최악의 경우 어느 포즈가 **더 많이 틀릴까요?** `odom` 기준일까요, `map` 기준일까요?
-# 2. 어느 포즈가 **더 큰 걸음**을 뗄까요?
+# 2. 어느 포즈가 한 번에 **더 크게** 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Hands for both questions. "map is better in both" is the answer to wait for: it is half right.
@@ -127,10 +127,10 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # The first half is a promise of whoever publishes it: an odometry that is corrected in one step jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
-# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 표본 사이의 걸음, 아래(error)는 실제와의 거리입니다.
+# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
 #
-# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달리지 않은 걸음을 떼지 않습니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3미터 틀립니다. 이것을 **흐른다**(drift)고 합니다.
-# - [[map|`map`]] 기준 포즈는 0.25미터 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
+# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **흐른다**(drift)고 합니다.
+# - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
 # 앞의 절반은 발행하는 노드가 지켜야 할 약속입니다. 오도메트리를 한꺼번에 바로잡으면 `odom` 기준 포즈도 튑니다.
@@ -200,7 +200,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # Note the turn: two tenths of a radian. The correction is no "shift by the drift". It moves and turns the whole of odom, about odom's own origin.
 
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
-# `odom` 기준의 로봇은 실제로 달린 만큼인 5센티미터만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 건드리지 않습니다.
+# `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 건드리지 않습니다.
 # 튄 것은 **`map` 기준의 `odom` 자체**이고, 그 아래에 매달린 것도 모두 함께 튑니다. 로봇도 마찬가지입니다.
 # 회전을 보세요. 0.2 rad입니다. 보정은 "틀어진 만큼 밀기"가 아닙니다. odom 전체를, odom의 원점을 중심으로 옮기고 돌립니다.
 
@@ -283,7 +283,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
 # 0.1초에 0.33 m입니다.
 # 이유를 말하기 전에 그리게 합니다.
-# 로봇을 몇 도 돌리면 3미터 떨어진 점은 어떻게 될까요?
+# 로봇을 몇 도 돌리면 3 m 떨어진 점은 어떻게 될까요?
 # 측정 시각도 식의 일부입니다.
 
 # %% [markdown] lang="en" name="what-where" slide="slide"
@@ -295,7 +295,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="ko" name="what-where" slide="slide"
 # ## 무엇을 어느 좌표계에 둘까요?
 #
-# 1미터 앞에 장애물이 있습니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 0.1초 동안 기억합니다. 그사이 보정이 들어옵니다.
+# 1 m 앞에 장애물이 있습니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 0.1초 동안 기억합니다. 그사이 보정이 들어옵니다.
 # 목적지도 하나, `odom` 기준 숫자로 한동안 기억합니다.
 
 # %% name="obstacle" tags=["predicted"] slide="fragment"
@@ -323,7 +323,7 @@ for later in (20.0, 50.0):
 # %% [markdown] lang="ko" name="what-where-seen" tags=["predicted"]
 # | 두는 곳 | 무엇을 | 이유 |
 # |---|---|---|
-# | `odom` | 방금 본 것, 다음 0.5미터, 속도 | 매끄럽고, 새 숫자는 아직 흐르지 않았습니다 |
+# | `odom` | 방금 본 것, 다음 0.5 m, 속도 | 매끄럽고, 새 숫자는 아직 흐르지 않았습니다 |
 # | `map` | 목적지, 방, 내일 갈 충전대 | 흐르지 않습니다 |
 # | `base_link` | 로봇에 고정된 것 | 함께 움직입니다 |
 #
@@ -337,7 +337,7 @@ for later in (20.0, 50.0):
 # %% [markdown] lang="ko" name="what-where-notes" slide="notes"
 # 표를 보여 주기 전에 채우게 합니다.
 # 일을 부르면 좌표계로 답합니다.
-# 충전대, 다음 0.5미터, 레이저의 나사, 목적지.
+# 충전대, 다음 0.5 m, 레이저의 나사, 목적지.
 # 의견이 갈리면 멈춥니다.
 # 장애물에서 한 번 갈립니다.
 
@@ -368,7 +368,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* seen = 레이저가 본 점입니다.
-# 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽의 중간을 낮은 턱으로 알게 됩니다.
+# 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽 한가운데를 낮은 턱으로 착각합니다.
 # 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
@@ -427,7 +427,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 연결은 끄고, 다른 노드가 `map` 기준 로봇의 위치를 1초에 열 번 발행합니다.
 # 수신기는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 묻습니다.
 #
-# **예측해 봅시다.** 둘 *모두* 답하는 것은 얼마나 자주일까요? 늘, 절반, 아니면 한 번도?
+# **예측해 봅시다.** *둘 다* 답이 나오는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
 
 # %% name="eager-robot" slide="skip"
 import rclpy
@@ -485,8 +485,8 @@ print(answered)
 # Who asks at the wrong half hears this:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
-# 절반은 지도 위에, 절반은 바퀴 위에 있고, 둘 다인 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
-# 하필 다른 절반에 물으면 이런 답을 듣습니다.
+# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 이어져 있고, 둘 다에 이어진 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 하필 다른 쪽에 이어져 있을 때 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
 # Read the three numbers slowly: half, half, nought.
@@ -569,12 +569,12 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 떠밀렸다고 받아들입니다. 다음 0.5미터를 갈 때는 방이 어디에 있는지가 중요하지 않습니다.
+# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 떠밀렸다고 받아들입니다. 다음 0.5 m를 갈 때는 방이 어디에 있는지가 중요하지 않습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. odom의 걸음은 모두 로봇이 실제로 달린 것입니다. 0.5미터 동안에는 문제가 될 만큼 흐르지 않습니다.
+# 맞습니다. `odom` 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 0.5 m 동안에는 문제가 될 만큼 흐르지 않습니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -608,7 +608,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # map -> odom의 발행 책임
 # ```
 #
-# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 비용지도(local costmap)는 `global_frame: odom`, 전역 비용지도는 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
+# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -651,7 +651,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
 # ### 앞 장 복습: 세 문제
 #
-# 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 도착했을 때 이미 쓸 수 없습니까?
+# 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 메시지를 받은 순간 이미 맞지 않습니까?
 # 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 무엇이라고 하며, 트리는 어떻게 됩니까?
 # 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결을 뒤집은 곱으로 쓰면 무엇입니까?
 #
@@ -708,7 +708,7 @@ rclpy.shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 좌표계의 부모는 하나이고, `base_link`는 이미 바퀴에 의해 `odom` 아래에 있습니다.
+# - [ ] 좌표계의 부모는 하나이고, `base_link`는 바퀴 노드가 이미 `odom` 아래에 두었습니다.
 # - [ ] 부모가 둘이어도 오류는 나지 않습니다. 트리가 번갈아 바뀝니다.
 # - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 사슬이 모두 남습니다.
 # - [ ] 이 곱의 두 포즈는 같은 시각의 것입니다.

@@ -49,11 +49,11 @@ from tflab.workbook import lesson
 # ## 아무것도 돌리지 못한 한 줄
 #
 # 새 라이다를 달았더니 예전 것과 각도가 다릅니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90도입니다.
-# 아무 일도 일어나지 않았습니다. 도움을 청한 질문은 2년 뒤 답 없이 닫혔습니다(cartographer_ros #1017).
+# 아무 일도 일어나지 않았습니다. 도움을 청한 질문은 2년 뒤 답 없이 닫혔습니다([cartographer_ros, 이슈 1017](https://github.com/cartographer-project/cartographer_ros/issues/1017)).
 #
 # 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 돌렸으니, 그림조차 달라질 수 없었습니다.
 #
-# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 바퀴는 왼쪽이라 하고 자이로는 오른쪽이라 했습니다. 사람들은 두 번이나 바퀴를 탓했습니다(fusioncore #88).
+# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 바퀴는 왼쪽이라 하고 자이로는 오른쪽이라 했습니다. 사람들은 두 번이나 바퀴를 탓했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read them:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted like a compass, clockwise; an IMU on its back does the same to you.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).

@@ -464,7 +464,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # "지금"이라는 뜻이 **아닙니다**.
 #
 # 그림을 보고 **예측해 봅시다.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 현재 시각은 4.80초입니다.
-# `Time()`으로 조회하면 어느 시각의 변환이 나올까요?
+# `Time()`으로 조회하면 어느 시각의 변환이 나올까요? (출력의 `map <- laser_frame`은 목표 ← 원본입니다.)
 
 # %% name="latest-common-run" tags=["predicted"] slide="fragment"
 print(small.latest_common_time_ns("map", "laser_frame") / 1e9, "s  map <- laser_frame")
@@ -603,7 +603,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # Same point, wanted in `odom` this time. Replace each `...`, and run.
 
 # %% [markdown] lang="ko" name="faded" slide="slide"
-# ## 빈칸 두 개를 채워 보십시오
+# ## 빈칸 두 개를 채워 보세요
 #
 # 같은 점을 이번에는 `odom` 기준으로 보고 싶습니다. `...` 두 곳을 바꾸고 실행해 보세요.
 

@@ -53,7 +53,7 @@
 # <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
 #
 # - **트리(04).** 좌표계마다 부모는 하나이거나 없습니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
-# - **흔히 쓰는 체인(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
+# - **흔히 쓰는 사슬(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
 # - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
 #
 # </details>
@@ -84,10 +84,10 @@ from tflab.workbook import lesson
 #
 # 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
 # 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 찍혔습니다. *extrapolation into the future.*
-# RViz는 자신이 가진 최신 변환보다 43 ms 늦은 시각의 변환을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
+# RViz는 자신이 가진 최신 변환보다 43 ms 늦은 시각의 변환을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, 이슈 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # 로봇 제조사는 이렇게 되물었습니다. 로봇과 데스크톱의 시계가 맞습니까? 컴퓨터가 두 대였고, 시계도 두 개였습니다.
 #
-# 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다(stella_vslam_ros, issue 21; perception_pcl, issue 416).
+# 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다([stella_vslam_ros, 이슈 21](https://github.com/stella-cv/stella_vslam_ros/issues/21), [perception_pcl, 이슈 416](https://github.com/ros-perception/perception_pcl/issues/416)).
 # 누군가에게는 제대로 된 해결책이었고, 누군가에게는 상처를 가린 반창고였습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
@@ -127,7 +127,7 @@ lesson.draw_journeys([
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
 # ## 예측해 봅시다: 어느 조회에서 값이 나올까요?
 #
-# 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 체인이 들어 있습니다.
+# 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 사슬이 들어 있습니다.
 # `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 것입니다.
 # `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0초에 늦게 켜졌고, 마지막 표본은 14.6초의 것입니다.
 # 나머지 두 연결은 볼트로 고정되어 있습니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 줄에 값이 있는 구간.
@@ -216,7 +216,7 @@ for second in (12.3, 14.3, 10.6):
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
 # 14.3초에서 오도메트리를 탓한 사람이 있는지 묻습니다. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
-# 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
+# 사슬의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, moment
@@ -310,7 +310,7 @@ for second in (12.3, 14.3, 10.6):
 # <details><summary>더 깊이: 두 가지 주의</summary>
 #
 # 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.
-# `odom ← base_footprint`처럼 목표가 루트 아래에 있으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각이 나오기도 합니다. 2026년 3월 릴리스에서 고쳐졌고(ros2/geometry2 #832), tflab은 그 이전과 같습니다.
+# `odom ← base_footprint`처럼 목표가 루트 아래에 있으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각이 나오기도 합니다. 2026년 3월 릴리스에서 고쳐졌고([ros2/geometry2, 이슈 832](https://github.com/ros2/geometry2/issues/832)), tflab은 그 이전과 같습니다.
 #
 # </details>
 
@@ -320,7 +320,7 @@ for second in (12.3, 14.3, 10.6):
 # Here is the other line. Fill in the two blanks, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ## 빈칸 두 개를 채워 보십시오
+# ## 빈칸 두 개를 채워 보세요
 #
 # 이번에는 다른 줄입니다. 빈칸 두 개를 채우고 셀을 실행해 보세요.
 
@@ -957,7 +957,7 @@ lesson.draw_lanes(patient)
 #
 # <details><summary>더 깊이: C++에서는</summary>
 #
-# 바로 이 문제를 다룬 공개 이슈가 ros2/geometry2, 이슈 327입니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
+# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
 #
 # </details>
 
@@ -1126,7 +1126,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="ko" name="policy-notes" slide="notes"
 # 실행하기 전에 숫자를 말하게 합니다. 대부분 0.15초나 0.3초라고 합니다.
-# 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어보십시오.
+# 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어봅니다.
 
 # %% [markdown] lang="en" name="how-long" slide="subslide"
 # ### How long is "a little"?

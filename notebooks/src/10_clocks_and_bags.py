@@ -141,7 +141,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # ### 예측해 봅시다
 #
 # 스캔 150개 가운데 149개는 bag에 담긴 변환만으로 지도에 옮길 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
-# `--start-offset 0.001`, 곧 1밀리초 뒤부터 재생하면 몇 개를 옮길 수 있을까요?
+# `--start-offset 0.001`로 기록의 처음 1밀리초를 건너뛰고 재생하면 몇 개를 옮길 수 있을까요?
 
 # %% [markdown] lang="en" name="heard-notes" slide="notes"
 # Cover the last row with your hand and ask how often each of the others speaks. Uncover it. Then everybody writes a number for one millisecond.
@@ -315,9 +315,9 @@ for use_sim_time in (False, True):
 
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
 # - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
-# - **컴퓨터의 시간에서는** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
+# - **컴퓨터의 시간을 따르면** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
 # - **둘 다 켜면** 노드는 bag의 시간을 따릅니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
-# - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*은 60번 가운데 59번 답을 얻습니다. 답을 얻는 유일한 설정입니다!
+# - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*의 조회는 60번 가운데 59번 성공합니다. 이 조회가 성공하는 설정은 이것뿐입니다!
 
 # %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
 # Fifteen minutes from here to the innocent. Four rows and three columns on the board; the room fills each before it is run. Most leave the first cell empty, and it is 59.
@@ -443,7 +443,7 @@ rclpy.shutdown()
 # A text is no truth value. One line in the log, and the node goes on, in the machine's time. (A node in C++ is stricter: it does not start.)
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
-# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간에서 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
+# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간을 따르며 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
 
 # %% [markdown] lang="en" name="quotes-notes" slide="notes"
 # Hands: simulation time, the machine's, or no node at all? Read the line of the log aloud; the node goes on.
@@ -485,9 +485,9 @@ except TransformException as error:
 # Whose stamps are they? Ask somebody who sees all nodes at once. (The player may keep the machine's time: it only repeats what was said.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
-# 조회하는 노드는 모두 오류를 얻고, 정작 잘못된 노드에는 아무 오류가 없습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다. 이 노드는 변환에 자신의 현재 시각을 찍기 때문입니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 찍으므로 여기서는 무사합니다. 노드가 어떤 시각을 찍는지는 설명서에서 확인해 두세요.)
+# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못한 노드에서는 나지 않습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다. 이 노드는 변환에 자신의 현재 시각을 찍기 때문입니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 찍으므로 여기서는 무사합니다. 노드가 어떤 시각을 찍는지는 설명서에서 확인해 두세요.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로에는 두 날에 공통인 시각이 없습니다.
-# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 컴퓨터의 시간에 있어도 됩니다. 기록된 것을 되풀이할 뿐입니다.)
+# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 컴퓨터의 시간을 따라도 됩니다. 기록된 것을 되풀이할 뿐입니다.)
 
 # %% name="innocent-doctor" slide="-"
 print(lesson.doctor(lesson.current_graph(), seconds=3.0))
@@ -611,13 +611,13 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # %% [markdown] lang="ko" name="loop-ages-read"
 # *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
-# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 버퍼 둘은 15초 뒤의 변환으로 답합니다.
+# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 두 버퍼가 현재 시각보다 15초 늦은(미래의) 변환으로 답합니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
 # One word: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
 
 # %% [markdown] lang="ko" name="node-self-notes" slide="notes"
-# 한 단어입니다. `node=self`. 그림에서 선 둘은 15초 떨어지고 하나는 그대로인 것을 짚어 줍니다.
+# 한 단어입니다. `node=self`. 그림에서 두 선은 15초만큼 내려가고 하나는 그대로인 것을 짚어 줍니다.
 
 # %% [markdown] lang="en" name="your-bag" slide="slide"
 # ## Your own bag
@@ -906,13 +906,13 @@ rclpy.try_shutdown()
 #
 # 1. 06: 로봇에서 늦게 시작한 노드도 `/tf_static`을 듣는 까닭은 무엇입니까?
 # 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
-# 3. 09: 미래를 말하는 오류 메시지가 둘 있는데 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 풀리는 것은 어느 쪽입니까?
+# 3. 09: "into the future" 오류 메시지가 두 개 있습니다. 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 해결되는 것은 어느 쪽입니까?
 #
 # <details><summary>답</summary>
 #
 # 1. 발행자가 늦게 오는 노드를 위해 마지막 메시지를 간직합니다(transient local).
 # 2. 경로의 최신 공통 시각입니다. 연결마다 가장 새로운 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재만큼 새로운 것은 없습니다.
-# 3. 앞의 것은 풀릴 수 있습니다. 뒤의 것은 시계 문제입니다.
+# 3. 앞의 것은 해결될 수 있습니다. 뒤의 것은 시계 문제입니다.
 #
 # </details>
 
@@ -945,7 +945,7 @@ rclpy.try_shutdown()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] bag과 시뮬레이션의 측정 시각은 컴퓨터가 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
-# - [ ] 모든 노드가 같아야 합니다. 하나라도 컴퓨터의 시간에 있으면 다른 날의 시각을 찍고 조회하며, 오류는 다른 노드가 얻습니다.
+# - [ ] 모든 노드가 같아야 합니다. 하나라도 컴퓨터의 시간을 따르면 다른 날의 시각을 찍고 조회하며, 오류는 다른 노드에서 납니다.
 # - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 잴 수 없으며, 현재 시각을 조회하면 조용히 최신을 얻습니다.
 # - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 이어지지 않습니다.
 # - [ ] 반복 재생에서는 시간이 돌아가므로, 전에 받은 것을 지워야 합니다.

@@ -43,7 +43,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
 #
-# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 지도를 만드는 노드와 그 노드의 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리), 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
+# 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
 # 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
@@ -155,7 +155,7 @@ for name, (x, y, *_) in places:
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
-# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 알린 적 없는 위치**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2에는 둘이 한 연결일 뿐입니다.
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 알린 적 없는 위치**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2는 둘을 구별하지 않고 한 연결로 봅니다.
 
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
@@ -379,7 +379,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # A: 1.000, `At time 0.0`. And a monitor that looks ill: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are what statics look like: sent once, good for ever (11). Know the healthy picture first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
-# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor는 아픈 것처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
@@ -419,7 +419,7 @@ graph = lesson.new_graph()
 # ## 검사의 값어치는 무엇을 지우느냐에 있습니다
 #
 # 강의 27절의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 대략적인 것에서 비싸고 세밀한 것으로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
-# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
+# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 빠르거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
 # Ask for a check and write it down only if somebody can say what each of the three suspects would answer. Checks that all three answer alike are crossed out aloud. After five minutes one is left that costs a minute.
@@ -434,7 +434,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리가 느림. `topic delay /scan`이 “ahead”(앞섬)라고 하자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. laser clock ahead = 레이저의 시계가 빠름, transforms late = 변환이 늦음, odometry slow = 오도메트리가 느림. `topic delay /scan`이 “ahead”(시계가 빠름)라고 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now treat the eighteen sick robots of the clinic below, each with another cause, and no complaint is told. One follows the six steps, one always asks what splits most for a minute.
@@ -503,7 +503,7 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명에는 아픈 곳도 보여야 합니다. 아픈 곳은 어디에 나타날까요?
+# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환의 시각보다 늦다는 뜻입니다. 측정 시각이 너무 늦거나 변환이 너무 오래되었습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask"
@@ -529,7 +529,7 @@ visit.try_fix()
 # Both times RViz is all Ok. But with the longer timeout the points lie up to half a metre beside the walls, and the delay that found the fault is as it was. **A fix is proved by the check that found the fault**, not by the symptom that is gone.
 
 # %% [markdown] lang="ko" name="cure-seen"
-# 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라진 것이 아닙니다.
+# 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라졌다고 고친 것은 아닙니다.
 
 # %% [markdown] lang="en" name="film-intro" slide="subslide"
 # The whole visit once more, step by step. Choose a step, or go on with the arrow keys; your own visits can be played in the same way.
@@ -565,7 +565,7 @@ lesson.draw_visit(visit)
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
 #
-# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 병동이 거절합니다.
+# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
 # Five minutes in pairs. One asks, one keeps the list of suspects and strikes. Then change places for the next patient.
@@ -595,7 +595,7 @@ if my_cause is not ...:
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
 #
-# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널은 호출과 같은 일을 합니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
+# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
 
 # %% name="panel" tags=["interactive"] slide="skip"
 lesson.clinic_panel(lesson.practice_patient(7))
@@ -623,7 +623,7 @@ lesson.second_opinion(7, my_suspect)
 # Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your readings, and which check of yours did it not need?
 
 # %% [markdown] lang="ko" name="second-seen"
-# 비교해 보세요. 같은 노드를 댔습니까, 빠진 것만 말했습니까? 그 문장 가운데 여러분이 읽은 값으로 쓸 수 있었던 것은 무엇이고, 의사에게는 필요 없었던 검사는 무엇입니까?
+# 비교해 보세요. 의사도 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? 그 문장 가운데 여러분이 읽은 값으로 쓸 수 있었던 것은 무엇이고, 의사에게는 필요 없었던 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
 # In pairs, 45 minutes together with E12.4. One types; the other says why before each check. Change places with each patient.
@@ -678,7 +678,7 @@ night.try_fix()
 # A machine helps, and does not know what you meant. The doctor, shown all eighteen robots, has a word on fourteen, rightly leaves one in peace, and is silent about three: a Fixed Frame that somebody typed, a mount that is merely elsewhere, a header that names a real frame. Those look like a robot that somebody wanted so. Only the card knows.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
-# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열넷에는 할 말이 있고, 하나는 옳게 그냥 두며, 셋에는 말이 없습니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 카드만이 압니다.
+# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
 
 # %% [markdown] lang="en" name="doctor-notes" slide="notes"
 # Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the machine not be?
@@ -842,7 +842,7 @@ night.try_fix()
 # | 로봇이 떨림 | 발행자가 둘 | 연결의 발행률과 `tf2_echo … 20`, 이어서 `topic info /tf --verbose` | 12 |
 # | 센서가 몸체에서 떨어져 보임 | 장착 변환의 값 | `tf2_echo base_link laser_frame`, URDF의 origin | 07, 11 |
 # | 센서 자취가 벽에 번짐 | 측정 시각, 늦은 오도메트리 | `topic delay /scan`, 이어서 `tf2_monitor`(스캔은 보지 못함) | 11 |
-# | 미래 외삽 | 늦은 변환, 앞선 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
+# | 미래 외삽 | 늦은 변환, 빠른 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
 # | 과거 외삽 | 느린 처리, 짧은 버퍼 | 메시지의 나이와 보관 시간 | 08, 09 |
 # | bag에서만 실패 | `/tf`, `/tf_static`, `/clock`이 없음 | `ros2 bag info`, `--clock` | 10 |
 # | 여러 로봇의 좌표계가 섞임 | prefix와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
@@ -1020,7 +1020,7 @@ night.try_fix()
 # - [ ] 서 있을 때 장착의 값을 봅니다.
 # - [ ] 연결의 지연과 발행률, 그리고 스캔의 좌표계, 측정 시각, 시계를 봅니다.
 # - [ ] 발행자와 스위치는 마지막입니다.
-# - [ ] 새 센서와 긴 timeout은 들어 있지 않습니다. 사실을 보여 주지 않기 때문입니다.
+# - [ ] 새 센서와 긴 timeout은 들어 있지 않습니다. 원인을 알려 주지 않기 때문입니다.
 #
 # </details>
 

@@ -14,7 +14,8 @@ NEVER = {
     "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",
     "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
     "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
-    "in, as inside of": r"안 어디",
+    "who is ahead is earlier, to a Korean ear: a stamp from the future is later, and a clock fast": r"앞선|앞섰|앞섬|앞서",
+    "in, as inside of": r"안 어디|(\b[ab]|_link`?|map`?|odom`?) 안에서",
     "a lane of traffic": r"차선",
     "an edge of a graph on paper": r"간선",
     "a clock on a wall": r"벽시계",
@@ -24,7 +25,11 @@ NEVER = {
     "things do not complain": r"불평|항의합",
     "data are moved to a frame, not put there": r"(?<!내)놓을 수 (있습|있을|없습)",
     "a fixed frame that jumps": r"(odom|map).{0,30}고정 좌표계",
+    "one word for a chain, and one for a costmap": r"체인|비용지도",
+    "one form for minutes": r"\d분쯤 걸",
+    "the particle after map": r"map`로 ",
 }
+OF_ANSWERS = ["습관", "오류 문구", "대기 한도", "물어본 시각", "물은 것", "부른 (쪽|곳)", "네 숫자", "숫자 (셋|넷)[은이을]"]
 SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
 PAGES = ["00_start", "01_value_frame_stamp", "02_axes_and_quaternions", "03_target_and_source",
          "04_frame_tree", "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors",
@@ -46,8 +51,16 @@ def test_one_kind_of_section_has_one_name(stem: str) -> None:
     assert [cell.name for cell in page.cells if cell.lang == "ko" and re.search(SECTIONS, cell.source, re.M)] == []
 
 
+@pytest.mark.parametrize("stem", PAGES)
+def test_a_thread_is_named_in_one_form_and_leads_there(stem: str) -> None:
+    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
+    texts = [(cell.name, cell.source) for cell in page.cells if cell.lang == "ko"]
+    other = r"(?i)\bissue \d+|\w #\d+|이슈 \d+(?!\d|\]\()"
+    assert [(name, found) for name, text in texts for found in re.findall(other, text)] == []
+
+
 def test_what_is_said_of_answers_is_heard_as_it_is_meant() -> None:
-    never = re.compile("|".join([*NEVER.values(), "습관", "오류 문구", "대기 한도", "물어본 시각"]))
+    never = re.compile("|".join([*NEVER.values(), *OF_ANSWERS]))
     folder = workbook_data() / "solutions"
     found = []
     for path in sorted([*folder.glob("src/*.py"), *folder.glob("tasks/**/*.py"), *folder.glob("teaching/*.yaml")]):
@@ -58,7 +71,7 @@ def test_what_is_said_of_answers_is_heard_as_it_is_meant() -> None:
 
 def test_what_is_said_beside_the_pages_is_heard_as_it_is_meant() -> None:
     root = Path(__file__).parents[2]
-    never = re.compile("|".join([*NEVER.values(), "습관", "오류 문구", "대기 한도", "물어본 시각"]))
+    never = re.compile("|".join([*NEVER.values(), *OF_ANSWERS]))
     beside = [root / "README.ko.md", *root.glob("docs/*.ko.md")]
     beside += [path for ending in ("md", "py", "yaml", "html") for path in root.glob(f"tflab/**/*.{ending}")]
     lines = [(path, line) for path in beside for line in path.read_text(encoding="utf-8").splitlines()]

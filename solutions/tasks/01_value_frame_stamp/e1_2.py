@@ -102,7 +102,7 @@ TASK = Task(
     shows={
         "a": Words(
             en="a: what a laser measured, told in the laser's own frame, a tenth of a second ago.",
-            ko="a: 레이저가 0.1초 전에 잰 것을 레이저 자신의 좌표계로 말합니다.",
+            ko="a: 레이저가 0.1초 전에 잰 것을 레이저 자신의 좌표계로 적었습니다.",
         ),
         "b": Words(en="b: read its `frame_id` once more.", ko="b: `frame_id`를 다시 읽어 보세요."),
         "c": Words(en="c: read its stamp once more.", ko="c: 측정 시각을 다시 읽어 보세요."),
@@ -112,7 +112,7 @@ TASK = Task(
         ),
         "e": Words(
             en="e: the same three numbers before every door: seen from where?",
-            ko="e: 어느 문 앞에서나 같은 숫자 셋입니다. 어디에서 본 숫자입니까?",
+            ko="e: 어느 문 앞에서나 같은 숫자 세 개입니다. 어디에서 본 숫자입니까?",
         ),
         "f": Words(
             en="f: a tray that is bolted on does not move in base_link, however long ago it was measured.",

@@ -276,7 +276,7 @@ TENTHS = Slip(
     {"age": "tenths"},
     Words(
         en="You rounded the age before comparing it: a hair over the limit, and a hair before now, are lost.",
-        ko="나이를 반올림한 뒤에 비교했습니다. 한계를 살짝 넘은 것과 현재를 살짝 앞선 것을 놓칩니다.",
+        ko="나이를 반올림한 뒤에 비교했습니다. 한계를 살짝 넘은 것과 현재보다 조금 늦은(미래의) 것을 놓칩니다.",
     ),
 )
 

@@ -487,7 +487,7 @@ ALONE = (
         "a direction and a one",
         lambda yaw: (math.cos(yaw), math.sin(yaw), 0.0, 1.0),
         "x and y hold a direction, (cos, sin), and w a 1. Of a turn about z, x and y are 0; z and w tell how far it goes.",
-        "x와 y에 방향 (cos, sin)을, w에 1을 넣었습니다. z축 회전에서는 x와 y가 0이고 얼마나 도는지는 z와 w가 말합니다.",
+        "x와 y에 방향 (cos, sin)을, w에 1을 넣었습니다. z축 회전에서는 x와 y가 0이고 얼마나 도는지는 z와 w로 나타냅니다.",
     ),
     of_yaw(
         "halves in x and y",
@@ -499,7 +499,7 @@ ALONE = (
         "zeros for no turn",
         lambda yaw: turned(yaw) if yaw else (0.0, 0.0, 0.0, 0.0),
         "For a yaw of 0 you give four zeros. That is no rotation at all, and TF refuses it; not to turn is (0, 0, 0, 1).",
-        "yaw가 0일 때 네 숫자가 모두 0입니다. 그것은 회전이 아니며 TF가 거절합니다. 돌지 않는 회전은 (0, 0, 0, 1)입니다.",
+        "yaw가 0일 때 숫자 네 개가 모두 0입니다. 그것은 회전이 아니며 TF가 거절합니다. 돌지 않는 회전은 (0, 0, 0, 1)입니다.",
     ),
     of_yaw(
         "by atan",

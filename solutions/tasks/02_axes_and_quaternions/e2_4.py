@@ -622,7 +622,7 @@ ALONE = (
         {"finite": "any"},
         'You say "nan" only where none of the four is finite: any and all are exchanged. One that is not finite is enough: '
         "not all of them are.",
-        '네 숫자가 모두 유한하지 않을 때만 "nan"이라고 합니다. any와 all이 바뀌었습니다. 하나만 유한하지 않아도 됩니다.',
+        '숫자 네 개가 모두 유한하지 않을 때만 "nan"이라고 합니다. any와 all이 바뀌었습니다. 하나만 유한하지 않아도 됩니다.',
     ),
     judged_by(
         "finite asked last",
@@ -637,7 +637,7 @@ ALONE = (
         {"size": "read w first"},
         "You look at the second and third of the four numbers, as if they were (w, x, y, z). q is (x, y, z, w): x and y are "
         "the first two.",
-        "네 숫자를 (w, x, y, z)로 읽은 것처럼 둘째와 셋째 숫자를 봅니다. q는 (x, y, z, w)이므로 x와 y는 처음 둘입니다.",
+        "숫자 네 개를 (w, x, y, z)로 읽은 것처럼 둘째와 셋째 숫자를 봅니다. q는 (x, y, z, w)이므로 x와 y는 처음 둘입니다.",
     ),
     *(
         judged_by(
@@ -645,7 +645,7 @@ ALONE = (
             {"finite": letters},
             f"Of {' and '.join(letters)} alone you ask whether {'it is' if len(letters) == 1 else 'they are'} finite: a NaN in "
             "another of the four slips through.",
-            f"{', '.join(letters)}만 유한한지 확인합니다. 네 숫자 가운데 다른 것이 NaN이면 빠져나갑니다.",
+            f"{', '.join(letters)}만 유한한지 확인합니다. 숫자 네 개 가운데 다른 것이 NaN이면 빠져나갑니다.",
         )
         for letters in PARTLY
     ),
@@ -713,21 +713,21 @@ ALONE = (
         {"length": "largest", "zero": "each"},
         "You took the largest of the four numbers for the length. The length is the root of the sum of squares: "
         "math.hypot.",
-        "네 숫자 가운데 가장 큰 것을 길이로 썼습니다. 길이는 제곱을 더해 제곱근을 구한 것입니다. math.hypot을 쓰십시오.",
+        "숫자 네 개 가운데 가장 큰 것을 길이로 썼습니다. 길이는 제곱을 더해 제곱근을 구한 것입니다. math.hypot을 쓰십시오.",
     ),
     judged_by(
         "zero if one is zero",
         {"zero": "any"},
         "You call it zero if one of the four is 0: then nearly every good one is. All four together are short: look at the "
         "length.",
-        "네 숫자 가운데 하나만 0이어도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
+        "숫자 네 개 가운데 하나만 0이어도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
     ),
     judged_by(
         "zero if one is small",
         {"zero": "any small"},
         "You call it zero if one of the four is next to 0: then nearly every good one is. All four together are short: look "
         "at the length.",
-        "네 숫자 가운데 하나만 0에 가까워도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
+        "숫자 네 개 가운데 하나만 0에 가까워도 zero라고 합니다. 그러면 올바른 것도 거의 모두 걸립니다. 넷 전체의 길이를 보십시오.",
     ),
     judged_by(
         "w first before all",
@@ -741,7 +741,7 @@ ALONE = (
             f"length without {letter}",
             {"length": f"without {letter}", "zero": f"without {letter}"},
             f"The length is made of three of the four numbers: {letter} is not in it.",
-            f"네 숫자 가운데 셋만으로 길이를 구했습니다. {letter}가 빠졌습니다.",
+            f"숫자 네 개 가운데 세 개만으로 길이를 구했습니다. {letter}가 빠졌습니다.",
         )
         for letter in "xyz"
     ),
@@ -948,7 +948,7 @@ TASK = Task(
         ),
         Words(
             en="A yaw has x = y = 0. Written w first, its w lands in x: so ask whether abs(x) or abs(y) exceeds 0.1. The sign of w says nothing.",
-            ko="yaw만 있으면 x = y = 0입니다. w를 먼저 쓰면 w가 x 자리에 옵니다. 그러니 abs(x)나 abs(y)가 0.1을 넘는지 보십시오. w의 부호는 아무것도 말해 주지 않습니다.",
+            ko="yaw만 있으면 x = y = 0입니다. w를 먼저 쓰면 w가 x 자리에 옵니다. 그러니 abs(x)나 abs(y)가 0.1을 넘는지 보십시오. w의 부호로는 아무것도 알 수 없습니다.",
         ),
     ),
     cures=("M5",),

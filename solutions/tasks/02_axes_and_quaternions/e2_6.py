@@ -95,7 +95,7 @@ WRONG_END = Twin(
     at_the_wrong_end,
     Words(
         en="You blame a line that is as it should be. Take the three lines of evidence one by one: a depth cloud's header names the optical frame; camera_link looks ahead, 0 0 0; the optical frame is turned -90 0 -90 in it. Which one differs?",
-        ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 광학 좌표계가 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. 광학 좌표계는 그 안에서 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
+        ko="멀쩡한 것을 의심하고 있습니다. 증거 세 줄을 하나씩 보십시오. 깊이 클라우드의 헤더에는 광학 좌표계가 적힙니다. camera_link는 앞을 보므로 0 0 0입니다. 광학 좌표계는 camera_link를 기준으로 -90 0 -90만큼 돌아가 있습니다. 어느 것이 다릅니까?",
     ),
     misconception="M4",
     part="fault",

@@ -307,7 +307,7 @@ THEN_NO_TURN = Slip(
     {"then": "no turn"},
     Words(
         en="on the way to `map`, you added the step and left out the turn.",
-        ko="`map`로 갈 때 이동만 더하고 회전을 빠뜨렸습니다.",
+        ko="`map`으로 갈 때 이동만 더하고 회전을 빠뜨렸습니다.",
     ),
     "M3",
     part="map",
@@ -318,7 +318,7 @@ THEN_STEP_FIRST = Slip(
     {"then": "step first"},
     Words(
         en="on the way to `map`, you added the step before the turn: turn the point, then add the step.",
-        ko="`map`로 갈 때 돌리기 전에 이동을 더했습니다. 점을 돌린 다음에 이동을 더하십시오.",
+        ko="`map`으로 갈 때 돌리기 전에 이동을 더했습니다. 점을 돌린 다음에 이동을 더하십시오.",
     ),
     "",
     part="map",
@@ -329,7 +329,7 @@ THEN_TURN_ONLY = Slip(
     {"then": "turn only"},
     Words(
         en="on the way to `map`, you turned the point and left out the step.",
-        ko="`map`로 갈 때 점을 돌리기만 하고 이동을 빠뜨렸습니다.",
+        ko="`map`으로 갈 때 점을 돌리기만 하고 이동을 빠뜨렸습니다.",
     ),
     "",
     part="map",
@@ -340,7 +340,7 @@ THEN_TURN_BACK = Slip(
     {"then": "turn back"},
     Words(
         en="on the way to `map`, you turned the point the wrong way round: the turn is taken as it stands.",
-        ko="`map`로 갈 때 점을 반대로 돌렸습니다. 회전은 그대로 씁니다.",
+        ko="`map`으로 갈 때 점을 반대로 돌렸습니다. 회전은 그대로 씁니다.",
     ),
     "M1",
     part="map",
@@ -351,7 +351,7 @@ THEN_STEP_BACK = Slip(
     {"then": "step back"},
     Words(
         en="on the way to `map`, you subtracted the step, and it has to be added.",
-        ko="`map`로 갈 때 이동을 뺐습니다. 더해야 합니다.",
+        ko="`map`으로 갈 때 이동을 뺐습니다. 더해야 합니다.",
     ),
     "M3",
     part="map",
@@ -386,7 +386,7 @@ THEN_NO_TURN_STEP_BACK = Slip(
     {"then": "no turn, step back"},
     Words(
         en="on the way to `map`, you took the step away and left out the turn: going from child to parent, the point is turned and the step is added.",
-        ko="`map`로 가는 길에서 이동을 빼고 회전도 빠뜨렸습니다. 자식에서 부모로 갈 때는 점을 돌리고 이동을 더합니다.",
+        ko="`map`으로 가는 길에서 이동을 빼고 회전도 빠뜨렸습니다. 자식에서 부모로 갈 때는 점을 돌리고 이동을 더합니다.",
     ),
     "M3",
     part="map",
@@ -410,7 +410,7 @@ THEN_W_FIRST = Slip(
     {"then": "w first"},
     Words(
         en="on the way to `map`, the rotation went in with w in front: `.rotation` is (x, y, z, w), and Transform takes it like that.",
-        ko="`map`로 가는 길에서 회전의 w를 앞에 두고 넣었습니다. `.rotation`은 (x, y, z, w)이고 Transform도 그 순서로 받습니다.",
+        ko="`map`으로 가는 길에서 회전의 w를 앞에 두고 넣었습니다. `.rotation`은 (x, y, z, w)이고 Transform도 그 순서로 받습니다.",
     ),
     "M5",
     part="map",
@@ -434,7 +434,7 @@ THEN_Z_FOR_THE_YAW = Slip(
     {"then": "z for the yaw"},
     Words(
         en="on the way to `map`, you took the quaternion's z for the yaw. It is the sine of half the yaw; `.rpy()` or `.apply` know the angle.",
-        ko="`map`로 가는 길에서 쿼터니언의 z를 yaw로 썼습니다. z는 yaw 절반의 sin입니다. 각도는 `.rpy()`나 `.apply`에 맡기십시오.",
+        ko="`map`으로 가는 길에서 쿼터니언의 z를 yaw로 썼습니다. z는 yaw 절반의 sin입니다. 각도는 `.rpy()`나 `.apply`에 맡기십시오.",
     ),
     "M5",
     part="map",
@@ -458,7 +458,7 @@ THEN_TURN_BACK_NO_STEP = Slip(
     {"then": "turn back, no step"},
     Words(
         en="on the way to `map`, you turned the point back, and left out the step. As it stands, the transform turns and then adds.",
-        ko="`map`로 가는 길에서 점을 거꾸로 돌리고 이동을 빠뜨렸습니다. 변환은 그대로 쓰면 돌린 다음 더합니다.",
+        ko="`map`으로 가는 길에서 점을 거꾸로 돌리고 이동을 빠뜨렸습니다. 변환은 그대로 쓰면 돌린 다음 더합니다.",
     ),
     "M1",
     part="map",

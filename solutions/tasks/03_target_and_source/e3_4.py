@@ -134,7 +134,7 @@ ONLY_ADDED = Slip(
     {"by": "none"},
     Words(
         en="you added the steps as they are. The second step is measured along b's axes, and b is turned in a.",
-        ko="이동을 그대로 더했습니다. 둘째 이동은 b의 축을 따라 잰 값이고, b는 a 안에서 돌아가 있습니다.",
+        ko="이동을 그대로 더했습니다. 둘째 이동은 b의 축을 따라 잰 값이고, b는 a를 기준으로 돌아가 있습니다.",
     ),
     "M3",
 )
@@ -203,7 +203,7 @@ TURNED_BY_THE_SECOND = Slip(
     Words(
         en="you turned the second step by its own yaw. It is b that is turned in a: which of the two yaws "
         "says by how much?",
-        ko="둘째 이동을 자기 yaw로 돌렸습니다. a 안에서 돌아가 있는 것은 b입니다. 그 각도는 두 yaw 가운데 "
+        ko="둘째 이동을 자기 yaw로 돌렸습니다. a를 기준으로 돌아가 있는 것은 b입니다. 그 각도는 두 yaw 가운데 "
         "어느 것입니까?",
     ),
 )
@@ -616,7 +616,7 @@ TASK = Task(
         ),
         Words(
             en="The second step is measured along b's axes. Which of the two yaws says how far these are turned in a?",
-            ko="둘째 이동은 b의 축을 따라 잰 값입니다. 그 축이 a 안에서 돌아간 각도는 두 yaw 가운데 어느 것입니까?",
+            ko="둘째 이동은 b의 축을 따라 잰 값입니다. 그 축이 a를 기준으로 돌아간 각도는 두 yaw 가운데 어느 것입니까?",
         ),
         Words(
             en="Turn the second step by a_pose_b's yaw and add the first step; the yaws add up. "

@@ -101,7 +101,7 @@ SIGN_ONLY = Slip(
         en="for the way back only the signs are flipped. The mount is turned, so the step has to be turned, too. If you "
         "made a Transform: does the yaw go into it, and does `.inverse()` follow? Its `.translation` alone is what went in.",
         ko="돌아가는 쪽은 부호만 뒤집혔습니다. 센서가 돌아가 있으므로 이동도 돌려야 합니다. Transform을 만들었다면, 거기에 yaw를 "
-        "넣었고 `.inverse()`를 불렀습니까? `.translation`만 읽으면 넣은 값이 그대로 나옵니다.",
+        "넣었고 `.inverse()`를 호출했습니까? `.translation`만 읽으면 넣은 값이 그대로 나옵니다.",
     ),
     "M3",
 )

@@ -155,7 +155,7 @@ NONE_LOST = Slip(
     {"lost": "None"},
     Words(
         en="For two trees you return None. The caller would not notice: raise ConnectivityException, as tf2 does.",
-        ko="트리가 둘일 때 None을 반환합니다. 부른 쪽은 알아채지 못합니다. tf2처럼 ConnectivityException을 일으키십시오.",
+        ko="트리가 둘일 때 None을 반환합니다. 호출한 쪽은 알아채지 못합니다. tf2처럼 ConnectivityException을 일으키십시오.",
     ),
     "M11",
 )

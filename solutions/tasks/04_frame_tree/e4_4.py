@@ -202,7 +202,7 @@ BELOW_MAP_IN_NAME = Slip(
     {"glue": "map/{}/{}"},
     Words(
         en="You wrote map into every name. A name holds no path through the tree: the parents say what hangs where.",
-        ko="모든 이름에 map을 넣었습니다. 이름은 트리의 경로가 아닙니다. 무엇이 어디 달리는지는 부모가 말합니다.",
+        ko="모든 이름에 map을 넣었습니다. 이름은 트리의 경로가 아닙니다. 무엇이 어디 달리는지는 부모를 보고 압니다.",
     ),
     "M14",
 )

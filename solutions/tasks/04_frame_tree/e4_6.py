@@ -73,7 +73,7 @@ MESSAGES = Slip(
     {"what": "messages"},
     Words(
         en="You count messages. A node that says the same twice is still one owner: count different nodes.",
-        ko="메시지를 셉니다. 한 노드가 두 번 말해도 발행 책임은 하나입니다. 서로 다른 노드를 세십시오.",
+        ko="메시지를 셉니다. 한 노드가 두 번 발행해도 발행 책임은 하나입니다. 서로 다른 노드를 세십시오.",
     ),
     "M6",
 )

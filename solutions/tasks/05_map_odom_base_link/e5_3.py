@@ -54,7 +54,7 @@ LINE_ON_BOARD = Twin(
     but("line", frame="base_link"),
     Words(
         en="line: the line rests on the floor. In base_link its numbers change as the robot drives along it, and a point half a metre ahead stays half a metre ahead.",
-        ko="line: 선은 바닥에 그대로 있습니다. base_link 기준 숫자는 로봇이 선을 따라갈수록 바뀌고, 0.5미터 앞의 점은 언제까지나 0.5미터 앞에 있습니다.",
+        ko="line: 선은 바닥에 그대로 있습니다. base_link 기준 숫자는 로봇이 선을 따라갈수록 바뀌고, 0.5 m 앞의 점은 언제까지나 0.5 m 앞에 있습니다.",
     ),
 )
 
@@ -63,7 +63,7 @@ LINE_IN_MAP = Twin(
     but("line", frame="map"),
     Words(
         en="line: a controller in map takes each correction for a push. Half a metre is over before odom has drifted.",
-        ko="line: map 기준 제어기는 보정을 떠밀린 것으로 받아들입니다. 0.5미터는 odom이 흐르기 전에 끝납니다.",
+        ko="line: map 기준 제어기는 보정을 떠밀린 것으로 받아들입니다. 0.5 m는 odom이 흐르기 전에 끝납니다.",
     ),
     "M8",
 )
@@ -169,7 +169,7 @@ TASK = Task(
         ),
         "base_link": Words(
             en="base_link rides along: what rests in the room moves in it.",
-            ko="base_link는 로봇과 함께 갑니다. 방에 있는 것은 그 안에서 움직입니다.",
+            ko="base_link는 로봇과 함께 갑니다. 방에 가만히 있는 것도 base_link를 기준으로 보면 움직입니다.",
         ),
     },
     shows={
@@ -179,7 +179,7 @@ TASK = Task(
         ),
         "line": Words(
             en="line: half a metre lasts a second or two, and must not leap meanwhile.",
-            ko="line: 0.5미터는 1, 2초면 끝나고 그동안 튀면 안 됩니다.",
+            ko="line: 0.5 m는 1, 2초면 끝나고 그동안 튀면 안 됩니다.",
         ),
         "laser": Words(
             en="laser: it is bolted on: which frame does it ride with?",

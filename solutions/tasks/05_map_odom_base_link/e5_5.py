@@ -262,7 +262,7 @@ HEIGHT_FOR_YAW = Slip(
     {"yaw": "height"},
     Words(
         en="yaw: this is the height, the third number of the translation. The turn about z is asked for.",
-        ko="yaw: 이동의 셋째 숫자인 높이입니다. 물은 것은 z축 둘레의 회전입니다.",
+        ko="yaw: 이동의 셋째 숫자인 높이입니다. 구할 것은 z축 둘레의 회전입니다.",
     ),
     part="yaw",
 )

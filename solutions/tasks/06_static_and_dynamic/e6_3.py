@@ -291,7 +291,7 @@ W_WRITTEN_TO_Z = Slip(
     {"quaternion": "w for z"},
     Words(
         en="z of the quaternion holds what belongs to w, and w is still 1. Four numbers, four fields: is one of them written twice?",
-        ko="쿼터니언의 z에 w의 값이 들어 있고 w는 아직 1입니다. 숫자 넷, 항목 넷입니다. 한 항목에 두 번 썼습니까?",
+        ko="쿼터니언의 z에 w의 값이 들어 있고 w는 아직 1입니다. 숫자도 네 개, 항목도 네 개입니다. 한 항목에 두 번 썼습니까?",
     ),
     "M5",
 )
@@ -302,7 +302,7 @@ Z_LEFT_OUT = Slip(
     {"quaternion": "z left out"},
     Words(
         en="z of the quaternion is still 0. All four numbers of `.rotation` have to be written.",
-        ko="쿼터니언의 z가 아직 0입니다. `.rotation`의 네 숫자를 모두 써야 합니다.",
+        ko="쿼터니언의 z가 아직 0입니다. `.rotation`의 숫자 네 개를 모두 써야 합니다.",
     ),
     "M5",
 )

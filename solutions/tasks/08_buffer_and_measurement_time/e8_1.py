@@ -48,7 +48,7 @@ NEWEST_OF_ALL = Slip(
     {"end": "newest", "which": "latest"},
     Words(
         en="That is the newest sample on the path. At that moment the other lane has nothing to say yet, and a lookup needs every lane.",
-        ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 시간줄은 아직 아무 말도 하지 않았고, 조회에는 모든 시간줄이 필요합니다.",
+        ko="경로에서 가장 새로운 표본의 시각입니다. 그 순간 다른 시간줄에는 아직 값이 없고, 조회에는 모든 시간줄이 필요합니다.",
     ),
     "M9",
 )
@@ -120,7 +120,7 @@ MEAN = Slip(
     {"which": "mean"},
     Words(
         en="You took the mean of the newest samples. At that moment the slower lane has nothing to say yet.",
-        ko="가장 새로운 표본들의 평균을 냈습니다. 그 순간 더 느린 시간줄은 아직 아무 말도 하지 않았습니다.",
+        ko="가장 새로운 표본들의 평균을 냈습니다. 그 순간 더 느린 시간줄에는 아직 값이 없습니다.",
     ),
 )
 

@@ -186,7 +186,7 @@ STAMPED_ANEW = Slip(
     {"stamp": "now"},
     Words(
         en="Your point says that it was measured when it arrived. Whoever uses it next can no longer ask about the right moment.",
-        ko="여러분의 점은 도착한 때 측정했다고 말합니다. 다음에 쓰는 사람은 올바른 순간을 물을 수 없게 됩니다.",
+        ko="반환한 점의 측정 시각이 도착 시각으로 되어 있습니다. 다음에 쓰는 사람은 올바른 시각의 변환을 조회할 수 없게 됩니다.",
     ),
     "M9",
 )
@@ -360,7 +360,7 @@ A_TENTH_BEFORE_NOW = Slip(
     {"moment": "a tenth before now"},
     Words(
         en="You asked for a tenth of a second before now. How old a message is differs each time, and its stamp says when it was.",
-        ko="현재보다 0.1초 전을 물었습니다. 메시지의 나이는 매번 다르고, 언제였는지는 측정 시각이 말합니다.",
+        ko="현재보다 0.1초 전을 물었습니다. 메시지의 나이는 매번 다르고, 언제 측정했는지는 측정 시각에 적혀 있습니다.",
     ),
     "M9",
 )

@@ -92,7 +92,7 @@ CLOCKS_FOR_A_SLOW_LANE = Twin(
     {**RIGHT, "e": "two clocks"},
     Words(
         en="e: two clocks that disagree do so for every message alike. Here one in four gets through, and one publisher speaks once a second.",
-        ko="e: 시계가 서로 다르면 모든 메시지가 똑같이 어긋납니다. 여기서는 넷 중 하나가 통과하고, 한 발행자는 초당 한 번 말합니다.",
+        ko="e: 시계가 서로 다르면 모든 메시지가 똑같이 어긋납니다. 여기서는 넷 중 하나가 통과하고, 한 발행자는 초당 한 번 발행합니다.",
     ),
     "M10",
 )
@@ -103,7 +103,7 @@ OVERWRITTEN_FOR_A_SLOW_LANE = Twin(
     {**RIGHT, "e": "stamp overwritten"},
     Words(
         en="e: a stamp that was overwritten asks too late as well, but by its delay, and so does every message alike. Here one in four gets through, others lack up to a second, and one publisher speaks once a second.",
-        ko="e: 덮어쓴 측정 시각도 너무 늦은 시각을 묻지만, 숨긴 지연만큼이고 어느 메시지나 똑같습니다. 여기서는 넷 중 하나가 통과하고 나머지는 길면 1초까지 모자라며, 한 발행자는 초당 한 번 말합니다.",
+        ko="e: 측정 시각을 덮어써도 너무 늦은 시각의 변환을 조회하지만, 숨긴 지연만큼이고 어느 메시지나 똑같습니다. 여기서는 넷 중 하나가 통과하고 나머지는 길면 1초까지 모자라며, 한 발행자는 초당 한 번 발행합니다.",
     ),
     "M9",
 )
@@ -114,7 +114,7 @@ SLOW_FOR_A_SHORT_CACHE = Twin(
     {**RIGHT, "d": "odometry slow"},
     Words(
         en="d: this one is about the earliest data. A slow lane ends too early; which fault makes a lane begin too late?",
-        ko="d: 이 오류는 가장 오래된 데이터를 말합니다. 느린 시간줄은 너무 일찍 끝납니다. 시간줄이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
+        ko="d: 이 오류에 나오는 것은 가장 오래된 데이터의 시각입니다. 느린 시간줄은 너무 일찍 끝납니다. 시간줄이 너무 늦게 시작하게 만드는 것은 무엇입니까?",
     ),
     "M11",
 )

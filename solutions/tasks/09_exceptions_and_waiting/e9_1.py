@@ -46,7 +46,7 @@ ACCUSED_THE_ONE_THAT_MOVES = Twin(
     misconception="M11",
     reply=Words(
         en="that edge had news until later than line c says. The window of a chain ends where its laziest publisher ends.",
-        ko="그 연결에는 c에 나온 시각 이후의 표본도 있었습니다. 체인의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.",
+        ko="그 연결에는 c에 나온 시각 이후의 표본도 있었습니다. 사슬의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.",
     ),
 )
 
@@ -254,23 +254,23 @@ TASK = Task(
     means={
         "lookup": Words(
             en='a lookup error says that a frame "does not exist".',
-            ko='lookup 오류는 좌표계가 "does not exist"라고 말합니다.',
+            ko='lookup 오류에는 좌표계가 "does not exist"라고 나옵니다.',
         ),
         "connectivity": Words(
             en='a connectivity error says that two frames are not "part of the same tree".',
-            ko='connectivity 오류는 두 좌표계가 "part of the same tree"가 아니라고 말합니다.',
+            ko='connectivity 오류에는 두 좌표계가 "part of the same tree"가 아니라고 나옵니다.',
         ),
         "future": Words(
             en='a future error says "into the future": the moment asked for is later than the newest sample.',
-            ko='future 오류는 "into the future"라고 말합니다. 요청 시각이 가장 새로운 표본보다 늦습니다.',
+            ko='future 오류에는 "into the future"가 나옵니다. 요청 시각이 가장 새로운 표본보다 늦습니다.',
         ),
         "past": Words(
             en='a past error says "into the past": the moment asked for is earlier than the oldest sample.',
-            ko='past 오류는 "into the past"라고 말합니다. 요청 시각이 가장 오래된 표본보다 이릅니다.',
+            ko='past 오류에는 "into the past"가 나옵니다. 요청 시각이 가장 오래된 표본보다 이릅니다.',
         ),
         "one sample": Words(
             en="the third text of an extrapolation speaks of a single time in the buffer, and of no direction.",
-            ko="외삽의 세 번째 오류 메시지는 버퍼에 있는 시각 하나만 말하고 방향은 말하지 않습니다.",
+            ko="외삽의 세 번째 오류 메시지에는 버퍼에 있는 시각 하나만 나오고 방향은 나오지 않습니다.",
         ),
         "invalid argument": Words(
             en="an invalid argument is a question that is none, such as a name with a slash in front.",
@@ -278,7 +278,7 @@ TASK = Task(
         ),
         "not a TransformException": Words(
             en="an error of another family speaks of a Python type, and of no frame or time.",
-            ko="다른 가족의 오류는 좌표계나 시각이 아니라 파이썬 타입을 말합니다.",
+            ko="다른 가족의 오류에는 좌표계나 시각이 아니라 파이썬 타입이 나옵니다.",
         ),
         "odom": Words(
             en="the samples of map -> odom lie between 20.5 and 30.1 s.",

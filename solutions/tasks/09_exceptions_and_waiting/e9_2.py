@@ -93,7 +93,7 @@ ASKED_FOR_THE_LATEST = Slip(
     {"moment": "latest"},
     Words(
         en="whatever stamp it is given, your function judges as if the latest had been asked for. Is `stamp` really handed on to the lookup?",
-        ko="어떤 시각을 주어도 최신을 물은 것처럼 판단합니다. `stamp`를 조회에 그대로 넘기고 있습니까?",
+        ko="어떤 시각을 주어도 최신을 조회한 것처럼 판단합니다. `stamp`를 조회에 그대로 넘기고 있습니까?",
     ),
     "M9",
 )
@@ -133,7 +133,7 @@ ONE_WORD_FOR_EVERY_NO = Slip(
     {"classes": "one word"},
     Words(
         en="every refusal gets the same word. An `except TransformException` that stands first takes them all, and `can_transform` says only yes or no: give each class a branch of its own, and let the base class come last.",
-        ko="모든 거절에 같은 단어를 돌려줍니다. 맨 앞에 둔 `except TransformException`은 모두를 가져가고, `can_transform`은 예, 아니요만 말합니다. 클래스마다 분기를 두고 부모 클래스는 맨 뒤에 두십시오.",
+        ko="모든 거절에 같은 단어를 돌려줍니다. 맨 앞에 둔 `except TransformException`이 모두 잡거나, `can_transform`으로 되는지 안 되는지만 보면 그렇게 됩니다. 클래스마다 분기를 두고 부모 클래스는 맨 뒤에 두십시오.",
     ),
     "M11",
 )
@@ -153,7 +153,7 @@ EVERY_NO_IS_THE_FUTURE = Slip(
     {"classes": "one word: future"},
     Words(
         en='every refusal is "future" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
-        ko='이유가 무엇이든 모든 거절이 "future"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+        ko='이유가 무엇이든 모든 거절이 "future"입니다. `can_transform`으로는 되는지 안 되는지만 알 수 있고 `except` 하나로도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
     ),
     "M11",
 )
@@ -163,7 +163,7 @@ EVERY_NO_IS_THE_PAST = Slip(
     {"classes": "one word: past"},
     Words(
         en='every refusal is "past" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
-        ko='이유가 무엇이든 모든 거절이 "past"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+        ko='이유가 무엇이든 모든 거절이 "past"입니다. `can_transform`으로는 되는지 안 되는지만 알 수 있고 `except` 하나로도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
     ),
     "M11",
 )
@@ -173,7 +173,7 @@ EVERY_NO_IS_NO_PATH = Slip(
     {"classes": "one word: connectivity"},
     Words(
         en='every refusal is "connectivity" for you, whatever the reason. `can_transform` says only yes or no, and so does a single `except`; why tf2 refuses stands in the class of its exception, and of an extrapolation in its text.',
-        ko='이유가 무엇이든 모든 거절이 "connectivity"입니다. `can_transform`은 예, 아니요만 말하고 `except` 하나도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
+        ko='이유가 무엇이든 모든 거절이 "connectivity"입니다. `can_transform`으로는 되는지 안 되는지만 알 수 있고 `except` 하나로도 마찬가지입니다. 거절하는 이유는 예외의 클래스에 있고, 외삽이라면 메시지에 있습니다.',
     ),
     "M11",
 )
@@ -214,7 +214,7 @@ THIRD_TEXT_IS_THE_FUTURE = Slip(
     {"texts": "two, and future"},
     Words(
         en="extrapolation has three texts: an edge that was heard just once is neither future nor past, and tf2 says so.",
-        ko="외삽에는 문장이 셋 있습니다. 한 번만 들은 연결은 미래도 과거도 아니고, tf2가 그렇게 말합니다.",
+        ko="외삽의 오류 메시지는 세 가지입니다. 한 번만 들은 연결은 미래도 과거도 아니고, 오류 메시지에도 그렇게 나옵니다.",
     ),
     "M11",
 )
@@ -247,7 +247,7 @@ EVERY_EXTRAPOLATION_IS_THE_FUTURE = Slip(
     {"texts": "all future"},
     Words(
         en="every extrapolation is the future for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
-        ko="모든 외삽을 미래로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 연결에는 따로 문장이 있습니다.",
+        ko="모든 외삽을 미래로 봅니다. 어느 쪽인지는 오류 메시지에 나오고, 한 번만 들은 연결에는 오류 메시지가 따로 있습니다.",
     ),
     "M11",
 )
@@ -258,7 +258,7 @@ EVERY_EXTRAPOLATION_IS_THE_PAST = Slip(
     {"texts": "all past"},
     Words(
         en="every extrapolation is the past for you. Its text says which way it goes, and an edge heard just once has a text of its own.",
-        ko="모든 외삽을 과거로 봅니다. 문장이 어느 쪽인지 말하고, 한 번만 들은 연결에는 따로 문장이 있습니다.",
+        ko="모든 외삽을 과거로 봅니다. 어느 쪽인지는 오류 메시지에 나오고, 한 번만 들은 연결에는 오류 메시지가 따로 있습니다.",
     ),
     "M11",
 )
@@ -502,7 +502,7 @@ TASK = Task(
         ),
         "one sample": Words(
             en="There tf2 raises an ExtrapolationException whose text names a single time and no direction.",
-            ko="여기서는 tf2가 시각 하나만 말하고 방향은 말하지 않는 ExtrapolationException을 일으킵니다.",
+            ko="여기서는 tf2가 시각 하나만 나오고 방향은 나오지 않는 ExtrapolationException을 일으킵니다.",
         ),
     },
     cures=("M11",),

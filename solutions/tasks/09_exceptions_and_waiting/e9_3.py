@@ -175,7 +175,7 @@ GAP_FROM_THE_TEXT_TO_ITS_DIGITS = Slip(
     misconception="M11",
     reply=Words(
         en="you read the gap off the text. The text tells of one edge, the first that failed, and another may be slower; nor has it all digits: a nanosecond beyond 0.2 s reads like 0.2 s. Reckon in nanoseconds from the latest common time, which looks at every edge on the way.",
-        ko="오류 메시지에서 간격을 읽었습니다. 메시지는 처음 실패한 연결 하나만 말하고, 더 느린 연결이 있을 수 있습니다. 자릿수도 모자라 0.2초를 1나노초 넘어도 0.2초로 보입니다. 경로의 모든 연결을 보는 최신 공통 시각에서 나노초로 계산하십시오.",
+        ko="오류 메시지에서 간격을 읽었습니다. 메시지에는 처음 실패한 연결 하나만 나오고, 더 느린 연결이 있을 수 있습니다. 자릿수도 모자라 0.2초를 1나노초 넘어도 0.2초로 보입니다. 경로의 모든 연결을 보는 최신 공통 시각에서 나노초로 계산하십시오.",
     ),
 )
 
@@ -449,7 +449,7 @@ GAP_OF_NANOSEC = Slip(
     {"drops": "nanoseconds alone"},
     Words(
         en="you reckon the gap from the nanoseconds within the second: `nanosec` alone, or `%`, drops the whole seconds, and a message that is a second ahead, or thirty, comes out near. Compare `Time.nanoseconds`, which holds both.",
-        ko="간격을 초 아래의 나노초로만 계산합니다. `nanosec`만 쓰거나 `%`로 나누면 초가 사라져, 1초나 30초 앞선 메시지도 가까워 보입니다. 둘을 다 담은 `Time.nanoseconds`로 비교하십시오.",
+        ko="간격을 초 아래의 나노초로만 계산합니다. `nanosec`만 쓰거나 `%`로 나누면 초가 사라져, 1초나 30초 미래의 메시지도 가까워 보입니다. 둘을 다 담은 `Time.nanoseconds`로 비교하십시오.",
     ),
 )
 

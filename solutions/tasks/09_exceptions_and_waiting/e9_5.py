@@ -195,7 +195,7 @@ AGE_BY_ITS_SIZE = Slip(
     misconception="M10",
     reply=Words(
         en="you keep a message from the future if it is no further ahead than `max_age_s`, as `abs(...)` makes it. What is ahead of `now_s` comes from a clock that is wrong, by whatever: its age is below 0, so let the sign stand.",
-        ko="미래에서 온 메시지도 `max_age_s`보다 멀리 앞서지 않으면 남깁니다. `abs(...)`를 쓰면 그렇게 됩니다. `now_s`보다 앞선 것은 조금이든 많이든 틀린 시계에서 온 것입니다. 나이가 음수이니 부호를 그대로 두십시오.",
+        ko="미래에서 온 메시지도 `now_s`에서 `max_age_s` 이내면 남깁니다. `abs(...)`를 쓰면 그렇게 됩니다. 측정 시각이 `now_s`보다 늦은 것은 조금이든 많이든 틀린 시계에서 온 것입니다. 나이가 음수이니 부호를 그대로 두십시오.",
     ),
 )
 
@@ -453,7 +453,7 @@ EVERYTHING_ROUNDED = Slip(
     {"old": "rounded", "ahead": "rounded"},
     Words(
         en="Some thousandths of a second do not count for you: what is older than the limit by so little stays, and so does what is so little ahead of `now_s`. Do you round the age? Compare it as it is.",
-        ko="1000분의 몇 초를 무시합니다. 그만큼 한계보다 오래된 것도, 그만큼 `now_s`보다 앞선 것도 남습니다. 나이를 반올림합니까? 있는 그대로 비교하십시오.",
+        ko="1000분의 몇 초를 무시합니다. 그만큼 한계보다 오래된 것도, 측정 시각이 그만큼 `now_s`보다 늦은 것도 남습니다. 나이를 반올림합니까? 있는 그대로 비교하십시오.",
     ),
 )
 

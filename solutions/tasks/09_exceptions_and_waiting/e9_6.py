@@ -43,7 +43,7 @@ THREADS_CANNOT_HELP = Twin(
     misconception="M10",
     reply=Words(
         en="waiting is not bad as such. Where another thread takes in transforms meanwhile, it works: an executor of several threads has one to spare for the listener, which is in a callback group of its own, and `spin_thread=True` starts one at once.",
-        ko="기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 변환을 받으면 통합니다. 스레드가 여럿인 실행기에는 자기 콜백 그룹에 있는 수신기를 부를 스레드가 남아 있고, `spin_thread=True`는 스레드를 바로 하나 시작합니다.",
+        ko="기다리는 것 자체가 나쁜 것은 아닙니다. 그동안 다른 스레드가 변환을 받으면 통합니다. 스레드가 여럿인 실행기에는 자기 콜백 그룹에 있는 수신기를 호출할 스레드가 남아 있고, `spin_thread=True`는 스레드를 바로 하나 시작합니다.",
     ),
 )
 
@@ -54,7 +54,7 @@ SEVERAL_THREADS_CANNOT_HELP = Twin(
     misconception="M10",
     reply=Words(
         en="waiting in a callback is not bad as such. The listener has a callback group of its own, so an executor of several threads calls it in another one meanwhile.",
-        ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 수신기는 자기 콜백 그룹에 있으므로, 스레드가 여럿인 실행기는 그동안 다른 스레드에서 수신기를 부릅니다.",
+        ko="콜백에서 기다리는 것 자체가 나쁜 것은 아닙니다. 수신기는 자기 콜백 그룹에 있으므로, 스레드가 여럿인 실행기는 그동안 다른 스레드에서 수신기를 호출합니다.",
     ),
 )
 
@@ -173,7 +173,7 @@ TASK = Task(
         ),
         "f": Words(
             en="Line f: the stamp lies 2 s ahead, and the timeout is 0.3 s.",
-            ko="f에서는 측정 시각이 2초 앞서 있고 timeout은 0.3초입니다.",
+            ko="f에서는 측정 시각이 실제보다 2초 늦게 적히고 timeout은 0.3초입니다.",
         ),
         "g": Words(
             en="Line g: nobody spins yet.",

@@ -86,7 +86,7 @@ PERIOD_FORGOTTEN = Slip(
     {"periods": 0.0},
     reply=Words(
         en="the period is missing: with this wait it succeeds only sometimes. In the worst case the transform you need is stamped a whole period after the scan.",
-        ko="주기가 빠졌습니다. 이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔보다 한 주기 뒤입니다.",
+        ko="주기가 빠졌습니다. 이 시간으로는 가끔만 성공합니다. 최악의 경우 필요한 변환의 시각은 스캔의 측정 시각보다 한 주기 늦습니다.",
     ),
 )
 

@@ -208,7 +208,7 @@ AHEAD_FOR_BEHIND = Slip(
     {"sign": "ahead"},
     Words(
         en="The size is right, the sign is not. A clock that is behind writes a stamp that is too small, and heard minus stamp comes out too large: what is asked for is above 0 then, and below 0 for a clock that is ahead.",
-        ko="크기는 맞고 부호가 반대입니다. 늦은 시계는 너무 작은 시각을 적으므로 들은 시각에서 측정 시각을 뺀 값이 너무 커집니다. 그때 답은 0보다 크고, 앞선 시계라면 0보다 작습니다.",
+        ko="크기는 맞고 부호가 반대입니다. 늦은 시계는 너무 작은 시각을 적으므로 들은 시각에서 측정 시각을 뺀 값이 너무 커집니다. 그때 답은 0보다 크고, 빠른 시계라면 0보다 작습니다.",
     ),
 )
 

@@ -125,7 +125,7 @@ FIRST_NO_ENDS_IT = Slip(
     {"stops": True},
     Words(
         en="After the first message without a place you stop looking. One old scan says nothing about the others: catch inside the loop, and go on.",
-        ko="위치를 찾지 못하는 메시지가 처음 나오면 멈춥니다. 오래된 스캔 하나가 나머지를 말해 주지는 않습니다. 반복문 안에서 예외를 잡고 계속하십시오.",
+        ko="위치를 찾지 못하는 메시지가 처음 나오면 멈춥니다. 오래된 스캔 하나로 나머지까지 알 수는 없습니다. 반복문 안에서 예외를 잡고 계속하십시오.",
     ),
     "M11",
 )
@@ -240,7 +240,7 @@ MOST_FREQUENT_NO = Slip(
     {"which": "most"},
     Words(
         en="You tell the refusal that comes most often. Asked for is the one that comes first.",
-        ko="가장 자주 나온 거절을 답했습니다. 물은 것은 맨 처음 나온 거절입니다.",
+        ko="가장 자주 나온 거절을 답했습니다. 구할 것은 맨 처음 나온 거절입니다.",
     ),
 )
 
@@ -279,7 +279,7 @@ ALWAYS_IN_MAP = Slip(
     {"into": "map"},
     Words(
         en="You ask for all of it in one and the same frame. The third argument says in which frame it is wanted.",
-        ko="언제나 같은 좌표계 기준으로 조회합니다. 어느 좌표계 기준으로 필요한지는 셋째 인자가 말합니다.",
+        ko="언제나 같은 좌표계 기준으로 조회합니다. 어느 좌표계 기준으로 필요한지는 셋째 인자에 있습니다.",
     ),
     "M1",
 )

@@ -324,7 +324,7 @@ TIME_BETWEEN_FOR_THE_STAMP = Twin(
     lambda g: {**read(g), "stamp_s": stamp_of(g.second) - stamp_of(g.first)},
     Words(
         en="stamp_s: that is the time between the two. Asked is the moment that the second one tells.",
-        ko="stamp_s: 두 시각의 간격입니다. 물은 것은 둘째 출력이 말하는 순간입니다.",
+        ko="stamp_s: 두 시각의 간격입니다. 구할 것은 둘째 출력에 나오는 시각입니다.",
     ),
     part="stamp_s",
 )

@@ -216,7 +216,7 @@ WAY_WHILE_LATE = Slip(
     {"curve": "way while late"},
     Words(
         en="That is how far the robot drives while the chain is late. Asked is how far the straight line between two samples is from the arc.",
-        ko="사슬이 늦는 동안 로봇이 달리는 거리입니다. 물은 것은 두 표본을 이은 직선이 호에서 얼마나 떨어져 있는지입니다.",
+        ko="사슬이 늦는 동안 로봇이 달리는 거리입니다. 구할 것은 두 표본을 이은 직선이 호에서 얼마나 떨어져 있는지입니다.",
     ),
     "M9",
     part="off_mm",
@@ -327,7 +327,7 @@ CHORD_ITSELF = Slip(
     {"curve": "chord itself"},
     Words(
         en="That is how long the straight line is. Asked is how far the arc is from it.",
-        ko="직선의 길이입니다. 물은 것은 호가 직선에서 얼마나 떨어져 있는지입니다.",
+        ko="직선의 길이입니다. 구할 것은 호가 직선에서 얼마나 떨어져 있는지입니다.",
     ),
     part="off_mm",
 )
@@ -367,7 +367,7 @@ LATENESS_FOR_THE_PERIOD = Slip(
     {"travel": "lateness without the scan"},
     Words(
         en="You began with how late the chain was at worst. Asked is what follows from the period and the two travels.",
-        ko="사슬이 최악으로 늦은 값에서 시작했습니다. 물은 것은 주기와 두 이동 시간에서 나오는 값입니다.",
+        ko="사슬이 최악으로 늦은 값에서 시작했습니다. 구할 것은 주기와 두 이동 시간에서 나오는 값입니다.",
     ),
     part="wait_s",
 )

@@ -164,7 +164,7 @@ MAX_FOR_AVERAGE = Slip(
     {"sign": "max is 0"},
     Words(
         en="future: you name the frames whose Max Delay is 0. That one begins at 0 and never falls below: it says 0 of a frame that is just in time, and more of one that is ahead on average and was late once. Asked is for the average: which figure of the line is it?",
-        ko="future: Max Delay가 0인 좌표계를 답합니다. Max Delay는 0에서 시작해 더 작아지지 않습니다. 꼭 맞게 온 좌표계도 0이고, 평균적으로는 앞서도 한 번 늦었다면 0보다 큽니다. 물은 것은 평균입니다. 줄에서 어느 숫자입니까?",
+        ko="future: Max Delay가 0인 좌표계를 답합니다. Max Delay는 0에서 시작해 더 작아지지 않습니다. 꼭 맞게 온 좌표계도 0이고, 평균은 0보다 작아도 한 번 늦었다면 0보다 큽니다. 여기서 볼 것은 평균입니다. 줄에서 어느 숫자입니까?",
     ),
     "M10",
     part="future",
@@ -185,7 +185,7 @@ LARGEST_SIZE = Slip(
     {"late": "largest size"},
     Words(
         en="late: you compare averages by their size. A stamp far ahead of the clock is the opposite of late.",
-        ko="late: 평균을 크기로만 비교합니다. 시계보다 훨씬 앞선 시각은 늦은 것의 반대입니다.",
+        ko="late: 평균을 크기로만 비교합니다. 측정 시각이 현재보다 훨씬 미래인 것은 늦은 것의 반대입니다.",
     ),
     "M10",
     part="late",
@@ -249,7 +249,7 @@ AVERAGE_OF_A_FRAME = Slip(
     {"net": "average of a frame"},
     Words(
         en="delay_s: that is one frame's Average Delay. Asked is for the chain, and for its worst: the line Net delay has both.",
-        ko="delay_s: 한 좌표계의 Average Delay입니다. 물은 것은 사슬 전체의 최악의 값이고, 둘 다 Net delay 줄에 있습니다.",
+        ko="delay_s: 한 좌표계의 Average Delay입니다. 구할 것은 사슬 전체에서 가장 많이 늦은 값이고, Net delay 줄에 있습니다.",
     ),
     part="delay_s",
 )
@@ -339,7 +339,7 @@ ALL_THAT_MOVE = Slip(
     {"sign": "all"},
     Words(
         en="future: these are all that move. Which of them have stamps ahead of the clock?",
-        ko="future: 움직이는 것 모두입니다. 그 가운데 측정 시각이 시계보다 앞선 것은 무엇입니까?",
+        ko="future: 움직이는 것 모두입니다. 그 가운데 측정 시각이 현재보다 미래인 것은 무엇입니까?",
     ),
     "M10",
     part="future",
@@ -371,7 +371,7 @@ ONLY_STATICS = Slip(
     {"keep": "static"},
     Words(
         en="You keep just those that do not move, for who is late and for who is ahead: is there an `in` where `not in` is meant? The second argument names what is to be left out.",
-        ko="누가 늦는지도, 누가 앞서는지도 움직이지 않는 것 가운데서만 찾습니다. `not in`을 쓸 곳에 `in`을 썼습니까? 둘째 인자에 있는 것은 빼야 합니다.",
+        ko="누가 늦는지도, 누구의 측정 시각이 미래인지도 움직이지 않는 것 가운데서만 찾습니다. `not in`을 쓸 곳에 `in`을 썼습니까? 둘째 인자에 있는 것은 빼야 합니다.",
     ),
     "M12",
 )

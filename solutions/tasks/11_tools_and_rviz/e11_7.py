@@ -305,7 +305,7 @@ NODE_INFO = Slip(
     {"who": "node info"},
     Words(
         en="who: `node info` takes a node and lists its topics. Asked is the other way round.",
-        ko="who: `node info`는 노드 하나의 토픽을 보여 줍니다. 물은 것은 그 반대입니다.",
+        ko="who: `node info`는 노드 하나의 토픽을 보여 줍니다. 여기에 필요한 것은 그 반대입니다.",
     ),
     part="who",
 )

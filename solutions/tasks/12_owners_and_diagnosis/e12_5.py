@@ -291,7 +291,7 @@ FIRST_ROBOTS_TOO = Slip(
     {"more": "the first robot's"},
     Words(
         en="There are frames without a name among them. The first robot has a tree already; asked is that of the second.",
-        ko="로봇 이름이 없는 좌표계도 들어 있습니다. 첫째 로봇의 트리는 이미 있습니다. 물은 것은 둘째 로봇의 트리입니다.",
+        ko="로봇 이름이 없는 좌표계도 들어 있습니다. 첫째 로봇의 트리는 이미 있습니다. 구할 것은 둘째 로봇의 트리입니다.",
     ),
 )
 

@@ -168,7 +168,7 @@ ALWAYS_LATE = Slip(
     {"future": "late"},
     Words(
         en="“Into the future” does not always mean that transforms are late. A clock that is ahead says the same, and so does an odometry at 2 Hz.",
-        ko="“into the future”가 늘 변환이 늦다는 뜻은 아닙니다. 앞선 시계도, 2 Hz로 느린 오도메트리도 같은 말을 합니다.",
+        ko="“into the future”가 늘 변환이 늦다는 뜻은 아닙니다. 시계가 빠를 때도, 오도메트리가 2 Hz로 느릴 때도 같은 메시지가 나옵니다.",
     ),
     "M10",
     part="cause",

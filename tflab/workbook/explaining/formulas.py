@@ -42,11 +42,11 @@ SAID = Words(
 )
 FOUR = Words(
     en="the four numbers are `({sum})`. Compare each with what belongs in its place.",
-    ko="네 숫자는 `({sum})`의 값입니다. 하나씩 그 자리에 올 것과 비교하십시오.",
+    ko="숫자 네 개는 `({sum})`의 값입니다. 하나씩 그 자리에 올 것과 비교하십시오.",
 )
 NO_ROTATION = Words(
     en="The squares of the four do not add up to 1, as those of any rotation do.",
-    ko="네 숫자의 제곱을 더하면 1이 되지 않습니다. 회전이라면 언제나 1입니다.",
+    ko="숫자 네 개의 제곱을 더하면 1이 되지 않습니다. 회전이라면 언제나 1입니다.",
 )
 Terms = list[tuple[str, np.ndarray]]
 

@@ -45,12 +45,12 @@ AN_ERROR = Words(
 ANGLES = Words(
     en="Three numbers are angles, as `.rpy()` gives them, an axis or a place; the four of a Transform's rotation are "
     "in `.rotation`",
-    ko="숫자 셋은 `.rpy()`가 주는 각도이거나 축, 또는 위치입니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 "
+    ko="숫자 세 개는 `.rpy()`가 주는 각도이거나 축, 또는 위치입니다. 변환의 회전을 나타내는 숫자 네 개는 `.rotation`에 "
     "있습니다",
 )
 WITHOUT_ZEROS = Words(
     en="Two numbers say too little: a number that is 0 stands there, too",
-    ko="숫자 둘로는 모자랍니다. 0인 숫자도 자리에 써야 합니다",
+    ko="숫자 두 개로는 모자랍니다. 0인 숫자도 자리에 써야 합니다",
 )
 ROWS = Words(
     en="Several rows of numbers stand there, and one quaternion is asked for: of two turns it is their product",
@@ -66,7 +66,7 @@ ONE_INSIDE = Words(
 )
 A_MATRIX = Words(
     en="That is a matrix; the four numbers of a Transform's rotation are in `.rotation`",
-    ko="행렬을 넘겼습니다. 변환의 회전을 나타내는 숫자 넷은 `.rotation`에 있습니다",
+    ko="행렬을 넘겼습니다. 변환의 회전을 나타내는 숫자 네 개는 `.rotation`에 있습니다",
 )
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 OF_A_TRANSFORM = {

@@ -38,7 +38,7 @@ BOTH_FIELDS = Words(
 )
 AS_IT_IS = Words(
     en="The stamp itself says when it was measured, and nothing is added to it or taken off.",
-    ko="언제 측정했는지는 측정 시각이 그대로 말합니다. 아무것도 더하거나 빼지 않습니다.",
+    ko="언제 측정했는지는 측정 시각에 그대로 적혀 있습니다. 아무것도 더하거나 빼지 않습니다.",
 )
 OF_A_STAMP: tuple[tuple[Callable[[int, int], float], Words], ...] = (
     (

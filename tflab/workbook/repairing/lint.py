@@ -94,7 +94,7 @@ AFTER_THE_END = Words(
 )
 ONLY_PRINTED = Words(
     "`print` shows the word and the function goes on; `return` gives it to whoever called.",
-    "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 부른 곳에 주는 것은 `return`입니다.",
+    "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 호출한 곳에 주는 것은 `return`입니다.",
 )
 
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)

@@ -97,7 +97,7 @@ REPLIES = {
     ),
     Mistake.NO_REFUSAL: Words(
         en="for this call an exception has to be raised, and your function raised none.",
-        ko="이렇게 부르면 예외를 일으켜야 하는데, 예외가 나오지 않았습니다.",
+        ko="이렇게 호출하면 예외를 일으켜야 하는데, 예외가 나오지 않았습니다.",
     ),
     Mistake.TYPE: Words(
         en="your answer is of the wrong kind ({got}). Asked for: {wanted}{tip}.",
@@ -161,7 +161,7 @@ WITHOUT_THE_ANSWER = {
     Mistake.INTERRUPTED: Words(en="it was stopped before it ended.", ko="끝나기 전에 중단되었습니다."),
     Mistake.UNSTEADY: Words(
         en="the function gives another result when it is called a second time with the same input.",
-        ko="같은 입력으로 두 번째 부르면 함수의 결과가 달라집니다.",
+        ko="같은 입력으로 다시 호출하면 함수의 결과가 달라집니다.",
     ),
     Mistake.SLIP: Words(
         en="one of the mistakes of this task: {said}", ko="이 과제에서 흔히 하는 실수입니다. {said_ko}"
