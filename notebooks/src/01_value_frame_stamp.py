@@ -433,7 +433,7 @@ def at_time(t):
     lesson.draw_frame(scene, 'base_link', pose, parent='map', length_m=0.5)
     lesson.draw_mug(scene, 'cup', pose.apply(base_p_cup), 'cup', height_m=0.14)
     said = lesson.fmt_all(pose.inverse().apply(map_p_ball), digits=1)
-    lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said)
+    lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said, lesson.ACCENT)
 
 # %% name="in-3d-drive" tags=["interactive"]
 scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')

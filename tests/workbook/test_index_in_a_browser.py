@@ -65,10 +65,11 @@ def test_what_the_first_cell_brings_is_told_from_a_slip_of_ones_own(lab, page) -
     nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), copy / "notebooks" / "en" / "mine.ipynb")
     lab.open(page, f"{copy.name}/notebooks/en/mine.ipynb")
     lab.run_all(page)
-    page.wait_for_function("document.querySelectorAll('.tflab-advice').length === 4")
+    page.wait_for_function("document.querySelectorAll('.tflab-advice').length === 5")
     cells_with = "[...document.querySelectorAll('.jp-CodeCell')].map((cell) => !!cell.querySelector('.tflab-advice'))"
+    assert page.locator(".tflab-advice").nth(3).inner_text() == "There is no %rviz. Did you mean %rviz2?"
     assert page.locator(".tflab-advice").last.inner_text().startswith("A task's number stands in quotes")
-    assert page.evaluate(cells_with) == [True, True, True, False, False, False, True, False]
+    assert page.evaluate(cells_with) == [True, True, True, True, False, False, True, False]
 
 
 def test_the_packages_of_the_first_cell_are_those_that_it_activates() -> None:

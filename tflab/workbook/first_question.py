@@ -22,7 +22,7 @@ __all__ = ["ask_first"]
 NAME = Words(en="First question", ko="첫 질문")
 GO_ON = Words(
     en="Change the answer, and run the cell again. Another mistake gets another reply: try one.",
-    ko="답을 고쳐 셀을 다시 실행해 보세요. 실수가 다르면 답장도 다릅니다. 일부러 틀려 봐도 됩니다.",
+    ko="답을 고쳐 셀을 다시 실행해 보세요. 실수가 다르면 돌아오는 말도 다릅니다. 일부러 틀려 봐도 됩니다.",
 )
 UNANSWERED = Words(
     en="Write three numbers (x, y, z) in place of the dots, and run the cell again.",

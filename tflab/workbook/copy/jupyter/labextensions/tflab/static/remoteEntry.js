@@ -32,6 +32,11 @@
     ko: '과제 번호는 따옴표 안에 씁니다: hint("E1.2"), check("E1.2", …).',
   };
 
+  const NEAR = {
+    en: (said, meant) => `There is no %${said}. Did you mean %${meant}?`,
+    ko: (said, meant) => `%${said}라는 명령은 없습니다. 혹시 %${meant}입니까?`,
+  };
+
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet" });
   style.href = new URL("tflab.css", document.currentScript.src);
   document.head.append(style);
@@ -91,6 +96,12 @@
     return ename === "SyntaxError" && /\b(task|check|hint|solution)\(\s*[Ee]\d+\.\d/.test(plain);
   }
 
+  // What was meant by a magic that is not there: ROS 2's tools, or its window.
+  function meant(model, language) {
+    const [, said, start] = /magic function `%((ro|rv)\w*)` not found/.exec(model.data?.["application/vnd.jupyter.stderr"] ?? "") ?? [];
+    return said && !/^(ros2|rviz2)$/.test(said) ? NEAR[language](said, start === "ro" ? "ros2" : "rviz2") : "";
+  }
+
   // What to do about an error, if we know; below it, not beside it.
   function advise(output, advice) {
     const said = output.querySelector(".tflab-advice");
@@ -108,7 +119,7 @@
     keepKeys(output);
     if (!language) return;
     shrink(output);
-    advise(output, isTooEarly(model, isLast) ? FIRST[language] : isUnquoted(model) ? QUOTES[language] : "");
+    advise(output, isTooEarly(model, isLast) ? FIRST[language] : isUnquoted(model) ? QUOTES[language] : meant(model, language));
     for (const view of output.querySelectorAll(".jp-OutputArea-output")) {
       if (!model.data?.["application/vnd.jupyter.widget-view+json"] || !view.textContent.includes("model not found")) continue;
       const said = document.createElement("pre");
