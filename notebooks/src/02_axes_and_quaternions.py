@@ -117,7 +117,7 @@ lesson.draw_scene(
 # %% [markdown] lang="en" name="story-after"
 # The grey circle is where the arm would go: up, above the camera, into the air.
 # No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
-# (The frame that the numbers were really written in is not drawn. It sits where the camera does, turned; you meet it further down.)
+# (The frame that the numbers were really expressed in is not drawn. It sits where the camera does, turned; you meet it further down.)
 # By the end of this page you will find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
@@ -755,7 +755,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # ## Why two frames, and which one goes into the header?
 #
 # - `camera_link` is where the camera is **bolted on**. Mechanics, URDF, rulers: x forward, like everything else on the robot.
-# - `camera_optical_frame` is what its **data** is written in: images, detections, depth clouds.
+# - `camera_optical_frame` is what its **data** is expressed in: images, detections, depth clouds.
 #
 # Both sit at the same place; only the turn is between them.
 # The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
@@ -1347,7 +1347,7 @@ lesson.draw_card()
 #
 # <details><summary>1. What does a coordinate need, besides its value?</summary>
 #
-# A frame, and a time: which axes it is written in, and when it was measured.
+# A frame, and a time: which axes it is expressed in, and when it was measured.
 #
 # </details>
 # <details><summary>2. The robot drives on while a post stands still. Whose coordinates of the post change: those in map, or those in laser_frame?</summary>

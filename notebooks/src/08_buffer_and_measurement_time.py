@@ -609,7 +609,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% name="faded-example"
 message = finder.messages[20]
-source_frame = ...  # which frame are the numbers written in?
+source_frame = ...  # which frame are the numbers expressed in?
 moment = ...  # which moment are they from? Time.from_msg(...) makes a Time of a stamp
 if ... in (source_frame, moment):
     print("2 blanks")

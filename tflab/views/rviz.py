@@ -90,7 +90,7 @@ class RViz(ipywidgets.VBox):
         height_px: int = 420,
         axis_m: float = 0.4,
     ) -> None:
-        self.scene = Scene(height_px=height_px)
+        self.scene = Scene(height_px=height_px, looks_at_origin=True)
         self._axis_m = axis_m
         self._drawn: set[str] = set()
         self._picker = ipywidgets.Dropdown(description="Fixed Frame", style={"description_width": "initial"})
@@ -155,7 +155,10 @@ class RViz(ipywidgets.VBox):
         if os.environ.get("TFLAB_FILMS"):
             self._sweep_fixed_frames()
             self.children = (self.scene, self._list)  # the scrubber takes the picker's place
-        return super()._repr_mimebundle_(**kwargs)
+        bundle = super()._repr_mimebundle_(**kwargs)
+        if bundle is not None:
+            (bundle[0] if isinstance(bundle, tuple) else bundle)["text/plain"] = self.text
+        return bundle
 
     def _sweep_fixed_frames(self) -> None:
         frames = self._picker.options

@@ -56,7 +56,7 @@ class _Nothing:
 NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
-UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS)  # which is no try yet
+UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
 _hints_seen: dict[str, int] = {}  # where no progress is kept
 

@@ -67,6 +67,7 @@ class Scene(anywidget.AnyWidget):
         height_px: how tall it stands on the page; it is as wide as the page.
         grid_m: the side of the ground grid's cells [m]; 0 for no grid.
         grid_cells: how many of them the ground is long and wide, as in RViz.
+        looks_at_origin: whether the origin stays in the middle of the picture, as in RViz; else it is what is there.
 
     Attributes:
         picked: the name of the frame that was clicked on, "" for none.
@@ -82,9 +83,12 @@ class Scene(anywidget.AnyWidget):
     height_px = traitlets.Int(420).tag(sync=True)
     picked = traitlets.Unicode("").tag(sync=True)
     position = traitlets.Float(0.0).tag(sync=True)
+    looks_at_origin = traitlets.Bool(False).tag(sync=True)
     controls = traitlets.List().tag(sync=True, **widget_serialization)
 
-    def __init__(self, height_px: int = 420, grid_m: float = 1.0, grid_cells: int = 10) -> None:
+    def __init__(
+        self, height_px: int = 420, grid_m: float = 1.0, grid_cells: int = 10, looks_at_origin: bool = False
+    ) -> None:
         self._lock = RLock()
         self._state = SceneState()
         self._pending: list[bytes] = []  # drawn, but not yet sent
@@ -92,7 +96,7 @@ class Scene(anywidget.AnyWidget):
         self._flushed = 0  # how many commands the `scene` trait knows of
         self._recording: list[dict] | None = None
         self._draw_choice: Callable[[int], object] | None = None
-        super().__init__(asset=_asset(), height_px=height_px)
+        super().__init__(asset=_asset(), height_px=height_px, looks_at_origin=looks_at_origin)
         self.visualizer = _visualizer(_Window(self._hear))
         if grid_m > 0.0:
             self["/Grid"].set_object(grid(grid_m, grid_cells))

@@ -29,8 +29,9 @@ function cornersOf(THREE, root) {
   return corners;
 }
 
-// Where to stand, looking from the direction `eye`, so that all is in the picture, and what is then in its middle.
-function bestPlace(THREE, corners, center, eye, camera) {
+// Where to stand, looking from the direction `eye`, so that all is in the picture, and what is then in its middle:
+// `center`, if `isPinned`.
+function bestPlace(THREE, corners, center, eye, camera, isPinned) {
   const right = new THREE.Vector3(0, 1, 0).cross(eye).normalize();
   const up = eye.clone().cross(right);
   const along = (axis) => corners.map((corner) => corner.clone().sub(center).dot(axis));
@@ -39,7 +40,7 @@ function bestPlace(THREE, corners, center, eye, camera) {
   const sides = [[right, along(right), wide], [up, along(up), tall]].map(([axis, offs, half]) => ({ axis, offs, half, mid: 0 }));
   const needed = () => Math.max(0.5, ...sides.flatMap(
     ({ offs, half, mid }) => offs.map((off, i) => nears[i] + Math.abs(off - mid) / half)));
-  for (let i = 0; i < 5; i++) { // what is near reaches further out, so the middle depends on the distance
+  for (let i = 0; i < 5 && !isPinned; i++) { // what is near reaches further out, so the middle depends on the distance
     const distance = needed();
     for (const side of sides) {
       side.mid += distance * midway(side.offs.map((off, j) => (off - side.mid) / (distance - nears[j])));

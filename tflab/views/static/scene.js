@@ -155,7 +155,8 @@ class View {
     this.fitted = sphere;
     const { camera, controls } = this.viewer;
     const eye = new this.THREE.Vector3(EYE[0], EYE[2], -EYE[1]).normalize();
-    const { middle, place } = bestPlace(this.THREE, corners, sphere.center, eye, camera);
+    const origin = this.looksAtOrigin ? new this.THREE.Vector3() : null;
+    const { middle, place } = bestPlace(this.THREE, corners, origin ?? sphere.center, eye, camera, this.looksAtOrigin);
     const distance = place.distanceTo(middle);
     camera.near = distance / 100;
     camera.far = distance * 100;
@@ -268,6 +269,7 @@ function emptyBox(model) {
   pane.style.height = `${model.get("height_px")}px`;
   pane.tabIndex = 0;
   pane.setAttribute("role", "img");
+  pane.setAttribute("aria-keyshortcuts", "ArrowLeft ArrowRight ArrowUp ArrowDown + - Home");
   pane.title = "drag, arrow keys: turn; right drag, Shift and arrow keys: move; click, then wheel, + and -: zoom; double click, Home: see everything";
   box.append(pane);
   return { box, pane };
@@ -337,6 +339,7 @@ function renderScene(model, el, live) {
     if (gone) return;
     const player = makePlayer(model, box);
     const view = new View(MeshCat, box, pane, player.take);
+    view.looksAtOrigin = model.get("looks_at_origin");
     (globalThis.tflabViews ??= new Set()).add(view); // so that a test, or a curious reader, can look inside
     const ahead = followMenu(view, model, live, el);
     undo.push(connect(view, player, model, live, on, ahead), ahead.stop, player.stop, () => {
