@@ -14,7 +14,7 @@ NEVER = {
     "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",
     "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
     "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
-    "who is ahead is earlier, to a Korean ear: a stamp from the future is later, and a clock fast": r"앞선|앞섰|앞섬|앞서",
+    "who is ahead is earlier, to a Korean ear: a stamp from the future is later": r"앞선|앞섰|앞섬|앞서",
     "in, as inside of": r"안 어디|(\b[ab]|_link`?|map`?|odom`?) 안에서",
     "a lane of traffic": r"차선",
     "an edge of a graph on paper": r"간선",
@@ -29,7 +29,16 @@ NEVER = {
     "one form for minutes": r"\d분쯤 걸",
     "the particle after map": r"map`로 ",
 }
-OF_ANSWERS = ["습관", "오류 문구", "대기 한도", "물어본 시각", "물은 것", "부른 (쪽|곳)", "네 숫자", "숫자 (셋|넷)[은이을]"]
+OF_ANSWERS = [
+    "습관",
+    "오류 문구",
+    "대기 한도",
+    "물어본 시각",
+    "물은 것",
+    "부른 (쪽|곳)",
+    "네 숫자",
+    "숫자 (셋|넷)[은이을]",
+]
 SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
 PAGES = ["00_start", "01_value_frame_stamp", "02_axes_and_quaternions", "03_target_and_source",
          "04_frame_tree", "05_map_odom_base_link", "06_static_and_dynamic", "07_urdf_and_sensors",

@@ -23,7 +23,8 @@ CARD = {  # child -> parent, of the robot that every chapter meets
 }  # fmt: skip
 BY_ITS_CHILD = Words(
     en="you named the frame above: {named}. An edge goes by its child, the frame below, and that is asked for.",
-    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부릅니다. 여기에 적을 것도 그 이름입니다.",
+    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부릅니다. "
+    "여기에 적을 것도 그 이름입니다.",
 )
 FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
 
