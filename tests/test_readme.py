@@ -11,6 +11,7 @@ import shlex
 import shutil
 import subprocess
 import sys
+from importlib.metadata import entry_points
 from pathlib import Path
 from types import ModuleType
 
@@ -120,6 +121,12 @@ def test_the_files_that_the_readme_names_are_there() -> None:
     assert {"CONTRIBUTING.md", "CHANGELOG.md", "docs/grading.md", "README.ko.md", ".binder/"} <= named
     missing = [name for name in named if name.endswith((".md", "/")) and not (ROOT / name).exists()]
     assert set(missing) <= {".venv/"}
+
+
+@pytest.mark.parametrize("path", [*READMES.values(), "docs/grading.md", "docs/grading.ko.md"])
+def test_what_keeps_nbval_out_of_every_pytest_is_called_as_it_is_there(path: str) -> None:
+    (plugin,) = re.findall(r"`pytest -p no:(\w+)`", (ROOT / path).read_text(encoding="utf-8"))
+    assert "nbval" in {one.name for one in entry_points(group="pytest11")} & {plugin}
 
 
 def test_containers_install_an_extra_that_there_is() -> None:

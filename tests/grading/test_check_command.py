@@ -8,10 +8,12 @@ import subprocess
 import sys
 from functools import partial
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import tiny
 
+from tflab.grading import check_command
 from tflab.grading.check_command import main
 from tflab.grading.judging.plain_kernel import run_plainly
 from tflab.grading.judging.run import RunCell
@@ -102,6 +104,14 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsy
     said = capsys.readouterr().out
     assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
     assert "the answer cell stops with ZeroDivisionError." in said
+
+
+@pytest.mark.parametrize(("platform", "name"), [("win32", "Windows"), ("darwin", "macOS"), ("freebsd14", "freebsd14")])
+def test_a_system_that_is_not_linux_is_called_as_its_user_calls_it(platform: str, name: str, monkeypatch) -> None:
+    monkeypatch.setattr(check_command, "sys", SimpleNamespace(platform=platform))
+    runs, _, note = check_command._runner(plainly=False, language="en")
+    assert runs is run_plainly
+    assert note == f"Checked in an ordinary kernel (this is {name}, grading is on Linux)."
 
 
 def test_what_is_slow_has_its_second_chance_here_too(copy: Path, capsys: pytest.CaptureFixture, monkeypatch) -> None:

@@ -34,6 +34,15 @@ def test_without_init_there_is_no_node(graph):
     assert str(refused.value) == "rclpy.init() has not been called. msg:cannot create node"
 
 
+def test_a_node_whose_making_fails_is_taken_away_without_a_second_error(graph, tmp_path):
+    mixed = tmp_path / "parameters.yaml"
+    mixed.write_text("early:\n  ros__parameters:\n    x: [1, a]\n", encoding="utf-8")
+    rclpy.init(args=["--ros-args", "--params-file", str(mixed)])
+    with pytest.raises(TypeError, match="is not a list of one of the allowed types"):
+        Node("early")
+    rclpy.shutdown()
+
+
 def test_names_are_completed_as_the_node_means_them(node):
     assert (node.get_name(), node.get_namespace()) == ("camera", "/robot")
     assert node.get_fully_qualified_name() == "/robot/camera"

@@ -1,16 +1,20 @@
 """The same nodes in real time: scripts, files run together, Ctrl-C."""
 
+import itertools
 import os
+import runpy
 import signal
 import subprocess
 import sys
 import textwrap
+import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from tflab import ros
-from tflab.ros import run_files
+from tflab.ros import run_files, wall
 from tflab.ros.process import use_graph
 
 LECTURE = Path(__file__).parent / "lecture"
@@ -42,12 +46,21 @@ def run_python(code, until=None):
     return out, err + rest
 
 
+def test_where_the_systems_clock_is_set_on_every_15_ms_stamps_do_not_repeat(monkeypatch):
+    tick_ns, passed_ns = 15_625_000, itertools.count(0, 5_000_000)  # 5 ms from one look at a clock to the next
+    monkeypatch.setattr(time, "get_clock_info", lambda name: SimpleNamespace(resolution=tick_ns / 1e9))
+    monkeypatch.setattr(time, "time_ns", lambda: 1_700_000_000 * 10**9 + next(passed_ns) // tick_ns * tick_ns)
+    monkeypatch.setattr(time, "perf_counter_ns", lambda: next(passed_ns))
+    clocks = runpy.run_path(wall.__file__)["WallTime"]()
+    stamps = [clocks.now_ns() for _ in range(6)]
+    assert [after - before for before, after in itertools.pairwise(stamps)] == [5_000_000] * 5
+    assert 1_700_000_000 * 10**9 <= stamps[0] < 1_700_000_000 * 10**9 + 2 * tick_ns
+
+
 @pytest.mark.parametrize("name", ["16_lookup_latest", "17_lookup_at_stamp", "19_wait_async", "20_exceptions"])
 def test_the_four_snippets_pass_in_real_time(capsys, name):
     ros.activate("in-process")
     ros.new_graph(virtual=False)
-    import runpy
-
     runpy.run_path(str(LECTURE / f"snippet_{name}.py"))["main"]()
     assert capsys.readouterr().out.splitlines()[-1].startswith(f"OK §{name[:2]}")
 

@@ -7,6 +7,7 @@ import math
 from threading import Event
 
 import pytest
+from IPython.core.interactiveshell import InteractiveShell
 
 from tflab.core import BufferCore, LookupException, Transform
 from tflab.ros.messages import geometry_msgs
@@ -163,6 +164,21 @@ def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys, task_id)
     assert "E3.1, E3.2, E3.3, E3.4" in said(capsys, task_id, 1)
     with pytest.raises(WorkbookError):
         task(task_id)
+
+
+@pytest.mark.parametrize("chapter_id", ["E3", "3", "03", 3])
+def test_asked_of_a_chapter_alone_it_says_which_tasks_there_are(copy, capsys, chapter_id):
+    for ask in (check, hint, solution):
+        ask(chapter_id)
+        assert "there is E3.1, E3.2, E3.3, E3.4." in capsys.readouterr().out
+
+
+def test_in_a_page_an_unknown_task_is_one_line_without_where_it_was_found(copy, capsys):
+    assert isinstance(
+        InteractiveShell().run_cell("from tflab.workbook import task\ntask('E9.9')").error_in_exec, WorkbookError
+    )
+    (line,) = capsys.readouterr().out.splitlines()
+    assert line == "there is no such task here; there is E3.1, E3.2, E3.3, E3.4."
 
 
 @pytest.mark.parametrize("task_id", ["e3.1", "3.1", " E3.1 ", "e3-1"])

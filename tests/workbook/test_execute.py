@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import asyncio
 import re
 from pathlib import Path
 
+import pytest
+import zmq.asyncio
 from making_pages import TITLE, code, page
 
 from tflab.workbook.pages.execute import Outputs, run_page
@@ -92,3 +95,22 @@ def large() -> str:
 def test_a_kernel_that_dies_is_a_fault_of_the_cell_that_ended_it(tmp_path: Path) -> None:
     _, faults = run(tmp_path, code("ends", "import os\nos._exit(1)"), code("after", "1"))
     assert [(fault.cell, fault.wrong) for fault in faults] == [("ends", "raised DeadKernelError: the kernel died")]
+
+
+def test_the_event_loop_of_windows_is_nothing_to_whoever_waits_for_a_page(monkeypatch, recwarn) -> None:
+    """As there: pyzmq helps itself with a thread."""
+    monkeypatch.setattr(asyncio, "ProactorEventLoop", asyncio.SelectorEventLoop, raising=False)
+    monkeypatch.setattr(zmq.asyncio, "_get_selector", zmq.asyncio._get_selector_windows)
+
+    async def talk() -> bytes:
+        with zmq.asyncio.Context() as context, context.socket(zmq.PAIR) as one, context.socket(zmq.PAIR) as other:
+            one.bind("inproc://here")
+            other.connect("inproc://here")
+            said = other.recv()  # waits, and for that the loop has to watch a socket
+            await one.send(b"heard")
+            return await said
+
+    assert wait_for(talk()) == b"heard"
+    assert recwarn.list == []
+    with pytest.warns(RuntimeWarning, match="Proactor event loop"):  # without us it is said
+        asyncio.run(talk())

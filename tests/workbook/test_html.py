@@ -8,6 +8,7 @@ from pathlib import Path
 import nbformat
 
 from tflab.workbook.pages.build import build
+from tflab.workbook.pages.html import run_with_films
 
 
 def notebook(path: Path, *sources: str) -> Path:
@@ -32,6 +33,13 @@ def test_a_page_is_run_and_written_and_its_source_stays_as_it_was(tmp_path: Path
     assert not re.search(r"<(script|link)[^>]+(src|href)=\"https?:", page)
     assert source.read_bytes() == before
     assert not (tmp_path / "made_here").exists()
+
+
+def test_what_a_cell_prints_is_one_text_however_it_came(tmp_path: Path) -> None:
+    notebook(tmp_path / "says.ipynb", "for n in range(6):\n    print('line', n, flush=True)")
+    ran = run_with_films(tmp_path / "says.ipynb", tmp_path)
+    (output,) = nbformat.read(ran, as_version=4).cells[0].outputs
+    assert output.text == "".join(f"line {n}\n" for n in range(6))
 
 
 def test_a_failing_cell_is_named_and_does_not_stop_the_other_pages(tmp_path: Path, capsys) -> None:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import ctypes
 import json
 import os
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
@@ -76,6 +78,15 @@ def test_inside_a_copy_it_opens_that_copy(started: list) -> None:
 )
 def test_a_new_copy_has_the_language_of_the_locale(environment: dict, language: str) -> None:
     assert lab.language_of(environment) == language
+
+
+@pytest.mark.parametrize(("of_windows", "language"), [(0x412, "ko"), (0x409, "en"), (0x812, "ko")])
+def test_windows_says_its_language_in_no_variable(of_windows: int, language: str, monkeypatch) -> None:
+    windows = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: of_windows))
+    monkeypatch.setattr(ctypes, "windll", windows, raising=False)
+    monkeypatch.setattr(lab, "os", SimpleNamespace(name="nt"))
+    assert lab.language_of({}) == language
+    assert lab.language_of({"LANG": "en_US.UTF-8"}) == "en"
 
 
 def test_a_second_language_is_added_and_switched_to_and_stays(started: list, capsys) -> None:
@@ -216,12 +227,13 @@ def test_its_terminals_find_tflab(monkeypatch) -> None:
 
 def test_jupyterlab_understands_the_options_that_keep_it_quiet() -> None:
     probe = (
-        "import json, sys; from jupyterlab.labapp import LabApp;"
+        "import json, sys; from jupyterlab.labapp import LabApp; from jupyter_lsp import LanguageServerManager;"
         "app = LabApp(); app.parse_command_line(sys.argv[1:]); app.update_config(app.cli_config);"
-        "print(json.dumps([app.news_url, app.check_for_updates_class.__name__, app.extension_manager]))"
+        "servers = LanguageServerManager(parent=app).autodetect;"  # whether npm is asked for them
+        "print(json.dumps([app.news_url, app.check_for_updates_class.__name__, app.extension_manager, servers]))"
     )
     answer = subprocess.run([sys.executable, "-c", probe, *lab.OUR_OPTIONS], capture_output=True, text=True, check=True)
-    assert json.loads(answer.stdout) == [None, "NeverCheckForUpdate", "readonly"]
+    assert json.loads(answer.stdout) == [None, "NeverCheckForUpdate", "readonly", False]
 
 
 @pytest.mark.parametrize("owner", ["ServerApp", "FileContentsManager"])

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 import os
 import subprocess
 import sys
 import zipfile
+from email import message_from_string
 from pathlib import Path
 
 import pytest
@@ -66,6 +68,17 @@ def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(insta
         assert len(list((inside / "solutions" / "tasks" / stem).glob("e*_*.py"))) >= (1 if stem == "00_start" else 5)
     assert not (inside / "notebooks" / "src").exists()
     assert not list(installed.rglob("__pycache__"))
+
+
+def test_the_wheel_has_the_kernel_that_pages_run_in_and_all_that_jupyterlab_is_told(installed: Path) -> None:
+    ours = installed / "tflab" / "workbook" / "copy" / "jupyter"
+    assert contents(ours) == contents(SETTINGS)
+    assert json.loads(contents(ours)["kernels/python3/kernel.json"])["argv"][0] == "python"  # of whoever starts it
+
+
+def test_a_package_index_is_told_who_wrote_it(installed: Path) -> None:
+    (metadata,) = installed.glob("tflab-*.dist-info/METADATA")
+    assert message_from_string(metadata.read_text(encoding="utf-8"))["Author"] == "the authors of tflab"
 
 
 def test_a_jupyterlab_that_runs_already_finds_our_extension_where_it_looks_for_them(installed: Path) -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import asyncio
 import subprocess
+import warnings
 from collections.abc import AsyncIterator, Coroutine, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import asynccontextmanager
@@ -54,6 +55,12 @@ def wait_for(work: Coroutine) -> Any:
     try:
         asyncio.get_running_loop()
     except RuntimeError:
-        return asyncio.run(work)
+        return _run(work)
     with ThreadPoolExecutor(1) as thread:  # the loop is Jupyter's, or that of a browser that is steered
-        return thread.submit(asyncio.run, work).result()
+        return thread.submit(_run, work).result()
+
+
+def _run(work: Coroutine) -> Any:
+    with warnings.catch_warnings():  # on Windows pyzmq says that it helps itself with a thread: nobody has to act
+        warnings.filterwarnings("ignore", "Proactor event loop", RuntimeWarning)
+        return asyncio.run(work)
