@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
+from joblib import Parallel, delayed
 from making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, written
 
 from tflab.workbook.pages.build import build, build_pages, sources
@@ -57,6 +58,11 @@ def test_two_builds_are_the_same_bytes_and_nothing_is_stale(workbook: Path, caps
     assert {name: text.encode() for name, text in again.files.items()} == before
     assert build(["--root", str(workbook), "--check"]) == 0
     assert "nothing is stale" in capsys.readouterr().out
+
+
+def test_what_works_side_by_side_after_a_build_gets_processes_of_its_own(workbook: Path) -> None:
+    assert build(["--root", str(workbook), "--check"]) == 0
+    assert Parallel(n_jobs=2)(delayed(abs)(number) for number in (-1, -2)) == [1, 2]
 
 
 def test_a_notebook_is_in_the_shape_that_jupyter_knows(workbook: Path) -> None:

@@ -144,10 +144,10 @@ def write_files(root: Path, files: dict[str, str]) -> list[str]:
 
 
 async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
-    from joblib.externals.loky import get_reusable_executor
+    from joblib.externals.loky import ProcessPoolExecutor
 
     turn = asyncio.Semaphore(max(1, jobs))
-    processes = get_reusable_executor(max(1, jobs))
+    processes = ProcessPoolExecutor(max(1, jobs))  # joblib would take a reusable one for its own, later
 
     async def build_one(path: Path) -> Made:
         async with turn:
@@ -162,6 +162,7 @@ async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> B
     except BaseException:  # such as Ctrl-C
         processes.shutdown(wait=True, kill_workers=True)
         raise
+    processes.shutdown(wait=True)
     built = Built()
     for path in chosen:
         made = pages[path]
