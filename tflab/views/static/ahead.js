@@ -1,8 +1,8 @@
 // How does a scene follow a menu at once?  The kernel has said what each choice looks like before one is made.
 //
 //   a hand comes near the menu   --hand-->   the kernel draws every choice, and sends in what they differ
-//   a choice is made                         shown in the next frame; the kernel hears of it, too, and what
-//                                            it then draws is what counts
+//   a choice is made                         drawn at once; the kernel hears of it, too, and what it
+//                                            then draws is what counts
 //
 // Read pointer.js next.
 
@@ -10,7 +10,10 @@
 function followMenu(view, model, live, el) {
   const undo = [];
   let menus = [];
-  const show = () => { for (const menu of menus) view.take(live.ahead[placeOf(menu)] ?? []); };
+  const show = () => {
+    for (const menu of menus) view.take(live.ahead[placeOf(menu)] ?? []);
+    view.drawNow();
+  };
   controlsOf(model).then((found) => {
     menus = found;
     for (const menu of menus) {

@@ -99,6 +99,14 @@ class View {
     this.waiting = requestAnimationFrame(() => { this.waiting = 0; this.draw(); });
   }
 
+  // What waits for the next frame is drawn in this one.
+  drawNow() {
+    if (!this.waiting) return;
+    cancelAnimationFrame(this.waiting);
+    this.waiting = 0;
+    this.draw();
+  }
+
   draw() {
     if (!this.pane.clientWidth || !this.pane.clientHeight) return;
     if (this.grown) { this.grown = false; this.fit(); }
