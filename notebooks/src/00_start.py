@@ -48,11 +48,11 @@ from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
 # These two lines begin every page. The first puts ROS 2's own modules in place, inside the page ("in-process"), as those of the release that it names. The second brings this workbook's own: whatever a page calls `lesson.…` is ours, and everything else is Python or ROS 2, as on a robot.
-# Time is virtual here: it stands still until a command lets it pass, so the same cell prints the same thing every time.
+# Time is virtual here: it stands still until a command lets it pass, so a page that runs from its start prints the same thing every time.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
 # 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 ROS 2의 모듈을 페이지 안(in-process)에 준비하며, 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 것이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
-# 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 같은 셀은 언제나 같은 결과를 출력합니다.
+# 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room

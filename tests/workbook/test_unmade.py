@@ -40,6 +40,9 @@ def test_a_check_before_its_answer_says_which_cell_to_run(shell, capsys) -> None
 
 
 def test_what_the_first_cells_make_and_what_any_other_makes_are_told_apart(shell, capsys) -> None:
+    line = said(shell, "lesson.draw_room()", capsys)[1]
+    assert "`from tflab.workbook import lesson` does" in line  # check is there: the first cell has run
+    del shell.user_ns["check"]
     assert "the page's first cells" in said(shell, "lesson.draw_room()", capsys)[1]
     assert "look how it is spelt" in said(shell, "print(map_T_laser)", capsys)[1]
 

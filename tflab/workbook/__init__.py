@@ -18,6 +18,7 @@ In an exercise one calls four functions:
     checks        check, hint, solution, task
     reply         how a reply looks
     again         what a cell finds that runs again
+    elsewhere     what is said of a cell that runs again when its world has gone
     unmade        what is said of a cell that fails, and of a name that no cell has made yet
     first_question    a question to be wrong at, before there is an exercise
     progress      what was tried, and what was passed

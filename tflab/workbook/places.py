@@ -33,6 +33,7 @@ __all__ = [
     "chapters",
     "copy_at_hand",
     "exercise_file",
+    "language_here",
     "read_workbook",
     "stems_called",
     "workbook_data",
@@ -121,6 +122,14 @@ def read_workbook(root: str | Path | None = None) -> Workbook:
             f"{_remedy(path)}"
         )
     return read
+
+
+def language_here() -> str:
+    """Return the language of the workbook at hand; English if there is none that can be read."""
+    try:
+        return read_workbook().language
+    except WorkbookError:  # said wherever a task is asked for
+        return "en"
 
 
 def write_workbook(root: Path, workbook: Workbook) -> None:

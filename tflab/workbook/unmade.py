@@ -22,7 +22,7 @@ from types import SimpleNamespace, TracebackType
 from typing import Any
 
 from .mistakes.stumbles import tip_for
-from .places import WorkbookError, read_workbook
+from .places import language_here
 from .reply import show_reply
 from .words import Words
 
@@ -30,10 +30,16 @@ __all__ = ["register"]
 
 MAKES = re.compile(r"^(?:def\s+(\w+)|(\w+)\s*=(?!=))", re.MULTILINE)
 CHECKS = re.compile(r"^\s*check\(", re.MULTILINE)
-OURS = ("check", "graph", "hint", "lesson", "solution", "task")
+OF_THE_WORKBOOK = ("check", "hint", "lesson", "solution", "task")  # a page's first cell brings one or more
+OURS = ("graph", *OF_THE_WORKBOOK)
 NOT_BEGUN = Words(
     "Not there yet. Run the page's first cells, then this one again.",
     "아직 없습니다. 페이지의 첫 셀들을 먼저 실행한 다음 이 셀을 다시 실행하십시오.",
+)
+NOT_OF_THIS_PAGE = Words(
+    "This page does not bring it along: `from tflab.workbook import {name}` does. Run that, then this cell again.",
+    "이 페이지의 첫 셀은 이 이름을 가져오지 않습니다. `from tflab.workbook import {name}`를 실행한 다음 "
+    "이 셀을 다시 실행하십시오.",
 )
 NO_ANSWER = Words(
     "Not there yet. Run the cell above with your answer, then this one again.",
@@ -104,10 +110,10 @@ def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: i
     shell.showtraceback((kind, error, traceback), tb_offset=tb_offset)
     if kind is NameError and error.name:
         show_reply(error.name, _said(error.name, shell.user_ns))
-    elif kind is TypeError and (tip := tip_for("TypeError", str(error)).say(_language())):
+    elif kind is TypeError and (tip := tip_for("TypeError", str(error)).say(language_here())):
         show_reply("TypeError", tip)
     elif kind is RuntimeError and str(error) in OF_ORDER:
-        show_reply("rclpy", OF_ORDER[str(error)].say(_language()))
+        show_reply("rclpy", OF_ORDER[str(error)].say(language_here()))
 
 
 def of_the_reader(traceback: TracebackType | None) -> TracebackType | None:
@@ -141,18 +147,13 @@ def _is_readers(error: BaseException) -> bool:
 
 def _said(name: str, space: Mapping[str, Any]) -> str:
     """Return what a reader can do about a name that is not there."""
+    if name in OF_THE_WORKBOOK and any(each in space for each in OF_THE_WORKBOOK):
+        return NOT_OF_THIS_PAGE.say(language_here(), name=name)
     if name in OURS:
-        return NOT_BEGUN.say(_language())
+        return NOT_BEGUN.say(language_here())
     if name in _stopped:
-        return STOPPED.say(_language())
+        return STOPPED.say(language_here())
     for holder, held in space.items():
         if type(held) is SimpleNamespace and name in vars(held) and not holder.startswith("_"):
-            return GIVEN.say(_language(), holder=holder, name=name)
-    return (NO_ANSWER if CHECKS.search(space["In"][-1]) else NOT_YET).say(_language())
-
-
-def _language() -> str:
-    try:
-        return read_workbook().language
-    except WorkbookError:  # said wherever a task is asked for
-        return "en"
+            return GIVEN.say(language_here(), holder=holder, name=name)
+    return (NO_ANSWER if CHECKS.search(space["In"][-1]) else NOT_YET).say(language_here())

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from ..places import MARK, WorkbookError, read_workbook, workbook_root
+from ..places import MARK, language_here, workbook_root
 from ..words import Words
 
 __all__ = ["check_environment", "missing"]
@@ -57,10 +57,7 @@ LOCKED = Words(
 
 def check_environment() -> None:
     """Print what is there and what is missing."""
-    try:
-        language = read_workbook().language
-    except WorkbookError:  # said wherever a task is asked for
-        language = "en"
+    language = language_here()
     faults = dict(missing())
     for what in (OUR_PYTHON, *(need.what for need in NEEDED), A_PLACE):
         name = what.say(language)
