@@ -4,8 +4,7 @@ A wheel holds them if it is built with TFLAB_COMPILED=1 in the environment; ever
 other build is pure Python.  See tflab/core/builds.py.
 
 What is built with TFLAB_ADDRESS=https://… names that address: in its project URLs,
-and in the README that a package index shows, for the picture and for files that it
-names.  Without it, nothing points anywhere; the repository itself knows no address.
+and in the README that a package index shows, for its picture and its links.  Without it, nothing points anywhere; the repository itself knows no address.
 TFLAB_REF is the tag to link to (main), TFLAB_BOOK the address of the book, if it has one.
 """
 
@@ -65,19 +64,13 @@ class CompiledPages(BuildHookInterface):  # type: ignore[type-arg]
 
 
 def indexed(readme: str, address: str, ref: str = "main") -> str:
-    """Return the README as a package index can show it: whole addresses, or no picture at all."""
-    picture = r"!\[([^\]]*)\]\(([^)]+)\)"
+    """Return the README as a package index can show it: whole addresses, or no picture and no link at all."""
+    picture, link = r"!\[([^\]]*)\]\(([^)]+)\)", r"\[([^\]]*)\]\((?!https:)([^)]+)\)"
     if not address:
-        return re.sub(rf"^{picture}\n\n(?:\*[^*\n].*\*\n\n)?", "", readme, flags=re.MULTILINE)
-
-    def linked(name: re.Match[str]) -> str:
-        return f"[{name[0]}]({address}/blob/{ref}/{name[0]})" if (ROOT / name[0]).is_file() else name[0]
-
-    prose = re.sub(picture, rf"![\1]({address}/raw/{ref}/\2)", readme)
-    parts = re.split(r"(^```.*?^```$|`[^`\n]+`)", prose, flags=re.MULTILINE | re.DOTALL)
-    return "".join(
-        part if part.startswith("`") else re.sub(r"(?<![\w/(])(?:docs/)?\w[\w.]*\.md\b", linked, part) for part in parts
-    )
+        without = re.sub(rf"^{picture}\n\n(?:\*[^*\n].*\*\n\n)?", "", readme, flags=re.MULTILINE)
+        return re.sub(link, r"\1", without)
+    pictured = re.sub(picture, rf"![\1]({address}/raw/{ref}/\2)", readme)
+    return re.sub(link, rf"[\1]({address}/blob/{ref}/\2)", pictured)
 
 
 def urls(address: str, ref: str = "main", book: str = "") -> dict[str, str]:

@@ -250,17 +250,20 @@ e1_7 = task("E1.7")
 
 # %% name="e1-7-answer" tags=["answer"]
 # BEGIN SOLUTION
-findings = {
-    name: "no stamp"
-    if lines[0][1] == 0.0
-    else "stamp is the arrival"
-    if lines[0][0] == lines[0][1]
-    else "wrong label"
-    if lines[0][2] == "map" and lines[0][3] - lines[-1][3] > 0.1
-    else "honest"
-    for name, lines in e1_7.heard.items()
-}
+_found = {}
+for name, [(arrival, stamp, frame, x_m), *_, last] in e1_7.heard.items():
+    labelled = "wrong label" if frame == "map" and x_m - last[3] > 0.1 else "honest"
+    stamped = "stamp is the arrival" if stamp == arrival else labelled
+    _found[name] = "no stamp" if stamp == 0.0 else stamped
 # END SOLUTION
+findings = {
+    # BEGIN SOLUTION
+    "red": _found["red"],
+    "green": _found["green"],
+    "blue": _found["blue"],
+    "grey": _found["grey"],
+    # END SOLUTION
+}
 
 # %% name="e1-7-check" tags=["check"]
 check("E1.7", findings)

@@ -482,6 +482,7 @@ def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     ("node", "said"),
     [
         (" Node_B ", None),
+        ("Node-B", None),
         (["node_b", "node_c"], "Exactly one of them is asked for"),
     ],
 )
@@ -571,3 +572,17 @@ def test_a_first_pose_that_is_not_turned_still_has_its_step():
         return {"x": x, "y": y, "yaw": one["yaw"] + two["yaw"]}
 
     assert verdict_on("E3.4", joined).mistake is not None
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("no stmp", "usable"), 'The nearest of them is "no stamp"'),
+        (("no stmp", "x"), 'The nearest of them is "no stamp". Not among them either: "e": "x"'),
+        (("y", "x"), 'Not among them either: "e": "x"'),
+    ],
+)
+def test_every_word_that_is_none_to_choose_from_is_named(words, said):
+    answer = dict.fromkeys("abdf", "usable") | dict(zip("ce", words, strict=True))
+    verdict = verdict_on("E1.2", lambda given: answer)
+    assert (verdict.detail["part"], verdict.detail["tip"].en) == ("c", said)

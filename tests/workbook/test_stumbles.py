@@ -92,6 +92,7 @@ STUMBLES = [
     (lambda: Buffer().lookup_transform("map", "base", "odom"), "expects a moment"),
     (lambda: Buffer().transform(geometry_msgs.Point(), "map"), "with a header"),
     (lambda: Buffer().transform("map", geometry_msgs.PointStamped()), "the message first"),
+    (lambda: geometry_msgs.PointStamped.header.frame_id, "brackets make one"),
     (lambda: len(5), "no members"),
     (lambda: [{"x": 1}].__getitem__("x"), "numbers, and no names"),
     (lambda: [].add(1), "`.append("),

@@ -54,6 +54,16 @@ def test_what_a_task_gives_is_found_where_it_is(shell, capsys) -> None:
     assert "look how it is spelt" in said(shell, "base_p_lasr", capsys)[1]
 
 
+def test_what_a_task_does_not_give_is_told_with_what_it_gives(shell, capsys) -> None:
+    shell.run_cell(
+        "from types import SimpleNamespace\ne1_1 = SimpleNamespace(base_p_laser=(1.0,), laser_p_post=(2.0,))"
+    )
+    line = said(shell, "e1_1.laser_p_pst", capsys)[1]
+    assert line.endswith("`e1_1.laser_p_pst` is not given. Did you mean `e1_1.laser_p_post`?")
+    line = said(shell, "e1_1.speed", capsys)[1]
+    assert line.endswith("What is given: `e1_1.base_p_laser`, `e1_1.laser_p_post`.")
+
+
 def test_it_is_said_in_the_language_of_the_copy(shell, capsys, tmp_path: Path, monkeypatch) -> None:
     write_workbook(tmp_path, Workbook(language="ko"))
     monkeypatch.chdir(tmp_path)

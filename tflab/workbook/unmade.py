@@ -13,6 +13,7 @@ that fails leaves no older answer behind for `check` to speak of.
 
 from __future__ import annotations
 
+import difflib
 import os
 import re
 import sysconfig
@@ -58,6 +59,14 @@ NOT_YET = Words(
 GIVEN = Words(
     "That is given with the task, and stands in what you called {holder}: `{holder}.{name}`.",
     "과제에서 주어진 값이고, {holder} 안에 있습니다. `{holder}.{name}`라고 쓰십시오.",
+)
+MISSPELT = Words(
+    "`{holder}.{name}` is not given. Did you mean `{holder}.{near}`?",
+    "`{holder}.{name}`은(는) 주어지지 않았습니다. `{holder}.{near}`입니까?",
+)
+NOT_GIVEN = Words(
+    "`{holder}.{name}` is not given. What is given: {names}.",
+    "`{holder}.{name}`은(는) 주어지지 않았습니다. 주어진 것: {names}.",
 )
 BEGUN_TWICE = Words(
     "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",
@@ -112,6 +121,8 @@ def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: i
         show_reply(error.name, _said(error.name, shell.user_ns))
     elif kind is TypeError and (tip := tip_for("TypeError", str(error)).say(language_here())):
         show_reply("TypeError", tip)
+    elif kind is AttributeError and type(error.obj) is SimpleNamespace:
+        show_reply("AttributeError", _said_of_given(error, shell.user_ns))
     elif kind is RuntimeError and str(error) in OF_ORDER:
         show_reply("rclpy", OF_ORDER[str(error)].say(language_here()))
 
@@ -157,3 +168,13 @@ def _said(name: str, space: Mapping[str, Any]) -> str:
         if type(held) is SimpleNamespace and name in vars(held) and not holder.startswith("_"):
             return GIVEN.say(language_here(), holder=holder, name=name)
     return (NO_ANSWER if CHECKS.search(space["In"][-1]) else NOT_YET).say(language_here())
+
+
+def _said_of_given(error: AttributeError, space: Mapping[str, Any]) -> str:
+    """Return what a task gives, in place of what was asked of it."""
+    given = vars(error.obj)
+    holder = next((name for name, held in space.items() if held is error.obj and not name.startswith("_")), "…")
+    near = difflib.get_close_matches(error.name, given, 1)
+    said = MISSPELT if near else NOT_GIVEN
+    names = ", ".join(f"`{holder}.{name}`" for name in given)
+    return said.say(language_here(), holder=holder, name=error.name, near=near[0] if near else "", names=names)

@@ -12,6 +12,7 @@ What has no order, sets and trees, is next.  Read `members.py` next.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -195,9 +196,13 @@ def _is_read_as_a_name(option: str, options: tuple[str, ...], names: list[str]) 
 
 
 def _meant(text: str, is_name: bool) -> str:
-    """Return a text without capitals, quotes, spaces and the like; a word also without commas, "Exception"."""
+    """Return a text without capitals, quotes, spaces and the like, `-` in a name as `_`; a word also without commas,
+    "Exception".
+    """
     text = "".join(text.replace("→", "->").split()).strip("\"'`“”‘’").casefold()
-    return text if is_name else text.rstrip(".").translate(UNHEARD).removesuffix("exception")
+    if is_name:
+        return re.sub("-(?!>)", "_", text)
+    return text.rstrip(".").translate(UNHEARD).removesuffix("exception")
 
 
 def _text(plain: Plain) -> str:

@@ -123,7 +123,8 @@ def readme(language: str, root: Path) -> str:
     for chapter in read_course().chapters:
         title = chapter.title.say(language)
         if (root / SOURCES / f"{chapter.stem}.py").is_file():
-            rows.append(f"| {chapter.number:02} | {title} | {chapter.question.say(language)} | {chapter.minutes} |\n")
+            link = f"[{title}](notebooks/{language}/{chapter.stem}.ipynb)"
+            rows.append(f"| {chapter.number:02} | {link} | {chapter.question.say(language)} | {chapter.minutes} |\n")
         else:
             to_come.append(f"{chapter.number:02} {title}")
     text = (root / READMES[language]).read_text(encoding="utf-8")

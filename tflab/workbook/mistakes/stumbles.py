@@ -30,6 +30,13 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
+        r"AttributeError: ('property' object has no attribute|type object '\w+' has no attribute)",
+        Words(
+            "That is the class, and not one of its kind: brackets make one, as in `PointStamped()`.",
+            "클래스일 뿐, 그 클래스로 만든 것이 아닙니다. `PointStamped()`처럼 괄호를 붙여 만드십시오.",
+        ),
+    ),
+    (
         r"(Type|Attribute)Error: .*'(method|builtin_function_or_method|function)'",
         Words(
             "A method was not called: its brackets are missing, as in `.inverse()`.",

@@ -11,13 +11,14 @@ Only what stands in the question is said.  Read `mistake.py` next.
 from __future__ import annotations
 
 import difflib
+from collections.abc import Mapping
 
 from ..answers.form import Form
 from ..answers.forms import Choice, Parts
 from ..answers.values import Plain
 from ..words import Words
 
-__all__ = ["near_an_option", "one_part_alone", "option_of_another", "raised_option"]
+__all__ = ["near_an_option", "no_options_either", "one_part_alone", "option_of_another", "raised_option"]
 
 ON, OFF = ("true", "on", "yes"), ("false", "off", "no")
 NEAR = 0.8  # share of letters that two words have in common
@@ -30,6 +31,7 @@ ALONE = Words(
     en='That is the word for "{name}" alone, and each of these is asked for each time',
     ko='"{name}"에 들어갈 낱말 하나뿐입니다. 이것들이 언제나 모두 있어야 합니다',
 )
+NEITHER = Words(en="Not among them either: {parts}", ko="역시 보기에 없는 답: {parts}")
 RAISED = Words(
     en='"{option}" is an answer: it is returned, not raised, `return "{option}"`',
     ko='"{option}"은(는) 답입니다. 예외로 일으키지 말고 반환하십시오: `return "{option}"`',
@@ -72,3 +74,14 @@ def option_of_another(form: Parts, name: str, answer: Plain) -> Words | None:
         if other != name and isinstance(part, Choice) and part.options and part.option(answer) is not None:
             return ANOTHERS.filled(name=other)
     return None
+
+
+def no_options_either(form: Parts, name: str, answers: Mapping[str, Plain]) -> Words | None:
+    """Return which other parts hold words that are none to choose from; None if no other does."""
+    bad = [
+        f'"{other}": "{answers[other]}"'
+        for other, part in form.parts.items()
+        if other != name and isinstance(part, Choice) and isinstance(answers[other], str)
+        and part.option(answers[other]) is None
+    ]  # fmt: skip
+    return NEITHER.filled(parts=", ".join(bad)) if bad else None

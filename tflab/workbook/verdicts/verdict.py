@@ -34,7 +34,7 @@ from ..tasks import evidence
 from ..tasks.case import Case, TaskCases, TwinWords, Variant
 from ..words import Words
 from .mistake import Mistake
-from .options import near_an_option, one_part_alone, option_of_another, raised_option
+from .options import near_an_option, no_options_either, one_part_alone, option_of_another, raised_option
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -354,7 +354,7 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
-            detail = _with_tip(form, name, answers[name], fault)
+            detail = _with_tip(form, name, answers, fault)
             return fault[0], {"got": kind_of(answers[name]), **detail, "part": name}
     return None
 
@@ -364,10 +364,16 @@ def _of_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
     return {"tip": tip} if tip else {}
 
 
-def _with_tip(form: Parts, name: str, answer: Plain, fault: tuple[Mistake, dict[str, Any]]) -> dict[str, Any]:
-    """Return the details of what is wrong with a part, and under which other part its word is to choose from."""
-    tip = option_of_another(form, name, answer) if fault[0] is Mistake.OPTION else None
-    return fault[1] | ({"tip": tip} if tip else {})
+def _with_tip(
+    form: Parts, name: str, answers: dict[str, Plain], fault: tuple[Mistake, dict[str, Any]]
+) -> dict[str, Any]:
+    """Return the details of what is wrong with a part, under which other part its word is to choose from, and which
+    further words are none to choose from.
+    """
+    if fault[0] is not Mistake.OPTION:
+        return fault[1]
+    said = [option_of_another(form, name, answers[name]) or fault[1].get("tip"), no_options_either(form, name, answers)]
+    return fault[1] | ({"tip": Words.joined(*said, between=". ")} if any(said) else {})
 
 
 def _not_asked_for(names: list[str]) -> Words:
