@@ -71,13 +71,18 @@ def test_a_file_that_is_no_notebook_is_said_and_does_not_stop_the_other_pages(tm
     assert [path.name for path in (tmp_path / "out").glob("*.html")] == ["good.html"]
 
 
-def test_a_link_to_the_next_page_leads_to_its_html(tmp_path: Path) -> None:
-    page = nbformat.v4.new_notebook(
-        cells=[nbformat.v4.new_markdown_cell("[on](04_y.ipynb#why) [do](../../exercises/en/E03_x.ipynb)")],
-        metadata={"tflab": {"language": "ko"}},
+def test_a_link_leads_to_what_is_written_too_and_others_are_words(tmp_path: Path) -> None:
+    said = (
+        "[on](04_y.ipynb#why) [do](../../exercises/en/E03_x.ipynb) [far](05_z.ipynb) [web](https://a.example/b.ipynb)"
     )
-    nbformat.write(page, tmp_path / "03_x.ipynb")
-    assert build(["--html", str(tmp_path / "03_x.ipynb"), "--out", str(tmp_path / "out")]) == 0
+    for stem in ("03_x", "04_y"):
+        cells = [nbformat.v4.new_markdown_cell(f"# `{stem}` · *two* things\n\n{said}")]
+        page = nbformat.v4.new_notebook(cells=cells, metadata={"tflab": {"language": "ko"}})
+        nbformat.write(page, tmp_path / f"{stem}.ipynb")
+    files = [str(tmp_path / f"{stem}.ipynb") for stem in ("03_x", "04_y")]
+    assert build(["--html", *files, "--out", str(tmp_path / "out")]) == 0
     text = (tmp_path / "out" / "03_x.html").read_text(encoding="utf-8")
-    assert 'href="04_y.html#why"' in text
+    assert '<a href="04_y.html#why">on</a> do far <a' in text
+    assert 'href="https://a.example/b.ipynb"' in text
+    assert "<title>03_x · two things</title>" in text
     assert 'lang="ko"' in text

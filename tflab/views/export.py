@@ -30,7 +30,7 @@ from .export_widgets import NOT_STORED, STANDS_STILL, WIDGET_VIEW, LiveView, liv
 from .mathml import with_mathml
 from .scene import viewer_file
 
-__all__ = ["NotANotebook", "export_html", "main", "page_language", "read_notebook"]
+__all__ = ["NotANotebook", "export_html", "main", "page_language", "page_title", "read_notebook"]
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -70,6 +70,14 @@ OUR_STYLE = """
 .jp-RenderedSVG img { max-width: 100%; height: auto; }
 :is(.tflab-live, .jp-RenderedHTML) pre { font-family: var(--jp-code-font-family, monospace); }
 .tflab-value { margin: 2px 0; font-variant-numeric: tabular-nums; }
+body:not(.book) > main { max-width: 62rem; margin: 0 auto; }
+body:not(.book) .jp-RenderedMarkdown > *:not(table):not(pre):not(.highlight) { max-width: 75ch; }
+@media print {
+  .highlight pre { white-space: pre-wrap; overflow-wrap: anywhere; }
+  body:not(.book) details::details-content { content-visibility: visible; block-size: auto; }
+  :is(h1, h2, h3) { break-after: avoid; }
+  img { break-inside: avoid; }
+}
 """
 
 
@@ -97,6 +105,13 @@ def page_language(notebook: Mapping[str, Any]) -> str:
     return notebook["metadata"].get("tflab", {}).get("language", "en")
 
 
+def page_title(notebook: Mapping[str, Any]) -> str:
+    """Return a page's first heading as plain text; "" if it has none."""
+    texts = (cell["source"] for cell in notebook["cells"] if cell["cell_type"] == "markdown")
+    found = next(filter(None, (re.search(r"^# +(.+)$", text, re.MULTILINE) for text in texts)), None)
+    return re.sub(r"[*`]", "", found[1]).strip() if found else ""
+
+
 def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: bool = False) -> Path:
     """Write an executed notebook as HTML into `out_dir`; return the page's path.
 
@@ -107,7 +122,7 @@ def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: boo
     notebook_path, out_dir = Path(notebook_path), Path(out_dir)
     notebook = read_notebook(notebook_path)
     views = _without_widgets(notebook)
-    page = _page(notebook, notebook_path.stem, page_language(notebook))
+    page = _page(notebook, page_title(notebook) or notebook_path.stem, page_language(notebook))
     assets = _assets(views)
     if not single_file:
         page, styles = _styles_apart(page)

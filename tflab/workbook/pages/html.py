@@ -15,7 +15,7 @@ import os
 import re
 import shutil
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -27,7 +27,7 @@ from .kernel import running_kernel, wait_for
 __all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
-PAGE_BESIDE = re.compile(r'href="([\w-]+)\.ipynb')  # a link to another page of the same room
+LINK = re.compile(r'<a href="(?:[\w.-]+/)*(?P<page>[\w-]+)\.ipynb(?P<place>#[^"]*)?"[^>]*>(?P<said>.*?)</a>', re.DOTALL)
 
 
 def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int:
@@ -49,7 +49,7 @@ def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int
     for number, notebook in enumerate(notebooks, start=1):
         print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
         try:
-            print(html_from_notebook(notebook, out_dir))
+            print(html_from_notebook(notebook, out_dir, {other.stem for other in notebooks}))
         except PageFailed as failure:
             print(f"failed\n{failure}", file=sys.stderr)
             failed += 1
@@ -74,8 +74,10 @@ class PageFailed(Exception):
     """A file is no notebook, or one of its cells raised an error; the text says which, and what."""
 
 
-def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
+def html_from_notebook(notebook: Path, out_dir: Path, beside: Set[str] = frozenset()) -> Path:
     """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
+
+    Its links to notebooks lead to those `beside` it, by their stems, and to pages that are there; others are words.
 
     Raises:
         PageFailed: it is no notebook, or a cell raised an error.
@@ -86,9 +88,16 @@ def html_from_notebook(notebook: Path, out_dir: Path) -> Path:
         executed = run_with_films(notebook, Path(folder))
         exported = export_html(executed, Path(folder) / "pages")
         text = exported.read_text(encoding="utf-8")
-        exported.write_text(PAGE_BESIDE.sub(r'href="\1.html', text), encoding="utf-8")
+        there = beside | {path.stem for path in out_dir.glob("*.html")}
+        exported.write_text(LINK.sub(lambda link: _linked(link, there), text), encoding="utf-8")
         shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
         return out_dir / exported.name
+
+
+def _linked(link: re.Match[str], there: Set[str]) -> str:
+    if link["page"] not in there:
+        return link["said"]
+    return f'<a href="{link["page"]}.html{link["place"] or ""}">{link["said"]}</a>'
 
 
 async def _run(client: Any, env: Mapping[str, str]) -> None:
