@@ -354,9 +354,9 @@ check("E12.7", triage)
 # %% [markdown] lang="ko" name="e12-8"
 # ## E12.8 · 열다섯 문제, 끝 (1점)
 #
-# 기억납니까? 맨 처음에 만난 것과 같은 내용이고 숫자만 다릅니다. 답하고 나면 두 형을 모두 볼 수 있습니다.
+# 기억납니까? 맨 처음에 만난 것과 같은 내용이고 숫자만 다릅니다. 답하고 나면 시험지 두 장을 모두 볼 수 있습니다.
 # 이번에도 채점하지 않습니다. 아무것도 찾아보지 말고, 문제마다 `"a"`에서 `"d"`까지 글자 하나를 쓰십시오. 짐작이면 뒤에 `?`를 붙이고, 모르면 `"e"`를 쓰십시오.
-# 열다섯 문제에 모두 답하면 `check`가 두 형을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음 답이 없습니다.
+# 열다섯 문제에 모두 답하면 `check`가 시험지 두 장을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음 답이 없습니다.
 
 # %% [markdown] lang="en" name="questions"
 # Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.

@@ -47,6 +47,11 @@ def test_what_the_first_cells_make_and_what_any_other_makes_are_told_apart(shell
     assert "look how it is spelt" in said(shell, "print(map_T_laser)", capsys)[1]
 
 
+@pytest.mark.parametrize(("name", "meant"), [("chek", "check"), ("solutoin", "solution"), ("grpah", "graph")])
+def test_a_misspelt_name_of_ours_is_told(shell, capsys, name: str, meant: str) -> None:
+    assert said(shell, f"{name}('E1.1')", capsys)[1] == f"{name}: Did you mean `{meant}`?"
+
+
 def test_what_a_task_gives_is_found_where_it_is(shell, capsys) -> None:
     shell.run_cell("from types import SimpleNamespace\ne1_1 = SimpleNamespace(base_p_laser=(1.0, 2.0))")
     line = said(shell, "base_p_laser[0]", capsys)[1]

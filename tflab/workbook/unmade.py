@@ -33,6 +33,7 @@ MAKES = re.compile(r"^(?:def\s+(\w+)|(\w+)\s*=(?!=))", re.MULTILINE)
 CHECKS = re.compile(r"^\s*check\(", re.MULTILINE)
 OF_THE_WORKBOOK = ("check", "hint", "lesson", "solution", "task")  # a page's first cell brings one or more
 OURS = ("graph", *OF_THE_WORKBOOK)
+NEAR = 0.75  # share of letters that two names have in common
 NOT_BEGUN = Words(
     "Not there yet. Run the page's first cells, then this one again.",
     "아직 없습니다. 페이지의 첫 셀들을 먼저 실행한 다음 이 셀을 다시 실행하십시오.",
@@ -68,6 +69,7 @@ NOT_GIVEN = Words(
     "`{holder}.{name}` is not given. What is given: {names}.",
     "`{holder}.{name}`은(는) 주어지지 않았습니다. 주어진 것: {names}.",
 )
+NEARLY = Words("Did you mean `{name}`?", "`{name}`입니까?")
 BEGUN_TWICE = Words(
     "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",
     "다른 셀에서 이미 rclpy를 시작했습니다. `rclpy.try_shutdown()`으로 끝낸 다음 이 셀을 다시 실행하십시오.",
@@ -167,6 +169,8 @@ def _said(name: str, space: Mapping[str, Any]) -> str:
     for holder, held in space.items():
         if type(held) is SimpleNamespace and name in vars(held) and not holder.startswith("_"):
             return GIVEN.say(language_here(), holder=holder, name=name)
+    if near := difflib.get_close_matches(name, OURS, 1, NEAR):
+        return NEARLY.say(language_here(), name=near[0])
     return (NO_ANSWER if CHECKS.search(space["In"][-1]) else NOT_YET).say(language_here())
 
 

@@ -74,7 +74,7 @@ TO_DO = Words(
 )
 WAITING = Words(
     "Fifteen questions: your first answers are kept. Both forms open when you have answered the second, E12.8.",
-    "열다섯 문제: 처음 답을 보관했습니다. 마지막의 E12.8에 답하면 두 형이 함께 열립니다.",
+    "열다섯 문제: 처음 답을 보관했습니다. 마지막의 E12.8에 답하면 시험지 두 장이 함께 열립니다.",
 )
 
 

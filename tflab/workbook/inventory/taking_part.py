@@ -41,11 +41,11 @@ FIRST_KEPT = Words(
 )
 OPENS_LATER = Words(
     "Nothing is told until you have answered the second form, E12.8.",
-    "두 번째 형인 E12.8에 답할 때까지 정답은 알려 주지 않습니다.",
+    "두 번째 시험지인 E12.8에 답할 때까지 정답은 알려 주지 않습니다.",
 )
 NO_HELP = Words(
     "no hints and no solution here: nothing is marked, and both forms open when the second, E12.8, is in.",
-    "여기에는 힌트도 풀이도 없습니다. 채점하지 않으며, 두 번째 형인 E12.8에 답하면 두 형이 함께 열립니다.",
+    "여기에는 힌트도 풀이도 없습니다. 채점하지 않으며, 두 번째 시험지인 E12.8에 답하면 두 장이 함께 열립니다.",
 )
 
 

@@ -38,8 +38,9 @@ PHRASES = {
         ko="{names}: 맞지만 아직 점수가 없습니다. 같은 말을 너무 여러 곳에 쓰면 어딘가는 우연히 맞습니다.",
     ),
     "solution": Words(
-        en='Three tries: if you like, read the solution with solution("{id}").',
-        ko='세 번 시도했습니다. 원하면 solution("{id}")로 풀이를 볼 수 있습니다.',
+        en='Three tries: hint("{id}") still helps, one step at a time, and solution("{id}") shows a solution.',
+        ko='세 번 시도했습니다. hint("{id}")를 실행하면 여전히 한 단계씩 도움을 받을 수 있고, '
+        'solution("{id}")를 실행하면 풀이가 나옵니다.',
     ),
     "solution_later": Words(
         en="the solution opens after a pass or three tries; {tries} so far.",
