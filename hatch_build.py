@@ -4,8 +4,9 @@ A wheel holds them if it is built with TFLAB_COMPILED=1 in the environment; ever
 other build is pure Python.  See tflab/core/builds.py.
 
 What is built with TFLAB_ADDRESS=https://… names that address: in its project URLs,
-and in the README that a package index shows, for its picture and its links.  Without it, nothing points anywhere; the repository itself knows no address.
-TFLAB_REF is the tag to link to (main), TFLAB_BOOK the address of the book, if it has one.
+and in the README that a package index shows, for its picture and its links.  Without
+it, nothing points anywhere; the repository itself knows no address.  TFLAB_REF is the
+tag to link to (main), TFLAB_BOOK the address of the book, if it has one.
 """
 
 from __future__ import annotations
