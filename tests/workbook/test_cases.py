@@ -12,7 +12,9 @@ from tflab.core import Transform
 from tflab.ros import activation
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.copy.lay_out import cases_bytes
+from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks import cases
+from tflab.workbook.tasks.cases import read_chapter, task_names
 from tflab.workbook.tasks.task import TaskError, variant_of
 
 from . import small_chapter as chapter
@@ -168,3 +170,8 @@ def test_variants_are_spread_over_learners_and_stay_theirs():
 def test_given_values_come_back_as_values(tmp_path):
     given = make(tmp_path).tasks["E3.1"].variants[0].given
     assert isinstance(from_plain(given["base_T_laser"]), Transform)
+
+
+def test_the_names_of_tasks_are_found_without_reading_their_cases():
+    for path in sorted((workbook_data() / CASES).glob("*.json")):
+        assert task_names(path) == list(read_chapter(path).tasks) != []

@@ -173,6 +173,18 @@ def test_asked_of_a_chapter_alone_it_says_which_tasks_there_are(copy, capsys, ch
         assert "there is E3.1, E3.2, E3.3, E3.4." in capsys.readouterr().out
 
 
+def test_asked_of_nothing_it_asks_for_which_task(copy, capsys):
+    for ask in (hint, solution):
+        ask()
+        said = capsys.readouterr().out
+        assert said.startswith("E?: for which task?") and "there is E3.1, E3.2, E3.3, E3.4." in said
+
+
+def test_a_chapter_alone_is_not_taken_for_one_of_its_tasks(copy, capsys):
+    hint("E3")
+    assert "Did you mean" not in capsys.readouterr().out
+
+
 def test_in_a_page_an_unknown_task_is_one_line_without_where_it_was_found(copy, capsys):
     assert isinstance(
         InteractiveShell().run_cell("from tflab.workbook import task\ntask('E9.9')").error_in_exec, WorkbookError

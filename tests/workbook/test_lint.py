@@ -46,6 +46,7 @@ def seen(old, new):
         ("    words =", '    finally:\n        return "ok"\n    words =', 14, lint.GOES_OVER_ALL),
         ("words.sort()", "return words\n    words.sort()", 15, lint.AFTER_THE_END),
         ('return "key"', 'print("key")', 6, lint.ONLY_PRINTED),
+        ('return "past"', 'print("past")', 11, lint.ONLY_PRINTED),
         ("words.sort()", "words.sort", 14, lint.NOT_CALLED),
         ("words.sort()", "sorted(words)", 14, lint.NOT_KEPT),
         ("words.sort()", 'words == ["ok"]', 14, lint.NOT_SET),
@@ -64,6 +65,7 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
     [
         ("words.sort()", "words = sorted(words)"),
         ("words.sort()", "words.append(text)"),
+        ('return "past"', "print(text)"),
         ('return words or "ok"', 'return words\n    raise NotImplementedError("your turn")'),
         ("except KeyError", "except (KeyError, IndexError)"),
         ('"past" in text', '"past" in text or "before" in text'),

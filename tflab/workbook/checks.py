@@ -33,7 +33,7 @@ from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data
 from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases
-from .tasks.cases import CasesError, read_chapter
+from .tasks.cases import CasesError, read_chapter, task_names
 from .tasks.evidence import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError, variant_of
@@ -58,6 +58,7 @@ LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?
 POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
 UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
+WHICH = "E?"  # what a reply is about where no task is named
 _hints_seen: dict[str, int] = {}  # where no progress is kept
 
 
@@ -89,7 +90,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id), str(error))
+        show_reply(str(task_id).strip() or WHICH, str(error))
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
@@ -115,7 +116,7 @@ def hint(task_id: str = "") -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id), str(error))
+        show_reply(str(task_id).strip() or WHICH, str(error))
         return
     if assigned.cases.counts:
         show_reply(assigned.id, assigned.words(NO_HELP))
@@ -133,7 +134,7 @@ def solution(task_id: str = "") -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id), str(error))
+        show_reply(str(task_id).strip() or WHICH, str(error))
         return
     if assigned.cases.counts or assigned.workbook.edition == "class":
         show_reply(assigned.id, assigned.words(NO_HELP if assigned.cases.counts else PHRASES["solution_of_class"]))
@@ -231,19 +232,16 @@ def _read(path: Path, _mtime_ns: int) -> ChapterCases:
 
 def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
     """Say which tasks there are: of one chapter each, of several from where to where."""
-    chapters: list[list[str]] = []
-    for path in paths:
-        try:
-            chapters.append(list(read_chapter(path).tasks))
-        except CasesError:
-            continue
+    chapters = [names for names in map(task_names, paths) if names]
     known = [task for chapter in chapters for task in chapter]
     undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
-    close = undotted or difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7)
+    is_chapter = len(chapters) == 1 and "." not in str(task_id)  # all of them are named
+    close = undotted or ([] if is_chapter else difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7))
     suggestion = PHRASES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
     if len(chapters) > 1:
         known = [_from_to(chapter) for chapter in chapters]
-    return PHRASES["unknown_task"].say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)
+    phrase = PHRASES["unknown_task" if str(task_id).strip() else "no_task"]
+    return phrase.say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)
 
 
 def _from_to(tasks: list[str]) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ..tasks.case import TwinWords
-from ..words import Words
+from ..words import Words, begun
 from .explanation import Explanation
 
 __all__ = ["Found", "each_part_once", "together"]
@@ -107,4 +107,5 @@ def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
 
 def _without_its_name(text: str, name: str) -> str:
     """Return what is said of one part without its name, which stands before all of it."""
-    return re.sub(rf"(?:^|(?<=[.?!] )){re.escape(name)}: ", "", text)
+    first, *others = re.split(rf"(?<=[.?!] ){re.escape(name)}: ", text.removeprefix(f"{name}: "))
+    return first + "".join(map(begun, others))

@@ -180,6 +180,21 @@ def _only_printed(node: ast.Try, _names: Mapping[str, Any]) -> Found:
             yield held, ONLY_PRINTED
 
 
+def _printed_in_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
+    """Yield a way of an `if` that prints a word where another way returns its own."""
+    ways, other = [node.body], node.orelse
+    while len(other) == 1 and isinstance(other[0], ast.If):
+        ways.append(other[0].body)
+        other = other[0].orelse
+    ways.append(other)
+    if not any(isinstance(way[-1], ast.Return) for way in ways if way):
+        return
+    for (held,) in (way for way in ways if len(way) == 1):
+        call = held.value if isinstance(held, ast.Expr) and isinstance(held.value, ast.Call) else None
+        if call and getattr(call.func, "id", "") == "print" and all(isinstance(one, ast.Constant) for one in call.args):
+            yield held, ONLY_PRINTED
+
+
 def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
     """Yield handlers that others stand before, and a `return` that goes over all others."""
     before: list[tuple[str, type]] = []
@@ -254,7 +269,8 @@ def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
 
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
-    ast.Try: (_of_handlers, _only_printed), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if,), ast.Expr: (_of_a_line,),
+    ast.Try: (_of_handlers, _only_printed), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if, _printed_in_an_if),
+    ast.Expr: (_of_a_line,),
     ast.Assign: (_of_what_is_kept,), ast.Return: (_of_what_is_kept,), ast.For: (_of_what_is_kept,),
     ast.Call: (_of_a_text,),
 }  # fmt: skip

@@ -42,12 +42,14 @@ __all__ = [
     "read_cases",
     "read_chapter",
     "task_cases",
+    "task_names",
 ]
 
 PUBLIC_SEED = "public"
 MODEL = ""  # the model itself, among what it gives with slips
 MOST_DRAWS = 40  # in which two mistakes meet; where one draw in four does (E8.4), no seed may be refused for it
 DIGITS = 12  # of a float in a case; the last ones differ between machines
+TASK = re.compile(r'^  "(E\d+\.\d+)": \{$', re.MULTILINE)  # where `cases_json` writes its name
 
 
 class CasesError(TaskError):
@@ -152,6 +154,17 @@ def read_cases(path: Path) -> dict[str, Any]:
     if not isinstance(cases, dict) or cases.get("format") != FORMAT:
         raise CasesError(f"{path} was made by another version of tflab")
     return cases
+
+
+def task_names(path: Path) -> list[str]:
+    """Return the names of the tasks in a file; none if it cannot be read.
+
+    To read the cases themselves takes seconds for all chapters together.
+    """
+    try:
+        return TASK.findall(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return []
 
 
 def read_chapter(path: Path) -> ChapterCases:

@@ -54,6 +54,10 @@ PHRASES = {
         en="there is no such task here; there is {known}.{close}",
         ko="그런 과제가 없습니다. 있는 과제: {known}.{close}",
     ),
+    "no_task": Words(
+        en='for which task? Say it in quotes, such as "E1.1"; there is {known}.{close}',
+        ko='어느 과제입니까? "E1.1"처럼 따옴표 안에 쓰십시오. 있는 과제: {known}.{close}',
+    ),
     "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}"을(를) 찾으십니까?'),
     "no_cases": Words(
         en="cannot be checked: {why}. `tflab lab --update` brings back what is missing, and keeps what you wrote.",
