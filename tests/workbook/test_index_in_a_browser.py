@@ -59,18 +59,24 @@ def test_what_the_first_cell_brings_is_told_from_a_slip_of_ones_own(lab, page) -
         "1 + ''",
         "hint(E1.2)",
         "hint(1",
+        "%load_ext tflb",
+        "%tflab progress",
     ]
     cells = [nbformat.v4.new_code_cell(source, id=f"cell-{i}", metadata=going_on) for i, source in enumerate(sources)]
     metadata = {"kernelspec": PYTHON | {"language": "python"}, "tflab": {"language": "en"}}
     nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=metadata), copy / "notebooks" / "en" / "mine.ipynb")
     lab.open(page, f"{copy.name}/notebooks/en/mine.ipynb")
     lab.run_all(page)
-    page.wait_for_function("document.querySelectorAll('.tflab-advice').length === 5")
+    page.wait_for_function("document.querySelectorAll('.tflab-advice').length === 7")
     cells_with = "[...document.querySelectorAll('.jp-CodeCell')].map((cell) => !!cell.querySelector('.tflab-advice'))"
     advice = page.locator(".tflab-advice").all_text_contents()  # of those out of sight, too
     assert advice[3] == "There is no %rviz. Did you mean %rviz2?"
     assert advice[4].startswith("A task's number stands in quotes")
-    assert page.evaluate(cells_with) == [True, True, True, True, False, False, True, False]
+    assert advice[5:] == [
+        "There is no tflb. Did you mean tflab?",
+        "A command of the terminal begins with ! in a cell: !tflab.",
+    ]
+    assert page.evaluate(cells_with) == [True, True, True, True, False, False, True, False, True, True]
 
 
 def test_the_packages_of_the_first_cell_are_those_that_it_activates() -> None:

@@ -33,8 +33,13 @@
   };
 
   const NEAR = {
-    en: (said, meant) => `There is no %${said}. Did you mean %${meant}?`,
-    ko: (said, meant) => `%${said}라는 명령은 없습니다. 혹시 %${meant}입니까?`,
+    en: (said, meant) => `There is no ${said}. Did you mean ${meant}?`,
+    ko: (said, meant) => `그런 이름은 없습니다: ${said}. 혹시 ${meant}입니까?`,
+  };
+
+  const TYPED = {
+    en: "A command of the terminal begins with ! in a cell: !tflab.",
+    ko: "셀에서 터미널 명령을 실행하려면 앞에 !를 붙입니다: !tflab",
   };
 
   const style = Object.assign(document.createElement("link"), { rel: "stylesheet" });
@@ -96,10 +101,15 @@
     return ename === "SyntaxError" && /\b(task|check|hint|solution)\(\s*[Ee]\d+\.\d/.test(plain);
   }
 
-  // What was meant by a magic that is not there: ROS 2's tools, or its window.
+  // What was meant by a name that is not there: ROS 2's tools or its window, a command of the terminal, tflab itself.
   function meant(model, language) {
-    const [, said, start] = /magic function `%((ro|rv)\w*)` not found/.exec(model.data?.["application/vnd.jupyter.stderr"] ?? "") ?? [];
-    return said && !/^(ros2|rviz2)$/.test(said) ? NEAR[language](said, start === "ro" ? "ros2" : "rviz2") : "";
+    const { evalue } = model.data?.["application/vnd.jupyter.error"] ?? {};
+    const missing = /^No module named '(tfl\w*|flab|tlab)'$/.exec(evalue)?.[1];
+    if (missing && missing !== "tflab") return NEAR[language](missing, "tflab");
+    const magic = /magic function `%(\w+)` not found/.exec(model.data?.["application/vnd.jupyter.stderr"] ?? "")?.[1] ?? "";
+    if (magic === "tflab") return TYPED[language];
+    if (!/^r[ov]/.test(magic) || /^(ros2|rviz2)$/.test(magic)) return "";
+    return NEAR[language](`%${magic}`, magic.startsWith("ro") ? "%ros2" : "%rviz2");
   }
 
   // What to do about an error, if we know; below it, not beside it.
