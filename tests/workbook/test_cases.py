@@ -14,7 +14,7 @@ from tflab.workbook.answers.values import from_plain
 from tflab.workbook.copy.lay_out import cases_bytes
 from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks import cases
-from tflab.workbook.tasks.cases import read_chapter, task_names
+from tflab.workbook.tasks.cases import read_chapter, read_outline
 from tflab.workbook.tasks.task import TaskError, variant_of
 
 from . import small_chapter as chapter
@@ -172,6 +172,7 @@ def test_given_values_come_back_as_values(tmp_path):
     assert isinstance(from_plain(given["base_T_laser"]), Transform)
 
 
-def test_the_names_of_tasks_are_found_without_reading_their_cases():
+def test_an_outline_is_the_chapter_without_variants():
     for path in sorted((workbook_data() / CASES).glob("*.json")):
-        assert task_names(path) == list(read_chapter(path).tasks) != []
+        whole, outline = read_chapter(path), read_outline(path)
+        assert outline.tasks == {name: task._replace(variants=()) for name, task in whole.tasks.items()} != {}

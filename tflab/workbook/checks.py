@@ -18,6 +18,7 @@ import difflib
 import json
 import os
 import re
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from types import SimpleNamespace
@@ -33,7 +34,7 @@ from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data
 from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.case import ChapterCases
-from .tasks.cases import CasesError, read_chapter, task_names
+from .tasks.cases import CasesError, read_chapter, read_outline
 from .tasks.evidence import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError, variant_of
@@ -232,7 +233,10 @@ def _read(path: Path, _mtime_ns: int) -> ChapterCases:
 
 def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
     """Say which tasks there are: of one chapter each, of several from where to where."""
-    chapters = [names for names in map(task_names, paths) if names]
+    chapters: list[list[str]] = []
+    for path in paths:
+        with suppress(CasesError):
+            chapters.append(list(read_outline(path).tasks))
     known = [task for chapter in chapters for task in chapter]
     undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
     is_chapter = len(chapters) == 1 and "." not in str(task_id)  # all of them are named

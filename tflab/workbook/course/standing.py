@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from ..places import CASES, chapters, read_workbook, workbook_root
 from ..progress import Attempts, read_progress
-from ..tasks.cases import CasesError, read_chapter
+from ..tasks.cases import CasesError, read_outline
 from ..words import Words
 from .course import Chapter, Goal, read_course
 
@@ -108,7 +108,7 @@ def standing(root: Path | None = None) -> Standing:
 
 def _tasks(root: Path, stem: str, attempts: dict[str, Attempts]) -> tuple[TaskStanding, ...]:
     try:
-        found = read_chapter(root / CASES / f"{stem}.json").tasks
+        found = read_outline(root / CASES / f"{stem}.json").tasks
     except CasesError:
         return ()
     return tuple(

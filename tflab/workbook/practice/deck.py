@@ -23,7 +23,7 @@ from ..mistakes.fitting import words_of
 from ..places import CASES, chapters, workbook_data
 from ..progress import Attempts, read_progress
 from ..tasks.case import TaskCases
-from ..tasks.cases import CasesError, read_chapter, task_cases
+from ..tasks.cases import CasesError, read_chapter, read_outline, task_cases
 from ..tasks.reference import Solution, in_process_ros, solution_in_notebook
 from ..tasks.task import Task, read_tasks
 
@@ -62,7 +62,7 @@ def shown_in_exercises(root: Path) -> dict[str, int]:
     for stem in chapters(root):
         named = {task: tried for task, tried in progress.items() if tried.twins and _is_of(task, stem)}
         with suppress(CasesError):
-            tasks = read_chapter(root / CASES / f"{stem}.json").tasks if named else {}
+            tasks = read_outline(root / CASES / f"{stem}.json").tasks if named else {}
             for task, tried in named.items():
                 for misconception, count in _misconceptions(tasks.get(task), tried):
                     counts[misconception] = counts.get(misconception, 0) + count
