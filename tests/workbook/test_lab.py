@@ -59,6 +59,15 @@ def test_the_second_time_it_opens_the_same_copy_and_leaves_what_was_written(star
     assert page.read_text() == "mine"
 
 
+def test_a_page_that_was_deleted_comes_back_and_is_named(started: list, capsys) -> None:
+    lab.lab([])
+    assert "laid out again" not in capsys.readouterr().out
+    (started[0][1] / "exercises/en/E03_small.ipynb").unlink()
+    lab.os.chdir(started[0][1].parent)
+    assert lab.lab([]) == 0
+    assert "  exercises/en/E03_small.ipynb: was missing, laid out again\n" in capsys.readouterr().out
+
+
 def test_inside_a_copy_it_opens_that_copy(started: list) -> None:
     lab.lab(["mine"])
     lab.os.chdir(started[0][1] / "exercises" / "en")

@@ -28,7 +28,7 @@ function makeScrubber(track, onMove) {
   const play = () => {
     const from = Number(slider.value) >= track.end ? 0 : Number(slider.value);
     const began = performance.now();
-    button.textContent = "⏸";
+    button.textContent = "❚❚";
     button.setAttribute("aria-label", "pause");
     const tick = (now) => {
       const t = Math.min(track.end, from + Math.max(0, now - began) / 1000 * track.end / track.seconds);

@@ -55,6 +55,7 @@ OPENED = Words(
     en="tflab lab: opening your copy in {folder}.",
     ko="tflab lab: {folder}에 있는 내 워크북을 엽니다.",
 )
+BROUGHT_BACK = Words(en="  {page}: was missing, laid out again", ko="  {page}: 없어서 다시 만들었습니다")
 OTHER_VERSION = Words(
     en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
     "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
@@ -240,7 +241,10 @@ def _open(folder: Path, language: str | None, bring_in: bool, handed_out: str | 
     language = language or found.language
     print(OPENED.say(language, folder=folder))
     if language != found.language or (found.tflab == __version__ and not bring_in):
+        before = _pages(folder)
         lay_out(folder, language)  # what is missing
+        for page in sorted(_pages(folder) - before) if language == found.language else ():
+            print(BROUGHT_BACK.say(language, page=page))
     if found.edition == "class" and not (folder / "exercises" / language).is_dir():
         print(INSTRUCTORS.say(language))
     if bring_in:
@@ -248,6 +252,10 @@ def _open(folder: Path, language: str | None, bring_in: bool, handed_out: str | 
     elif found.tflab != __version__:
         print(OTHER_VERSION.say(language, theirs=found.tflab, ours=__version__, folder=folder))
     return language if has_language(folder, language) else found.language
+
+
+def _pages(folder: Path) -> set[str]:
+    return {path.relative_to(folder).as_posix() for path in folder.glob("*/*/*.ipynb")}
 
 
 def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
