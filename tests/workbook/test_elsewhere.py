@@ -34,11 +34,11 @@ def said(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., list[str]]]:
     again.register(shell)
     elsewhere.register(shell)
 
-    def run(*cells: str) -> list[str]:
+    def run(*cells: str, no_ids: bool = False) -> list[str]:
         told = []
         for cell in cells:
             heard.clear()
-            assert shell.run_cell(CELLS[cell], cell_id=cell).error_in_exec is None
+            assert shell.run_cell(CELLS[cell], cell_id=None if no_ids else cell).error_in_exec is None
             told += [f"{cell}: {text}" for text in heard]
         return told
 
@@ -78,3 +78,7 @@ def test_a_cell_above_a_stop_says_that_its_programs_have_ended(said) -> None:
 def test_nothing_is_said_of_a_cell_that_only_looks(said) -> None:
     said(*ALL)
     assert said("look", "stop", "anew") == []
+
+
+def test_cells_without_ids_may_have_the_same_text(said) -> None:
+    assert said("load", "run", "anew", "more", no_ids=True) == []

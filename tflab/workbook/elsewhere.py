@@ -7,8 +7,8 @@
 
 `graph.stop()` ends a world in the same sense.  A cell that makes a world may run at
 any time, and so may all below it; nothing is said of a cell that lets no time pass
-and begins nothing, for it only looks at what is there.  `%load_ext tflab` sees to it.
-Read `unmade.py` next.
+and begins nothing, for it only looks at what is there; nor where cells have no ids, as
+in a build.  `%load_ext tflab` sees to it.  Read `unmade.py` next.
 """
 
 from __future__ import annotations
@@ -72,9 +72,11 @@ def _look(_info: Any) -> None:
 
 def _compare(result: Any) -> None:
     global _begun
+    cell = result.info.cell_id
+    if not cell:
+        return  # two cells may have the same text
     now = _seen()
     before = _before[0] if _before else _Seen(None, frozenset(), None, False)
-    cell = result.info.cell_id or result.info.raw_cell
     if now.graph is not before.graph:
         _begun = _Begun(cell, NEW)
     elif before.runs and not now.runs and STOPS_ALL.search(result.info.raw_cell):

@@ -44,6 +44,7 @@ INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
 OWN_FOLD = re.compile(r"(<details>.*?</details>)", re.DOTALL)
 CAPTION = "그림 읽기:"  # a Korean page says below a figure what its English words mean
+COUNT, UNCOUNTED = re.compile(rb'"execution_count": \d+'), b'"execution_count": null'  # a number is of one's own run
 UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
 
@@ -147,7 +148,7 @@ def material(
             if folder.parts[0] == "notebooks":
                 page = answers_hidden(path.read_bytes(), language)
                 page = without_notes(page) if edition == "class" else page
-                yield PurePosixPath(folder, path.name).as_posix(), page
+                yield PurePosixPath(folder, path.name).as_posix(), COUNT.sub(UNCOUNTED, page)
             elif cases is None:
                 content = path.read_bytes()
                 yield PurePosixPath(folder, path.name).as_posix(), causes_sealed(content) if given else content
