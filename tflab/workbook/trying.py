@@ -35,6 +35,7 @@ __all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
 IN_ONE_PLACE = {Mistake.VALUE, Mistake.PARTS, Mistake.NO_REFUSAL, Mistake.OTHER_EXCEPTION, Mistake.RAISES,
                 Mistake.SOMETIMES_NOTHING, Mistake.SLIP}  # fmt: skip
+DRAWN = {Mistake.SLIP, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
 PATIENCE_S = 10.0  # after that, somebody who waits for a reply asks herself whether there will be one
 
@@ -204,7 +205,7 @@ def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) 
     """Draw the answer beside the right one, where both are in space, and say which is whose."""
     from .verdicts.comparison import picture_of
 
-    if not outcomes or verdict.mistake not in (Mistake.SLIP, Mistake.VALUE, Mistake.UNIT):
+    if not outcomes or verdict.mistake not in DRAWN:
         return
     picture = picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
     if picture is None:
