@@ -286,7 +286,8 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     assert find(page, ORANGE)[0] > 0
 
     # and stays above the floor, by mouse and by key
-    above = "(({ camera, controls }) => camera.position.y - controls.target.y)([...tflabViews][0].viewer)"
+    first = "[...tflabViews].find(({ pane }) => pane === document.querySelector('.tflab-scene-pane')).viewer"
+    above = f"(({{ camera, controls }}) => camera.position.y - controls.target.y)({first})"
     for _ in range(3):
         drag(page, pane, pane["x"] + pane["width"] / 2, pane["y"] + 5)
     for _ in range(12):
@@ -294,7 +295,7 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     assert abs(page.evaluate(above)) < 1e-6
 
     # by key it moves, too
-    beside = "(({ controls }) => controls.target.x)([...tflabViews][0].viewer)"
+    beside = f"(({{ controls }}) => controls.target.x)({first})"
     before = page.evaluate(beside)
     page.keyboard.press("Shift+ArrowRight")
     assert page.evaluate(beside) > before
