@@ -147,6 +147,7 @@ def test_an_error_of_ones_own_gets_none():
     assert tip_for("ValueError", "the robot is tired").en == ""
     assert tip_for("Tired", "KeyError").en == ""
     assert tip_for("AttributeError", "'Robot' object has no attribute 'x'").en == ""
+    assert tip_for("AttributeError", "type object 'Transform' has no attribute 'from_ryp'").en == ""
     assert tip_for("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
 
 

@@ -63,13 +63,13 @@ GIVEN = Words(
 )
 MISSPELT = Words(
     "`{holder}.{name}` is not given. Did you mean `{holder}.{near}`?",
-    "`{holder}.{name}`은(는) 주어지지 않았습니다. `{holder}.{near}`입니까?",
+    "주어진 값이 아닙니다: `{holder}.{name}`. 혹시 `{holder}.{near}`입니까?",
 )
 NOT_GIVEN = Words(
     "`{holder}.{name}` is not given. What is given: {names}.",
-    "`{holder}.{name}`은(는) 주어지지 않았습니다. 주어진 것: {names}.",
+    "주어진 값이 아닙니다: `{holder}.{name}`. 주어진 것: {names}.",
 )
-NEARLY = Words("Did you mean `{name}`?", "`{name}`입니까?")
+NEARLY = Words("Did you mean `{name}`?", "혹시 `{name}`입니까?")
 BEGUN_TWICE = Words(
     "rclpy has begun already, in another cell. `rclpy.try_shutdown()` ends it; then run this cell again.",
     "다른 셀에서 이미 rclpy를 시작했습니다. `rclpy.try_shutdown()`으로 끝낸 다음 이 셀을 다시 실행하십시오.",

@@ -30,10 +30,10 @@ TIPS = (  # the error's name and text, the first that fits
         ),
     ),
     (
-        r"AttributeError: ('property' object has no attribute|type object '\w+' has no attribute)",
+        r"AttributeError: 'property' object has no attribute",  # a type that lacks a name is a misspelt one as often
         Words(
             "That is the class, and not one of its kind: brackets make one, as in `PointStamped()`.",
-            "클래스일 뿐, 그 클래스로 만든 것이 아닙니다. `PointStamped()`처럼 괄호를 붙여 만드십시오.",
+            "클래스 자체입니다. `PointStamped()`처럼 괄호를 붙여 객체를 만드십시오.",
         ),
     ),
     (
