@@ -91,7 +91,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id).strip() or WHICH, str(error))
+        _say_not_found(task_id, error)
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
@@ -117,7 +117,7 @@ def hint(task_id: str = "") -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id).strip() or WHICH, str(error))
+        _say_not_found(task_id, error)
         return
     if assigned.cases.counts:
         show_reply(assigned.id, assigned.words(NO_HELP))
@@ -135,7 +135,7 @@ def solution(task_id: str = "") -> None:
     try:
         assigned = _find(task_id)
     except (WorkbookError, TaskError) as error:
-        show_reply(str(task_id).strip() or WHICH, str(error))
+        _say_not_found(task_id, error)
         return
     if assigned.cases.counts or assigned.workbook.edition == "class":
         show_reply(assigned.id, assigned.words(NO_HELP if assigned.cases.counts else PHRASES["solution_of_class"]))
@@ -197,6 +197,10 @@ def _what_was_tried(assigned: AssignedTask) -> str:
 
 
 # -- finding --------------------------------------------------------------------------
+
+
+def _say_not_found(task_id: object, error: Exception) -> None:
+    show_reply(str(task_id).strip() or WHICH, str(error))
 
 
 def _find(task_id: str) -> AssignedTask:

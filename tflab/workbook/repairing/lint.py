@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import ast
 import builtins
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
@@ -174,25 +174,33 @@ def _only_printed(node: ast.Try, _names: Mapping[str, Any]) -> Found:
     """Yield a handler that prints a word where another one returns its own."""
     if not any(isinstance(handler.body[-1], ast.Return) for handler in node.handlers):
         return
-    for (held,) in (handler.body for handler in node.handlers if len(handler.body) == 1):
-        call = held.value if isinstance(held, ast.Expr) and isinstance(held.value, ast.Call) else None
-        if call and getattr(call.func, "id", "") == "print":
-            yield held, ONLY_PRINTED
+    yield from ((held, ONLY_PRINTED) for held, _ in _prints_alone(handler.body for handler in node.handlers))
 
 
 def _printed_in_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     """Yield a way of an `if` that prints a word where another way returns its own."""
-    ways, other = [node.body], node.orelse
-    while len(other) == 1 and isinstance(other[0], ast.If):
-        ways.append(other[0].body)
-        other = other[0].orelse
-    ways.append(other)
-    if not any(isinstance(way[-1], ast.Return) for way in ways if way):
-        return
-    for (held,) in (way for way in ways if len(way) == 1):
+    chain = _chain(node)
+    ways = [*(one.body for one in chain), chain[-1].orelse]
+    if any(isinstance(way[-1], ast.Return) for way in ways if way):
+        for held, call in _prints_alone(ways):
+            if all(isinstance(one, ast.Constant) for one in call.args):
+                yield held, ONLY_PRINTED
+
+
+def _prints_alone(blocks: Iterable[list[ast.stmt]]) -> Iterator[tuple[ast.stmt, ast.Call]]:
+    """Yield the line of each block that does nothing but print, and its call."""
+    for (held,) in (block for block in blocks if len(block) == 1):
         call = held.value if isinstance(held, ast.Expr) and isinstance(held.value, ast.Call) else None
-        if call and getattr(call.func, "id", "") == "print" and all(isinstance(one, ast.Constant) for one in call.args):
-            yield held, ONLY_PRINTED
+        if call and getattr(call.func, "id", "") == "print":
+            yield held, call
+
+
+def _chain(node: ast.If) -> list[ast.If]:
+    """Return an `if` with its `elif`s."""
+    chain = [node]
+    while len(chain[-1].orelse) == 1 and isinstance(chain[-1].orelse[0], ast.If):
+        chain.append(chain[-1].orelse[0])
+    return chain
 
 
 def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
@@ -227,11 +235,8 @@ def _of_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
 
 def _of_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     """Yield an `elif` that asks what was asked before it."""
-    asked, other = ast.dump(node.test), node.orelse
-    while len(other) == 1 and isinstance(other[0], ast.If):
-        if ast.dump(other[0].test) == asked:
-            yield other[0], ASKED_ABOVE
-        other = other[0].orelse
+    asked = ast.dump(node.test)
+    yield from ((other, ASKED_ABOVE) for other in _chain(node)[1:] if ast.dump(other.test) == asked)
 
 
 def _of_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
