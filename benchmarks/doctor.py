@@ -24,13 +24,13 @@ from functools import partial
 from pathlib import Path
 
 from planted import CODES_OF_PLANT, PLANTS, with_records, with_transforms_of_odometry
+from tqdm import tqdm
 
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import Recording, recording_from_records
 from tflab.core.records import TransformRecord
 from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.report.faults import faults_of_code
-from tflab.progress_bar import ProgressBar
 from tflab.robots.faults.catalogue import Fault
 from tflab.robots.faults.inject import CannotInject, inject
 from tflab.robots.teaching import TeachingRobot
@@ -113,15 +113,15 @@ def confusion(name: str, clean, seeds: range, rows: dict[str, Row], verbose: boo
     What the clean recording is said to have natively is not counted for or against.
     """
     kinds: dict[str, Callable] = {str(fault): partial(injected, fault=fault) for fault in Fault} | PLANTS
-    with ProgressBar(len(kinds) * len(seeds), name) as progress:
-        for number, seed in enumerate(seeds):
+    with tqdm(desc=name, total=len(kinds) * len(seeds), leave=False, disable=None) as progress:
+        for seed in seeds:
             recording = clean(seed)
             native = found_in(recording)
             if seed == seeds[0]:
                 rows.setdefault("(clean)", Row()).count("", {code for code, *_ in native})
                 print(*([f"{name} natively: {sorted({code for code, *_ in native})}"] if native else ()))
-            for place, (kind, plant) in enumerate(kinds.items()):
-                progress.at(number * len(kinds) + place)
+            for kind, plant in kinds.items():
+                progress.update()
                 try:
                     broken, detail = plant(recording, seed)
                 except CannotInject:

@@ -10,7 +10,7 @@
     clinic     which of eighteen suspects is it, and what proves it?
     workbook   which mistake is this?  pages, exercises, checks
     grading    what did the class hand in?
-    cli        `tflab lab`, and what else a shell can ask; beside it `progress_bar`
+    cli        `tflab lab`, and what else a shell can ask
 
 A room imports only from rooms above it, and importing `tflab` loads none of them.
 Each begins with a page that says what is in it.  Start with `core/__init__.py`.

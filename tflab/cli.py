@@ -37,8 +37,8 @@ UNUSABLE = 2
 # What brings a library that `pip install tflab` leaves out, as pyproject.toml has it.
 EXTRA_OF = {
     "ipykernel": "lab", "jupyter_client": "lab", "jupyter_server": "lab", "jupyterlab": "lab", "latex2mathml": "lab",
-    "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab", "rosbags": "bags", "joblib": "grade", "nbval": "grade",
-    "pytest": "grade", "pdoc": "site", "dask": "cluster", "distributed": "cluster",
+    "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab", "rosbags": "bags", "tqdm": "bags",
+    "joblib": "grade", "nbval": "grade", "pytest": "grade", "pdoc": "site", "dask": "cluster", "distributed": "cluster",
 }  # fmt: skip
 
 SUBCOMMANDS = {

@@ -18,7 +18,6 @@ from tflab.grading.reports.gradebook import file_name, file_names, grades_csv
 from tflab.grading.reports.html import prose, text
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
-from tflab.progress_bar import ProgressBar
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.words import Words
 
@@ -126,9 +125,3 @@ def test_a_histogram_says_its_numbers_in_words() -> None:
     assert "  0 to 10: 2" in picture.text
     assert "  90 to 100: 1" in picture.text
     assert histogram([], "ko").png()
-
-
-def test_the_bar_says_how_far_it_is_and_what_is_left() -> None:
-    bar = ProgressBar(4, "graded", quiet=True)
-    bar.step()
-    assert bar.line("s101\x1b[2J", 3.0) == "graded  [======                  ]  1/4   0:09 left   s101[2J"

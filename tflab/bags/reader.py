@@ -24,8 +24,6 @@ from pathlib import Path
 from shutil import copyfile
 from tempfile import TemporaryDirectory
 
-from tflab.progress_bar import ProgressBar
-
 from .collect import Collector
 from .errors import BagError
 from .recording import Recording, Unfinished
@@ -69,15 +67,16 @@ def read_bag(path: str | Path, show_progress: bool = True, salvage: bool = False
 
 
 def _read(reader, collector: Collector, title: str) -> None:
-    """Let a collector take all messages that it asks for."""
+    """Pass all messages that a collector wants to it."""
+    from tqdm import tqdm  # comes with tflab[bags], as rosbags does
+
     collector.begin_file(reader.connections)
     wanted = [connection for connection in reader.connections if collector.wants(connection)]
-    with ProgressBar(sum(c.msgcount for c in wanted), title, quiet=not title) as progress:
-        messages = reader.messages(connections=wanted) if wanted else ()
-        for done, (connection, receive_ns, data) in enumerate(messages):
+    messages = reader.messages(connections=wanted) if wanted else ()
+    total = sum(connection.msgcount for connection in wanted)
+    with tqdm(messages, title, total, leave=False, disable=None if title else True) as progress:
+        for connection, receive_ns, data in progress:
             collector.add(connection, receive_ns, data)
-            if done % 4096 == 0:
-                progress.at(done)
 
 
 @contextmanager

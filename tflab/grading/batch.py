@@ -21,8 +21,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from tqdm import tqdm
+
 from tflab import __version__
-from tflab.progress_bar import ProgressBar
 from tflab.workbook.whole_files import write_whole
 
 from .judging.job import SEVERAL, HandedIn, Job
@@ -62,16 +63,16 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) 
     """Return a record for each submission, in their order; each is also in `out`."""
     ledger = Ledger(collection, pack, out / RECORDS, how)
     do = partial(grade_job, sandbox=how.sandbox)
-    with ProgressBar(len(collection.submissions), "graded", quiet=how.quiet) as bar:
+    with tqdm(desc="graded", total=len(collection.submissions), leave=False, disable=how.quiet or None) as bar:
         for record in _done(ledger, do, how):
             ledger.take(record)
-            bar.at(len(ledger.records), record["learner"])
-    with ProgressBar(len(ledger.set_aside), "once more, alone", quiet=how.quiet) as bar:
+            bar.update(len(ledger.records) - bar.n)  # some were on the disk already
+    with tqdm(desc="graded again", total=len(ledger.set_aside), leave=False, disable=how.quiet or None) as bar:
         for submission in sorted(ledger.set_aside, key=lambda submission: submission.learner):
             record = ledger.records[submission.learner]
             job = replace(job_of(submission, pack, how.limits, how.several), only=record["set_aside"])
             ledger.keep(record_with(record, do(job)))
-            bar.step(submission.learner)
+            bar.update()
     ledger.remove_old()
     return [ledger.records[submission.learner] for submission in collection.submissions]
 

@@ -23,8 +23,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from tqdm import tqdm
+
 from tflab import __version__
-from tflab.progress_bar import ProgressBar
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import PRISTINE, cases_bytes, lay_out, update
 from tflab.workbook.pages.editions import text_of
@@ -130,10 +131,10 @@ def release(
             write_chapter(folder / INSTRUCTOR, stem, graded, masters[stem].read_bytes())
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
-    with ProgressBar(len(list(everybody)), "released", quiet=quiet) as bar:
+    with tqdm(desc="released", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
         for learner in everybody:
             _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
-            bar.step(learner.id if learner else places.COPY)
+            bar.update()
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return read_pack(folder / INSTRUCTOR)
 
@@ -169,10 +170,10 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
     write_pack(folder / INSTRUCTOR, replace(pack, version=__version__))
     pack = read_pack(folder / INSTRUCTOR)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
-    with ProgressBar(len(list(everybody)), "updated", quiet=quiet) as bar:
+    with tqdm(desc="updated", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
         for learner in everybody:
             lines += _update_for(folder / LEARNERS, learner, pack, handed_out, staying)
-            bar.step(learner.id if learner else places.COPY)
+            bar.update()
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return pack, lines
 

@@ -26,9 +26,9 @@ from typing import Any
 
 from joblib import Parallel, delayed, parallel_config
 from joblib.externals.loky import get_reusable_executor
+from tqdm import tqdm
 
 from tflab import __version__
-from tflab.progress_bar import ProgressBar
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.answers.sealed import sealed_variant
 from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
@@ -153,11 +153,11 @@ def chapters_made(
     longest_first = sorted(stems, key=size.__getitem__, reverse=True)
     made = {}
     work = Parallel(min(len(stems), os.cpu_count() or 1) or 1, return_as="generator_unordered", batch_size=1)
-    with ProgressBar(len(stems), "made", quiet=quiet) as bar:
+    with tqdm(desc="made", total=len(stems), leave=False, disable=quiet or None) as bar:
         try:
             for stem, cases in work(delayed(_called)(stem, seed, solutions) for stem in longest_first):
                 made[stem] = cases
-                bar.step(stem)
+                bar.update()
         except BaseException:
             if work.n_jobs != 1:
                 get_reusable_executor().shutdown(wait=True, kill_workers=True)
