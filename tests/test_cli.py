@@ -23,6 +23,7 @@ def test_python_m_tflab_is_the_command() -> None:
     [
         ("jupyterlab", ["lab", "mine"], "lab"),
         ("nbconvert", ["export", "page.ipynb"], "lab"),
+        ("matplotlib", ["export", "page.ipynb"], "views"),
         ("rosbags", ["doctor", "drive.mcap"], "bags"),
         ("nbval", ["check", "--plain", "03"], "grade"),
     ],
@@ -36,7 +37,7 @@ def test_a_part_that_is_not_installed_is_named_with_what_brings_it(
     monkeypatch.setattr(cli, "_function", lambda subcommand: function)
     assert cli.main(words) == 2
     assert capsys.readouterr().err == (
-        f'tflab {words[0]}: {library}.part is not installed here; it comes with: pip install "tflab[{extra}]"\n'
+        f'tflab {words[0]}: This needs {library}. Install it with: pip install "tflab[{extra}]"\n'
     )
 
 

@@ -11,6 +11,7 @@
     workbook   which mistake is this?  pages, exercises, checks
     grading    what did the class hand in?
     cli        `tflab lab`, and what else a shell can ask
+    extras     which extra installs a missing library
 
 A room imports only from rooms above it, and importing `tflab` loads none of them.
 Each begins with a page that says what is in it.  Start with `core/__init__.py`.

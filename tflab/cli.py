@@ -13,11 +13,13 @@ import sys
 from collections.abc import Callable, Sequence
 from difflib import get_close_matches
 from importlib import import_module
+from importlib.util import find_spec
 from io import TextIOWrapper
 from pathlib import Path
 from typing import NamedTuple
 
 from . import __version__
+from .extras import hint
 
 __all__ = ["SUBCOMMANDS", "Subcommand", "main"]
 
@@ -33,13 +35,6 @@ class Subcommand(NamedTuple):
 # What a shell says of a program that a signal has ended.
 BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 UNUSABLE = 2
-
-# What brings a library that `pip install tflab` leaves out, as pyproject.toml has it.
-EXTRA_OF = {
-    "ipykernel": "lab", "jupyter_client": "lab", "jupyter_server": "lab", "jupyterlab": "lab", "latex2mathml": "lab",
-    "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab", "rosbags": "bags", "tqdm": "bags",
-    "joblib": "grade", "nbval": "grade", "pytest": "grade", "pdoc": "site", "dask": "cluster", "distributed": "cluster",
-}  # fmt: skip
 
 SUBCOMMANDS = {
     "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.pages.build", "build"),
@@ -108,8 +103,7 @@ def _leave_nothing_to_flush() -> None:
 def _reason(error: Exception) -> str | None:
     """Return what went wrong and with what, if it is the machine's doing; None if it is a fault of ours."""
     if isinstance(error, ModuleNotFoundError):
-        extra = EXTRA_OF.get((error.name or "").partition(".")[0])
-        return extra and f'{error.name} is not installed here; it comes with: pip install "tflab[{extra}]"'
+        return hint(error.name or "")
     if isinstance(error, RuntimeError):
         return f"{error} Set HOME to a folder of yours." if "home directory" in str(error) else None
     reason = error.strerror or str(error)
@@ -147,11 +141,12 @@ def _help() -> str:
             *lines,
             "",
             "Call `tflab <subcommand> -h` for more.",
+            *([] if find_spec("jupyterlab") else ['Figures and JupyterLab are missing here: pip install "tflab[lab]"']),
         ]
     )
 
 
 def _unknown(name: str) -> str:
     close = get_close_matches(name, SUBCOMMANDS, n=1)
-    hint = f' Did you mean "{close[0]}"?' if close else ""
-    return f'tflab: there is no "{name}"; there is {", ".join(sorted(SUBCOMMANDS))}.{hint}'
+    guess = f' Did you mean "{close[0]}"?' if close else ""
+    return f'tflab: there is no "{name}"; there is {", ".join(sorted(SUBCOMMANDS))}.{guess}'

@@ -276,6 +276,7 @@ def test_what_stops_a_check_in_the_same_way_again_is_no_new_try(copy, capsys):
 def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
     shown = []
     monkeypatch.setattr(trying, "show_reply", lambda *_: shown.append("words"))
+    monkeypatch.setattr(trying, "shell", lambda: "IPython")
     monkeypatch.setattr(comparison, "picture_of", lambda *_: shown.append("picture"))
     for wrong in (7.0, 8.0, 9.0):
         check("E3.4", wrong)

@@ -19,9 +19,8 @@ from contextlib import redirect_stdout
 from html import escape
 from io import StringIO
 
-import ipywidgets as widgets
-
 from tflab.views.film import Film
+from tflab.views.libraries import ipywidgets as widgets
 from tflab.views.order import describe_order, draw_order
 from tflab.views.panels.drawn_ahead import At
 from tflab.views.panels.panel import Panel, side_by_side

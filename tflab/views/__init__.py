@@ -1,6 +1,7 @@
 """Seeing it: pictures that stand still, pictures that move, and the same in words.
 
     style      sizes, colours, and how a number is printed
+    libraries  the widget libraries, or the extra that installs them
     picture    what a view hands back
     rerun      what becomes of it when its cell runs again
     eye        from where we look

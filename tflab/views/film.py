@@ -16,8 +16,7 @@ import struct
 from collections.abc import Sequence
 from pathlib import Path
 
-import anywidget
-import traitlets
+from .libraries import anywidget, traitlets
 
 __all__ = ["STATIC", "Film", "javascript"]
 

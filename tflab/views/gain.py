@@ -14,9 +14,12 @@ chart*.  Read `panels/` next.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from . import style
-from .picture import Picture
+
+if TYPE_CHECKING:
+    from .picture import Picture
 
 __all__ = ["KINDS", "describe_gain", "draw_gain", "state_of"]
 
@@ -66,6 +69,8 @@ def draw_gain(before: Mapping[str, str], after: Mapping[str, str]) -> Picture:
     Raises:
         ValueError: there are no rows, the two have others, or one is of no kind.
     """
+    from .picture import Picture
+
     if not before or set(before) != set(after):
         raise ValueError(f"before and after need the same rows, at least one: {', '.join(before)}; {', '.join(after)}")
     if strange := {*before.values(), *after.values()} - set(KINDS):

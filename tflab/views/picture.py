@@ -19,10 +19,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from tflab.extras import require
+
 from . import style
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+
+require("matplotlib", "PIL")
 
 
 class Picture:

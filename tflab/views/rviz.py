@@ -24,11 +24,11 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from html import escape
 from typing import Any
 
-import ipywidgets
 import numpy as np
 
 from tflab.core import Transform
 
+from .libraries import ipywidgets
 from .rviz_status import (
     Ask,
     Display,

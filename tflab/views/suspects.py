@@ -16,8 +16,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from matplotlib.patches import Rectangle
-
 from . import style
 from .picture import Picture
 
@@ -104,6 +102,8 @@ class SuspectsPicture(Picture):
                 )
 
     def _cell(self, x: float, y: float, kind: str, said: str | None) -> None:
+        from matplotlib.patches import Rectangle
+
         box = Rectangle((x + 2, y + 2), self._cell_px - 4, ROW_PX - 4, facecolor=style.PAPER, edgecolor=style.FAINT)
         self.ax.add_patch(box)
         if said is None:

@@ -17,8 +17,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from matplotlib.patches import Rectangle
-
 from . import style
 from .picture import Picture
 
@@ -84,6 +82,8 @@ class VisitPicture(Picture):
 
     def show(self, at: int) -> None:
         """Show the visit up to a step, counted from 0."""
+        from matplotlib.patches import Rectangle
+
         self.text = describe_visit(self._steps, at)
         with style.our_settings():
             self.ax.clear()
@@ -99,6 +99,8 @@ class VisitPicture(Picture):
         self.redraw_all()
 
     def _draw_clock(self, at: int) -> None:
+        from matplotlib.patches import Rectangle
+
         whole = max(self._budget_min, sum(step.minutes for step in self._steps))
         bottom, px = HEAD_PX + ROW_PX * len(self._steps), CLOCK_PX / whole
         for minutes, colour in ((0.0, style.FAINT), (self._budget_min, style.GREY)):

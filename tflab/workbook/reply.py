@@ -16,12 +16,13 @@ from __future__ import annotations
 
 import html
 import re
+import sys
 from collections.abc import Sequence
 from typing import Any
 
 from .words import begun
 
-__all__ = ["as_html", "in_notebook", "show_caption", "show_page", "show_reply"]
+__all__ = ["as_html", "in_notebook", "shell", "show_caption", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
 CALL = re.compile(r"\b[a-z_][\w.]*\((?:[^()\n]|\([^()\n]*\))*\)")
@@ -95,6 +96,9 @@ def _with_code(text: str) -> str:
 
 def in_notebook() -> bool:
     """Return whether what is displayed is shown as HTML: in a kernel, not in a terminal or a test."""
-    from IPython import get_ipython
+    return getattr(shell(), "kernel", None) is not None
 
-    return getattr(get_ipython(), "kernel", None) is not None
+
+def shell() -> Any:
+    """Return the IPython shell that runs this code, or None in plain Python, where IPython need not be installed."""
+    return sys.modules["IPython"].get_ipython() if sys.modules.get("IPython") else None

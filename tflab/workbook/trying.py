@@ -24,7 +24,7 @@ from .explaining.changes import gave
 from .places import Workbook
 from .repairing.lint import said_of_its_text
 from .repairing.one_place import said_of_one_place
-from .reply import in_notebook, show_caption, show_reply
+from .reply import in_notebook, shell, show_caption, show_reply
 from .tasks.case import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
 from .verdicts.replies import PHRASES
@@ -203,16 +203,16 @@ def _shown(outcome: Plain) -> str:
 
 def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
     """Draw the answer beside the right one, where both are in space, and say which is whose."""
-    from .verdicts.comparison import picture_of
-
-    if not outcomes or verdict.mistake not in DRAWN:
+    if not outcomes or verdict.mistake not in DRAWN or shell() is None:
+        return
+    try:
+        from .verdicts.comparison import picture_of
+    except ModuleNotFoundError as missing:  # the reply is complete without the figure
+        show_caption(str(missing))
         return
     picture = picture_of(assigned.cases.form, outcomes[verdict.case], assigned.variant.cases[verdict.case].expected)
-    if picture is None:
-        return
-    from IPython import get_ipython
-    from IPython.display import display
+    if picture is not None:
+        from IPython.display import display
 
-    if get_ipython() is not None:
         display(picture)
         show_caption(assigned.phrase("drawn"))

@@ -10,9 +10,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import ipywidgets as widgets
-
 from ..clocks import PASSES, WORDS, ClocksPicture, Play
+from ..libraries import ipywidgets as widgets
 from .drawn_ahead import At
 from .panel import Panel, slider
 

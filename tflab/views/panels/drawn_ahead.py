@@ -23,11 +23,9 @@ from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-import anywidget
-import ipywidgets as widgets
-import traitlets
-
 from ..film import STATIC, javascript
+from ..libraries import anywidget, traitlets
+from ..libraries import ipywidgets as widgets
 from ..style import ONE_AT_A_TIME
 
 __all__ = ["At", "Drawing", "DrawnAhead"]

@@ -7,9 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import ipywidgets as widgets
-
 from ..joins import JoinsPicture, Sender
+from ..libraries import ipywidgets as widgets
 from .drawn_ahead import At
 from .panel import Panel, slider
 

@@ -22,10 +22,10 @@ import os
 from collections.abc import Callable, Sequence
 from html import escape
 
-import ipywidgets as widgets
 import numpy as np
 
 from ..film import Film
+from ..libraries import ipywidgets as widgets
 from ..picture import Picture
 from .drawn_ahead import At, Drawing, DrawnAhead, place_of
 from .words import said

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import math
 
-import ipywidgets as widgets
 import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import Vector3
 
+from ..libraries import ipywidgets as widgets
 from ..rulers import RulersPicture, readings_of
 from .drawn_ahead import At
 from .panel import SLIDER_WIDTH, Panel, slider

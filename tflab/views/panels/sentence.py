@@ -15,11 +15,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from itertools import permutations
 
-import ipywidgets as widgets
-
 from tflab.core import StampedTransform, Transform
 from tflab.core.quaternions import canonical
 
+from ..libraries import ipywidgets as widgets
 from ..sentence import SentencePicture, sentence
 from .drawn_ahead import At
 from .panel import Panel, menu

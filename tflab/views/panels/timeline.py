@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import ipywidgets as widgets
-
 from tflab.core import LATEST, NSEC_PER_SEC, seconds
 
+from ..libraries import ipywidgets as widgets
 from ..timeline import Ask, Lane, Timeline, TimelinePicture
 from .drawn_ahead import At
 from .panel import Panel, slider

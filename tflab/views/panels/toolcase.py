@@ -12,8 +12,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from html import escape
 
-import ipywidgets as widgets
-
+from ..libraries import ipywidgets as widgets
 from ..toolcase import SIGNS, Suitabilities, ToolOutput, ToolPicture
 from .drawn_ahead import At
 from .panel import Panel

@@ -11,9 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-import ipywidgets as widgets
-
 from ..climb import TreeWalkPicture, snapshot_of_parents
+from ..libraries import ipywidgets as widgets
 from .drawn_ahead import At
 from .panel import Panel, menu
 

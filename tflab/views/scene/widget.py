@@ -32,12 +32,9 @@ from threading import RLock
 from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
-import anywidget
-import traitlets
-from ipywidgets import widget_serialization
-
 from .. import style
 from ..film import STATIC, javascript
+from ..libraries import anywidget, ipywidgets, traitlets
 from .meshes import grid
 from .state import SceneState, joined, pack, plain, with_stable_ids
 from .words import describe
@@ -77,14 +74,14 @@ class Scene(anywidget.AnyWidget):
 
     _esm = javascript("near", "renderer", "labels", "camera", "scrubber", "ahead", "pointer", "scene")
     _css = STATIC / "scene.css"
-    asset = traitlets.Instance(ViewerAsset).tag(sync=True, **widget_serialization)
+    asset = traitlets.Instance(ViewerAsset).tag(sync=True, **ipywidgets.widget_serialization)
     scene = traitlets.Bytes(b"").tag(sync=True)
     description = traitlets.Unicode("").tag(sync=True)
     height_px = traitlets.Int(420).tag(sync=True)
     picked = traitlets.Unicode("").tag(sync=True)
     position = traitlets.Float(0.0).tag(sync=True)
     looks_at_origin = traitlets.Bool(False).tag(sync=True)
-    controls = traitlets.List().tag(sync=True, **widget_serialization)
+    controls = traitlets.List().tag(sync=True, **ipywidgets.widget_serialization)
 
     def __init__(
         self, height_px: int = 420, grid_m: float = 1.0, grid_cells: int = 10, looks_at_origin: bool = False

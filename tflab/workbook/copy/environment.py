@@ -2,7 +2,7 @@
 
     ✓  Python 3.10 or later
     ✓  numbers and figures
-    ✗  widgets and 3D: ipywidgets is missing: pip install "tflab"
+    ✗  widgets and 3D: ipywidgets is missing: pip install "tflab[views]"
 
 Where all is well it prints the same everywhere, in the language of the copy.  Whether the
 browser shows 3D, only eyes can tell: the start page draws something.  Read `lab.py` next.
@@ -32,8 +32,8 @@ class Need(NamedTuple):
 
 
 NEEDED = (
-    Need(Words("numbers and figures", "숫자와 그림"), "tflab", ("numpy", "matplotlib", "PIL", "yaml")),
-    Need(Words("widgets and 3D", "위젯과 3D"), "tflab", ("ipywidgets", "anywidget", "meshcat")),
+    Need(Words("numbers and figures", "숫자와 그림"), "tflab[views]", ("numpy", "matplotlib", "PIL", "yaml")),
+    Need(Words("widgets and 3D", "위젯과 3D"), "tflab[views]", ("ipywidgets", "anywidget", "meshcat")),
     Need(Words("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
     Need(Words("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
 )

@@ -28,6 +28,7 @@ from shlex import join, quote
 from shutil import which
 
 from tflab import __version__
+from tflab.extras import require
 
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from ..words import LANGUAGES, Words
@@ -102,6 +103,8 @@ def lab(words: Sequence[str]) -> int:
     given = list(words)
     words, own_options = _split(words)
     options = _parsed(words)
+    if not options.copy_only:
+        require("jupyterlab")
     if options.as_is:
         folder, language = Path(options.folder or ".").resolve(), language_of(os.environ)
         if not folder.is_dir():

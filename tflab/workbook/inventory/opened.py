@@ -18,9 +18,9 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from tflab.views.gain import draw_gain
-from tflab.views.picture import Picture
 
 from ..places import chapters
 from ..progress import read_progress
@@ -30,6 +30,9 @@ from .change import changes, relearnt
 from .items import FORMS, Item, read_inventory
 from .questions import DO_NOT_KNOW
 from .replies import Reply, replies_to
+
+if TYPE_CHECKING:
+    from tflab.views.picture import Picture
 
 __all__ = ["LIMITS", "Opened", "opened", "waiting"]
 

@@ -15,15 +15,12 @@ import re
 import time
 from collections.abc import Sequence
 from types import SimpleNamespace
-from typing import Any
-
-from tflab.views.boxes import draw_boxes
-from tflab.views.picture import Picture
+from typing import TYPE_CHECKING, Any
 
 from ..answers.showing import show_all
 from ..checks import TRIES_BEFORE_SOLUTION, solution_text
 from ..places import MARK, WorkbookError, read_workbook, workbook_root
-from ..reply import in_notebook, show_reply
+from ..reply import in_notebook, shell, show_reply
 from ..tasks.task import TaskError
 from ..trying import say_verdict, show_hint
 from ..words import Words
@@ -32,6 +29,9 @@ from .sentences import afterwards, why_asked
 from .sentences import standing as standing_of
 from .session import Session, known_of
 from .spacing import DAY_S, GAPS, HOUR_S, Spacing, is_due
+
+if TYPE_CHECKING:
+    from tflab.views.picture import Picture
 
 __all__ = ["ask", "boxes", "check", "given", "hint", "say_hint", "say_solution", "skip", "solution", "standing"]
 
@@ -117,6 +117,8 @@ def standing() -> None:
 
 def boxes() -> Picture:
     """Draw in which box each idea lies, and which is due."""
+    from tflab.views.boxes import draw_boxes
+
     kept, now_s = known_of(workbook_root()), int(time.time())
     lying = {name: idea.box for name, idea in sorted(kept.ideas.items(), key=lambda one: _in_order(one[0]))}
     due = [name for name, idea in kept.ideas.items() if is_due(idea, kept.number, now_s)]
@@ -172,9 +174,7 @@ def _put_below(text: str) -> None:
     if not in_notebook():
         print(text)
         return
-    from IPython import get_ipython
-
-    get_ipython().set_next_input(text)
+    shell().set_next_input(text)
 
 
 def _session(chapters: Sequence[str | int] = ()) -> Session | None:
