@@ -5,11 +5,8 @@
     hint("E3.2")                     three, coarse to fine
     solution("E3.2")                 after a pass or three tries, for self-study
 
-They work offline, on the public cases that came with the exercises.  `check`
-never raises: it is there for wrong answers.  What it says of a right one is that
-it is right on these cases, and what grading will add.
-
-Read `reply.py` next.
+They work offline.  What an answer is compared with is computed when a task is first
+asked for.  `check` never raises: it is there for wrong answers.
 """
 
 from __future__ import annotations
@@ -18,11 +15,11 @@ import difflib
 import json
 import os
 import re
-from contextlib import suppress
-from functools import lru_cache
-from pathlib import Path
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
+
+from tflab import __version__
 
 from . import progress
 from .answers import sealed
@@ -30,14 +27,13 @@ from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .inventory.taking_part import NO_HELP, say_taken_part
-from .places import CASES, Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from .places import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
 from .reply import show_reply
 from .tasks.blank import without_marks
-from .tasks.case import ChapterCases
-from .tasks.cases import CasesError, read_chapter, read_outline
 from .tasks.evidence import beyond_one_word
+from .tasks.library import assigned_cases, question_digest, task_ids
 from .tasks.reference import answer_cell_name, given_name
-from .tasks.task import TaskError, variant_of
+from .tasks.task import TaskError
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
 from .verdicts.mistake import Mistake
 from .verdicts.replies import LATER, PHRASES
@@ -90,7 +86,7 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
         task_id, answer = answer, task_id
     try:
         assigned = _find(task_id)
-    except (WorkbookError, TaskError) as error:
+    except WorkbookError as error:
         _say_not_found(task_id, error)
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
@@ -116,7 +112,7 @@ def hint(task_id: str = "") -> None:
     """Print the next of a task's three hints; without a task, which there are."""
     try:
         assigned = _find(task_id)
-    except (WorkbookError, TaskError) as error:
+    except WorkbookError as error:
         _say_not_found(task_id, error)
         return
     if assigned.cases.counts:
@@ -134,7 +130,7 @@ def solution(task_id: str = "") -> None:
     """
     try:
         assigned = _find(task_id)
-    except (WorkbookError, TaskError) as error:
+    except WorkbookError as error:
         _say_not_found(task_id, error)
         return
     if assigned.cases.counts or assigned.workbook.edition == "class":
@@ -207,49 +203,41 @@ def _find(task_id: str) -> AssignedTask:
     """Return a task of this workbook, as this learner has it.
 
     Raises:
-        WorkbookError: there is no such task, or its cases cannot be read.
+        WorkbookError: there is no such task, or it asks something else than when it was handed out,
+            or its cases cannot be computed.
     """
-    root = workbook_root()
+    root, data = workbook_root(), workbook_data()
     workbook = read_workbook(root)
+    stems = chapters(root)
     meant = LIKE_A_TASK.fullmatch(str(task_id).strip())
-    if meant is None:
-        raise WorkbookError(_unknown(root, workbook, str(task_id), sorted((root / CASES).glob("*.json"))))
-    number = int(meant["chapter"])
-    paths = sorted((root / CASES).glob(f"{number:02d}_*.json"))
-    if not paths or not meant["task"]:
-        raise WorkbookError(_unknown(root, workbook, task_id, paths or sorted((root / CASES).glob("*.json"))))
-    task_id = f"E{number}.{int(meant['task'])}"
+    stem = next((stem for stem in stems if meant and int(stem[:2]) == int(meant["chapter"])), "")
+    known = [task for task in task_ids(data, stem) if not workbook.questions or task in workbook.questions]
+    asked = f"E{int(meant['chapter'])}.{int(meant['task'])}" if meant and meant["task"] else ""
+    if asked not in known:
+        raise WorkbookError(_unknown(workbook, asked or task_id, [stem] if stem else stems))
     try:
-        cases = _read(paths[0], paths[0].stat().st_mtime_ns)
-    except CasesError as error:
+        cases = assigned_cases(data, stem, asked, workbook)
+    except TaskError as error:
         raise WorkbookError(PHRASES["no_cases"].say(workbook.language, why=error)) from None
-    if task_id not in cases.tasks:
-        raise WorkbookError(_unknown(root, workbook, task_id, paths))
-    held = cases.tasks[task_id]
-    variant = held.variants[variant_of(workbook.learner, task_id, len(held.variants))]
-    return AssignedTask(task_id, paths[0].stem, held, variant, root, workbook)
+    (variant,) = cases.variants
+    if workbook.questions and question_digest(variant) != workbook.questions[asked]:
+        raise WorkbookError(PHRASES["other_question"].say(workbook.language, id=asked, here=__version__))
+    return AssignedTask(asked, stem, cases, variant, root, workbook)
 
 
-@lru_cache(maxsize=4)
-def _read(path: Path, _mtime_ns: int) -> ChapterCases:
-    return read_chapter(path)
-
-
-def _unknown(root: Path, workbook: Workbook, task_id: str, paths: list[Path]) -> str:
-    """Say which tasks there are: of one chapter each, of several from where to where."""
-    chapters: list[list[str]] = []
-    for path in paths:
-        with suppress(CasesError):
-            chapters.append(list(read_outline(path).tasks))
-    known = [task for chapter in chapters for task in chapter]
+def _unknown(workbook: Workbook, task_id: str, stems: Sequence[str]) -> str:
+    """Return which tasks there are: of one chapter each, of several the first and the last."""
+    data = workbook_data()
+    tasks_there = [task_ids(data, stem) for stem in stems]
+    known = [task for chapter in tasks_there for task in chapter]
     undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
-    is_chapter = len(chapters) == 1 and "." not in str(task_id)  # all of them are named
+    is_chapter = len(stems) == 1 and "." not in str(task_id)  # all of them are named
     close = undotted or ([] if is_chapter else difflib.get_close_matches(str(task_id), known, n=1, cutoff=0.7))
     suggestion = PHRASES["did_you_mean"].say(workbook.language, name=close[0]) if close else ""
-    if len(chapters) > 1:
-        known = [_from_to(chapter) for chapter in chapters]
+    if len(stems) > 1:
+        known = [_from_to(chapter) for chapter in tasks_there]
     phrase = PHRASES["unknown_task" if str(task_id).strip() else "no_task"]
-    return phrase.say(workbook.language, known=", ".join(known) or str(root / CASES), close=suggestion)
+    return phrase.say(workbook.language, known=", ".join(known) or str(data / TASKS), close=suggestion)
 
 
 def _from_to(tasks: list[str]) -> str:

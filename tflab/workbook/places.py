@@ -4,10 +4,11 @@
       workbook.json           version, edition, language, learner
       progress.json           what has been tried (see `progress.py`)
       notebooks/en/           pages to read
-      exercises/en/E03_....   pages to answer;  exercises/cases/  what `check` asks
+      exercises/en/E03_....   pages to answer
 
 The same folders, in every language, are in the repository and in the wheel, and with
-them the solutions, of which `solution` shows one task at a time.  Read `answers/` next.
+them the solutions.  `check` computes from these what it compares an answer with, and
+`solution` shows one task of them at a time.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, field
 from pathlib import Path
 
 from tflab import __version__
@@ -23,10 +24,10 @@ from tflab import __version__
 from .words import LANGUAGES
 
 __all__ = [
-    "CASES",
     "COPY",
     "EDITIONS",
     "MARK",
+    "TASKS",
     "Workbook",
     "WorkbookError",
     "chapter_of",
@@ -43,8 +44,11 @@ __all__ = [
 
 MARK = "workbook.json"
 COPY = "tflab_workbook"  # what a copy is called if nobody names it
-CASES = Path("exercises", "cases")
+TASKS = Path("solutions", "tasks")
 EDITIONS = ("self-study", "class")
+
+
+LATER = ("seed", "questions")  # what the first copies did not have
 
 
 class WorkbookError(Exception):
@@ -64,12 +68,16 @@ class Workbook:
         edition: "self-study", with solutions, or "class".
         language: "en" or "ko", that of replies and hints.
         learner: an id, which picks variants of tasks; None has the first ones.
+        seed: of a class, what its tasks draw their numbers from; "" is the public seed.
+        questions: of a class, what each task asked when it was handed out, as digests by task.
     """
 
     tflab: str = __version__
     edition: str = "self-study"
     language: str = "en"
     learner: str | None = None
+    seed: str = ""
+    questions: dict[str, str] = field(default_factory=dict)
 
 
 def workbook_data() -> Path:
@@ -111,10 +119,12 @@ def read_workbook(root: str | Path | None = None) -> Workbook:
         return Workbook()
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
-        read = Workbook(**{name: found[name] for name in asdict(Workbook())})
+        read = Workbook(**{name: found[name] for name in asdict(Workbook()) if name in found or name not in LATER})
     except (OSError, ValueError, TypeError, KeyError) as error:
         reason = f"{error.args[0]!r} is missing" if isinstance(error, KeyError) else error
         raise WorkbookError(f"{path} cannot be read: {reason}.\n{_remedy(path)}") from None
+    if not isinstance(read.seed, str) or not isinstance(read.questions, dict):
+        raise WorkbookError(f"{path} cannot be read: what a class asks is damaged.\n{_remedy(path)}")
     if read.edition not in EDITIONS or read.language not in LANGUAGES or not isinstance(read.learner, str | None):
         raise WorkbookError(
             f'{path} says edition "{read.edition}", language "{read.language}" and learner {read.learner!r}; '
@@ -140,8 +150,17 @@ def write_workbook(root: Path, workbook: Workbook) -> None:
 
 
 def chapters(root: str | Path | None = None) -> list[str]:
-    """Return the stems of the chapters that have tasks, in order; those of tflab's own workbook if `root` is None."""
-    return sorted(path.stem for path in (Path(root or workbook_data()) / CASES).glob("*.json"))
+    """Return the stems of the chapters that have tasks, in order; of a class's copy, those that were handed out.
+
+    Raises:
+        WorkbookError: the `workbook.json` at `root` cannot be read.
+    """
+    stems = sorted(path.name for path in (workbook_data() / TASKS).glob("[0-9]*_*") if path.is_dir())
+    workbook = Workbook() if root is None else read_workbook(root)
+    if workbook.edition != "class":
+        return stems
+    numbers = {task.partition(".")[0].removeprefix("E") for task in workbook.questions}
+    return [stem for stem in stems if str(int(stem.partition("_")[0])) in numbers]
 
 
 def exercise_file(stem: str) -> str:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from tflab.core import Transform
-from tflab.workbook.tasks import Slip, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Draws, Slip, Task, Twin, Vector, Words
 
 
-def detection(rng: np.random.Generator) -> dict:
+def detection(rng: Draws) -> dict:
     """Draw a detection whose three numbers cannot be mistaken for one another."""
     right = rng.choice((-1, 1)) * rng.uniform(0.25, 0.45)
     down = rng.choice((-1, 1)) * rng.uniform(0.55, 0.80)

@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from tflab.workbook.tasks import Quaternion, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Quaternion, Slip, Task, Twin, Words
 
 
-def yaws(rng: np.random.Generator) -> list[tuple[float]]:
+def yaws(rng: Draws) -> list[tuple[float]]:
     """Draw turns to the left and to the right, small and large, and the two that are easy to get right by chance."""
     drawn = (rng.uniform(0.3, 1.4), -rng.uniform(0.3, 1.4), rng.uniform(1.8, 2.9), -rng.uniform(1.8, 2.9))
     return [(0.0,), (math.pi / 2,), (4.0,), (-5.5,), *((round(float(yaw), 3),) for yaw in drawn)]

@@ -5,17 +5,15 @@ from __future__ import annotations
 import math
 from itertools import combinations
 
-import numpy as np
-
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Slip, Task, Twin, Words
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
 PARTLY = ["".join(some) for size in (1, 2, 3) for some in combinations("xyzw", size)]  # which are asked for NaN
 
 
-def quaternions(rng: np.random.Generator) -> list[tuple[tuple[float, float, float, float]]]:
+def quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]]]:
     """Draw good ones, in every dress that a good one may wear, and one of each bad kind."""
 
     def yawed(low: float, high: float) -> tuple[float, float, float, float]:

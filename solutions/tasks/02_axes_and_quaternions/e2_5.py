@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Quaternion, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Quaternion, Slip, Task, Twin, Words
 
 
-def two_turns(rng: np.random.Generator) -> dict:
+def two_turns(rng: Draws) -> dict:
     """Draw a yaw and a pitch, both large enough for their order to be seen."""
     yaw = rng.choice((-1, 1)) * rng.uniform(0.5, 2.0)
     if abs(abs(yaw) - math.pi / 2) < 0.1:  # a quarter turn makes a roll of a pitch, whichever came first

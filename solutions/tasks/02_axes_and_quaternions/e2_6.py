@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Parts, Task, Twin, Words
 
 OPTICAL_RPY_DEG = (-90.0, 0.0, -90.0)
 STRAIGHT_DEG = (0.0, 0.0, 0.0)
@@ -28,7 +28,7 @@ DIAGNOSIS = Parts(
 )
 
 
-def turned_cloud(rng: np.random.Generator) -> dict:
+def turned_cloud(rng: Draws) -> dict:
     """Draw one of five ways to turn a cloud by ninety degrees: the evidence, as one would read it off."""
     frame_id, body_deg, optical_deg = ODD[int(rng.integers(len(ODD)))]
     return {

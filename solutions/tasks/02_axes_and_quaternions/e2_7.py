@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
-from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Number, Slip, Task, Twin, Words
 
 
-def few_digits(rng: np.random.Generator) -> dict:
+def few_digits(rng: Draws) -> dict:
     """Draw how pi/2 was written in a URDF, and how far away one looks."""
     written = float(rng.choice((1.55, 1.56, 1.58, 1.59)))
     return {"written_yaw_rad": written, "range_m": round(float(rng.uniform(6.0, 30.0)), 1)}

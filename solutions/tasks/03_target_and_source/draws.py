@@ -4,27 +4,25 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from tflab.core import Transform
-from tflab.workbook.tasks import Angle, Number, Parts, Slip, Words
+from tflab.workbook.tasks import Angle, Draws, Number, Parts, Slip, Words
 
 PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
 
 
-def some_yaw_degrees(rng: np.random.Generator) -> int:
+def some_yaw_degrees(rng: Draws) -> int:
     """Return a turn that nobody can overlook: 20 to 70 or 110 to 160 degrees, to either side."""
     size = rng.choice([rng.integers(20, 71), rng.integers(110, 161)])
     return int(size * rng.choice([-1, 1]))
 
 
-def some_mount(rng: np.random.Generator) -> Transform:
+def some_mount(rng: Draws) -> Transform:
     """Return where a sensor is bolted on: ahead, aside, above, and turned."""
     ahead, aside, above = rng.integers(15, 60) / 100, rng.choice([-1, 1]) * rng.integers(8, 30) / 100, 0.15
     return Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(ahead, aside, above))
 
 
-def some_planar(rng: np.random.Generator) -> dict[str, float]:
+def some_planar(rng: Draws) -> dict[str, float]:
     """Return a pose in the plane."""
     x, y = (float(rng.choice([-1, 1]) * rng.integers(50, 400) / 100) for _ in range(2))
     return {"x": x, "y": y, "yaw": round(math.radians(some_yaw_degrees(rng)), 4)}

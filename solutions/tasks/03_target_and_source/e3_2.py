@@ -5,10 +5,8 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-
 from tflab.core import Transform
-from tflab.workbook.tasks import Parts, Slip, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Draws, Parts, Slip, Task, Twin, Vector, Words
 
 from .draws import BY_HAND, by_formula, some_mount, some_yaw_degrees, turned
 
@@ -18,7 +16,7 @@ def added(*points) -> tuple[float, ...]:
     return tuple(map(sum, zip(*points, strict=True)))
 
 
-def corner_given(rng: np.random.Generator) -> dict[str, object]:
+def corner_given(rng: Draws) -> dict[str, object]:
     x, y = rng.integers(200, 600, size=2) / 100
     map_T_base = Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(x, y, 0.1))
     point = (rng.integers(150, 400) / 100, rng.choice([-1, 1]) * rng.integers(30, 120) / 100, 0.0)

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-
-from tflab.workbook.tasks import Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
@@ -18,7 +16,7 @@ from .draws import (
 )
 
 
-def invert_inputs(rng: np.random.Generator) -> list[tuple]:
+def invert_inputs(rng: Draws) -> list[tuple]:
     quarters = [some_planar(rng) | {"yaw": round(float(way * rng.uniform(low, low + 1.0)), 4)}
                 for way in (1, -1) for low in (0.4, 1.9)]  # fmt: skip
     straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}

@@ -5,9 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-
-from tflab.workbook.tasks import Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Slip, Task, Twin, Words
 
 from .draws import (
     PLANAR,
@@ -19,7 +17,7 @@ from .draws import (
 )
 
 
-def compose_inputs(rng: np.random.Generator) -> list[tuple]:
+def compose_inputs(rng: Draws) -> list[tuple]:
     nothing = {"x": 0.0, "y": 0.0, "yaw": 0.0}
     pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
     straight = {"x": 1.5, "y": -2.0, "yaw": 0.0}  # not turned, and not at the origin either

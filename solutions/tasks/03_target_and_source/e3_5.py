@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-
 from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
-from tflab.workbook.tasks import Angle, Parts, Slip, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Angle, Draws, Parts, Slip, Task, Twin, Vector, Words
 
 from .draws import BY_HAND, by_formula, some_mount, turned
 
 
-def echo_given(rng: np.random.Generator) -> dict[str, str]:
+def echo_given(rng: Draws) -> dict[str, str]:
     return {"echo": echo_text(StampedTransform("base_link", "laser_frame", LATEST, some_mount(rng)))}
 
 

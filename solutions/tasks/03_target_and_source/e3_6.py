@@ -5,16 +5,14 @@ from __future__ import annotations
 import math
 from functools import partial
 
-import numpy as np
-
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Message, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Message, Slip, Task, Twin, Words
 
 from .draws import some_yaw_degrees
 
 
-def mount_inputs(rng: np.random.Generator) -> list[tuple]:
+def mount_inputs(rng: Draws) -> list[tuple]:
     cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, some_yaw_degrees(rng)) for _ in range(4)]
     return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90), (1, 2, 30), (0.25, 0.40, 22.5)]
 

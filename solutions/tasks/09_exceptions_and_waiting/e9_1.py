@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from tflab.core import BufferCore, TransformException, seconds
-from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Parts, Task, Twin, Words
 
 from .draws import edge, filled
 
@@ -191,7 +189,7 @@ def line_of(buffer: BufferCore, target: str, source: str, time_s: float) -> str:
     raise ValueError(f"{target} <- {source} at {time_s} has an answer")
 
 
-def eight_lines(_rng: np.random.Generator) -> dict:
+def eight_lines(_rng: Draws) -> dict:
     """Return the lines; they are the same for everybody."""
     buffer = robot_of_the_lines()
     lines = {

@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from functools import partial
 
-import numpy as np
-
 from tflab.core import seconds
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Slip, Task, Twin, Words
 
 from .draws import kind_of, refusal, robot_buffer
 
 
-def questions(rng: np.random.Generator) -> list[tuple]:
+def questions(rng: Draws) -> list[tuple]:
     """Draw one question of each kind, and three that have several faults at once."""
     t = round(float(rng.uniform(20.0, 60.0)), 1)
 

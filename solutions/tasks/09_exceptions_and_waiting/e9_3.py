@@ -5,13 +5,11 @@ from __future__ import annotations
 import re
 from functools import partial
 
-import numpy as np
-
 from tflab.core import TransformException, seconds
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Choice, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Slip, Task, Twin, Words
 
 from .draws import kind_of, refusal, robot_buffer
 
@@ -30,7 +28,7 @@ def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
     return point
 
 
-def messages(rng: np.random.Generator) -> list[tuple]:
+def messages(rng: Draws) -> list[tuple]:
     """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, a frame on
     a slower edge than the robot's own, and one that is no name where there is no map yet: tf2 speaks of its target first.
     """

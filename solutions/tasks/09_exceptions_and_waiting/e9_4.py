@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from tflab.workbook.tasks import Choice, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Parts, Task, Twin, Words
 
 CAUSES = ("transforms arrive late", "laser clock is fast", "cannot be told from this")
 
@@ -15,13 +15,13 @@ REMEDIES = ("wait a little", "set the laser's clock", "ask chrony on both comput
 LATE, FAST, UNKNOWN = CAUSES
 
 
-def arrivals(rng: np.random.Generator) -> dict:
+def arrivals(rng: Draws) -> dict:
     """Draw six seconds of three robots, each with another trouble; rows are (stamp, heard) [s]."""
     troubles = [CAUSES[i] for i in rng.permutation(3)]
     return {f"robot_{name}": one_robot(rng, trouble) for name, trouble in zip("abc", troubles, strict=True)}
 
 
-def one_robot(rng: np.random.Generator, trouble: str) -> dict:
+def one_robot(rng: Draws, trouble: str) -> dict:
     stamps = round(float(rng.uniform(20.0, 60.0)), 1) + np.arange(6.0)
     scan = 0.105 + rng.uniform(0.0, 0.004, 6)
     odom = 0.004 + rng.uniform(0.0, 0.002, 6)

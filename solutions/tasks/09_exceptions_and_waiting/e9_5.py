@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from functools import partial
 
-import numpy as np
-
-from tflab.workbook.tasks import Number, Parts, Sequence, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Number, Parts, Sequence, Slip, Task, Twin, Words
 
 
-def queues(rng: np.random.Generator) -> list[tuple]:
+def queues(rng: Draws) -> list[tuple]:
     """Draw queues with room and without, old messages, one from the future, and one out of order."""
     now = round(float(rng.uniform(20.0, 60.0)), 1)
 

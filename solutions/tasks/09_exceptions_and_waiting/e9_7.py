@@ -6,12 +6,10 @@ import math
 from functools import partial
 from statistics import mean
 
-import numpy as np
-
-from tflab.workbook.tasks import Number, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Number, Slip, Task, Twin, Words
 
 
-def two_edges(rng: np.random.Generator) -> dict:
+def two_edges(rng: Draws) -> dict:
     """Draw two edges of which the slow one decides, and a scan that has been under way for a while.
 
     Each ends in another tenth of a millisecond: two mistakes do not come to the same number by chance.

@@ -1,50 +1,48 @@
-"""How does a learner get a copy of their own, and how does it stay theirs?
+"""Lay out a learner's copy of the workbook, and bring one up to date around what the learner wrote.
 
     lay_out(folder, "en")    writes what is not there yet, and nothing else
     update(folder)           brings in new material around what the learner wrote (see `merge.py`)
 
-    answers_hidden(page, "en")    what a text asks to predict is not in sight before the learner has run it,
-                                  and the still twin of a live view is folded
-    causes_sealed(cases)          no patient of the clinic has its cause beside it
-    without_notes(page)           a class reads without what the page says to the speaker
-
-    .tflab/pristine/...      each file as it was handed out: what tells the learner's hand from ours
+    .tflab/pristine.zip      each file as it was handed out: what tells the learner's edits from ours
     .tflab/backups/1/...     each file as it was before an update
 
-`tflab lab` and `tflab release` make copies with the same function.  Read `merge.py` next.
+A copy holds pages and exercises.  What `check` compares answers with is computed from the
+installed tflab.  `tflab lab` and `tflab release` make copies with the same function.
 """
 
 from __future__ import annotations
 
 import json
 import re
+import zipfile
 from collections.abc import Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from io import BytesIO
 from pathlib import Path, PurePosixPath
 
 from tflab import __version__
 
-from ..answers.forms import form_from_plain
-from ..answers.sealed import sealed_variant
 from ..pages.editions import still_twins, text_of
-from ..places import MARK, Workbook, WorkbookError, chapter_of, read_workbook, workbook_data, write_workbook
+from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
 from ..words import Words
 from .merge import Merged, merge_notebooks
 
 __all__ = [
-    "PRISTINE", "Change", "answers_hidden", "cases_bytes", "causes_sealed", "handed_out_in", "has_language", "is_free",
-    "lay_out", "material", "update", "without_notes",
+    "Change", "answers_hidden", "handed_out_in", "has_language", "is_free", "lay_out", "material", "read_pristine",
+    "update", "without_notes",
 ]  # fmt: skip
 
 HIDDEN = Path(".tflab")
-PRISTINE = HIDDEN / "pristine"
+PRISTINE = HIDDEN / "pristine.zip"
+OLD_PRISTINE = HIDDEN / "pristine"  # a folder in copies of the first version
+ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same bytes for the same files
 BACKUPS = HIDDEN / "backups"
 INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure after it stands still
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
 OWN_FOLD = re.compile(r"(<details>.*?</details>)", re.DOTALL)
 CAPTION = "그림 읽기:"  # a Korean page says below a figure what its English words mean
-COUNT, UNCOUNTED = re.compile(rb'"execution_count": \d+'), b'"execution_count": null'  # a number is of one's own run
 UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
 
@@ -71,14 +69,17 @@ def lay_out(
     *,
     edition: str = "self-study",
     learner: str | None = None,
-    cases: Mapping[str, dict] | None = None,
+    seed: str = "",
+    questions: Mapping[str, str] = {},
+    handed_out: Mapping[str, bytes] | None = None,
 ) -> Path:
     """Write a copy of the workbook into `target`, or add to one what it lacks; nothing there is overwritten.
 
     Args:
-        edition: "self-study", or "class", whose tasks come from an instructor.
+        edition: "self-study", or "class", whose exercises come from an instructor.
         learner: an id, which picks variants.
-        cases: the chapters with exercises, each with what `check` asks; tflab's own if left out.
+        seed, questions: as of a Workbook.
+        handed_out: the exercises of a class, by path.
 
     Raises:
         WorkbookError: the folder holds something else, or its `workbook.json` cannot be read.
@@ -89,17 +90,19 @@ def lay_out(
             f"{target} holds files that are not a copy of the workbook, and nothing was written there.\n"
             "Name a new or an empty folder for the copy."
         )
-    workbook = Workbook(__version__, edition, language, learner)
+    workbook = Workbook(__version__, edition, language, learner, seed, dict(questions))
     if (target / MARK).is_file():
-        workbook = replace(read_workbook(target), language=language)
-    files = dict(material(language, edition=workbook.edition, cases=cases))
+        there = read_workbook(target)
+        workbook = replace(there, language=language, questions=there.questions | workbook.questions)
+    files = dict(material(language, edition=workbook.edition, handed_out=handed_out))
     target.mkdir(parents=True, exist_ok=True)
     with locked(target):
         write_workbook(target, workbook)  # first, so that a copy that was cut short is known for one
-        for name, content in files.items():
-            if not (target / name).exists():
-                write_whole(target / name, content)
-                write_whole(target / PRISTINE / name, content)
+        new = {name: content for name, content in files.items() if not (target / name).exists()}
+        if new:
+            _write_pristine(target, read_pristine(target) | new)
+        for name, content in new.items():
+            write_whole(target / name, content)
     return target
 
 
@@ -117,56 +120,58 @@ def update(root: Path, handed_out: Mapping[str, bytes] = {}) -> list[Change]:
     changes = []
     with locked(root):
         backup = _next_backup(root)
-        for language in ("en", "ko"):
-            files = dict(material(language, edition=workbook.edition)) if has_language(root, language) else {}
-            files |= {name: content for name, content in handed_out.items() if _is_in(name, language)}
-            for name, content in files.items():
-                change = _update_file(root, name, content, backup, workbook.language)
-                if change is not None:
-                    changes.append(change)
+        pristine = read_pristine(root)
+        before = dict(pristine)
+        try:
+            for language in ("en", "ko"):
+                files = dict(material(language, edition=workbook.edition)) if has_language(root, language) else {}
+                files |= {name: content for name, content in handed_out.items() if _is_in(name, language)}
+                for name, content in files.items():
+                    change = _update_file(root, name, content, pristine, backup, workbook.language)
+                    if change is not None:
+                        changes.append(change)
+        finally:
+            if pristine != before:
+                _write_pristine(root, pristine)
         write_workbook(root, replace(workbook, tflab=__version__))
     return changes
 
 
 def material(
-    language: str,
-    *,
-    edition: str = "self-study",
-    cases: Mapping[str, dict] | None = None,
+    language: str, *, edition: str = "self-study", handed_out: Mapping[str, bytes] | None = None
 ) -> Iterator[tuple[str, bytes]]:
     """Yield each file of a fresh copy: its path from the copy's folder on, and what is in it.
 
-    A class edition without `cases` has pages only: its exercises are the instructor's.
+    The exercises of a class are what its instructor handed out.
     """
     data = workbook_data()
-    folders = [Path("notebooks", language)]
-    if edition != "class" or cases is not None:
-        folders += [Path("exercises", language), Path("exercises", "cases")]
-    for folder in folders:
-        given = folder.name == "cases"
-        for path in sorted((data / folder).glob("*.json" if given else "*.ipynb")):
-            if folder.parts[0] == "notebooks":
-                page = answers_hidden(path.read_bytes(), language)
-                page = without_notes(page) if edition == "class" else page
-                yield PurePosixPath(folder, path.name).as_posix(), COUNT.sub(UNCOUNTED, page)
-            elif cases is None:
-                content = path.read_bytes()
-                yield PurePosixPath(folder, path.name).as_posix(), causes_sealed(content) if given else content
-            elif (stem := chapter_of(path)) in cases:
-                content = cases_bytes(cases[stem]) if given else path.read_bytes()
-                yield PurePosixPath(folder, path.name).as_posix(), content
+    for path in sorted((data / "notebooks" / language).glob("*.ipynb")):
+        page = answers_hidden(path.read_bytes(), language)
+        yield f"notebooks/{language}/{path.name}", without_notes(page) if edition == "class" else page
+    if handed_out is not None:
+        yield from handed_out.items()
+    elif edition != "class":
+        for path in sorted((data / "exercises" / language).glob("*.ipynb")):
+            yield f"exercises/{language}/{path.name}", path.read_bytes()
 
 
-def causes_sealed(content: bytes) -> bytes:
-    """Return cases in which no patient has its cause beside it; a file without patients is returned as it is."""
-    if b'"Patient"' not in content:
-        return content
-    cases = json.loads(content)
-    for task in cases["tasks"].values():
-        if not task["is_function"] and '"Patient"' in json.dumps(task["variants"]):
-            form = form_from_plain(task["form"])
-            task["variants"] = [sealed_variant(form, variant, None) for variant in task["variants"]]
-    return cases_bytes(cases)
+def read_pristine(root: Path) -> dict[str, bytes]:
+    """Return each file of a copy as it was handed out, by path; nothing where no record can be read."""
+    try:
+        with zipfile.ZipFile(root / PRISTINE) as archive:
+            return {name: archive.read(name) for name in archive.namelist()}
+    except (OSError, zipfile.BadZipFile):
+        kept = root / OLD_PRISTINE
+        files = (path for path in sorted(kept.rglob("*")) if path.is_file() and "cases" not in path.parts)
+        return {path.relative_to(kept).as_posix(): path.read_bytes() for path in files}
+
+
+def _write_pristine(root: Path, files: Mapping[str, bytes]) -> None:
+    packed = BytesIO()
+    with zipfile.ZipFile(packed, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in sorted(files):
+            archive.writestr(zipfile.ZipInfo(name, ZIP_DATE), files[name], zipfile.ZIP_DEFLATED)
+    write_whole(root / PRISTINE, packed.getvalue())
 
 
 def answers_hidden(page: bytes, language: str) -> bytes:
@@ -217,24 +222,22 @@ def handed_out_in(folder: Path, copy: Path) -> dict[str, bytes]:
             f"{folder} is of the release {', '.join(there) or '(none)'}, your copy of {', '.join(here) or '(none)'}; "
             "nothing was changed"
         )
-    kept = folder / PRISTINE
-    return {path.relative_to(kept).as_posix(): path.read_bytes() for path in sorted(kept.rglob("*")) if path.is_file()}
+    return read_pristine(folder)
 
 
 def _releases(root: Path) -> list[str]:
     """Return the releases whose stamps the exercises of a copy bear."""
     found = set()
-    for path in (root / PRISTINE / "exercises").glob("*/*.ipynb"):
-        try:
-            found.add(str(json.loads(path.read_text(encoding="utf-8"))["metadata"]["tflab"]["release"]))
-        except (OSError, ValueError, TypeError, KeyError):
-            continue
+    for name, content in read_pristine(root).items():
+        if name.startswith("exercises/"):
+            with suppress(ValueError, TypeError, KeyError):
+                found.add(str(json.loads(content)["metadata"]["tflab"]["release"]))
     return sorted(found)
 
 
 def _is_in(name: str, language: str) -> bool:
-    """Return whether a file belongs to an edition in a language; cases belong to each."""
-    return PurePosixPath(name).parts[1] in (language, "cases")
+    """Return whether a file belongs to an edition in a language."""
+    return PurePosixPath(name).parts[1] == language
 
 
 def _folded(text: str, summary: str) -> str:
@@ -266,31 +269,27 @@ def has_language(root: Path, language: str) -> bool:
     return any((root / "notebooks" / language).glob("*.ipynb"))
 
 
-def _update_file(root: Path, name: str, content: bytes, backup: Path, language: str) -> Change | None:
-    """Bring one file up to date; None if nothing had to change."""
-    path, pristine = root / name, root / PRISTINE / name
+def _update_file(
+    root: Path, name: str, content: bytes, pristine: dict[str, bytes], backup: Path, language: str
+) -> Change | None:
+    """Bring one file and its record up to date; None if nothing had to change."""
+    path, base = root / name, pristine.get(name)
+    pristine[name] = content
     if not path.exists():
         write_whole(path, content)
-        write_whole(pristine, content)
         return Change(name, "new")
     mine = path.read_bytes()
-    base = pristine.read_bytes() if pristine.exists() else None
     if mine == content or base == content:  # the same already, or nothing new
-        if base != content:
-            write_whole(pristine, content)
         return None
     merged: Merged | None = Merged(content)
     if mine != base and path.suffix == ".ipynb":
         merged = merge_notebooks(base, mine, content, language=language, version=__version__)
     if merged is None:
-        beside = path.with_name(f"{path.stem}.new-{__version__}.ipynb")
-        write_whole(beside, content)
-    elif merged.content != mine:
+        write_whole(path.with_name(f"{path.stem}.new-{__version__}.ipynb"), content)
+        return Change(name, "kept")
+    if merged.content != mine:
         write_whole(root / backup / name, mine)
         write_whole(path, merged.content)
-    write_whole(pristine, content)
-    if merged is None:
-        return Change(name, "kept")
     return Change(name, "merged" if merged.kept or merged.beside else "replaced", merged.kept, merged.beside)
 
 
@@ -299,8 +298,3 @@ def _next_backup(root: Path) -> Path:
     while (root / BACKUPS / str(number)).exists():
         number += 1
     return BACKUPS / str(number)
-
-
-def cases_bytes(cases: Mapping) -> bytes:
-    """Return cases as they are handed out, in the order in which they were read."""
-    return (json.dumps(cases, ensure_ascii=False) + "\n").encode()  # indented: ten times as slow

@@ -13,9 +13,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
-from ..places import CASES, chapters, read_workbook, workbook_root
+from ..places import chapters, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
-from ..tasks.cases import CasesError, read_outline
+from ..tasks.library import outlines
+from ..tasks.task import TaskError
 from ..words import Words
 from .course import Chapter, Goal, read_course
 
@@ -108,10 +109,12 @@ def standing(root: Path | None = None) -> Standing:
 
 def _tasks(root: Path, stem: str, attempts: dict[str, Attempts]) -> tuple[TaskStanding, ...]:
     try:
-        found = read_outline(root / CASES / f"{stem}.json").tasks
-    except CasesError:
+        found = outlines(workbook_data(), stem)
+    except TaskError:
         return ()
+    released = read_workbook(root).questions
     return tuple(
         TaskStanding(name, task.title, task.points, attempts.get(name, Attempts()))
-        for name, task in sorted(found.items(), key=lambda line: [int(part) for part in line[0][1:].split(".")])
+        for name, task in found.items()
+        if not released or name in released
     )

@@ -4,8 +4,9 @@
            --> what was given?  a slip in some calls, not in all?  words that are confused?
     parts  --> each by itself (members.py)
 
-The combinations were computed when the cases were made (`cases.py`).  In the field:
-a *bug library* whose bugs compose (BUGGY, DEBUGGY), searched by model tracing.
+Pairs of slips are searched for, and only where nothing simpler gives the answer
+(`tasks/pairs.py`).  The field calls this a *bug library* whose bugs compose (BUGGY,
+DEBUGGY), searched by model tracing.
 A name is given only where the whole of the answer, or of a part, is what that slip
 gives.  Read `verdicts/` next.
 """
@@ -98,7 +99,7 @@ def _of_parts(
         return found
     if simpler := plain_in_one(task, cases, outcomes):
         return simpler
-    pair = next(_just(task.form, outcomes, _gives(cases)[1], ONE), None) if len(found.slips) > 2 else None
+    pair = next(_two(task, cases, outcomes, given, ONE), None) if len(found.slips) > 2 else None
     return _by_name(task, cases, outcomes, pair) if pair else found
 
 
@@ -224,17 +225,17 @@ def _ways(
 ) -> Iterator[tuple[str, ...]]:
     """Yield the combinations that give these outcomes, the simplest first."""
     form, expected = task.form, [case.expected for case in cases]
-    single, pairs = _gives(cases)
-    yield from _ones(task, outcomes, single, pairs)
+    single = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
+    yield from _ones(task, cases, outcomes, single, given)
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
     is_a_guess = not task.is_function and given and _is_short(form, outcomes[0], expected[0])
-    yield from _just(form, outcomes, pairs, A_HAIR if is_a_guess else TWO)
+    yield from _two(task, cases, outcomes, given, A_HAIR if is_a_guess else TWO)
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
-        yield from side_by_side(form, outcomes, expected, single | pairs)
+        yield from side_by_side(form, outcomes, expected, single)
     yield from _further_ways(task, single, outcomes, expected)
 
 
@@ -243,29 +244,42 @@ def _is_short(form: Form, outcome: Plain, wanted: Plain) -> bool:
     return bool(round_number(form, outcome, wanted)) or "rounded" in by_comparison(form, [outcome], [wanted])
 
 
-def _gives(cases: Sequence[Case]) -> tuple[dict[str, list[Plain]], dict[str, list[Plain]]]:
-    """Return what each single slip gives, case by case, and what each two of them give."""
-    gives = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
-    pairs = {name: row for name, row in gives.items() if AND in name}
-    return {name: row for name, row in gives.items() if name not in pairs}, pairs
-
-
 def _ones(
-    task: TaskCases, outcomes: Sequence[Plain], single: dict[str, list[Plain]], pairs: dict[str, list[Plain]]
+    task: TaskCases,
+    cases: Sequence[Case],
+    outcomes: Sequence[Plain],
+    single: dict[str, list[Plain]],
+    given: dict[str, Plain] | None,
 ) -> Iterator[tuple[str, ...]]:
     """Yield the single slips that give a number; before one that it is only near to, the two that give it to a hair."""
     ones = list(_just(task.form, outcomes, single, ONE))
     is_number = not task.is_function and isinstance(task.form, MEASURED)
     if ones and is_number and not any(_just(task.form, outcomes, single, A_HAIR)):
-        yield from _just(task.form, outcomes, pairs, A_HAIR)
+        yield from _two(task, cases, outcomes, given, A_HAIR)
     yield from ones
+
+
+def _two(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None, share: float
+) -> Iterator[tuple[str, ...]]:
+    """Yield the pairs of slips that give just these outcomes; they are searched for."""
+    if task.pairs is None:
+        return
+    is_right = [alike(task.form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
+    found = task.pairs.fitting(
+        cases,
+        sorted(range(len(cases)), key=is_right.__getitem__),
+        lambda number, value: ["whole"] * is_just(task.form, [outcomes[number]], [value], share),
+        given,
+    )
+    yield from (tuple(name.split(AND)) for name in found)
 
 
 def _just(
     form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], share: float
 ) -> Iterator[tuple[str, ...]]:
     """Yield the names of those that give just these outcomes."""
-    yield from (tuple(name.split(AND)) for name, row in gives.items() if is_just(form, outcomes, row, share))
+    yield from ((name,) for name, row in gives.items() if is_just(form, outcomes, row, share))
 
 
 def _further_ways(

@@ -23,7 +23,7 @@ from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section, sections, split
 from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, undone_to, words_of
 from ..mistakes.losses import TOLD, stamp_of, time_of
-from ..tasks.case import AND, Case, TaskCases, TwinWords
+from ..tasks.case import Case, TaskCases, TwinWords
 from ..words import Words
 from .after import after_a_slip, followers, only_follows
 from .arithmetic import computed, computed_in_all
@@ -81,7 +81,7 @@ def _beside_stops(
     """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
     names = {name for name in going[0].twins if all(alike(task.form, was, case.twins[name]) for case, was in stopped)}
     only = [case._replace(twins={name: case.twins[name] for name in case.twins if name in names}) for case in going]
-    found = _of_table(task, only, outcomes, None) if names else None
+    found = _of_table(task._replace(pairs=None), only, outcomes, None) if names else None
     return found if found and found.slips.keys() <= task.twins.keys() else None
 
 
@@ -91,7 +91,7 @@ def _of_table(
     """Return the same where each case asks for a value, and each outcome can be read."""
     table = _table(task.form, cases, outcomes)
     names, wrong = list(table.forms), set(_wrong_in(table))
-    several, follow = _of_several_and_what_follows(task, table, cases, wrong)
+    several, follow = _of_several_and_what_follows(task, table, cases, wrong, given)
     wrong -= follow.keys()
     found = each_part_once(several, wrong)
     left = wrong.difference(*(cause.parts for cause in found))
@@ -109,18 +109,20 @@ def _of_table(
 
 
 def _of_several_and_what_follows(
-    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> tuple[list[Found], dict[str, str]]:
     """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
-    several = _of_several(task, table, cases, wrong)
+    several = _of_several(task, table, cases, wrong, given)
     is_of_all = any(wrong <= cause.parts for cause in several)
     follow = {} if is_of_all else followers(table.forms, table.given, table.wanted, wrong)
-    return (_of_several(task, table, cases, wrong - follow.keys()) if follow else several), follow
+    return (_of_several(task, table, cases, wrong - follow.keys(), given) if follow else several), follow
 
 
-def _of_several(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
+def _of_several(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> list[Found]:
     """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
-    slips = slips_in_parts(task, table, cases, wrong)
+    slips = slips_in_parts(task, table, cases, wrong, given)
     pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
     rows = (table.forms, table.given, table.wanted)
     orders = [*of_places(*rows), *of_orders(*rows, task.means)]
@@ -347,7 +349,7 @@ def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Pl
         if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, twin in twins.items():
-            is_made_here = AND not in key and words_of(task, key).part == name
+            is_made_here = words_of(task, key).part == name
             if is_made_here and alike(form, section(task.form, twin, number, name), table.wanted[other][0]):
                 return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
     return []

@@ -16,11 +16,11 @@ from ..answers.form import Form, numbers_of
 from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section
-from ..mistakes.fitting import MEASURED, ONE, TWO, gives_what_is_right, is_just, words_of
+from ..mistakes.fitting import MEASURED, ONE, TWO, alike, gives_what_is_right, is_just, words_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .explanation import said_of
-from .together import Found
+from .together import Found, each_part_once
 
 __all__ = ["Table", "is_something", "slips_in_parts"]
 
@@ -40,11 +40,55 @@ class Table(NamedTuple):
     args: list[list[Plain]]
 
 
-def slips_in_parts(task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str]) -> list[Found]:
-    """Return what slips explain, most parts and fewest slips first."""
+def slips_in_parts(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> list[Found]:
+    """Return what slips explain, most parts and fewest slips first; pairs, unless one or two slips explain all."""
+    single = {name: [case.twins[name] for case in cases] for name in cases[0].twins}
+    found = _in_order(_causes(task, table, cases, wrong, single))
+    if task.pairs is None or _is_explained(found, wrong):
+        return found
+    return _in_order(found + _causes(task, table, cases, wrong, _pairs(task, table, cases, wrong, given)))
+
+
+def _in_order(found: list[Found]) -> list[Found]:
+    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _is_explained(found: list[Found], wrong: set[str]) -> bool:
+    """Return whether one or two slips explain all wrong parts."""
+    causes = each_part_once(found, wrong)
+    return wrong <= set().union(*(cause.parts for cause in causes)) and len(causes) <= 2
+
+
+def _pairs(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> dict[str, list[Plain]]:
+    """Return what those two slips give, case by case, that give one of the wrong parts at least."""
+    assert task.pairs is not None
+    parts = [(number, name) for number, name in enumerate(table.forms) if name in wrong]
+
+    def fits(case: int, value: Plain) -> list[str]:
+        if is_raised(value):
+            return []
+        return [
+            name
+            for number, name in parts
+            if is_just(table.forms[name], [table.given[name][case]], [section(task.form, value, number, name)], TWO)
+        ]
+
+    def is_right(case: int) -> bool:
+        return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for _, name in parts)
+
+    return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
+
+
+def _causes(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], rows: dict[str, list[Plain]]
+) -> list[Found]:
+    """Return what each slip, or each two, explain of the wrong parts."""
     found = []
-    for key in cases[0].twins:
-        twins = [case.twins[key] for case in cases]
+    for key, twins in rows.items():
         slips = {name: words_of(task, name) for name in key.split(AND)}
         changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
         same = _of_whole_lists(same, changed)
@@ -56,7 +100,7 @@ def slips_in_parts(task: TaskCases, table: Table, cases: Sequence[Case], wrong: 
             found.append(Found(slips, said_of(task, list(slips)), {made_in}))
         elif len(slips) == 1:
             found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
-    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+    return found
 
 
 def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:

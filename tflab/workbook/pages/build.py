@@ -22,7 +22,6 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ..places import chapter_of, stems_called, workbook_data
-from ..tasks.mutants import Tested, table
 from ..whole_files import write_whole
 from ..words import LANGUAGES
 from .html import write_html
@@ -45,13 +44,11 @@ class Built:
     Attributes:
         files: the text of each file, by its path in the workbook.
         faults: what is wrong with the sources.
-        tests: how the tasks stood their mutants.
         faulty: the files of pages with faults, where there is enough of them to look at.
     """
 
     files: dict[str, str] = field(default_factory=dict)
     faults: list[PageFault] = field(default_factory=list)
-    tests: list[Tested] = field(default_factory=list)
     faulty: dict[str, str] = field(default_factory=dict)
 
 
@@ -72,8 +69,6 @@ def build(words: Sequence[str]) -> int:
     built = build_pages(chosen, jobs=options.jobs, progress=_shown_progress(len(chosen)))
     for fault in built.faults:
         print(fault, file=sys.stderr)
-    if built.tests:
-        print(table(built.tests))
     if options.check:
         return _say_what_is_stale(root, built, all_of_them=not options.pages)
     return _write_what_was_built(root, built, options.draft)
@@ -144,31 +139,22 @@ def write_files(root: Path, files: dict[str, str]) -> list[str]:
 
 
 async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
-    from joblib.externals.loky import ProcessPoolExecutor
-
     turn = asyncio.Semaphore(max(1, jobs))
-    processes = ProcessPoolExecutor(max(1, jobs))  # joblib would take a reusable one for its own, later
 
     async def build_one(path: Path) -> Made:
         async with turn:
-            made = await make_page(path, processes)
+            made = await make_page(path)
         name = f"{path.parents[1].name}/{path.stem}"
         progress(f"{name}: {_count(len(made.faults), 'fault', 'faults')}" if made.faults else name)
         return made
 
     longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
-    try:
-        pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
-    except BaseException:  # such as Ctrl-C
-        processes.shutdown(wait=True, kill_workers=True)
-        raise
-    processes.shutdown(wait=True)
+    pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
     built = Built()
     for path in chosen:
         made = pages[path]
         (built.faulty if made.faults else built.files).update(made.files)
         built.faults += made.faults
-        built.tests += made.tests
     return built
 
 
@@ -177,7 +163,7 @@ def _without_source(root: Path) -> list[str]:
     lines = []
     for folder, source in (("notebooks", "notebooks"), ("solutions", "solutions"), ("exercises", "solutions")):
         stems = {path.stem for path in (root / source / "src").glob("*.py")}
-        for path in sorted([*(root / folder).glob("*/*.ipynb"), *(root / folder).glob("cases/*.json")]):
+        for path in sorted((root / folder).glob("*/*.ipynb")):
             if chapter_of(path) not in stems:
                 lines.append(f"{path.relative_to(root).as_posix()}: has no source any more; delete it")
     return lines

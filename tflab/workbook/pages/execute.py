@@ -5,7 +5,7 @@
                                  +--> faults: an error, a warning, a picture without words ...
 
 The kernel starts in a temporary workbook that passes for tflab's own, so a page sees its
-public cases as they are being built; no option of the author's shell reaches it.
+tasks as they are being built; no option of the author's shell reaches it.
 
 Read `one_page.py` next.
 """
@@ -16,7 +16,7 @@ import base64
 import json
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -34,16 +34,16 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 Outputs = dict[str, list[dict]]
 
 
-async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outputs, list[PageFault]]:
+async def run_page(page: Page, folder: str, beside: Mapping[str, str] = {}) -> tuple[Outputs, list[PageFault]]:
     """Run a page's code once; return what its cells store, and what is wrong with that.
 
     Args:
         folder: where the page stands in a workbook, such as "notebooks/en".
-        cases: the public cases to put beside it, text by stem.
+        beside: files to put beside it in the workbook, text by path.
     """
     with TemporaryDirectory(prefix="tflab-page-", ignore_cleanup_errors=True) as name:
         root = Path(name).resolve()
-        _lay_workbook(root, folder, cases)
+        _lay_workbook(root, folder, beside)
         ran = await _run(page, root, folder)
     outputs = {cell: [_storable(output) for output in merged_streams(made)] for cell, made in ran.items()}
     found = [fault for cell in page.code for fault in _output_faults(page, cell, outputs[cell.name], str(root))]
@@ -54,11 +54,11 @@ async def run_page(page: Page, folder: str, cases: dict[str, str]) -> tuple[Outp
     return outputs, found
 
 
-def _lay_workbook(root: Path, folder: str, cases: dict[str, str]) -> None:
+def _lay_workbook(root: Path, folder: str, beside: Mapping[str, str]) -> None:
     (root / folder).mkdir(parents=True)
-    (root / "exercises" / "cases").mkdir(parents=True)
-    for stem, text in cases.items():
-        (root / "exercises" / "cases" / f"{stem}.json").write_text(text, encoding="utf-8")
+    for name, text in beside.items():
+        (root / name).parent.mkdir(parents=True, exist_ok=True)
+        (root / name).write_text(text, encoding="utf-8")
 
 
 async def _run(page: Page, root: Path, folder: str) -> Outputs:

@@ -20,7 +20,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ..places import CASES, Workbook, stems_called, workbook_data, write_workbook
+from ..places import Workbook, stems_called, workbook_data, write_workbook
 from .execute import merged_streams
 from .kernel import running_kernel, wait_for
 
@@ -142,7 +142,5 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
 
 
 def _as_a_copy(folder: Path, language: str) -> None:
-    """Let a page find what it finds in a learner's copy: its language, and the cases that `check` asks."""
+    """Let a page find what it finds in a learner's copy: its language."""
     write_workbook(folder, Workbook(language=language))
-    if (workbook_data() / CASES).is_dir():
-        shutil.copytree(workbook_data() / CASES, folder / CASES)

@@ -20,12 +20,13 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ..mistakes.fitting import words_of
-from ..places import CASES, chapters, workbook_data
+from ..places import chapters, workbook_data
 from ..progress import Attempts, read_progress
 from ..tasks.case import TaskCases
-from ..tasks.cases import CasesError, read_chapter, read_outline, task_cases
-from ..tasks.reference import Solution, in_process_ros, solution_in_notebook
-from ..tasks.task import Task, read_tasks
+from ..tasks.cases import PUBLIC_SEED, CasesError, task_cases
+from ..tasks.library import outlines, solution_of, tasks_of
+from ..tasks.reference import in_process_ros
+from ..tasks.task import Task, TaskError
 
 __all__ = ["Askable", "drawn", "items", "reached", "shown_in_exercises"]
 
@@ -43,7 +44,7 @@ class Askable(NamedTuple):
 
 def items(stems: Sequence[str]) -> dict[str, Askable]:
     """Return what can be asked in these chapters, by the task's id."""
-    found = [Askable(stem, task, _ideas(task)) for stem in stems for task in _tasks(workbook_data(), stem)]
+    found = [Askable(stem, task, _ideas(task)) for stem in stems for task in tasks_of(workbook_data(), stem).values()]
     return {item.task.id: item for item in found if not item.task.is_costly and not item.task.counts}
 
 
@@ -61,8 +62,8 @@ def shown_in_exercises(root: Path) -> dict[str, int]:
     progress = read_progress(root)
     for stem in chapters(root):
         named = {task: tried for task, tried in progress.items() if tried.twins and _is_of(task, stem)}
-        with suppress(CasesError):
-            tasks = read_outline(root / CASES / f"{stem}.json").tasks if named else {}
+        with suppress(TaskError):
+            tasks = outlines(workbook_data(), stem) if named else {}
             for task, tried in named.items():
                 for misconception, count in _misconceptions(tasks.get(task), tried):
                     counts[misconception] = counts.get(misconception, 0) + count
@@ -76,12 +77,12 @@ def drawn(stem: str, task_id: str, number: int) -> TaskCases:
 
 @lru_cache(maxsize=8)
 def _drawn(data: Path, stem: str, task_id: str, number: int) -> TaskCases:
-    task = next(task for task in _tasks(data, stem) if task.id == task_id)
-    for draw in range(MOST_DRAWS):
-        with suppress(CasesError), in_process_ros():  # numbers that do not tell two mistakes apart: others, then
-            return task_cases(task, f"{SEED}/{number}/{draw}", _solution(data, stem), variants=1)
-    held = read_chapter(data / CASES / f"{stem}.json").tasks[task_id]
-    return held._replace(variants=(held.variants[number % len(held.variants)],))
+    task, solution = tasks_of(data, stem)[task_id], solution_of(data, stem)
+    with in_process_ros():
+        for draw in range(MOST_DRAWS):
+            with suppress(CasesError):  # numbers that do not tell two mistakes apart: others, then
+                return task_cases(task, f"{SEED}/{number}/{draw}", solution, variants=1)
+        return task_cases(task, PUBLIC_SEED, solution, variants=1)
 
 
 def _misconceptions(task: TaskCases | None, tried: Attempts) -> list[tuple[str, int]]:
@@ -100,13 +101,3 @@ def _is_of(task_id: str, stem: str) -> bool:
 def _ideas(task: Task) -> tuple[str, ...]:
     named = [*task.cures, *(twin.misconception for twin in task.twins if twin.misconception)]
     return tuple(dict.fromkeys(named)) or (task.id,)
-
-
-@lru_cache
-def _tasks(data: Path, stem: str) -> tuple[Task, ...]:
-    return read_tasks(data / "solutions" / "tasks" / stem)
-
-
-@lru_cache
-def _solution(data: Path, stem: str) -> Solution:
-    return solution_in_notebook(data / "solutions" / "en" / f"{stem}.ipynb")

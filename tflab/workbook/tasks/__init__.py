@@ -32,6 +32,7 @@ from ..answers.forms import (
     Vector,
 )
 from ..words import Words
+from .draws import Draws
 from .task import TAKING_PART, Slip, Task, Twin
 
 __all__ = [
@@ -39,6 +40,7 @@ __all__ = [
     "Angle",
     "Choice",
     "Command",
+    "Draws",
     "Message",
     "Name",
     "Number",

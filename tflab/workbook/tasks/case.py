@@ -1,26 +1,30 @@
-"""What does a file of cases hold?  Chapters of tasks, their variants, and the cases of each: values, not dictionaries.
+"""The cases of a task: values that `check` and grading compare an answer with.
 
-    ChapterCases                                     {"format": 1, "chapter": "03_...", "tasks": {
-      tasks["E3.2"]: TaskCases    <-from_plain--       "E3.2": {"points": 4, "form": {...}, "variants": [
-        variants[2]: Variant       --plain()-->          {"given": {...}, "cases": [
-          cases[0]: Case                                   {"args": null, "expected": ..., "twins": {...}}]}]}}}
+    ChapterCases
+      tasks["E3.2"]: TaskCases     its texts, the form of its answer, its known mistakes
+        variants[2]: Variant       what some learners are given
+          cases[0]: Case           one trial: arguments, the right answer, what each mistake gives
 
-What an answer is compared with stays plain JSON (`values.py`), open or sealed: it
-is never turned back into an object where an answer is judged.  Read `cases.py` next.
+An answer is compared with plain JSON (`values.py`).  It is never turned back into an object where it is judged.
 """
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from collections.abc import Mapping
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ..answers.forms import Form, form_from_plain
-from ..answers.values import Plain
+from ..answers.values import Plain, is_raised, outcomes_of, to_plain
 from ..words import Words
 
-__all__ = ["AND", "FORMAT", "Case", "ChapterCases", "TaskCases", "TwinWords", "Variant"]
+if TYPE_CHECKING:
+    from .pairs import PairSearch
 
-FORMAT = 2
+__all__ = ["AND", "Case", "ChapterCases", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of"]
+
 AND = " + "  # between the names of two slips that were made together
+DIGITS = 12  # of a float in a case; the last ones differ between machines
 
 
 class Case(NamedTuple):
@@ -91,12 +95,13 @@ class TaskCases(NamedTuple):
     shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
     seen: dict[str, Words] = {}  # noqa: RUF012  what there is to see where an option is right
     counts: str = ""  # as of a Task
+    pairs: PairSearch | None = None  # not part of the JSON
 
     def plain(self) -> dict[str, Plain]:
         """Return the task as JSON has it; what counts only where it is not being right, what is seen only if said."""
         held = self._asdict() | {"seen": {name: words.plain() for name, words in self.seen.items()}}
-        for name in ("counts", "seen"):
-            if not held[name]:
+        for name in ("counts", "seen", "pairs"):
+            if name == "pairs" or not held[name]:
                 del held[name]
         return held | {
             "title": self.title.plain(),
@@ -141,12 +146,30 @@ class ChapterCases(NamedTuple):
     chapter: str
     tasks: dict[str, TaskCases]
 
-    def plain(self) -> dict[str, Plain]:
-        """Return the chapter as JSON has it."""
-        tasks = {name: task.plain() for name, task in self.tasks.items()}
-        return {"format": FORMAT, "chapter": self.chapter, "tasks": tasks}
 
-    @classmethod
-    def from_plain(cls, plain: dict[str, Plain]) -> ChapterCases:
-        """Return the chapter that `plain` wrote."""
-        return cls(plain["chapter"], {name: TaskCases.from_plain(task) for name, task in plain["tasks"].items()})
+def values_of(answers: Mapping[str, Any], case: Case, given: Mapping[str, Any]) -> dict[str, Plain]:
+    """Return what each answer gives in a case: a function of its arguments, a value from what was given."""
+    if case.args is None:
+        return {name: _value(answer, given) for name, answer in answers.items()}
+    outcomes = outcomes_of(answers.values(), case.args)
+    return {name: as_kept(outcome) for name, outcome in zip(answers, outcomes, strict=True)}
+
+
+def _value(answer: Any, given: Mapping[str, Any]) -> Plain:
+    return rounded(to_plain(answer(SimpleNamespace(**given)) if callable(answer) else answer))
+
+
+def as_kept(outcome: Plain) -> Plain:
+    """Return an outcome rounded; of an exception only its class."""
+    return outcome | {"text": ""} if is_raised(outcome) else rounded(outcome)
+
+
+def rounded(plain: Plain, digits: int = DIGITS) -> Plain:
+    """Return JSON with its floats rounded, and no negative zero."""
+    if isinstance(plain, float):
+        return round(plain, digits) + 0.0
+    if isinstance(plain, list):
+        return [rounded(member, digits) for member in plain]
+    if isinstance(plain, dict):
+        return {key: rounded(value, digits) for key, value in plain.items()}
+    return plain

@@ -11,14 +11,16 @@ from __future__ import annotations
 
 import ast
 import json
+import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from types import CodeType, SimpleNamespace
+from types import CodeType, ModuleType, SimpleNamespace
 from typing import Any, NamedTuple
 
 from tflab.ros import activation
 from tflab.ros.messages import checks
+from tflab.ros.process import use_graph
 
 from .task import Task, TaskError, slug
 
@@ -109,13 +111,25 @@ def solution_in_notebook(path: Path) -> Solution:
 
 @contextmanager
 def in_process_ros() -> Iterator[None]:
-    """Let `import rclpy` and the like find tflab's own, with message fields checked, until the block ends."""
-    was_active, were_on = activation.is_active(), checks.on
-    activation.activate("in-process")
-    checks.on = True
+    """Let `import rclpy` and the like find tflab's own until the block ends, with message fields checked.
+
+    The block starts with no graph.  The caller's graph, and a real ROS 2 that it imported, are back at the end.
+    """
+    was_active, were_on, graph = activation.is_active(), checks.on, use_graph(None)
+    real = {} if was_active else _real_modules()
     try:
+        activation.activate("in-process")
+        checks.on = True
         yield
     finally:
         checks.on = were_on
+        use_graph(graph)
         if not was_active:
             activation.deactivate()
+            sys.modules.update(real)
+
+
+def _real_modules() -> dict[str, ModuleType]:
+    """Take the modules of a real ROS 2 out of `sys.modules`, and return them."""
+    names = [name for name in sys.modules if name.partition(".")[0] in activation.PACKAGES]
+    return {name: sys.modules.pop(name) for name in names}

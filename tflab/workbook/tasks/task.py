@@ -28,10 +28,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-import numpy as np
-
 from ..answers.forms import Form, Parts
 from ..words import Words
+from .draws import Draws
 
 __all__ = [
     "KINDS",
@@ -137,8 +136,8 @@ class Task:
     answer: str
     form: Form
     hints: tuple[Words, ...]
-    given: Callable[[np.random.Generator], dict[str, Any]] | None = None
-    inputs: Callable[[np.random.Generator], list[tuple]] | None = None
+    given: Callable[[Draws], dict[str, Any]] | None = None
+    inputs: Callable[[Draws], list[tuple]] | None = None
     variants: int = 1
     twins: tuple[Twin | Slip, ...] = ()
     model: Callable[..., Any] | None = None

@@ -19,8 +19,9 @@ from typing import Any, NamedTuple
 
 from ..answers import sealed
 from ..answers.values import from_plain, outcome_of
-from .case import AND, TaskCases, Variant
-from .cases import CasesError, combinations
+from .case import TaskCases, Variant
+from .cases import CasesError
+from .pairs import combinable
 from .reference import Solution, answer_cell_name
 from .spots import EDGES, OPPOSITES, SIDES, SIGNS, held_in, spots_of
 from .task import Task, TaskError
@@ -45,7 +46,6 @@ class Tested(NamedTuple):
     task: str
     slips: int
     pairs: int
-    told_apart: int
     mutants: int
     killed: int
     equivalent: int
@@ -80,10 +80,9 @@ def tested(task: Task, made: TaskCases, solution: Solution) -> Tested:
     passed = survivors(task, made.variants, solution, mutants)
     # A value is judged as it is: a spoilt cell that gives everybody the right one is right.
     unknown = [name for name in passed if name not in task.equivalent] if task.inputs else []
-    told = max(sum(AND in key for key in variant.cases[0].twins) for variant in made.variants)
     known = len(passed) - len(unknown)
     return Tested(
-        task.id, len(task.twins), len(combinations(task)), told, len(mutants), len(mutants) - len(passed), known,
+        task.id, len(task.twins), len(combinable(task)), len(mutants), len(mutants) - len(passed), known,
         tuple(unknown),
     )  # fmt: skip
 
@@ -111,9 +110,9 @@ def survivors(
 
 def table(rows: Sequence[Tested]) -> str:
     """Return the tests of tasks as a table."""
-    lines = ["task   slips  pairs  told apart  mutants  killed  equivalent  survivors"]
+    lines = ["task   slips  pairs  mutants  killed  equivalent  survivors"]
     lines += [
-        f"{row.task:<6} {row.slips:>5} {row.pairs:>6} {row.told_apart:>11} {row.mutants:>8} {row.killed:>7} "
+        f"{row.task:<6} {row.slips:>5} {row.pairs:>6} {row.mutants:>8} {row.killed:>7} "
         f"{row.equivalent:>11} {len(row.survivors):>10}"
         for row in rows
     ]

@@ -1,0 +1,110 @@
+"""Give a learner's tasks on demand: nothing but the task file and the solution is stored.
+
+    task_ids(data, "03_target_and_source")                 ["E3.1", ...], from the names of the files
+    outlines(data, "03_target_and_source")                 their texts and forms, without cases
+    assigned_cases(data, "03_target_and_source", "E3.2", who)    one task, with the learner's variant
+
+What was computed is kept for as long as the task files and the solution stay as they are.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import re
+from contextlib import redirect_stdout
+from functools import lru_cache
+from io import StringIO
+from pathlib import Path
+
+from ..answers.values import Plain
+from ..places import Workbook
+from .case import TaskCases, Variant, rounded
+from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
+from .reference import Solution, in_process_ros, solution_in_notebook
+from .task import Task, read_tasks, variant_of
+
+__all__ = ["assigned_cases", "outlines", "question_digest", "solution_of", "task_ids", "tasks_of"]
+
+QUESTION_DIGITS = 9  # fewer than of a case: a digest must not depend on the last digit of a machine's sine
+
+
+def task_ids(data: Path, stem: str) -> list[str]:
+    """Return the ids of a chapter's tasks, in order, by the names of their files."""
+    names = (re.fullmatch(r"e(\d+)_(\d+)", path.stem) for path in (data / "solutions" / "tasks" / stem).glob("e*.py"))
+    numbers = sorted((int(name[1]), int(name[2])) for name in names if name)
+    return [f"E{chapter}.{number}" for chapter, number in numbers]
+
+
+def tasks_of(data: Path, stem: str) -> dict[str, Task]:
+    """Return a chapter's tasks, by id.
+
+    Raises:
+        TaskError: there are none, or one cannot be read.
+    """
+    return _tasks(data, stem, _stamp(data, stem))
+
+
+def solution_of(data: Path, stem: str) -> Solution:
+    """Return a chapter's solution.
+
+    Raises:
+        TaskError: it is not there.
+    """
+    return _solution(data, stem, _stamp(data, stem))
+
+
+def outlines(data: Path, stem: str) -> dict[str, TaskCases]:
+    """Return a chapter's tasks without variants, by id.
+
+    Raises:
+        TaskError: there are none, or one cannot be read.
+    """
+    return {name: outline_of(task) for name, task in tasks_of(data, stem).items()}
+
+
+def assigned_cases(data: Path, stem: str, task_id: str, workbook: Workbook) -> TaskCases:
+    """Return a task with the one variant of a learner: by the seed of their class and their id, else the first.
+
+    Raises:
+        TaskError: the task or the solution cannot be read.
+        CasesError: no inputs tell its mistakes apart.
+        KeyError: there is no such task.
+    """
+    task = tasks_of(data, stem)[task_id]
+    number = variant_of(workbook.learner, task_id, task.variants)
+    return _assigned(data, stem, task_id, workbook.seed or PUBLIC_SEED, number, _stamp(data, stem))
+
+
+def question_digest(variant: Variant) -> str:
+    """Return a name for what a variant asks: what is given, and the arguments of each case."""
+    asked: Plain = [variant.given, [case.args for case in variant.cases]]
+    return hashlib.sha256(json.dumps(rounded(asked, QUESTION_DIGITS), sort_keys=True).encode()).hexdigest()[:16]
+
+
+def _stamp(data: Path, stem: str) -> int:
+    """Return when one of a chapter's files was changed last [ns]."""
+    files = [*(data / "solutions" / "tasks" / stem).glob("*.py"), data / "solutions" / "en" / f"{stem}.ipynb"]
+    return max((path.stat().st_mtime_ns for path in files if path.exists()), default=0)
+
+
+@lru_cache(maxsize=16)
+def _tasks(data: Path, stem: str, _stamp: int) -> dict[str, Task]:
+    with in_process_ros(), redirect_stdout(StringIO()):
+        return {task.id: task for task in read_tasks(data / "solutions" / "tasks" / stem)}
+
+
+@lru_cache(maxsize=16)
+def _solution(data: Path, stem: str, _stamp: int) -> Solution:
+    return solution_in_notebook(data / "solutions" / "en" / f"{stem}.ipynb")
+
+
+@lru_cache(maxsize=64)
+def _assigned(data: Path, stem: str, task_id: str, seed: str, number: int, _stamp: int) -> TaskCases:
+    task = tasks_of(data, stem)[task_id]
+    with in_process_ros(), redirect_stdout(StringIO()):
+        try:
+            variant = make_variant(task, seed, number, solution_of(data, stem))
+        except ValueError as error:
+            raise CasesError(f"{task_id}: {error}") from error
+    return outline_of(task)._replace(variants=(variant,))

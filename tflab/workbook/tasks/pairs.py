@@ -1,0 +1,99 @@
+"""Search the pairs of a task's mistakes that together give an answer.
+
+The mistakes of a task are alternatives at the steps of its model, so two at different
+steps compose.  A task with forty has hundreds of pairs.  They are computed only for an
+answer that nothing simpler explains, and by narrowing: each pair on one wrong case, those
+that fit on the next, until few are left or none (model tracing, as in BUGGY).
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Collection, Sequence
+from functools import cached_property, partial
+from itertools import combinations
+from typing import Any
+
+from ..answers.alike import Likeness
+from ..answers.values import Plain, from_plain
+from .case import AND, Case, values_of
+from .reference import in_process_ros
+from .task import Slip, Task
+
+__all__ = ["Fits", "PairSearch", "combinable"]
+
+Fits = Callable[[int, Plain], Collection[str]]  # the number of a case and a value -> what of the answer it gives
+
+
+def combinable(task: Task) -> list[tuple[Slip, Slip]]:
+    """Return the pairs of mistakes at different steps of the model, the earlier step first."""
+    steps = list(inspect.signature(task.model).parameters) if task.model else []
+    slips = [twin for twin in task.twins if isinstance(twin, Slip)]
+    slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
+    return [(first, then) for first, then in combinations(slips, 2) if not set(first.at) & set(then.at)]
+
+
+class PairSearch:
+    """The pairs of one task.
+
+    Args:
+        load: returns the task; called when pairs are searched for the first time.
+    """
+
+    def __init__(self, load: Callable[[], Task]) -> None:
+        self._load = load
+
+    @cached_property
+    def _task(self) -> Task:
+        return self._load()
+
+    @cached_property
+    def _answers(self) -> dict[str, Any]:
+        """What answers as each two mistakes do, by the names of both."""
+        model: Any = self._task.model  # which has steps, where there are pairs
+        return {
+            first.name + AND + then.name: partial(model, **first.at, **then.at)
+            for first, then in combinable(self._task)
+        }
+
+    def fitting(
+        self, cases: Sequence[Case], order: Sequence[int], fits: Fits, given: dict[str, Plain] | None
+    ) -> dict[str, list[Plain]]:
+        """Return what each pair gives, case by case, of those that fit the answer.
+
+        A pair fits if one thing at least, the answer as a whole or a part of it, is the same in all cases.  A pair
+        is left out if its values are the right ones, or those of one mistake or of an earlier pair.
+
+        Args:
+            order: the numbers of all cases, those that go wrong first.
+            fits: which things of the answer a value has in a case; empty if none.
+            given: what the learner was shown.
+        """
+        shown = {name: from_plain(value) for name, value in (given or {}).items()}
+        alive = dict(self._answers)
+        common: dict[str, set[str]] = {}
+        rows: dict[str, dict[int, Plain]] = {name: {} for name in alive}
+        with in_process_ros():
+            for number in order:
+                for name, value in values_of(alive, cases[number], shown).items():
+                    rows[name][number] = value
+                    has = set(fits(number, value))
+                    common[name] = common[name] & has if name in common else has
+                alive = {name: answer for name, answer in alive.items() if common[name]}
+                if not alive:
+                    return {}
+        return self._distinct(cases, {name: [rows[name][n] for n in range(len(cases))] for name in alive})
+
+    def _distinct(self, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
+        """Return the pairs without those that look like something simpler, or like an earlier pair."""
+        if not rows:
+            return {}
+        simple = [[case.expected for case in cases], *([case.twins[name] for case in cases] for name in cases[0].twins)]
+        likeness = Likeness(self._task.form, [*simple, *rows.values()])
+        kept = list(range(len(simple)))
+        distinct = {}
+        for number, name in enumerate(rows, start=len(simple)):
+            if not likeness.any_of(kept, number):
+                kept.append(number)
+                distinct[name] = rows[name]
+        return distinct
