@@ -10,8 +10,8 @@ from pathlib import Path
 
 from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.tasks.cases import PUBLIC_SEED, cases_json, make_cases
-from tflab.workbook.tasks.reference import CodeCell, Solution
+from tflab.workbook.tasks.cases import outline_of
+from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_tiny"
 
@@ -153,12 +153,11 @@ def write_tiny_workbook(root: Path, page_source: str = SOURCE, tasks: str = TASK
     source.write_text(page_source, encoding="utf-8")
     write_tasks(root / "solutions" / "tasks" / STEM, tasks)
     page = read_page(source)
-    solution = Solution(STEM, [CodeCell(cell.name, cell.source) for cell in page.code])
-    cases = make_cases(STEM, PUBLIC_SEED, solutions=root / "solutions", solution=solution)
-    files = {f"exercises/cases/{STEM}.json": cases_json(cases)}
+    outlined = {task.id: outline_of(task) for task in read_tasks(root / "solutions" / "tasks" / STEM)}
+    files = {}
     for language in ("en", "ko"):
         files[f"solutions/{language}/{STEM}.ipynb"] = text_of(lecture_notebook(page, language, {}))
-        files[f"exercises/{language}/E{STEM}.ipynb"] = text_of(exercise_notebook(page, language, cases.tasks))
+        files[f"exercises/{language}/E{STEM}.ipynb"] = text_of(exercise_notebook(page, language, outlined))
     for name, text in files.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
         (root / name).write_text(text, encoding="utf-8")

@@ -15,21 +15,22 @@ import argparse
 import json
 import sys
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from tflab import __version__
 from tflab.workbook import places
-from tflab.workbook.copy.lay_out import PRISTINE
+from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.tasks.cases import CasesError, read_cases
-from tflab.workbook.tasks.task import variant_of
+from tflab.workbook.tasks.library import assigned_cases, task_ids
+from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.words import Words
 
 from .judging.cells import master_of
 from .judging.job import HandedIn, Job
-from .judging.pack import DAMAGE, check_tasks
+from .judging.pack import DAMAGE
 from .judging.run import RunCells
 from .judging.submission import graded, graded_twice
 from .kernels.limits import Limits
@@ -81,7 +82,7 @@ def main(words: Sequence[str]) -> int:
     try:
         notebook = _called(options.notebook)
         checked = check_notebook(notebook, plainly=options.plain)
-    except (Unreadable, WorkbookError, CasesError) as error:
+    except (Unreadable, WorkbookError, TaskError) as error:
         said = error.remark.say(_language_at(notebook)) if isinstance(error, Unreadable) else error
         print(f"tflab check: {notebook}: {said}", file=sys.stderr)
         return 2
@@ -124,13 +125,16 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
 
     Raises:
         Unreadable: not a notebook, or of no chapter that is here.
-        WorkbookError, CasesError: the copy of the workbook that it is in is damaged.
+        WorkbookError: the copy of the workbook that it is in is damaged.
+        TaskError: its tasks cannot be computed.
     """
     data = read_bytes(path.resolve())
     stamp = read_notebook(data).stamp
     root = workbook_root(path.resolve().parent)
     workbook = read_workbook(root)
     run_cells, limits, note = _runner(plainly, workbook.language)
+    there = places.chapters(root)
+    called = [stem for stem in there if stem in path.name or stem == stamp.get("chapter")]
     job = Job(
         learner=workbook.learner or path.stem,
         name="",
@@ -138,15 +142,18 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         release=stamp.get("release", ""),
         version=__version__,
         files=(HandedIn(path.name, data),),
-        chapters={stem: _chapter(root, workbook, stem) for stem in places.chapters(root)},
+        chapters={stem: _chapter(root, workbook, stem) for stem in called},
         limits=limits,
         has_roster=workbook.learner is not None,
     )
     record = graded_twice(job, partial(graded, run_cells=run_cells))
     found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
+    if not found:  # renamed, or of another chapter than its name tells
+        job = replace(job, chapters={stem: _chapter(root, workbook, stem) for stem in there})
+        record = graded_twice(job, partial(graded, run_cells=run_cells))
+        found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
-        there = ", ".join(job.chapters) or "-"
-        raise Unreadable("no chapter", root=root, there=there)
+        raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
     return Checked(record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note)
 
 
@@ -183,23 +190,22 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
 
 def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     """Return a chapter as it is graded, from what a learner has: the public cases, and the exercise as it came."""
-    cases = read_cases(root / places.CASES / f"{stem}.json")
+    data, tasks = workbook_data(), {}
+    for task_id in task_ids(data, stem):
+        if workbook.questions and task_id not in workbook.questions:
+            continue
+        task = assigned_cases(data, stem, task_id, workbook)
+        held = task.plain()
+        tasks[task_id] = {name: part for name, part in held.items() if name != "variants"} | held["variants"][0]
+    name = f"exercises/{workbook.language}/{places.exercise_file(stem)}"
+    pristine = read_pristine(root).get(name)
     try:
-        check_tasks(cases["tasks"])
+        handed_out = pristine if pristine is not None else (data / name).read_bytes()
+        master = master_of(json.loads(handed_out), stem, tasks)
+    except OSError:
+        raise WorkbookError(f"the exercise {stem} as it was handed out is not there; {MENDS}") from None
     except DAMAGE as error:
-        raise CasesError(f"the cases of {stem} are damaged ({type(error).__name__}); {MENDS}") from None
-    tasks = {}
-    for task_id, task in cases["tasks"].items():
-        variant = task["variants"][variant_of(workbook.learner, task_id, len(task["variants"]))]
-        tasks[task_id] = {name: held for name, held in task.items() if name != "variants"} | variant
-    name = Path("exercises", workbook.language, places.exercise_file(stem))
-    pristine = next((path for path in (root / PRISTINE / name, workbook_data() / name) if path.is_file()), None)
-    if pristine is None:
-        raise WorkbookError(f"the exercise {stem} as it was handed out is not there; {MENDS}")
-    try:
-        master = master_of(json.loads(pristine.read_text(encoding="utf-8")), stem, tasks)
-    except DAMAGE as error:
-        raise WorkbookError(f"{pristine} is damaged ({type(error).__name__}); {MENDS}") from None
+        raise WorkbookError(f"{name} as it was handed out is damaged ({type(error).__name__}); {MENDS}") from None
     return {"master": [[cell.name, cell.source, cell.task, cell.role] for cell in master.cells], "tasks": tasks}
 
 

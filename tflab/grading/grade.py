@@ -59,7 +59,7 @@ def main(words: Sequence[str]) -> int:
             return _refuse("the results would be taken for submissions; name another folder with --out")
         elsewhere = (out, Path(options.pack))
         collection = collect(
-            Path(options.submissions), pack.roster, list(pack.cases), elsewhere,
+            Path(options.submissions), pack.roster, pack.chapters, elsewhere,
             is_genuine=pack.sealed_this, stamps_in=_stamps_in,
         )  # fmt: skip
         if pack.version != __version__:
@@ -94,6 +94,7 @@ def _graded(
     from .kernels.limits import Limits
     from .kernels.take import choose
 
+    pack.compute_cases(pack.chapters, quiet=options.quiet)
     hidden = (Path(options.pack), Path(options.submissions), out)
     sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
     from .batch import HowToGrade, grade_batch
@@ -127,7 +128,7 @@ def _write_reports(
     about = {
         "tflab": __version__,
         "release": pack.release,
-        "chapters": list(pack.cases),
+        "chapters": pack.chapters,
         "wall": [line.en for line in wall],
         "several": options.several,
         "remarks": [remark.plain() for remark in collection.remarks],
@@ -153,9 +154,9 @@ def _write_pages(
     if options.feedback != "none":
         names = file_names(record["learner"] for record in records)
         for record in records:
-            page = feedback_page(record, pack.cases, options.feedback)
+            page = feedback_page(record, pack.titles, options.feedback)
             write_whole(pages / f"{names[record['learner']]}.html", page)
-    shown = class_page(records, pack.cases, language=pack.language, wall=wall, remarks=collection.remarks)
+    shown = class_page(records, language=pack.language, wall=wall, remarks=collection.remarks)
     write_whole(out / "class.html", shown)
 
 

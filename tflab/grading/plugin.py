@@ -40,11 +40,14 @@ class TasksFile(pytest.File):
 
     def collect(self) -> Iterator[TaskItem]:
         """Yield the tasks of the chapter that the notebook is of, or of every one if it does not tell."""
-        chapters = self.read_pack().cases
-        of_its_name = [stem for stem in chapters if stem in self.path.name]
-        for stem in of_its_name or chapters:
-            for task_id in chapters[stem]["tasks"]:
+        for stem in self._chapters():
+            for task_id in self.read_pack().questions[stem]:
                 yield TaskItem.from_parent(self, name=task_id, chapter=stem)
+
+    def _chapters(self) -> list[str]:
+        """Return the chapter that the file's name tells, or all chapters."""
+        chapters = self.read_pack().chapters
+        return [stem for stem in chapters if stem in self.path.name] or chapters
 
     def read_pack(self) -> Any:
         """Return the pack, read once for each run of pytest."""
@@ -70,7 +73,7 @@ class TasksFile(pytest.File):
 
             pack = self.read_pack()
             found = collect(
-                self.path, pack.roster, list(pack.cases), is_genuine=pack.sealed_this, stamps_in=stamps
+                self.path, pack.roster, pack.chapters, is_genuine=pack.sealed_this, stamps_in=stamps
             ).submissions
             submission = next(submission for submission in found if submission.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)

@@ -1,15 +1,15 @@
-"""How does a course hand out its exercises?  `tflab release DIR`: a folder to give away, and one to keep.
+"""Hand out exercises: `tflab release DIR` makes a folder to give away, and one to keep.
 
     tflab release autumn --roster class.csv --chapters 02,03
 
-    autumn/learners/s101/     pages, exercises and public cases, stamped; no solutions
-    autumn/instructor/        the pack: a secret seed, hidden cases, master notebooks (see pack.py)
+    autumn/learners/s101/     pages and exercises, stamped
+    autumn/instructor/        the pack: a secret seed, master notebooks (see pack.py)
     autumn/instructor/guide/  what to lecture these chapters from (see guide/)
 
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
 chapters, with the seed it has, and finishes what was interrupted; `--update` brings in
-what was mended since (see `mend.py`).  Read `mend.py` next.
+what was fixed since (see `mend.py`).
 """
 
 from __future__ import annotations
@@ -27,12 +27,10 @@ from tqdm import tqdm
 
 from tflab import __version__
 from tflab.workbook import places
-from tflab.workbook.copy.lay_out import PRISTINE, cases_bytes, lay_out, update
+from tflab.workbook.copy.lay_out import lay_out, read_pristine, update
 from tflab.workbook.pages.editions import text_of
 from tflab.workbook.places import WorkbookError
-from tflab.workbook.tasks.cases import CasesError, read_cases
 from tflab.workbook.tasks.task import TaskError
-from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES
 
 from .guide.command import write_guide
@@ -42,14 +40,15 @@ from .judging.pack import (
     PACK,
     Pack,
     PackError,
-    chapters_made,
     keep_chapter,
-    learners_cases,
+    learners_seed,
+    questions_asked,
     read_pack,
-    write_chapter,
+    variant_for,
+    write_master,
     write_pack,
 )
-from .mend import Mended, mended_cases, mended_exercise, notebook_of
+from .mend import mended_exercise, refuse_other_questions
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
 
@@ -70,7 +69,7 @@ def main(words: Sequence[str]) -> int:
     who = "everybody, the same folder"
     if pack.roster is not None:
         who = f"{len(pack.roster)} learner{'' if len(pack.roster) == 1 else 's'}"
-    print(f"{folder / LEARNERS}: for {who}: {', '.join(pack.cases)}")
+    print(f"{folder / LEARNERS}: for {who}: {', '.join(pack.chapters)}")
     print(f"{folder / INSTRUCTOR}: your pack. Keep it to yourself; grading needs it.")
     if (folder / INSTRUCTOR / GUIDE).is_dir():
         print(f"{folder / INSTRUCTOR / GUIDE}: what to lecture from; `tflab guide` makes its decks.")
@@ -117,26 +116,26 @@ def release(
         TaskError: a chapter's solution or cases are no good.
     """
     pack = _pack_to_fill(folder, learners, language, add)
-    data = places.workbook_data()
-    handed_out: dict[str, dict[str, Any]] = {}
-    wanted = list(dict.fromkeys([*pack.cases, *stems]))
-    masters = {stem: data / "exercises" / "en" / places.exercise_file(stem) for stem in wanted}
-    for stem, master in masters.items():
-        if not master.is_file():
-            raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
-    for stem, (handed_out[stem], graded) in chapters_made(wanted, pack.seed, data / "solutions", quiet=quiet).items():
-        if pack.cases.setdefault(stem, graded) != graded:
-            raise PackError(f"the tasks of {stem} have changed since {folder} was released; release to another folder")
-        if not add or not (folder / INSTRUCTOR / "cases" / f"{stem}.json").exists():
-            write_chapter(folder / INSTRUCTOR, stem, graded, masters[stem].read_bytes())
+    new = [stem for stem in dict.fromkeys(stems) if stem not in pack.questions]
+    masters = {stem: _master(stem) for stem in [*pack.questions, *new]}
+    pack.questions.update(questions_asked(new, pack.seed, quiet=quiet))
+    for stem in new:
+        write_master(folder / INSTRUCTOR, stem, masters[stem])
     write_pack(folder / INSTRUCTOR, pack)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
     with tqdm(desc="released", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
         for learner in everybody:
-            _lay_out_for(folder / LEARNERS, learner, pack, handed_out, language)
+            _lay_out_for(folder / LEARNERS, learner, pack, language)
             bar.update()
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return read_pack(folder / INSTRUCTOR)
+
+
+def _master(stem: str) -> bytes:
+    path = places.workbook_data() / "exercises" / "en" / places.exercise_file(stem)
+    if not path.is_file():
+        raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
+    return path.read_bytes()
 
 
 def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]]:
@@ -149,87 +148,60 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
         TaskError: a chapter's solution or cases are no good.
     """
     pack = read_pack(folder / INSTRUCTOR)
-    data = places.workbook_data()
-    lines, handed_out = [], {}
-    staying: dict[str, tuple[str, ...]] = {}
-    masters = {stem: data / "exercises" / "en" / places.exercise_file(stem) for stem in pack.cases}
-    for stem, master in masters.items():
-        if not master.is_file():
-            raise PackError(f"{stem} is not part of tflab {__version__}; nothing was changed")
-    made = chapters_made(list(pack.cases), pack.seed, data / "solutions", quiet=quiet)
-    for stem, (handed_out[stem], graded) in made.items():
-        released, master = pack.cases[stem], masters[stem]
-        mended = mended_cases(released, graded)
-        staying[stem] = mended.staying
-        lines += _said_of(stem, mended)
+    there = places.chapters()
+    missing = [stem for stem in pack.chapters if stem not in there]
+    if missing:
+        raise PackError(f"{', '.join(missing)} is not part of tflab {__version__}; nothing was changed")
+    now = questions_asked(pack.chapters, pack.seed, quiet=quiet)
+    refuse_other_questions(pack, now)
+    lines = []
+    for stem, asked in pack.questions.items():
+        if added := [task for task in now[stem] if task not in asked]:
+            lines.append(f"{stem}: {', '.join(added)} is new, and no part of this release")
         old = json.loads((folder / INSTRUCTOR / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
-        new = mended_exercise(old, json.loads(master.read_bytes()), released["tasks"], mended.staying)
-        if mended.graded != released or new != old:
+        new = mended_exercise(old, json.loads(_master(stem)), asked)
+        if new != old:
             keep_chapter(folder / INSTRUCTOR, stem)
-            write_chapter(folder / INSTRUCTOR, stem, mended.graded, text_of(new).encode())
+            write_master(folder / INSTRUCTOR, stem, text_of(new).encode())
     write_pack(folder / INSTRUCTOR, replace(pack, version=__version__))
     pack = read_pack(folder / INSTRUCTOR)
     everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
     with tqdm(desc="updated", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
         for learner in everybody:
-            lines += _update_for(folder / LEARNERS, learner, pack, handed_out, staying)
+            lines += _update_for(folder / LEARNERS, learner, pack)
             bar.update()
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return pack, lines
 
 
-def _said_of(stem: str, mended: Mended) -> list[str]:
-    lines = []
-    if mended.staying:
-        lines.append(f"{stem}: {', '.join(mended.staying)} asks something else now, and stays as it was released")
-    if mended.left_out:
-        lines.append(f"{stem}: {', '.join(mended.left_out)} is new, and no part of this release")
-    return lines
-
-
-def _update_for(
-    place: Path,
-    learner: Learner | None,
-    pack: Pack,
-    handed_out: Mapping[str, dict[str, Any]],
-    staying: Mapping[str, tuple[str, ...]],
-) -> list[str]:
+def _update_for(place: Path, learner: Learner | None, pack: Pack) -> list[str]:
     """Bring one learner's folder up to date, around what is written there; return what there is to say."""
     identity = learner.id if learner else None
     target = place / (identity or places.COPY)
     if not (target / places.MARK).is_file():
         return [f"{target} is not there any more; --add lays it out again"]
     spoken = places.read_workbook(target).language
-    files = {}
-    for stem, chapter in handed_out.items():
-        name = f"exercises/{spoken}/{places.exercise_file(stem)}"
-        new = json.loads((places.workbook_data() / name).read_bytes())
-        old = notebook_of(target / PRISTINE / name) or new
-        exercise = mended_exercise(old, new, pack.cases[stem]["tasks"], staying[stem])
-        files[name] = _stamped(exercise, _stamp_of(pack, stem, spoken, identity))
-        path = f"exercises/cases/{stem}.json"
-        cases = learners_cases(chapter, pack.roster, identity)
-        known = _tasks_in(target / PRISTINE / path)
-        tasks = {
-            task: known.get(task, cases["tasks"].get(task)) if task in staying[stem] else cases["tasks"][task]
-            for task in pack.cases[stem]["tasks"]
-        }
-        files[path] = cases_bytes({**cases, "tasks": {task: held for task, held in tasks.items() if held}})
-    changes = update(target, files)
+    changes = update(target, _exercises_for(pack, spoken, identity, read_pristine(target)))
     kept = sum(change.kept for change in changes)
     return [f"{target}: {len(changes)} files brought up to date, {kept} cells of the learner's kept"] if changes else []
 
 
-def _tasks_in(path: Path) -> dict[str, Any]:
-    try:
-        return read_cases(path)["tasks"]
-    except CasesError:
-        return {}
+def _exercises_for(
+    pack: Pack, language: str, learner: str | None, handed_out: Mapping[str, bytes] = {}
+) -> dict[str, bytes]:
+    """Return the exercises as one learner gets them, by path; the title of one that was handed out stays."""
+    files = {}
+    for stem, asked in pack.questions.items():
+        name = f"exercises/{language}/{places.exercise_file(stem)}"
+        new = json.loads((places.workbook_data() / name).read_bytes())
+        old = json.loads(handed_out[name]) if name in handed_out else new
+        files[name] = _stamped(mended_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
+    return files
 
 
 def _lay_out_guide(place: Path, pack: Pack) -> None:
     """Write what the released chapters are lectured from, of those that have it."""
-    stems = [stem for stem in pack.cases if stem in stems_there()]
+    stems = [stem for stem in pack.chapters if stem in stems_there()]
     if stems:
         write_guide(place, teachings_called(stems), pack.language)
 
@@ -253,19 +225,22 @@ def _pack_to_fill(folder: Path, learners: Sequence[Learner] | None, language: st
     return replace(pack, roster={**pack.roster, **(roster or {})} if pack.roster is not None else roster)
 
 
-def _lay_out_for(
-    place: Path, learner: Learner | None, pack: Pack, handed_out: Mapping[str, dict[str, Any]], language: str
-) -> None:
+def _lay_out_for(place: Path, learner: Learner | None, pack: Pack, language: str) -> None:
     identity = learner.id if learner else None
     spoken = learner.language if learner else language
-    target = place / (identity or places.COPY)
-    cases = {stem: learners_cases(chapter, pack.roster, identity) for stem, chapter in handed_out.items()}
-    lay_out(target, spoken, edition="class", learner=identity, cases=cases)
-    for stem in cases:
-        for root in (target, target / PRISTINE):
-            path = root / "exercises" / spoken / places.exercise_file(stem)
-            if path.is_file():
-                _stamp(path, _stamp_of(pack, stem, spoken, identity))
+    asked = {task: digests for tasks in pack.questions.values() for task, digests in tasks.items()}
+    lay_out(
+        place / (identity or places.COPY),
+        spoken,
+        edition="class",
+        learner=identity,
+        seed=learners_seed(pack.seed),
+        questions={
+            task: digests[variant_for(pack.roster, identity or "", task, len(digests))]
+            for task, digests in asked.items()
+        },
+        handed_out=_exercises_for(pack, spoken, identity),
+    )
 
 
 def _stamp_of(pack: Pack, stem: str, language: str, learner: str | None) -> dict[str, str]:
@@ -279,19 +254,6 @@ def _stamped(notebook: Mapping[str, Any], stamp: Mapping[str, str]) -> bytes:
     metadata = notebook["metadata"]
     held = {**notebook, "metadata": {**metadata, "tflab": {**metadata.get("tflab", {}), **stamp}}}
     return text_of(held).encode()
-
-
-def _stamp(path: Path, stamp: Mapping[str, str]) -> None:
-    """Write into an exercise whose it is, if that is not there yet; what else somebody put there stays."""
-    try:
-        notebook = json.loads(path.read_text(encoding="utf-8"))
-        metadata = notebook["metadata"].setdefault("tflab", {})
-    except (ValueError, TypeError, KeyError):
-        return
-    if "release" in metadata:
-        return
-    metadata.update(stamp)
-    write_whole(path, json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n")
 
 
 def _chapters(words: str | None, there: Sequence[str]) -> list[str]:

@@ -220,7 +220,7 @@ def _find(task_id: str) -> AssignedTask:
     except TaskError as error:
         raise WorkbookError(PHRASES["no_cases"].say(workbook.language, why=error)) from None
     (variant,) = cases.variants
-    if workbook.questions and question_digest(variant) != workbook.questions[asked]:
+    if workbook.questions and question_digest(cases, variant) != workbook.questions[asked]:
         raise WorkbookError(PHRASES["other_question"].say(workbook.language, id=asked, here=__version__))
     return AssignedTask(asked, stem, cases, variant, root, workbook)
 

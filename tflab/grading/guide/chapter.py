@@ -10,10 +10,10 @@ Read `cards.py` next.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any
 
 from tflab.workbook.course.course import Chapter, Course
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.tasks.task import Task
 from tflab.workbook.words import Words
 
 from ..reports.html import text
@@ -95,14 +95,14 @@ def chapter_guide(
     teaching: Teaching,
     page: LecturedPage,
     course: Course,
-    tasks: Mapping[str, Any],
+    tasks: Mapping[str, Task],
     counts: Counts,
     marked_in: Mapping[int, int],
 ) -> str:
     """Return a chapter's guide as HTML.
 
     Args:
-        tasks: those of the chapter, as its public cases have them.
+        tasks: those of the chapter.
         counts: what classes really chose; empty if none has voted.
         marked_in: the chapter whose guide has the samples of each practice question.
     """
@@ -279,12 +279,10 @@ def _ticket(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
     yield grid(("", ""), [(text(name.say(said)), inline(teaching.ticket[pile].say(said))) for pile, name in PILES])
 
 
-def _tasks(tasks: Mapping[str, Any], said: str) -> str:
+def _tasks(tasks: Mapping[str, Task], said: str) -> str:
     rows = []
     for name, task in tasks.items():
-        own = YES if len(task["variants"]) > 1 else NO
-        cures = ", ".join(
-            f"{MISCONCEPTIONS[code].say(said)} ({code})" for code in task["cures"] if code in MISCONCEPTIONS
-        )
-        rows.append((text(name), text(task["title"][said]), text(task["points"]), text(own.say(said)), text(cures)))
+        own = YES if task.variants > 1 else NO
+        cures = ", ".join(f"{MISCONCEPTIONS[code].say(said)} ({code})" for code in task.cures if code in MISCONCEPTIONS)
+        rows.append((text(name), text(task.title.say(said)), text(task.points), text(own.say(said)), text(cures)))
     return grid([head.say(said) for head in TASK_HEADS], rows) if rows else ""

@@ -14,14 +14,14 @@ Read `check_command.py` next.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tflab.workbook.course.course import read_course
 from tflab.workbook.pages.html import PageFailed
-from tflab.workbook.places import CASES, WorkbookError, read_workbook, workbook_data
+from tflab.workbook.places import TASKS, WorkbookError, read_workbook, workbook_data
+from tflab.workbook.tasks.library import tasks_of
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import LANGUAGES, Words
 
@@ -84,8 +84,7 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts:
     guides, contents = [], []
     for teaching, page in lectures:
         chapter = next(one for one in course.chapters if one.stem == teaching.stem)
-        cases = data / CASES / f"{teaching.stem}.json"
-        tasks = json.loads(cases.read_text(encoding="utf-8"))["tasks"] if cases.is_file() else {}
+        tasks = tasks_of(data, teaching.stem) if (data / TASKS / teaching.stem).is_dir() else {}
         guides.append(chapter_guide(teaching, page, course, tasks, counts or {}, marked_in))
         title = f"{chapter.number:02} · {text(chapter.title.say(language))}"
         contents.append(f'<li><a href="#ch{chapter.number:02}">{title}</a></li>')

@@ -16,11 +16,12 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.workbook.answers.forms import Form
-from tflab.workbook.answers.sealed import is_sealed, judge, seal
+from tflab.workbook.answers.sealed import judge
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case import TaskCases, TwinWords
 from tflab.workbook.tasks.evidence import beyond_guessing, beyond_the_usual
+from tflab.workbook.tasks.library import pair_search
 from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
 from tflab.workbook.words import Words
@@ -89,10 +90,10 @@ def judged(
         outcomes: by their places in the order of asking.
         trouble: what the run had to say about this task.
     """
-    held = TaskCases.of_a_learner(dict(task))
+    held = TaskCases.of_a_learner(dict(task))._replace(pairs=pair_search(task_id))
     got, is_steady = by_case(held, asks_of(task), outcomes)
     remarks = [*trouble, *([] if is_steady else [Remark(Mistake.UNSTEADY.value, task_id)])]
-    found = _judge(held, got)
+    found = judge_outcomes(held, held.variants[0], got)
     points = round(held.points * _share(held, task, found), DIGITS)
     if found.mistake is Mistake.UNANSWERED and not trouble:
         status = "unanswered"
@@ -125,17 +126,6 @@ def safe_error_name(name: Any) -> str | Remark:
     if name == "_IncompleteInputError":  # what Python 3.13 calls a SyntaxError at the end of the text
         return "SyntaxError"
     return name if isinstance(name, str) and name in KNOWN_ERRORS else Remark("own error")
-
-
-def _judge(task: TaskCases, got: list[Any]) -> Verdict:
-    """Judge as a learner's copy does, whose values are sealed: what `check` accepts at the edge of its tolerance."""
-    (variant,) = task.variants
-    found = judge_outcomes(task, variant, got)
-    if found.mistake is None or task.is_function or any(is_sealed(case.expected) for case in variant.cases):
-        return found
-    sealed = tuple(case._replace(expected=seal(task.form, case.expected, "grading")) for case in variant.cases)
-    rounded = judge_outcomes(task, variant._replace(cases=sealed), got)
-    return rounded if rounded.passed > found.passed else found
 
 
 def by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -> tuple[list[Any], bool]:

@@ -1,15 +1,15 @@
-"""What does only the instructor have?  A secret seed, the hidden cases it makes, and the master notebooks.
+"""Keep what only the instructor has: a secret seed, and the exercises as they were handed out.
 
     DIR/instructor/
-      pack.json                  seed, roster, chapters, version: keep it to yourself
-      cases/03_....json          what is graded; same shape as a learner's cases, other inputs
+      pack.json                  seed, roster, version, what each task asks: keep it to yourself
       masters/03_....ipynb       the exercise as it was handed out
-      before/1/...               cases and masters as they were before an update
+      before/1/...               masters as they were before an update
 
-What a learner gets is made from one seed, what is graded from another, and both
-from the secret one: knowing the first does not help to find the second.  Of a task
-whose answer is a value, what is graded is what the learner was given; of a
-function, inputs that nobody has seen: a sample of their own for each.  Read `draw.py` next.
+Hidden cases are not stored.  They are computed from the seed when grading begins.  What a
+learner gets is made from one seed, what is graded from another, and both from the secret
+one: knowing the first does not help to find the second.  Of a task whose answer is a
+value, what is graded is what the learner was given; of a function, inputs that nobody has
+seen: a sample of their own for each (see `draw.py`).
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ import hashlib
 import hmac
 import json
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from joblib import Parallel, delayed, parallel_config
 from joblib.externals.loky import get_reusable_executor
@@ -30,22 +30,27 @@ from tqdm import tqdm
 
 from tflab import __version__
 from tflab.workbook.answers.forms import form_from_plain
-from tflab.workbook.answers.sealed import sealed_variant
-from tflab.workbook.tasks.cases import CasesError, cases_json, make_cases, read_cases
+from tflab.workbook.places import TASKS, workbook_data
+from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.cases import task_cases
 from tflab.workbook.tasks.evidence import usual_among
+from tflab.workbook.tasks.library import question_digest, solution_of, tasks_of
+from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
+from tflab.workbook.words import Words
 
 from ..submissions.roster import Learner
 from .cells import Master, master_of
 from .draw import POOL, digest_of, drawn, pool_of
 
 __all__ = [
-    "DAMAGE", "Pack", "PackError", "chapter_cases", "chapters_made", "keep_chapter", "learners_cases", "read_pack",
-    "usual_of", "write_chapter", "write_pack",
+    "DAMAGE", "Pack", "PackError", "graded_cases", "keep_chapter", "learners_seed", "questions_asked", "read_pack",
+    "usual_of", "write_master", "write_pack",
 ]  # fmt: skip
 
-FORMAT = 2
+FORMAT = 3
+Made = TypeVar("Made")
 PACK = "pack.json"
 BEFORE = "before"
 DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
@@ -63,7 +68,7 @@ class Pack:
         release: a short name that stands in every notebook handed out; it says nothing about the seed.
         seed: 256 secret bits, as hex.
         roster: the learners by id, or None if everybody got the same folder.
-        cases: what is graded, by chapter.
+        questions: by chapter and task, what each variant asks, as digests.
         masters: the exercises as they were handed out, by chapter.
     """
 
@@ -72,20 +77,44 @@ class Pack:
     version: str = __version__
     language: str = "en"
     roster: dict[str, Learner] | None = None
-    cases: dict[str, dict[str, Any]] = field(default_factory=dict)
+    questions: dict[str, dict[str, list[str]]] = field(default_factory=dict)
     masters: dict[str, Master] = field(default_factory=dict)
+    _cases: dict[str, dict[str, Any]] = field(default_factory=dict, compare=False)
+
+    @property
+    def chapters(self) -> list[str]:
+        """Return the stems of the chapters that were released."""
+        return list(self.questions)
+
+    @cached_property
+    def titles(self) -> dict[str, dict[str, Words]]:
+        """The titles of the tasks, by chapter and task."""
+        return {
+            stem: {name: task.title for name, task in tasks_of(workbook_data(), stem).items() if name in tasks}
+            for stem, tasks in self.questions.items()
+        }
 
     @cached_property
     def digest(self) -> str:
         """A name for exactly this pack, so that results of another are not taken for its own."""
-        held = json.dumps([self.release, self.seed, self.version, self.cases], sort_keys=True)
+        held = json.dumps([self.release, self.seed, self.version, self.questions], sort_keys=True)
         return hashlib.sha256(held.encode()).hexdigest()
 
-    @cached_property
-    def usual(self) -> dict[str, list[list[bool]]]:
-        """By task and variant, which parts of a value are right in most other variants, too."""
-        tasks = {task_id: task for cases in self.cases.values() for task_id, task in cases["tasks"].items()}
-        return {task_id: usual_of(task) for task_id, task in tasks.items() if not task["is_function"]}
+    def compute_cases(self, stems: Iterable[str], *, quiet: bool = True) -> None:
+        """Compute what these chapters are graded on, where that was not done yet.
+
+        Raises:
+            PackError: a task asks something else than when it was released.
+        """
+        new = [stem for stem in stems if stem not in self._cases]
+        for stem, (cases, questions) in _on_all_cores(graded_cases, new, self.seed, "hidden cases", quiet).items():
+            other = [name for name, asked in self.questions[stem].items() if questions.get(name) != asked]
+            if other:
+                raise PackError(
+                    f"{', '.join(other)} asks about other values in tflab {__version__} than when it was released "
+                    f"with tflab {self.version}; grade with tflab {self.version}"
+                )
+            self._cases[stem] = {name: task for name, task in cases.items() if name in self.questions[stem]}
 
     def seal_of(self, stamp: Mapping[str, str]) -> str:
         """Return what proves that a notebook's stamp is ours: a code for it that only this pack can make (an HMAC)."""
@@ -96,30 +125,32 @@ class Pack:
         """Return whether a stamp is as this release handed it out, not written by somebody else."""
         return hmac.compare_digest(stamp.get("seal", "").encode(), self.seal_of(stamp).encode())
 
-    def for_learner(self, learner: str) -> dict[str, dict[str, Any]]:
+    def for_learner(self, learner: str, stems: Iterable[str] | None = None) -> dict[str, dict[str, Any]]:
         """Return what one learner is graded on: the master cells and tasks of each chapter, plain data."""
+        stems = list(self.questions if stems is None else stems)
+        self.compute_cases(stems)
         chapters = {}
-        for stem, cases in self.cases.items():
+        for stem in stems:
             cells = [
                 [cell.name, cell.source, cell.task, cell.role, list(cell.earlier)] for cell in self.masters[stem].cells
             ]
             tasks = {}
-            for task_id, task in cases["tasks"].items():
-                number = variant_for(self.roster, learner, task_id, task)
+            for task_id, task in self._cases[stem].items():
+                number = variant_for(self.roster, learner, task_id, len(task["variants"]))
                 variant = task["variants"][number]
-                held = {name: held for name, held in task.items() if name != "variants"} | variant
+                held = {name: held for name, held in task.items() if name not in ("variants", "usual")} | variant
                 if "tells" in held["cases"][0]:
                     held |= drawn(held["cases"], _derived(self.seed, f"asked/{learner}/{task_id}"))
                 if not task["is_function"]:
-                    held["usual"] = self.usual[task_id][number]
+                    held["usual"] = task["usual"][number]
                 tasks[task_id] = held
             chapters[stem] = {"master": cells, "tasks": tasks}
         return chapters
 
 
-def variant_for(roster: Mapping[str, Learner] | None, learner: str, task_id: str, task: Mapping[str, Any]) -> int:
-    """Return which variant of a task a learner has; without a roster everybody has the first."""
-    return variant_of(learner, task_id, len(task["variants"])) if roster is not None and learner in roster else 0
+def variant_for(roster: Mapping[str, Learner] | None, learner: str, task_id: str, count: int) -> int:
+    """Return which of a task's variants a learner has; without a roster everybody has the first."""
+    return variant_of(learner, task_id, count) if roster is not None and learner in roster else 0
 
 
 def usual_of(task: Mapping[str, Any]) -> list[list[bool]]:
@@ -131,32 +162,61 @@ def usual_of(task: Mapping[str, Any]) -> list[list[bool]]:
     ]
 
 
-def chapter_cases(stem: str, seed: str, solutions: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return a chapter's cases for the learners (open) and for grading."""
-    learners = make_cases(stem, _derived(seed, "learners"), solutions=solutions)
-    hidden = make_cases(stem, _derived(seed, "hidden"), solutions=solutions, fewest_inputs=POOL)
-    # As they will be read: a file has its keys sorted, and what is sealed keeps to the order of the parts.
-    learners, hidden = (json.loads(cases_json(cases)) for cases in (learners, hidden))
-    # What a learner was shown is part of the question: then the inputs that go with it are, too.
-    graded = {
-        task_id: _pooled(hidden["tasks"][task_id], task) if task["is_function"] and not _shows_values(task) else task
-        for task_id, task in learners["tasks"].items()
-    }
-    return learners, learners | {"tasks": graded}
+def learners_seed(seed: str) -> str:
+    """Return the seed from which the learners' numbers are drawn; it stands in their copies."""
+    return _derived(seed, "learners").hex()
 
 
-def chapters_made(
-    stems: Sequence[str], seed: str, solutions: Path, *, quiet: bool = True
-) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
-    """Return the `chapter_cases` of each chapter, in their order; the longest are begun first, side by side."""
-    size = {stem: sum(path.stat().st_size for path in (solutions / "tasks" / stem).glob("*.py")) for stem in stems}
+def questions_asked(stems: Sequence[str], seed: str, *, quiet: bool = True) -> dict[str, dict[str, list[str]]]:
+    """Return what each variant of each task asks with a seed, as digests, by chapter and task.
+
+    Raises:
+        TaskError: a chapter's task or solution cannot be used.
+    """
+    return _on_all_cores(_questions_of, stems, seed, "tasks", quiet)
+
+
+def _questions_of(data: Path, stem: str, seed: str) -> dict[str, list[str]]:
+    made = ((name, _learners_cases(data, stem, name, seed)) for name in tasks_of(data, stem))
+    return {name: [question_digest(task, variant) for variant in task.variants] for name, task in made}
+
+
+def graded_cases(data: Path, stem: str, seed: str) -> tuple[dict[str, Any], dict[str, list[str]]]:
+    """Return what a chapter is graded on, by task, and what each variant asks, as digests."""
+    cases, questions = {}, {}
+    for name, task in tasks_of(data, stem).items():
+        public = _learners_cases(data, stem, name, seed)
+        questions[name] = [question_digest(public, variant) for variant in public.variants]
+        held = public.plain()
+        # What a learner was shown is part of the question: then the inputs that go with it are, too.
+        if public.is_function and not any(variant.given for variant in public.variants):
+            with in_process_ros():
+                hidden = task_cases(task, _derived(seed, "hidden"), solution_of(data, stem), fewest_inputs=POOL)
+            held = _pooled(hidden.plain(), held)
+        if not public.is_function:
+            held["usual"] = usual_of(held)
+        cases[name] = held
+    return cases, questions
+
+
+def _learners_cases(data: Path, stem: str, task_id: str, seed: str) -> TaskCases:
+    with in_process_ros():
+        return task_cases(tasks_of(data, stem)[task_id], learners_seed(seed), solution_of(data, stem))
+
+
+def _on_all_cores(
+    make: Callable[[Path, str, str], Made], stems: Sequence[str], seed: str, what: str, quiet: bool
+) -> dict[str, Made]:
+    """Return what is made of each chapter with a seed; the longest are begun first, side by side."""
+    data = workbook_data()
+    size = {stem: sum(path.stat().st_size for path in (data / TASKS / stem).glob("*.py")) for stem in stems}
     longest_first = sorted(stems, key=size.__getitem__, reverse=True)
     made = {}
     work = Parallel(min(len(stems), os.cpu_count() or 1) or 1, return_as="generator_unordered", batch_size=1)
-    with tqdm(desc="made", total=len(stems), leave=False, disable=quiet or None) as bar:
+    with tqdm(desc=what, total=len(stems), leave=False, disable=quiet or None) as bar:
         try:
-            for stem, cases in work(delayed(_called)(stem, seed, solutions) for stem in longest_first):
-                made[stem] = cases
+            for stem, held in work(delayed(_called)(make, data, stem, seed) for stem in longest_first):
+                made[stem] = held
                 bar.update()
         except BaseException:
             if work.n_jobs != 1:
@@ -165,9 +225,9 @@ def chapters_made(
     return {stem: made[stem] for stem in stems}
 
 
-def _called(stem: str, seed: str, solutions: Path) -> tuple[str, tuple[dict[str, Any], dict[str, Any]]]:
+def _called(make: Callable[[Path, str, str], Made], data: Path, stem: str, seed: str) -> tuple[str, Made]:
     with parallel_config(backend="loky"):  # patients made in threads would share the folder they are made in
-        return stem, chapter_cases(stem, seed, solutions)
+        return stem, make(data, stem, seed)
 
 
 def _pooled(hidden: Mapping[str, Any], public: Mapping[str, Any]) -> dict[str, Any]:
@@ -175,24 +235,6 @@ def _pooled(hidden: Mapping[str, Any], public: Mapping[str, Any]) -> dict[str, A
     shown = {digest_of(case["args"]) for variant in public["variants"] for case in variant["cases"]}
     variants = [variant | {"cases": pool_of(hidden, variant["cases"], shown)} for variant in hidden["variants"]]
     return dict(hidden) | {"variants": variants}
-
-
-def _shows_values(task: Mapping[str, Any]) -> bool:
-    """Return whether learners are shown what they are to answer about."""
-    return any(variant["given"] for variant in task["variants"])
-
-
-def learners_cases(
-    cases: Mapping[str, Any], roster: Mapping[str, Learner] | None, learner: str | None
-) -> dict[str, Any]:
-    """Return a chapter's cases as one learner gets them: only their variant, values sealed."""
-    tasks = {}
-    for task_id, task in cases["tasks"].items():
-        variant = task["variants"][variant_for(roster, learner or "", task_id, task)]
-        if not task["is_function"]:
-            variant = sealed_variant(form_from_plain(task["form"]), variant, learner)
-        tasks[task_id] = task | {"variants": [variant]}
-    return dict(cases) | {"tasks": tasks}
 
 
 def write_pack(folder: Path, pack: Pack) -> None:
@@ -211,26 +253,25 @@ def write_pack(folder: Path, pack: Pack) -> None:
         "version": pack.version,
         "language": pack.language,
         "roster": roster,
-        "chapters": sorted(pack.cases),
+        "questions": pack.questions,
     }
     write_whole(folder / PACK, json.dumps(held, indent=1, ensure_ascii=False) + "\n")
     for path, mode in ((folder, 0o700), (folder / PACK, 0o600)):
         os.chmod(path, mode)
 
 
-def write_chapter(folder: Path, stem: str, graded: Mapping[str, Any], master: bytes) -> None:
-    """Write what a chapter is graded on, and its master notebook."""
-    write_whole(folder / "cases" / f"{stem}.json", cases_json(dict(graded)))
+def write_master(folder: Path, stem: str, master: bytes) -> None:
+    """Write the exercise of a chapter as it is handed out."""
     write_whole(folder / "masters" / f"{stem}.ipynb", master)
 
 
 def keep_chapter(folder: Path, stem: str) -> None:
-    """Put a chapter's cases and master aside, as they are: what was handed out with them stays gradable."""
+    """Put a chapter's master aside, as it is: what was handed out with it stays gradable."""
     number = 1
     while (folder / BEFORE / str(number) / "masters" / f"{stem}.ipynb").exists():
         number += 1
-    for name in (f"cases/{stem}.json", f"masters/{stem}.ipynb"):
-        write_whole(folder / BEFORE / str(number) / name, (folder / name).read_bytes())
+    name = f"masters/{stem}.ipynb"
+    write_whole(folder / BEFORE / str(number) / name, (folder / name).read_bytes())
 
 
 def read_pack(folder: Path) -> Pack:
@@ -250,13 +291,12 @@ def read_pack(folder: Path) -> Pack:
         raise PackError(f"{path} was made by another version of tflab; grade with the version that made it")
     try:
         roster = None if held["roster"] is None else {row[0]: Learner(*row) for row in held["roster"]}
-        cases = {stem: read_cases(path.parent / "cases" / f"{stem}.json") for stem in held["chapters"]}
         check_roster(roster or {})
-        for held_cases in cases.values():
-            check_tasks(held_cases["tasks"])
-        masters = {stem: _read_master(path.parent, stem, cases[stem]) for stem in cases}
-        return Pack(held["release"], held["seed"], held["version"], held["language"], roster, cases, masters)
-    except (*DAMAGE, OSError, CasesError) as error:
+        questions = held["questions"]
+        _check_questions(questions)
+        masters = {stem: _read_master(path.parent, stem, questions[stem]) for stem in questions}
+        return Pack(held["release"], held["seed"], held["version"], held["language"], roster, questions, masters)
+    except (*DAMAGE, OSError) as error:
         raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None
 
 
@@ -267,20 +307,18 @@ def check_roster(roster: Mapping[str, Learner]) -> None:
         raise TypeError("the roster holds something else than texts")
 
 
-def check_tasks(tasks: Mapping[str, Any]) -> None:
-    """Raise KeyError, TypeError or ValueError if what grading will look at is not there, or of another kind."""
-    for task_id, task in tasks.items():
-        form_from_plain(task["form"])
-        if not (task["variants"] and all(variant["cases"] for variant in task["variants"])):
-            raise ValueError(f"{task_id} has no cases")
-        if not (float(task["points"]) >= 0 and isinstance(task["answer"], str) and isinstance(task["twins"], dict)):
-            raise ValueError(f"{task_id} has no points, or no answer to look for")
+def _check_questions(questions: Mapping[str, Mapping[str, Sequence[str]]]) -> None:
+    """Raise TypeError if what each task asks is not there as digests."""
+    for stem, tasks in questions.items():
+        asked = [digest for digests in tasks.values() for digest in digests]
+        if not (isinstance(stem, str) and asked and all(isinstance(digest, str) for digest in asked)):
+            raise TypeError(f"what the tasks of {stem} ask is not there")
 
 
-def _read_master(folder: Path, stem: str, cases: Mapping[str, Any]) -> Master:
+def _read_master(folder: Path, stem: str, tasks: Iterable[str]) -> Master:
     paths = [folder / "masters" / f"{stem}.ipynb", *sorted((folder / BEFORE).glob(f"*/masters/{stem}.ipynb"))]
     notebook, *earlier = (json.loads(path.read_text(encoding="utf-8")) for path in paths)
-    return master_of(notebook, stem, cases["tasks"], earlier)
+    return master_of(notebook, stem, tasks, earlier)
 
 
 def _derived(seed: str, purpose: str) -> bytes:

@@ -84,7 +84,6 @@ def mistakes(records: Sequence[Mapping[str, Any]]) -> list[CommonMistake]:
 
 def class_page(
     records: Sequence[Mapping[str, Any]],
-    cases: Mapping[str, Any],
     *,
     language: str = "en",
     wall: Sequence[Words] = (),

@@ -52,11 +52,11 @@ STATUS = {
 }
 
 
-def feedback_page(record: Mapping[str, Any], cases: Mapping[str, Any], level: str) -> str:
+def feedback_page(record: Mapping[str, Any], titles: Mapping[str, Mapping[str, Words]], level: str) -> str:
     """Return a learner's page as HTML.
 
     Args:
-        cases: what is graded, by chapter: for titles and replies only.
+        titles: of the tasks, by chapter and task.
         level: "score", "named" or "full".
     """
     language = record["language"]
@@ -68,7 +68,7 @@ def feedback_page(record: Mapping[str, Any], cases: Mapping[str, Any], level: st
         f'<p class="total">{text(total)}</p>',
     ]
     for stem, chapter in record["chapters"].items():
-        body += _chapter(stem, chapter, cases[stem]["tasks"], level, language)
+        body += _chapter(stem, chapter, titles[stem], level, language)
     if level != "score":
         lines = [Remark.from_plain(remark).say(language) for remark in record["remarks"]]
         body += _about(ABOUT_FILES.say(language), lines)
@@ -76,7 +76,9 @@ def feedback_page(record: Mapping[str, Any], cases: Mapping[str, Any], level: st
     return page(f"{TITLE.say(language)} · {who}", language, body)
 
 
-def _chapter(stem: str, chapter: Mapping[str, Any], tasks: Mapping[str, Any], level: str, language: str) -> list[str]:
+def _chapter(
+    stem: str, chapter: Mapping[str, Any], titles: Mapping[str, Words], level: str, language: str
+) -> list[str]:
     of_chapter = chapter["tasks"].values()
     got, most = (points(sum(row[name] for row in of_chapter)) for name in ("points", "most"))
     title = _titles().get(stem)
@@ -87,15 +89,13 @@ def _chapter(stem: str, chapter: Mapping[str, Any], tasks: Mapping[str, Any], le
         return body
     if all(row["status"] == "missing" for row in of_chapter):
         return [*body, f"<p>{text(NOT_HANDED_IN.say(language))}</p>"]
-    cells = [_task(task_id, row, tasks[task_id], level, language) for task_id, row in chapter["tasks"].items()]
+    cells = [_task(task_id, row, titles[task_id], level, language) for task_id, row in chapter["tasks"].items()]
     lines = [Remark.from_plain(remark).say(language) for remark in chapter["remarks"]]
     table = rows([head.say(language) for head in HEADS], cells, numbers=(2,), widths=(28, 17, 11, 44))
     return [*body, table, *_about(ABOUT_CHAPTER.say(language), lines)]
 
 
-def _task(
-    task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], level: str, language: str
-) -> tuple[str, str, str, str]:
+def _task(task_id: str, row: Mapping[str, Any], title: Words, level: str, language: str) -> tuple[str, str, str, str]:
     sign, status = STATUS[row["status"]]
     said = []
     if row["said"]:
@@ -107,9 +107,8 @@ def _task(
         said.append(WRONG.say(language))
     if level == "full" and row["status"] in ("partly", "wrong", "right") and row["of"] > 1:
         said.append(CASES.say(language, passed=row["passed"], of=row["of"]))
-    title = Words(**task["title"]).say(language)
     return (
-        f"<b>{text(task_id)}</b> {text(title)}",
+        f"<b>{text(task_id)}</b> {text(title.say(language))}",
         f"{sign}&nbsp;{text(status.say(language))}",
         f"{points(row['points'])} / {points(row['most'])}",
         "<br>".join(map(prose, said)),

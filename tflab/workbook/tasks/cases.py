@@ -100,9 +100,7 @@ def task_cases(
     return outline_of(task)._replace(variants=made)
 
 
-def make_variant(
-    task: Task, seed: str | bytes, number: int, solution: Solution, fewest_inputs: int = 1
-) -> Variant:
+def make_variant(task: Task, seed: str | bytes, number: int, solution: Solution, fewest_inputs: int = 1) -> Variant:
     """Return one variant of a task; to be called inside `in_process_ros()`.
 
     Numbers with which two mistakes give the same answer are drawn again.

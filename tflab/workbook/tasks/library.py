@@ -18,13 +18,14 @@ from io import StringIO
 from pathlib import Path
 
 from ..answers.values import Plain
-from ..places import Workbook
+from ..places import Workbook, chapters, workbook_data
 from .case import TaskCases, Variant, rounded
 from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
+from .pairs import PairSearch
 from .reference import Solution, in_process_ros, solution_in_notebook
-from .task import Task, read_tasks, variant_of
+from .task import Task, TaskError, read_tasks, variant_of
 
-__all__ = ["assigned_cases", "outlines", "question_digest", "solution_of", "task_ids", "tasks_of"]
+__all__ = ["assigned_cases", "outlines", "pair_search", "question_digest", "solution_of", "task_ids", "tasks_of"]
 
 QUESTION_DIGITS = 9  # fewer than of a case: a digest must not depend on the last digit of a machine's sine
 
@@ -76,10 +77,34 @@ def assigned_cases(data: Path, stem: str, task_id: str, workbook: Workbook) -> T
     return _assigned(data, stem, task_id, workbook.seed or PUBLIC_SEED, number, _stamp(data, stem))
 
 
-def question_digest(variant: Variant) -> str:
-    """Return a name for what a variant asks: what is given, and the arguments of each case."""
-    asked: Plain = [variant.given, [case.args for case in variant.cases]]
+def question_digest(task: TaskCases, variant: Variant) -> str:
+    """Return a name for what a variant asks: what is given, each case's arguments, what is to be answered, the points.
+
+    Texts and tolerances are left out, so that they can be fixed after a release.
+    """
+    answer = [task.answer, task.points, task.counts, _without_tolerance(task.form.plain())]
+    asked: Plain = [variant.given, [case.args for case in variant.cases], answer]
     return hashlib.sha256(json.dumps(rounded(asked, QUESTION_DIGITS), sort_keys=True).encode()).hexdigest()[:16]
+
+
+def _without_tolerance(form: Plain) -> Plain:
+    if isinstance(form, dict):
+        return {name: _without_tolerance(part) for name, part in form.items() if "tolerance" not in name}
+    return form
+
+
+def pair_search(task_id: str) -> PairSearch:
+    """Return the search for pairs of a task's mistakes; it finds none where the task is not here."""
+
+    def load() -> Task | None:
+        number = int(task_id.partition(".")[0].removeprefix("E"))
+        stem = next((stem for stem in chapters() if int(stem[:2]) == number), "")
+        try:
+            return tasks_of(workbook_data(), stem).get(task_id)
+        except TaskError:
+            return None
+
+    return PairSearch(load)
 
 
 def _stamp(data: Path, stem: str) -> int:

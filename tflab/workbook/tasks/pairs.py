@@ -15,6 +15,7 @@ from itertools import combinations
 from typing import Any
 
 from ..answers.alike import Likeness
+from ..answers.forms import Form
 from ..answers.values import Plain, from_plain
 from .case import AND, Case, values_of
 from .reference import in_process_ros
@@ -37,19 +38,21 @@ class PairSearch:
     """The pairs of one task.
 
     Args:
-        load: returns the task; called when pairs are searched for the first time.
+        load: returns the task, or None where it is not here; called when pairs are searched for the first time.
     """
 
-    def __init__(self, load: Callable[[], Task]) -> None:
+    def __init__(self, load: Callable[[], Task | None]) -> None:
         self._load = load
 
     @cached_property
-    def _task(self) -> Task:
+    def _task(self) -> Task | None:
         return self._load()
 
     @cached_property
     def _answers(self) -> dict[str, Any]:
         """What answers as each two mistakes do, by the names of both."""
+        if self._task is None:
+            return {}
         model: Any = self._task.model  # which has steps, where there are pairs
         return {
             first.name + AND + then.name: partial(model, **first.at, **then.at)
@@ -69,6 +72,8 @@ class PairSearch:
             fits: which things of the answer a value has in a case; empty if none.
             given: what the learner was shown.
         """
+        if self._task is None:
+            return {}
         shown = {name: from_plain(value) for name, value in (given or {}).items()}
         alive = dict(self._answers)
         common: dict[str, set[str]] = {}
@@ -82,14 +87,16 @@ class PairSearch:
                 alive = {name: answer for name, answer in alive.items() if common[name]}
                 if not alive:
                     return {}
-        return self._distinct(cases, {name: [rows[name][n] for n in range(len(cases))] for name in alive})
+        return self._distinct(
+            self._task.form, cases, {name: [rows[name][n] for n in range(len(cases))] for name in alive}
+        )
 
-    def _distinct(self, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
+    def _distinct(self, form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
         """Return the pairs without those that look like something simpler, or like an earlier pair."""
         if not rows:
             return {}
         simple = [[case.expected for case in cases], *([case.twins[name] for case in cases] for name in cases[0].twins)]
-        likeness = Likeness(self._task.form, [*simple, *rows.values()])
+        likeness = Likeness(form, [*simple, *rows.values()])
         kept = list(range(len(simple)))
         distinct = {}
         for number, name in enumerate(rows, start=len(simple)):

@@ -66,7 +66,8 @@ PHRASES = {
     "other_question": Words(
         en="your class got {id} from another version of tflab. In tflab {here}, which is installed here, the task asks "
         "about other values. Install the version that your instructor names, or ask for an update.",
-        ko="수업에서 받은 {id} 과제는 다른 버전의 tflab으로 만든 것입니다. 여기에 설치된 tflab {here}에서는 다른 값을 묻습니다. "
+        ko="수업에서 받은 {id} 과제는 다른 버전의 tflab으로 만든 것입니다. "
+        "여기에 설치된 tflab {here}에서는 다른 값을 묻습니다. "
         "강사가 알려 준 버전을 설치하거나 강사에게 업데이트를 요청하십시오.",
     ),
 }
