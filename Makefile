@@ -5,6 +5,7 @@
 #   make build     make the notebooks of their sources
 #   make site      the book as a web site, in site/
 #   make pictures  the pictures of the README and the site, of the pages
+#   make patients  the robots that chapter 12's exercises examine
 #   make fast      four pages of the engine, compiled beside their sources;  make test-compiled  and their tests
 
 VENV := .venv
@@ -24,7 +25,7 @@ VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
 LEARNER := $(VENV)/learner-$(VERSION)
 DEVELOPER := $(VENV)/developer-$(VERSION)
 
-.PHONY: lab test test-fast check build site pictures fast test-compiled test-walls bench clean
+.PHONY: lab test test-fast check build site pictures patients fast test-compiled test-walls bench clean
 
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
@@ -33,7 +34,10 @@ test: $(DEVELOPER) check
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder -p no:nbval
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
 
-test-fast: $(DEVELOPER)
+test-patients: $(DEVELOPER)
+	$(BIN)/python docs/make_patients.py
+
+fast: $(DEVELOPER)
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -m "not browser and not slow" -x -q
 
 check: $(DEVELOPER)
@@ -49,6 +53,9 @@ site: $(DEVELOPER)
 
 pictures: $(DEVELOPER)
 	$(BIN)/python docs/make_pictures.py
+
+patients: $(DEVELOPER)
+	$(BIN)/python docs/make_patients.py
 
 fast: $(DEVELOPER)
 	$(BIN)/python hatch_build.py

@@ -22,7 +22,7 @@ from typing import Any
 
 from .trolley import TROLLEY, check_named
 
-__all__ = ["SickRobot", "seen_after"]
+__all__ = ["SickRobot", "rows_of", "seen_after"]
 
 KNOWN = 128  # patients that are held open: a ward is asked over and over
 
@@ -90,6 +90,11 @@ class SickRobot:
 def seen_after(patient: SickRobot, fix: str) -> tuple[float, str]:
     """Return the minutes of a fix, and what is seen after it; whether it may be tried yet, a visit decides."""
     return tuple(_unpacked(patient._word)[1][fix])
+
+
+def rows_of(patient: SickRobot) -> list[Any]:
+    """Return what a patient is made of, as JSON has it: the arguments of `SickRobot`."""
+    return _unpacked(patient.packed())
 
 
 def _packed(rows: list[Any]) -> str:

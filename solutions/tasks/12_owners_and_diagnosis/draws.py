@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
+import lzma
+from functools import lru_cache
+from pathlib import Path
+
 from tflab.clinic.archive import Admission, patients
 from tflab.clinic.causes import draw_numbers
 from tflab.clinic.cures import CURES, PLASTERS
+from tflab.clinic.patient import SickRobot
 from tflab.clinic.proof import fitting
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.clinic.trolley import TROLLEY
@@ -26,33 +33,63 @@ FIXES = (*CURES, *PLASTERS)
 TRIES = 8  # of drawing a patient again
 
 
+STORED = Path(__file__).with_name("patients.json.xz")  # `make patients` writes it
+
+
 def admitted(rng, groups):
-    """Return a patient of one of the complaints in each group."""
-    wanted = []
+    """Return a stored patient of one of the complaints in each group: to simulate one takes seconds."""
+    drawn = []
     for complaints in groups:
         suspects = COMPLAINTS[complaints[int(rng.integers(len(complaints)))]].suspects
-        wanted.append((suspects[int(rng.integers(len(suspects)))], None))
-    return _clear(rng, wanted)
+        drawn.append(stored_patient(rng, suspects[int(rng.integers(len(suspects)))]))
+    return drawn
 
 
-def one_of_each(rng):
-    """Return a patient of each cause, in any order, who all say the same."""
-    return _clear(rng, [(SUSPECTS[place], "") for place in rng.permutation(len(SUSPECTS))])
+def stored_patient(rng, cause):
+    """Return one of the stored patients that have a cause."""
+    rows = _stored()["by cause"][cause]
+    return SickRobot(*rows[int(rng.integers(len(rows)))])
 
 
-def _clear(rng, wanted):
-    """Return a patient for each cause and complaint, whose readings fit its cause and no other."""
-    admissions = [Admission((cause,), draw_numbers(rng), complaint) for cause, complaint in wanted]
-    made = patients(admissions)
+def one_of_each(rng, made=None):
+    """Return a patient of each cause, in any order, who all say the same.
+
+    Args:
+        made: returns the patients of some admissions; those of the public seed are stored, others are simulated.
+    """
+    made = made or made_or_stored
+    causes = [SUSPECTS[place] for place in rng.permutation(len(SUSPECTS))]
+    found = made([Admission((cause,), draw_numbers(rng), "") for cause in causes])
     for _ in range(TRIES):
-        unclear = [place for place, patient in enumerate(made) if cause_of(patient) != wanted[place][0]]
+        unclear = [place for place, patient in enumerate(found) if cause_of(patient) != causes[place]]
         if not unclear:
-            return made
-        others = patients([Admission((wanted[place][0],), draw_numbers(rng), wanted[place][1]) for place in unclear])
+            return found
+        others = made([Admission((causes[place],), draw_numbers(rng), "") for place in unclear])
         for place, patient in zip(unclear, others, strict=True):
-            made[place] = patient
-    causes = ", ".join(wanted[place][0] for place in unclear)
-    raise ValueError(f"after {TRIES} draws no patient's readings fit its cause alone: {causes}")
+            found[place] = patient
+    unclear_causes = ", ".join(causes[place] for place in unclear)
+    raise ValueError(f"after {TRIES} draws no patient's readings fit its cause alone: {unclear_causes}")
+
+
+def made_or_stored(admissions):
+    """Return the patients that these admissions make: stored ones, else simulated."""
+    stored = _stored()["by admission"]
+    names = [admission_name(admission) for admission in admissions]
+    new = [admission for admission, name in zip(admissions, names, strict=True) if name not in stored]
+    simulated = iter(patients(new))
+    return [SickRobot(*stored[name]) if name in stored else next(simulated) for name in names]
+
+
+def admission_name(admission):
+    """Return the name under which a patient is stored."""
+    return hashlib.sha256(repr(admission).encode()).hexdigest()[:16]
+
+
+@lru_cache
+def _stored():
+    if not STORED.exists():  # `make patients` is about to write it
+        return {"by cause": {}, "by admission": {}}
+    return json.loads(lzma.decompress(STORED.read_bytes()))
 
 
 def cause_of(patient):

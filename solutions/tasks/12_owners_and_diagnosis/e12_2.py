@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import re
 
-from tflab.clinic.archive import Admission, patients
-from tflab.clinic.causes import draw_numbers
 from tflab.workbook.tasks import Choice, Parts, Slip, Task, Words
+
+from .draws import stored_patient
 
 STATES = ("one owner", "nobody", "two owners", "another edge", "a misspelt parent")
 NODES = ("wheel_odometry", "ekf_filter_node", "localization", "laser_mount", "none")
@@ -37,9 +37,7 @@ MOVING = r"(?:odom|base_footprint): \\n(?:  \S+: \S+?\\n)+"
 
 def five(rng):
     """Draw five robots, run their tools, and put what they print into any order."""
-    numbers = [draw_numbers(rng) for _ in TERMINALS]
-    made = patients([Admission((cause,), drawn) for cause, drawn in zip(TERMINALS.values(), numbers, strict=True)])
-    shown = [_shown(patient) for patient in made]
+    shown = [_shown(stored_patient(rng, cause)) for cause in TERMINALS.values()]
     return {place: shown[int(number)] for place, number in zip(PLACES, rng.permutation(len(shown)), strict=True)}
 
 

@@ -34,7 +34,7 @@ from tflab.workbook.places import TASKS, workbook_data
 from tflab.workbook.tasks.case import TaskCases
 from tflab.workbook.tasks.cases import task_cases
 from tflab.workbook.tasks.evidence import usual_among
-from tflab.workbook.tasks.library import question_digest, solution_of, tasks_of
+from tflab.workbook.tasks.library import question_digest, seed_of, solution_of, tasks_of
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
@@ -200,8 +200,9 @@ def graded_cases(data: Path, stem: str, seed: str) -> tuple[dict[str, Any], dict
 
 
 def _learners_cases(data: Path, stem: str, task_id: str, seed: str) -> TaskCases:
+    task = tasks_of(data, stem)[task_id]
     with in_process_ros():
-        return task_cases(tasks_of(data, stem)[task_id], learners_seed(seed), solution_of(data, stem))
+        return task_cases(task, seed_of(task, learners_seed(seed)), solution_of(data, stem))
 
 
 def _on_all_cores(

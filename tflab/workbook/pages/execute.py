@@ -34,12 +34,12 @@ WIDGET = "application/vnd.jupyter.widget-view+json"
 Outputs = dict[str, list[dict]]
 
 
-async def run_page(page: Page, folder: str, beside: Mapping[str, str] = {}) -> tuple[Outputs, list[PageFault]]:
+async def run_page(page: Page, folder: str, beside: Mapping[str, bytes] = {}) -> tuple[Outputs, list[PageFault]]:
     """Run a page's code once; return what its cells store, and what is wrong with that.
 
     Args:
         folder: where the page stands in a workbook, such as "notebooks/en".
-        beside: files to put beside it in the workbook, text by path.
+        beside: files to put beside it in the workbook, by path.
     """
     with TemporaryDirectory(prefix="tflab-page-", ignore_cleanup_errors=True) as name:
         root = Path(name).resolve()
@@ -54,11 +54,11 @@ async def run_page(page: Page, folder: str, beside: Mapping[str, str] = {}) -> t
     return outputs, found
 
 
-def _lay_workbook(root: Path, folder: str, beside: Mapping[str, str]) -> None:
+def _lay_workbook(root: Path, folder: str, beside: Mapping[str, bytes]) -> None:
     (root / folder).mkdir(parents=True)
-    for name, text in beside.items():
+    for name, content in beside.items():
         (root / name).parent.mkdir(parents=True, exist_ok=True)
-        (root / name).write_text(text, encoding="utf-8")
+        (root / name).write_bytes(content)
 
 
 async def _run(page: Page, root: Path, folder: str) -> Outputs:

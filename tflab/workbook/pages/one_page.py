@@ -59,8 +59,9 @@ async def _solution(page: Page, faults: list[PageFault]) -> Made:
         return Made({}, [*faults, page.fault(None, str(error), "fix the chapter's tasks")])
     faults += exercise_faults(page, tasks) + form_faults(page, tasks)
     outlines = {task.id: outline_of(task) for task in tasks}
-    beside = {path.relative_to(folder.parents[2]).as_posix(): path.read_text() for path in sorted(folder.glob("*.py"))}
-    beside[f"solutions/en/{page.stem}.ipynb"] = text_of(lecture_notebook(page, "en", {}, outlines))
+    files_of_tasks = (path for path in sorted(folder.glob("*")) if path.is_file())
+    beside = {path.relative_to(folder.parents[2]).as_posix(): path.read_bytes() for path in files_of_tasks}
+    beside[f"solutions/en/{page.stem}.ipynb"] = text_of(lecture_notebook(page, "en", {}, outlines)).encode()
     outputs, more = await run_page(page, f"solutions/{LANGUAGES[0]}", beside)
     faults += more + score_faults(page, outlines, outputs)
     if not faults:

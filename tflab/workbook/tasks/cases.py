@@ -27,7 +27,7 @@ from .pairs import PairSearch
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Slip, Task, TaskError, read_tasks
 
-__all__ = ["PUBLIC_SEED", "CasesError", "make_cases", "make_variant", "outline_of", "task_cases"]
+__all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_cases", "make_variant", "outline_of", "task_cases"]
 
 PUBLIC_SEED = "public"
 MODEL = ""  # the model itself, among what it gives with slips
@@ -110,10 +110,10 @@ def make_variant(task: Task, seed: str | bytes, number: int, solution: Solution,
         CasesError: no draw tells the mistakes apart.
     """
     for draw in range(MOST_DRAWS):
-        rng = _rng(seed, task.id, number, *([draw] if draw else []))
+        rng = draws_for(seed, task.id, number, *([draw] if draw else []))
         with suppress(LookAlikes):
             return _drawn(task, rng, number, solution, fewest_inputs)
-    return _drawn(task, _rng(seed, task.id, number), number, solution, fewest_inputs)  # say what cannot be told apart
+    return _drawn(task, draws_for(seed, task.id, number), number, solution, fewest_inputs)  # raises, and says why
 
 
 def _drawn(task: Task, rng: Draws, number: int, solution: Solution, fewest_inputs: int) -> Variant:
@@ -179,7 +179,8 @@ def _of(case: Case, name: str) -> Plain:
     return case.twins[name] if name else case.expected
 
 
-def _rng(seed: str | bytes, *what: object) -> Draws:
+def draws_for(seed: str | bytes, *what: object) -> Draws:
+    """Return the source of numbers of a task's variant: for a seed, the task's id and the variant's number."""
     text = seed if isinstance(seed, bytes) else seed.encode()
     digest = hashlib.sha256(b"\0".join([text, *(str(word).encode() for word in what)])).digest()
     return Draws(int.from_bytes(digest, "big"))

@@ -25,7 +25,16 @@ from .pairs import PairSearch
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Task, TaskError, read_tasks, variant_of
 
-__all__ = ["assigned_cases", "outlines", "pair_search", "question_digest", "solution_of", "task_ids", "tasks_of"]
+__all__ = [
+    "assigned_cases",
+    "outlines",
+    "pair_search",
+    "question_digest",
+    "seed_of",
+    "solution_of",
+    "task_ids",
+    "tasks_of",
+]
 
 QUESTION_DIGITS = 9  # fewer than of a case: a digest must not depend on the last digit of a machine's sine
 
@@ -74,7 +83,15 @@ def assigned_cases(data: Path, stem: str, task_id: str, workbook: Workbook) -> T
     """
     task = tasks_of(data, stem)[task_id]
     number = variant_of(workbook.learner, task_id, task.variants)
-    return _assigned(data, stem, task_id, workbook.seed or PUBLIC_SEED, number, _stamp(data, stem))
+    return _assigned(data, stem, task_id, seed_of(task, workbook.seed), number, _stamp(data, stem))
+
+
+def seed_of(task: Task, class_seed: str) -> str:
+    """Return what a task's numbers are drawn from: a class has its own only where learners are shown them.
+
+    The inputs with which `check` tries a function are the same everywhere; those of grading are hidden.
+    """
+    return class_seed if class_seed and task.given is not None else PUBLIC_SEED
 
 
 def question_digest(task: TaskCases, variant: Variant) -> str:
