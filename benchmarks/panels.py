@@ -37,7 +37,6 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests"))
 
 from conftest import CHROMIUM_ARGUMENTS, PATIENCE_S, Lab, find_chromium, running_lab  # noqa: E402
-
 from tflab.workbook.copy.lay_out import lay_out  # noqa: E402
 
 GOAL_MS = 50.0

@@ -9,9 +9,7 @@ from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import raised, to_plain
-from tflab.workbook.places import workbook_data
 from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.cases import read_chapter
 from tflab.workbook.tasks.evidence import (
     asked_alike,
     beyond_guessing,
@@ -24,6 +22,7 @@ from tflab.workbook.tasks.evidence import (
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
+from .each_task import READS, cases_of, each_task, task_in
 from .small_chapter import bare
 
 PLANAR = Parts({"x": Number("m"), "yaw": Angle()})
@@ -247,13 +246,15 @@ def test_one_word_for_all_is_right_where_it_is_right_for_all_and_of_two_it_is_a_
 WORSE_THAN_LOTS = {("E2.1", "an aeroplane's axes")}  # three of five "negative": one is right, of the two that are
 
 
-@pytest.mark.parametrize("path", sorted(workbook_data().glob("exercises/cases/*.json")), ids=lambda path: path.stem)
-def test_no_known_mistake_loses_by_it_what_it_has_right_unless_it_is_one_word_for_all(path):
-    for task_id, task in read_chapter(path).tasks.items():
-        groups = asked_alike(task.form.parts) if isinstance(task.form, Parts) and not task.counts else []
-        for case in (case for variant in task.variants for case in variant.cases if groups):
-            for name in (name for name in task.twins if (task_id, name) not in WORSE_THAN_LOTS):
-                answer, right = case.twins[name], task.form.judge(case.twins[name], case.expected)
-                said = [{str(inside(answer).get(part)) for part in group} for group in groups]
-                if all(len(words) > 1 for words in said):
-                    assert beyond_one_word(task.form, answer, case.expected, right) == right, (task_id, name)
+@pytest.mark.proof(reads=READS)
+@each_task
+def test_no_known_mistake_loses_by_it_what_it_has_right_unless_it_is_one_word_for_all(stem, file):
+    form = task_in(stem, file).form
+    groups = asked_alike(form.parts) if isinstance(form, Parts) and not task_in(stem, file).counts else []
+    task = cases_of(stem, file) if groups else None
+    for case in (case for variant in task.variants for case in variant.cases) if task else ():
+        for name in (name for name in task.twins if (task_in(stem, file).id, name) not in WORSE_THAN_LOTS):
+            answer, right = case.twins[name], form.judge(case.twins[name], case.expected)
+            said = [{str(inside(answer).get(part)) for part in group} for group in groups]
+            if all(len(words) > 1 for words in said):
+                assert beyond_one_word(form, answer, case.expected, right) == right, name

@@ -4,15 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.places import workbook_data
 from tflab.workbook.tasks.cases import task_cases
 from tflab.workbook.tasks.mutants import mutants_of, survivors
-from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
-from tflab.workbook.tasks.task import read_tasks
+from tflab.workbook.tasks.reference import in_process_ros
 
-SOLUTIONS = workbook_data() / "solutions"
-STEMS = sorted(path.name for path in (SOLUTIONS / "tasks").glob("[0-9]*"))
-FUNCTIONS = [(stem, task) for stem in STEMS for task in read_tasks(SOLUTIONS / "tasks" / stem) if task.inputs]
+from .each_task import READS, each_task, solution_of, task_in
 
 
 @pytest.mark.parametrize(
@@ -35,9 +31,12 @@ def test_a_solution_is_spoilt_in_one_place(source, mutant):
     assert mutant in [one.source for one in mutants_of(source)]
 
 
-@pytest.mark.parametrize(("stem", "task"), FUNCTIONS, ids=[task.id for _, task in FUNCTIONS])
-def test_no_spoilt_function_passes_cases_of_another_seed(stem, task):
-    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+@pytest.mark.proof(reads=READS)
+@each_task
+def test_no_spoilt_function_passes_cases_of_another_seed(stem, file):
+    task = task_in(stem, file)
+    if task.inputs is None:
+        return  # only a function can be spoilt
     with in_process_ros():
-        made = task_cases(task, "hidden from mutants", solution, 1, fewest_inputs=8)
-        assert set(survivors(task, made.variants, solution)) <= set(task.equivalent)
+        made = task_cases(task, "hidden from mutants", solution_of(stem), 1, fewest_inputs=8)
+        assert set(survivors(task, made.variants, solution_of(stem))) <= set(task.equivalent)

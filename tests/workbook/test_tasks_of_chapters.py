@@ -8,11 +8,11 @@ import pytest
 
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.tasks.cases import PUBLIC_SEED, make_cases, task_cases
-from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import read_tasks
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
-from .each_task import SOLUTIONS, STEMS, each_task
+from .each_task import READS, SOLUTIONS, STEMS, each_task, solution_of, task_in
 
 SEEDS, SEEDS_OF_PAIRS, SEEDS_OF_MANY = 200, 20, 6  # where slips compose, each seed is some hundred answers
 MANY = 40  # slips: each seed is a thousand
@@ -30,22 +30,24 @@ def test_the_first_four_chapters_are_there():
     assert {"02", "03", "08", "09"} <= {stem[:2] for stem in STEMS}
 
 
+@pytest.mark.proof(reads=READS)
 @each_task
-def test_twins_stay_apart_for_any_seed(stem, task):
-    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
+def test_twins_stay_apart_for_any_seed(stem, file, sample):
+    task = task_in(stem, file)
     with in_process_ros():
-        for seed in _seeds(task):
-            task_cases(task, seed, solution, variants=1)  # raises where two look alike
+        for seed in sample(_seeds(task), 1):
+            task_cases(task, seed, solution_of(stem), variants=1)  # raises where two look alike
 
 
+@pytest.mark.proof(reads=READS)
 @each_task
-def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, task):
-    solution = solution_in_notebook(SOLUTIONS / "en" / f"{stem}.ipynb")
-    with in_process_ros():
-        made = task_cases(task, PUBLIC_SEED if task.is_costly else "habits", solution, variants=1)
-    cases = made.variants[0].cases
-    if not made.is_function:
+def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, file):
+    task = task_in(stem, file)
+    if task.inputs is None:
         return
+    with in_process_ros():
+        made = task_cases(task, PUBLIC_SEED if task.is_costly else "habits", solution_of(stem), variants=1)
+    cases = made.variants[0].cases
     constants = [[case.expected] * len(cases) for case in cases]
     echoes = [[case.args[place] for case in cases] for place in range(min(len(case.args) for case in cases))]
     for outcomes in constants + echoes:
@@ -53,7 +55,8 @@ def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, task):
 
 
 @each_task
-def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, task):
+def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, file):
+    task = task_in(stem, file)
     said = [task.title, *task.hints, *(twin.reply for twin in task.twins)]
     for words in said:
         assert words.en.strip() and words.ko.strip()
@@ -64,7 +67,8 @@ def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, task):
 
 
 @each_task
-def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, task):
+def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, file):
+    task = task_in(stem, file)
     if task.kind in "NFT":
         assert task.variants >= 3 or task.inputs is not None
         assert task.twins
@@ -79,6 +83,7 @@ def test_a_chapter_has_five_to_seven_tasks_in_order_beside_the_test(stem):
     assert ids == [f"E{int(stem[:2])}.{number}" for number in range(1, len(ids) + 1)]
 
 
+@pytest.mark.proof(reads=["solutions/tasks/{stem}/*", "solutions/en/{stem}.ipynb"])
 @pytest.mark.parametrize("stem", STEMS)
 def test_a_secret_seed_makes_other_cases(stem):
     public, secret = (make_cases(stem, seed, solutions=SOLUTIONS, variants=1).tasks for seed in ("public", "x"))
