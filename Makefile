@@ -1,17 +1,22 @@
 # Two commands do everything on a machine with only Python >= 3.10:
 #   make lab     open the workbook in JupyterLab;  make lab ARGS="--no-browser", ARGS="--lang ko"
-#   make test    install what is missing and run every test
+#   make test    install what is missing and test; what was proved before and is unchanged is left out
+# and for whoever changes it:
+#   make test-changed  the tests that an edit can reach;  make test-changed BASE=main  all edits since main
+#   make test-all      every test in full, and remember what is proved;  make test-all ARGS="tests/workbook"
 # and for whoever writes pages:
 #   make build     make the notebooks of their sources
 #   make site      the book as a web site, in site/
 #   make pictures  the pictures of the README and the site, of the pages
-#   make patients  the robots that chapter 12's exercises examine
+#   make patients  the robots that the exercises of chapter 12 examine
 #   make fast      four pages of the engine, compiled beside their sources;  make test-compiled  and their tests
 
 VENV := .venv
 BIN := $(VENV)/bin
 WORKERS ?= 2
 ARGS ?=
+BASE ?= HEAD
+PAGES := notebooks/en solutions/en
 
 NEW_ENOUGH := import sys; sys.exit(sys.version_info < (3, 10))
 SAY_VERSION := import sys; print("%d.%d" % sys.version_info[:2])
@@ -25,20 +30,28 @@ VERSION := $(shell $(PYTHON) -c '$(SAY_VERSION)' 2>/dev/null)
 LEARNER := $(VENV)/learner-$(VERSION)
 DEVELOPER := $(VENV)/developer-$(VERSION)
 
-.PHONY: lab test test-fast check build site pictures patients fast test-compiled test-walls bench clean
+.PHONY: lab test test-all test-changed check build site pictures patients fast test-compiled bench clean
 
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
 
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
+
 test: $(DEVELOPER) check
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --no-loadscope-reorder -p no:nbval
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval notebooks/en solutions/en
+	$(PYTEST) --no-loadscope-reorder -p no:nbval
+	$(PYTEST) --nbval $(PAGES)
 
-test-patients: $(DEVELOPER)
-	$(BIN)/python docs/make_patients.py
+test-all: $(DEVELOPER) check
+ifeq ($(ARGS),)
+	$(PYTEST) --no-loadscope-reorder -p no:nbval --all
+	$(PYTEST) --nbval --all $(PAGES)
+else
+	$(PYTEST) --all $(ARGS)
+endif
 
-fast: $(DEVELOPER)
-	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope -m "not browser and not slow" -x -q
+test-changed: $(DEVELOPER) check
+	tests=$$($(BIN)/python tests/changed.py $(BASE)) && { test -z "$$tests" || $(PYTEST) -p no:nbval $$tests; }
+	$(PYTEST) --nbval $(PAGES)
 
 check: $(DEVELOPER)
 	$(BIN)/ruff check .
@@ -63,9 +76,6 @@ fast: $(DEVELOPER)
 test-compiled: fast
 	$(BIN)/python -c "import tflab.core; assert tflab.core.BUILD == 'compiled'"
 	$(BIN)/python -m pytest -n $(WORKERS) --dist loadscope tests/core tests/ros
-
-test-walls: $(DEVELOPER)
-	TFLAB_TEST_WALLS=all $(BIN)/python -m pytest tests/grading/test_hostile_library.py
 
 bench: $(DEVELOPER)
 	$(BIN)/python -m pip install --quiet --constraint constraints.txt --editable ".[bench]"

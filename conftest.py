@@ -7,7 +7,8 @@
 of which a function ran, and a digest of these files and of those that `reads` names.
 Without `--all`, a test whose digest is unchanged is deselected; another one runs on a
 sample: `sample(items, 20)` returns 20 of them, and all of them under `--all`. A test that is
-named on the command line always runs. A notebook under nbval is a proof as a whole.
+named on the command line always runs. A test in a browser is such a test, too, and so is a
+notebook under nbval.
 
 The digest covers what a change can reach: the functions that ran, constants and classes
 that their modules import, data files beside these modules, and `constraints.txt`. Code in a
@@ -39,7 +40,7 @@ ROOT = Path(__file__).parent
 STORE = ROOT / "tests" / "proofs.json"
 ALWAYS = ("constraints.txt",)
 CODE = ("tflab/", "tests/")  # what `ran` keeps; a task or a notebook belongs to one test, and `reads` names it
-DATA = (".css", ".html", ".j2", ".js", ".json", ".md", ".txt", ".xml", ".yaml")
+DATA = ("[!_]*.[!p]*", "static/**/*.*", "data/**/*.*")  # beside a module
 EVERY_CELL = "every cell"
 NO_TESTS = 5  # pytest's exit code
 
@@ -115,12 +116,8 @@ def with_what_they_use(ran: Iterable[str]) -> list[str]:
         if name.startswith(CODE) and name not in found and (ROOT / name).is_file():
             found.add(name)
             waiting += values_imported_by(name)
-    beside = {
-        path.relative_to(ROOT).as_posix()
-        for folder in {(ROOT / name).parent for name in found if name.startswith("tflab/")}
-        for path in folder.iterdir()
-        if path.suffix in DATA
-    }
+    folders = {name.rpartition("/")[0] for name in found if name.startswith("tflab/")}
+    beside = {name for folder in folders for pattern in DATA for name in files_matching(f"{folder}/{pattern}")}
     return sorted(found | beside)
 
 
@@ -169,7 +166,7 @@ def is_python(item: pytest.Item) -> bool:
 
 
 def is_proof(item: pytest.Item) -> bool:
-    return not is_python(item) or item.get_closest_marker("proof") is not None
+    return not is_python(item) or any(item.iter_markers("proof")) or any(item.iter_markers("browser"))
 
 
 def key_of(item: pytest.Item) -> Key:
@@ -186,19 +183,18 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    config.addinivalue_line("markers", "proof(reads): left out while what it depends on is unchanged; see conftest.py")
     config.pluginmanager.register(Recorder() if config.option.all else Remembered(config), "proofs")
 
 
-@pytest.fixture
-def sample(request: pytest.FixtureRequest) -> Callable[[Iterable[Member], int], Sequence[Member]]:
+@pytest.fixture(scope="session")
+def sample(pytestconfig: pytest.Config) -> Callable[[Iterable[Member], int], Sequence[Member]]:
     """Return a function that draws some of many, the same ones each time; under `--all`, it returns all of them."""
 
     def draw(items: Iterable[Member], count: int) -> Sequence[Member]:
         found = list(items)
-        if request.config.option.all or len(found) <= count:
+        if pytestconfig.option.all or len(found) <= count:
             return found
-        chosen = sorted(random.Random(request.node.nodeid).sample(range(len(found)), count))
+        chosen = sorted(random.Random(count).sample(range(len(found)), count))
         return [found[place] for place in chosen]
 
     return draw
@@ -251,7 +247,9 @@ class Recorder:
         self.failed: set[str] = set()
         self.reads: dict[Key, list[str]] = {}
         self.ran: dict[str, set[str]] = defaultdict(set)
-        self.children = Path(tempfile.mkdtemp(prefix="tflab-ran-"))
+        self.children = Path(tempfile.mkdtemp(prefix="tflab-ran-")) / "files"  # that ran in child processes
+        self.children.touch()
+        self.read = 0  # characters of it
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
@@ -264,7 +262,7 @@ class Recorder:
             return (yield)
         with pytest.MonkeyPatch.context() as environment:
             environment.setenv("PYTHONPATH", str(ROOT / "tests" / "tracing"), prepend=os.pathsep)
-            environment.setenv("TFLAB_RAN", str(self.report_of(item)))
+            environment.setenv("TFLAB_RAN", str(self.children))
             tracing.start(tracing.collect)
             try:
                 return (yield)
@@ -274,16 +272,13 @@ class Recorder:
     def is_traced(self, item: pytest.Item) -> bool:
         return any(module == key_of(item)[0] for module, _, _ in self.sizes)
 
-    def report_of(self, item: pytest.Item) -> Path:
-        """Return where the child processes of a module's tests write the files that ran in them."""
-        return self.children / key_of(item)[0].replace("/", "-")
-
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_makereport(self, item: pytest.Item, call: pytest.CallInfo[None]) -> Iterator[None]:
         report = yield
         if call.when == "teardown" and self.is_traced(item):
-            path = self.report_of(item)
-            ran = tracing.ran | set(path.read_text(encoding="utf-8").split("\n") if path.is_file() else ())
+            lines = self.children.read_text(encoding="utf-8")
+            ran = tracing.ran | set(lines[self.read :].split())
+            self.read = len(lines)
             tracing.ran.clear()
             names = sorted(name.removeprefix(tracing.ROOT) for name in ran if name.startswith(tracing.ROOT))
             key = key_of(item)

@@ -153,7 +153,6 @@ def test_the_files_of_containers_can_be_read() -> None:
                     assert re.search(rf"^{command[1]}:", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE)
 
 
-@pytest.mark.slow
 def test_what_containers_run_lays_out_a_copy_in_a_clean_environment(tmp_path: Path) -> None:
     settings = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
     commands = [

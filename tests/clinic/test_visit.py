@@ -187,6 +187,7 @@ def test_both_languages_say_the_same_things():
     assert WORDS["en"].keys() == WORDS["ko"].keys() and CARD.keys() == WORDS.keys()
 
 
+@pytest.mark.proof
 def test_a_practice_patient_is_the_same_wherever_it_is_made():
     assert practice_patient(5).packed() == practice_patient(5).packed()
     assert answer_of(5, "jumps") in ("two owners of one edge", "localizer owns the base", "nothing is wrong")
@@ -194,6 +195,7 @@ def test_a_practice_patient_is_the_same_wherever_it_is_made():
         practice_patient(5, "tired")
 
 
+@pytest.mark.proof
 def test_the_doctor_has_a_word_on_fourteen_robots_and_not_on_those_that_somebody_may_have_wanted_so():
     said = {cause: examined([cause], Numbers()).splitlines()[0] for cause in SUSPECTS}
     assert {cause for cause, line in said.items() if line == "graph: nothing is wrong"} == {

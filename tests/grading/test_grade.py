@@ -196,7 +196,6 @@ def test_a_learning_system_gets_its_own_columns(course: tiny.Course, tmp_path: P
     assert (rows[0], rows[-1][0]) == wanted[lms]
 
 
-@pytest.mark.slow
 def test_two_processes_give_what_one_gives(course: tiny.Course, tmp_path: Path) -> None:
     for learner in ("s101", "s102"):
         hand_in(course, tmp_path / "in", learner, {**tiny.RIGHT, "e3-2-answer": ADDED})
@@ -205,7 +204,6 @@ def test_two_processes_give_what_one_gives(course: tiny.Course, tmp_path: Path) 
     assert (tmp_path / "one" / "grades.csv").read_bytes() == (tmp_path / "two" / "grades.csv").read_bytes()
 
 
-@pytest.mark.slow
 def test_a_cluster_gives_what_one_process_gives(course: tiny.Course, tmp_path: Path) -> None:
     from dask.distributed import LocalCluster
 

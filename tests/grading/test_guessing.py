@@ -55,7 +55,7 @@ def test_the_share_without_reasons_is_the_share_that_judging_gives(guessing: Mod
     assert share(right) == 1.0
 
 
-@pytest.mark.slow
+@pytest.mark.proof(reads=["solutions/tasks/{stem}/*", "solutions/en/{stem}.ipynb"])
 @pytest.mark.parametrize("stem", ["02_axes_and_quaternions", "09_exceptions_and_waiting"])
 def test_no_function_of_words_is_worth_guessing(guessing: ModuleType, stem: str) -> None:
     root = Path(__file__).parents[2]  # the course itself: the tiny one is what TFLAB_WORKBOOK names here

@@ -420,7 +420,7 @@ def test_a_plan_shows_a_deck_of_only_its_cells() -> None:
         ]
 
 
-@pytest.mark.slow
+@pytest.mark.proof(reads=["solutions/teaching/**/*.yaml"])
 @pytest.mark.parametrize("number", range(6))
 def test_what_stands_on_the_board_is_what_the_ward_prints(number: int) -> None:
     told = board_patients()[number]

@@ -19,7 +19,9 @@ from tflab.workbook.tasks.cases import read_cases
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"
-pytestmark = pytest.mark.slow
+pytestmark = pytest.mark.proof(
+    reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]
+)
 
 
 def chapters_made(*_: Any, **__: Any) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:

@@ -11,10 +11,11 @@ import pytest
 from tflab.workbook.pages.build import build_pages, sources
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.places import chapters, workbook_data
-from tflab.workbook.tasks.task import slug
+from tflab.workbook.tasks.task import read_tasks, slug
 
 ROOT = workbook_data()
 CHAPTERS = chapters()
+STEMS = sorted({path.stem for path in sources(ROOT)})
 ROOMS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("*/en/*.ipynb"))]
 
 
@@ -22,9 +23,8 @@ def cells_of(path: Path) -> list[dict]:
     return json.loads(path.read_text(encoding="utf-8"))["cells"]
 
 
-def points_of(stem: str) -> dict[str, int]:
-    cases = json.loads((ROOT / "exercises" / "cases" / f"{stem}.json").read_text(encoding="utf-8"))
-    return {task: plain["points"] for task, plain in cases["tasks"].items()}
+def ids_of_tasks(stem: str) -> list[str]:
+    return [task.id for task in read_tasks(ROOT / "solutions" / "tasks" / stem)]
 
 
 @pytest.mark.parametrize("name", ROOMS)
@@ -44,7 +44,9 @@ def test_a_korean_page_is_in_korean(name: str) -> None:
     assert len(hangul) >= 0.9 * len(texts), sorted({cell["id"] for cell in texts} - set(hangul))
 
 
-@pytest.mark.slow
+@pytest.mark.proof(
+    reads=["exercises/{language}/E{stem}.ipynb", "solutions/tasks/{stem}/*", "solutions/en/{stem}.ipynb"]
+)
 @pytest.mark.parametrize("language", ["en", "ko"])
 @pytest.mark.parametrize("stem", CHAPTERS)
 def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, language: str, tmp_path: Path) -> None:
@@ -63,7 +65,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
         for cell in page.cells
         if cell.cell_type == "code"
     }
-    for task in points_of(stem):
+    for task in ids_of_tasks(stem):
         assert said[f"{slug(task)}-check"], f"{task} says nothing to an empty answer"
         assert not re.search("✓|✗ [1-9]", said[f"{slug(task)}-check"])
         assert attempts(root, task).tries == 0  # three tries open the solution
@@ -72,7 +74,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
 @pytest.mark.parametrize("stem", CHAPTERS)
 def test_a_solution_scores_everything_there_is(stem: str) -> None:
     cells = {cell["id"]: cell for cell in cells_of(ROOT / "solutions" / "en" / f"{stem}.ipynb")}
-    for task in points_of(stem):
+    for task in ids_of_tasks(stem):
         (printed,) = cells[f"{slug(task)}-check"]["outputs"]
         score = re.fullmatch(rf"{re.escape(task)} ✓ (\d+)/(\d+)\n", "".join(printed["text"]))
         assert score, f"{task}: {printed['text']}"
@@ -101,8 +103,18 @@ def test_an_exercise_says_how_to_see_a_solution_how_to_start_over_and_what_comes
     assert re.search(r"\*\*(Next|다음):\*\* \[[^]]+\]\(\.\./\.\./notebooks/", ends)
 
 
-@pytest.mark.slow
-def test_what_is_committed_is_what_the_sources_make() -> None:
-    built = build_pages(sources(ROOT))
+BUILT = (
+    "*/src/{stem}.py",
+    "*/*/{stem}.ipynb",
+    "exercises/*/E{stem}.ipynb",
+    "solutions/tasks/{stem}/*",
+    "solutions/inventory.yaml",
+)
+
+
+@pytest.mark.proof(reads=BUILT)
+@pytest.mark.parametrize("stem", STEMS)
+def test_what_is_committed_is_what_the_sources_make(stem: str) -> None:
+    built = build_pages(sources(ROOT, [stem]))
     assert [str(fault) for fault in built.faults] == []
     assert stale(ROOT, built.files) == []

@@ -15,7 +15,8 @@ from tflab.ros.activation import PACKAGES
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.progress import record_try
 
-pytestmark = pytest.mark.browser
+PAGES = ("notebooks/*/00_*.ipynb", "notebooks/ko/03_*.ipynb")
+pytestmark = [pytest.mark.browser, pytest.mark.proof(reads=[*PAGES, "tflab/workbook/copy/jupyter/**/*"])]
 
 SCRIPT = Path(tflab.__file__).parent / "workbook/copy/jupyter/labextensions/tflab/static/remoteEntry.js"
 PYTHON = {"name": "python3", "display_name": "Python 3"}

@@ -147,7 +147,7 @@ def test_before_it_is_printed_every_view_is_drawn_once(deck: Path, page) -> None
     assert page.inner_text("#deck-place") == "1 / 4"
 
 
-@pytest.mark.slow
+@pytest.mark.proof(reads=["notebooks/en/03_*.ipynb"])
 @pytest.mark.browser
 def test_the_deck_of_a_chapter_shows_every_slide_and_draws_every_view(tmp_path: Path, page) -> None:
     assert main(["03", "--lang", "en", "--out", str(tmp_path)]) == 0

@@ -16,7 +16,6 @@ from tflab.workbook.copy.lab import SETTINGS
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import chapters, workbook_data
 
-pytestmark = pytest.mark.slow
 KOREAN = {"LANG": "ko_KR.UTF-8", "LC_ALL": ""}
 
 
