@@ -10,8 +10,8 @@ sample: `sample(items, 20)` returns 20 of them, and all of them under `--all`. A
 named on the command line always runs. A test in a browser is such a test, too, and so is a
 notebook under nbval.
 
-The digest covers what a change can reach: the functions that ran, constants and classes
-that their modules import, data files beside these modules, and `constraints.txt`. Code in a
+The digest covers what a change can reach: the files of the functions that ran, of the constants
+that these files import, data files beside them, and `constraints.txt`. Code in a
 sandbox or a browser cannot be traced, so `reads` has to name it. What stays unseen is found by
 the nightly run of everything. All files of a test module are kept together, because its tests
 share fixtures.
@@ -41,13 +41,14 @@ STORE = ROOT / "tests" / "proofs.json"
 ALWAYS = ("constraints.txt",)
 CODE = ("tflab/", "tests/")  # what `ran` keeps; a task or a notebook belongs to one test, and `reads` names it
 DATA = ("[!_]*.[!p]*", "static/**/*.*", "data/**/*.*")  # beside a module
+TRACER = "tests/tracing/sitecustomize.py"
 EVERY_CELL = "every cell"
 NO_TESTS = 5  # pytest's exit code
 
 Member = TypeVar("Member")
 Key = tuple[str, str, str]  # test module, test function, parameters
 
-_spec = importlib.util.spec_from_file_location("tracing", ROOT / "tests" / "tracing" / "sitecustomize.py")
+_spec = importlib.util.spec_from_file_location("tracing", ROOT / TRACER)
 tracing = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(tracing)
 
@@ -90,30 +91,38 @@ def module_file(name: str) -> str | None:
 
 @cache
 def values_imported_by(name: str) -> frozenset[str]:
-    """Return the modules from which a module imports a constant or a class: these have effects without running."""
+    """Return the modules from which a module imports a value: that has an effect although no function runs."""
     package, found = name.split("/")[:-1], set()
     for node in ast.walk(ast.parse((ROOT / name).read_text(encoding="utf-8"))):
         if isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else []
             module = ".".join([*base, node.module] if node.module else base)
             file = module_file(module)
-            if file and {alias.name for alias in node.names} - functions_in(file):
+            if file and values_in(file) & {alias.name for alias in node.names}:
                 found.add(file)
     return frozenset(found)
 
 
 @cache
-def functions_in(name: str) -> frozenset[str]:
-    body = ast.parse((ROOT / name).read_text(encoding="utf-8")).body
-    return frozenset(node.name for node in body if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef))
+def values_in(name: str) -> frozenset[str]:
+    """Return the names of a module's constants, and of its classes that hold nothing but fields."""
+    names = set()
+    for node in ast.parse((ROOT / name).read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.ClassDef) and not any(isinstance(part, ast.FunctionDef) for part in node.body):
+            names.add(node.name)
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            names |= {
+                part.id for part in ast.walk(node) if isinstance(part, ast.Name) and isinstance(part.ctx, ast.Store)
+            }
+    return frozenset(names)
 
 
 def with_what_they_use(ran: Iterable[str]) -> list[str]:
-    """Add the modules of imported constants and classes, and the data files beside a module."""
+    """Add the modules of imported values, and the data files beside a module."""
     found, waiting = set(), list(ran)
     while waiting:
         name = waiting.pop()
-        if name.startswith(CODE) and name not in found and (ROOT / name).is_file():
+        if name.startswith(CODE) and name not in (*found, TRACER) and (ROOT / name).is_file():
             found.add(name)
             waiting += values_imported_by(name)
     folders = {name.rpartition("/")[0] for name in found if name.startswith("tflab/")}
@@ -261,7 +270,7 @@ class Recorder:
         if not self.is_traced(item):
             return (yield)
         with pytest.MonkeyPatch.context() as environment:
-            environment.setenv("PYTHONPATH", str(ROOT / "tests" / "tracing"), prepend=os.pathsep)
+            environment.setenv("PYTHONPATH", str((ROOT / TRACER).parent), prepend=os.pathsep)
             environment.setenv("TFLAB_RAN", str(self.children))
             tracing.start(tracing.collect)
             try:

@@ -13,6 +13,7 @@ from contextlib import suppress
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
 REPORT = os.environ.get("TFLAB_RAN")
+CO_OPTIMIZED = 1  # of a function; the body of a module or a class runs at import, and lacks it
 ran: set[str] = set()
 
 
@@ -28,12 +29,13 @@ def stop():
 
 def collect(frame, event, argument):
     """Trace a call. It returns None, so that the lines of the function are not traced."""
-    ran.add(frame.f_code.co_filename)
+    if frame.f_code.co_flags & CO_OPTIMIZED:
+        ran.add(frame.f_code.co_filename)
 
 
 def collect_and_append(frame, event, argument):
     name = frame.f_code.co_filename
-    if name not in ran:
+    if name not in ran and frame.f_code.co_flags & CO_OPTIMIZED:
         ran.add(name)
         if name.startswith(ROOT):
             with suppress(OSError), open(REPORT, "a", encoding="utf-8") as report:  # a sandbox does not show it
