@@ -51,8 +51,6 @@ def handed_out(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> HandedOut:
         small.write(f"notebooks/{language}/00_start.ipynb", title="# Start", hello="print('hello')")
         small.write(f"exercises/{language}/E03_small.ipynb", title="# E3", answer="x = ...", check="check('E3.1', x)")
         small.write(f"solutions/{language}/03_small.ipynb", title="# E3", answer="x = 1", check="check('E3.1', x)")
-    cases = small.root / "exercises" / "cases" / "03_small.json"
-    cases.parent.mkdir()
-    cases.write_text('{"format": 1, "chapter": "03_small", "tasks": {}}')
+    (small.root / "solutions" / "tasks" / "03_small").mkdir(parents=True)
     monkeypatch.setenv("TFLAB_WORKBOOK", str(small.root))
     return small

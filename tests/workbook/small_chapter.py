@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
+import pytest
 from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
-from tflab.workbook.tasks import Words, cases
+from tflab.workbook.places import Workbook, write_workbook
+from tflab.workbook.tasks import Words
 from tflab.workbook.tasks.case import Case, TaskCases, Variant
+from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
 
 STEM = "03_small"
 TASKS = """
@@ -84,18 +87,30 @@ def bare(form: Form, *cases: Case, is_function: bool = False) -> tuple[TaskCases
 def lay_out(folder: Path, *, tasks: str = TASKS, cells: dict[str, str] = CELLS) -> Path:
     """Write the task file and the solution into `folder`, which stands for `solutions/`."""
     write_tasks(folder / "tasks" / STEM, tasks)
-    (folder / "en").mkdir(exist_ok=True)
+    (folder / "en").mkdir(parents=True, exist_ok=True)
     notebook = {"cells": [{"cell_type": "code", "id": name, "source": [text]} for name, text in cells.items()]}
     (folder / "en" / f"{STEM}.ipynb").write_text(json.dumps(notebook), encoding="utf-8")
     return folder
 
 
-def copy_of_workbook(folder: Path, *, language: str = "en", learner: str | None = None, edition: str = "self-study"):
-    """Lay out a learner's copy that holds only the cases; return its root and the cases."""
-    made = cases.make_cases(STEM, "public", solutions=lay_out(folder / "source"))
-    root = folder / "copy"
-    (root / "exercises" / "cases").mkdir(parents=True)
-    (root / "exercises" / "cases" / f"{STEM}.json").write_text(cases.cases_json(made), encoding="utf-8")
-    mark = {"tflab": "0.1.0", "edition": edition, "language": language, "learner": learner}
-    (root / "workbook.json").write_text(json.dumps(mark), encoding="utf-8")
-    return SimpleNamespace(root=root, cases=made)
+def copy_of_workbook(
+    folder: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    *,
+    language: str = "en",
+    learner: str | None = None,
+    edition: str = "self-study",
+    seed: str = "",
+) -> Path:
+    """Make the chapter tflab's own workbook, for as long as the test lasts; return a learner's copy of it."""
+    data, root = folder / "workbook", folder / "copy"
+    lay_out(data / "solutions")
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(data))
+    root.mkdir(parents=True)
+    workbook = Workbook(edition=edition, language=language, learner=learner, seed=seed)
+    if edition == "class":
+        assigned = {name: assigned_cases(data, STEM, name, workbook) for name in task_ids(data, STEM)}
+        digests = {name: question_digest(task, task.variants[0]) for name, task in assigned.items()}
+        workbook = replace(workbook, questions=digests)
+    write_workbook(root, workbook)
+    return root

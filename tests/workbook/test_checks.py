@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import math
+import os
+import time
+from dataclasses import replace
 from threading import Event
 
 import pytest
@@ -17,8 +20,9 @@ from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence,
 from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
-from tflab.workbook.places import WorkbookError
+from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.verdicts import comparison
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
@@ -28,11 +32,11 @@ from . import small_chapter as chapter
 
 @pytest.fixture
 def copy(tmp_path, monkeypatch):
-    laid_out = chapter.copy_of_workbook(tmp_path)
-    monkeypatch.chdir(laid_out.root)
+    root = chapter.copy_of_workbook(tmp_path, monkeypatch)
+    monkeypatch.chdir(root)
     monkeypatch.delenv("NBGRADER_EXECUTION", raising=False)
     checks._hints_seen.clear()
-    return laid_out
+    return root
 
 
 def said(capsys, task_id, answer):
@@ -218,30 +222,36 @@ def test_hints_come_one_by_one_with_those_before_and_are_counted(copy, capsys):
     for shown in (["hint 1"], ["hint 2", "hint 1"], ["hint 3", "hint 1", "hint 2"], ["hint 3", "hint 1", "hint 2"]):
         hint("E3.1")
         assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == shown
-    assert json.loads((copy.root / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
+    assert json.loads((copy / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
 
 
 def test_what_was_tried_is_kept(copy, capsys):
     said(capsys, "E3.3", {"target": "laser", "source": "map"})
     said(capsys, "E3.3", {"target": "map", "source": "laser"})
     said(capsys, "E3.1", ...)
-    kept = json.loads((copy.root / "progress.json").read_text())["tasks"]
+    kept = json.loads((copy / "progress.json").read_text())["tasks"]
     assert kept["E3.3"]["tries"] == 2 and kept["E3.3"]["passed"] and kept["E3.3"]["twins"] == {"swapped": 1}
     assert "E3.1" not in kept
 
 
 def test_replies_are_in_the_learners_language(tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, language="ko").root)
+    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, monkeypatch, language="ko"))
     assert "한국어: turned round" in said(capsys, "E3.3", {"target": "laser", "source": "map"})
     assert "아직 답하지 않았습니다" in said(capsys, "E3.1", ...)
     assert said(capsys, "E3.3", {"target": "map", "source": "laser"}).startswith("E3.3 ✓ 2/2\n")
 
 
 def test_a_learner_has_a_variant_of_their_own(tmp_path, monkeypatch, capsys):
-    laid_out = chapter.copy_of_workbook(tmp_path, learner="ada")
-    monkeypatch.chdir(laid_out.root)
-    given = task("E3.1")
-    assert "E3.1 ✓" in said(capsys, "E3.1", given.base_T_laser.apply(given.laser_p_corner))
+    learners = {variant_of(name, "E3.1", 3): name for name in ("ada", "grace", "alan", "edsger", "barbara", "ken")}
+    assert len(learners) == 3
+    seen = []
+    for number, name in learners.items():
+        monkeypatch.chdir(chapter.copy_of_workbook(tmp_path / str(number), monkeypatch, learner=name))
+        given, right = right_corner(capsys)
+        assert "E3.1 ✓" in said(capsys, "E3.1", right)
+        assert "E3.1 ✗" in said(capsys, "E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner))
+        seen.append(given.base_T_laser)
+    assert seen[0] != seen[1] != seen[2] != seen[0]
 
 
 def test_the_solution_opens_after_three_tries(copy, capsys):
@@ -270,7 +280,7 @@ def test_asked_of_no_task_it_says_which_there_are(copy, capsys, ask):
 def test_what_stops_a_check_in_the_same_way_again_is_no_new_try(copy, capsys):
     for wrong in ("no function", "none, either"):
         said(capsys, "E3.2", wrong)
-    assert json.loads((copy.root / "progress.json").read_text())["tasks"]["E3.2"]["tries"] == 1
+    assert json.loads((copy / "progress.json").read_text())["tasks"]["E3.2"]["tries"] == 1
 
 
 def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
@@ -283,20 +293,17 @@ def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
     assert shown == ["words"] * 3 + ["picture"]
 
 
-def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys, monkeypatch, tmp_path):
-    cell = {"id": "e3-4-answer", "source": ["# BEGIN SOLUTION\n", "angle = 1.57\n", "# END SOLUTION"]}
-    path = tmp_path / "solutions" / "en" / f"{chapter.STEM}.ipynb"
-    path.parent.mkdir(parents=True)
-    path.write_text(json.dumps({"cells": [cell]}))
-    monkeypatch.setattr(checks, "workbook_data", lambda: tmp_path)
+def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys):
+    cell = "# BEGIN SOLUTION\nangle_rad = 1.57\n# END SOLUTION"
+    chapter.lay_out(workbook_data() / "solutions", cells=chapter.CELLS | {"e3-4-answer": cell})
     for wrong in (7.0, 8.0, 9.0):
         said(capsys, "E3.4", wrong)
     solution("E3.4")
-    assert capsys.readouterr().out == "angle = 1.57\n"
+    assert capsys.readouterr().out == "angle_rad = 1.57\n"
 
 
 def test_a_class_has_no_solutions(tmp_path, monkeypatch, capsys):
-    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, edition="class").root)
+    monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, monkeypatch, edition="class"))
     solution("E3.4")
     assert "instructor" in capsys.readouterr().out
 
@@ -320,10 +327,65 @@ def test_after_a_pass_one_hears_what_was_looked_at(copy, capsys):
     assert "compared with the right one" in said(capsys, "E3.4", math.pi / 2)
 
 
-def test_a_damaged_cases_file_is_said_in_one_line(copy, capsys):
-    (copy.root / "exercises" / "cases" / f"{chapter.STEM}.json").write_text("{")
-    text = said(capsys, "E3.1", 1)
-    assert "damaged" in text and "tflab lab --update" in text
+@pytest.mark.parametrize("breaks", ["no solution", "half a solution", "a solution without the cell", "half a task"])
+def test_a_task_that_cannot_be_computed_is_said_in_one_line(copy, capsys, breaks):
+    solutions = workbook_data() / "solutions"
+    path = solutions / "en" / f"{chapter.STEM}.ipynb"
+    if breaks == "no solution":
+        path.unlink()
+    elif breaks == "half a solution":
+        path.write_text(path.read_text()[:99])
+    elif breaks == "half a task":
+        (solutions / "tasks" / chapter.STEM / "e3_1.py").write_text("TASK =")
+    else:
+        chapter.lay_out(solutions, cells={"load": "x = 1"})
+    (line,) = said(capsys, "E3.1", (1.0, 2.0, 3.0)).splitlines()
+    assert line.startswith("E3.1: this task cannot be checked: ") and "Install tflab again." in line
+    assert not (copy / "progress.json").exists()
+
+
+def test_a_task_is_read_again_after_its_file_has_changed(copy, capsys):
+    assert "E3.4 ✓" in said(capsys, "E3.4", math.pi / 2)
+    path = workbook_data() / "solutions" / "en" / f"{chapter.STEM}.ipynb"
+    chapter.lay_out(workbook_data() / "solutions", cells=chapter.CELLS | {"e3-4-answer": "angle_rad = 1.0"})
+    os.utime(path, ns=(0, time.time_ns() + 10**9))
+    assert "E3.4 ✗" in said(capsys, "E3.4", math.pi / 2)
+    assert "E3.4 ✓" in said(capsys, "E3.4", 1.0)
+
+
+def test_a_class_copy_whose_task_asks_about_other_values_is_told_so(tmp_path, monkeypatch, capsys):
+    root = chapter.copy_of_workbook(tmp_path, monkeypatch, edition="class")
+    monkeypatch.chdir(root)
+    _, right = right_corner(capsys)
+    assert "E3.1 ✓" in said(capsys, "E3.1", right)
+    solutions = workbook_data() / "solutions"
+    reworded = chapter.TASKS.replace("that is the inverse", "that is its inverse").replace("0.005", "0.004")
+    chapter.lay_out(solutions, tasks=reworded)
+    os.utime(solutions / "en" / f"{chapter.STEM}.ipynb", ns=(0, time.time_ns() + 10**9))
+    assert "E3.1 ✓" in said(capsys, "E3.1", right)  # a text and a tolerance may be fixed
+    chapter.lay_out(solutions, tasks=chapter.TASKS.replace("rng.uniform(0.5, 2.6)", "rng.uniform(0.5, 2.5)"))
+    os.utime(solutions / "en" / f"{chapter.STEM}.ipynb", ns=(0, time.time_ns() + 2 * 10**9))
+    tried = (root / "progress.json").read_text()
+    for ask in (lambda: check("E3.1", right), lambda: hint("E3.1")):
+        ask()
+        assert capsys.readouterr().out.startswith("E3.1: your class got E3.1 from another version of tflab.")
+    with pytest.raises(WorkbookError, match="asks about other values"):
+        task("E3.1")
+    assert (root / "progress.json").read_text() == tried
+    assert "E3.4 ✓" in said(capsys, "E3.4", math.pi / 2)  # which asks the same
+
+
+def test_a_class_copy_has_the_tasks_that_were_handed_out_and_draws_from_its_seed(tmp_path, monkeypatch, capsys):
+    root = chapter.copy_of_workbook(tmp_path, monkeypatch, edition="class", seed="of the class")
+    monkeypatch.chdir(root)
+    of_the_class, right = right_corner(capsys)
+    assert "E3.1 ✓" in said(capsys, "E3.1", right)
+    questions = dict(read_workbook(root).questions)
+    del questions["E3.4"]
+    write_workbook(root, replace(read_workbook(root), questions=questions))
+    assert "there is E3.1, E3.2, E3.3." in said(capsys, "E3.4", math.pi / 2)
+    write_workbook(root, Workbook())
+    assert task("E3.1").base_T_laser != of_the_class.base_T_laser
 
 
 def test_a_name_that_is_no_option_is_said_inside_lists_of_parts():

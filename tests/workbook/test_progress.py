@@ -15,12 +15,9 @@ from tflab.workbook.course.progress_page import ProgressPage
 from tflab.workbook.course.progress_page import progress as progress_command
 from tflab.workbook.course.standing import standing
 from tflab.workbook.progress import Attempts, attempts, record_hint, record_try
-from tflab.workbook.tasks import Number, Words
-from tflab.workbook.tasks.case import ChapterCases
-from tflab.workbook.tasks.cases import cases_json
+from tflab.workbook.tasks.task import task_file
 
 from .conftest import HandedOut
-from .small_chapter import bare
 
 
 @pytest.fixture
@@ -28,11 +25,18 @@ def copy(handed_out: HandedOut, tmp_path: Path) -> Path:
     return lay_out(tmp_path / "copy", "en")
 
 
-def give_tasks(copy: Path, stem: str, *names: str) -> None:
-    task, _ = bare(Number())
-    task = task._replace(title=Words("Which?", "어느 것?"), points=2)
-    cases = ChapterCases(stem, dict.fromkeys(names, task))
-    (copy / "exercises" / "cases" / f"{stem}.json").write_text(cases_json(cases))
+TASK = """
+from tflab.workbook.tasks import Number, Task, Words
+LOOK = Words(en="Look.", ko="보십시오.")
+TASK = Task("{id}", "N", 2, Words("Which?", "어느 것?"), "answer", Number(), (LOOK, LOOK, LOOK))
+"""
+
+
+def give_tasks(handed_out: HandedOut, stem: str, *names: str) -> None:
+    folder = handed_out.root / "solutions" / "tasks" / stem
+    folder.mkdir()
+    for name in names:
+        task_file(folder, name).write_text(TASK.format(id=name), encoding="utf-8")
 
 
 def test_tries_hints_and_mistakes_are_counted_and_a_pass_stays(copy: Path) -> None:
@@ -118,8 +122,8 @@ def test_a_place_that_cannot_be_written_to_is_said_and_check_goes_on(copy: Path,
     assert "could not be written" in capsys.readouterr().err
 
 
-def test_only_passed_checks_tick_and_what_is_not_here_is_later(copy: Path) -> None:
-    give_tasks(copy, "03_target_and_source", "E3.1", "E3.2", "E3.5", "E3.10")
+def test_only_passed_checks_tick_and_what_is_not_here_is_later(handed_out: HandedOut, copy: Path) -> None:
+    give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.2", "E3.5", "E3.10")
     record_try(copy, "E3.1", 4, 4)
     record_try(copy, "E3.5", 3, 4)
     stands = standing(copy)
@@ -134,8 +138,8 @@ def test_only_passed_checks_tick_and_what_is_not_here_is_later(copy: Path) -> No
     assert standing(copy).objectives[1].state == "open"  # its tasks of chapter 4 are not here
 
 
-def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> None:
-    give_tasks(copy, "03_target_and_source", "E3.1", "E3.5")
+def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(handed_out: HandedOut, copy: Path) -> None:
+    give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5")
     record_try(copy, "E3.1", 4, 4)
     text = ProgressPage(standing(copy)).text
     assert "Your progress: 1 of 2 tasks passed" in text
@@ -146,8 +150,8 @@ def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(copy: Path) -> N
     assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(standing(copy)).html
 
 
-def test_every_sign_of_the_page_is_explained_where_it_stands(copy: Path) -> None:
-    give_tasks(copy, "03_target_and_source", "E3.1", "E3.5", "E3.6")
+def test_every_sign_of_the_page_is_explained_where_it_stands(handed_out: HandedOut, copy: Path) -> None:
+    give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5", "E3.6")
     record_try(copy, "E3.1", 4, 4)
     record_try(copy, "E3.5", 1, 4)
     page = ProgressPage(standing(copy))

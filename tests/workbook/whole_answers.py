@@ -8,9 +8,10 @@ from types import SimpleNamespace
 from typing import Any
 
 from tflab.workbook.answers.values import from_plain, outcome_of
-from tflab.workbook.places import CASES, workbook_data
-from tflab.workbook.tasks.case import ChapterCases, TaskCases
-from tflab.workbook.tasks.cases import read_chapter
+from tflab.workbook.places import chapters, stems_called, workbook_data
+from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.cases import PUBLIC_SEED, make_variant, outline_of
+from tflab.workbook.tasks.library import solution_of, tasks_of
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
 
@@ -22,22 +23,22 @@ from tf2_ros import ConnectivityException, ExtrapolationException, InvalidArgume
 """
 
 
-def task_of(task_id: str) -> TaskCases:
-    return _chapter(int(task_id[1:].partition(".")[0])).tasks[task_id]
-
-
 @cache
-def _chapter(number: int) -> ChapterCases:
-    (path,) = (workbook_data() / CASES).glob(f"{number:02d}_*.json")
-    return read_chapter(path)
+def task_of(task_id: str, variant: int = 0) -> TaskCases:
+    """Return a task with one of its public variants."""
+    data = workbook_data()
+    (stem,) = stems_called([task_id.partition(".")[0]], chapters())
+    task = tasks_of(data, stem)[task_id]
+    with in_process_ros():
+        return outline_of(task)._replace(variants=(make_variant(task, PUBLIC_SEED, variant, solution_of(data, stem)),))
 
 
 def verdict_on(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> Verdict:
     """Return the verdict on an answer's cell, in which what is given is `given`; or on a function, or what it makes
     of what is given.
     """
-    task = task_of(task_id)
-    drawn = task.variants[variant]
+    task = task_of(task_id, variant)
+    (drawn,) = task.variants
     given = SimpleNamespace(**{name: from_plain(value) for name, value in (drawn.given or {}).items()})
     with in_process_ros():
         if isinstance(answer, str):

@@ -211,7 +211,7 @@ def _find(task_id: str) -> AssignedTask:
     stems = chapters(root)
     meant = LIKE_A_TASK.fullmatch(str(task_id).strip())
     stem = next((stem for stem in stems if meant and int(stem[:2]) == int(meant["chapter"])), "")
-    known = [task for task in task_ids(data, stem) if not workbook.questions or task in workbook.questions]
+    known = _tasks_here(workbook, stem)
     asked = f"E{int(meant['chapter'])}.{int(meant['task'])}" if meant and meant["task"] else ""
     if asked not in known:
         raise WorkbookError(_unknown(workbook, asked or task_id, [stem] if stem else stems))
@@ -225,10 +225,14 @@ def _find(task_id: str) -> AssignedTask:
     return AssignedTask(asked, stem, cases, variant, root, workbook)
 
 
+def _tasks_here(workbook: Workbook, stem: str) -> list[str]:
+    """Return a chapter's tasks; of a class's copy, those that were handed out."""
+    return [task for task in task_ids(workbook_data(), stem) if not workbook.questions or task in workbook.questions]
+
+
 def _unknown(workbook: Workbook, task_id: str, stems: Sequence[str]) -> str:
     """Return which tasks there are: of one chapter each, of several the first and the last."""
-    data = workbook_data()
-    tasks_there = [task_ids(data, stem) for stem in stems]
+    tasks_there = [_tasks_here(workbook, stem) for stem in stems]
     known = [task for chapter in tasks_there for task in chapter]
     undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
     is_chapter = len(stems) == 1 and "." not in str(task_id)  # all of them are named
@@ -237,7 +241,7 @@ def _unknown(workbook: Workbook, task_id: str, stems: Sequence[str]) -> str:
     if len(stems) > 1:
         known = [_from_to(chapter) for chapter in tasks_there]
     phrase = PHRASES["unknown_task" if str(task_id).strip() else "no_task"]
-    return phrase.say(workbook.language, known=", ".join(known) or str(data / TASKS), close=suggestion)
+    return phrase.say(workbook.language, known=", ".join(known) or str(workbook_data() / TASKS), close=suggestion)
 
 
 def _from_to(tasks: list[str]) -> str:
