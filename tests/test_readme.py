@@ -8,7 +8,6 @@ import json
 import os
 import re
 import shlex
-import shutil
 import subprocess
 import sys
 from importlib.metadata import entry_points
@@ -23,7 +22,7 @@ from tflab.cli import SUBCOMMANDS
 from tflab.workbook.checks import check
 from tflab.workbook.course import contents
 from tflab.workbook.course.course import read_course
-from tflab.workbook.places import CASES, Workbook, write_workbook
+from tflab.workbook.places import Workbook, write_workbook
 
 ROOT = Path(__file__).parents[1]
 READMES = {"en": "README.md", "ko": "README.ko.md"}
@@ -246,7 +245,6 @@ def test_the_sample_and_the_picture_show_what_check_says_today(
     language: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     write_workbook(tmp_path, Workbook(language=language))
-    shutil.copytree(ROOT / CASES, tmp_path / CASES)
     monkeypatch.chdir(tmp_path)
     check("E3.3", backwards)
     said = capsys.readouterr().out.split()

@@ -47,7 +47,7 @@ def site(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """A book of two pages and an exercise."""
     pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")
     root, out = tmp_path_factory.mktemp("workbook"), tmp_path_factory.mktemp("site")
-    (root / "exercises" / "cases").mkdir(parents=True)
+    (root / "solutions" / "tasks" / "03_target_and_source").mkdir(parents=True)
     markdown, code = nbformat.v4.new_markdown_cell, nbformat.v4.new_code_cell
     for language, text in TEXTS.items():
         start = markdown("# Start\n\nWelcome." if language == "en" else "# 시작\n\n환영합니다.", id="title")

@@ -20,8 +20,8 @@ from tflab.workbook.course.course import read_course
 from tflab.workbook.course.course_map import draw_course
 from tflab.workbook.course.glossary import UnknownTerm, expand, read_glossary
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import CASES, chapters, workbook_data
-from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.tasks.library import task_ids
 from tflab.workbook.tasks.task import chapter_of
 
 # The lecture: 31 sections, 15 questions, 14 things to have done, 8 objectives; which chapter has which.
@@ -95,7 +95,7 @@ def test_what_is_done_on_a_robot_comes_with_what_to_type_there() -> None:
 @pytest.mark.parametrize("stem", chapters())
 def test_a_goal_names_only_tasks_that_its_chapter_has(stem: str) -> None:
     course = read_course()
-    there = set(read_cases(workbook_data() / CASES / f"{stem}.json")["tasks"])
+    there = set(task_ids(workbook_data(), stem))
     named = {task for goal in (*course.objectives, *course.checklist) for task in goal.tasks}
     assert {task for task in named if chapter_of(task) == int(stem[:2])} <= there
 

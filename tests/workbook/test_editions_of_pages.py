@@ -11,7 +11,8 @@ import pytest
 from tflab.workbook.pages.build import build_pages, sources
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.places import chapters, workbook_data
-from tflab.workbook.tasks.task import read_tasks, slug
+from tflab.workbook.tasks.library import tasks_of
+from tflab.workbook.tasks.task import slug
 
 ROOT = workbook_data()
 CHAPTERS = chapters()
@@ -23,8 +24,8 @@ def cells_of(path: Path) -> list[dict]:
     return json.loads(path.read_text(encoding="utf-8"))["cells"]
 
 
-def ids_of_tasks(stem: str) -> list[str]:
-    return [task.id for task in read_tasks(ROOT / "solutions" / "tasks" / stem)]
+def points_of(stem: str) -> dict[str, int]:
+    return {name: task.points for name, task in tasks_of(ROOT, stem).items()}
 
 
 @pytest.mark.parametrize("name", ROOMS)
@@ -65,7 +66,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
         for cell in page.cells
         if cell.cell_type == "code"
     }
-    for task in ids_of_tasks(stem):
+    for task in points_of(stem):
         assert said[f"{slug(task)}-check"], f"{task} says nothing to an empty answer"
         assert not re.search("✓|✗ [1-9]", said[f"{slug(task)}-check"])
         assert attempts(root, task).tries == 0  # three tries open the solution
@@ -74,7 +75,7 @@ def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, 
 @pytest.mark.parametrize("stem", CHAPTERS)
 def test_a_solution_scores_everything_there_is(stem: str) -> None:
     cells = {cell["id"]: cell for cell in cells_of(ROOT / "solutions" / "en" / f"{stem}.ipynb")}
-    for task in ids_of_tasks(stem):
+    for task in points_of(stem):
         (printed,) = cells[f"{slug(task)}-check"]["outputs"]
         score = re.fullmatch(rf"{re.escape(task)} ✓ (\d+)/(\d+)\n", "".join(printed["text"]))
         assert score, f"{task}: {printed['text']}"

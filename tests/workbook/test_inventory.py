@@ -7,6 +7,7 @@ import json
 import math
 import re
 from pathlib import Path
+from zipfile import ZipFile
 
 import pytest
 
@@ -16,7 +17,7 @@ from tflab.views.axes import optical_from_body
 from tflab.workbook import check, hint, solution
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.copy.lay_out import PRISTINE, lay_out
 from tflab.workbook.course.progress_page import progress, show_progress
 from tflab.workbook.inventory.balance import imbalances
 from tflab.workbook.inventory.change import changes, relearnt
@@ -25,10 +26,10 @@ from tflab.workbook.inventory.opened import Opened, opened, waiting
 from tflab.workbook.inventory.replies import FORM, chosen, replies_to
 from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import CASES, workbook_data
+from tflab.workbook.places import Workbook, workbook_data
 from tflab.workbook.progress import read_progress
 from tflab.workbook.tasks import TAKING_PART, Task, Words
-from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.tasks.library import assigned_cases
 from tflab.workbook.tasks.task import TaskError, read_tasks
 
 KEY = {"A": "badccdbacdbacdd", "B": "ddbadbccbbcdbca"}
@@ -344,13 +345,16 @@ def told_by(letters: str) -> list[str]:
 
 def readable(root: Path) -> dict[str, str]:
     """What a curious reader of a copy sees in each of its files, each text once: as JSON means it, without pictures."""
-    held = {path.read_bytes(): path for path in sorted(root.rglob("*")) if path.is_file()}
+    files = {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if path.is_file()}
+    with ZipFile(files.pop(PRISTINE.as_posix())) as pristine:
+        held = {pristine.read(name): f"pristine {name}" for name in pristine.namelist()}
+    held |= {path.read_bytes(): name for name, path in files.items()}
     seen = {}
-    for content, path in held.items():
+    for content, name in held.items():
         text = content.decode()
-        if path.suffix in (".ipynb", ".json"):
+        if name.endswith((".ipynb", ".json")):
             text = json.dumps(json.loads(text), ensure_ascii=False)
-        seen[path.relative_to(root).as_posix()] = re.sub(r'"image/png": "[^"]*"', "", text)
+        seen[name] = re.sub(r'"image/png": "[^"]*"', "", text)
     return seen
 
 
@@ -374,8 +378,8 @@ def test_a_key_would_be_found_however_it_is_written():
 @pytest.mark.parametrize("form", FORMS)
 def test_what_check_asks_knows_no_right_answer(form):
     stem = "00_start" if form == "A" else "12_owners_and_diagnosis"
-    task = read_cases(workbook_data() / CASES / f"{stem}.json")["tasks"][FORMS[form]]
-    (variant,) = task["variants"]
-    (case,) = variant["cases"]
-    assert set(case["expected"]["dict"].values()) == {"e"}
-    assert (case["twins"], task["twins"], task["hints"], task["cures"]) == ({}, {}, [], [])
+    task = assigned_cases(workbook_data(), stem, FORMS[form], Workbook())
+    (variant,) = task.variants
+    (case,) = variant.cases
+    assert set(case.expected["dict"].values()) == {"e"}
+    assert (case.twins, task.twins, task.hints, task.cures) == ({}, {}, (), ())

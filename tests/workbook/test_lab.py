@@ -44,7 +44,6 @@ def test_without_a_folder_it_makes_a_copy_and_opens_its_first_page(started: list
         "workbook.json",
         "notebooks/en/00_start.ipynb",
         "exercises/en/E03_small.ipynb",
-        "exercises/cases/03_small.json",
     }
     assert str(folder) in capsys.readouterr().out
 
@@ -113,13 +112,11 @@ def test_a_second_language_is_added_and_switched_to_and_stays(started: list, cap
 
 
 def test_a_class_copy_in_another_language_keeps_the_exercises_that_were_handed_out(started: list, capsys) -> None:
-    lay_out(Path("mine"), "en", edition="class", cases={"03_small": {"chapter": "03_small"}})
+    lay_out(Path("mine"), "en", edition="class", handed_out={"exercises/en/E03_small.ipynb": b"{}"})
     assert lab.lab(["mine", "--lang", "ko"]) == 0
     assert "나눠 준 언어 그대로" in capsys.readouterr().out
-    assert {name for name in files(started[0][1]) if name.startswith("exercises/")} == {
-        "exercises/en/E03_small.ipynb",
-        "exercises/cases/03_small.json",
-    }
+    exercises = {name for name in files(started[0][1]) if name.startswith("exercises/")}
+    assert exercises == {"exercises/en/E03_small.ipynb"}
 
 
 def test_a_folder_of_something_else_is_left_as_it_is_and_said(started: list, tmp_path: Path, capsys) -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import json
+import re
 from pathlib import Path
 
 import pytest
 
-from tflab.workbook.copy.lay_out import Change, lay_out, update
+from tflab.workbook.copy.lay_out import OLD_PRISTINE, PRISTINE, Change, lay_out, read_pristine, update
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 
 from .conftest import HandedOut
 
-PAGE = "exercises/en/E03_small.ipynb"
+PAGE, START = "exercises/en/E03_small.ipynb", "notebooks/en/00_start.ipynb"
 
 
 def cells(path: Path) -> dict[str, str]:
@@ -26,20 +27,83 @@ def write_into(path: Path, name: str, source: str) -> None:
 
 
 def test_a_copy_knows_its_edition_language_and_learner(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "ko", edition="class", learner="s17", cases={})
-    assert read_workbook(copy) == Workbook(edition="class", language="ko", learner="s17")
+    copy = lay_out(
+        tmp_path / "copy", "ko", edition="class", learner="s17", seed="ours", questions={"E3.1": "a"}, handed_out={}
+    )
+    assert read_workbook(copy) == Workbook(
+        edition="class", language="ko", learner="s17", seed="ours", questions={"E3.1": "a"}
+    )
     assert workbook_root(copy / "notebooks" / "ko") == copy
     assert workbook_root(tmp_path) == workbook_data() == handed_out.root
 
 
-def test_a_class_copy_has_the_exercises_that_it_is_given_cases_for_and_those_cases(
+def test_a_class_copy_has_the_exercises_that_were_handed_out_and_no_others(
     handed_out: HandedOut, tmp_path: Path
 ) -> None:
     handed_out.write("exercises/en/E09_other.ipynb", title="# E9")
-    copy = lay_out(tmp_path / "copy", "en", edition="class", cases={"03_small": {"chapter": "03_small", "mine": 1}})
+    copy = lay_out(tmp_path / "copy", "en", edition="class", handed_out={PAGE: b"stamped"})
     assert [path.name for path in (copy / "exercises/en").iterdir()] == ["E03_small.ipynb"]
-    assert json.loads((copy / "exercises/cases/03_small.json").read_text())["mine"] == 1
+    assert (copy / PAGE).read_bytes() == b"stamped" == read_pristine(copy)[PAGE]
     assert not (copy / "solutions").exists()
+
+
+@pytest.mark.parametrize("language", ["en", "ko"])
+def test_a_copy_holds_pages_and_exercises_and_no_cases(language: str, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", language)
+    files = [path.relative_to(copy) for path in copy.rglob("*") if path.is_file()]
+    pages = {path for path in files if path.suffix == ".ipynb"}
+    assert set(files) - pages == {Path("workbook.json"), Path(".tflab/lock"), PRISTINE}
+    assert {path.parts[:2] for path in pages} == {("notebooks", language), ("exercises", language)}
+    for path in pages:
+        assert not re.search(r'"(twins|expected|variants)\\?":', (copy / path).read_text(encoding="utf-8")), path
+    assert sum((copy / path).stat().st_size for path in files) < 5_000_000
+
+
+def test_the_same_files_are_kept_as_the_same_bytes(handed_out: HandedOut, tmp_path: Path) -> None:
+    one, other = (lay_out(tmp_path / name, "en") for name in ("one", "other"))
+    assert (one / PRISTINE).read_bytes() == (other / PRISTINE).read_bytes()
+    assert read_pristine(one) == {name: (handed_out.root / name).read_bytes() for name in (PAGE, START)}
+
+
+def first_version(copy: Path) -> None:
+    """Make a copy look as the first version of tflab laid it out: with cases, and a folder of what was handed out."""
+    kept = read_pristine(copy) | {"exercises/cases/03_small.json": b'{"format": 1}'}
+    (copy / PRISTINE).unlink()
+    for name, content in kept.items():
+        for path in (copy / OLD_PRISTINE / name, copy / name):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            if not path.exists():
+                path.write_bytes(content)
+    mark = json.loads((copy / "workbook.json").read_text())
+    for name in ("seed", "questions"):
+        del mark[name]
+    (copy / "workbook.json").write_text(json.dumps(mark))
+
+
+def test_a_copy_of_the_first_version_is_updated_around_what_was_written(handed_out: HandedOut, tmp_path: Path) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "answer", "x = 42")
+    first_version(copy)
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    handed_out.write(START, title="# Start, better")
+    assert update(copy) == [Change(START, "replaced"), Change(PAGE, "merged", kept=1)]
+    assert cells(copy / PAGE) == {"title": "# E3, better", "answer": "x = 42", "check": "check('E3.1', x)"}
+    assert read_pristine(copy) == {name: (handed_out.root / name).read_bytes() for name in (PAGE, START)}
+    handed_out.write(PAGE, title="# E3, best", answer="x = ...", check="check('E3.1', x)")
+    assert update(copy) == [Change(PAGE, "merged", kept=1)]
+    assert update(copy) == []
+
+
+def test_a_copy_of_the_first_version_keeps_its_record_where_a_page_comes_back(
+    handed_out: HandedOut, tmp_path: Path
+) -> None:
+    copy = lay_out(tmp_path / "copy", "en")
+    write_into(copy / PAGE, "answer", "x = 42")
+    first_version(copy)
+    (copy / START).unlink()
+    lay_out(copy, "en")
+    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
+    assert update(copy) == [Change(PAGE, "merged", kept=1)]
 
 
 def test_no_solution_is_laid_out(handed_out: HandedOut, tmp_path: Path) -> None:
@@ -145,7 +209,6 @@ def test_outputs_of_an_exercise_stay_where_its_cell_is_the_same(handed_out: Hand
     assert "E3.1 ✓ 6/6" in (copy / PAGE).read_text()
 
 
-START = "notebooks/en/00_start.ipynb"
 SAID = {"output_type": "stream", "name": "stdout", "text": "hello\n"}
 
 
@@ -280,7 +343,8 @@ def test_without_the_pages_as_they_were_handed_out_answers_stay(handed_out: Hand
 
 
 def test_what_an_instructor_handed_out_is_not_updated(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en", edition="class", cases={"03_small": {"chapter": "03_small"}})
+    given = {PAGE: (handed_out.root / PAGE).read_bytes()}
+    copy = lay_out(tmp_path / "copy", "en", edition="class", handed_out=given)
     handed_out.write(PAGE, title="# E3, better")
     handed_out.write("notebooks/en/00_start.ipynb", title="# Start, better")
     assert [change.path for change in update(copy)] == ["notebooks/en/00_start.ipynb"]
@@ -299,9 +363,15 @@ def test_a_class_copy_says_nothing_that_is_for_the_speaker(language: str, tmp_pa
     ]
     assert len(said) > 40
     own = lay_out(tmp_path / "own", language)
-    of_a_class = lay_out(tmp_path / "class", language, edition="class", cases={})
+    of_a_class = lay_out(tmp_path / "class", language, edition="class", handed_out={})
     everything = {
-        copy: "\n".join(path.read_text() for path in copy.rglob("*") if path.is_file()) for copy in (own, of_a_class)
+        copy: "\n".join(
+            [
+                *(path.read_text() for path in copy.rglob("*") if path.is_file() and path.suffix != ".zip"),
+                *(content.decode() for content in read_pristine(copy).values()),
+            ]
+        )
+        for copy in (own, of_a_class)
     }
     held = [json.dumps(line, ensure_ascii=False)[1:-1] for line in said]
     assert all(line in everything[own] for line in held)  # who learns alone may speak about it one day

@@ -19,7 +19,6 @@ from tflab.workbook.practice.prompt import Mistyped, value_of
 from tflab.workbook.practice.session import Session
 from tflab.workbook.practice.spacing import GAPS, Idea, Pick, after, choose, is_due
 from tflab.workbook.practice.terminal import as_text
-from tflab.workbook.tasks import cases
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
 
@@ -177,24 +176,16 @@ def test_the_same_number_draws_the_same_and_another_number_something_else() -> N
 def copy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """A learner's copy of a small chapter, and the workbook that it comes from."""
     data = tmp_path / "workbook"
-    made = cases.make_cases(small_chapter.STEM, "public", solutions=small_chapter.lay_out(data / "solutions"))
-    root = tmp_path / "copy"
-    for folder in (data, root):
-        (folder / "exercises" / "cases").mkdir(parents=True)
-        text = cases.cases_json(made)
-        (folder / "exercises" / "cases" / f"{small_chapter.STEM}.json").write_text(text, encoding="utf-8")
+    root = small_chapter.copy_of_workbook(tmp_path, monkeypatch)
     for language, title in (("en", "Corner"), ("ko", "모서리")):
         folder = data / "exercises" / language
-        folder.mkdir()
+        folder.mkdir(parents=True)
         asked = notebook(
             load="%load_ext tflab\nfrom tflab.workbook import check, task", imports="import math",
             e3_1=f"## E3.1 · {title} (3 points)\n\nWhere is it in `base_link`?", e3_1_given='e3_1 = task("E3.1")',
             e3_1_answer="base_p_corner = ...", e3_2_answer='def invert(T):\n    raise NotImplementedError("your turn")',
         )  # fmt: skip
         (folder / f"E{small_chapter.STEM}.ipynb").write_text(asked, encoding="utf-8")
-    mark = {"tflab": "0.1.0", "edition": "self-study", "language": "en", "learner": None}
-    (root / "workbook.json").write_text(json.dumps(mark), encoding="utf-8")
-    monkeypatch.setenv("TFLAB_WORKBOOK", str(data))
     monkeypatch.chdir(root)
     monkeypatch.setattr(session, "_now_s", lambda: START_S)
     cells._shown.clear()
@@ -297,8 +288,6 @@ def test_only_chapters_that_were_reached_are_asked_about_unless_others_are_named
     (tmp_path / "workbook.json").write_text(
         json.dumps({"tflab": "0.1.0", "edition": "self-study", "language": "en", "learner": None})
     )
-    (tmp_path / "exercises").mkdir()
-    (tmp_path / "exercises" / "cases").symlink_to(OUR_WORKBOOK / "exercises" / "cases")
     assert [stem[:2] for stem in Session(tmp_path).stems] == ["01"]
     progress.record_try(tmp_path, "E3.5", 0, 1)
     assert [stem[:2] for stem in Session(tmp_path).stems] == ["01", "02", "03"]
@@ -481,7 +470,7 @@ def test_a_solution_opens_after_three_tries_and_never_in_a_class(copy: Path, cap
         capsys.readouterr()
     assert kept.read_kept(copy).open.tries == 3
     mark = json.loads((copy / "workbook.json").read_text())
-    (copy / "workbook.json").write_text(json.dumps(mark | {"edition": "class"}))
+    (copy / "workbook.json").write_text(json.dumps(mark | {"edition": "class", "questions": {"E3.3": "a digest"}}))
     practice.solution()
     assert "in a class, the solutions are with your instructor" in capsys.readouterr().out
 
