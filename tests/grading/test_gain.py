@@ -8,9 +8,9 @@ import re
 from typing import Any
 
 import pytest
+import tiny
 
 from tflab.grading.judging.marks import judged
-from tflab.grading.judging.pack import learners_cases
 from tflab.grading.release import release
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.gain import (
@@ -29,8 +29,8 @@ from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import FORMS, RIGHT, read_inventory
-from tflab.workbook.places import CASES, workbook_data
-from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.places import Workbook, exercise_file, workbook_data
+from tflab.workbook.tasks.library import assigned_cases
 
 ITEMS = read_inventory()
 STEMS = {"A": "00_start", "B": "12_owners_and_diagnosis"}
@@ -78,7 +78,7 @@ def words_of(page: str) -> str:
 
 
 def test_the_class_page_names_what_was_cured_and_what_grew() -> None:
-    page = words_of(class_page(class_of_thirty(), {}))
+    page = words_of(class_page(class_of_thirty()))
     # M3 is offered on 2 items of form A, M7 on 1, M9 on 3: 13, 14 and 12 right. Afterwards 15, 14, 14.
     assert "30 learners answered both forms. Right of 15, on average: 13.0 before, 14.3 after" in page
     assert "Normalised gain 0.67: medium (0.3 to 0.7)." in page
@@ -138,7 +138,7 @@ def test_whoever_is_not_matched_is_a_line_and_counts_nowhere() -> None:
     ]
     assert (len(found.matched), found.means()) == (30, (13.0, pytest.approx(43 / 3)))
     for language in ("en", "ko"):
-        page = class_page(everybody, {}, language=language)
+        page = class_page(everybody, language=language)
         assert all(line.say(language).split(":")[0] in words_of(page) for line in found.lines)
 
 
@@ -160,8 +160,8 @@ def test_items_and_options_that_tell_little_are_named_once_enough_have_answered(
     unused = unused_options(ITEMS, matched)
     assert not {"1a", "3a", "5a"} & set(unused)
     assert {"1c", "1d", "3b", "3c", "5b", "5d"} <= set(unused)
-    assert "should be rewritten: 1c, 1d" in class_page(everybody, {})
-    assert "should be rewritten" not in class_page(everybody[:19], {})
+    assert "should be rewritten: 1c, 1d" in class_page(everybody)
+    assert "should be rewritten" not in class_page(everybody[:19])
 
 
 def test_where_everybody_had_all_of_it_before_nothing_is_left_to_gain() -> None:
@@ -174,14 +174,14 @@ def test_a_class_that_was_not_asked_has_no_such_section_and_one_that_is_half_way
     tasks = {"E3.2": taken(None, "A")["tasks"]["E0.1"]}
     assert class_gain([record("s1", chapters={"03_x": {"file": "", "tasks": tasks, "remarks": []}})], ITEMS) is None
     assert class_gain([record("s1", believer("A"))], ()) is None
-    page = class_page([record(f"s{number:02}", believer("A")) for number in range(20)], {})
+    page = class_page([record(f"s{number:02}", believer("A")) for number in range(20)])
     assert "No learner has answered both forms yet." in page
     assert "s11 and 8 more" in page
 
 
 @pytest.mark.parametrize("form", FORMS)
 def test_grading_gives_points_for_answering_and_keeps_the_letters_of_a_complete_answer(form: str) -> None:
-    plain = read_cases(workbook_data() / CASES / f"{STEMS[form]}.json")["tasks"][FORMS[form]]
+    plain = assigned_cases(workbook_data(), STEMS[form], FORMS[form], Workbook()).plain()
     task = plain | plain["variants"][0]
     wrong = dict.fromkeys(map(str, range(1, 16)), "a?")
     mark = judged(FORMS[form], task, {0: to_plain(wrong | {"3": " C "})})
@@ -203,12 +203,11 @@ def given_away(tmp_path_factory: pytest.TempPathFactory) -> str:
     folder = tmp_path_factory.mktemp("release") / "autumn"
     learners = [Learner("s101", "", "en"), Learner("s102", "", "ko")]
     release(folder, [STEMS["A"]], learners)
-    public = read_cases(workbook_data() / CASES / f"{STEMS['B']}.json")
-    tasks = {FORMS["B"]: public["tasks"][FORMS["B"]]}
-    sealed = learners_cases(public | {"tasks": tasks}, None, "s101")
-    lay_out(folder / "learners" / "s103", "en", edition="class", learner="s103", cases={STEMS["B"]: sealed})
+    last = f"exercises/en/{exercise_file(STEMS['B'])}"
+    handed_out = {last: (workbook_data() / last).read_bytes()}
+    lay_out(folder / "learners" / "s103", "en", edition="class", learner="s103", handed_out=handed_out)
     texts = []
-    for content in {path.read_bytes() for path in (folder / "learners").rglob("*") if path.is_file()}:
+    for content in set(tiny.files_below(folder / "learners").values()):
         text = content.decode()
         texts.append(json.dumps(json.loads(text), ensure_ascii=False) if text[:1] == "{" else text)
     return re.sub(r'"image/png": "[^"]*"', "", "\n".join(texts))

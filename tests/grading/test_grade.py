@@ -18,7 +18,7 @@ import tiny
 
 from tflab.grading import batch, grade
 from tflab.grading.judging.job import Job
-from tflab.grading.judging.pack import read_pack
+from tflab.grading.judging.pack import graded_cases, read_pack
 from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.submissions.remarks import Remark
 
@@ -107,7 +107,7 @@ def test_pages_hold_no_input_no_expected_value_and_no_reference(
 ) -> None:
     pages = "".join(path.read_text(encoding="utf-8") for path in results[0].rglob("*.html"))
     pages += (results[0] / "grades.csv").read_text(encoding="utf-8")
-    cases = read_pack(course.pack).cases[tiny.STEM]["tasks"]
+    cases, _ = graded_cases(course.workbook, tiny.STEM, read_pack(course.pack).seed)
     for task in ("E3.1", "E3.2"):
         for variant in cases[task]["variants"]:
             for case in variant["cases"]:

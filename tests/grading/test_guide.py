@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import tiny
 import yaml
 
 from tflab.clinic.practice import worked_patient
@@ -36,6 +37,7 @@ from tflab.grading.submissions.roster import Learner
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.pages.slides import slides_of
 from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.tasks.library import task_ids
 
 STEM = "11_tools_and_rviz"
 LANGUAGES = ("en", "ko")
@@ -337,10 +339,10 @@ def test_a_learners_copy_holds_no_word_of_the_teaching_files(tmp_path: Path) -> 
     }
     for edition in ("self-study", "class"):
         for language in LANGUAGES:
-            copy_of = lay_out(tmp_path / edition / language, language, edition=edition, cases={})
-            for path in (path for path in copy_of.rglob("*") if path.is_file()):
-                held = path.read_text(encoding="utf-8")
-                assert not [text for text in told if text in held], path
+            copy_of = lay_out(tmp_path / edition / language, language, edition=edition)
+            for name, content in tiny.files_below(copy_of).items():
+                held = content.decode()
+                assert not [text for text in told if text in held], name
             assert not list(copy_of.rglob("*.yaml"))
 
 
@@ -367,14 +369,10 @@ def test_the_plans_show_cells_that_are_there_and_their_minutes_add_up() -> None:
 
 
 def test_every_task_that_is_named_to_a_teacher_is_there() -> None:
-    there = {task for stem in chapters() for task in json.loads(cases_of(stem))["tasks"]}
+    there = {task for stem in chapters() for task in task_ids(workbook_data(), stem)}
     planned = {task for plan in read_plans().values() for part in plan.parts for task in part.tasks}
     in_the_lab = {name for one in teachings_called([]) for row in one.plan for name in row.lab if name.startswith("E")}
     assert planned | in_the_lab <= there
-
-
-def cases_of(stem: str) -> str:
-    return (workbook_data() / "exercises" / "cases" / f"{stem}.json").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize(

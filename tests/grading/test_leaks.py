@@ -6,22 +6,25 @@ import base64
 import json
 import re
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 import pytest
+import tiny
 import yaml
 
-from tflab.grading.judging.pack import learners_cases
-from tflab.workbook.answers.sealed import is_sealed
+from tflab.grading import release as releasing
+from tflab.grading.submissions.roster import Learner
+from tflab.workbook.answers.values import is_raised
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.places import workbook_data
+from tflab.workbook.places import Workbook, chapters, read_workbook, workbook_data
 from tflab.workbook.tasks.blank import BEGIN, regions
-from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.tasks.library import assigned_cases, outlines, task_ids
 
 DATA = workbook_data()
+NUMBERS, PATIENTS = "03_target_and_source", "12_owners_and_diagnosis"
 PICTURES = ("image/png", "image/webp")  # no sentence is in their bytes
 SENTENCE = re.compile(r"(?<=[.?!])\s+|\n")
 SHORTEST = 24  # letters; what is shorter is said by anybody
@@ -59,10 +62,10 @@ def plain(text: str) -> str:
 def all_below(folder: Path) -> str:
     """Return every text in every file of a folder, hidden ones, too."""
     found = []
-    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
-        text = path.read_text(encoding="utf-8")
-        parsed = json.loads(text) if path.suffix in (".ipynb", ".json") else [text]
-        found += [path.name, *texts_in(parsed, *PICTURES)]
+    for name, content in tiny.files_below(folder).items():
+        text = content.decode()
+        parsed = json.loads(text) if Path(name).suffix in (".ipynb", ".json") else [text]
+        found += [Path(name).name, *texts_in(parsed, *PICTURES)]
     return plain("\n".join(found))
 
 
@@ -80,8 +83,8 @@ def cells_of_pages() -> tuple[dict[str, Any], ...]:
 @cache
 def said_to_all() -> str:
     """Return what the pages say to their readers, and `check` to whoever answers."""
-    tasks = [read_cases(path)["tasks"] for path in sorted((DATA / "exercises" / "cases").glob("*.json"))]
-    words = [[task["twins"], task["hints"]] for chapter in tasks for task in chapter.values()]
+    tasks = [task.plain() for stem in chapters() for task in outlines(DATA, stem).values()]
+    words = [[task["twins"], task["hints"]] for task in tasks]
     return plain("\n".join([*("".join(cell["source"]) for cell in cells_of_pages()), *texts_in(words)]))
 
 
@@ -124,14 +127,25 @@ def marked_regions() -> set[str]:
 
 
 @pytest.fixture(scope="module")
-def of_a_class(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """All that a learner of a class is given, in both languages."""
-    paths = sorted((DATA / "exercises" / "cases").glob("*.json"))
-    cases = {path.stem: learners_cases(read_cases(path), None, None) for path in paths}
-    folder = tmp_path_factory.mktemp("class") / "copy"
-    for language in ("en", "ko"):
-        lay_out(folder, language, edition="class", cases=cases)
-    return all_below(folder)
+def class_copies(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folders of two learners of a class, one in each language, with all chapters."""
+
+    def questions_asked(stems: Sequence[str], *_: object, **__: object) -> dict[str, dict[str, list[str]]]:
+        """Name nothing by digests: to compute what all chapters ask takes minutes, and no text depends on it."""
+        return {stem: {task: ["0"] for task in task_ids(DATA, stem)} for stem in stems}
+
+    folder = tmp_path_factory.mktemp("class") / "release"
+    with pytest.MonkeyPatch.context() as fixed:
+        fixed.setattr(releasing, "questions_asked", questions_asked)
+        fixed.setattr(releasing, "_lay_out_guide", lambda *_: None)
+        releasing.release(folder, chapters(), [Learner("s101"), Learner("s102", language="ko")])
+    return folder / "learners"
+
+
+@pytest.fixture(scope="module")
+def of_a_class(class_copies: Path) -> str:
+    """All that learners of a class are given, in both languages."""
+    return all_below(class_copies)
 
 
 @pytest.fixture(scope="module")
@@ -174,29 +188,42 @@ def test_no_copy_says_why_an_option_of_the_test_is_right_or_wrong(copy: str, req
     assert [line for line in sorted(said) if line in request.getfixturevalue(copy)] == []
 
 
-def tasks_as_handed_out() -> Iterator[tuple[str, dict, dict]]:
-    """Yield each task, as tflab has it and as a learner of a class is given it."""
-    for path in sorted((DATA / "exercises" / "cases").glob("*.json")):
-        ours = read_cases(path)
-        theirs = learners_cases(ours, None, None)
-        yield from ((task, ours["tasks"][task], theirs["tasks"][task]) for task in ours["tasks"])
+@pytest.mark.parametrize("copy", ["of_a_class", "own"])
+def test_no_copy_holds_cases(copy: str, request: pytest.FixtureRequest) -> None:
+    text = request.getfixturevalue(copy)
+    assert "E03_target_and_source.ipynb" in text
+    assert [name for name in ('"expected"', '"twins"', '"cases"', "/cases/") if name in text] == []
 
 
-def test_no_value_that_is_asked_for_can_be_read_off_the_cases_of_a_class() -> None:
-    values = [(task, theirs) for task, _, theirs in tasks_as_handed_out() if not theirs["is_function"]]
-    open_ones = [
-        task for task, held in values for case in held["variants"][0]["cases"] if not is_sealed(case["expected"])
-    ]
-    assert len(values) > 40
-    assert open_ones == []
+def test_a_class_copy_holds_exercises_and_pages_and_no_other_file(class_copies: Path) -> None:
+    expected = re.compile(r"(\.tflab/pristine\.zip/)?(exercises|notebooks)/en/\S+\.ipynb")
+    other = {name for name in tiny.files_below(class_copies / "s101") if not expected.fullmatch(name)}
+    assert other == {"workbook.json", ".tflab/lock"}
 
 
-def test_no_patient_that_is_handed_out_names_its_cause() -> None:
-    ours, theirs = next((ours, theirs) for task, ours, theirs in tasks_as_handed_out() if task == "E12.4")
-    patients = theirs["variants"][0]["given"]
-    truth = ours["variants"][0]["cases"][0]["expected"]["dict"]
-    assert len(patients) == 3
-    for letter, packed in patients.items():
+def test_no_number_that_is_asked_for_is_in_a_class_copy(class_copies: Path) -> None:
+    workbook, text = read_workbook(class_copies / "s101"), all_below(class_copies / "s101")
+    assert (workbook.edition, workbook.learner) == ("class", "s101") and workbook.seed
+    tasks = [assigned_cases(DATA, NUMBERS, task, workbook) for task in task_ids(DATA, NUMBERS)]
+    expected = [case.expected for task in tasks for case in task.variants[0].cases if not is_raised(case.expected)]
+    found = {number for one in expected for number in numbers_in(one) if round(number, 2) != number}
+    assert len(found) > 20
+    assert [number for number in sorted(found) if f"{abs(number):.4f}"[:-1] in text] == []
+
+
+def numbers_in(plain: Any) -> Iterator[float]:
+    """Yield every float in JSON."""
+    if isinstance(plain, float):
+        yield plain
+    for inner in plain.values() if isinstance(plain, dict) else plain if isinstance(plain, list) else ():
+        yield from numbers_in(inner)
+
+
+def test_no_patient_that_a_task_gives_names_its_cause() -> None:
+    (variant,) = assigned_cases(DATA, PATIENTS, "E12.4", Workbook()).variants
+    truth = variant.cases[0].expected["dict"]
+    assert len(variant.given) == 3
+    for letter, packed in variant.given.items():
         word = next(iter(packed.values()))
         told = zlib.decompress(base64.b85decode(word)).decode()
         assert len(told) > 1000

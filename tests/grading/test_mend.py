@@ -1,4 +1,4 @@
-"""Does a release that is out take in what was mended, and keep its questions, its points and everybody's answers?"""
+"""Does a release that is out take in what was fixed, and keep its questions, its points and everybody's answers?"""
 
 from __future__ import annotations
 
@@ -9,18 +9,28 @@ from pathlib import Path
 import pytest
 import tiny
 
-from tflab.grading import grade
+from tflab import __version__
+from tflab.grading import check_command, grade
 from tflab.grading import release as releasing
+from tflab.grading.judging import pack as packing
 from tflab.grading.judging.pack import PackError, read_pack
-from tflab.grading.mend import mended_exercise
+from tflab.workbook import check, whole_files
 from tflab.workbook.copy import lab, lay_out
-from tflab.workbook.places import WorkbookError
+from tflab.workbook.places import WorkbookError, read_workbook
 
 MENDED_SOURCE = tiny.SOURCE.replace("## E3.2 · Length", "## E3.2 · Length of the long leg").replace(
     'e3_1 = task("E3.1")', 'e3_1 = task("E3.1")  # two numbers'
 )
 MENDED_TASKS = tiny.TASKS.replace("You subtracted.", "You took one from the other.")
-OTHER_NUMBERS = MENDED_TASKS.replace('"a": float(rng.uniform(1, 5))', '"a": float(rng.uniform(2, 5))')
+OTHER_QUESTIONS = {
+    "numbers": ("E3.1", '"a": float(rng.uniform(1, 5))', '"a": float(rng.uniform(2, 5))'),
+    "inputs": ("E3.2", "for leg in rng.uniform(1, 5, 2)", "for leg in rng.uniform(2, 5, 2)"),
+    "points": ("E3.2", '"E3.2", "F", 4', '"E3.2", "F", 5'),
+    "the name of the answer": ("E3.2", '"length", Number()', '"distance", Number()'),
+    "options": ("E3.3", '("map", "laser_frame"))', '("map", "laser_frame", "odom"))'),
+    "variants": ("E3.1", "variants=5", "variants=6"),
+}
+OTHER_NUMBERS = MENDED_TASKS.replace(*OTHER_QUESTIONS["numbers"][1:])
 ANOTHER_TASK = (
     MENDED_TASKS
     + """
@@ -48,6 +58,10 @@ more = 7
 check("E3.4", more)
 """
 )
+WITHOUT_LAST = (
+    MENDED_SOURCE[: MENDED_SOURCE.index('# %% [markdown] lang="en" name="e3-3"')],
+    MENDED_TASKS[: MENDED_TASKS.index("# -- e3_3.py")],
+)
 NAME = f"exercises/en/E{tiny.STEM}.ipynb"
 
 
@@ -73,17 +87,13 @@ def cells(notebook: dict) -> dict[str, str]:
     return {cell["id"]: "".join(cell["source"]) for cell in notebook["cells"]}
 
 
-def public(course: tiny.Course, learner: str) -> dict:
-    path = course.release / "learners" / learner / "exercises" / "cases" / f"{tiny.STEM}.json"
-    return json.loads(path.read_text(encoding="utf-8"))["tasks"]
-
-
 def everything_below(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_what_was_mended_comes_in_and_answers_seed_roster_stamps_and_questions_stay(out, monkeypatch) -> None:
-    before, asked, stamp = read_pack(out.pack), public(out, "s102"), out.exercise()["metadata"]["tflab"]
+def test_what_was_mended_comes_in_and_answers_seed_roster_stamps_and_questions_stay(out, course, monkeypatch) -> None:
+    before, stamp = read_pack(out.pack), out.exercise()["metadata"]["tflab"]
+    given = course.assigned("s102", "E3.1").variants[0].given
     comes_out(out, monkeypatch)
     assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
     now = read_pack(out.pack)
@@ -93,9 +103,10 @@ def test_what_was_mended_comes_in_and_answers_seed_roster_stamps_and_questions_s
     assert there["e3-2"] == "## E3.2 · Length of the long leg"
     assert there["e3-1-given"] == 'e3_1 = task("E3.1")  # two numbers'
     assert {name: there[name] for name in tiny.RIGHT} == tiny.RIGHT
-    assert public(out, "s102")["E3.1"]["twins"]["subtracted"]["reply"]["en"] == "You took one from the other."
-    for task, held in public(out, "s102").items():
-        assert held["variants"][0]["given"] == asked[task]["variants"][0]["given"]
+    assert now.questions == before.questions
+    task = out.assigned("s102", "E3.1")
+    assert task.twins["subtracted"].reply.en == "You took one from the other."
+    assert task.variants[0].given == given
     assert "긴" not in cells(out.exercise("s101"))["e3-2"]  # the Korean text was not mended
 
 
@@ -107,16 +118,59 @@ def test_an_update_without_anything_new_changes_no_file(out, course, monkeypatch
     assert everything_below(out.release) == before
 
 
-def test_a_task_that_draws_other_numbers_stays_as_it_was_released(out, monkeypatch, capsys) -> None:
-    before, graded = public(out, "s102"), read_pack(out.pack).cases[tiny.STEM]["tasks"]
+@pytest.mark.parametrize("what", OTHER_QUESTIONS)
+def test_an_update_that_would_change_a_question_is_refused_and_changes_nothing(
+    what: str, out, monkeypatch, capsys
+) -> None:
+    task, old, new = OTHER_QUESTIONS[what]
+    assert old in MENDED_TASKS
+    before = everything_below(out.release)
+    comes_out(out, monkeypatch, tasks=MENDED_TASKS.replace(old, new))
+    assert releasing.main([str(out.release), "--update", "--quiet"]) == 2
+    said = capsys.readouterr().err
+    assert f"{task} asks something else in tflab" in said and "Nothing was changed" in said
+    assert said.count("\n") == 1
+    assert everything_below(out.release) == before
+
+
+def test_an_update_without_a_released_task_is_refused_and_changes_nothing(out, monkeypatch) -> None:
+    before = everything_below(out.release)
+    comes_out(out, monkeypatch, *WITHOUT_LAST)
+    with pytest.raises(PackError, match=r"^E3\.3 asks something else"):
+        releasing.update_release(out.release)
+    assert everything_below(out.release) == before
+
+
+def test_grading_with_a_version_that_asks_something_else_is_refused(out, monkeypatch, tmp_path: Path, capsys) -> None:
+    tiny.hand_in(tmp_path / "in", "s102", out.exercise())
     comes_out(out, monkeypatch, tasks=OTHER_NUMBERS)
-    assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
-    assert f"{tiny.STEM}: E3.1 asks something else now, and stays as it was released" in capsys.readouterr().out
-    assert public(out, "s102")["E3.1"] == before["E3.1"]
-    assert read_pack(out.pack).cases[tiny.STEM]["tasks"]["E3.1"] == graded["E3.1"]
-    there = cells(out.exercise())
-    assert there["e3-1-given"] == 'e3_1 = task("E3.1")'
-    assert there["e3-2"] == "## E3.2 · Length of the long leg"
+    words = [str(tmp_path / "in"), "--pack", str(out.pack), "--out", str(tmp_path / "out"), "--quiet"]
+    assert grade.main(words) == 2
+    said = capsys.readouterr().err
+    assert f"E3.1 asks about other values in tflab {__version__} than when it was released" in said
+    assert said.count("\n") == 1
+    assert not (tmp_path / "out" / "results.json").exists()
+
+
+def test_grading_with_a_version_that_lacks_a_chapter_is_refused(out, monkeypatch, tmp_path: Path, capsys) -> None:
+    tiny.hand_in(tmp_path / "in", "s102", out.exercise())
+    comes_out(out, monkeypatch)
+    shutil.rmtree(out.workbook / "solutions" / "tasks" / tiny.STEM)
+    words = [str(tmp_path / "in"), "--pack", str(out.pack), "--out", str(tmp_path / "out"), "--quiet"]
+    assert grade.main(words) == 2
+    said = capsys.readouterr().err
+    assert "there are no tasks in" in said and said.count("\n") == 1
+
+
+def test_check_refuses_a_question_that_is_not_the_one_that_was_handed_out(out, monkeypatch, capsys) -> None:
+    copy = out.copy_of("s102")
+    monkeypatch.chdir(copy)
+    comes_out(out, monkeypatch, tasks=OTHER_NUMBERS)
+    check("E3.1", 7.0)
+    assert "your class got E3.1 from another version of tflab" in capsys.readouterr().out
+    assert check_command.main([str(copy / NAME)]) == 2
+    said = capsys.readouterr().err
+    assert "your class got E3.1 from another version of tflab" in said and said.count("\n") == 1
 
 
 def test_a_new_task_is_no_part_of_a_release_that_is_out(out, monkeypatch, capsys) -> None:
@@ -124,17 +178,9 @@ def test_a_new_task_is_no_part_of_a_release_that_is_out(out, monkeypatch, capsys
     assert releasing.main([str(out.release), "--update", "--quiet"]) == 0
     assert f"{tiny.STEM}: E3.4 is new, and no part of this release" in capsys.readouterr().out
     assert not [name for name in cells(out.exercise()) if name.startswith("e3-4")]
-    assert sum(task["points"] for task in read_pack(out.pack).cases[tiny.STEM]["tasks"].values()) == 8
-
-
-def test_a_task_that_is_gone_stays_where_the_tasks_end() -> None:
-    def notebook(*names: str) -> dict:
-        return {"cells": [{"id": name, "source": name, "cell_type": "code"} for name in names]}
-
-    released = notebook("title", "e3-1", "e3-1-answer", "e3-2", "e3-2-answer", "end")
-    new = notebook("title", "e3-1", "e3-1-answer", "end")
-    made = mended_exercise(released, new, ["E3.1", "E3.2"], ["E3.2"])
-    assert list(cells(made)) == ["title", "e3-1", "e3-1-answer", "e3-2", "e3-2-answer", "end"]
+    graded = read_pack(out.pack).for_learner("s102")[tiny.STEM]["tasks"]
+    assert sum(task["points"] for task in graded.values()) == 8
+    assert list(read_workbook(out.copy_of("s102")).questions) == list(graded)
 
 
 @pytest.mark.parametrize("cut", range(1, 9))
@@ -152,7 +198,7 @@ def test_an_update_that_was_cut_short_loses_nothing_and_is_finished_by_calling_i
         write(path, text)
 
     with monkeypatch.context() as cutting:
-        for module in (lay_out, releasing, __import__("tflab.grading.judging.pack", fromlist=["pack"])):
+        for module in (lay_out, packing, whole_files):
             cutting.setattr(module, "write_whole", write_some)
         with pytest.raises(KeyboardInterrupt):
             releasing.update_release(out.release)
@@ -161,7 +207,7 @@ def test_an_update_that_was_cut_short_loses_nothing_and_is_finished_by_calling_i
     releasing.update_release(out.release)
     for learner in ("s101", "s102"):
         ours, theirs = (everything_below(root / "learners" / learner) for root in (out.release, whole))
-        kept = ("exercises", "notebooks", "workbook.json", ".tflab/pristine")
+        kept = ("exercises", "notebooks", "workbook.json", ".tflab/pristine.zip")
         assert {name: ours[name] for name in theirs if name.startswith(kept)} == {
             name: theirs[name] for name in theirs if name.startswith(kept)
         }
@@ -228,8 +274,8 @@ def test_what_was_not_handed_out_to_this_learner_is_refused(fault: str, out, cou
     if fault == "another learner":
         source = out.release / "learners" / "s101"
     elif fault == "another release":
-        path = source / ".tflab" / "pristine" / NAME
-        path.write_text(path.read_text().replace(read_pack(out.pack).release, "deadbeef"))
+        record = tiny.files_below(source)[f".tflab/pristine.zip/{NAME}"]
+        tiny.change_record(source, NAME, record.replace(read_pack(out.pack).release.encode(), b"deadbeef"))
     elif fault == "no release":
         source = lay_out.lay_out(tmp_path / "own", "en")
     else:

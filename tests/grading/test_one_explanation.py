@@ -9,7 +9,7 @@ import tiny
 
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.marks import judged
-from tflab.grading.judging.pack import read_pack
+from tflab.grading.judging.pack import Pack, read_pack
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
 from tflab.workbook.tasks.case import TaskCases
@@ -17,8 +17,8 @@ from tflab.workbook.verdicts.verdict import judge_outcomes
 
 
 @pytest.fixture(scope="module")
-def cases(course: tiny.Course) -> dict[str, Any]:
-    return read_pack(course.pack).for_learner("s102")
+def pack(course: tiny.Course) -> Pack:
+    return read_pack(course.pack)
 
 
 def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
@@ -30,8 +30,8 @@ def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("language", ["en", "ko"])
-def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(cases: dict, language: str) -> None:
-    task = cases[tiny.STEM]["tasks"]["E3.2"]
+def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(pack: Pack, language: str) -> None:
+    task = pack.for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
     got = {place: task["cases"][number]["twins"]["added"] for place, number in enumerate(asks_of(task))}
     mark = judged("E3.2", task, got)
     held = TaskCases.of_a_learner(task)
@@ -39,5 +39,5 @@ def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(cases: dic
     said = judge_outcomes(held, held.variants[0], outcomes).said.say(language)  # what `check` prints
     assert mark.said.say(language) == said == held.twins["added"].reply.say(language)
     row = mark.plain()
-    assert said in feedback_page(record(language, row), cases, "named")
-    assert said in class_page([record(language, row)], cases, language=language)
+    assert said in feedback_page(record(language, row), pack.titles, "named")
+    assert said in class_page([record(language, row)], language=language)

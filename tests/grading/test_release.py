@@ -12,19 +12,30 @@ import pytest
 import tiny
 
 from tflab.grading import release as releasing
-from tflab.grading.judging.pack import PackError, chapter_cases, learners_cases, read_pack
+from tflab.grading.judging import pack as packing
+from tflab.grading.judging.pack import (
+    POOL,
+    PackError,
+    graded_cases,
+    learners_seed,
+    questions_asked,
+    read_pack,
+    variant_for,
+)
 from tflab.grading.submissions.roster import Learner
-from tflab.workbook.answers.sealed import is_sealed
-from tflab.workbook.places import read_workbook
+from tflab.workbook.answers.forms import Number
+from tflab.workbook.places import Workbook, read_workbook
+from tflab.workbook.tasks import library
+from tflab.workbook.tasks.cases import task_cases
 
 
 def texts_below(folder: Path) -> str:
-    return "\n".join(path.read_text(encoding="utf-8") for path in sorted(folder.rglob("*")) if path.is_file())
+    return "\n".join(content.decode() for content in tiny.files_below(folder).values())
 
 
-def public_cases(course: tiny.Course, learner: str) -> dict:
-    path = course.release / "learners" / learner / "exercises" / "cases" / f"{tiny.STEM}.json"
-    return json.loads(path.read_text(encoding="utf-8"))["tasks"]
+def asked_in(task: dict) -> set[str]:
+    """Return the arguments of every case of a task, as texts."""
+    return {json.dumps(case["args"]) for variant in task["variants"] for case in variant["cases"]}
 
 
 def test_each_learner_has_a_copy_of_the_class_edition_in_their_language(course: tiny.Course) -> None:
@@ -54,7 +65,7 @@ def test_a_stamp_bears_a_seal_that_holds_for_nobody_else_and_nothing_else(course
 def test_the_copy_as_it_was_handed_out_is_stamped_alike(course: tiny.Course) -> None:
     copy = course.release / "learners" / "s102"
     name = f"exercises/en/E{tiny.STEM}.ipynb"
-    assert (copy / name).read_bytes() == (copy / ".tflab" / "pristine" / name).read_bytes()
+    assert (copy / name).read_bytes() == tiny.files_below(copy)[f".tflab/pristine.zip/{name}"]
 
 
 def test_the_exercises_carry_what_nbgrader_reads(course: tiny.Course) -> None:
@@ -70,52 +81,97 @@ def test_nothing_that_is_given_away_holds_the_seed_or_a_hidden_case(course: tiny
     pack = read_pack(course.pack)
     given_away = texts_below(course.release / "learners")
     assert pack.seed not in given_away
-    hidden = [case for variant in pack.cases[tiny.STEM]["tasks"]["E3.2"]["variants"] for case in variant["cases"]]
-    assert len(hidden) >= 3 * 8
-    for case in hidden:
+    hidden = graded_cases(course.workbook, tiny.STEM, pack.seed)[0]["E3.2"]["variants"]
+    cases = [case for variant in hidden for case in variant["cases"]]
+    assert len(cases) >= 3 * 8
+    for case in cases:
         assert str(case["args"][0]) not in given_away
         assert str(case["expected"]) not in given_away
 
 
-def test_the_values_that_are_asked_for_are_sealed_and_so_are_the_mistakes(course: tiny.Course) -> None:
-    for task_id in ("E3.1", "E3.3"):
-        (variant,) = public_cases(course, "s102")[task_id]["variants"]
-        (case,) = variant["cases"]
-        assert is_sealed(case["expected"])
-        assert all(map(is_sealed, case["twins"].values()))
+def test_a_copy_of_a_class_holds_no_cases_and_no_right_answer(course: tiny.Course) -> None:
+    given_away = texts_below(course.copy_of("s102"))
+    assert not [word for word in ('"expected"', '"twins"', '"cases"') if word in given_away]
+    (total,) = course.assigned("s102", "E3.1").variants[0].cases
+    assert str(total.expected)[:6] not in given_away
+    for name, number in course.assigned("s102", "E3.1").variants[0].given.items():
+        assert str(number)[:6] not in given_away, name
+
+
+def test_a_copy_names_what_its_own_variants_ask_and_no_others(course: tiny.Course) -> None:
+    pack = read_pack(course.pack)
+    for learner in ("s101", "s102"):
+        workbook = read_workbook(course.copy_of(learner))
+        assert workbook.seed == learners_seed(pack.seed) != pack.seed
+        assert workbook.questions == {
+            task: digests[variant_for(pack.roster, learner, task, len(digests))]
+            for task, digests in pack.questions[tiny.STEM].items()
+        }
 
 
 def test_a_learner_has_one_variant_and_is_graded_on_it(course: tiny.Course) -> None:
     pack = read_pack(course.pack)
     for learner in ("s101", "s102"):
-        (variant,) = public_cases(course, learner)["E3.1"]["variants"]
+        (variant,) = course.assigned(learner, "E3.1").variants
         graded = pack.for_learner(learner)[tiny.STEM]["tasks"]["E3.1"]
-        assert graded["given"] == variant["given"]
-        assert not is_sealed(graded["cases"][0]["expected"])
+        assert graded["given"] == variant.given
+        assert [case["expected"] for case in graded["cases"]] == [case.expected for case in variant.cases]
 
 
-def test_learners_have_different_variants() -> None:
-    task = {"E3.1": {"is_function": True, "variants": [{"given": number, "cases": []} for number in range(5)]}}
-    roster = {f"s{number}": Learner(f"s{number}") for number in range(30)}
-    got = {
-        learners_cases({"tasks": task}, roster, learner)["tasks"]["E3.1"]["variants"][0]["given"] for learner in roster
-    }
-    assert got == set(range(5))
+def test_learners_have_different_variants(course: tiny.Course) -> None:
+    workbooks = [Workbook(learner=f"s{number}", seed="ab" * 32) for number in range(30)]
+    tasks = [library.assigned_cases(course.workbook, tiny.STEM, "E3.1", workbook) for workbook in workbooks]
+    assert len({task.variants[0].given["a"] for task in tasks}) == 5
+
+
+def test_classes_have_different_numbers(course: tiny.Course) -> None:
+    one, other, public = (
+        library.assigned_cases(course.workbook, tiny.STEM, "E3.1", Workbook(seed=seed)).variants[0].given
+        for seed in ("ab" * 32, "cd" * 32, "")
+    )
+    assert len({one["a"], other["a"], public["a"]}) == 3
 
 
 def test_functions_are_asked_other_inputs_than_the_public_ones(course: tiny.Course) -> None:
-    public = public_cases(course, "s102")["E3.2"]["variants"][0]["cases"]
+    public = course.assigned("s102", "E3.2").variants[0].cases
     hidden = read_pack(course.pack).for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]["cases"]
-    assert not {json.dumps(case["args"]) for case in public} & {json.dumps(case["args"]) for case in hidden}
+    assert not {json.dumps(case.args) for case in public} & {json.dumps(case["args"]) for case in hidden}
+
+
+def test_the_seed_in_a_copy_does_not_give_the_hidden_cases(course: tiny.Course) -> None:
+    """Whoever has a copy can do with its seed whatever tflab does with one."""
+    seed = read_workbook(course.copy_of("s102")).seed
+    hidden = asked_in(graded_cases(course.workbook, tiny.STEM, read_pack(course.pack).seed)[0]["E3.2"])
+    task, solution = (
+        library.tasks_of(course.workbook, tiny.STEM)["E3.2"],
+        library.solution_of(course.workbook, tiny.STEM),
+    )
+    tried = asked_in(graded_cases(course.workbook, tiny.STEM, seed)[0]["E3.2"])
+    for guess in (seed, bytes.fromhex(seed), learners_seed(seed), packing._derived(seed, "hidden")):
+        tried |= asked_in(task_cases(task, guess, solution, fewest_inputs=POOL).plain())
+    assert len(hidden) >= 3 * POOL and len(tried) > 4 * POOL
+    assert not hidden & tried
 
 
 def test_the_cases_depend_on_the_seed_alone(course: tiny.Course) -> None:
-    one, same, other = (
-        chapter_cases(tiny.STEM, seed * 32, course.workbook / "solutions") for seed in ("ab", "ab", "cd")
-    )
+    one, same, other = (graded_cases(course.workbook, tiny.STEM, seed * 32) for seed in ("ab", "ab", "cd"))
     assert one == same
-    assert one[0] != other[0] and one[1] != other[1]
-    assert one[0]["tasks"]["E3.2"] != one[1]["tasks"]["E3.2"]
+    assert one[0]["E3.1"] != other[0]["E3.1"] and one[0]["E3.2"] != other[0]["E3.2"]
+    assert one[1]["E3.1"] != other[1]["E3.1"]
+    assert one[1]["E3.3"] == other[1]["E3.3"]  # where nothing varies
+
+
+def test_a_question_is_the_same_with_another_text_or_tolerance_and_another_with_other_points(
+    course: tiny.Course,
+) -> None:
+    task = course.assigned("s102", "E3.1")
+    (variant,) = task.variants
+    asked = library.question_digest(task, variant)
+    for same in (task._replace(hints=(), twins={}), task._replace(form=Number(unit="m", tolerance=0.5))):
+        assert library.question_digest(same, variant) == asked
+    for other in (task._replace(points=3), task._replace(answer="sum"), task._replace(form=Number(unit="deg"))):
+        assert library.question_digest(other, variant) != asked
+    assert library.question_digest(task, variant._replace(given={"a": 1.0, "b": 7.0})) != asked
 
 
 def test_two_releases_have_nothing_in_common(course: tiny.Course, tmp_path: Path) -> None:
@@ -154,7 +210,7 @@ def test_what_was_interrupted_before_the_pack_was_whole_is_released_anew(course,
         releasing.main([str(tmp_path / "r"), "--quiet"])
     assert releasing.main([str(tmp_path / "r"), "--quiet"]) == 0
     pack = read_pack(tmp_path / "r" / "instructor")
-    assert pack.cases[tiny.STEM] == chapter_cases(tiny.STEM, pack.seed, course.workbook / "solutions")[1]
+    assert pack.questions == questions_asked([tiny.STEM], pack.seed)
 
 
 def test_what_was_interrupted_while_learners_got_theirs_is_finished_by_adding(course, tmp_path, monkeypatch) -> None:
@@ -165,7 +221,7 @@ def test_what_was_interrupted_while_learners_got_theirs_is_finished_by_adding(co
     roster.write_text("id\ns101\ns102\n")
     command = [str(tmp_path / "r"), "--roster", str(roster), "--quiet"]
     with monkeypatch.context() as patch, pytest.raises(KeyboardInterrupt):
-        patch.setattr(releasing, "_stamp", stop)
+        patch.setattr(releasing, "_stamp_of", stop)
         releasing.main(command)
     assert releasing.main([*command, "--add"]) == 0
     for learner in ("s101", "s102"):
@@ -184,13 +240,28 @@ def test_learners_can_be_added_and_nobody_elses_cases_change(course: tiny.Course
     assert tiny.exercise(tmp_path / "r" / "learners" / "b")["metadata"]["tflab"]["learner"] == "b"
 
 
+def test_adding_a_learner_computes_nothing(course: tiny.Course, tmp_path: Path, monkeypatch) -> None:
+    first = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
+
+    def computed(*_: object, **__: object) -> None:
+        raise AssertionError("a case was computed")
+
+    monkeypatch.setattr(packing, "task_cases", computed)
+    monkeypatch.setattr(library, "make_variant", computed)
+    both = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)
+    assert both.questions == first.questions
+    assert read_workbook(tmp_path / "r" / "learners" / "b").questions
+    with pytest.raises(AssertionError):
+        both.compute_cases([tiny.STEM])
+
+
 def test_adding_learners_adds_no_chapter(course: tiny.Course, tmp_path: Path, monkeypatch, capsys) -> None:
     releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
     (tmp_path / "more.csv").write_text("id\nb\n")
     monkeypatch.setattr(releasing.places, "chapters", lambda: [tiny.STEM, "09_later"])
     assert releasing.main([str(tmp_path / "r"), "--add", "--roster", str(tmp_path / "more.csv"), "--quiet"]) == 0
     assert f"for 2 learners: {tiny.STEM}\n" in capsys.readouterr().out
-    assert list(read_pack(tmp_path / "r" / "instructor").cases) == [tiny.STEM]
+    assert read_pack(tmp_path / "r" / "instructor").chapters == [tiny.STEM]
 
 
 def test_adding_to_nothing_is_one_line(tmp_path: Path) -> None:
@@ -232,26 +303,27 @@ def test_a_damaged_pack_is_one_line(tmp_path: Path, text: str) -> None:
     assert "\n" not in str(caught.value)
 
 
-def test_a_chapter_whose_tasks_have_changed_is_not_added_to(
-    course: tiny.Course, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    workbook = tiny.write_tiny_workbook(tmp_path / "workbook")
-    monkeypatch.setenv("TFLAB_WORKBOOK", str(workbook))
-    releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
-    tasks = workbook / "solutions" / "tasks" / tiny.STEM / "draws.py"
-    tasks.write_text(tasks.read_text(encoding="utf-8").replace("uniform(1, 5)", "uniform(1, 4)"), encoding="utf-8")
-    with pytest.raises(PackError, match="have changed"):
-        releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)
-
-
-@pytest.mark.parametrize("gone", ["form", "twins", "variants", "answer", "points"])
+@pytest.mark.parametrize("gone", ["release", "seed", "version", "language", "roster", "questions"])
 def test_a_pack_in_which_something_is_missing_is_one_line(course: tiny.Course, tmp_path: Path, gone: str) -> None:
     pack = shutil.copytree(course.pack, tmp_path / "pack")
-    path = pack / "cases" / f"{tiny.STEM}.json"
-    cases = json.loads(path.read_text(encoding="utf-8"))
-    for task in cases["tasks"].values():
-        del task[gone]
-    path.write_text(json.dumps(cases), encoding="utf-8")
+    held = json.loads((pack / "pack.json").read_text(encoding="utf-8"))
+    del held[gone]
+    (pack / "pack.json").write_text(json.dumps(held), encoding="utf-8")
+    with pytest.raises(PackError, match="damaged"):
+        read_pack(pack)
+
+
+DAMAGED = (
+    3, [], {"03_tiny": []}, {"03_tiny": {}}, {"03_tiny": {"E3.1": 3}}, {"03_tiny": {"E3.1": [3]}},
+    {"03_tiny": {"E3.1": []}}, {"03_other": {"E3.1": ["a"]}},
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("questions", DAMAGED)
+def test_a_pack_whose_questions_are_damaged_is_one_line(course: tiny.Course, tmp_path: Path, questions: object) -> None:
+    pack = shutil.copytree(course.pack, tmp_path / "pack")
+    held = json.loads((pack / "pack.json").read_text(encoding="utf-8"))
+    (pack / "pack.json").write_text(json.dumps(held | {"questions": questions}), encoding="utf-8")
     with pytest.raises(PackError, match="damaged"):
         read_pack(pack)
 

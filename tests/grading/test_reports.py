@@ -23,8 +23,8 @@ from tflab.workbook.words import Words
 
 
 @pytest.fixture(scope="module")
-def cases(course: tiny.Course) -> dict[str, Any]:
-    return read_pack(course.pack).cases
+def titles(course: tiny.Course) -> dict[str, dict[str, Words]]:
+    return read_pack(course.pack).titles
 
 
 def record(learner: str = "s101", twin: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
@@ -44,33 +44,33 @@ def test_mistakes_are_counted_the_most_frequent_first() -> None:
     assert (one.task, one.name, one.misconception, one.count) == ("E3.2", "added", "M1", 2)
 
 
-def test_the_class_page_groups_mistakes_by_what_is_misunderstood(cases: dict) -> None:
-    page = class_page([record(twin="added")] * 3, cases)
+def test_the_class_page_groups_mistakes_by_what_is_misunderstood() -> None:
+    page = class_page([record(twin="added")] * 3)
     assert "target and source swapped (M1): 3" in page
-    korean = class_page([record(twin="added")], cases, language="ko")
+    korean = class_page([record(twin="added")], language="ko")
     assert f"{MISCONCEPTIONS['M1'].ko} 1" in korean
 
 
-def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_leaves_open(cases: dict) -> None:
+def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_leaves_open() -> None:
     refused = Remark("file", file="a.zip: ../x", why=Remark("leads out"))
     wall = (Sandbox("bubblewrap").announce(), *Sandbox("bubblewrap").gaps)
-    page = class_page([], cases, language="ko", wall=wall, remarks=[refused])
+    page = class_page([], language="ko", wall=wall, remarks=[refused])
     assert REASONS["leads out"].ko in page and REASONS["leads out"].en not in page
     assert all(line.ko in page and line.en not in page for line in wall)
 
 
-def test_a_class_of_nobody_has_a_page(cases: dict) -> None:
-    assert "0 graded" in class_page([], cases)
-    assert "1 with nothing to grade" in class_page([record(handed_in=False)], cases)
+def test_a_class_of_nobody_has_a_page() -> None:
+    assert "0 graded" in class_page([])
+    assert "1 with nothing to grade" in class_page([record(handed_in=False)])
 
 
 @pytest.mark.parametrize("level", LEVELS[1:])
 @pytest.mark.parametrize("language", ["en", "ko"])
-def test_what_learners_bring_along_is_escaped(cases: dict, level: str, language: str) -> None:
+def test_what_learners_bring_along_is_escaped(titles: dict, level: str, language: str) -> None:
     evil = "<script>alert(1)</script>\"'&\x00\u202e"
     remark = Remark("unreadable", file=evil, why=evil).plain()
-    page = feedback_page(record(evil, name=evil, language=language, remarks=[remark]), cases, level)
-    page += class_page([record(evil, name=evil, remarks=[remark])], cases)
+    page = feedback_page(record(evil, name=evil, language=language, remarks=[remark]), titles, level)
+    page += class_page([record(evil, name=evil, remarks=[remark])])
     assert "<script" not in page
     assert "\x00" not in page and "\u202e" not in page
 

@@ -4,13 +4,17 @@ from __future__ import annotations
 
 import json
 import re
+import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
 from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
 from tflab.workbook.pages.source import read_page
+from tflab.workbook.places import read_workbook
+from tflab.workbook.tasks.case import TaskCases
 from tflab.workbook.tasks.cases import outline_of
+from tflab.workbook.tasks.library import assigned_cases
 from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_tiny"
@@ -134,7 +138,15 @@ class Course:
 
     def exercise(self, learner: str = "s102") -> dict:
         """Return the exercise as a learner got it."""
-        return exercise(self.release / "learners" / learner, "ko" if learner == "s101" else "en")
+        return exercise(self.copy_of(learner), "ko" if learner == "s101" else "en")
+
+    def copy_of(self, learner: str) -> Path:
+        """The folder that a learner got."""
+        return self.release / "learners" / learner
+
+    def assigned(self, learner: str, task_id: str) -> TaskCases:
+        """Return a task as `check` compares a learner's answer with it."""
+        return assigned_cases(self.workbook, STEM, task_id, read_workbook(self.copy_of(learner)))
 
 
 def write_tasks(folder: Path, text: str) -> Path:
@@ -188,6 +200,30 @@ def own_cell(source: str, identity: str = "mine", kind: str = "code") -> dict:
 def index_of(notebook: dict, identity: str) -> int:
     """Return where a cell is."""
     return next(number for number, cell in enumerate(notebook["cells"]) if cell["id"] == identity)
+
+
+def files_below(folder: Path) -> dict[str, bytes]:
+    """Return every file of a folder by its path; of a zip archive the files in it."""
+    found = {}
+    for path in sorted(path for path in folder.rglob("*") if path.is_file()):
+        name = path.relative_to(folder).as_posix()
+        if path.suffix == ".zip":
+            with zipfile.ZipFile(path) as archive:
+                found |= {f"{name}/{inner}": archive.read(inner) for inner in archive.namelist()}
+        else:
+            found[name] = path.read_bytes()
+    return found
+
+
+def change_record(copy: Path, name: str, content: bytes) -> None:
+    """Write something else for a file in a copy's record of what was handed out."""
+    path = copy / ".tflab" / "pristine.zip"
+    with zipfile.ZipFile(path) as archive:
+        files = {inner: archive.read(inner) for inner in archive.namelist()}
+    assert name in files
+    with zipfile.ZipFile(path, "w") as archive:
+        for inner, held in (files | {name: content}).items():
+            archive.writestr(inner, held)
 
 
 def hand_in(folder: Path, learner: str, notebook: dict | bytes | str, name: str = f"{STEM}.ipynb") -> Path:
