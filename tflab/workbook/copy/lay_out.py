@@ -15,6 +15,7 @@ from __future__ import annotations
 import json
 import re
 import zipfile
+import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -37,6 +38,8 @@ __all__ = [
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine.zip"
 OLD_PRISTINE = HIDDEN / "pristine"  # a folder in copies of the first version
+# whichever bytes of an archive are wrong
+UNREADABLE_ZIP = (OSError, EOFError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error)
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same bytes for the same files
 BACKUPS = HIDDEN / "backups"
 INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure after it stands still
@@ -127,7 +130,8 @@ def update(root: Path, handed_out: Mapping[str, bytes] = {}) -> list[Change]:
                 files = dict(material(language, edition=workbook.edition)) if has_language(root, language) else {}
                 files |= {name: content for name, content in handed_out.items() if _is_in(name, language)}
                 for name, content in files.items():
-                    change = _update_file(root, name, content, pristine, backup, workbook.language)
+                    change = _update_file(root, name, content, pristine.get(name), backup, workbook.language)
+                    pristine[name] = content  # only now: what was cut short before is brought in by the next update
                     if change is not None:
                         changes.append(change)
         finally:
@@ -160,7 +164,7 @@ def read_pristine(root: Path) -> dict[str, bytes]:
     try:
         with zipfile.ZipFile(root / PRISTINE) as archive:
             return {name: archive.read(name) for name in archive.namelist()}
-    except (OSError, zipfile.BadZipFile):
+    except UNREADABLE_ZIP:
         kept = root / OLD_PRISTINE
         files = (path for path in sorted(kept.rglob("*")) if path.is_file() and "cases" not in path.parts)
         return {path.relative_to(kept).as_posix(): path.read_bytes() for path in files}
@@ -270,11 +274,10 @@ def has_language(root: Path, language: str) -> bool:
 
 
 def _update_file(
-    root: Path, name: str, content: bytes, pristine: dict[str, bytes], backup: Path, language: str
+    root: Path, name: str, content: bytes, base: bytes | None, backup: Path, language: str
 ) -> Change | None:
-    """Bring one file and its record up to date; None if nothing had to change."""
-    path, base = root / name, pristine.get(name)
-    pristine[name] = content
+    """Bring one file up to date that was handed out as `base`; None if nothing had to change."""
+    path = root / name
     if not path.exists():
         write_whole(path, content)
         return Change(name, "new")
