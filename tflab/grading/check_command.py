@@ -24,8 +24,9 @@ from tflab import __version__
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.tasks.library import assigned_cases, task_ids
+from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
 from tflab.workbook.tasks.task import TaskError
+from tflab.workbook.verdicts.replies import PHRASES
 from tflab.workbook.words import Words
 
 from .judging.cells import master_of
@@ -125,7 +126,8 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
 
     Raises:
         Unreadable: not a notebook, or of no chapter that is here.
-        WorkbookError: the copy of the workbook that it is in is damaged.
+        WorkbookError: the copy of the workbook that it is in is damaged, or a task asks something else than when it
+            was handed out.
         TaskError: its tasks cannot be computed.
     """
     data = read_bytes(path.resolve())
@@ -195,6 +197,8 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
         if workbook.questions and task_id not in workbook.questions:
             continue
         task = assigned_cases(data, stem, task_id, workbook)
+        if workbook.questions and question_digest(task, task.variants[0]) != workbook.questions[task_id]:
+            raise WorkbookError(PHRASES["other_question"].say(workbook.language, id=task_id, here=__version__))
         held = task.plain()
         tasks[task_id] = {name: part for name, part in held.items() if name != "variants"} | held["variants"][0]
     name = f"exercises/{workbook.language}/{places.exercise_file(stem)}"
