@@ -24,6 +24,7 @@ from typing import Any
 
 from tflab import __version__
 from tflab.core.stamps import seconds_typed
+from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.whole_files import write_whole
 from tflab.workbook.words import Words
 
@@ -70,7 +71,7 @@ def main(words: Sequence[str]) -> int:
         (out / "submissions").mkdir(parents=True, exist_ok=True)
         records, wall = _graded(collection, pack, out, options)
         _write_reports(records, collection, pack, out, options, wall)
-    except (PackError, Unreadable, KernelError, ImportError) as error:
+    except (PackError, TaskError, Unreadable, KernelError, ImportError) as error:
         return _refuse(str(error))
     except KeyboardInterrupt:
         done = len(list((out / "submissions").glob("*.json")))

@@ -64,8 +64,11 @@ class TasksFile(pytest.File):
     def record(self) -> dict[str, Any]:
         """Return the record of grading it."""
         if self._record is None:
+            from tflab.workbook.tasks.task import TaskError
+
             from .batch import grade_job, job_of
             from .judging.apart import stamps
+            from .judging.pack import PackError
             from .judging.submission import graded_twice
             from .kernels.limits import Limits
             from .kernels.take import choose
@@ -77,8 +80,11 @@ class TasksFile(pytest.File):
             ).submissions
             submission = next(submission for submission in found if submission.notebooks)
             hide = (str(Path(self.config.getoption("--tflab-grade")).resolve()),)
-            job, sandbox = job_of(submission, pack, Limits()), choose(hide)
-            self._record = graded_twice(job, partial(grade_job, sandbox=sandbox))
+            try:
+                job = job_of(submission, pack, Limits())
+            except (PackError, TaskError) as error:
+                pytest.fail(f"--tflab-grade: {error}", pytrace=False)
+            self._record = graded_twice(job, partial(grade_job, sandbox=choose(hide)))
         return self._record
 
 
