@@ -162,20 +162,50 @@ def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.Ca
 @pytest.mark.parametrize("text", ["{", "[]", "{}", '{"cells": [1]}'])
 def test_a_damaged_master_is_one_line(copy: Path, capsys: pytest.CaptureFixture, text: str) -> None:
     path = answer(copy, tiny.RIGHT)
-    master = next((copy / ".tflab").rglob(f"E{tiny.STEM}.ipynb"))
-    master.write_text(text)
+    tiny.change_record(copy, f"exercises/en/E{tiny.STEM}.ipynb", text.encode())
     assert main([str(path)]) == 2
     said = capsys.readouterr().err
     assert "is damaged" in said and said.count("\n") == 1
 
 
-def test_damaged_cases_are_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
+@pytest.mark.parametrize("damage", [b"", b"no archive", b"PK\x03\x04"])
+def test_without_a_record_the_installed_exercise_is_the_master(
+    copy: Path, capsys: pytest.CaptureFixture, damage: bytes
+) -> None:
     path = answer(copy, tiny.RIGHT)
-    cases = copy / "exercises" / "cases" / f"{tiny.STEM}.json"
-    cases.write_text(cases.read_text(encoding="utf-8").replace('"form"', '"shape"'), encoding="utf-8")
+    (copy / ".tflab" / "pristine.zip").write_bytes(damage)
+    assert main([str(path)]) == 0
+    assert "8 of 8 points" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("place", range(40, 400, 60))
+def test_a_record_with_a_wrong_byte_is_no_traceback(copy: Path, capsys: pytest.CaptureFixture, place: int) -> None:
+    path, record = answer(copy, tiny.RIGHT), copy / ".tflab" / "pristine.zip"
+    held = bytearray(record.read_bytes())
+    held[place] ^= 0xFF
+    record.write_bytes(held)
+    assert main([str(path)]) in (0, 2)
+    assert capsys.readouterr().err.count("\n") <= 1
+
+
+def test_a_task_that_cannot_be_read_is_one_line(copy: Path, tmp_path: Path, monkeypatch, capsys) -> None:
+    path = answer(copy, tiny.RIGHT)
+    workbook = tiny.write_tiny_workbook(tmp_path / "workbook")
+    (workbook / "solutions" / "tasks" / tiny.STEM / "e3_2.py").write_text("TASK = 1 / 0")
+    monkeypatch.setenv("TFLAB_WORKBOOK", str(workbook))
     assert main([str(path)]) == 2
     said = capsys.readouterr().err
-    assert "are damaged" in said and said.count("\n") == 1
+    assert "e3_2.py cannot be run: ZeroDivisionError" in said and said.count("\n") == 1
+
+
+def test_a_renamed_exercise_is_known_by_its_stamp_and_without_it_by_its_cells(copy: Path, capsys) -> None:
+    path = answer(copy, tiny.RIGHT, "mine")
+    assert main([str(path)]) == 0
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    del notebook["metadata"]["tflab"]
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    assert main([str(path)]) == 0
+    assert capsys.readouterr().out.count("8 of 8 points") == 2
 
 
 def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:

@@ -26,7 +26,6 @@ OTHER_QUESTIONS = {
     "numbers": ("E3.1", '"a": float(rng.uniform(1, 5))', '"a": float(rng.uniform(2, 5))'),
     "inputs": ("E3.2", "for leg in rng.uniform(1, 5, 2)", "for leg in rng.uniform(2, 5, 2)"),
     "points": ("E3.2", '"E3.2", "F", 4', '"E3.2", "F", 5'),
-    "the name of the answer": ("E3.2", '"length", Number()', '"distance", Number()'),
     "options": ("E3.3", '("map", "laser_frame"))', '("map", "laser_frame", "odom"))'),
     "variants": ("E3.1", "variants=5", "variants=6"),
 }

@@ -80,6 +80,19 @@ def test_a_folder_that_is_no_pack_is_refused_in_one_line(course: tiny.Course, tm
     assert "Traceback" not in said
 
 
+def test_a_pack_of_a_version_that_asks_something_else_fails_every_task_in_one_line(
+    course: tiny.Course, tmp_path: Path
+) -> None:
+    path = tiny.hand_in(tmp_path, "s101", tiny.answered(course.exercise("s101")))
+    workbook = tiny.write_tiny_workbook(
+        tmp_path / "workbook", tasks=tiny.TASKS.replace("uniform(1, 5))", "uniform(2, 5))")
+    )
+    said = run_pytest("--tflab-grade", course.pack, path, workbook=workbook)
+    assert re.findall(r"(E3.{1,2}\d) (PASSED|FAILED)", said) == [(task, "FAILED") for task in ("E3.1", "E3.2", "E3.3")]
+    assert "E3.1 asks about other values in tflab" in said
+    assert "Traceback" not in said and "raise " not in said
+
+
 def test_pytest_finds_the_plugin_and_pays_nothing_for_it() -> None:
     project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     assert project["entry-points"]["pytest11"] == {PLUGIN: PLUGIN}
