@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.pages.build import build_pages, sources
+from tflab.workbook.pages.editions import with_figures
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.places import chapters, workbook_data
 from tflab.workbook.tasks.library import tasks_of
@@ -30,7 +31,11 @@ def points_of(stem: str) -> dict[str, int]:
 
 @pytest.mark.parametrize("name", ROOMS)
 def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) -> None:
-    en, ko = (cells_of(ROOT / name.replace("/en/", f"/{language}/")) for language in ("en", "ko"))
+    english, korean = (
+        json.loads((ROOT / name.replace("/en/", f"/{language}/")).read_text()) for language in ("en", "ko")
+    )
+    assert "image/png" not in json.dumps(korean)  # a figure is stored once
+    en, ko = english["cells"], with_figures(korean, english)["cells"]
     assert [(cell["id"], cell["cell_type"]) for cell in en] == [(cell["id"], cell["cell_type"]) for cell in ko]
     for ours, theirs in zip(en, ko, strict=True):
         if ours["cell_type"] == "code":

@@ -24,10 +24,10 @@ from pathlib import Path, PurePosixPath
 
 from tflab import __version__
 
-from ..pages.editions import still_twins, text_of
+from ..pages.editions import still_twins, text_of, with_figures
 from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
-from ..words import Words
+from ..words import LANGUAGES, Words
 from .merge import Merged, merge_notebooks
 
 __all__ = [
@@ -150,13 +150,21 @@ def material(
     """
     data = workbook_data()
     for path in sorted((data / "notebooks" / language).glob("*.ipynb")):
-        page = answers_hidden(path.read_bytes(), language)
+        page = answers_hidden(_page(path, language), language)
         yield f"notebooks/{language}/{path.name}", without_notes(page) if edition == "class" else page
     if handed_out is not None:
         yield from handed_out.items()
     elif edition != "class":
         for path in sorted((data / "exercises" / language).glob("*.ipynb")):
             yield f"exercises/{language}/{path.name}", path.read_bytes()
+
+
+def _page(path: Path, language: str) -> bytes:
+    """Return a page of the workbook, with the figures that are stored with the English one."""
+    page, english = path.read_bytes(), path.parents[1] / LANGUAGES[0] / path.name
+    if language == LANGUAGES[0] or not english.is_file():
+        return page
+    return text_of(with_figures(json.loads(page), json.loads(english.read_bytes()))).encode()
 
 
 def read_pristine(root: Path) -> dict[str, bytes]:

@@ -1,7 +1,7 @@
 """Which notebooks come from one page?  Lecture or solution, English or Korean, and the exercise.
 
     page --run once--+--> lecture_notebook(page, "en", outputs)     notebooks/en, solutions/en
-      |              +--> lecture_notebook(page, "ko", outputs)     the same code, the same outputs
+      |              +--> lecture_notebook(page, "ko", outputs)     the same code, outputs without figures
       +--blank----------> exercise_notebook(page, "en", tasks)      exercises/en: nothing run
 
 A notebook is a plain dict in the shape of nbformat 4.5, and `text_of` writes it the
@@ -19,11 +19,16 @@ from typing import Any
 from ..course.glossary import MARKED, UnknownTerm, expand
 from ..tasks.blank import blank
 from ..tasks.task import slug
+from ..words import LANGUAGES
 from .source import Page, SourceCell
 
-__all__ = ["Outputs", "exercise_notebook", "lecture_notebook", "live_and_still", "still_twins", "task_of", "text_of"]
+__all__ = [
+    "Outputs", "exercise_notebook", "lecture_notebook", "live_and_still", "still_twins", "task_of", "text_of",
+    "with_figures",
+]  # fmt: skip
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
+PNG = "image/png"
 ROLES = ("given", "answer", "check")
 Notebook = dict[str, Any]
 Outputs = Mapping[str, list[dict]]  # cell name -> its outputs
@@ -44,7 +49,9 @@ def lecture_notebook(page: Page, language: str, outputs: Outputs, tasks: Mapping
         if cell.kind == "code" and "interactive" not in cell.tags:
             count += 1
             made["execution_count"] = count
-            made["outputs"] = [_counted(output, count) for output in outputs.get(cell.name, [])]
+            shown = outputs.get(cell.name, [])
+            shown = shown if language == LANGUAGES[0] else map(_without_figure, shown)
+            made["outputs"] = [_counted(output, count) for output in shown]
         cells.append(made)
     return _notebook(page, language, cells)
 
@@ -73,6 +80,21 @@ def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str
                 made["metadata"] |= _task_metadata(cell.name, task, tasks[task].points)
         cells.append(made)
     return _notebook(page, language, cells)
+
+
+def with_figures(page: Notebook, english: Notebook) -> Notebook:
+    """Return a page in another language with the figures of the English one, which are stored once."""
+    outputs = {cell["id"]: cell["outputs"] for cell in english["cells"] if cell["cell_type"] == "code"}
+    for cell in page["cells"]:
+        if cell.get("outputs"):
+            cell["outputs"] = outputs[cell["id"]]
+    return page
+
+
+def _without_figure(output: dict) -> dict:
+    if PNG not in output.get("data", ()):
+        return output
+    return output | {"data": {mime: value for mime, value in output["data"].items() if mime != PNG}}
 
 
 def task_of(name: str, tasks) -> str | None:
@@ -107,7 +129,7 @@ def text_of(notebook: Notebook) -> str:
 
 def _is_figure(cell: Mapping[str, Any]) -> bool:
     """Return whether a cell shows a picture."""
-    return any("image/png" in output.get("data", ()) for output in cell.get("outputs", ()))
+    return any(PNG in output.get("data", ()) for output in cell.get("outputs", ()))
 
 
 def _is_live(cell: Mapping[str, Any]) -> bool:
