@@ -127,7 +127,8 @@ def release(
         for learner in everybody:
             _lay_out_for(folder / LEARNERS, learner, pack, language)
             bar.update()
-    _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
+    if new or not (folder / INSTRUCTOR / GUIDE).is_dir():
+        _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return read_pack(folder / INSTRUCTOR)
 
 

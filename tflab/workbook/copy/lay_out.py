@@ -19,6 +19,7 @@ import zlib
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from io import BytesIO
 from pathlib import Path, PurePosixPath
 
@@ -149,9 +150,9 @@ def material(
     The exercises of a class are what its instructor handed out.
     """
     data = workbook_data()
-    for path in sorted((data / "notebooks" / language).glob("*.ipynb")):
-        page = answers_hidden(_page(path, language), language)
-        yield f"notebooks/{language}/{path.name}", without_notes(page) if edition == "class" else page
+    built = sorted((data / "notebooks" / language).glob("*.ipynb"))
+    for path in built:
+        yield f"notebooks/{language}/{path.name}", _page(path, path.stat().st_mtime_ns, language, edition)
     if handed_out is not None:
         yield from handed_out.items()
     elif edition != "class":
@@ -159,12 +160,14 @@ def material(
             yield f"exercises/{language}/{path.name}", path.read_bytes()
 
 
-def _page(path: Path, language: str) -> bytes:
-    """Return a page of the workbook, with the figures that are stored with the English one."""
+@lru_cache(maxsize=64)  # a class is handed the same pages, one learner after the other
+def _page(path: Path, _mtime_ns: int, language: str, edition: str) -> bytes:
+    """Return a page of a copy, with the figures that are stored with the English one."""
     page, english = path.read_bytes(), path.parents[1] / LANGUAGES[0] / path.name
-    if language == LANGUAGES[0] or not english.is_file():
-        return page
-    return text_of(with_figures(json.loads(page), json.loads(english.read_bytes()))).encode()
+    if language != LANGUAGES[0] and english.is_file():
+        page = text_of(with_figures(json.loads(page), json.loads(english.read_bytes()))).encode()
+    page = answers_hidden(page, language)
+    return without_notes(page) if edition == "class" else page
 
 
 def read_pristine(root: Path) -> dict[str, bytes]:
