@@ -11,6 +11,7 @@ are made, each from a seed of its own.  Chapters are looked at side by side, one
 from __future__ import annotations
 
 import argparse
+import json
 import math
 import random
 import secrets
@@ -20,7 +21,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from functools import partial
-from itertools import chain, product
+from itertools import product
 from pathlib import Path
 from statistics import mean
 from typing import Any, NamedTuple
@@ -28,14 +29,15 @@ from typing import Any, NamedTuple
 from tflab.grading.judging.cells import Master
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.marks import by_case, judged
-from tflab.grading.judging.pack import Pack, chapter_cases, read_pack, usual_of
+from tflab.grading.judging.pack import Pack, questions_asked, read_pack
+from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
-from tflab.workbook.answers.sealed import is_sealed, judge
+from tflab.workbook.answers.sealed import judge
 from tflab.workbook.answers.values import Plain, is_raised
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.places import Workbook, chapters, workbook_data
 from tflab.workbook.tasks.case import TaskCases
-from tflab.workbook.tasks.cases import read_cases
 from tflab.workbook.tasks.evidence import asked_alike, credited, guessed_of, negated, probes_of, share_beyond
+from tflab.workbook.tasks.library import assigned_cases
 
 MOST = 0.05  # of a function's points
 TIMES = 40  # that an answer is drawn by chance
@@ -70,14 +72,13 @@ def main(words: Sequence[str] | None = None) -> int:
     parser.add_argument("--seeds", type=int, default=1)
     options = parser.parse_args(words)
     numbers = options.chapters.split(",") if options.chapters else None
-    root = workbook_data()
-    stems = [stem for stem in chapters(root) if numbers is None or stem[:2] in numbers]
+    stems = [stem for stem in chapters() if numbers is None or stem[:2] in numbers]
     pack = read_pack(options.pack) if options.pack else None
-    stems = [stem for stem in stems if pack is None or stem in pack.cases]
+    stems = [stem for stem in stems if pack is None or stem in pack.chapters]
     print("| task | | points | best without understanding | by chance |\n|---|---|---|---|---|")
     rows = []
     with ProcessPoolExecutor() as processes:
-        look = partial(of_chapter, root=root, pack=pack, learners=options.learners, seeds=options.seeds)
+        look = partial(of_chapter, pack=pack, learners=options.learners, seeds=options.seeds)
         for found in processes.map(look, stems):
             for row in found:
                 what = "function" if row.is_function else "value"
@@ -89,25 +90,23 @@ def main(words: Sequence[str] | None = None) -> int:
     return 1 if above else 0
 
 
-def of_chapter(stem: str, *, root: Path, pack: Pack | None, learners: int, seeds: int = 1) -> list[Row]:
+def of_chapter(stem: str, *, pack: Pack | None, learners: int, seeds: int = 1) -> list[Row]:
     """Return what the best strategy earns in each task of a chapter."""
-    packs = [pack] if pack else [pack_of([stem], root) for _ in range(seeds)]
-    public = read_cases(root / "exercises" / "cases" / f"{stem}.json")["tasks"]
-    packs = [replace(one, cases={name: held for name, held in one.cases.items() if name == stem}) for one in packs]
-    asked = [one.for_learner(f"s{number}")[stem]["tasks"] for one in packs for number in range(learners)]
+    packs = [pack] if pack else [pack_of([stem]) for _ in range(seeds)]
+    names = [f"s{number}" for number in range(learners)]
+    packs = [replace(one, roster={name: Learner(name) for name in names}) for one in packs]
+    asked = [one.for_learner(name, [stem])[stem]["tasks"] for one in packs for name in names]
     rows = []
-    for task_id, task in packs[0].cases.get(stem, {"tasks": {}})["tasks"].items():
+    for task_id, task in asked[0].items():
         who = [tasks[task_id] for tasks in asked]
-        if not task["is_function"]:
-            who = list(chain.from_iterable(variants_of(one.cases[stem]["tasks"][task_id]) for one in packs))
-        rows.append(of_task(task_id, who, shown_in(public[task_id])))
+        shown = shown_in(assigned_cases(workbook_data(), stem, task_id, Workbook()))
+        rows.append(of_task(task_id, who if task["is_function"] else once_each(who), shown))
     return rows
 
 
-def variants_of(task: Mapping[str, Any]) -> list[dict[str, Any]]:
-    """Return a task as the learners of each of its variants have it."""
-    held = {name: held for name, held in task.items() if name != "variants"}
-    return [held | variant | {"usual": usual} for variant, usual in zip(task["variants"], usual_of(task), strict=True)]
+def once_each(who: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Return each variant of a task once."""
+    return list({json.dumps([task["given"], task["cases"]]): task for task in who}.values())
 
 
 def is_above(row: Row) -> bool:
@@ -115,11 +114,11 @@ def is_above(row: Row) -> bool:
     return row.is_function and row.share > MOST
 
 
-def pack_of(stems: Sequence[str], root: Path) -> Pack:
+def pack_of(stems: Sequence[str]) -> Pack:
     """Return a pack of these chapters, as a release would make it, without notebooks."""
     seed = secrets.token_hex(32)
-    graded = {stem: chapter_cases(stem, seed, root / "solutions")[1] for stem in stems}
-    return Pack("guessing", seed, cases=graded, masters={stem: Master(stem, ()) for stem in stems})
+    masters = {stem: Master(stem, ()) for stem in stems}
+    return Pack("guessing", seed, questions=questions_asked(stems, seed), masters=masters)
 
 
 def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Plain]) -> Row:
@@ -164,9 +163,9 @@ def shares_of(task: Mapping[str, Any]) -> Callable[[Outcomes], float]:
     return share
 
 
-def shown_in(task: Mapping[str, Any]) -> list[Plain]:
+def shown_in(task: TaskCases) -> list[Plain]:
     """Return the results that a learner was shown, in their order."""
-    return [case["expected"] for case in task["variants"][0]["cases"] if not is_sealed(case["expected"])]
+    return [case.expected for case in task.variants[0].cases]
 
 
 def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tuple[str, Outcomes]]:
