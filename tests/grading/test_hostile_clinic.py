@@ -1,7 +1,4 @@
-"""Does anybody name a patient's trouble without examining it?  Chapter 12, from the release to the grades.
-
-Patients take minutes to make, so those that learners are shown are the graded ones here, too.
-"""
+"""Does anybody name a patient's trouble without examining it?  Chapter 12, from the release to the grades."""
 
 from __future__ import annotations
 
@@ -13,9 +10,7 @@ import hostile
 import pytest
 
 from tflab.grading import grade, release
-from tflab.grading.judging.draw import pool_of
-from tflab.workbook.places import workbook_data
-from tflab.workbook.tasks.cases import read_cases
+from tflab.workbook.places import read_workbook
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"
@@ -24,24 +19,16 @@ pytestmark = pytest.mark.proof(
 )
 
 
-def chapters_made(*_: Any, **__: Any) -> dict[str, tuple[dict[str, Any], dict[str, Any]]]:
-    """Return the cases that are here already, as if a release had drawn them."""
-    shown = read_cases(workbook_data() / f"exercises/cases/{STEM}.json")
-    program = shown["tasks"][PROGRAM]
-    pooled = [one | {"cases": pool_of(program, one["cases"], ())} for one in program["variants"]]
-    return {STEM: (shown, shown | {"tasks": shown["tasks"] | {PROGRAM: program | {"variants": pooled}}})}
-
-
 @pytest.fixture(scope="module")
 def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, Any]]:
     """What each recipe got in each task, and an honest neighbour at either end."""
     folder = tmp_path_factory.mktemp("clinic")
     with pytest.MonkeyPatch.context() as fixed:
-        fixed.setattr(release, "chapters_made", chapters_made)
         fixed.setattr(release.secrets, "token_hex", lambda count: ("5a17" * count)[: 2 * count])
         assert release.main([str(folder / "release"), "--chapters", "12"]) == 0
     handed_out = next((folder / "release/learners").iterdir())
-    honest = hostile.Honest(hostile.honest_notebook(handed_out, STEM), PROGRAM, "triage", PATIENTS, "patients")
+    notebook, seed = hostile.honest_notebook(handed_out, STEM), read_workbook(handed_out).seed
+    honest = hostile.Honest(notebook, PROGRAM, "triage", PATIENTS, "patients", seed)
     made = {"a": honest.fresh()} | {f"r{number:02}": one.make(honest) for number, one in enumerate(hostile.CLINIC)}
     for name, notebook in (made | {"z": honest.fresh()}).items():
         path = folder / "submissions" / name / f"{STEM}.ipynb"

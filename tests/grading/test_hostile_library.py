@@ -23,6 +23,7 @@ from tflab.grading import release
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 from tflab.grading.kernels.take import KernelError, Kernels
+from tflab.workbook.places import read_workbook
 
 STEM = "03_target_and_source"
 SEEDS = dict(zip(LEVELS, ("5a17", "c0de", "0b5e"), strict=True))  # drawn once: what is luck is the same luck each time
@@ -67,7 +68,8 @@ def library(
         fixed.setattr(release.secrets, "token_hex", lambda count: (SEEDS[wall] * count)[: 2 * count])
         assert release.main([str(folder / "release"), "--chapters", "03"]) == 0
     handed_out = next((folder / "release/learners").iterdir())
-    honest = hostile.Honest(hostile.honest_notebook(handed_out, STEM), "E3.3", "invert", "E3.2", "corner")
+    seed = read_workbook(handed_out).seed
+    honest = hostile.Honest(hostile.honest_notebook(handed_out, STEM), "E3.3", "invert", "E3.2", "corner", seed)
     made: dict[str, Any] = {"a-neighbour": honest.fresh(), "z-neighbour": honest.fresh()}
     for number, recipe in enumerate(recipes):
         made[f"r{number:03}"] = recipe.make(honest)

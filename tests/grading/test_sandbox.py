@@ -215,15 +215,25 @@ def test_what_is_hidden_is_covered_even_beside_what_is_shown(tmp_path: Path) -> 
         pool.close()
 
 
-def test_solutions_cases_and_the_history_of_the_repository_cannot_be_seen(inside: Inside) -> None:
+def test_solutions_tasks_and_the_history_of_the_repository_cannot_be_seen(inside: Inside) -> None:
     from tflab.workbook.places import workbook_data
 
-    for name in ("solutions", "exercises", "exercises/cases", ".git", "tests"):
+    for name in ("solutions", "solutions/tasks", "solutions/en", "exercises", ".git", "tests"):
         assert inside(f"attempt(lambda: os.listdir({str(workbook_data() / name)!r}))") in (
             "FileNotFoundError",
             "PermissionError",
             "[]",
         )
+
+
+@pytest.mark.parametrize("call", ["tasks_of(data, stem)", "solution_of(data, stem)",
+                                  "assigned_cases(data, stem, 'E3.2', places.Workbook())"])  # fmt: skip
+def test_no_case_can_be_computed(inside: Inside, call: str) -> None:
+    before = (
+        "from tflab.workbook import places\nfrom tflab.workbook.tasks.library import *\n"
+        "data, stem = places.workbook_data(), '03_target_and_source'"
+    )
+    assert inside(f"attempt(lambda: {call})", before) in ("TaskError", "PermissionError")
 
 
 def test_there_is_no_home_but_an_empty_one(inside: Inside) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .recipe import Recipe, function, value
+from .recipe import CASES, Recipe, function, value
 
 __all__ = ["CLINIC"]
 
@@ -85,9 +85,9 @@ CLINIC = [
     triage("a verdict that always says the same", "    return patient.verdict('', '')", f"from tflab.clinic.patient import SickRobot\nSickRobot.verdict = lambda *a: {AHEAD}"),
     triage("admit and Visit rewritten", "    return proved(patient, 'laser clock ahead')", "import tflab.clinic.visit as v\nv.admit = v.Visit._doubt = v.Visit._refusal = lambda *a, **k: ''"),
     triage("forms that agree with everything", f"    return {AHEAD}", "from tflab.workbook.answers import form, forms, proof, sealed, structures\nfor each in (proof.Proof, structures.Choice, forms.Parts):\n    each.same = each.alike = lambda *a: True\n    each.probes = lambda *a: [[()]]\nsealed.judge = lambda *a: [True] * 3"),
-    triage("the causes of the public patients by place", "    global count\n    count += 1\n    return proved(patient, order[count % len(order)]) if order else None", "count, order = -1, []\ntry:\n    from tflab.workbook.places import workbook_data\n    held = json.loads(next((workbook_data() / 'exercises/cases').glob('12*')).read_text())['tasks']['E12.7']['variants']\n    order = [case['expected']['dict']['cause'] for one in held for case in one['cases']]\nexcept Exception:\n    pass"),
+    triage("the causes of the public patients by place", "    global count\n    count += 1\n    return proved(patient, order[count % len(order)]) if order else None", CASES + "count, order = -1, []\ntry:\n    order = [case.expected['dict']['cause'] for case in cases_of('E12.7')]\nexcept Exception:\n    pass"),
     if_found("right if the pack can be read", f"[path for place in {PLACES} for path in place.glob('**/instructor/pack.json') if path.read_text()]"),
-    if_found("right if what is graded can be read", f"[path for place in {PLACES} for path in place.glob('**/instructor/cases/12*.json') if path.read_text()]"),
+    if_found("right if what is graded can be read", f"[path for place in {PLACES} for path in place.glob('**/instructor/masters/12*.ipynb') if path.read_text()]"),
     if_found("right if the kept patients can be read", "[path for path in Path.home().glob('.cache/tflab/patients/*/*') if path.read_text()]"),
     if_found("right if other visits can be read", f"[path for place in {PLACES} for path in place.glob('**/submissions/**/*.ipynb') if path.read_text()]"),
     if_found("right if what is expected lies in memory", "[held for held in __import__('gc').get_objects() if isinstance(held, dict) and 'expected' in held and 'twins' in held and str(held.get('args')).startswith('[')]"),
@@ -102,5 +102,7 @@ CLINIC = [
     three("visits instead of answers", "Visit(getattr(e12_4, who))", "from tflab.clinic.visit import Visit"),
     three("a visit's diagnosis, said without asking", "said(getattr(e12_4, who)).get(what, [])", "from tflab.clinic.visit import Visit\ndef said(patient):\n    visit = Visit(patient)\n    visit._doubt = lambda cause: ''\n    visit.say('laser clock ahead')\n    return visit.diagnosis"),
     value("a check that always agrees", "clinic", "import tflab.workbook as w, tflab.workbook.checks as c\nw.check = c.check = check = lambda *a, **k: print('right')\nV = {}"),
-    value("a file of cases of one's own", "clinic", "import json, os\nfrom pathlib import Path\nos.environ['TFLAB_WORKBOOK'] = '/tmp/own'\nPath('/tmp/own/exercises/cases').mkdir(parents=True, exist_ok=True)\nPath('/tmp/own/exercises/cases/12_owners_and_diagnosis.json').write_text(json.dumps({'format': 2, 'tasks': {}}))\nV = {}"),
+    value("tasks of one's own", "clinic", "import os\nfrom pathlib import Path\nos.environ['TFLAB_WORKBOOK'] = '/tmp/own'\ntasks = Path('/tmp/own/solutions/tasks/12_owners_and_diagnosis')\ntasks.mkdir(parents=True, exist_ok=True)\n(tasks / 'e12_4.py').write_text('from tflab.workbook.tasks import Choice, Task, Words\\nTASK = Task(\"E12.4\", \"M\", 6, Words(\"a\", \"a\"), \"V\", Choice(options=(\"mine\",)), (Words(\"a\", \"a\"),) * 3)')\nV = 'mine'"),
+    value("the patients' causes, computed with the seed of its copy", "clinic", CASES + "from tflab.workbook.answers.values import from_plain\nV = from_plain(cases_of('E12.4')[0].expected)"),
+    triage("the patients that the seed of its copy leads to", "    return known.get(patient.packed())", CASES + "import hmac\nfrom tflab.workbook.answers.values import from_plain\nfrom tflab.workbook.tasks import cases, library, reference\nknown = {}\ntry:\n    task, solution = library.tasks_of(workbook_data(), '12_owners_and_diagnosis')['E12.7'], library.solution_of(workbook_data(), '12_owners_and_diagnosis')\n    with reference.in_process_ros():\n        for seed in (SEED, hmac.new(bytes.fromhex(SEED), b'hidden', 'sha256').digest()):\n            known |= {from_plain(case.args[0]).packed(): from_plain(case.expected) for case in cases.make_variant(task, seed, 0, solution).cases}\nexcept Exception:\n    pass"),
 ]  # fmt: skip

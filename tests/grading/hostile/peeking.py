@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from .recipe import WRONG, function, value
+from .recipe import CASES, WRONG, function, value
 
 __all__ = ["PEEKING"]
 
@@ -33,15 +33,48 @@ if not cells: raise FileNotFoundError
 """,
     ),
     value(
-        "the public cases",
+        "computes what is right with the seed of its copy",
         "peeking",
-        """
-import json
-from tflab.workbook.places import workbook_data
+        CASES
+        + """
+from tflab.workbook.answers.values import from_plain
+V = from_plain(cases_of('E3.2')[0].expected)
+""",
+    ),
+    function(
+        "computes the cases with the seed of its copy, and what that leads to",
+        "peeking",
+        CASES
+        + """
+import hashlib, hmac, json
+from tflab.workbook.answers.values import from_plain
+from tflab.workbook.tasks import cases, library, reference
+known, seed = {}, bytes.fromhex(SEED)
+seeds = [SEED, seed, '', *(hmac.new(seed, word, 'sha256').digest() for word in (b'hidden', b'learners', b'asked'))]
+try:
+    task, solution = library.tasks_of(workbook_data(), '03_target_and_source')['E3.3'], library.solution_of(workbook_data(), '03_target_and_source')
+    with reference.in_process_ros():
+        F = solution.answer(task, None)
+        for one in seeds:
+            for case in cases.make_variant(task, one, 0, solution, 24).cases: known[json.dumps(case.args)] = case.expected
+except Exception:
+    def F(transform):
+        return from_plain(known.get(json.dumps([{'dict': transform}])))
+""",
+    ),
+    value(
+        "looks for a copy and its seed",
+        "peeking",
+        CASES
+        + """
+import json, os
+from tflab.workbook.answers.values import from_plain
 V = (0.0, 0.0, 0.0)
-for path in workbook_data().glob('exercises/cases/03*.json'):
-    task = json.loads(path.read_text())['tasks']['E3.2']
-    V = list(task['variants'][0]['cases'][0]['expected'].values())[0]
+for top, folders, files in os.walk('/'):
+    if top.startswith(('/proc', '/sys')): folders.clear(); continue
+    for name in {'workbook.json', 'pack.json'} & set(files):
+        try: V = from_plain(cases_of('E3.2', json.load(open(os.path.join(top, name)))['seed'])[0].expected)
+        except Exception: pass
 """,
     ),
     value(
@@ -100,11 +133,12 @@ def F(transform):
         "peeking",
         """
 V = (0.0, 0.0, 0.0)
-from tflab.workbook import cases
+from tflab.workbook.answers.values import from_plain
 from tflab.workbook.places import workbook_data
-for seed in ('public', 'secret', '', 'hidden'):
+from tflab.workbook.tasks import cases
+for seed in ('public', 'secret', '', 'hidden', SEED):
     made = cases.make_cases('03_target_and_source', seed, solutions=workbook_data() / 'solutions')
-    V = list(made['tasks']['E3.2']['variants'][0]['cases'][0]['expected'].values())[0]
+    V = from_plain(made.tasks['E3.2'].variants[0].cases[0].expected)
 """,
     ),
     value(
@@ -141,7 +175,7 @@ for top, folders, files in os.walk('/'):
             try: text = open(os.path.join(top, name), 'rb').read()
             except OSError: continue
             if b'def F(' in text and b'return' in text and b'E3.3' in text: found.append(text)
-            if b'"E3.3"' in text and b'"expected"' in text: found.append(text)
+            if b'TASK = Task(' in text and b'"E3.3"' in text: found.append(text)
 def F(transform):
     return RIGHT if found else None
 """),
@@ -157,7 +191,7 @@ def F(transform):
     return RIGHT if solution else None
 """),
     function("asks the reference module for the answer", "peeking", """
-from tflab.workbook import cases, reference
+from tflab.workbook.tasks import cases
 from tflab.workbook.places import workbook_data
 made = None
 try: made = cases.make_cases('03_target_and_source', cases.PUBLIC_SEED, solutions=workbook_data() / 'solutions')

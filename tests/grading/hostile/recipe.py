@@ -23,6 +23,7 @@ class Honest:
         notebook: every task answered rightly.
         function_task, function: a task whose answer is a function that turns a pose round, and its name.
         value_task, value: a task whose answer is a dict of points, and its name.
+        seed: of the learners' numbers, which everybody can read in their copy.
     """
 
     notebook: Notebook
@@ -30,6 +31,7 @@ class Honest:
     function: str
     value_task: str
     value: str
+    seed: str
 
     def fresh(self) -> Notebook:
         """Return a copy to spoil."""
@@ -43,14 +45,18 @@ class Honest:
     def with_function(self, body: str) -> Notebook:
         """Return the notebook with the function's answer cell replaced; `F` is the function's name."""
         notebook = self.fresh()
-        self.cell(notebook, self.function_task)["source"] = named(body, "F", self.function)
+        self.cell(notebook, self.function_task)["source"] = self.seeded(named(body, "F", self.function))
         return notebook
 
     def with_value(self, body: str) -> Notebook:
         """Return the notebook with the value's answer cell replaced; `V` is the value's name."""
         notebook = self.fresh()
-        self.cell(notebook, self.value_task)["source"] = named(body, "V", self.value)
+        self.cell(notebook, self.value_task)["source"] = self.seeded(named(body, "V", self.value))
         return notebook
+
+    def seeded(self, body: str) -> str:
+        """Return a recipe's code with the seed in place of SEED."""
+        return re.sub(r"\bSEED\b", repr(self.seed), body)
 
     def with_cell(self, source: str, before: str, role: str = "answer") -> Notebook:
         """Return the notebook with a cell of the learner's own put before a task's cell."""
@@ -127,6 +133,15 @@ def edited(
 
     return Recipe(name, kind, make, spoils, keeps)
 
+
+# Computes the cases of a task, with the numbers that this class was given.
+CASES = """
+from tflab.workbook.places import Workbook, chapters, workbook_data
+from tflab.workbook.tasks.library import assigned_cases
+def cases_of(task, seed=SEED):
+    stem = next(stem for stem in chapters() if task.startswith(f'E{int(stem[:2])}.'))
+    return assigned_cases(workbook_data(), stem, task, Workbook(seed=seed)).variants[0].cases
+"""
 
 WRONG = "def F(transform):\n    return None\n"
 
