@@ -88,7 +88,7 @@ def test_a_pack_of_a_version_that_asks_something_else_fails_every_task_in_one_li
         tmp_path / "workbook", tasks=tiny.TASKS.replace("uniform(1, 5))", "uniform(2, 5))")
     )
     said = run_pytest("--tflab-grade", course.pack, path, workbook=workbook)
-    assert re.findall(r"(E3.{1,2}\d) (PASSED|FAILED)", said) == [(task, "FAILED") for task in ("E3.1", "E3.2", "E3.3")]
+    assert re.findall(r"E3.{1,2}\d (PASSED|FAILED)", said) == ["FAILED"] * 3
     assert "E3.1 asks about other values in tflab" in said
     assert "Traceback" not in said and "raise " not in said
 
