@@ -14,6 +14,7 @@ from tflab.workbook.places import read_workbook
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"
+SEED = "c0de"  # of a class in which no patient has what the recipes name: by chance one in six would
 pytestmark = pytest.mark.proof(
     reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]
 )
@@ -24,7 +25,7 @@ def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, An
     """What each recipe got in each task, and an honest neighbour at either end."""
     folder = tmp_path_factory.mktemp("clinic")
     with pytest.MonkeyPatch.context() as fixed:
-        fixed.setattr(release.secrets, "token_hex", lambda count: ("5a17" * count)[: 2 * count])
+        fixed.setattr(release.secrets, "token_hex", lambda count: (SEED * count)[: 2 * count])
         assert release.main([str(folder / "release"), "--chapters", "12"]) == 0
     handed_out = next((folder / "release/learners").iterdir())
     notebook, seed = hostile.honest_notebook(handed_out, STEM), read_workbook(handed_out).seed
