@@ -2,15 +2,9 @@
 
 import json
 import re
-import subprocess
-import sys
 from dataclasses import replace
-from importlib.metadata import packages_distributions, requires
-from pathlib import Path
 
 import pytest
-from packaging.requirements import Requirement
-from packaging.utils import canonicalize_name
 
 from tflab.bags.reader import read_bag
 from tflab.bags.record import BagWriter
@@ -29,19 +23,6 @@ from tflab.robots.teaching import TeachingRobot
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
-
-DOCS = Path(__file__).parents[2] / "docs" / "doctor.md"
-WITHOUT = """
-import sys
-missing = sys.argv.pop(1).split()
-class Finder:
-    def find_spec(name, path=None, target=None):
-        if name.partition(".")[0] in missing:
-            raise ModuleNotFoundError(name, name=name)
-sys.meta_path.insert(0, Finder)
-from tflab.cli import main
-sys.exit(main())
-"""
 
 
 def write(path, records):
@@ -94,30 +75,6 @@ def test_json_is_the_same_report(broken, capsys):
     assert finding["code"] == "zero-quaternion" and finding["faults"] == ["zero-quaternion"]
     assert finding["facts"]["count"] > 0 and finding["command"].startswith("ros2")
     assert data["checks_made"] and data["checks_not_made"] == []
-
-
-def test_what_the_docs_install_on_a_robot_is_enough_for_the_report_as_text_and_json(broken):
-    (line,) = re.findall(r"`pip install ((?!--)[^`]+)`", DOCS.read_text(encoding="utf-8"))
-    there = with_what_they_need({"tflab"}, line.split())
-    owners = packages_distributions().items()
-    missing = [module for module, names in owners if there.isdisjoint(canonicalize_name(name) for name in names)]
-    assert {"matplotlib", "IPython", "ipywidgets", "nbformat"} <= set(missing)
-    for words in ([], ["--json"]):
-        program = [sys.executable, "-c", WITHOUT, " ".join(missing), "doctor", str(broken), *words]
-        done = subprocess.run(program, capture_output=True, text=True)
-        assert (done.returncode, done.stderr) == (1, "")
-        assert "zero-quaternion" in done.stdout if words else "has rotations of (0, 0, 0, 0)" in done.stdout
-
-
-def with_what_they_need(alone, names):
-    """Return the distributions that pip would install, and those that come without any others."""
-    there, to_look_at = set(alone), [canonicalize_name(name) for name in names]
-    while to_look_at:
-        name = to_look_at.pop()
-        needed = [] if name in there else map(Requirement, requires(name) or [])
-        to_look_at += [canonicalize_name(one.name) for one in needed if not one.marker or one.marker.evaluate()]
-        there.add(name)
-    return there
 
 
 def test_the_page_holds_its_pictures_and_asks_nobody(broken, tmp_path, capsys):
