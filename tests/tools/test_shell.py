@@ -165,7 +165,7 @@ def test_help_loads_no_room():
         "print(sorted(name for name in sys.modules if 'tflab' in name))"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    assert out.splitlines()[-1] == "['tflab', 'tflab.cli']"
+    assert out.splitlines()[-1] == "['tflab', 'tflab.cli', 'tflab.extras']"
 
 
 def test_a_reader_that_has_gone_is_no_fault(talker):
