@@ -32,7 +32,6 @@ from tflab.grading.judging.marks import by_case, judged
 from tflab.grading.judging.pack import Pack, questions_asked, read_pack
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
-from tflab.workbook.answers.sealed import judge
 from tflab.workbook.answers.values import Plain, is_raised
 from tflab.workbook.places import Workbook, chapters, workbook_data
 from tflab.workbook.tasks.case import TaskCases
@@ -143,7 +142,7 @@ def of_task(task_id: str, asked: Sequence[Mapping[str, Any]], shown: Sequence[Pl
 def share_of(task_id: str, task: Mapping[str, Any], form: Form, outcomes: Outcomes) -> float:
     """Return which share of its points a task gives for outcomes; where nothing fits, nothing, at once."""
     asks = asks_of(task)
-    fits = any(any(judge(form, outcomes[place], task["cases"][case]["expected"])) for place, case in enumerate(asks))
+    fits = any(any(form.judge(outcomes[place], task["cases"][case]["expected"])) for place, case in enumerate(asks))
     return judged(task_id, task, outcomes).points / float(task["points"]) if fits else 0.0
 
 
@@ -155,7 +154,7 @@ def shares_of(task: Mapping[str, Any]) -> Callable[[Outcomes], float]:
 
     def share(outcomes: Outcomes) -> float:
         got, _ = by_case(held, asks, outcomes)
-        rights = [judge(form, outcome, case.expected) for outcome, case in zip(got, cases, strict=True)]
+        rights = [form.judge(outcome, case.expected) for outcome, case in zip(got, cases, strict=True)]
         if not any(map(any, rights)):
             return 0.0
         return share_beyond(sum(map(sum, credited(form, cases, got, rights))), of, guessed)
@@ -278,7 +277,7 @@ def chance(form: Form, expected: Plain) -> float:
     """Return which share of the points options give by chance; of anything else nothing."""
     if isinstance(form, Parts):
         return mean(chance(part, expected["dict"][name]) for name, part in form.parts.items())
-    fits = [all(judge(form, word, expected)) for word in form.options] if isinstance(form, Choice) else []
+    fits = [form.same(word, expected) for word in form.options] if isinstance(form, Choice) else []
     return mean(fits) if fits else 0.0
 
 

@@ -17,7 +17,6 @@ import ast
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from ..answers import sealed
 from ..answers.values import from_plain, outcome_of
 from .case import TaskCases, Variant
 from .cases import CasesError
@@ -133,7 +132,7 @@ def _passes(task: Task, variant: Variant, solution: Solution, mutant: Mutant) ->
         return False
     for case in variant.cases:
         outcome = outcome_of(answer, case.args) if case.args is not None else outcome_of(lambda: answer, ())
-        if not all(sealed.judge(task.form, outcome, case.expected)):
+        if not task.form.same(outcome, case.expected):
             return False
     return True
 

@@ -7,7 +7,6 @@ import pytest
 from tflab.core import LookupException
 from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
-from tflab.workbook.answers.sealed import seal
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.tasks.case import Case
 from tflab.workbook.tasks.evidence import (
@@ -212,12 +211,7 @@ FOUR_OF_SIX = {"a": "yes", "b": "yes", "c": "yes", "d": "yes", "e": "no", "f": "
 def passed_of(right, answer, form=YES_NO):
     case = Case(None, to_plain(right), {})
     task, variant = bare(Parts(dict.fromkeys(right, form)), case)
-    sealed_case = case._replace(expected=seal(task.form, case.expected, "salt"))
-    counts = {
-        judge_outcomes(task, variant._replace(cases=(one,)), [to_plain(answer)]).passed for one in (case, sealed_case)
-    }
-    assert len(counts) == 1  # a learner's own check says what grading says
-    return counts.pop()
+    return judge_outcomes(task, variant, [to_plain(answer)]).passed
 
 
 @pytest.mark.parametrize(

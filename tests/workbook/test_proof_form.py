@@ -1,8 +1,7 @@
-"""A proof as an answer: judged without knowing the diagnosis, sealed like any other."""
+"""A proof as an answer: judged without knowing the diagnosis."""
 
 from tflab.clinic.proof import flaw_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
-from tflab.workbook.answers import sealed
 from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.tasks.case import Case
@@ -27,13 +26,6 @@ def test_guesses_shotguns_and_echoes_are_no_proof():
 
 def test_whoever_claims_another_suspect_proves_that_one():
     assert FORM.judge(["odometry slow", ["hz /odom"]], EXPECTED) == [False]
-
-
-def test_a_sealed_proof_tells_no_suspect():
-    kept = sealed.seal(FORM, EXPECTED, "salt")
-    assert "laser" not in str(kept)
-    assert sealed.judge(FORM, ["delay /scan"], kept) == [True]
-    assert sealed.judge(FORM, ["hz /odom"], kept) == [False]
 
 
 def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():

@@ -22,7 +22,6 @@ from typing import Any
 from tflab import __version__
 
 from . import progress
-from .answers import sealed
 from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
@@ -181,7 +180,7 @@ def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:
     form, cases = assigned.cases.form, assigned.variant.cases
     if assigned.cases.is_function or not isinstance(form, Parts) or not outcomes:
         return []
-    right = sealed.judge(form, outcomes[0], cases[0].expected)
+    right = form.judge(outcomes[0], cases[0].expected)
     counts = beyond_one_word(form, outcomes[0], cases[0].expected, right)
     return [name for name, *earned in zip(form.parts, right, counts, strict=True) if earned == [True, False]]
 

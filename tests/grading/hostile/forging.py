@@ -17,9 +17,8 @@ FORGING = [
         "forging",
         WRONG
         + """
-import tflab.workbook.answers.form, tflab.workbook.answers.sealed
+import tflab.workbook.answers.form
 tflab.workbook.answers.form.Form.judge = lambda *a: [True] * 6
-tflab.workbook.answers.sealed.judge = lambda *a: [True] * 6
 """,
     ),
     function(

@@ -16,7 +16,6 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.workbook.answers.forms import Form
-from tflab.workbook.answers.sealed import judge
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case import TaskCases, TwinWords
@@ -143,7 +142,7 @@ def by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -
     unsteady = [
         number
         for number, (case, answers) in enumerate(zip(cases, heard, strict=True))
-        if len(answers) > 1 and len({tuple(judge(task.form, answer, case.expected)) for answer in answers}) > 1
+        if len(answers) > 1 and len({tuple(task.form.judge(answer, case.expected)) for answer in answers}) > 1
     ]
     for number in unsteady:
         got[number] = MISSING

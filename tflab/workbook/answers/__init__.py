@@ -10,7 +10,6 @@
     telling        a check that tells two suspects apart
     forms          all of them together
     alike          which of many answers are the same
-    sealed         a right answer that cannot be read: a salted hash
     showing        an answer in words
 
 Start with `values.py`; each page names the next.

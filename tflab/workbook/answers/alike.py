@@ -10,7 +10,7 @@ before it.  Only what all ways of writing an answer share decides (of a quaterni
 its negative, how large each number is), so nothing is called different here that the
 form would call the same.
 
-Read `sealed.py` next.
+Read `showing.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,7 @@ rows, and one that fits is enough.  Nothing here runs a stranger's code.
 
     answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
 
-This page holds what all forms share, and numbers in space; choices, messages and
-lists are next.  Read `structures.py` next.
+This page holds what all forms share, and numbers in space.  Read `structures.py` next.
 """
 
 from __future__ import annotations
@@ -38,6 +37,7 @@ __all__ = [
     "Row",
     "Vector",
     "inside",
+    "is_given",
     "is_number",
     "matched",
     "member",
@@ -99,7 +99,7 @@ class Form:
 
     def has(self, answer: Plain, wanted: list[Probe]) -> list[bool]:
         """Return for each of these probes whether `answer` has it."""
-        return matched(self.read(answer), wanted, _is_given, self.in_any_order)
+        return matched(self.read(answer), wanted, is_given, self.in_any_order)
 
     def same(self, answer: Plain, expected: Plain) -> bool:
         """Return whether `answer` has every probe of `expected`."""
@@ -123,9 +123,9 @@ class Form:
             if given is None or len(given) != len(wanted):
                 return False
             if not self.in_any_order:
-                return all(map(_is_given, given, wanted))  # up to the first that differs
-            is_there = (any(_is_given(probe, right) for probe in given) for right in wanted)
-            return given == wanted or (all(is_there) and all(matched(given, wanted, _is_given, True)))
+                return all(map(is_given, given, wanted))  # up to the first that differs
+            is_there = (any(is_given(probe, right) for probe in given) for right in wanted)
+            return given == wanted or (all(is_there) and all(matched(given, wanted, is_given, True)))
 
         return is_alike
 
@@ -383,7 +383,7 @@ def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> P
     return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
 
 
-def _is_given(given: Probe, wanted: Probe) -> bool:
+def is_given(given: Probe, wanted: Probe) -> bool:
     """Return whether one way to write it is what is wanted; what could not be read fits nothing."""
     return bool(wanted) and any(_fits(row, wanted[0]) for row in given)
 

@@ -18,7 +18,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ..words import Words
-from .form import Form, Mark, Probe, inside, pose_of
+from .form import Form, Mark, Probe, inside, is_given, pose_of
 from .structures import as_one
 from .values import Plain
 
@@ -109,6 +109,12 @@ class Tree(Form):
 
     def wanted(self) -> Words:
         return Words(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
+
+
+def belonging(form: Set | Tree, answer: Plain, expected: Plain) -> list[bool]:
+    """Return for each member of an answer whether it is among those of `expected`."""
+    wanted = form.read(expected) or []
+    return [any(is_given(probe, right) for right in wanted) for probe in form.read(answer) or []]
 
 
 def members_of(plain: Plain) -> list[Plain] | None:

@@ -5,7 +5,7 @@
     ("laser clock ahead", ["delay /scan"])   the same, for this suspect alone
 
 The form turns a list into the suspects that it would prove, each a row; which of
-them is the true one is nowhere in it, so what is expected can be sealed.  In a dict
+them is the true one is nowhere in it.  In a dict
 a list proves the cause that is named beside it, or nothing: some lists prove two of
 three, whoever looked at the robot.  What is said of a list that proves nothing is
 true whatever the patient has.

@@ -14,7 +14,6 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
-from ..answers import sealed
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Number
 from ..answers.values import Plain
@@ -69,7 +68,7 @@ def followers(
     forms: dict[str, Form], given: dict[str, list[Plain]], wanted: dict[str, list[Plain]], wrong: set[str]
 ) -> dict[str, str]:
     """Return the wrong parts of a value that come of two before them as they have to, and which of those is wrong."""
-    if any(len(row) > 1 or sealed.is_sealed(row[0]) for row in wanted.values()):
+    if any(len(row) > 1 for row in wanted.values()):
         return {}
     names = [name for name, form in forms.items() if isinstance(form, Number | Angle)]
     found: dict[str, str] = {}

@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
@@ -59,8 +58,8 @@ def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
 
 
 def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Word]:
-    """Return each word on its own; nothing if lists differ in length, or something is no answer or sealed."""
-    if any(sealed.is_sealed(case.expected) or is_raised(case.expected) for case in cases):
+    """Return each word on its own; nothing if lists differ in length, or something is no answer."""
+    if any(is_raised(case.expected) for case in cases):
         return []
     found = []
     for case, outcome in zip(cases, outcomes, strict=True):

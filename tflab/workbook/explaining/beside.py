@@ -15,7 +15,7 @@ from itertools import combinations
 
 from ..answers.form import Form
 from ..answers.values import Plain
-from ..mistakes.fitting import alike, gives_what_is_right, is_just
+from ..mistakes.fitting import alike, is_just
 
 __all__ = ["side_by_side"]
 
@@ -46,7 +46,7 @@ def _calls(marks: Iterator[bool]) -> int:
 
 def _shown(is_alike: Callable[[Plain, Plain], bool], expected: Sequence[Plain], row: Sequence[Plain]) -> int:
     """Return the calls in which what a slip gives is not what is right."""
-    return _calls(not gives_what_is_right(is_alike, *pair) for pair in zip(row, expected, strict=True))
+    return _calls(not is_alike(*pair) for pair in zip(row, expected, strict=True))
 
 
 def _covers(shows: dict[str, int], chosen: tuple[str, ...], wrong: int) -> bool:

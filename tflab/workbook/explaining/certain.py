@@ -14,10 +14,9 @@ from __future__ import annotations
 import difflib
 import math
 
-from ..answers import sealed
 from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Vector, inside, numbers_of, pose_of
 from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree
-from ..answers.members import edges_of, members_of
+from ..answers.members import belonging, edges_of, members_of
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section, sections
 from ..words import Words
@@ -35,7 +34,7 @@ def certain(form: Form, answer: Plain, expected: Plain) -> Words | None:
     """Return what is certain about a wrong answer, or None if there is nothing to say."""
     if isinstance(form, Set | Tree) and not is_raised(expected) and form.read(answer) is not None:
         return _of_tree(answer, expected) if isinstance(form, Tree) else _of_set(form, answer, expected)
-    if sealed.is_sealed(expected) or is_raised(expected) or is_raised(answer):
+    if is_raised(expected) or is_raised(answer):
         return None
     if isinstance(form, Number | Angle | Vector | Quaternion):
         return _of_numbers(form, answer, expected)
@@ -135,7 +134,7 @@ def _of_sequence(given: Plain, wanted: Plain) -> Words | None:
 def _of_tree(answer: Plain, expected: Plain) -> Words | None:
     """Say which children of the answer hang wrong, and how many edges there should be."""
     edges = edges_of(answer) or []
-    fits = sealed.belongs(Tree(), answer, expected) if edges else []
+    fits = belonging(Tree(), answer, expected) if edges else []
     wrong = sorted({child for (child, _), fit in zip(edges, fits, strict=True) if not fit})
     short = _wanted_count(Tree(), expected) - len({child for child, _ in edges})
     said = []
@@ -151,7 +150,7 @@ def _of_tree(answer: Plain, expected: Plain) -> Words | None:
 
 def _of_set(form: Set, answer: Plain, expected: Plain) -> Words | None:
     """Say how many members do not belong, and how many are missing."""
-    fits = sealed.belongs(form, answer, expected) if members_of(answer) else []
+    fits = belonging(form, answer, expected) if members_of(answer) else []
     missing = _wanted_count(form, expected) - sum(fits)
     said = []
     if not all(fits):
@@ -163,9 +162,7 @@ def _of_set(form: Set, answer: Plain, expected: Plain) -> Words | None:
 
 
 def _wanted_count(form: Set | Tree, expected: Plain) -> int:
-    """Return how many members are expected; sealed, nothing at all counts as one."""
-    if sealed.is_sealed(expected):
-        return len(expected["sealed"]["probes"])
+    """Return how many members are expected."""
     members = edges_of(expected) if isinstance(form, Tree) else members_of(expected)
     return len(form.probes(expected)) if members else 0
 
@@ -196,8 +193,8 @@ def _of_message(form: Message, answer: Plain, expected: Plain) -> Words | None:
     said = [Words(f"right: {', '.join(right)}", f"맞음: {', '.join(right)}")] if right else []
     parts = sections(form, expected)
     wrong = (name for name, is_right in zip(parts, rights, strict=True) if not is_right)
-    for number, name in ((list(parts).index(name), name) for name in wrong):
-        of_field = certain(parts[name], *(section(form, plain, number, name) for plain in (answer, expected)))
+    for name in wrong:
+        of_field = certain(parts[name], *(section(form, plain, name) for plain in (answer, expected)))
         if of_field is not None:
             return _joined([*said, Words(f"{name}: {of_field.en}", f"{name}: {of_field.ko}")])
     return _joined(said)

@@ -13,7 +13,6 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
-from ..answers import sealed
 from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Vector
 from ..answers.values import Plain
@@ -93,7 +92,7 @@ def _compared(
 ) -> tuple[Sequence[float], Sequence[float], list[int]] | None:
     """Return the numbers of both points, and the places where they differ; None where they cannot be compared."""
     have = numbers_of(answer, form.size)
-    want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
+    want = numbers_of(expected, form.size)
     if have is None or want is None:
         return None
     return have, want, [place for place in range(form.size) if abs(have[place] - want[place]) > form.tolerance]
@@ -120,7 +119,7 @@ def put_together(
     have = numbers_of(answer, form.size) if isinstance(form, Vector) and form.size == len(LETTERS) else None
     for name, row in _points(len(LETTERS), given or {}) if have else ():
         if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
-            want = None if sealed.is_sealed(expected) else numbers_of(expected, form.size)
+            want = numbers_of(expected, form.size)
             judged = _judged(have, want, form.tolerance) if want else ASKED
             said = PUT.filled(name=name, places=places, judged=judged)
             return f"put together: {places}", Words.joined(said, _stands_twice(places))

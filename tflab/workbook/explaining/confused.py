@@ -3,8 +3,7 @@
     asked for   ok    past  future  past           "past" never comes: "future" is said for it
     said        ok   future future future
 
-The field calls the table of both a confusion matrix.  A word that is asked for may be
-sealed; it is found by trying the few there are.  Read `common.py` next.
+The field calls the table of both a confusion matrix.  Read `common.py` next.
 """
 
 from __future__ import annotations
@@ -13,7 +12,6 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
@@ -132,7 +130,7 @@ def seen_of(found: Confusion, seen: Mapping[str, Words]) -> Words | None:
 
 def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
     """Return the same of lists of words, all their members together; None if a list is too long or too short."""
-    if not isinstance(form.of, Choice) or any(map(sealed.is_sealed, wanted)) or any(map(is_raised, wanted)):
+    if not isinstance(form.of, Choice) or any(map(is_raised, wanted)):
         return None
     pairs = [(inside(outcome), inside(want)) for outcome, want in zip(outcomes, wanted, strict=True)]
     if not all(isinstance(said, list) and len(said) == len(asked) for said, asked in pairs):
@@ -152,10 +150,8 @@ def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain])
 
 
 def word_of(form: Choice, plain: Plain) -> str | None:
-    """Return the option that this is, open or sealed; None if it is none."""
+    """Return the option that this is; None if it is none."""
     if is_raised(plain):
         return None
-    if sealed.is_sealed(plain):
-        return next((option for option in form.options if all(sealed.judge(form, option, plain))), None)
     probes = form.read(plain)
     return str(probes[0][0][0].value) if probes else None

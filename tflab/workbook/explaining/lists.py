@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Message
 from ..answers.forms import Sequence as ListForm
@@ -28,8 +27,7 @@ def of_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) 
     form = task.form
     if not isinstance(form, ListForm) or not isinstance(form.of, Message):
         return None
-    wanted = [None if is_raised(case.expected) or sealed.is_sealed(case.expected) else inside(case.expected)
-              for case in cases]  # fmt: skip
+    wanted = [None if is_raised(case.expected) else inside(case.expected) for case in cases]
     given = [inside(outcome) for outcome in outcomes]
     for members in (*wanted, *given):
         if not isinstance(members, list):

@@ -14,7 +14,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from ..answers import sealed
 from ..answers.form import Form
 from ..answers.forms import Choice, Parts
 from ..answers.forms import Sequence as ListForm
@@ -95,11 +94,11 @@ def _of_table(
     wrong -= follow.keys()
     found = each_part_once(several, wrong)
     left = wrong.difference(*(cause.parts for cause in found))
-    for number, name in enumerate(names):
+    for name in names:
         if name in left:
             found += (
                 _by_itself(task, table, name, given, cases[0].twins, wrong - left)
-                or _as_it_came(task.form, table, number, name, cases)
+                or _as_it_came(task.form, table, name, cases)
                 or _after_a_slip(task, table, name, cases, found)
                 or _slip_and_then(task, table, name, cases)
             )
@@ -163,11 +162,9 @@ def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plai
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
-    is_sealed = sealed.is_sealed(cases[0].expected)
-    forms = sections(form, outcomes[0] if is_sealed else cases[0].expected)
-    forms = forms if is_sealed else split(form, forms, [*outcomes, *(case.expected for case in cases)])
-    given = {name: [section(form, plain, n, name) for plain in outcomes] for n, name in enumerate(forms)}
-    wanted = {name: [section(form, case.expected, n, name) for case in cases] for n, name in enumerate(forms)}
+    forms = split(form, sections(form, cases[0].expected), [*outcomes, *(case.expected for case in cases)])
+    given = {name: [section(form, plain, name) for plain in outcomes] for name in forms}
+    wanted = {name: [section(form, case.expected, name) for case in cases] for name in forms}
     return Table(forms, given, wanted, [case.args or [] for case in cases])
 
 
@@ -244,8 +241,7 @@ def _after_a_slip(
     """Return what a part is beside the slips of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
     for slip, part in ((slip, words.part) for slip, words in task.twins.items() if words.part in known):
-        rows = {one: [section(task.form, case.twins[slip], list(table.forms).index(one), one) for case in cases]
-                for one in (part, name)}  # fmt: skip
+        rows = {one: [section(task.form, case.twins[slip], one) for case in cases] for one in (part, name)}
         more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and is_just(table.forms[part], table.given[part], rows[part]):
             return more
@@ -254,9 +250,9 @@ def _after_a_slip(
 
 def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return a slip of the task and what is plain to see on top of it, if both give one part."""
-    form, place = table.forms[name], list(table.forms).index(name)
+    form = table.forms[name]
     for slip in task.twins if isinstance(form, MEASURED) else ():
-        row = [section(task.form, twin, place, name) for twin in (case.twins.get(slip) for case in cases)]
+        row = [section(task.form, twin, name) for twin in (case.twins.get(slip) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
         for way in undone_to(form, table.given[name], row, only_plain_to_see=True):
@@ -342,7 +338,7 @@ def _of_a_formula(task: TaskCases, table: Table, name: str, given: dict[str, Pla
 
 def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:
     """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
-    form, number = table.forms[name], list(table.forms).index(name)
+    form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
         is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
@@ -350,15 +346,15 @@ def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Pl
             continue
         for key, twin in twins.items():
             is_made_here = words_of(task, key).part == name
-            if is_made_here and alike(form, section(task.form, twin, number, name), table.wanted[other][0]):
+            if is_made_here and alike(form, section(task.form, twin, name), table.wanted[other][0]):
                 return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
     return []
 
 
-def _as_it_came(form: Form, table: Table, number: int, name: str, cases: Sequence[Case]) -> list[Found]:
+def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
-        came = [section(form, case.args[place], number, name) for case in cases]
+        came = [section(form, case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
             return [Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
         times = [time_of(case.args[place]) for case in cases]

@@ -16,7 +16,7 @@ from ..answers.form import Form, numbers_of
 from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section
-from ..mistakes.fitting import MEASURED, ONE, TWO, alike, gives_what_is_right, is_just, words_of
+from ..mistakes.fitting import MEASURED, ONE, TWO, alike, is_just, words_of
 from ..tasks.case import AND, Case, TaskCases, TwinWords
 from ..words import Words
 from .explanation import said_of
@@ -66,19 +66,19 @@ def _pairs(
 ) -> dict[str, list[Plain]]:
     """Return what those two slips give, case by case, that give one of the wrong parts at least."""
     assert task.pairs is not None
-    parts = [(number, name) for number, name in enumerate(table.forms) if name in wrong]
+    parts = [name for name in table.forms if name in wrong]
 
     def fits(case: int, value: Plain) -> list[str]:
         if is_raised(value):
             return []
         return [
             name
-            for number, name in parts
-            if is_just(table.forms[name], [table.given[name][case]], [section(task.form, value, number, name)], TWO)
+            for name in parts
+            if is_just(table.forms[name], [table.given[name][case]], [section(task.form, value, name)], TWO)
         ]
 
     def is_right(case: int) -> bool:
-        return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for _, name in parts)
+        return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
 
     return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
 
@@ -155,9 +155,9 @@ def _shown(form: Form, table: Table, twins: Sequence[Plain], share: float) -> tu
     same: set[str] = set()
     if any(map(is_raised, twins)) or any(twin is None for twin in twins):
         return changed, same
-    for number, (name, part) in enumerate(table.forms.items()):
-        row = [section(form, twin, number, name) for twin in twins]
-        if not all(gives_what_is_right(part.alike, *pair) for pair in zip(row, table.wanted[name], strict=True)):
+    for name, part in table.forms.items():
+        row = [section(form, twin, name) for twin in twins]
+        if not all(map(part.alike, row, table.wanted[name])):
             changed.add(name)
         if is_just(part, table.given[name], row, share):
             same.add(name)

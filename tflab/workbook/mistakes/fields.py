@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ..answers import sealed
 from ..answers.form import Form, inside, member, numbers_of, pose_of
 from ..answers.forms import Command, Message, Name, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
@@ -31,7 +30,7 @@ def sections(form: Form, like: Plain) -> dict[str, Form]:
     if isinstance(form, Parts):
         return dict(form.parts)
     if isinstance(form, Message):
-        held = {path: section(form, like, number, path) for number, path in enumerate(form.fields)}
+        held = {path: section(form, like, path) for path in form.fields}
         return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
     if isinstance(form, Pose) and not form.frames and not form.stamp:
         return {"translation": Vector(3, "m", "", form.tolerance_m), "rotation": Quaternion(form.tolerance_rad)}
@@ -41,29 +40,27 @@ def sections(form: Form, like: Plain) -> dict[str, Form]:
 def split(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
     """Return the same parts, with each member of a list a part of its own, where all answers have as many."""
     found: dict[str, Form] = {}
-    for number, (name, part) in enumerate(parts.items()):
-        lists = [inside(section(form, answer, number, name)) for answer in answers]
+    for name, part in parts.items():
+        lists = [inside(section(form, answer, name)) for answer in answers]
         lengths = {len(held) if isinstance(held, list) else None for held in lists}
         is_split = isinstance(form, Parts) and isinstance(part, ListForm) and len(lengths) == 1 and None not in lengths
         found |= {f"{name}[{place}]": part.of for place in range(len(lists[0]))} if is_split else {name: part}
     return found
 
 
-def section(form: Form, plain: Plain, number: int, name: str) -> Plain:
-    """Return one of an answer's parts, the `number`th, as it is meant beside the others; of something else, None."""
+def section(form: Form, plain: Plain, name: str) -> Plain:
+    """Return one of an answer's parts, as it is meant beside the others; of something else, None."""
     if isinstance(form, Command):
         return _mount(form, plain).get(name)
     if isinstance(form, Pose):
-        parts = None if sealed.is_sealed(plain) else pose_of(plain)
+        parts = pose_of(plain)
         return None if parts is None else list(parts[2 if name == "translation" else 3])
-    is_sealed = sealed.is_sealed(plain)
-    if is_sealed or isinstance(form, Parts):
+    if isinstance(form, Parts):
         held = inside(plain)
-        if not is_sealed and not isinstance(held, dict):
+        if not isinstance(held, dict):
             return None
         name, _, place = name.partition("[")
-        is_read = isinstance(form, Parts) and not is_sealed
-        part = form.part(held, name) if is_read else sealed.part_of(plain, number, name)
+        part = form.part(held, name)
         return _member(part, int(place[:-1])) if place else part
     return member(plain, *name.split("."))
 
@@ -75,7 +72,7 @@ def _member(plain: Plain, place: int) -> Plain:
 
 def _mount(form: Command, plain: Plain) -> dict[str, Plain]:
     """Return what a line publishes as a static transform, by parts; nothing of another line."""
-    read = None if sealed.is_sealed(plain) else form.read(plain)
+    read = form.read(plain)
     words = [mark.value for mark in read[0][0]] if read else []
     if words[:1] != ["static"]:
         return {}

@@ -11,9 +11,8 @@ be right with it, too.  Read `explaining/` next.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from ..answers import sealed
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
@@ -29,7 +28,6 @@ __all__ = [
     "IN_SOME",
     "alike",
     "all_alike",
-    "gives_what_is_right",
     "in_some",
     "is_just",
     "row_of",
@@ -58,12 +56,12 @@ COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was don
 
 def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
     """Return for each probe of `wanted` whether `given` has it; either may be anything."""
-    if not sealed.is_sealed(wanted) and not is_raised(wanted):
-        read = form.read(wanted)
-        if read is None or not all(read):  # a mistake need not be of the form at all, nor all of its members
-            return [given == wanted]
-        return form.has(given, read)
-    return sealed.judge(form, given, wanted)
+    if is_raised(wanted):
+        return form.judge(given, wanted)
+    read = form.read(wanted)
+    if read is None or not all(read):  # a mistake need not be of the form at all, nor all of its members
+        return [given == wanted]
+    return form.has(given, read)
 
 
 def alike(form: Form, given: Plain, wanted: Plain) -> bool:
@@ -78,11 +76,6 @@ def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) ->
     return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
 
 
-def gives_what_is_right(is_alike: Callable[[Plain, Plain], bool], twin: Plain, wanted: Plain) -> bool:
-    """Return whether a mistake gives what is right: the very same, or what is alike where that is not sealed."""
-    return twin == wanted or (not sealed.is_sealed(wanted) and is_alike(twin, wanted))
-
-
 def is_just(form: Form, outcomes: Sequence[Plain], twins: Sequence[Plain], share: float = ONE) -> bool:
     """Return whether all outcomes are what a mistake gives, and not only by a tolerance that is wide beside them."""
     return all_alike(form, outcomes, twins) and all(
@@ -92,8 +85,8 @@ def is_just(form: Form, outcomes: Sequence[Plain], twins: Sequence[Plain], share
 
 def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
     if isinstance(form, Parts):
-        rows = [(part, section(form, given, n, name), section(form, wanted, n, name))
-                for n, (name, part) in enumerate(form.parts.items())]  # fmt: skip
+        rows = [(part, section(form, given, name), section(form, wanted, name))
+                for name, part in form.parts.items()]  # fmt: skip
         return all(_is_near(*row, share) for row in rows)
     if not isinstance(form, Number | Vector):
         return True

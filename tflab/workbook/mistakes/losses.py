@@ -5,7 +5,7 @@
     answer [b, a, c]           expected [a, b, c]                 another order
     answer 12.000000000        expected 12.345000000              a stamp of whole seconds
 
-Only where the right answer is open.  Read `trees.py` next.
+Read `trees.py` next.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 
-from ..answers import sealed
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member, numbers_of
 from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
@@ -322,7 +321,7 @@ LISTS: dict[str, Callable[[list[str], list[str]], bool]] = {
 def _ways(form: Sequence, plain: Plain) -> list[str] | None:
     """Return each member of a list as one word that says how it can be written; None if it is no such list."""
     held = inside(plain)
-    if sealed.is_sealed(plain) or not isinstance(held, list):
+    if not isinstance(held, list):
         return None
     read = [form.of.read(one) for one in held]
     return None if None in read else [json.dumps([_plain(row) for probe in probes for row in probe]) for probes in read]
@@ -335,11 +334,11 @@ def _plain(row: Marks) -> list[float | str]:
 def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
     """Return whether an answer is right once each of its members counts once, or right as it is."""
     members = members_of(answer)
-    return members is not None and all(sealed.judge(Set(form.of), members, wanted))
+    return members is not None and Set(form.of).same(members, wanted)
 
 
 def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
-    given, right = form.read(answers[0]), None if sealed.is_sealed(wanted[0]) else form.read(wanted[0])
+    given, right = form.read(answers[0]), form.read(wanted[0])
     if given and right and len(answers) == 1:
         lines = ([mark.value for mark in probes[0][0]] for probes in (given, right))
         typed = {word.removeprefix("/"): word for word in str(answers[0]).split()}  # a topic is read without its slash

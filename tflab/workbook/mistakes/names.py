@@ -13,7 +13,6 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 
-from ..answers import sealed
 from ..answers.form import Form
 from ..answers.forms import Command, Name
 from ..answers.values import Plain, is_raised
@@ -80,7 +79,7 @@ def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
 
 def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
     """Return what can be seen at the names that a function gives; None unless that covers all that are wrong."""
-    if not isinstance(form, Name) or any(sealed.is_sealed(want) or is_raised(want) for want in wanted):
+    if not isinstance(form, Name) or any(map(is_raised, wanted)):
         return None
     wrong = _that_differ(outcomes, wanted)
     shows = {name: list(filter(is_shown, wrong)) for name, (is_shown, _) in FACTS.items()}

@@ -3,18 +3,16 @@
     asked for   base -> odom -> map        given   base -> map        a frame is left out: "base" hangs so
                 r/odom -> map                      odom -> map        before "odom" a robot's name is missing
 
-What is told names frames of the answer alone; a tree's edges are turned round where it is
-sealed, too.  Read `shell_words.py` next.
+What is told names frames of the answer alone.  Read `shell_words.py` next.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Tree
-from ..answers.members import edges_of, members_of
+from ..answers.members import belonging, edges_of, members_of
 from ..answers.values import Plain
 from ..words import Words
 
@@ -95,7 +93,7 @@ def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[
         yield "tree: a list for a name", ""
     elif any(map(_has_none, answers)):
         yield "tree: None for a name", ""
-    elif not any(map(sealed.is_sealed, wanted)) and all(edges_of(answer) is not None for answer in answers):
+    elif all(edges_of(answer) is not None for answer in answers):
         pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
         yield from _fitting([pair for pair in pairs if pair[0] != pair[1]])
 
@@ -110,7 +108,7 @@ def _fitting(wrong: list[tuple[Parents, Parents]]) -> Iterator[tuple[str, str]]:
 def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
     edges = edges_of(answer) or []
     turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
-    return len(edges) >= 2 and all(sealed.belongs(form, turned, want))
+    return len(edges) >= 2 and all(belonging(form, turned, want))
 
 
 def _has_lists(answer: Plain) -> bool:

@@ -4,7 +4,7 @@
     answer 57.3                   undo "degrees"   1.0                     == expected: so it is in degrees
 
 Each is undone, and what is left is compared with what was expected, or with what a
-slip of the task would give: so it works where the right answer is sealed, too.
+slip of the task would give.
 Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
 what is wrong, but what was done.  Read `names.py` next.
 """

@@ -19,7 +19,6 @@ from itertools import tee
 from types import FunctionType
 from typing import Any
 
-from ..answers import sealed
 from ..answers.form import Form
 from ..answers.values import Plain, outcome_of, outcomes_of
 from ..tasks.case import Case
@@ -127,7 +126,7 @@ def _holds(other: ast.AST, node: ast.AST) -> bool:
 
 def _wrong_first(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[Case]:
     """Return the cases, those that went wrong first: one of them refuses nearly every edit."""
-    rights = [all(sealed.judge(form, *pair)) for pair in zip(outcomes, (case.expected for case in cases), strict=True)]
+    rights = [form.same(*pair) for pair in zip(outcomes, (case.expected for case in cases), strict=True)]
     return [case for _, case in sorted(zip(rights, cases, strict=True), key=lambda row: row[0])]
 
 
@@ -141,9 +140,9 @@ def _tried(
     for pair, outcome in zip(pairs, given, strict=True):
         if time.monotonic() > end:
             return
-        if all(sealed.judge(form, outcome, case.expected)):
+        if form.same(outcome, case.expected):
             yield pair
 
 
 def _is_right(form: Form, function: Callable[..., Any], case: Case) -> bool:
-    return all(sealed.judge(form, outcome_of(function, case.args or []), case.expected))
+    return form.same(outcome_of(function, case.args or []), case.expected)

@@ -32,7 +32,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import combinations
 
-from ..answers import sealed
 from ..answers.form import inside
 from ..answers.forms import Choice, Form, Parts
 from ..answers.values import Plain, is_raised
@@ -74,7 +73,7 @@ def beyond_the_given(
     """Return which probes of a value earn credit: all if all are right, else those that no given has already."""
     if all(right):
         return list(right)
-    handed_out = [sealed.judge(form, value, expected) for value in (given or {}).values()]
+    handed_out = [form.judge(value, expected) for value in (given or {}).values()]
     return [good and not any(row[place] for row in handed_out) for place, good in enumerate(right)]
 
 
@@ -88,7 +87,7 @@ def beyond_one_word(form: Form, answer: Plain, expected: Plain, right: Sequence[
         said = {name: form.parts[name].option(answers.get(name)) for name in names}
         for word in set(said.values()) - {None}:
             there = [name for name in names if said[name] == word]
-            fits = sum(sealed.judge(form, {"dict": dict.fromkeys(names, word)}, expected))
+            fits = sum(form.judge({"dict": dict.fromkeys(names, word)}, expected))
             if fits < len(there) and sum(earned[name] for name in there) * len(names) <= fits * len(there):
                 earned |= dict.fromkeys(there, False)
     return list(earned.values())

@@ -17,7 +17,6 @@ from tflab.core import Transform
 from tflab.views.frames import draw_scene
 from tflab.views.picture import Picture
 
-from ..answers import sealed
 from ..answers.form import inside, member, numbers_of, pose_of
 from ..answers.forms import Form, Message, Parts, Pose, Vector
 from ..answers.values import Plain
@@ -30,8 +29,6 @@ FARTHEST_M = 1e4  # beyond that there is nothing to see
 
 def picture_of(form: Form, answer: Plain, expected: Plain) -> Picture | None:
     """Return both drawn together, or None if there is nothing to draw."""
-    if sealed.is_sealed(expected):
-        return None
     if isinstance(form, Parts):
         return _of_parts(form, answer, expected)
     if isinstance(form, Pose):

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ..answers import forms, sealed
+from ..answers import forms
 from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Tree, Urdf, Vector
 from ..answers.members import members_of
@@ -84,7 +84,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     form, cases = task.form, variant.cases
     if task.counts:
         return _taking_part(form, outcomes[0])
-    rights = [sealed.judge(form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
+    rights = [form.judge(outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
     if task.is_function:
         counted = evidence.credited(form, cases, outcomes, rights)
     else:
