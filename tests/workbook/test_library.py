@@ -1,0 +1,151 @@
+"""A task's cases are computed beside a page that is being worked on, and nothing of the page changes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from types import ModuleType
+from typing import Any
+
+import pytest
+
+from tflab import ros
+from tflab.ros.logging import write_to_stdout
+from tflab.ros.messages import field_checks, set_field_checks
+from tflab.ros.process import process_here
+from tflab.workbook import check
+from tflab.workbook.answers.values import from_plain
+from tflab.workbook.places import Workbook, workbook_data
+from tflab.workbook.tasks import library
+from tflab.workbook.tasks.library import (
+    assigned_cases,
+    outlines,
+    question_digest,
+    solution_of,
+    task_ids,
+    tasks_of,
+)
+from tflab.workbook.tasks.reference import in_process_ros
+
+from . import small_chapter as chapter
+
+TASKS = {  # that use ROS 2: what they give, their solutions or their mistakes
+    "E6.4": "06_static_and_dynamic",
+    "E8.3": "08_buffer_and_measurement_time",
+    "E9.3": "09_exceptions_and_waiting",
+    "E12.1": "12_owners_and_diagnosis",
+}
+
+
+@pytest.fixture(autouse=True)
+def nothing_computed(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Nothing was computed before in this process, so it happens in the test."""
+    monkeypatch.delenv("NBGRADER_EXECUTION", raising=False)
+    for cache in (library._tasks, library._solution, library._assigned):
+        cache.cache_clear()
+    yield
+
+
+def right_answer(task_id: str) -> Any:
+    """Return what the solution of a task answers."""
+    data, stem = workbook_data(), TASKS[task_id]
+    (variant,) = assigned_cases(data, stem, task_id, Workbook()).variants
+    given = None if variant.given is None else {name: from_plain(value) for name, value in variant.given.items()}
+    with in_process_ros():
+        answer = solution_of(data, stem).answer(tasks_of(data, stem)[task_id], given)
+    library._assigned.cache_clear()
+    return answer
+
+
+def ros_modules() -> dict[str, ModuleType]:
+    """Return the modules of ROS 2 that are imported."""
+    packages = ros.activation.PACKAGES
+    return {name: module for name, module in sys.modules.items() if name.partition(".")[0] in packages}
+
+
+@pytest.mark.parametrize("are_checked", [False, True])
+@pytest.mark.parametrize("task_id", TASKS)
+def test_a_check_leaves_the_page_its_graph_its_modules_and_its_field_checks(
+    undone, capsys, task_id: str, are_checked: bool
+) -> None:
+    ros.activate("in-process")
+    set_field_checks(are_checked)
+    write_to_stdout(True)
+    graph = ros.new_graph(virtual=True)
+    import rclpy
+    from std_msgs.msg import String
+
+    rclpy.init()
+    node = rclpy.create_node("mine")
+    heard: list[str] = []
+    node.create_subscription(String, "said", lambda message: heard.append(message.data), 10)
+    publisher = node.create_publisher(String, "said", 10)
+    modules, now = ros_modules(), node.get_clock().now()
+    capsys.readouterr()
+    for answer in (12345, lambda *_: 12345):
+        check(task_id, answer)
+        lines = capsys.readouterr().out.splitlines()
+        assert lines[0].startswith(f"{task_id} ✗ 0/")
+    assert process_here().graph is graph and modules.items() <= ros_modules().items()
+    assert node.get_clock().now() == now and field_checks() is are_checked
+    assert node.get_node_names() == ["mine"]
+    publisher.publish(String(data="here"))
+    rclpy.spin_once(node, timeout_sec=1.0)
+    assert heard == ["here"]
+
+
+@pytest.mark.parametrize("task_id", TASKS)
+def test_computing_a_task_prints_nothing(capfd, task_id: str) -> None:
+    assigned_cases(workbook_data(), TASKS[task_id], task_id, Workbook())
+    assert capfd.readouterr() == ("", "")
+
+
+@pytest.mark.parametrize("task_id", TASKS)
+def test_check_works_beside_an_rclpy_that_is_not_ours(monkeypatch, capsys, task_id: str) -> None:
+    ros.deactivate()
+    answer = right_answer(task_id)
+    theirs = {name: ModuleType(name) for name in ("rclpy", "rclpy.node", "tf2_ros", "std_msgs")}
+    for name, module in theirs.items():
+        module.__file__ = f"/opt/ros/jazzy/{name}/__init__.py"
+        monkeypatch.setitem(sys.modules, name, module)
+    assert library._assigned.cache_info().currsize == 0
+    check(task_id, answer)
+    assert capsys.readouterr().out.startswith(f"{task_id} ✓")
+    assert ros_modules() == theirs and not ros.activation.is_active()
+
+
+def test_a_chapters_tasks_stand_in_order_with_their_texts_and_without_cases() -> None:
+    ids = [f"E8.{number}" for number in range(1, len(task_ids(workbook_data(), "08_buffer_and_measurement_time")) + 1)]
+    found = outlines(workbook_data(), "08_buffer_and_measurement_time")
+    assert list(found) == ids == task_ids(workbook_data(), "08_buffer_and_measurement_time")
+    for task in found.values():
+        assert task.variants == () and task.title.ko and len(task.hints) == 3 and task.twins
+
+
+def test_a_task_is_computed_once_for_all_who_have_the_same_variant(tmp_path, monkeypatch) -> None:
+    root = chapter.copy_of_workbook(tmp_path, monkeypatch)
+    assert root.is_dir()
+    one, again, other = (
+        assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook(seed=seed)) for seed in ("", "", "of a class")
+    )
+    assert one is again and one.variants != other.variants
+    assert library._assigned.cache_info()[:2] == (1, 2)
+
+
+def test_a_digest_names_what_is_asked_and_not_how_it_is_said(tmp_path, monkeypatch) -> None:
+    chapter.copy_of_workbook(tmp_path, monkeypatch)
+    task = assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook())
+    (variant,) = task.variants
+    digest = question_digest(task, variant)
+    assert question_digest(task._replace(title=task.hints[0]), variant) == digest
+    corner = variant.given["laser_p_corner"]
+    on_another_machine = variant.given | {
+        "laser_p_corner": {"tuple": [corner["tuple"][0] + 1e-12, *corner["tuple"][1:]]}
+    }
+    assert on_another_machine != variant.given
+    assert question_digest(task, variant._replace(given=on_another_machine)) == digest
+    assert question_digest(task._replace(points=4), variant) != digest
+    assert question_digest(task._replace(answer="corner"), variant) != digest
+    assert question_digest(task, variant._replace(given=variant.given | {"laser_p_corner": None})) != digest
+    drawn_otherwise = assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook(seed="another"))
+    assert question_digest(task, drawn_otherwise.variants[0]) != digest
