@@ -18,6 +18,7 @@ from making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, 
 from tflab.workbook.pages.build import build, build_pages, sources
 from tflab.workbook.pages.stale import difference
 
+pytestmark = pytest.mark.proof  # pages are executed: seconds each
 LECTURE = (
     TITLE,
     text("note", "Wait for it.", "기다립니다.", ' slide="notes"'),

@@ -44,7 +44,7 @@ def test_a_reply_is_given_to_its_answer_and_not_to_the_neighbours_of_it(stem: st
     for variant in task.variants:
         verdict = judge_outcomes(task, variant, [case.expected for case in variant.cases])
         assert (verdict.mistake, verdict.slips) == (None, {})
-    for name, outcomes in list(singles_of(task.variants[0]).items())[:MOST_NEIGHBOURS]:
+    for name, outcomes in sample(list(singles_of(task.variants[0]).items())[:MOST_NEIGHBOURS], 8):
         assert_a_slips_answer_hears_its_own_reply(task, name, outcomes)
         if is_of_numbers(task.form):  # words have no neighbours of this kind
             assert_a_number_beside_it_does_not_hear_its_reply(task, name, outcomes)
