@@ -31,6 +31,7 @@ def attempt(what):
     except BaseException as error:
         return type(error).__name__
 """
+pytestmark = pytest.mark.proof(reads=["tflab/grading/kernels/**/*.py"])  # every attack behind every wall
 WALLS = ("namespaces", "bubblewrap")  # the third one says itself that it is none
 
 

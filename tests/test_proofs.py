@@ -1,0 +1,128 @@
+"""A proof is left out while nothing that it depends on has changed; an edit reaches the tests that import it."""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+FILES = {
+    "constraints.txt": "numpy==2.0\n",
+    "tflab/__init__.py": "",
+    "tflab/ran.py": "from .limits import MOST\n\ndef ran():\n    return MOST\n",
+    "tflab/limits.py": "MOST = 3\n",
+    "tflab/child.py": "def child():\n    return 1\n",
+    "tflab/loaded.py": "LEAST = 1\n\ndef not_called():\n    return 1\n",
+    "data/one.txt": "1",
+    "data/two.txt": "2",
+    "tests/test_all.py": """
+import subprocess, sys
+import pytest
+import tflab.loaded
+from tflab.ran import ran
+
+@pytest.mark.proof(reads=["data/{name}.txt"])
+@pytest.mark.parametrize("name", ["one", "two"])
+def test_all(name, sample):
+    assert ran() == 3
+    subprocess.run([sys.executable, "-c", "from tflab.child import child; child()"], check=True)
+    print(f"{name} looked at {len(sample(range(50), 20))}")
+""",
+}
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    """A project with two proofs, each of which was run in full."""
+    for name, text in FILES.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    shutil.copy(ROOT / "conftest.py", tmp_path)
+    shutil.copytree(ROOT / "tests" / "tracing", tmp_path / "tests" / "tracing")
+    (tmp_path / "pytest.ini").write_text("[pytest]\nmarkers = proof\n browser\n", encoding="utf-8")
+    assert run(tmp_path, "--all") == ["one looked at 50", "two looked at 50"]
+    return tmp_path
+
+
+def run(project: Path, *words: str) -> list[str]:
+    """Run the tests of the project; return which proofs were run, and how many were left out."""
+    command = [sys.executable, "-m", "pytest", "-sq", "-p", "no:cacheprovider", *words]
+    own = {"PYTHONPATH": str(project), "PYTHONDONTWRITEBYTECODE": "1", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    environment = os.environ | own
+    done = subprocess.run(command, cwd=project, env=environment, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout + done.stderr
+    lines = (line.lstrip(".") for line in done.stdout.splitlines())
+    return [line for line in lines if "looked at" in line or "proved before" in line]
+
+
+def edit(project: Path, name: str) -> None:
+    path = project / name
+    path.write_text(path.read_text(encoding="utf-8") + "\n# edited\n", encoding="utf-8")
+
+
+def test_a_proof_is_left_out_until_something_that_it_depends_on_is_edited(project: Path) -> None:
+    assert run(project) == ["2 proved before and unchanged"]
+    edit(project, "tflab/loaded.py")  # it is imported, but none of its functions ran
+    assert run(project) == ["2 proved before and unchanged"]
+    edit(project, "data/two.txt")  # one of the two reads it
+    assert run(project) == ["two looked at 20", "1 proved before and unchanged"]
+
+
+@pytest.mark.parametrize("name", ["tflab/ran.py", "tflab/limits.py", "tflab/child.py", "constraints.txt"])
+def test_code_that_ran_a_constant_a_child_process_and_a_dependency_count(name: str, project: Path) -> None:
+    edit(project, name)
+    assert run(project) == ["one looked at 20", "two looked at 20"]
+
+
+def test_a_part_is_merged_and_what_fails_is_no_longer_proved(project: Path) -> None:
+    store = project / "tests" / "proofs.json"
+    before = store.read_text(encoding="utf-8")
+    edit(project, "data/two.txt")
+    assert run(project, "--all", "-k", "two") == ["two looked at 50"]
+    assert run(project) == ["2 proved before and unchanged"]
+    edit(project, "tflab/ran.py")
+    assert run(project, "--all", "-k", "one") == ["one looked at 50"]
+    assert run(project) == ["two looked at 20", "1 proved before and unchanged"]
+    (project / "tflab/limits.py").write_text("MOST = 4\n", encoding="utf-8")
+    with pytest.raises(AssertionError, match="assert 4 == 3"):
+        run(project, "--all")
+    assert json.loads(store.read_text(encoding="utf-8")) == {} != json.loads(before)
+
+
+def test_a_test_that_is_named_is_run(project: Path) -> None:
+    assert run(project, "tests/test_all.py::test_all[one]") == ["one looked at 20"]
+
+
+@pytest.fixture(scope="module")
+def changed():
+    spec = importlib.util.spec_from_file_location("changed", ROOT / "tests" / "changed.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+@pytest.mark.parametrize(
+    ("edited", "reached", "not_reached"),
+    [
+        ("tflab/doctor/diagnose.py", {"doctor", "clinic"}, {"core", "robots", "views"}),
+        ("tflab/core/buffer.py", {"core", "ros", "robots", "doctor", "workbook", "grading"}, set()),
+        ("solutions/tasks/03_target_and_source/e3_2.py", {"workbook"}, {"core", "ros", "doctor", "grading"}),
+        ("tflab/grading/guide/static/guide.css", {"grading"}, {"core", "workbook"}),
+        ("pyproject.toml", {"core", "views", "grading"}, set()),
+    ],
+)
+def test_an_edit_reaches_the_tests_that_import_it(changed, edited: str, reached: set, not_reached: set) -> None:
+    folders = {path.parent.name for path in changed.tests_reached([edited])}
+    assert reached <= folders
+    assert not not_reached & folders
+
+
+def test_nothing_is_reached_where_nothing_was_edited(changed) -> None:
+    assert changed.tests_reached([]) == []
