@@ -1,14 +1,11 @@
-"""Would a wrong solution pass?  Each is spoilt in one place after the other, and none of the spoilt ones may.
+"""Corrupt a solution in one place after the other, and return what passes (mutation testing).
 
     abs(length - 1) > 0.01    -->    abs(length - 1) >= 0.01     passes?  then no input stands at the bound
                               -->    abs(length + 1) > 0.01      refused, as it should be
-                              -->    abs(length - 1) > 0.0101    passes?  then none stands a hair beside it
+                              -->    abs(length - 1) > 0.0101    passes?  then none stands just beside it
 
-The field calls this mutation testing: a *mutant* that passes is a *survivor*, and
-shows an input that is missing.  Some mean the same as the solution; those stand with
-the task as `equivalent`, each with its reason.  Of a task that asks for a value, one that
-gives the right value to everybody is equivalent.  The build refuses a task that has any
-other survivor.  Read `blank.py` next.
+A *mutant* that passes is a *survivor*, and shows an input that is missing.  Some mean the
+same as the solution; those stand with the task as `equivalent`, each with its reason.
 """
 
 from __future__ import annotations
@@ -17,15 +14,13 @@ import ast
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from ..answers.values import from_plain, outcome_of
-from .case import TaskCases, Variant
-from .cases import CasesError
-from .pairs import combinable
-from .reference import Solution, answer_cell_name
-from .spots import EDGES, OPPOSITES, SIDES, SIGNS, held_in, spots_of
-from .task import Task, TaskError
+from tflab.workbook.answers.values import from_plain, outcome_of
+from tflab.workbook.tasks.case import Variant
+from tflab.workbook.tasks.reference import Solution, answer_cell_name
+from tflab.workbook.tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, held_in, spots_of
+from tflab.workbook.tasks.task import Task, TaskError
 
-__all__ = ["Tested", "mutants_of", "refuse_survivors", "survivors", "table", "tested"]
+__all__ = ["mutants_of", "survivors"]
 
 COMPUTED = SIGNS | {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SYMMETRIC = {"min", "max", "hypot"}  # the same whichever argument comes first
@@ -37,18 +32,6 @@ class Mutant(NamedTuple):
 
     name: str
     source: str
-
-
-class Tested(NamedTuple):
-    """How a task stood its test: what it knows, how many mutants there are, and which of them passed."""
-
-    task: str
-    slips: int
-    pairs: int
-    mutants: int
-    killed: int
-    equivalent: int
-    survivors: tuple[str, ...]
 
 
 def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
@@ -73,49 +56,13 @@ def _name(tree: ast.AST, node: ast.AST, new: ast.AST | None) -> str:
     return f"{_short(node)} -> {_short(new)}" + (f" in: {statement}" if len(statement) < 60 else "")
 
 
-def tested(task: Task, made: TaskCases, solution: Solution) -> Tested:
-    """Return how a task stands its test on these cases; to be called inside `in_process_ros()`."""
-    mutants = _mutants(task, solution)
-    passed = survivors(task, made.variants, solution, mutants)
-    # A value is judged as it is: a spoilt cell that gives everybody the right one is right.
-    unknown = [name for name in passed if name not in task.equivalent] if task.inputs else []
-    known = len(passed) - len(unknown)
-    return Tested(
-        task.id, len(task.twins), len(combinable(task)), len(mutants), len(mutants) - len(passed), known,
-        tuple(unknown),
-    )  # fmt: skip
-
-
-def refuse_survivors(test: Tested) -> None:
-    """Raise CasesError if a mutant passed that nobody explained."""
-    if test.survivors:
-        said = "; ".join(test.survivors[:3]) + (" ..." if len(test.survivors) > 3 else "")
-        raise CasesError(
-            f"{test.task}: {len(test.survivors)} spoilt solutions pass: {said}; draw inputs that tell them apart, "
-            "or say in `equivalent` why they mean the same"
-        )
-
-
-def survivors(
-    task: Task, variants: Sequence[Variant], solution: Solution, mutants: Sequence[Mutant] | None = None
-) -> list[str]:
+def survivors(task: Task, variants: Sequence[Variant], solution: Solution) -> list[str]:
     """Return the names of the mutants that pass: functions in any variant, values in all, for a value may be right."""
-    mutants = _mutants(task, solution) if mutants is None else mutants
+    mutants = _mutants(task, solution)
     enough = any if task.inputs else all
     return [
         mutant.name for mutant in mutants if enough(_passes(task, variant, solution, mutant) for variant in variants)
     ]
-
-
-def table(rows: Sequence[Tested]) -> str:
-    """Return the tests of tasks as a table."""
-    lines = ["task   slips  pairs  mutants  killed  equivalent  survivors"]
-    lines += [
-        f"{row.task:<6} {row.slips:>5} {row.pairs:>6} {row.mutants:>8} {row.killed:>7} "
-        f"{row.equivalent:>11} {len(row.survivors):>10}"
-        for row in rows
-    ]
-    return "\n".join(lines)
 
 
 def _mutants(task: Task, solution: Solution) -> list[Mutant]:

@@ -47,10 +47,12 @@ def workbook(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return root
 
 
-def test_a_chapter_becomes_seven_files(workbook: Path) -> None:
+def test_a_chapter_becomes_six_notebooks_and_no_cases(workbook: Path) -> None:
     names = ("notebooks/{}/03_x.ipynb", "solutions/{}/03_x.ipynb", "exercises/{}/E03_x.ipynb")
     pages = {name.format(language) for name in names for language in ("en", "ko")}
-    assert set(bytes_below(workbook)) == pages | {"exercises/cases/03_x.json"}
+    built = bytes_below(workbook)
+    assert set(built) == pages
+    assert [name for name, text in built.items() if b"twins" in text or b"expected" in text] == []
 
 
 def test_two_builds_are_the_same_bytes_and_nothing_is_stale(workbook: Path, capsys) -> None:
@@ -212,33 +214,29 @@ def test_a_fault_of_an_exercise_is_found_before_it_is_run(tmp_path: Path, half: 
     assert exercise_faults(good, read_tasks(tmp_path / "solutions" / "tasks" / "03_x")) == []
 
 
-def test_a_twin_that_is_the_answer_is_a_fault_with_file_and_line(tmp_path: Path, capsys) -> None:
-    exercise(tmp_path, tasks=TASKS.replace("given.length * 2", "given.length / 2"))
-    assert build(["--root", str(tmp_path)]) == 1
-    said = capsys.readouterr().err
-    assert "solutions/tasks/03_x/e3_1.py:5: E3.1" in said
-    assert 'the twin "double" is the right answer' in said
-    assert bytes_below(tmp_path) == {}
-
-
 @pytest.mark.parametrize(
     "tasks, half, said",
     [
-        (TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"), HALF, "solutions/tasks/03_x/e3_1.py:5: E3.1"),
+        (TASKS.replace("length * 2", "length / 2"), HALF, 'E3.1, variant 0: the twin "double" is the right answer'),
         (
-            TASKS,
-            HALF.replace("e3_1.length / 2", "e3_1.width / 2"),
-            'solutions/src/03_x.py:20: cell "e3-1-answer": 03_x',
+            TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"),
+            HALF,
+            "E3.1: AttributeError: 'Draws' object has no",
         ),
+        (TASKS, HALF.replace("e3_1.length / 2", "e3_1.width / 2"), '03_x: the answer cell "e3-1-answer" fails: Attr'),
     ],
-    ids=["a generator", "an answer"],
+    ids=["a mistake that is right", "a generator", "an answer"],
 )
-def test_what_fails_while_cases_are_made_has_its_place(
+def test_what_fails_while_cases_are_computed_is_said_at_the_tasks_first_cell_and_at_its_check(
     tmp_path: Path, capsys, tasks: str, half: str, said: str
 ) -> None:
     exercise(tmp_path, TITLE, LOAD, half, THIRD, tasks=tasks)
     assert build(["--root", str(tmp_path)]) == 1
-    assert said in capsys.readouterr().err
+    faults = capsys.readouterr().err
+    assert f'cell "e3-1-given": raised WorkbookError: this task cannot be checked: {said}' in faults
+    assert f'cell "e3-1-check": the solution does not pass: E3.1: this task cannot be checked: {said}' in faults
+    assert "E3.2" not in faults
+    assert bytes_below(tmp_path) == {}
 
 
 def test_a_solution_that_its_own_check_refuses_is_a_fault(tmp_path: Path, capsys) -> None:

@@ -11,11 +11,9 @@ import pytest
 from tflab.core import Transform
 from tflab.ros import activation
 from tflab.workbook.answers.values import from_plain
-from tflab.workbook.copy.lay_out import cases_bytes
-from tflab.workbook.places import CASES, workbook_data
 from tflab.workbook.tasks import cases
-from tflab.workbook.tasks.cases import read_chapter, read_outline
-from tflab.workbook.tasks.task import TaskError, variant_of
+from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.task import TaskError, read_tasks, variant_of
 
 from . import small_chapter as chapter
 
@@ -32,43 +30,34 @@ def test_the_expected_value_is_what_the_solutions_cell_gives(tmp_path):
         assert from_plain(variant.cases[0].expected) == pytest.approx(right)
 
 
-def test_one_seed_makes_one_text_and_another_makes_others(tmp_path):
-    text = cases.cases_json(make(tmp_path))
-    assert text == cases.cases_json(make(tmp_path))
-    assert text != cases.cases_json(make(tmp_path, seed="another"))
-    assert json.loads(text)["chapter"] == chapter.STEM
+def variants_of(made):
+    return {name: task.variants for name, task in made.tasks.items()}
+
+
+def test_one_seed_makes_the_same_cases_and_another_makes_others(tmp_path):
+    made = variants_of(make(tmp_path))
+    assert made == variants_of(make(tmp_path)) and made["E3.1"] != variants_of(make(tmp_path, seed="another"))["E3.1"]
+    assert list(made) == ["E3.1", "E3.2", "E3.3", "E3.4"]
+
+
+def test_a_task_is_read_back_from_json_as_it_was(tmp_path):
+    for task in make(tmp_path).tasks.values():
+        assert TaskCases.from_plain(json.loads(json.dumps(task.plain()))) == task._replace(pairs=None)
 
 
 def test_a_dict_among_the_arguments_keeps_its_order(tmp_path):
-    made = make(tmp_path)
-    task = made.tasks["E3.1"]
-    case = task.variants[0].cases[0]._replace(args=[{"dict": {"b": 1, "a": 2}}])
-    variant = task.variants[0]._replace(cases=(case,))
-    text = cases.cases_json(made._replace(tasks={"E3.1": task._replace(variants=(variant,))}))
-    read = json.loads(text)["tasks"]["E3.1"]["variants"][0]["cases"][0]
-    assert list(from_plain(read["args"][0])) == ["b", "a"]
-
-
-def test_cases_are_read_back_and_damage_is_named(tmp_path):
-    made = make(tmp_path)
-    path = tmp_path / "cases.json"
-    path.write_text(cases.cases_json(made), encoding="utf-8")
-    assert cases.read_chapter(path) == made
-    for text in ("{", "[]", '{"format": 99}'):
-        path.write_text(text, encoding="utf-8")
-        with pytest.raises(cases.CasesError, match=r"cases\.json"):
-            cases.read_cases(path)
-
-
-def test_arguments_come_in_the_order_meant_after_writing_and_handing_out(tmp_path):
-    # a file in which `/**` stands last: who lets the last line win is wrong only there
-    plain = make(tmp_path).plain()
-    case = plain["tasks"]["E3.2"]["variants"][0]["cases"][0]
-    case["args"] = [{"dict": {"/mapper": {"dict": {"b": 1, "a": 2}}, "/**": {"dict": {}}}}]
-    again = json.loads(cases.cases_json(plain))
-    for handed in (again, json.loads(cases_bytes(again))):
-        (params,) = handed["tasks"]["E3.2"]["variants"][0]["cases"][0]["args"]
-        assert [*params["dict"]] == ["/mapper", "/**"] and [*params["dict"]["/mapper"]["dict"]] == ["b", "a"]
+    # where `/**` stands last in a file: who lets the last line win is wrong only there
+    rows = "rows = {'/mapper': {'b': 1, 'a': 2}, '/**': {}}"
+    tasks = chapter.TASKS.replace("def minus", f"{rows}\n\n\ndef minus").replace(
+        "inputs=transforms", "inputs=lambda _: [(rows,)]"
+    )
+    tasks = tasks.replace('invert", Pose()', 'invert", Number()').replace(
+        '(Twin("minus", minus,', '(Twin("minus", lambda rows: 0,'
+    )
+    cell = "def invert(rows):\n    return len(rows)"
+    made = make(tmp_path, tasks=tasks, cells=chapter.CELLS | {"e3-2-answer": cell})
+    (params,) = made.tasks["E3.2"].variants[0].cases[0].args
+    assert [*params["dict"]] == ["/mapper", "/**"] and [*params["dict"]["/mapper"]["dict"]] == ["b", "a"]
 
 
 def test_a_function_has_at_least_as_many_inputs_as_asked_for(tmp_path):
@@ -105,7 +94,7 @@ def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypat
     assert refused[0][0].expected == drawn_once["E3.1"].variants[0].cases[0].expected
     assert drawn_anew["E3.1"].variants[0] != drawn_once["E3.1"].variants[0]
     assert drawn_anew["E3.1"].variants[1:] == drawn_once["E3.1"].variants[1:]
-    assert drawn_anew["E3.2"] == drawn_once["E3.2"]
+    assert drawn_anew["E3.2"].variants == drawn_once["E3.2"].variants
 
 
 def test_no_seed_is_refused_because_its_first_draws_meet(tmp_path, monkeypatch):
@@ -172,7 +161,10 @@ def test_given_values_come_back_as_values(tmp_path):
     assert isinstance(from_plain(given["base_T_laser"]), Transform)
 
 
-def test_an_outline_is_the_chapter_without_variants():
-    for path in sorted((workbook_data() / CASES).glob("*.json")):
-        whole, outline = read_chapter(path), read_outline(path)
-        assert outline.tasks == {name: task._replace(variants=()) for name, task in whole.tasks.items()} != {}
+def test_an_outline_is_the_task_without_variants(tmp_path):
+    for task, made in zip(
+        read_tasks(chapter.lay_out(tmp_path) / "tasks" / chapter.STEM), make(tmp_path).tasks.values(), strict=True
+    ):
+        outline = cases.outline_of(task)
+        assert outline.variants == () != made.variants
+        assert outline.plain() == made._replace(variants=()).plain()

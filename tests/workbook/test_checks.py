@@ -326,7 +326,10 @@ def test_after_a_pass_one_hears_what_was_looked_at(copy, capsys):
     assert "compared with the right one" in said(capsys, "E3.4", math.pi / 2)
 
 
-@pytest.mark.parametrize("breaks", ["no solution", "half a solution", "a solution without the cell", "half a task"])
+@pytest.mark.parametrize(
+    "breaks",
+    ["no solution", "half a solution", "no notebook", "a solution without the cell", "half a task", "a generator"],
+)
 def test_a_task_that_cannot_be_computed_is_said_in_one_line(copy, capsys, breaks):
     solutions = workbook_data() / "solutions"
     path = solutions / "en" / f"{chapter.STEM}.ipynb"
@@ -334,6 +337,10 @@ def test_a_task_that_cannot_be_computed_is_said_in_one_line(copy, capsys, breaks
         path.unlink()
     elif breaks == "half a solution":
         path.write_text(path.read_text()[:99])
+    elif breaks == "no notebook":
+        path.write_text("{}")
+    elif breaks == "a generator":
+        chapter.lay_out(solutions, tasks=chapter.TASKS.replace("rng.uniform(0.5", "rng.nothing(0.5"))
     elif breaks == "half a task":
         (solutions / "tasks" / chapter.STEM / "e3_1.py").write_text("TASK =")
     else:

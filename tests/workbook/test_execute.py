@@ -20,7 +20,7 @@ WIDGET = "import ipywidgets\nipywidgets.IntSlider()"
 
 
 def run(root: Path, *parts: str) -> tuple[Outputs, list[PageFault]]:
-    return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", {"03_x": '{"format": 1}\n'}))
+    return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", {"solutions/tasks/03_x/e3_1.py": "TASK = 1\n"}))
 
 
 def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) -> None:
@@ -32,7 +32,7 @@ def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) 
         code("turn", WIDGET, ' tags=["interactive"]'),
         code("figure", DRAW),
         code("fails", "1 / 0", ' tags=["raises-exception"]'),
-        code("after", "print(open('../../exercises/cases/03_x.json').read(), end='')"),
+        code("after", "print(open('../../solutions/tasks/03_x/e3_1.py').read(), end='')"),
         code("shell", "import os\nprint([name for name in os.environ if name.startswith('TFLAB_ROS')])"),
     )
     assert faults == []
@@ -44,7 +44,7 @@ def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) 
     assert outputs["figure"][0]["data"]["text/plain"] == ["nothing yet"]
     division = {"ename": "ZeroDivisionError", "evalue": "division by zero", "output_type": "error", "traceback": []}
     assert outputs["fails"] == [division]
-    assert outputs["after"][0]["text"] == ['{"format": 1}\n']  # the public cases, beside the page
+    assert outputs["after"][0]["text"] == ["TASK = 1\n"]  # a task file, beside the page
     assert outputs["shell"][0]["text"] == ["[]\n"]
 
 

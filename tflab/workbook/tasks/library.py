@@ -147,6 +147,8 @@ def _assigned(data: Path, stem: str, task_id: str, seed: str, number: int, _stam
     with in_process_ros(), redirect_stdout(StringIO()):
         try:
             variant = make_variant(task, seed, number, solution_of(data, stem))
-        except ValueError as error:
-            raise CasesError(f"{task_id}: {error}") from error
+        except TaskError:
+            raise
+        except Exception as error:  # of a task's own code, or of a damaged solution
+            raise CasesError(f"{task_id}: {type(error).__name__}: {error}") from error
     return outline_of(task)._replace(variants=(variant,))
