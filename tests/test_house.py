@@ -1,8 +1,7 @@
-"""Is the house in order?  Imports point one way, pages are short and lead through the house, one name is one thing.
+"""Is the house in order?  Imports point one way, pages are short, one name is one thing.
 
 rooms     core <- views, ros <- robots, bags <- doctor <- tools <- clinic <- workbook <- grading
 folders   the same, inside a room
-the tour  from a room's "Start with", following "next": every page exactly once
 """
 
 from __future__ import annotations
@@ -211,48 +210,6 @@ def test_a_class_name_stands_for_one_thing() -> None:
                 where[node.name].add(name)
     shared = {word: sorted(pages) for word, pages in where.items() if len(pages) > 1}
     assert set(shared) == set(SHARED_NAMES), shared
-
-
-# -- the tour -------------------------------------------------------------
-
-
-def pages_to_read_next(docstring: str) -> list[str]:
-    """Return where a docstring sends its reader: "Read `cache.py` next", "Read `scene/` next"."""
-    return re.findall(r"[Rr]ead\s+`([\w/]+(?:\.py|/))`\s+next", docstring)
-
-
-def beside(path: Path, label: str) -> Path:
-    """Return the page that is meant by a name, seen from another: in its folder, or in the room around that."""
-    page = f"{label}__init__.py" if label.endswith("/") else label
-    return next((place / page for place in (path.parent, path.parent.parent) if (place / page).is_file()), Path(page))
-
-
-def tour(face: Path) -> list[Path]:
-    """Return the pages that a reader meets who starts where a face says and then reads what is next."""
-    walked, at = [], face
-    while at is not None:
-        docstring = docstring_of(at)
-        if at.name == "__init__.py":
-            (label,) = re.findall(r"[Ss]tart with\s+`([\w/]+(?:\.py|/))`", docstring) or [None]
-        else:
-            label = next(iter(pages_to_read_next(docstring)), None)
-        at = None if label is None else beside(at, label)
-        assert at is None or at.is_file(), f"{walked[-1] if walked else face} names {label}, which is not there"
-        if at in walked:
-            raise AssertionError(f"the tour comes twice to {at}")
-        walked += [at] if at else []
-    return walked
-
-
-@pytest.mark.parametrize("room", sorted(ROOMS))
-def test_the_tour_of_a_room_meets_every_page_exactly_once(room: str) -> None:
-    pages = {path for path in PAGES.values() if room_of(path) == room} - {ROOT / room / "__init__.py"}
-    walked = tour(ROOT / room / "__init__.py")
-    assert set(walked) == pages, sorted(path.relative_to(ROOT) for path in pages ^ set(walked))
-
-
-def test_a_page_names_one_page_to_read_next_at_the_most() -> None:
-    assert [name for name, path in PAGES.items() if len(pages_to_read_next(docstring_of(path))) > 1] == []
 
 
 @pytest.mark.parametrize("folder", sorted([*ROOMS, *FOLDERS]))

@@ -1,6 +1,6 @@
 """What if a shell does not find `tflab`?  `python -m tflab ...` is the same command, of the Python that one names.
 
-Scripts of a Python that is not on PATH are not found, as is usual on Windows.  Read `cli.py` next.
+Scripts of a Python that is not on PATH are not found, as is usual on Windows.
 """
 
 from __future__ import annotations

@@ -77,6 +77,19 @@ CELLS = {
 }
 
 
+class StoredPairs:
+    """A search for pairs that knows what each pair gives: the mistakes of which a name has " + " in it."""
+
+    def __init__(self, rows):
+        self.rows = {name: row for name, row in rows.items() if " + " in name}
+
+    def fitting(self, cases, order, fits, given):
+        def common(row):
+            return set.intersection(*(set(fits(number, row[number])) for number in order))
+
+        return {name: row for name, row in self.rows.items() if common(row)}
+
+
 def bare(form: Form, *cases: Case, is_function: bool = False) -> tuple[TaskCases, Variant]:
     """Return a task that has nothing but a form and these cases, and its only variant."""
     variant = Variant(None, cases)

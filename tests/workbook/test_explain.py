@@ -30,7 +30,7 @@ from tflab.workbook.tasks.case import Case, TwinWords
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
-from .small_chapter import bare
+from .small_chapter import StoredPairs, bare
 
 PARTS = Parts({"a": Number("m"), "b": Number("m"), "c": Number("m")})
 
@@ -41,10 +41,12 @@ def words(text, **more):
 
 def judged(form, expected, twins, answer, said=None):
     """Return the verdict on one value, where `twins` gives the value of each slip and of each two."""
-    case = Case(None, to_plain(expected), {name: to_plain(value) for name, value in twins.items()})
+    plain = {name: to_plain(value) for name, value in twins.items()}
+    case = Case(None, to_plain(expected), {name: value for name, value in plain.items() if " + " not in name})
     task, variant = bare(form, case)
-    known = said or {name: words(name) for name in twins if " + " not in name}
-    return judge_outcomes(task._replace(twins=known), variant, [to_plain(answer)])
+    known = said or {name: words(name) for name in case.twins}
+    pairs = StoredPairs({name: [value] for name, value in plain.items()})
+    return judge_outcomes(task._replace(twins=known, pairs=pairs), variant, [to_plain(answer)])
 
 
 @pytest.mark.parametrize(
@@ -299,12 +301,14 @@ def test_what_a_function_gives_is_explained_though_it_changes_what_it_is_given()
 
 def judged_function(form, asked, twins=None):
     """Return the verdict on a function, where `asked` is a list of (expected, outcome)."""
+    gives = {name: [to_plain(value) for value in row] for name, row in (twins or {}).items()}
+    single = {name: row for name, row in gives.items() if " + " not in name}
     cases = [
-        Case([place], to_plain(want), {name: to_plain(row[place]) for name, row in (twins or {}).items()})
+        Case([place], to_plain(want), {name: row[place] for name, row in single.items()})
         for place, (want, _) in enumerate(asked)
     ]
     task, variant = bare(form, *cases, is_function=True)
-    task = task._replace(twins={name: words(name) for name in twins or {}})
+    task = task._replace(twins={name: words(name) for name in single}, pairs=StoredPairs(gives))
     return judge_outcomes(task, variant, [to_plain(outcome) for _, outcome in asked])
 
 

@@ -15,5 +15,5 @@
     example     a bag for who has none
 
 The files are read and written by the rosbags library, which is loaded only when
-a file is opened.  Start with `errors.py`; each page names the next.
+a file is opened.  Start with `errors.py`.
 """

@@ -6,8 +6,6 @@
 The definitions that a bag may or may not carry are not needed: the few types
 that matter for transforms are the same in every distribution.  All topics whose
 messages begin with a header give their stamps and frames.
-
-Read `salvage.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,6 @@
     x y z qx qy qz qw                   in memory up to a few million, then in a file without a name
 
 So hours of a robot fit into the memory of a laptop (out of core, memory mapped).
-Read `collect.py` next.
 """
 
 from __future__ import annotations

@@ -2,8 +2,7 @@
 
     a path --> no such file | empty | not a bag | cut short | not readable
 
-One class, one line of text: which file, what is wrong, what to try.  Read
-`recording.py` next.
+One class, one line of text: which file, what is wrong, what to try.
 """
 
 from __future__ import annotations

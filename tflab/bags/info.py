@@ -8,8 +8,6 @@
 Humble prints the times with milliseconds that are not padded (.045 as .45), and
 has no lines about distribution and services.  Times of day are local, as upstream;
 on virtual time, where a page must print the same everywhere, they are UTC.
-
-Read `example.py` next.
 """
 
 from __future__ import annotations

@@ -9,8 +9,6 @@ A file cannot tell who published a transform; in one process nothing gets lost,
 so here every label has its publisher.  The listener asks a node only for what
 rclpy's nodes offer, so a robot can be heard in the same way; of its images and
 clouds only the first bytes are read (a raw subscription).
-
-Read `play.py` next.
 """
 
 from __future__ import annotations

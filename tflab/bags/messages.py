@@ -9,7 +9,7 @@ A library can read any message, for which it needs the message's definition and
 about 10 microseconds.  A recording holds a million TFMessages and always of this
 one shape, so they are read here, names and numbers left as bytes.
 
-The OMG calls the first encoding CDR (XCDR1).  Read `columns.py` next.
+The OMG calls the first encoding CDR (XCDR1).
 """
 
 from __future__ import annotations

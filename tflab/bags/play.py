@@ -4,7 +4,7 @@
                every 1/Hz of the bag's time   --> /clock, if asked for
 
 Stamps are replayed as they were recorded.  A loop therefore sets /clock, and all
-stamps, back: whoever listens must be ready for that.  Read `info.py` next.
+stamps, back: whoever listens must be ready for that.
 """
 
 from __future__ import annotations

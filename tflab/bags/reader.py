@@ -10,8 +10,6 @@
 
 A bag whose recorder was killed has no metadata.yaml, or its file no end: then
 what is there is read, if that is asked for.
-
-Read `wire.py` next.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@ latched, so is the subscription, and /tf_static is there even if it was said
 before.  A message is stored with the time of its receipt.
 
 `BagWriter` never writes over anything, and its bag is whole however the recording
-ends.  Read `listen.py` next.
+ends.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ Rows stand in the order of arrival, with everything as sent: slashes, rotations
 of length zero, stamps that go backwards.  What tf2 would make of them is the
 buffer's business (`Recording.buffer`), what is wrong with them the doctor's.
 
-ROS calls the file a bag.  Read `messages.py` next.
+ROS calls the file a bag.
 """
 
 from __future__ import annotations

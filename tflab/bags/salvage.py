@@ -8,7 +8,6 @@ to find what.  Without it they are read from the beginning, twice: once for the
 topics, once for the messages.  What is broken in its middle ends there, too.
 
 Other tools call it recovering (`mcap recover`) and reindexing (`rosbag reindex`).
-Read `reader.py` next.
 """
 
 from __future__ import annotations

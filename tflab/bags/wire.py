@@ -3,8 +3,7 @@
     our message  <-- rosbags' object of the same fields -->  CDR
     QoSProfile   <-- rosbags' Qos -->  metadata.yaml, or the channel of an .mcap
 
-Definitions and hashes that go into a bag are rosbags' own, those of Jazzy.  Read
-`record.py` next.
+Definitions and hashes that go into a bag are rosbags' own, those of Jazzy.
 """
 
 from __future__ import annotations

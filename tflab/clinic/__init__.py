@@ -17,5 +17,5 @@
     panel      a visit with controls
 
 A cause is made on a running robot, every tool is run on it, and what they print is
-all that leaves the ward.  Start with `causes.py`; each page names the next.
+all that leaves the ward.  Start with `causes.py`.
 """

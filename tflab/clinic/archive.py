@@ -7,8 +7,6 @@ A patient follows from its causes, its numbers and the pages of all rooms that t
 one may import from (the tools print it, the robots drive it), so those are its name:
 content-addressed, as git's objects are.  Whatever is edited there, an old patient is
 not found again.
-
-Read `visit.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 A Launch is a value: which nodes, with which arguments, clocks and network.  A cause
 is a function from one Launch to another, so causes compose.  In the field this is
 *fault injection*, here at the level of nodes and not of messages.
-
-Read `findings.py` next.
 """
 
 from __future__ import annotations

@@ -5,8 +5,6 @@
 
 A plaster takes the symptom away, or nothing at all.  What a whole diagnosis says, of
 each cause, stands here too: whose place is wrong, who has to change, and how.
-
-Read `patient.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 Who writes a program that reads findings needs to know their form; numbers and names
 are those of one robot, and another has others.  The same three tables in print: the
 suspects, the trolley, and what each suspect would say.
-
-Read `proof.py` next.
 """
 
 from __future__ import annotations

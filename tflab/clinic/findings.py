@@ -6,8 +6,6 @@
 And each finding has a kind, which is what tells suspects apart: "-0.295 s" is
 "ahead", "0.105 s" is as on the card.  Medicine calls the first a sign and the
 second its interpretation.
-
-Read `trolley.py` next: who reads what.
 """
 
 from __future__ import annotations

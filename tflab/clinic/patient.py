@@ -6,8 +6,6 @@
 A patient is a value that JSON can hold: no graph, no buffer, and nowhere the name
 of the cause.  It notes what it was asked, for who asks pays.  Packed, so that
 opening a file of cases does not read like its answers: a curtain, not a vault.
-
-Read `ward.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 The same number gives the same patient everywhere.  What was wrong is told by
 `answer_of`, which reads no patient: it draws again what the number draws.  And
 `second_opinion` starts that robot once more and lets the doctor listen to it.
-
-Read `panel.py` next.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@
 A guess is no proof, even a right one; nor is a list that asks for everything, for
 what comes after the last rival is struck tells nothing.  In the field this is
 *sequential diagnosis*: the cheapest tests that isolate a fault.
-
-Read `cures.py` next.
 """
 
 from __future__ import annotations

@@ -2,8 +2,7 @@
 
     visit --steps_of--> VisitStep("delay /scan", 1, "-0.285 s", "card: 0.105 s", left=("laser clock ahead",))
 
-Who is left is what the readings leave, whatever one has struck oneself.  Read
-`practice.py` next.
+Who is left is what the readings leave, whatever one has struck oneself.
 """
 
 from __future__ import annotations

@@ -9,8 +9,6 @@ A complaint is what an operator sees, a suspect what may be behind it.  The tabl
 is general knowledge about robots and says nothing of any patient; diagnosis from
 such a table is called a *fault dictionary*.  The ward's test runs all eighteen and
 holds the table to what they said.
-
-Read `examples.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     Scan on the map: up to 0.47 m beside the walls       what the ward measured, and no tool
 
 A patient is kept in English, whoever reads it; its words are turned when they are
-told.  Read `table.py` next.
+told.
 """
 
 from __future__ import annotations

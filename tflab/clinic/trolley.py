@@ -5,8 +5,6 @@
 The prices are those of somebody who has to walk to the robot, wait and read: a
 question that shows one number costs a minute, a picture of the whole tree three,
 a screwdriver a quarter of an hour.  In decision theory this is the cost of a test.
-
-Read `told.py` next.
 """
 
 from __future__ import annotations

@@ -10,8 +10,6 @@ Whatever is misspelt is refused before it costs anything.
 
 Nobody repairs here on a suspicion: as long as the readings fit another suspect as
 well, or do not fit the one that was named, no fix is tried.
-
-Read `steps.py` next.
 """
 
 from __future__ import annotations

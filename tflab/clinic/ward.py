@@ -4,7 +4,7 @@
                                       --cured--> what each fix leads to
 
 It takes two to three seconds, and what leaves the ward is text alone: no graph, no
-buffer, no name of a cause.  Read `archive.py` next.
+buffer, no name of a cause.
 """
 
 from __future__ import annotations

@@ -25,7 +25,7 @@
     records      what was heard, before anybody judged it
 
 Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1).
-It needs nothing but numpy.  Start with `stamps.py`; each page names the next.
+It needs nothing but numpy.  Start with `stamps.py`.
 """
 
 from . import builds, quaternions

@@ -10,7 +10,7 @@ one by one.
 
 This page holds no buffer: it gets `ask(stamp_ns)`, the single lookup between the two
 frames, for whatever columns cannot answer.  tf2 has nothing of the kind.  (Batch
-processing; cache blocking.)  Read `inspection.py` next.
+processing; cache blocking.)
 """
 
 from __future__ import annotations

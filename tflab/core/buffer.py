@@ -15,7 +15,7 @@ A bad transform is not an error but refused: it is reported to the logger
 on a robot nobody catches an exception in another process.
 
 One thread may write while others read.  tf2 calls this BufferCore
-(tf2/src/buffer_core.cpp, 0.39.1).  Read `checks.py` next.
+(tf2/src/buffer_core.cpp, 0.39.1).
 """
 
 from __future__ import annotations

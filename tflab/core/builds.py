@@ -8,7 +8,7 @@ alike to the last digit; one lookup takes a third of the time.  Python prefers w
 is compiled, a debugger what can be stepped through: `TFLAB_COMPILED=0` in the
 environment takes the pages as they stand.
 
-`tflab.core.BUILD` says which one runs.  Read `quaternions.py` next.
+`tflab.core.BUILD` says which one runs.
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ arrays).  Samples at the old end that were dropped stay in them for a while,
 before index `_first`, and are cut off many at a time.
 
 tf2 calls these classes TimeCache and StaticCache, with one interface between them
-(tf2/src/cache.cpp, static_cache.cpp, time_cache.hpp).  Read `tree.py` next.
+(tf2/src/cache.cpp, static_cache.cpp, time_cache.hpp).
 """
 
 from __future__ import annotations

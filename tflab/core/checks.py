@@ -7,7 +7,7 @@ tf2 refuses quietly: the publisher may be in another process, so there is nobody
 to raise an exception at.  Whoever asks is here, and is told.  Every fault of a
 transform is reported, not just the first; the logger is `tflab.tf2`.
 
-tf2: BufferCore::setTransformImpl, validateFrameId.  Read `requests.py` next.
+tf2: BufferCore::setTransformImpl, validateFrameId.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ Compare `segments.py`, `routes.py` and `poses.canonical_pose`: this is what they
 say, and the tests hold the two together.  Composing needs no second version:
 `quaternions.rotate` and `multiply` are plain arithmetic, of numbers or of arrays.
 
-tf2 has nothing of the kind.  (Vectorization.)  Read `batch.py` next.
+tf2 has nothing of the kind.  (Vectorization.)
 """
 
 from __future__ import annotations

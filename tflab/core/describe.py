@@ -7,8 +7,7 @@ to the letter, their spelling mistake included.  Rates are n / span, not
 (n - 1) / span, and a single sample or a static transform counts 10000 Hz:
 that is how tf2 reckons.
 
-tf2: BufferCore::allFramesAsString, allFramesAsYAML, _allFramesAsDot.  Read
-`columns.py` next.
+tf2: BufferCore::allFramesAsString, allFramesAsYAML, _allFramesAsDot.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ The text of each is tf2's to the letter, so that a web search and a robot agree.
 What we know beyond that text is kept beside it, in attributes and in `hint`.
 
 C++ has three kinds of extrapolation; Python sees one class, here with a
-`direction`.  (tf2/exceptions.hpp)  Read `plain.py` next.
+`direction`.  (tf2/exceptions.hpp)
 """
 
 from __future__ import annotations

@@ -8,7 +8,6 @@ The texts are tf2's to the letter, so that a web search and a robot agree.  Name
 in a question are judged first: see `checks.py`.
 
 tf2: BufferCore::createExtrapolationException1..3, createConnectivityErrorString.
-Read `routes.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
 
 Tools, timelines and tests read a buffer through these methods; a lookup does not
 need them.  tf2 has some (allFramesAsYAML, getParent); histories it keeps to
-itself.  Read `snapshot.py` next.
+itself.
 """
 
 from __future__ import annotations

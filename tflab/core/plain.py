@@ -14,7 +14,7 @@ hold the fast engine to it: it is their reference implementation, the oracle.
 (Two oddities are left to the fast pages: a frame that is called NO_PARENT, and
 translations that are infinite.)
 
-tf2: TimeCache, BufferCore::walkToTopParent.  Read `segments.py` next.
+tf2: TimeCache, BufferCore::walkToTopParent.
 """
 
 from __future__ import annotations

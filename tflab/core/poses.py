@@ -8,8 +8,6 @@
 The next page gives these numbers a name and a face; the engine hands them around
 as a plain tuple, because a lookup may touch thousands of them.  (The rigid motions
 SE(3), as a vector and a unit quaternion.)
-
-Read `transforms.py` next.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ pitch and yaw turn about the *fixed* x, y and z axes, in that order.
 
 Every function is plain arithmetic on tuples of floats.  Where tf2's rounding
 can be seen (`to_matrix`, `from_matrix`, `slerp`), the order of operations is
-that of tf2/LinearMath.  Read `poses.py` next.
+that of tf2/LinearMath.
 """
 
 from __future__ import annotations

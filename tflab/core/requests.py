@@ -11,7 +11,7 @@ therefore fail: its moment is 0, and that is long ago.
 
 tf2: BufferCore::addTransformableRequest, testTransformableRequests.  (There,
 cancelling one request can take away the callback of another; that is a bug, and
-not copied here.)  Read `velocity.py` next.
+not copied here.)
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ What the engine remembers only to be fast, and when it forgets it:
     a table for batches             columns.py    see BufferCore._shape_changed
     the same table                  columns.py    also when its history changed in any way: see TimeCache.version
 
-tf2 remembers none of these (caching; cache invalidation).  Read `buffer.py` next.
+tf2 remembers none of these (caching; cache invalidation).
 """
 
 from __future__ import annotations

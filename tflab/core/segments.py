@@ -13,7 +13,7 @@ samples.  It goes by their index, so it has to be forgotten when samples get oth
 indices, and never else: see `TimeCache._renumbered`, the only place that does.
 
 tf2 works everything out anew each time (TimeCache::interpolate).  (Spherical linear
-interpolation; memoization.)  Read `cache.py` next.
+interpolation; memoization.)
 """
 
 from __future__ import annotations

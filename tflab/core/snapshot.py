@@ -4,8 +4,6 @@ A view never holds a buffer: it gets a `Snapshot`, or a function to ask.
 
 Here the engine ends.  On top of it, `tflab.ros` speaks ROS 2 and `tflab.views`
 draws; `records.py` is the form in which recordings come in.
-
-Read `records.py` next.
 """
 
 from __future__ import annotations

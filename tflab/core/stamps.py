@@ -7,7 +7,7 @@ A float of seconds since 1970 can only tell apart moments about 240 ns from each
 other, so the engine never stores one.  The number 0 does not mean "1970": tf2
 keeps it for "the latest there is", and we call it LATEST.
 
-tf2 calls this `TimePoint` (tf2/time.h).  Read `builds.py` next.
+tf2 calls this `TimePoint` (tf2/time.h).
 """
 
 from __future__ import annotations

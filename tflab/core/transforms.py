@@ -14,8 +14,6 @@ Neighbours must match, like dominoes:
 
 `Transform` and `StampedTransform` are what people hold in their hands; the
 arithmetic is that of the page before.  (REP-103 axes; geometry_msgs/Transform.)
-
-Read `errors.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,7 @@ next number, and is never forgotten.  The tree itself is not stored anywhere:
 each sample names its own parent, so the shape may change from one moment to the
 next, and nothing stops two samples from closing a loop.
 
-tf2 keeps this in BufferCore (frameIDs_, frames_, frame_authority_).  Read
-`walk.py` next.
+tf2 keeps this in BufferCore (frameIDs_, frames_, frame_authority_).
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ against each other.  `lookup_velocity` computes what the names say;
 `lookup_velocity_as_tf2` what a robot answers, for code that has to agree with one.
 
 Neither holds a buffer: they get two of its functions, to ask and for the newest
-moment.  (Finite differences; a twist.)  Read `describe.py` next.
+moment.  (Finite differences; a twist.)
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ map -> odom does not hurt camera <-> laser.
 Before that, LATEST is made a moment: the newest at which the whole way is known.
 
 tf2: BufferCore::walkToTopParent, getLatestCommonTime.  (The lowest common
-ancestor of two nodes.)  Read `failures.py` next.
+ancestor of two nodes.)
 """
 
 from __future__ import annotations

@@ -14,7 +14,7 @@
     options      what one may ask
     command      `tflab doctor BAG`
 
-Start with `findings.py`; each page names the next.
+Start with `findings.py`.
 """
 
 from .examination import examine

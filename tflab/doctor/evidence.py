@@ -5,8 +5,7 @@
                                   headers    what other messages say about time and frames
                                   clock      what to expect of "received minus stamp"
 
-What is asked of it more than once, it works out once and remembers.  Read
-`gather.py` next.
+What is asked of it more than once, it works out once and remembers.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     print(examine(buffer))
 
 A graph is listened to for some seconds, as view_frames does, and asked for its
-nodes.  Read `live.py` next.
+nodes.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@
 
 A finding holds no sentences: `report/` makes them of its code and facts, so that
 another language needs another table and nothing else.
-
-Read `evidence.py` next.
 """
 
 from __future__ import annotations

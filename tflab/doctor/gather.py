@@ -8,7 +8,7 @@ So the difference of the clocks is estimated first, from /clock if it was record
 else from what all publishers have in common, and taken off.
 
 A buffer has forgotten the order of arrival, the times of receipt and whatever it
-refused; checks that need those are then not made.  Read `jumps.py` next.
+refused; checks that need those are then not made.
 """
 
 from __future__ import annotations

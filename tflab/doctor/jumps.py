@@ -1,14 +1,12 @@
 r"""Was the clock set?  Where the stamps of an edge leave the time of receipt for good.
 
-    received minus stamp
-          |          ________        a clock that was set back: a new level
-          |__________|
-          |     |                    a message that was late, or overtaken: the old level again
-          |_____|____________
+received minus stamp
+      |          ________        a clock that was set back: a new level
+      |__________|
+      |     |                    a message that was late, or overtaken: the old level again
+      |_____|____________
 
-    ''''\____________      a queue that empties, as after a start: no jump, there was no level before
-
-Read `checks/` next.
+''''\____________      a queue that empties, as after a start: no jump, there was no level before
 """
 
 from __future__ import annotations

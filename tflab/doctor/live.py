@@ -6,7 +6,6 @@ The listener is an ordinary node.  Where nobody but one publishes a topic, its
 transforms have an owner with a name; where there are several, some versions of
 rclpy say who sent a message, and otherwise the values must tell.  Images and clouds
 stay bytes: only their headers are read.
-Read `options.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     odom -> base_link   20.0    4 ms  6 ms  9 ms       0.10 s         /wheel_odometry
 
 The table stands in every report; expectations are written from it, and two
-recordings are compared by it.  Read `gate/` next.
+recordings are compared by it.
 """
 
 from __future__ import annotations

@@ -16,6 +16,5 @@ grader nor another.
     check_command the same path for a learner, with the public cases
     plugin        tasks as test items: `pytest --tflab-grade PACK NOTEBOOK`
 
-`docs/grading.md` is the instructor's page.  Start with `release.py`; each
-page names the next.
+`docs/grading.md` is the instructor's page.  Start with `release.py`.
 """

@@ -7,7 +7,7 @@
     what hit a deadline  <-------------------+   once more at the end, alone, with three times the time
 
 A second run takes the records that are there and grades only what changed, in the
-submission, the pack or tflab.  Ctrl-C loses nothing that was done.  Read `submissions/` next.
+submission, the pack or tflab.  Ctrl-C loses nothing that was done.
 """
 
 from __future__ import annotations

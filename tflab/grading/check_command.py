@@ -6,7 +6,7 @@
 
 It goes the way that grading goes: only the answers are taken, they run in a fresh
 kernel from the top, and what grading would ignore is said.  Its cases are the public
-ones.  Read `plugin.py` next.
+ones.
 """
 
 from __future__ import annotations

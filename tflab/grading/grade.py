@@ -4,8 +4,6 @@
                                                                              feedback/s101.html, class.html
 
 What is missing or malformed is a line in the report and stops nothing.
-
-Read `batch.py` next.
 """
 
 from __future__ import annotations

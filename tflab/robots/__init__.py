@@ -20,5 +20,5 @@
 
     faults/           what goes wrong, and how to make it go wrong
 
-Start with `model.py`; each page names the next.
+Start with `model.py`.
 """

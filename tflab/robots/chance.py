@@ -5,8 +5,6 @@
 
 Everything that draws does so under a name, never under its place in a list: a sensor
 or a fault that is added, anywhere, leaves what all the others draw as it was.
-
-Read `motion.py` next.
 """
 
 from __future__ import annotations

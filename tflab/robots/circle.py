@@ -13,7 +13,6 @@ looks along the radius, outwards, and slides to its own left: nothing that tf2
 could complain about, and wrong all the same.  `body_velocity` shows it.
 
 The lecture's node is `main`; `main_forward` is the same with the right heading.
-Read `faults/` next.
 """
 
 from __future__ import annotations

@@ -10,7 +10,6 @@ position from it; a joint that nobody mentions stands at zero.  Limits are not
 enforced: a robot that is outside of them must still be drawn where it is.
 
 The field calls this forward kinematics; KDL does it inside robot_state_publisher.
-Read `state_publisher.py` next.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ publish that: base_footprint already has a parent.  So it publishes the one edge
 that makes the sum come out right, and every correction is a jump of `odom` in
 `map` (REP-105).  Between corrections the last one stays in force.
 
-AMCL and SLAM work like this.  Read `world.py` next: what there is to see.
+AMCL and SLAM work like this.
 """
 
 from __future__ import annotations

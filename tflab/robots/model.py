@@ -8,7 +8,6 @@ is in its parent: first the origin, which never changes, then the movement along
 about the axis.  Every link but one, the root, is the child of exactly one joint.
 
 The field calls this URDF (http://wiki.ros.org/urdf/XML).  All values are frozen.
-Read `xml_lines.py` next, and then `urdf.py`, which makes a Robot of a file.
 """
 
 from __future__ import annotations

@@ -9,8 +9,6 @@ A leg keeps its speed and its yaw rate, so the robot follows straight lines and
 arcs, and where it is at any moment can be worked out with a pencil.  Nothing is
 integrated step by step: the same stamp always gives the same pose, however often
 and in whichever order you ask.  No sensor ever sees this pose as it is.
-
-Read `odometry.py` next: what the wheels make of it.
 """
 
 from __future__ import annotations

@@ -16,8 +16,6 @@ A driver measures at one moment and publishes at a later one.  So every timer he
 speaks of the past: the stamp lies `delay_s` before the publication, and the reading
 is the robot's at that true moment.  The stamp is what the node's own clock said
 then, right or wrong.  The network adds what the lesson tells the graph to add.
-
-Read `circle.py` next.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ other (a bias: the path bends), and the ground gives way by chance (slip).  Erro
 are added up and never taken back, which is why `odom` drifts (REP-105).
 
 Everything is worked out once, from a seed, when the object is made: the same stamp
-always gives the same pose.  Read `localization.py` next: how drift is cured.
+always gives the same pose.
 """
 
 from __future__ import annotations

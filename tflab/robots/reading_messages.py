@@ -4,7 +4,7 @@
     ImuReading -> sensor_msgs/Imu        OdometryReading -> nav_msgs/Odometry
     Room -> nav_msgs/OccupancyGrid       JointReading    -> sensor_msgs/JointState
 
-Transforms are converted by `tflab/ros/convert.py`.  Read `nodes.py` next.
+Transforms are converted by `tflab/ros/convert.py`.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
 
 The number that matters is the first: where the robot was when the light came in,
 not when the computer had finished with it.  These are the engine-side twins of
-ROS messages; `reading_messages.py` converts them.  Read `sensors.py` next: who says them.
+ROS messages; `reading_messages.py` converts them.
 """
 
 from __future__ import annotations

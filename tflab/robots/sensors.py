@@ -8,7 +8,6 @@ bends the walls.  A camera's detection is written in the optical frame: z forwar
 x right, y down (REP-103).  An imu feels the turn and the pull of the ground.
 
 Noise is drawn from the seed and the stamp, so a moment always looks the same.
-Read `teaching.py` next: the whole robot.
 """
 
 from __future__ import annotations

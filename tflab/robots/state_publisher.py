@@ -11,8 +11,6 @@ transform, so its link is missing from TF.  And it is in no hurry: a message who
 stamp is less than a period after the last one that it published is passed over.
 Quirks are those of the real node (robot_state_publisher 3.x, in C++), and so are its
 texts; what it says about a URDF that it cannot read is better here.
-
-Read `chance.py` next.
 """
 
 from __future__ import annotations

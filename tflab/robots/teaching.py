@@ -12,7 +12,6 @@ moment alone, with no clock, no thread and no ROS.  Three ways to use it:
     robot.readings(until_s=20.0)   what the sensors said meanwhile
 
 `nodes.py` runs the same robot on ROS, one node for each source.
-Read `reading_messages.py` next.
 """
 
 from __future__ import annotations

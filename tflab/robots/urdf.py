@@ -8,7 +8,7 @@ passed over, an axis of zeros on a joint that does not move harms nobody.  What
 cannot mean anything is an error that names the file, the line and the joint.
 Between the two are `Robot.notes`: odd, but readable.
 
-A robot is published by `state_publisher.py`.  Read `kinematics.py` next.
+A robot is published by `state_publisher.py`.
 """
 
 from __future__ import annotations

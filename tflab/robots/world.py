@@ -11,8 +11,6 @@
 Walls are upright and stand on a floor at z = 0, so a laser that is mounted
 level sees a floor plan, and one that is tilted sees the floor where it should see
 a wall.  All coordinates are in `map`.
-
-Read `readings.py` next.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@ Python's own ElementTree forgets line numbers and refuses a prefix that nobody
 declared (`<drake:member>`), which real robots do have.  Its parser underneath,
 expat, does neither if asked plainly.  Text between elements is not kept: a URDF
 has none.  Entities are refused, because a robot needs none and an attacker does.
-
-Read `urdf.py` next.
 """
 
 from __future__ import annotations

@@ -52,7 +52,7 @@ In reading order:
     convert  tf2/                                        engine values and messages; tf2_ros
     snapshot  notebook  run                              looking at a graph, pages, scripts
 
-Start with `activation.py`; each page names the next.
+Start with `activation.py`.
 """
 
 from .activation import activate, deactivate, is_active

@@ -5,8 +5,6 @@
     handle.cancel_goal_async()                -->  whether it will be given up
 
 upstream: rclpy/action/client.py
-
-Read `callback_groups.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
              CANCELING --canceled--> CANCELED        (or succeed, or abort: it was too late)
 
 A *state machine*: what has no arrow is refused.  upstream: rcl_action/goal_state_machine.c
-
-Read `action_server.py` next.
 """
 
 from __future__ import annotations

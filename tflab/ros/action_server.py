@@ -5,8 +5,6 @@
     get_result   answered when the goal is done   <--  succeed(), abort(), canceled(), and what it returns
 
 Three services and two topics, under hidden names.  upstream: rclpy/action/server.py
-
-Read `action_client.py` next.
 """
 
 from __future__ import annotations

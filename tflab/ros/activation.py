@@ -10,8 +10,6 @@ otherwise; the choice is one environment variable:
     TFLAB_ROS=real          always the real one, an error if there is none
 
 ROS 1 also has a `tf2_ros`, but no `rclpy`, so only `rclpy` tells that ROS 2 is here.
-
-Read `distro.py` next.
 """
 
 from __future__ import annotations

@@ -3,8 +3,6 @@
 A node's callbacks are in one mutually exclusive group unless they are put
 elsewhere: while one of them runs, the others wait, even with many threads.
 tf2's listener is reentrant, so transforms keep arriving.
-
-Read `task.py` next.
 """
 
 from __future__ import annotations

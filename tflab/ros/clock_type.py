@@ -1,7 +1,4 @@
-"""Which clock?  The four kinds of rclpy.
-
-Read `duration.py` next.
-"""
+"""Which clock?  The four kinds of rclpy."""
 
 from __future__ import annotations
 

@@ -1,8 +1,6 @@
 """From init to shutdown: a context, and what hangs on it.
 
-    rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
-
-Read `logging.py` next.
+rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     TFLAB_ROS_DISTRO=humble | jazzy | rolling        (jazzy if unset)
 
 The rest of the surface is that of geometry2 0.39.1 and rclpy 8.0, whatever the
-distribution.  Read `messages/` next.
+distribution.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
     Duration(seconds=0.2)      Duration(nanoseconds=-5)
 
-As in rclpy, a float of seconds is truncated, not rounded.  Read `time.py` next.
+As in rclpy, a float of seconds is truncated, not rounded.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What can an executor execute?  Timers, subscriptions, guard conditions, clients, services.
-
-Read `event_handler.py` next.
-"""
+"""What can an executor execute?  Timers, subscriptions, guard conditions, clients, services."""
 
 from __future__ import annotations
 

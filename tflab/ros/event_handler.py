@@ -5,8 +5,6 @@
     publisher offers too little  -->  callback(info), when the executor comes to it    instead of the warning in the log
 
 What else ROS 2 reports (a missed deadline, a lost message ...) is refused: here nobody would ever report it.
-
-Read `timer.py` next.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What can go wrong with names, contexts and parameters?  rclpy's exceptions, with its texts.
-
-Read `arguments.py` next.
-"""
+"""What can go wrong with names, contexts and parameters?  rclpy's exceptions, with its texts."""
 
 from __future__ import annotations
 

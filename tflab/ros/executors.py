@@ -6,8 +6,6 @@
 
 A callback that blocks keeps everything else of a single-threaded executor
 waiting, the arrival of transforms included.
-
-Read `signals.py` next.
 """
 
 from __future__ import annotations

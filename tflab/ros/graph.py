@@ -10,8 +10,6 @@
 Between two calls time stands still.  A participant's exception is reported with
 its name and does not hurt the others; one that keeps busy without ever sleeping
 or spinning is stopped and named.
-
-Read `qos.py` next.
 """
 
 from __future__ import annotations

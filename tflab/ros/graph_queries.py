@@ -1,8 +1,6 @@
 """What does a node see of the others?  The questions about the graph that every node can ask.
 
 One of the three mixins that Node is made of; see node.py for the other two.
-
-Read `lifecycle_states.py` next.
 """
 
 from __future__ import annotations

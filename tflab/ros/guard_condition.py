@@ -1,7 +1,4 @@
-"""How does one wake an executor by hand?  A guard condition.
-
-Read `publisher.py` next.
-"""
+"""How does one wake an executor by hand?  A guard condition."""
 
 from __future__ import annotations
 

@@ -6,8 +6,6 @@
     shutdown, from any of the three: [shuttingdown] --> finalized
 
 A state on the way (a transition state) is left by what its callback returned.
-
-Read `lifecycle.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@ The time is that of the graph (the machine's clock in real time), even where a
 node follows /clock.  Lines go to stderr, or to stdout with
 RCUTILS_LOGGING_USE_STDOUT=1.  The engine's refusals (TF_OLD_DATA ...) appear
 here as well, from the nameless logger `[]`, as on a robot.
-
-Read `logging_filters.py` next.
 """
 
 from __future__ import annotations

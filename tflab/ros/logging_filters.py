@@ -9,7 +9,7 @@ that says no keeps the later ones from noticing: with skip_first and once, the s
 call is printed.  On simulated time, which begins at 0, throttling begins there, too.
 What a place asks for must not change from call to call.
 
-upstream: rclpy/impl/rcutils_logger.py.  Read `entity.py` next.
+upstream: rclpy/impl/rcutils_logger.py.
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@
                               /points    ->  /points
 
 A bad name is answered with rclpy's text, which points at the character.
-Read `exceptions.py` next.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@ offered quality of service is not less than the requested one; otherwise both sa
 so in their logs.  Publishing makes one copy; each receiver's callback gets its
 own, except tf2's listeners, which share one decoded message because they only
 read it.
-
-Read `graph.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
       `-- clock (ROS time; follows /clock if use_sim_time), logger
 
 The first three are mixins over one `self`: each says at its class what it borrows of Node.
-
-Read `node_entities.py` next.
 """
 
 from __future__ import annotations

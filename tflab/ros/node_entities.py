@@ -1,8 +1,6 @@
 """What does a node own?  Publishers, subscriptions, timers, services, clients: made, listed and destroyed.
 
 One of the three mixins that Node is made of; see node.py for the other two.
-
-Read `graph_queries.py` next.
 """
 
 from __future__ import annotations

@@ -3,8 +3,6 @@
     declare -> [type, descriptor] -> set: pre-set, on-set (may refuse), post-set callbacks -> /parameter_events
 
 One of the three mixins that Node is made of; see node.py for the other two.
-
-Read `parameter_service.py` next.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What does the first cell of a page do?  `%load_ext tflab`: this ROS 2, on virtual time, with field checks.
-
-Read `run.py` next.
-"""
+"""What does the first cell of a page do?  `%load_ext tflab`: this ROS 2, on virtual time, with field checks."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What can be set from outside?  A parameter: a name, a type, a value.
-
-Read `node_parameters.py` next.
-"""
+"""What can be set from outside?  A parameter: a name, a type, a value."""
 
 from __future__ import annotations
 

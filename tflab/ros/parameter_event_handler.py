@@ -4,8 +4,6 @@
                              `------> callback(event)       of every event
 
 What was added last is called first, as in rclpy.
-
-Read `clock.py` next.
 """
 
 from __future__ import annotations

@@ -1,8 +1,6 @@
 """How are a node's parameters reached from outside?  Services below its name.
 
-    /node/get_parameters, set_parameters, list_parameters, ...    as `ros2 param` calls them
-
-Read `parameter_client.py` next.
+/node/get_parameters, set_parameters, list_parameters, ...    as `ros2 param` calls them
 """
 
 from __future__ import annotations

@@ -9,8 +9,6 @@ A thread belongs to the process of whoever started it, so `rclpy.init()`,
 as globals hangs here on the thread (thread-local storage).  A process can be
 interrupted, which is what Ctrl-C does (SIGINT), and it ends when its main function
 does.
-
-Read `threads.py` next.
 """
 
 from __future__ import annotations

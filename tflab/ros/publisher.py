@@ -1,7 +1,4 @@
-"""Who sends?  A publisher.
-
-Read `subscription.py` next.
-"""
+"""Who sends?  A publisher."""
 
 from __future__ import annotations
 

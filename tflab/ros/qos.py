@@ -7,8 +7,6 @@
     VOLATILE              VOLATILE
 
 TRANSIENT_LOCAL is why somebody who comes late still hears /tf_static.
-
-Read `qos_compatibility.py` next.
 """
 
 from __future__ import annotations

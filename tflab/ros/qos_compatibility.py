@@ -1,8 +1,6 @@
 """Do the two sides fit?  What a publisher offers must not be less than what a subscription requests.
 
 If it is less, the two are not connected, and both say so in their logs.
-
-Read `names.py` next.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     serialize_message(msg) -> b"\\x00\\x01\\x00\\x00..."     deserialize_message(data, PointStamped) -> msg
 
 Nothing here needs it to send a message; bags, and subscriptions with raw=True, do.
-The bytes are made by the rosbags library.  Read `convert.py` next.
+The bytes are made by the rosbags library.
 """
 
 from __future__ import annotations

@@ -2,8 +2,6 @@
 
 A call blocks until the answer has come, so somebody else must spin the client's
 node meanwhile; `call_async` returns a Future instead.
-
-Read `action_goals.py` next.
 """
 
 from __future__ import annotations

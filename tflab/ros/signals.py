@@ -3,8 +3,6 @@
 So on ROS 2 a program that ends with `finally: rclpy.shutdown()` ends with an
 RCLError: the context is shut down already.  In pages there is no signal:
 `graph.stop()` interrupts and leaves the context valid.
-
-Read `parameter.py` next.
 """
 
 from __future__ import annotations

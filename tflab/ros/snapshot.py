@@ -2,8 +2,6 @@
 
 Unlike anything on a robot, this knows the publisher of every transform: in one
 process nothing gets lost on the wire.  `BufferCore.snapshot` shows a buffer.
-
-Read `notebook.py` next.
 """
 
 from __future__ import annotations

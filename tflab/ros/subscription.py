@@ -1,7 +1,4 @@
-"""Who listens?  A subscription, with a queue that forgets its oldest when it is full.
-
-Read `service.py` next.
-"""
+"""Who listens?  A subscription, with a queue that forgets its oldest when it is full."""
 
 from __future__ import annotations
 

@@ -1,7 +1,4 @@
-"""What will it be, later?  Future, and Task: a future that an executor works on.
-
-Read `executors.py` next.
-"""
+"""What will it be, later?  Future, and Task: a future that an executor works on."""
 
 from __future__ import annotations
 

@@ -5,7 +5,7 @@
     thread.join()        lets the graph's time pass
 
 Everybody else gets Python's own.  Put in place with the first graph, taken away
-by `deactivate()`.  Read `virtual.py` next.
+by `deactivate()`.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 
 Times of different clocks are not comparable, and that meets everybody once:
 `Time()` is SYSTEM_TIME, a node's clock and `from_msg` are ROS_TIME.  As in rclpy,
-a float of seconds is truncated.  Read `process.py` next.
+a float of seconds is truncated.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 The first call comes one period after the timer was made.  Calls that were missed
 are skipped, not replayed.  A node's timers follow its clock, so with
 use_sim_time and no /clock they never fire.
-
-Read `guard_condition.py` next.
 """
 
 from __future__ import annotations

@@ -13,8 +13,6 @@ scheduling of a discrete-event simulation: the turn is a baton that a pair of lo
 hands over, the agenda is the event queue.  The thread that made
 the graph (the notebook's) is no strand: while it runs or waits, it hands out the
 turns.
-
-Read `wall.py` next.
 """
 
 from __future__ import annotations

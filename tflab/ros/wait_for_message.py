@@ -4,7 +4,6 @@
 
 It blocks, and needs nobody to spin: the message is taken where it arrives.  What
 was published before is missed, unless both sides are transient local.
-Read `serialization.py` next.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What time is it, really?  Waiting and clocks in real time, for scripts and `tflab run`.
 
 Threads simply run beside each other.  The other driver, for pages, is
-`virtual.py`; both have the same methods.  Read `network.py` next.
+`virtual.py`; both have the same methods.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
     ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: 5}" --feedback
 
-upstream: ros2cli/ros2action.  Read `lifecycle.py` next.
+upstream: ros2cli/ros2action.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 The work is done in `tflab.bags`; here are the options, and what stands on the
 terminal.  upstream: rosbag2/ros2bag, rosbag2_transport.
-
-Read `rviz.py` next.
 """
 
 from __future__ import annotations

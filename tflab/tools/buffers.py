@@ -6,7 +6,7 @@
              `-- draw_question(buffer, "map", "laser_frame", t)    the sentence, among all frames
 
 A view takes values; here they are taken out of the buffer.  tf2_ros.Buffer has the
-engine as `.core`, so both kinds will do.  Read `discovery.py` next.
+engine as `.core`, so both kinds will do.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     /tf --types_of--> ["tf2_msgs/msg/TFMessage"] --message_class--> TFMessage
 
 The verbs of `ros2 topic`, `node` and `param` share it.
-upstream: ros2cli/ros2cli/node/strategy.py, ros2topic/api.  Read `topic.py` next.
+upstream: ros2cli/ros2cli/node/strategy.py, ros2topic/api.
 """
 
 from __future__ import annotations

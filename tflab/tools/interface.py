@@ -8,7 +8,7 @@
 The definitions of ROS's own packages are kept without their comments; those of a
 package that was defined here show theirs, as the real one does.
 
-upstream: ros2cli/ros2interface.  Read `bag.py` next.
+upstream: ros2cli/ros2interface.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     ros2 lifecycle set /camera configure      Transitioning successful
 
 A managed node is one that answers `~/get_state`.
-upstream: ros2cli/ros2lifecycle.  Read `interface.py` next.
+upstream: ros2cli/ros2lifecycle.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """Who is there, and what does each of them do?  `ros2 node list` and `ros2 node info`.
 
-upstream: ros2cli/ros2node.  Read `param.py` next.
+upstream: ros2cli/ros2node.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     stod("abc")   ->  an error
 
 `static_transform_publisher --x 1abc` therefore publishes 1 m, and nobody says a
-word.  Read `session.py` next.
+word.
 """
 
 from __future__ import annotations

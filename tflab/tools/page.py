@@ -7,7 +7,7 @@
     %ros2 topic info /tf                           until it has ended
 
 Time stands still before and after.  A tool that waits for something that never
-comes is stopped, and that is said.  Read `completion.py` next.
+comes is stopped, and that is said.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
         -> request to /point_to_map/set_parameters -> "Set parameter successful"
 
 A value is read as YAML: `true` is a bool, `1.0` a double, `'1.0'` a string.
-upstream: ros2cli/ros2param.  Read `service.py` next.
+upstream: ros2cli/ros2param.
 """
 
 from __future__ import annotations

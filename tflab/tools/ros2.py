@@ -7,7 +7,7 @@ A new command is one line in COMMANDS, a new program one line in EXECUTABLES; it
 module is imported when it is asked for.  Errors and exit codes are those of ros2cli
 and argparse: 2 for a wrong option, 1 for a refusal.
 
-upstream: ros2cli/ros2cli/cli.py, ros2run.  Read `page.py` next.
+upstream: ros2cli/ros2cli/cli.py, ros2run.
 """
 
 from __future__ import annotations

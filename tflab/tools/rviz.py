@@ -12,8 +12,6 @@ something newer to show.
 
     view = open_rviz()             a small RViz of the current graph
     view.update(*look())           later: the same view, what there is now
-
-Read `rviz2.py` next.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""Where is RViz?  In a page `%rviz2` shows a small one; a shell has no window, and says so.
-
-Read `ros2.py` next.
-"""
+"""Where is RViz?  In a page `%rviz2` shows a small one; a shell has no window, and says so."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
     ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts "{a: 1, b: 2}"
 
-upstream: ros2cli/ros2service.  Read `action.py` next.
+upstream: ros2cli/ros2service.
 """
 
 from __future__ import annotations

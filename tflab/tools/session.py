@@ -4,7 +4,7 @@
         spin_for(node, 1.0)                  callbacks run; Ctrl-C ends it
 
 Whoever runs the tool decides on which graph and clock: a page on virtual time, a
-shell on wall time.  Read `static_transform_publisher.py` next.
+shell on wall time.
 """
 
 from __future__ import annotations

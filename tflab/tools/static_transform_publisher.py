@@ -8,7 +8,7 @@ The arguments are read as upstream's own parser reads them: any order, `--x=1`
 unknown, the first fault ends it.  The quaternion is neither normalised nor
 checked: whoever hears it refuses it.
 
-upstream: tf2_ros/src/static_transform_broadcaster_program.cpp.  Read `tf2_echo.py` next.
+upstream: tf2_ros/src/static_transform_broadcaster_program.cpp.
 """
 
 from __future__ import annotations

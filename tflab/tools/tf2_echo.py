@@ -7,7 +7,7 @@ The tool calls its first argument source_frame and its second target_frame: the
 other way round than lookup_transform does.  The pitch of a level pose prints as
 -0.000, and the stamp without leading zeros in its nanoseconds: so it is upstream.
 
-upstream: tf2_ros/src/tf2_echo.cpp.  Read `tf2_monitor.py` next.
+upstream: tf2_ros/src/tf2_echo.cpp.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ delay begins at 0 and approaches the truth by a hundredth each half second, so i
 reads too low for minutes; a stamp from the future does not show as a maximum.
 So it is upstream.
 
-upstream: tf2_ros/src/tf2_monitor.cpp.  Read `view_frames.py` next.
+upstream: tf2_ros/src/tf2_monitor.cpp.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
             Node name: ekf
             Node name: wheel_odometry
 
-upstream: ros2cli/ros2topic.  Read `topic_echo.py` next.
+upstream: ros2cli/ros2topic.
 """
 
 from __future__ import annotations

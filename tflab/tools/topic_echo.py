@@ -5,7 +5,7 @@
     some                                     VOLATILE, with a warning
     the same with RELIABLE and BEST_EFFORT
 
-upstream: ros2cli/ros2topic/verb/echo.py.  Read `topic_rates.py` next.
+upstream: ros2cli/ros2topic/verb/echo.py.
 """
 
 from __future__ import annotations

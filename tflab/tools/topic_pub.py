@@ -6,7 +6,7 @@
 A header given as `auto`, and a time given as `now`, get the time of sending.  With
 --once and --times it waits for somebody to listen, and ends by itself.
 
-upstream: ros2cli/ros2topic/verb/pub.py.  Read `node.py` next.
+upstream: ros2cli/ros2topic/verb/pub.py.
 """
 
 from __future__ import annotations

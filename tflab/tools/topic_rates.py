@@ -4,7 +4,7 @@
     delay    from the stamp in the header to being heard
 
 Both say nothing for the first second, and then report over all that is in the
-window.  upstream: ros2cli/ros2topic/verb/hz.py, delay.py.  Read `topic_pub.py` next.
+window.  upstream: ros2cli/ros2topic/verb/hz.py, delay.py.
 """
 
 from __future__ import annotations

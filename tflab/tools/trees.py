@@ -5,8 +5,6 @@
 `view_frames` and `tf2_monitor` cannot say who it was; in one process nothing gets
 lost on the wire, so here we can.  On a robot, `ros2 topic info /tf --verbose`
 names the nodes, though not their frames.
-
-Read `buffers.py` next.
 """
 
 from __future__ import annotations

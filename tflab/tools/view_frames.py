@@ -9,7 +9,7 @@ frame stands under its newest parent only, and the broadcaster is `default_autho
 for everybody.  So it is upstream.  `frame_tree()` in `trees.py` draws our own picture
 of a graph, with every parent and the real publishers.
 
-upstream: tf2_tools/tf2_tools/view_frames.py.  Read `trees.py` next.
+upstream: tf2_tools/tf2_tools/view_frames.py.
 """
 
 from __future__ import annotations

@@ -50,5 +50,5 @@
 
 A view receives values and, where it must ask, a function
 `ask(target_frame, source_frame, stamp_ns)`; it never holds a buffer or a graph.
-It returns what it drew, with the same in words.  Start with `style.py`; each page names the next.
+It returns what it drew, with the same in words.  Start with `style.py`.
 """

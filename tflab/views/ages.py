@@ -9,8 +9,6 @@
 
 The age of data when it is used, or the gap between what is asked for and what is
 there: the picture is the same.  What matters is whether a curve comes back.
-
-Read `clocks.py` next.
 """
 
 from __future__ import annotations

@@ -13,8 +13,6 @@ thumb shows z.  A camera has two frames at one place: the body one is where it i
 bolted on, the optical one is what its picture is written in.  The turn between
 them is roll -pi/2, then yaw -pi/2; as a quaternion (x, y, z, w) it is
 (-0.5, 0.5, -0.5, 0.5).
-
-Read `card.py` next.
 """
 
 from __future__ import annotations

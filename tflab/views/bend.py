@@ -6,7 +6,7 @@
 
 On the straight there is no gap, at any rate.  What a slow edge costs everywhere is
 waiting: a message can be placed only when the next sample has come.  In the field
-the gap is called sagitta.  Read `toolcase.py` next.
+the gap is called sagitta.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 
 A robot is a prism with a nose; from above one sees its outline.  What it was
 (solid line) and what it is now (dashed line) can be told apart without colour.
-
-Read `axes.py` next.
 """
 
 from __future__ import annotations

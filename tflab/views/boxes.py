@@ -5,7 +5,7 @@
     | M3 *    |   |  M9   |  |       |  |  M1  |   |       |
     +---------+   +-------+  +-------+  +------+   +-------+
 
-Leitner's boxes; the star is due, and drawn darker.  Read `owners.py` next.
+Leitner's boxes; the star is due, and drawn darker.
 """
 
 from __future__ import annotations

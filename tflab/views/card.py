@@ -6,7 +6,7 @@
     | roll | pitch | yaw          |  to remember    |
     +-----------------------------+-----------------+
 
-`draw_card().png()` is the file to print.  Read `turns.py` next.
+`draw_card().png()` is the file to print.
 """
 
 from __future__ import annotations

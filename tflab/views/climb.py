@@ -11,7 +11,7 @@ thick and numbered in the order of the walk.  Where there is no way, both climbs
 drawn up to where they end: at two roots, or round and round.
 
 The field calls the frame where they meet the lowest common ancestor.  In `panels/tree.py`
-the frames can be moved.  Read `upstream_tree.py` next.
+the frames can be moved.
 """
 
 from __future__ import annotations

@@ -11,7 +11,6 @@ To ask "now" is to ask for what one's own clock shows.  A stopped clock shows 0,
 0 is how tf2 writes "latest": so it always gets an answer, to another question.
 
 The field speaks of *ROS time*: system time, unless `use_sim_time` says to follow /clock.
-Read `suspects.py` next.
 """
 
 from __future__ import annotations

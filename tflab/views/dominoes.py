@@ -7,8 +7,6 @@ A domino is `target_T_source`: left what the data is wanted in, right what it is
 written in.  Where two halves that meet carry one name they cancel, and what is
 left is the two ends.  Where they do not, the product is a number without a
 meaning, and no computer will say so.
-
-Read `readings.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,6 @@ With `single_file` everything is in one file that can be mailed.
 
 The notebook must have been run with its widgets' state stored, as nbclient does.
 Files in `assets` are named after their content, so pages can share a folder.
-
-Read `report_page.py` next.
 """
 
 from __future__ import annotations

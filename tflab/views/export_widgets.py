@@ -8,8 +8,6 @@
 A widget that draws itself in the browser (an anywidget) goes on living in the page.
 All others would be dead controls, so they stand as text.  The result is a list of
 ordinary notebook outputs, in the order of the widgets, which any exporter can show.
-
-Read `export.py` next.
 """
 
 from __future__ import annotations

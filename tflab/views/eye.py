@@ -9,8 +9,6 @@
 All eyes look from infinitely far, so parallel lines stay parallel and lengths
 can be compared (an orthographic view).  Straight from above x points right and
 y up, as on a map; a slanting eye shows all three axes.
-
-Read `frames.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 A page that is read from a disk has nobody to draw for it.  A film is drawn while the
 page is built; it is larger than the panel it stands for, and has one control only.
-
-Read `mathml.py` next.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ and return them; each can `move`, so a slider need not draw anything anew.  A
 ghost is the wrong answer: the same shape in grey outline beside the right one.
 `draw_scene` makes a whole picture of them.
 
-RViz draws the same with its TF and Axes displays.  Read `labels.py` next.
+RViz draws the same with its TF and Axes displays.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 
 Whether somebody was sure is half of what such a test tells: sure and wrong is a
 misconception, guessed and wrong only a gap.  The field calls the picture a *slope
-chart*.  Read `panels/` next.
+chart*.
 """
 
 from __future__ import annotations

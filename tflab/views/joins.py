@@ -10,7 +10,7 @@ lives; from the join on, every letter is heard as it is sent.  A listener that a
 for what is stored, and a publisher that stores nothing, are never connected.
 
 The field calls it durability, TRANSIENT_LOCAL or VOLATILE, a part of the quality of
-service.  Read `ages.py` next.
+service.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ Each joint is one domino, `parent_T_child`: an origin that never changes, and th
 the joint moves, a movement.  What the tip's place is made of stands below the arm,
 number by number, and below it what the robot's file says of the joint in question.
 
-The field calls the product forward kinematics.  Read `moments.py` next.
+The field calls the product forward kinematics.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ the moment to look transforms up at; sent, received and transformed are about
 computers, not about the world.  If `received` comes before `sent`, two clocks
 disagree: no message arrives before it leaves.
 
-`ros2 topic delay` prints received minus stamped.  Read `latency.py` next.
+`ros2 topic delay` prints received minus stamped.
 """
 
 from __future__ import annotations

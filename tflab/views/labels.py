@@ -5,8 +5,6 @@
         [name]               and is on the paper
 
 Every name tries its places in the same order, so a figure is the same each time.
-
-Read `typed.py` next.
 """
 
 from __future__ import annotations

@@ -13,8 +13,6 @@ the answer is right.  With the pose of now it is off by the two pieces above.
 Both pieces are approximations, good while the robot turns little during the
 delay; `exact_m` is the truth.  Everything is written in the robot's own
 base_link at the stamp: x forward, y left.
-
-Read `rulers.py` next.
 """
 
 from __future__ import annotations

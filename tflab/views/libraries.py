@@ -3,7 +3,6 @@
     from .libraries import ipywidgets as widgets
 
 matplotlib is imported where a figure is made, because loading it takes long.
-Read `picture.py` next.
 """
 
 from tflab.extras import require

@@ -8,7 +8,7 @@ y pointing down, and leaves the writing to this page.  Every line says by its st
 what it also says by its colour, so the marks can be read without colour.
 
 Letters are of one width, so that a view can know how much room a word takes before
-any font is loaded.  Read `tree.py` next.
+any font is loaded.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ r"""How does a formula stand on a page without a network?  As MathML, which brow
     $$ p = R q + t $$      ->  <math display="block"> ...     on its own
 
 JupyterLab sets the same formulas with MathJax, which it brings along.  Code is left
-as it is: a dollar there is a shell's.  Read `export_widgets.py` next.
+as it is: a dollar there is a shell's.
 """
 
 from __future__ import annotations

@@ -5,8 +5,6 @@
       o o o o                         the wall is a ceiling, the floor is a wall
 
 Nothing fails: to the mathematics, one frame is as good as another.
-
-Read `mount.py` next.
 """
 
 from __future__ import annotations

@@ -10,7 +10,6 @@ its answer to "ahead, and to the left or the right?".  A lookup with two moments
 (`lookup_transform_full`) leads from one picture to the other.
 
 Everything is seen from above, in the fixed frame, x to the right.
-Read `work.py` next.
 """
 
 from __future__ import annotations

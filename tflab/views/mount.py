@@ -7,7 +7,7 @@
     base_link
 
 Turn the sensor, and the ghosts wander: at some angles they hide behind the truth.
-The pure function is `seen_from`.  Read `dominoes.py` next.
+The pure function is `seen_from`.
 """
 
 from __future__ import annotations

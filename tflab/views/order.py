@@ -7,8 +7,6 @@
 
 What comes after the star told nothing.  Two ways of asking stand side by side as
 two such pictures, or as a line of minutes for each patient: `draw_minutes`.
-
-Read `visited.py` next.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@
 
 An owner is a node, a source of data and a switch.  None is a hole in the tree, two are
 two truths by turns.  The field calls it the authority of a transform.
-
-Read `gain.py` next.
 """
 
 from __future__ import annotations

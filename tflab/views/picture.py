@@ -8,8 +8,6 @@
 A view makes its artists once and then only moves them, so the picture that
 stands still in a printed page and the one that follows a slider are the same.
 Jupyter shows the PNG; whoever cannot see it, and nbval, get the text.
-
-Read `rerun.py` next.
 """
 
 from __future__ import annotations

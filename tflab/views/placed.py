@@ -12,7 +12,7 @@ A sight that was moved with the right pose lies on the thing that was seen, each
 time.  Moved with the pose of another moment it lies elsewhere, each time somewhere
 else: one ball becomes many, and a thin wall becomes a thick one.
 
-Everything is seen from above, in the fixed frame.  Read `tracks.py` next.
+Everything is seen from above, in the fixed frame.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 A transform has one set of numbers and two readings: `A_T_B` says where B sits in
 A, and it turns what is written in B into what is written in A.  Whoever says
 "from A to B" may mean the place or the data, and the two need opposite transforms.
-
-Read `sentence.py` next.
 """
 
 from __future__ import annotations

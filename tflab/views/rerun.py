@@ -6,8 +6,6 @@
 IPython keeps every result in `Out` for as long as the kernel lives, and ipywidgets
 every widget: a page that is run ten times would hold ten of each of its pictures.
 Only what this room draws is let go; a learner's own results stay where they are.
-
-Read `eye.py` next.
 """
 
 from __future__ import annotations

@@ -12,7 +12,7 @@ to the thing as its frame measures it: so far along its own x, then so far along
 own y.  Nothing moves from map to map but the place where the ruler begins and the
 way in which it points.
 
-Physics calls this a passive transformation.  Read `placed.py` next.
+Physics calls this a passive transformation.
 """
 
 from __future__ import annotations

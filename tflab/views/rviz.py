@@ -14,7 +14,7 @@ is drawn for every Fixed Frame, and its scrubber goes through them.
 `RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
 one's own graph looks like is wired up in `tflab.tools`.
 
-(https://github.com/ros2/rviz)  Read `shown.py` next.
+(https://github.com/ros2/rviz)
 """
 
 from __future__ import annotations

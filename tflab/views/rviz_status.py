@@ -11,7 +11,7 @@ own stamp.  What it cannot turn it leaves out, and says so in the display's stat
 The data themselves never change: choose another Fixed Frame, and only the answers of
 `ask` are others.
 
-The texts are those of rviz2 (rviz_common, rviz_default_plugins).  Read `rviz.py` next.
+The texts are those of rviz2 (rviz_common, rviz_default_plugins).
 """
 
 from __future__ import annotations

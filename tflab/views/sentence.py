@@ -13,7 +13,7 @@ written in is the source, what it is wanted in is the target, and the target com
 first in every call.
 
 The help of tf2_echo itself calls its first argument "source_frame"; it is the
-target of the lookup.  Read `timeline.py` next.
+target of the lookup.
 """
 
 from __future__ import annotations

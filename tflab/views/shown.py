@@ -10,7 +10,6 @@ The list says what could be turned into the Fixed Frame; whether it lies where i
 should, only the picture says: what one knows of the room, `walls`, is drawn beneath.
 
 Both are made of what `rviz_status` decided; a sign and a word say what a colour says.
-Read `film.py` next.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ settings: `our_settings()` holds them only while one of our figures is at work, 
 one at a time: a slider's callback may run in another thread than a cell, and
 matplotlib's settings are of all threads.
 
-The colours are those of Okabe and Ito.  Read `libraries.py` next.
+The colours are those of Okabe and Ito.
 """
 
 from __future__ import annotations

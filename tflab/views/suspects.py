@@ -8,8 +8,6 @@
 A column in which all suspects would say the same is a question that tells nothing.
 The field calls the table a fault dictionary, and the choice of the next column
 *best-first test selection*.
-
-Read `order.py` next.
 """
 
 from __future__ import annotations

@@ -11,7 +11,7 @@ the common interval there is an answer, between two samples too; outside it tf2
 refuses, and says so in the words that stand in the picture.  The end of the
 common interval is what LATEST means; statics do not count.
 
-tf2 calls a lane a TimeCache.  Read `journey.py` next.
+tf2 calls a lane a TimeCache.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@
 
 A tool that does not answer a question prints something all the same: so one should
 ask first, and then type.  What the field calls the observability of each tool.
-
-Read `scene/` next.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@
 A track that drifts and never leaps is good for the next half metre; one that leaps
 and never drifts is good for tomorrow.  REP-105 gives each its frame.
 
-What the field calls absolute trajectory error is the lower curve.  Read `joints.py` next.
+What the field calls absolute trajectory error is the lower curve.
 """
 
 from __future__ import annotations

@@ -14,7 +14,6 @@ This is our picture; the one that `view_frames` gives is in `upstream_tree.py`. 
 publishers are real, and belong to an edge, not to its child: two nodes that publish
 one frame from two parents are no two owners of either edge.  `marks.py` writes the
 SVG and the PDF.
-Read `climb.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 
 Each turn here is about a *fixed* axis, as in URDF's rpy: the axes stay where they
 are and only the robot turns, so "first a, then b" is `b @ a`.
-
-Read `misread.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 matplotlib lays a text out anew, letter by letter, each time it is drawn.  A page
 of numbers that follows a slider would spend most of its time on that; as an
 outline it takes a tenth.
-
-Read `bodies.py` next.
 """
 
 from __future__ import annotations

@@ -15,7 +15,6 @@ who really publishes, are not known to it.  No fault is named: one has to see it
 `tree.py` draws what more there is to know.
 
 On a robot Graphviz draws this from the .gv file (upstream: tf2_tools).
-Read `bend.py` next.
 """
 
 from __future__ import annotations

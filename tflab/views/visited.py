@@ -8,8 +8,6 @@
 
 Played, it stops at any row: what comes later is not told yet.  The field calls such
 a record a *trace* of a diagnosis.
-
-Read `boxes.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 An executor with one thread does one thing at a time.  A callback that waits is busy
 waiting, and what it waits for stands in the same queue behind it.
-
-Read `joins.py` next.
 """
 
 from __future__ import annotations

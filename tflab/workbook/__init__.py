@@ -29,7 +29,7 @@ In an exercise one calls four functions:
     practice/     the tasks drawn anew, those again that went wrong
     lesson/       what a page draws, drives and looks at
 
-Start with `words.py`; each page names the next.
+Start with `words.py`.
 """
 
 from __future__ import annotations

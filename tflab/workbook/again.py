@@ -8,7 +8,7 @@ that has run.  So the cell's own nodes, participants and contexts are ended befo
 runs; what other cells began stays, and so does what took the place of theirs.  A
 cell that ended rclpy may end it once more.
 
-`%load_ext tflab` sees to it.  Read `elsewhere.py` next.
+`%load_ext tflab` sees to it.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@
 `graph.stop()` ends a world in the same sense.  A cell that makes a world may run at
 any time, and so may all below it; nothing is said of a cell that lets no time pass
 and begins nothing, for it only looks at what is there; nor where cells have no ids, as
-in a build.  `%load_ext tflab` sees to it.  Read `unmade.py` next.
+in a build.  `%load_ext tflab` sees to it.
 """
 
 from __future__ import annotations

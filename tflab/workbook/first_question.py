@@ -3,7 +3,7 @@
     lesson.ask_first((2.0, 0.5, 0.0))    the laser's numbers, with another label
     lesson.ask_first((2.2, 0.5, 0.15))   right
 
-It is tried, judged and told as `check` does it in an exercise.  Read `progress.py` next.
+It is tried, judged and told as `check` does it in an exercise.
 """
 
 from __future__ import annotations

@@ -4,9 +4,7 @@
 
 It never leaves the machine.  A copy without `workbook.json` keeps no file: tflab's
 own pages are read, not worked in.  What the file means for the course's objectives
-and checklist is said in `progress_page.py`, which you read next.
-
-Read `course/` next.
+and checklist is said in `progress_page.py`.
 """
 
 from __future__ import annotations

@@ -9,7 +9,6 @@
 
 What is said of several parts of an answer stands on a line for each.
 The colour at its left says what the sign says: passed, not yet, or neither.
-Read `again.py` next.
 """
 
 from __future__ import annotations

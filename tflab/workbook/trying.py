@@ -3,7 +3,6 @@
     task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
 
 `check` asks so about an exercise, and practice about what it has drawn.
-Read `inventory/` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ The tips that `check` has for Python's own TypeErrors are given here, too.
 An error is shown as far as the reader's own code goes: what the engine was at is
 left out, unless somebody asks for everything (`%xmode Verbose`).  An answer's cell
 that fails leaves no older answer behind for `check` to speak of.
-`%load_ext tflab` sees to it.  Read `first_question.py` next.
+`%load_ext tflab` sees to it.
 """
 
 from __future__ import annotations

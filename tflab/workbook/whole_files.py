@@ -4,8 +4,6 @@
     with locked(folder): ...      one process at a time; the lock ends with whoever holds it
 
 Two notebooks of one learner are two processes, and both write down what was tried.
-
-Read `places.py` next.
 """
 
 from __future__ import annotations

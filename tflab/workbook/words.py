@@ -3,7 +3,7 @@
     Words(en="Not answered yet.", ko="아직 답하지 않았습니다.").say("ko")
     Words(en="{part} is wrong.", ko="{part} 부분이 틀렸습니다.").filled(part="yaw")     both texts
 
-Names, code and numbers are the same in both.  Read `whole_files.py` next.
+Names, code and numbers are the same in both.
 """
 
 from __future__ import annotations

@@ -14,5 +14,5 @@
     time_sources  what only a living graph can tell
 
 A check takes the evidence and returns findings; it knows no other check.
-Start with `motion.py`; each page names the next.
+Start with `motion.py`.
 """

@@ -5,7 +5,6 @@
                           back                that was reset, NTP after the start
 
 All publishers together: it is the time source.  One of them: it is that computer.
-Read `owners.py` next.
 """
 
 from __future__ import annotations

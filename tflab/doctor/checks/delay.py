@@ -6,7 +6,7 @@
     heard  ............... years          another source of time: use_sim_time
 
 A localiser stamps map -> odom ahead so that lookups between two of its corrections
-succeed; nobody else may.  Read `clocks.py` next.
+succeed; nobody else may.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 Values are compared as poses: metres, plus the turn in radians as it moves a point
 at arm's length.  Everything is measured against the edge's own habits, so a drone
 and a gripper need no settings.
-
-Read `names.py` next.
 """
 
 from __future__ import annotations

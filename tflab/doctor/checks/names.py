@@ -8,8 +8,6 @@
 A prefix alone is no fault: two robots have two of everything.  What counts is a
 name that differs from another *and* leaves somebody unconnected.  How alike two
 names are is their edit distance, as spell checkers use it (`spelling.py`).
-
-Read `spelling.py` next.
 """
 
 from __future__ import annotations

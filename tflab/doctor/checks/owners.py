@@ -5,7 +5,7 @@
     /ekf             ----x---x---x-'
 
 A rosbag2 does not record who published a message.  Then two owners show in the
-values: each of them is smooth, but they take turns.  Read `statics.py` next.
+values: each of them is smooth, but they take turns.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
 A node that was blocked first sends the sample that it had in hand, and then leaps:
 the silence is heard a little before the hole in the stamps.  If *every* edge is
 silent at once, it is not the edges: the recorder, the network or the computer
-stood still, and that is one event.  Read `delay.py` next.
+stood still, and that is one event.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
     joint_1     joint_2       -
 
 A slip is a Damerau-Levenshtein distance of one, of two in long names.  Sides and
-numbers are what honest names differ in.  Read `tree.py` next.
+numbers are what honest names differ in.
 """
 
 from __future__ import annotations

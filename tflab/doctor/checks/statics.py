@@ -6,7 +6,7 @@
 A mount that is repeated on /tf wastes the network and is unknown between its
 samples; a motion on /tf_static has no history, so every lookup gets the last value.
 A latched transform is older than the recording, and a joint may stand still: both
-are as it should be.  Read `time_sources.py` next.
+are as it should be.
 """
 
 from __future__ import annotations

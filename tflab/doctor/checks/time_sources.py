@@ -1,9 +1,7 @@
 """Do all nodes read the same clock?  Only a living graph can tell: a recording has no nodes.
 
-    /clock --> /point_to_map   use_sim_time: true
-               /ekf            use_sim_time: false     stamps of another day
-
-Read `diagnose.py` next.
+/clock --> /point_to_map   use_sim_time: true
+           /ekf            use_sim_time: false     stamps of another day
 """
 
 from __future__ import annotations

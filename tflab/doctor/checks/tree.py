@@ -7,7 +7,7 @@
     base_link                         base_link
 
 tf2 accepts all of these in silence, and only a lookup that needs the missing
-piece fails.  Read `values.py` next.
+piece fails.
 """
 
 from __future__ import annotations

@@ -8,5 +8,5 @@
     annotations   the report as GitHub shows it beside a commit
     table         many recordings, a line each
 
-Start with `expectations.py`; each page names the next.
+Start with `expectations.py`.
 """

@@ -2,7 +2,7 @@
 
     ::error file=drive,title=odom -> base_link has two owners::two sequences of values ...
 
-What has a meaning in a command is percent-encoded.  Read `table.py` next.
+What has a meaning in a command is percent-encoded.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     is        odom -> base_link    9.9 Hz             expected-rate
 
 Two recordings are compared by the same means: what the first shows is expected of
-the second, and what is said of a deviation is what changed.  Read `filters.py` next.
+the second, and what is said of a deviation is what changed.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@
     longest_silence_s = 0.5
     owners = ["/wheel_odometry"]   only where the recording tells
 
-Whatever is not written is not asked.  The form is TOML.  Read `deviations.py` next.
+Whatever is not written is not asked.  The form is TOML.
 """
 
 from __future__ import annotations

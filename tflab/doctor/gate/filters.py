@@ -6,8 +6,7 @@ r"""What is let pass?  Findings that somebody has looked at and decided to live 
     --baseline known.json                  all that were there when the file was written
 
 A baseline lets an old robot into CI today: only what is new fails.  A finding is
-known by code, edge and topic (its fingerprint), not by its figures.  Read
-`junit.py` next.
+known by code, edge and topic (its fingerprint), not by its figures.
 """
 
 from __future__ import annotations

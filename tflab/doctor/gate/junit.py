@@ -3,7 +3,7 @@
     <testsuite name="drive">  <testcase name="loops"/>  <testcase name="gap ..."><failure>...</failure></testcase>
 
 A check that was made and found nothing passes; one that could not be made is
-skipped; a finding fails from the chosen severity on.  Read `sarif.py` next.
+skipped; a finding fails from the chosen severity on.
 """
 
 from __future__ import annotations

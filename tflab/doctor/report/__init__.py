@@ -12,5 +12,5 @@
     scene3d      the frames in 3D at a moment
     html         the report as a page
 
-Start with `sentences.py`; each page names the next.
+Start with `sentences.py`.
 """

@@ -5,7 +5,6 @@
     open      two causes leave the same traces: somebody has to look
 
 Statisticians would give a posterior; three words are what the evidence carries.
-Read `faults.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 Where the evidence cannot separate two causes, the text of the finding names both
 ("the node takes long, or its clock is behind"), and so it stands here twice.
-
-Read `text.py` next.
 """
 
 from __future__ import annotations

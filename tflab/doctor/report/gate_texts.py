@@ -1,7 +1,7 @@
 """What is said of a recording that is not as expected?
 
 The same sentences tell what changed between two recordings: what the first shows
-is expected of the second.  Read `texts.py` next.
+is expected of the second.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
 
     4 ms  .:|:..      how its delays, and the steps between its samples, are distributed
 
-Only what moves has a lane; what is static was said once.  Read `scene3d.py` next.
+Only what moves has a lane; what is static was said once.
 """
 
 from __future__ import annotations

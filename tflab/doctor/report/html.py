@@ -9,7 +9,7 @@
     checks        made, and not made
     elsewhere     what to look at in Foxglove and in PlotJuggler
 
-No network, no scripts: the pictures are in the file.  Read `profile.py` next.
+No network, no scripts: the pictures are in the file.
 """
 
 from __future__ import annotations

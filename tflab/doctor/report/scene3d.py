@@ -4,7 +4,7 @@
 
 Each frame is placed by its parents' transforms that were heard last before the
 moment, as an impatient listener would.  The projection is orthographic, and drawn
-here: a report runs no script.  Read `html.py` next.
+here: a report runs no script.
 """
 
 from __future__ import annotations

@@ -2,7 +2,7 @@
 
     code  ->  four sentences with blanks  ->  four sentences
 
-Another language is another table with the same keys.  Read `certainty.py` next.
+Another language is another table with the same keys.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What is said of stamps, silences, delays and clocks, and of what was recorded at all?
 
-The blanks are filled from a finding's edge, topic and facts.  Read `gate_texts.py` next.
+The blanks are filled from a finding's edge, topic and facts.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What is said of names, trees, numbers, owners and mounts?
 
-The blanks are filled from a finding's edge, topic and facts.  Read `time_texts.py` next.
+The blanks are filled from a finding's edge, topic and facts.
 """
 
 from __future__ import annotations

@@ -16,5 +16,5 @@
     command     `tflab guide`
 
 Nothing is written twice: objectives, predictions, replies, rubrics and notes are the page's.
-Start with `lecture.py`; each page names the next.
+Start with `lecture.py`.
 """

@@ -3,7 +3,7 @@
     late_s, wheels_hz = 0.11, 50      the cell `my-guess` of a page, or any other cell of it
     checkpoint = 2                    as the deck asks for it: {"late_s": 0.11, "wheels_hz": 50, "checkpoint": 2}
 
-A copy is a stranger's file: it is parsed, and only plain values count.  Read `sheets.py` next.
+A copy is a stranger's file: it is parsed, and only plain values count.
 """
 
 from __future__ import annotations

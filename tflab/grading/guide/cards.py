@@ -4,7 +4,7 @@
     |  1  |  2  |  ?  |
     +-----+-----+-----+
 
-All of it is the page's: a table is blank where the page's has words.  Read `patients.py` next.
+All of it is the page's: a table is blank where the page's has words.
 """
 
 from __future__ import annotations

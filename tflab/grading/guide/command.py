@@ -8,7 +8,6 @@
     teach/talk.html, teach/talk-03_....html     with `--plan talk`: the plan, and decks of only its cells
 
 `--with results/` reads what was filled in, and puts it beside what was expected.
-Read `check_command.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
                                               before anybody has argued -^      ^- after it
 
 A folder of results may hold many (`votes.csv`, `votes-11.csv`): classes add up.  An
-expected share is a guess until thirty have voted.  Read `ballots.py` next.
+expected share is a guess until thirty have voted.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 
 A slide that does nothing but ask is not shown twice: the vote takes its place.
 The deck is a file: what is typed stays in this browser, and a button writes it as votes.csv.
-For a plan only some cells are shown; all of them run.  Read `plans.py` next.
+For a plan only some cells are shown; all of them run.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     cell "practice"       - [ ] `view_frames` draws ...          an idea of the rubric
     cell "exit-ticket"    the question, and behind a fold what to compare it with
 
-The notebook is read as it was built and committed; nothing runs.  Read `teaching.py` next.
+The notebook is read as it was built and committed; nothing runs.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     votes       options that are not the page's; expected shares that are not 100 %; an option without a reply
     marking     a practice question with none, or with two; a sample that counts ideas the rubric lacks
 
-A referential integrity check: both languages of the page are asked.  Read `shelf.py` next.
+A referential integrity check: both languages of the page are asked.
 """
 
 from __future__ import annotations

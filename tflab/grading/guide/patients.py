@@ -5,7 +5,7 @@
       rules_out, next, no_timeout, truth     what you want to hear
 
 They were made by the clinic's ward, from a public number; what stands here is what was
-printed then (a test compares).  Read `deck.py` next.
+printed then (a test compares).
 """
 
 from __future__ import annotations

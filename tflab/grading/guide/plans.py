@@ -8,7 +8,7 @@
           tasks: [E8.4]
           bring: {en: "dominoes", ko: "도미노"}
 
-A plan is a page to print, and a deck of each chapter with only its cells.  Read `command.py` next.
+A plan is a page to print, and a deck of each chapter with only its cells.
 """
 
 from __future__ import annotations

@@ -3,7 +3,6 @@
     teachings_called(["11", "12"])     two, checked; [] has all there are
 
 Nothing is handed on that does not fit: a guide with a wrong minute is worse than none.
-Read `counts.py` next.
 """
 
 from __future__ import annotations

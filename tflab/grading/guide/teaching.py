@@ -12,7 +12,7 @@
       tables      to fill in, on the board or on paper
 
 What is to be read stands as {en: ..., ko: ...}.  What is wrong with the form of a file is
-found while it is read, all of it at once.  Read `vote.py` next.
+found while it is read, all of it at once.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ what is expected of each, in their order.  `quote` is how the page words it, if 
 the text; `unsure: true` is the option of whoever does not know, which no page has to name.
 
 *Peer instruction* (Mazur): below 35 % right explain again, up to 70 % let neighbours
-argue and vote again, above that go on.  Read `misfits.py` next.
+argue and vote again, above that go on.
 """
 
 from __future__ import annotations

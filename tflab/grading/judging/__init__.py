@@ -18,5 +18,5 @@
     submission    all of it, for one submission
     plain_kernel  the same for a learner's own work, without a wall
 
-Start with `pack.py`; each page names the next.
+Start with `pack.py`.
 """

@@ -7,7 +7,7 @@
 A run that gave no value at all for a case is no answer: another answer may have been in
 its way (`math = 3`), so the other run counts.  Who gives a value now and none then, in one
 run, has changed their mind.  Nowhere does the better of two count: that would be two
-guesses for one task.  Read `apart.py` next.
+guesses for one task.
 """
 
 from __future__ import annotations

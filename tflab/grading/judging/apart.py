@@ -5,7 +5,7 @@
                                                      so much memory; what came of it, or Ended
 
 Processor time decides, not the clock on the wall, so that a busy machine costs nobody
-a point.  Read `apart_server.py` next.
+a point.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 
 The server has imported what judging needs and looks at nothing itself: it reads bytes,
 forks, and says so if the child ended otherwise than by itself (a preforking server
-under `setrlimit`).  Read `submission.py` next.
+under `setrlimit`).
 """
 
 from __future__ import annotations

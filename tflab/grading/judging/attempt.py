@@ -9,7 +9,6 @@ with three times the time, each case in a cell of its own (`closely`).  So one e
 function costs its own points, not its neighbours', and a busy machine costs nobody.
 Three times is for all cases of a task; once they have not ended within that, those
 that are left are asked once more, briefly, for they may be right.
-Read `marks.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,6 @@
 A cell is known by the task that its metadata names, then by its id, then by its text.
 A copy that answers nothing is a cell of the learner's own (record linkage, in the
 words of databases).
-
-Read `transplant.py` next.
 """
 
 from __future__ import annotations

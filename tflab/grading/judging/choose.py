@@ -5,7 +5,7 @@
        |          |             `-- of no chapter: a line
        `----------`-- candidates for 03: the one with most answers counts, or the latest, or the first
 
-Nothing in here changes what it is handed: each step returns what it found.  Read `agree.py` next.
+Nothing in here changes what it is handed: each step returns what it found.
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@ All is drawn from the secret seed, the learner and the task: the same submission
 always asked the same, and nobody can know by its number what a call will ask.  How
 many there are of each kind varies; there is one at least of each, and enough to tell
 every known mistake from what is right (stratified sampling).
-
-Read `run.py` next.
 """
 
 from __future__ import annotations

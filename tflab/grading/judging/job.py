@@ -1,8 +1,6 @@
 """What is there to grade?  A job for each submission: plain data that holds all that is needed.
 
-    Job(learner, files, chapters, limits)     can be done in any process, here or elsewhere
-
-Read `choose.py` next.
+Job(learner, files, chapters, limits)     can be done in any process, here or elsewhere
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
 
 What is right is decided where a learner's own `check` decides it, on plain JSON,
 in a process that the learner's code has never been in; here it becomes points and
-words.  Read `job.py` next.
+words.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
     IPyNbCell              AnswerCell                only probes are compared, by value; nothing is shown
 
 The comparison happens here, in nbval's process; what is expected is known only here.
-
-Read `nbval_run.py` next.
 """
 
 from __future__ import annotations

@@ -4,8 +4,6 @@
 
 An error in a cell stops nothing.  A cell past its deadline, too much output or the
 death of the kernel stops the run: the outcomes end with that cell.
-
-Read `attempt.py` next: what is run again then.
 """
 
 from __future__ import annotations

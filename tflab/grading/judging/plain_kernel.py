@@ -2,8 +2,6 @@
 
 Only `tflab check` uses it, on systems other than Linux, or where no kernel of the
 grader's starts: what runs is the learner's own notebook on the learner's own machine.
-
-Read `reports/` next.
 """
 
 from __future__ import annotations

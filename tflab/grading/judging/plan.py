@@ -9,7 +9,7 @@ Normally a task is probed in one cell.  Looked at closely, after trouble, each c
 has a cell of its own, so that one that does not end leaves the others their credit;
 the time of one cell is for all of them, and for what is left then, a fifth of it.
 Some cases of a function are asked twice, at a distance.  Expected values are
-nowhere in here.  Read `nbval_items.py` next.
+nowhere in here.
 """
 
 from __future__ import annotations

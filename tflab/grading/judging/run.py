@@ -6,7 +6,7 @@
     cells in order  --run-->  Run(outcomes, seconds, why it stopped)
 
 A transplant says which cells there are; a plan fills in what its probes ask; what
-runs them, behind a wall or not, hands back a Run.  Read `cells.py` next.
+runs them, behind a wall or not, hands back a Run.
 """
 
 from __future__ import annotations

@@ -3,7 +3,6 @@
     Job(learner, files, chapters)  --choose, transplant, attempt, mark-->  {"points": 11.5, "chapters": {...}}
 
 Nothing that a submission does ends a job: every fault becomes a line in the record.
-Read `plain_kernel.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,6 @@ A fold over the master's cells: each becomes the cells that stand in its place. 
 different cells that answer under one name void that answer and no other.  Own cells
 stay behind the cell of ours that they were put behind.  An answer that only a cell
 behind the check completes is seen by a second probe there.
-
-Read `plan.py` next.
 """
 
 from __future__ import annotations

@@ -14,5 +14,5 @@
     forkserver   makes keepers, quickly
     take         the grader's side: a kernel, please
 
-Start with `limits.py`; each page names the next.
+Start with `limits.py`.
 """

@@ -3,8 +3,6 @@
     bwrap --unshare-all --ro-bind /usr /usr ... -- python -m tflab.grading.kernels.forkserver --one FD
 
 Read `keeper.py` for what happens to it then.
-
-Read `wire.py` next.
 """
 
 from __future__ import annotations

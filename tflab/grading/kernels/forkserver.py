@@ -6,8 +6,6 @@
 It is executed afresh, with an environment of its own, and never sees a submission, a pack or an
 expected value: what a kernel inherits from it is Python with the libraries loaded, nothing else.
 An order is a frame of JSON with two descriptors: the kernel's end of the wire and the keeper's of the leash.
-
-Read `take.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 Magics, `await`, widgets, `display` and plots are what they are in JupyterLab, but only what grading
 reads goes over the wire: prints, pictures and widgets are made and then dropped, so a talkative
 answer costs nothing.  The kernel is built once, before the fork (`build`), and has no thread.
-
-Read `probe.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@ The keeper is outside the sandbox, where the learner's code cannot see it.  It a
 parent (a subreaper), waits for the end of the kernel or of the leash, looks five times a second at
 the memory of all the kernel's processes together, and at last says on the leash how it ended.  When
 the first process of a namespace is killed, so are all others in it: no daemon survives.
-
-Read `forkserver.py` next: who makes keepers.
 """
 
 from __future__ import annotations

@@ -5,8 +5,6 @@
 
 This needs no right at all, and works in most containers.  A confined process can neither trace
 nor read the memory of one that is not.  `landlock(7)` says more.
-
-Read `bubblewrap.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 Time is enforced by the grader, by its own clock; memory by the keeper of the kernel, which
 looks at all its processes together; the rest by the kernel of the operating system.
 Where there is no wall (`tflab check` on another system) only the time is limited.
-
-Read `rlimits.py` next.
 """
 
 from __future__ import annotations

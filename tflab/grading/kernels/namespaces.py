@@ -7,8 +7,6 @@
 As root, the kernel takes a user of its own that nobody else has; as anybody else, a namespace of
 users does the same.  Either way it has no capability left, and no system call can give it one.
 This is what containers are made of; `unshare(1)`, `mount_namespaces(7)` and `pivot_root(2)` say more.
-
-Read `seccomp.py` next: which system calls are refused.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
 
 Whoever owns this process can change every line of it.  That is why no expected
 value ever comes here: forging a message, a learner can say only what they could
-have answered.  Read `keeper.py` next.
+have answered.
 """
 
 from __future__ import annotations

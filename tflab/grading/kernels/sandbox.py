@@ -7,8 +7,6 @@
 
 `kernels.choose` tries them in this order.  What must not be seen (the pack, the other
 submissions) goes into `hide`, although the first two walls show only what Python needs.
-
-Read `namespaces.py` next.
 """
 
 from __future__ import annotations

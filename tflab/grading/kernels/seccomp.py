@@ -15,8 +15,6 @@
 
 The filter is a small program in the kernel's own language (BPF): it looks at the number of a
 call and at one or two of its arguments.  A machine of another architecture goes without.
-
-Read `landlock.py` next.
 """
 
 from __future__ import annotations

@@ -5,8 +5,6 @@
     kernel.wire.send({...}); kernel.close()
 
 One `Kernels` belongs to one process; `for_this_process` keeps one for each sandbox.
-
-Read `judging/` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 No ports, no files, no keys: whoever holds an end may speak, and nobody else can.  The other end
 belongs to code that may be hostile, so a frame that is too long, that is not JSON, or that is not
 an object ends the conversation with `WireFault`; and nothing here waits longer than it is told to.
-
-Read `ipython.py` next.
 """
 
 from __future__ import annotations

@@ -8,5 +8,5 @@
     gain_section   the same on the class's page
     class_page     what the class misunderstands
 
-Start with `gradebook.py`; each page names the next.
+Start with `gradebook.py`.
 """

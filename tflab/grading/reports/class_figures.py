@@ -1,8 +1,6 @@
 """How do a class's numbers look?  Bars with their numbers on them, in ink and grey, and the same in words.
 
 What is drawn is in English; the words are in the reader's language.
-
-Read `gain_section.py` next.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
     how the class did         0 .. 100 %             ..:|||::.
     before and after          gain 0.67              M3 33 % -> 0 %
 
-Each picture stands beside the same in words.  Read `guide/` next.
+Each picture stands beside the same in words.
 """
 
 from __future__ import annotations

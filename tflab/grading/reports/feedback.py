@@ -7,7 +7,6 @@
 
 On no level is there an input, an expected value or a reference, nor anything that
 the learner's code made: what was run could have written a hidden input there.
-Read `html.py` next.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@
 The gain is never the mean of each one's own: fifteen items are too few to measure one
 person.  A misconception is counted only on items on which both forms offer it, so that it
 has as many chances before as after.  The field calls g the *normalised gain* (Hake).
-Read `class_figures.py` next.
 """
 
 from __future__ import annotations

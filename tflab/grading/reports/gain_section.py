@@ -6,7 +6,7 @@
     Grew         a timeout cures everything: 0 -> 10
     M3   33 % -> 0 %    sure 10 of 10 -> 0 of 0
 
-No learner is named but in the lines on who could not be matched.  Read `class_page.py` next.
+No learner is named but in the lines on who could not be matched.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     results.json     the records: verdicts, probes, mistakes, seconds, remarks
 
 A cell that a spreadsheet would take for a formula is made a text.  The same
-submissions give the same grades.csv to the byte.  Read `feedback.py` next.
+submissions give the same grades.csv to the byte.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """What are our report pages made of?  Texts, tables, figures; the frame around them is that of all reports.
 
 Whatever comes from a submission or a roster passes `text`, and is a text then and
-nothing else.  Read `gain.py` next.
+nothing else.
 """
 
 from __future__ import annotations

@@ -11,5 +11,5 @@
     reasons       why it could not be read
     remarks       what is said of what was found
 
-Nothing in here runs a line of what was handed in.  Start with `collect.py`; each page names the next.
+Nothing in here runs a line of what was handed in.  Start with `collect.py`.
 """

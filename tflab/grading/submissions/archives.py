@@ -8,7 +8,7 @@
 Nothing is ever unpacked to a disk, and of nothing more than the limit to memory: of a list of
 names as long as no learner's work has, whatever number stands beside it; of bzip2 and LZMA,
 which `zipfile` unpacks whole, in steps of ours.  Names that Windows wrote in Korean are read
-as it meant them.  Read `roster.py` next.
+as it meant them.
 """
 
 from __future__ import annotations

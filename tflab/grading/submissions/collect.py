@@ -10,8 +10,6 @@
 Files are only listed here, and read when their turn comes.  Whose they are is said
 first by where they were found, then by the sealed stamp in the notebook; what is inside
 a zip never says it.  Nobody's hand-in adds to what another has handed in.
-
-Read `listing.py` next.
 """
 
 from __future__ import annotations

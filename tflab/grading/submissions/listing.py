@@ -6,7 +6,7 @@
 
 What is in a zip stays below the zip's own name: nothing in it can stand beside it, or in
 somebody else's folder.  Zips in a zip are opened within a budget, for each zip that
-somebody handed in.  Read `owners.py` next.
+somebody handed in.
 """
 
 from __future__ import annotations

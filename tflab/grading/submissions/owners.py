@@ -6,7 +6,7 @@
 
 What a learning system calls a learner is taken as a whole: a display name that holds
 somebody else's id ("Mallory s102") is not that person's.  A stamp counts if it bears the
-release's seal: whoever writes another's name into a notebook has not got that.  Read `archives.py` next.
+release's seal: whoever writes another's name into a notebook has not got that.
 """
 
 from __future__ import annotations

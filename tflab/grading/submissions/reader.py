@@ -6,7 +6,7 @@ Nothing of the file is believed, and nothing of it is run: it is opened without
 following links and without waiting for a pipe, read up to a limit, and parsed as
 plain JSON.  Whatever is not of the type it should be is left out.  What honest
 machines do to notebooks is undone: a byte order mark, UTF-16, Korean code page
-949, the third format of 2012.  Read `reasons.py` next.
+949, the third format of 2012.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
                                      03.ipynb: 노트북이 아닙니다. 3번째 줄이 올바른 JSON이 아닙니다.
 
 They are kinds of remarks, and stand inside another one that names the file.  What an
-operating system or Python says of a fault is in English everywhere.  Read `remarks.py` next.
+operating system or Python says of a fault is in English everywhere.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
 A remark never repeats what a learner's code printed or raised: that could carry
 hidden inputs out.  Why a file cannot be read is a remark inside a remark: the
 kinds in `reasons.py`; what is wrong with an answer is said as `mistake.py` of the
-workbook has it.  Read `kernels/` next.
+workbook has it.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     s102,Ada Byron,en          the column `language` may be missing, and so may `name`
 
 The first row names the columns, in any order; their names may be those that
-Moodle or Canvas export.  Read `shallow_json.py` next.
+Moodle or Canvas export.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     [[[[ ... ]]]]    TooDeep, and not a RecursionError somewhere behind the reading
 
 Python reads lists some thousand deep (how many depends on its version), and then whoever
-walks through them runs out of stack.  Read `skimmed.py` next.
+walks through them runs out of stack.
 """
 
 from __future__ import annotations

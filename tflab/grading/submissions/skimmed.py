@@ -5,8 +5,6 @@
 
 They are cut out of the text, by its brackets and its strings, before any of it is
 parsed (a scanner): so a large honest notebook is as small as what its author wrote.
-
-Read `reader.py` next.
 """
 
 from __future__ import annotations

@@ -8,5 +8,5 @@
     broken_time    stamps that repeat, step back, lag, lead or stop
     inject         a clean recording -> a broken one, and the truth about it
 
-Start with `catalogue.py`; each page names the next.
+Start with `catalogue.py`.
 """

@@ -1,7 +1,7 @@
 """How does time break?  Twice the same stamp, the wrong order, a wrong clock, too late, too early, silence.
 
 Each function takes a Patient and returns a stream that has this fault, with its
-diagnosis.  Read `inject.py` next.
+diagnosis.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """How does a tree break?  Two parents, two owners, a hole, a loop, a wrong name, a wrong topic.
 
 Each function takes a Patient and returns a stream that has this fault, with its
-diagnosis.  Read `broken_values.py` next.
+diagnosis.
 """
 
 from __future__ import annotations

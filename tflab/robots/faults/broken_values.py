@@ -1,7 +1,7 @@
 """How do numbers break?  No rotation, not a number, no unit length, no turn where one belongs.
 
 Each function takes a Patient and returns a stream that has this fault, with its
-diagnosis.  Read `broken_time.py` next.
+diagnosis.
 """
 
 from __future__ import annotations

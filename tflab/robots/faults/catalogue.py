@@ -7,8 +7,6 @@
 The names here are what the injectors and the doctor have in common: a fault is
 put in under a name, and must be found under the same.  A Diagnosis is the truth
 about one injection: which fault, in which frames, and when.
-
-Read `streams.py` next; faults are put in by `inject.py`, at the end of the row.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
         .tail(edge)       its samples from some moment in the middle on
         .done(...)        the broken stream and its diagnosis
 
-Each injector is a function from a Patient to an Injection.  Read `broken_tree.py` next.
+Each injector is a function from a Patient to an Injection.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     StreamEdge(child="base", parent="odom", places=(0, 2, 4, ...))
 
 Places are positions in the stream, so that a change to an edge is a change to the
-records at its places.  Read `patient.py` next.
+records at its places.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@
     own           packages of a learner's own
     values        to plain values and back: for bags
 
-Start with `checks.py`; each page names the next.
+Start with `checks.py`.
 """
 
 from .base import copy_message, type_named

@@ -1,7 +1,4 @@
-"""action_msgs: which goals there are, how far each is, and the wish that one be given up.
-
-Read `lifecycle_msgs.py` next.
-"""
+"""action_msgs: which goals there are, how far each is, and the wish that one be given up."""
 
 from .base import message, service
 

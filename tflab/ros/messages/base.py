@@ -12,8 +12,6 @@
 rosidl writes one such class into a file for each .msg; here `message()` makes it
 from the same text.  It is the one place in the project where classes are made by
 code, for the reason upstream has: a hundred classes that differ in a table only.
-
-Read `builtin_interfaces.py` next.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""builtin_interfaces: when, and for how long.
-
-Read `std_msgs.py` next.
-"""
+"""builtin_interfaces: when, and for how long."""
 
 from .base import message
 

@@ -6,7 +6,6 @@
 
 Unchecked, ROS 2 stores a wrong type without a word and fails when the message is
 published; checked, the line that makes the mistake is the line that fails.
-Read `definition.py` next.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
     "uint8 FLOAT32=7   # a comment"       ->  Constant("FLOAT32", 7)
 
 The type classes carry the names of `rosidl_parser.definition`; a message class
-shows them as `SLOT_TYPES`.  Read `fields.py` next: what such a field may hold.
+shows them as `SLOT_TYPES`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""diagnostic_msgs: how parts of a robot say that they are well.
-
-Read `std_srvs.py` next.
-"""
+"""diagnostic_msgs: how parts of a robot say that they are well."""
 
 from .base import message
 

@@ -1,7 +1,4 @@
-"""example_interfaces: what ROS 2's own tutorials ask and answer.
-
-Read `text.py` next.
-"""
+"""example_interfaces: what ROS 2's own tutorials ask and answer."""
 
 from .base import action, message, service
 

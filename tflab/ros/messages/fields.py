@@ -9,7 +9,7 @@
 The texts are those of the Python classes that rosidl generates; so is the rule
 that an int is not a float and that a bool passes for an int.  Fixed numeric
 arrays are kept in numpy arrays, numeric sequences in `array.array`, everything
-else as it is given.  Read `base.py` next: the classes with such fields.
+else as it is given.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
         --fill-->  PointStamped, and the stamps that are to be set when it is sent
 
 A number that was written without a point fills a float, too; what is not
-mentioned keeps its default.  upstream: rosidl_runtime_py/set_message.py.  Read `own.py` next.
+mentioned keeps its default.  upstream: rosidl_runtime_py/set_message.py.
 """
 
 from __future__ import annotations

@@ -2,8 +2,6 @@
 
 A default Quaternion is the identity, so a default Pose or Transform is one too.
 Covariances are 6x6, row by row, in the order x, y, z, and the turns about x, y, z.
-
-Read `sensor_msgs.py` next.
 """
 
 from .base import message

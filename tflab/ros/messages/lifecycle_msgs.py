@@ -1,7 +1,4 @@
-"""lifecycle_msgs: the states of a managed node, and the services that move it from one to another.
-
-Read `trajectory_msgs.py` next.
-"""
+"""lifecycle_msgs: the states of a managed node, and the services that move it from one to another."""
 
 from .base import message, service
 

@@ -1,7 +1,4 @@
-"""nav_msgs: where a robot is, was, and may go.
-
-Read `visualization_msgs.py` next.
-"""
+"""nav_msgs: where a robot is, was, and may go."""
 
 from .base import message, service
 

@@ -9,7 +9,7 @@
 
 On a robot the same texts are files of a package, and `colcon build` makes the classes
 (rosidl's code generation).  A folder that is laid out so, my_msgs/msg/Detection.msg,
-is taken as well.  Read `values.py` next.
+is taken as well.
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""rcl_interfaces: parameters and logs, as nodes speak of them.
-
-Read `unique_identifier_msgs.py` next.
-"""
+"""rcl_interfaces: parameters and logs, as nodes speak of them."""
 
 from .base import message, service
 

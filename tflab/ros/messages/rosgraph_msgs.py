@@ -1,7 +1,4 @@
-"""rosgraph_msgs: the time that everybody follows under `use_sim_time`.
-
-Read `rcl_interfaces.py` next.
-"""
+"""rosgraph_msgs: the time that everybody follows under `use_sim_time`."""
 
 from .base import message
 

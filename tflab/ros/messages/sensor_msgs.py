@@ -1,7 +1,4 @@
-"""sensor_msgs: what a robot's sensors say, each in the frame of its header.
-
-Read `nav_msgs.py` next.
-"""
+"""sensor_msgs: what a robot's sensors say, each in the frame of its header."""
 
 from .base import message, service
 

@@ -1,7 +1,4 @@
-"""std_msgs: one value, and the header that says when and in which frame.
-
-Read `geometry_msgs.py` next.
-"""
+"""std_msgs: one value, and the header that says when and in which frame."""
 
 from .base import message
 

@@ -1,7 +1,4 @@
-"""std_srvs: services that say do it, or do it or not.
-
-Read `example_interfaces.py` next.
-"""
+"""std_srvs: services that say do it, or do it or not."""
 
 from .base import service
 

@@ -9,8 +9,7 @@
     - 0.5
     - '...'            (what is longer than 128 is cut, unless --full-length)
 
-`type_hash` is the fingerprint that `ros2 topic info --verbose` shows.  Read
-`fill.py` next.
+`type_hash` is the fingerprint that `ros2 topic info --verbose` shows.
 """
 
 from __future__ import annotations

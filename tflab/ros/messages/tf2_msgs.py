@@ -1,7 +1,4 @@
-"""tf2_msgs: what travels on /tf and /tf_static, and what a buffer can be asked from afar.
-
-Read `rosgraph_msgs.py` next.
-"""
+"""tf2_msgs: what travels on /tf and /tf_static, and what a buffer can be asked from afar."""
 
 from .base import action, message, service
 

@@ -1,7 +1,4 @@
-"""trajectory_msgs: where joints are to be, and when.
-
-Read `diagnostic_msgs.py` next.
-"""
+"""trajectory_msgs: where joints are to be, and when."""
 
 from .base import message
 

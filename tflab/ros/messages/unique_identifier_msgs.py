@@ -1,7 +1,4 @@
-"""unique_identifier_msgs: which one.
-
-Read `action_msgs.py` next.
-"""
+"""unique_identifier_msgs: which one."""
 
 from .base import message
 

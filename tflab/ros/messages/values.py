@@ -5,8 +5,6 @@
 A bag library has classes of its own for the same definitions.  Only names are
 compared: what an object has beyond our fields (ROS 1's `seq`) is left out.
 This is the last page on messages; `../time.py` is about their stamps.
-
-Read `clock_type.py` next.
 """
 
 from __future__ import annotations

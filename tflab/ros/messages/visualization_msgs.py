@@ -1,7 +1,4 @@
-"""visualization_msgs: shapes that a node would like to see in RViz.
-
-Read `tf2_msgs.py` next.
-"""
+"""visualization_msgs: shapes that a node would like to see in RViz."""
 
 from .base import message
 

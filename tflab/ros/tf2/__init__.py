@@ -11,5 +11,5 @@
     filters         message_filters
     message_filter  hold a message until its transform is there
 
-Start with `core.py`; each page names the next.
+Start with `core.py`.
 """

@@ -5,8 +5,6 @@
 
 Because only the last message is kept, a static broadcaster repeats in it what it
 sent before; how well, depends on the distribution (distro.py).
-
-Read `client.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
                            <--result-- a transform, or the number and the text of what went wrong
 
 It saves every small node from listening to all of /tf.  It blocks, so some other
-thread must spin the node.  Read `geometry.py` next.
+thread must spin the node.
 """
 
 from __future__ import annotations

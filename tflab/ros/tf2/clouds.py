@@ -9,7 +9,6 @@
     PointCloud2        header: the cloud's stamp, the transform's frame
 
 A cloud has one stamp, but a turning scanner needs a tenth of a second for it.
-Read `filters.py` next.
 """
 
 from __future__ import annotations

@@ -1,9 +1,7 @@
 """tf2 as Python sees it: the engine, asked and answered in messages.  The module `tf2_py`.
 
-    BufferCore(Duration(seconds=20))          tf2_py.BufferCore: positional arguments, *_core methods
-        `-- .core                             the engine: tflab.core.BufferCore
-
-Read `interface.py` next.
+BufferCore(Duration(seconds=20))          tf2_py.BufferCore: positional arguments, *_core methods
+    `-- .core                             the engine: tflab.core.BufferCore
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 
 Everything is a SimpleFilter: it has callbacks, and may be somebody's input.
 A filter that waits for a transform is `message_filter.py`; read it next.
-
-Read `message_filter.py` next.
 """
 
 from __future__ import annotations

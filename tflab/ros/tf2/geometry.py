@@ -11,8 +11,6 @@
 `import tf2_geometry_msgs` lets `Buffer.transform()` find these functions by the
 type of the message.  4x4 matrices and numpy, as upstream since Jazzy; quaternions
 are (w, x, y, z) in the functions with an underscore, also as upstream.
-
-Read `clouds.py` next.
 """
 
 from __future__ import annotations

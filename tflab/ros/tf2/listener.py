@@ -4,7 +4,7 @@
     /tf_static  reliable, depth 100, transient local   -->  set_transform_static
 
 Who published a transform is not on the wire, so tf2 cannot know: the authority is
-always the same, "Authority undetectable" in a program in C++.  Read `broadcaster.py` next.
+always the same, "Authority undetectable" in a program in C++.
 """
 
 from __future__ import annotations

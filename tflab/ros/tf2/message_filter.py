@@ -14,7 +14,6 @@ is called where the transform arrives.
     tolerance            also wait for the transform that much after the stamp
 
 Order of output is the order of the transforms, not of the messages.
-Read `snapshot.py` next.
 """
 
 from __future__ import annotations

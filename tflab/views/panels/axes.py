@@ -1,7 +1,7 @@
 """Which way does it turn?  Sliders in front of `axes`.
 
 The pure functions behind it are `Transform.from_rpy` and
-`tflab.views.axes.optical_from_body`.  Read `mount.py` next.
+`tflab.views.axes.optical_from_body`.
 """
 
 from __future__ import annotations

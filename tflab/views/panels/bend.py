@@ -1,6 +1,6 @@
 """How often is often enough?  Sliders for speed, yaw rate and rate in front of `bend`.
 
-The pure function behind it is `tflab.views.bend.gap_m`.  Read `toolcase.py` next.
+The pure function behind it is `tflab.views.bend.gap_m`.
 """
 
 from __future__ import annotations

@@ -2,8 +2,6 @@
 
 The pure functions behind it are `tflab.views.clocks.clock_of` and `asked_now`.
 This is the last of the panels.
-
-Read `marks.py` next.
 """
 
 from __future__ import annotations

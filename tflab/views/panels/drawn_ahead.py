@@ -13,7 +13,6 @@ JupyterLab has some messages heard in a thread of their own, beside the one that
 draws ahead.  A picture is moved, drawn and read by one thread before another may.
 
 The field's term is *prefetching*.  The browser's half is `static/follow.js`.
-Read `words.py` next.
 """
 
 from __future__ import annotations

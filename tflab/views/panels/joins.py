@@ -1,6 +1,6 @@
 """What if I come later?  A slider for the moment of joining, and a menu for what the listener asks for.
 
-The pure function behind it is `tflab.views.joins.letters_heard`.  Read `latency.py` next.
+The pure function behind it is `tflab.views.joins.letters_heard`.
 """
 
 from __future__ import annotations

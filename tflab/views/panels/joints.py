@@ -1,7 +1,6 @@
 """What does this joint move?  A slider for each, in front of `joints`: the arm, its dominoes, and its file.
 
 The pure function behind it is the caller's: joint positions in, steps out.
-Read `axes.py` next.
 """
 
 from __future__ import annotations

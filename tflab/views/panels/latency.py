@@ -1,8 +1,6 @@
 """How far off?  Sliders for speed, yaw rate, range and delay in front of `latency`.
 
 The pure function behind it is `tflab.views.latency.latency_error`.
-
-Read `clocks.py` next.
 """
 
 from __future__ import annotations

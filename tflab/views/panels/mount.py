@@ -1,7 +1,6 @@
 """What does a turned mount do to two mistakes?  A slider in front of `mount`.
 
 The pure function behind it is `tflab.views.mount.seen_from`.
-Read `sentence.py` next.
 """
 
 from __future__ import annotations

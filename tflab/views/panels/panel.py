@@ -11,8 +11,6 @@ slider, the other controls standing still.
 
 All controls can be reached and moved with the keyboard: Tab goes from one to the
 next, the arrow keys move a slider.
-
-Read `drawn_ahead.py` next.
 """
 
 from __future__ import annotations

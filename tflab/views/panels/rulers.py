@@ -1,7 +1,6 @@
 """Whose numbers change?  Sliders in front of `rulers`: move the robot, turn it, move the thing.
 
 The pure function behind it is `tflab.views.rulers.readings_of`.
-Read `joints.py` next.
 """
 
 from __future__ import annotations

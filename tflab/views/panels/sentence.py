@@ -7,7 +7,6 @@
     and the picture with the matrix
 
 The pure function behind it is `tflab.views.sentence.sentence`.
-Read `bend.py` next.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
 """What if I ask a little later?  A slider in front of `timeline`.
 
-The pure function behind it is `tflab.views.timeline.answer`.  Read `joins.py` next.
+The pure function behind it is `tflab.views.timeline.answer`.
 """
 
 from __future__ import annotations

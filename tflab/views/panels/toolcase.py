@@ -4,7 +4,7 @@
     ~ half: it counts the messages of everybody.
     $ ros2 topic hz /tf ...
 
-The pure part is `tflab.views.toolcase`.  Read `visited.py` next.
+The pure part is `tflab.views.toolcase`.
 """
 
 from __future__ import annotations

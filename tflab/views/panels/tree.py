@@ -3,7 +3,7 @@
     move [odom v]  under [base_link v]      ask  source [head v]  target [odom v]
 
 Nothing refuses a broken tree: only the question says what is wrong, in tf2's words below
-the picture.  Read `timeline.py` next.
+the picture.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     step  2. delay /scan  v
     |==|  -0.285 s                |   x   x
 
-The pure part is `tflab.views.visited`.  Read `tree.py` next.
+The pure part is `tflab.views.visited`.
 """
 
 from __future__ import annotations

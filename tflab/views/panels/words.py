@@ -3,7 +3,7 @@
     slider("robot x", ...)   --"ko"-->   로봇 x [m]
 
 Names stay as they are: of frames, of joints, of options that ROS 2 prints; roll,
-pitch and yaw.  Read `rulers.py` next.
+pitch and yaw.
 """
 
 from __future__ import annotations

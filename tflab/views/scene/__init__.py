@@ -7,7 +7,7 @@
     widget    Scene: meshcat's viewer in a cell, without a server
     drawing   frames, scans, cameras and robots
 
-Start with `shapes.py`; each page names the next.
+Start with `shapes.py`.
 """
 
 from .drawing import (

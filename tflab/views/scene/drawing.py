@@ -13,8 +13,6 @@ that is.  Drawing the same path again moves what is there.  Each function takes 
 `Scene`, and leaves on what it draws the words that `words.py` reads.
 
 This is the last page of the folder.
-
-Read `rviz_status.py` next.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     triangles(mesh)     what is drawn        colours of each point, and no shading: they stay true
     grid(step_m)        the ground           lines, at z = 0
 
-meshcat is loaded only when something is drawn.  Read `state.py` next.
+meshcat is loaded only when something is drawn.
 """
 
 from __future__ import annotations

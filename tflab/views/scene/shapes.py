@@ -8,8 +8,6 @@
 
 Browsers draw every line one pixel wide, so whatever must be seen from afar is a
 mesh.  All functions here are arithmetic on arrays: points in, triangles out.
-
-Read `meshes.py` next.
 """
 
 from __future__ import annotations

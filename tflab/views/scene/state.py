@@ -10,7 +10,7 @@ and the order of the last words is kept.  A browser that opens the page later, o
 reloads it, or has no kernel at all, replays this list.
 
 Commands are plain dictionaries, as meshcat's `lower()` makes them, and packed with
-MessagePack, which is what the viewer reads.  Read `words.py` next.
+MessagePack, which is what the viewer reads.
 """
 
 from __future__ import annotations

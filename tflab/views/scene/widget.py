@@ -16,7 +16,6 @@ that changes the scene goes through one lock: `with scene.redraw(): ...` also
 sends what is drawn inside it as one message, which the browser draws at once.
 
 (https://github.com/meshcat-dev/meshcat-python; https://anywidget.dev)
-Read `drawing.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 
 `draw_...` functions leave the words at what they draw: the property `frame` says
 "this is a frame", with its parent, and the property `words` says what else it is.
-
-Read `widget.py` next.
 """
 
 from __future__ import annotations

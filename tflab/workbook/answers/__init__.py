@@ -12,5 +12,5 @@
     alike          which of many answers are the same
     showing        an answer in words
 
-Start with `values.py`; each page names the next.
+Start with `values.py`.
 """

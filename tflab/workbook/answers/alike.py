@@ -9,8 +9,6 @@ A task with forty slips has hundreds of pairs of them, and each is compared with
 before it.  Only what all ways of writing an answer share decides (of a quaternion and
 its negative, how large each number is), so nothing is called different here that the
 form would call the same.
-
-Read `showing.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     static_transform_publisher: by the transform that it would publish
 
 A line becomes a row of marks: words, then options by name.  Numbers are compared
-as numbers.  Read `urdf_text.py` next.
+as numbers.
 """
 
 from __future__ import annotations

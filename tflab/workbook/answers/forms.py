@@ -1,8 +1,6 @@
 """Which forms of answers are there?  All of them, by one name, and the way back from JSON.
 
-    form_from_plain(Vector(3, unit="m").plain()) == Vector(3, unit="m")
-
-Read `alike.py` next.
+form_from_plain(Vector(3, unit="m").plain()) == Vector(3, unit="m")
 """
 
 from __future__ import annotations

@@ -8,8 +8,6 @@
 A set and a tree have credit for each member.  Whoever names more than there are loses
 what was too much: to answer with everything is no answer (the field's term is precision
 beside recall).
-
-Read `command_lines.py` next.
 """
 
 from __future__ import annotations

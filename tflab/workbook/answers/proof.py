@@ -9,8 +9,6 @@ them is the true one is nowhere in it.  In a dict
 a list proves the cause that is named beside it, or nothing: some lists prove two of
 three, whoever looked at the robot.  What is said of a list that proves nothing is
 true whatever the patient has.
-
-Read `telling.py` next.
 """
 
 from __future__ import annotations

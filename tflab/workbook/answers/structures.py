@@ -6,7 +6,7 @@
     Message("geometry_msgs/msg/TransformStamped", ("header.frame_id", "transform.rotation"))
     Command()                      a line for a terminal, see `command_lines.py`
 
-What has no order, sets and trees, is next.  Read `members.py` next.
+What has no order, sets and trees, is next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@
 
 What each would say stands in the clinic's table of findings, so no list of right
 answers is kept.  In the field: a test that *discriminates* between two hypotheses.
-
-Read `forms.py` next.
 """
 
 from __future__ import annotations

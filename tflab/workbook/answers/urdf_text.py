@@ -6,8 +6,6 @@
 Which order, which spaces, how many digits and which names of links' shapes do not
 matter.  Each link has credit of its own, because it is looked at from its parent.
 A text that is no robot is told why, in the words of the reader of URDFs.
-
-Read `proof.py` next.
 """
 
 from __future__ import annotations

@@ -13,7 +13,7 @@ itself; everything else is an object with one key, its kind.
     {"odom", "map"}     {"set": ["map", "odom"]}     an exception {"raises": "LookupException", "text": "..."}
 
 What says the same is the same: a dataclass is a dict of its fields, a range or an
-iterator a list.  Anything else is {"object": its class}: it can be named, not judged.  Read `form.py` next.
+iterator a list.  Anything else is {"object": its class}: it can be named, not judged.
 """
 
 from __future__ import annotations

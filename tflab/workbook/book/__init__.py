@@ -6,5 +6,5 @@
     gallery      every figure, with the line that draws it
     reference    what the docstrings say
 
-Nothing here runs a page: `pages/` does, and hands over its HTML.  Start with `reading.py`; each page names the next.
+Nothing here runs a page: `pages/` does, and hands over its HTML.  Start with `reading.py`.
 """

@@ -9,7 +9,7 @@
     +----------+----------------------------------+
 
 The frame is ordinary HTML and works without a script; search, theme and staying on
-the place while changing the language are `static/book.js`.  Read `front.py` next.
+the place while changing the language are `static/book.js`.
 """
 
 from __future__ import annotations

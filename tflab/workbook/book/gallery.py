@@ -2,7 +2,7 @@
 
     executed page --cells that show a picture--> [picture] draw_frames(poses)   03 · Target and source
 
-A picture is one file in `assets`, named after its content.  Read `reference.py` next.
+A picture is one file in `assets`, named after its content.
 """
 
 from __future__ import annotations

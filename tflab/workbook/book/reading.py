@@ -4,7 +4,7 @@
     <p>The laser is bolted on ...                 "The laser is bolted on ...")
 
 A full-text index, as small as the book: a browser reads it as a script, so searching
-needs no server and works from a disk.  Read `frame.py` next.
+needs no server and works from a disk.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 
 An API reference: nothing of it is written twice.  Of a room there is what its face
 names, of the engine every page, for they are its textbook.  Modules laid out as ROS's
-own packages only hand on names, so they are left out.  Read `pages/` next.
+own packages only hand on names, so they are left out.
 """
 
 from __future__ import annotations

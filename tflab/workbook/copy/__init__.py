@@ -5,5 +5,5 @@
     environment  whether this machine has what the pages need
     lab          JupyterLab on it, offline
 
-Start with `lay_out.py`; each page names the next.
+Start with `lay_out.py`.
 """

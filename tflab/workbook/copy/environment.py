@@ -5,7 +5,7 @@
     ✗  widgets and 3D: ipywidgets is missing: pip install "tflab[views]"
 
 Where all is well it prints the same everywhere, in the language of the copy.  Whether the
-browser shows 3D, only eyes can tell: the start page draws something.  Read `lab.py` next.
+browser shows 3D, only eyes can tell: the start page draws something.
 """
 
 from __future__ import annotations

@@ -13,8 +13,6 @@
 JupyterLab would look for news, for updates and for extensions on the network;
 here it does none of that.  Its terminals know the command `tflab`, a page saves the
 last state of what moves in it, and pictures carry their words (`jupyter/`).
-
-Read `practice/` next.
 """
 
 from __future__ import annotations

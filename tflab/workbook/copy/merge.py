@@ -9,7 +9,6 @@
     a               -              b              b              unless it is new
 
 This is the three-way merge of version control, with cells for lines.
-Read `environment.py` next.
 """
 
 from __future__ import annotations

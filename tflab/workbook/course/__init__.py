@@ -8,5 +8,5 @@
     course_map      which chapter builds on which, drawn
     progress_page   the same, with what was passed
 
-Start with `course.py`; each page names the next.
+Start with `course.py`.
 """

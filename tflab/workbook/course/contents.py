@@ -6,7 +6,6 @@
     inventory.yaml  ->  solutions/src/00_start.py     the questions of form A, and at the end of 12 those of form B
 
 `python -m tflab.workbook.course.contents` writes them; a test holds them in step.
-Read `course_map.py` next.
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@
     practice    the questions at the chapters' ends
 
 All of it stands in `course.yaml`; the index page and the progress page show it.
-Read `misconceptions.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 Numbers only, so that it reads in every language: a solid box is a chapter that has a
 page, a dashed one is to come.  An arrow that follows from others is not drawn.
-
-Read `progress_page.py` next.
 """
 
 from __future__ import annotations

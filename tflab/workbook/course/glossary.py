@@ -4,8 +4,6 @@
     [[target frame|the target]] ->  <abbr title="...">the target</abbr>
 
 In Korean a bare term shows both: 목표 좌표계(target frame), tf2_echo(변환 확인 도구).
-
-Read `contents.py` next.
 """
 
 from __future__ import annotations

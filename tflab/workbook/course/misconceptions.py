@@ -1,7 +1,6 @@
 """What does "M3" stand for?  The fifteen misconceptions that the course looks for, each in a few words.
 
 A wrong answer is one task's; behind several of them may stand one thought.
-Read `standing.py` next.
 """
 
 from __future__ import annotations

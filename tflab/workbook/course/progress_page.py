@@ -3,7 +3,7 @@
     03  Target and source        ■ ■ ■ □ ◧ □ □   3/7
     to come: 01, 04
 
-What is ticked is what a check has passed; see `standing.py`.  Read `book/` next.
+What is ticked is what a check has passed; see `standing.py`.
 """
 
 from __future__ import annotations

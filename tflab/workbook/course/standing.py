@@ -4,7 +4,7 @@
     open        its tasks are here; some are not passed yet
     later       a task of it is in a chapter that this workbook does not have
 
-Nothing is ticked by reading, by trying, or by hand.  Read `glossary.py` next.
+Nothing is ticked by reading, by trying, or by hand.
 """
 
 from __future__ import annotations

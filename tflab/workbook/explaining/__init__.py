@@ -28,5 +28,5 @@
     changes     arguments that were changed
     explain     how a wrong answer came about: slips, alone and two together
 
-Start with `certain.py`; each page names the next.
+Start with `certain.py`.
 """

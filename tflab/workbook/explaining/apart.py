@@ -6,7 +6,6 @@
 
 The members of lists of words are looked at one by one.  Where as few slips give them all
 in several ways, nobody knows which it was: what all the ways have in common is told.
-Read `stops.py` next.
 """
 
 from __future__ import annotations

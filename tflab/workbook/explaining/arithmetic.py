@@ -8,7 +8,7 @@ Numbers: one of them, or two joined by + - * /.  Points: up to three, added or
 subtracted, or one moved by a pose or two.  Poses: one, two or three, turned round or not.
 Of a function: what it computes of its arguments in every call.  Only what fits to the
 last digit, and has digits enough not to be luck.
-The field calls it symbolic regression.  Read `components.py` next.
+The field calls it symbolic regression.
 """
 
 from __future__ import annotations

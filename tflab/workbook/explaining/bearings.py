@@ -3,7 +3,7 @@
     invert({x: 2.4, y: -3.9, yaw: 1.1})   gives x, y, and for the yaw   atan2(y, x) of what it gives
 
 A bearing is looked for in what came in, from one pose to the other, and in what was given beside it; alone,
-and with a yaw added or taken off.  Only what fits in every call in which the place is none.  Read `formulas.py` next.
+and with a yaw added or taken off.  Only what fits in every call in which the place is none.
 """
 
 from __future__ import annotations

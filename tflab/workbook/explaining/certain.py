@@ -6,7 +6,7 @@
 
 Bounds, not values: an answer is not given away.  The field knows it as
 constraint-based tutoring (Ohlsson): what an answer violates is certain, even where
-nobody knows how it came about.  Read `explanation.py` next.
+nobody knows how it came about.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
         message.header.stamp = now            -> and what came of that stamp is explained as ever
         return buffer.transform(message, "map")
 
-The field calls it a side effect.  Read `explain.py` next.
+The field calls it a side effect.
 """
 
 from __future__ import annotations

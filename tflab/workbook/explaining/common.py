@@ -5,7 +5,7 @@
 
 It is a decision tree of one question (a *stump*): said where it parts the calls that are
 wrong from those that are right, or where all that are wrong share what few others have.
-It tells what is so, and no cause.  Read `arithmetic.py` next.
+It tells what is so, and no cause.
 """
 
 from __future__ import annotations

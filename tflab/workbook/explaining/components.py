@@ -4,7 +4,7 @@
     given       x, y right; z is     m[1] + s[2]       one index stands twice, or one term is missing, or has a minus
 
 How the right answer is the sum of points that were given is found first; then one change
-is tried in each number that is wrong.  Read `turning.py` next.
+is tried in each number that is wrong.
 """
 
 from __future__ import annotations

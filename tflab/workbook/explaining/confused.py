@@ -3,7 +3,7 @@
     asked for   ok    past  future  past           "past" never comes: "future" is said for it
     said        ok   future future future
 
-The field calls the table of both a confusion matrix.  Read `common.py` next.
+The field calls the table of both a confusion matrix.
 """
 
 from __future__ import annotations

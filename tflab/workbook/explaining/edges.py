@@ -3,7 +3,7 @@
     asked for   "odom", "base_footprint"      given   "map", "odom"      each the parent of what is asked for
 
 Only parts that ask for an edge ("c edge") are looked at; who hangs below whom is known of
-the robot that runs through the course.  Read `orders.py` next.
+the robot that runs through the course.
 """
 
 from __future__ import annotations

@@ -8,7 +8,7 @@ Pairs of slips are searched for, and only where nothing simpler gives the answer
 (`tasks/pairs.py`).  The field calls this a *bug library* whose bugs compose (BUGGY,
 DEBUGGY), searched by model tracing.
 A name is given only where the whole of the answer, or of a part, is what that slip
-gives.  Read `verdicts/` next.
+gives.
 """
 
 from __future__ import annotations

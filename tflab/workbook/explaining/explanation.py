@@ -3,7 +3,7 @@
     Explanation({"late": ..., "far": ...}, Words("Two things together give ..."), follows=("ahead_m",))
 
 Slips that were made together are told as what gives this answer, for another mistake may come to the same numbers;
-what was seen of itself, as in `and_then`, is told as it is.  Read `confused.py` next.
+what was seen of itself, as in `and_then`, is told as it is.
 """
 
 from __future__ import annotations

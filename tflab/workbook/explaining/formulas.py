@@ -6,7 +6,6 @@
     a point that was turned by hand                        -->  each number that is wrong, term by term
 
 Only what fits to the ninth digit: an answer with fewer was rounded, and many formulas would come to it.
-Read `givens.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     argument 1   [1, 2, 8, 9]   kept   [2, 9]  where nothing was to be kept: each that followed one that went
 
 Only the outcomes are looked at, never the learner's text; so what is said is what they
-are, in every call.  Read `together.py` next.
+are, in every call.
 """
 
 from __future__ import annotations

@@ -9,7 +9,6 @@
                 its `.rotation`        it is only a part         it has no order
 
 A Duration or a Time where seconds are asked for has a number in it: what is wrong with that is said, too.
-Read `habits.py` next.
 """
 
 from __future__ import annotations

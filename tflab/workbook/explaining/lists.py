@@ -4,7 +4,7 @@
                -> three messages, three answers: "header.stamp": the stamp is still zero
 
 Where a list is too long or too short, nobody knows which member stands for which, and
-`certain.py` says how far the two agree.  Read `robots.py` next.
+`certain.py` says how far the two agree.
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@
 
 A value has one case, a function several: a part is explained where it is in all of
 them.  What only follows from an earlier slip costs nothing: *error carried forward*.
-Read `lists.py` next.
 """
 
 from __future__ import annotations

@@ -8,7 +8,6 @@
 
 Place by place three answers are wrong; together it is one mistake.  So it is where
 edges are asked for by the frame below, and each was named by the frame above.
-Read `slips_in_parts.py` next.
 """
 
 from __future__ import annotations

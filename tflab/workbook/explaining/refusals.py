@@ -5,7 +5,7 @@
                                                   returned   2.0   the exception    `return`, and not `raise`
                                                   raised     2.0   ValueError       another one than is asked for
 
-What else is wrong is explained beside it.  Read `requested.py` next.
+What else is wrong is explained beside it.
 """
 
 from __future__ import annotations

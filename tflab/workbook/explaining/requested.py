@@ -5,7 +5,6 @@
     now 12.420 s      Requested time 12.320000     0.1 s earlier than `now`, in each call
 
 What is said is read off the refusals of all calls that have an answer, so it is so.
-Read `beside.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
                 -> "camera_link": where it is: one of the numbers has the wrong sign
 
 Its place and its turn are answers of their own, and can have what any answer can have
-(`universal.py`).  Read `refusals.py` next.
+(`universal.py`).
 """
 
 from __future__ import annotations

@@ -1,10 +1,8 @@
 """Which slips of a task explain parts of an answer?  All of it, the part that it is made in, or some of the parts.
 
-    slip shows in    a  b  c        wrong    a  b  c     the whole of it
-                                             a  b        those parts, if its reply is true of each
-                                             a           the part that it is made in: the rest was put right
-
-Read `after.py` next.
+slip shows in    a  b  c        wrong    a  b  c     the whole of it
+                                         a  b        those parts, if its reply is true of each
+                                         a           the part that it is made in: the rest was put right
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     -->  "mount": then z reads +9.8 ...  "gyro_z": the size is right ...  "mend": look again.
 
 What tells only which word is said for which comes last: a cause helps more than what
-follows from it.  Read `edges.py` next.
+follows from it.
 """
 
 from __future__ import annotations

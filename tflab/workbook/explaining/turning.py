@@ -6,7 +6,7 @@
 
 The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw, of half of it or of
 two; up to three of them, added or taken off.  What is asked for is read in the same way, and so it can be said
-where the two differ: the kind of thing, never what belongs there.  Read `bearings.py` next.
+where the two differ: the kind of thing, never what belongs there.
 """
 
 from __future__ import annotations

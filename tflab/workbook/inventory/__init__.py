@@ -9,5 +9,5 @@
     taking_part what `check` says meanwhile
 
 Nothing in it is marked, and nothing of the key is in a learner's copy.  The field
-calls such a test a *concept inventory*.  Start with `items.py`; each page names the next.
+calls such a test a *concept inventory*.  Start with `items.py`.
 """

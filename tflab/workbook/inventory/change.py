@@ -6,7 +6,7 @@
 
 A learner is told no number but these: fifteen items are too few to measure one
 person.  What they were sure of and had wrong, and have right now, stands first: that is
-what was really learnt.  Read `opened.py` next.
+what was really learnt.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
 Every wrong option is what somebody really believes, a *distractor*; with each stands
 what to say of it when both forms are in.  All of it is in `solutions/inventory.yaml`,
 beside the solutions: a learner's copy holds the questions (see `questions.py`), and
-nothing that tells their key.  Read `balance.py` next.
+nothing that tells their key.
 """
 
 from __future__ import annotations

@@ -7,7 +7,7 @@
     form A, form B: a sentence for each option
 
 Nobody learns the key before form B is in, and nobody is given a number for what they
-gained: fifteen items are too few to measure one person.  Read `taking_part.py` next.
+gained: fifteen items are too few to measure one person.
 """
 
 from __future__ import annotations

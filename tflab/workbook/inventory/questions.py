@@ -6,7 +6,6 @@
 
 The sources of the two exercises hold them between the cells "questions" and "e0-1-answer";
 `python -m tflab.workbook.course.contents` writes them there, and a test holds them in step.
-Read `replies.py` next.
 """
 
 from __future__ import annotations

@@ -3,7 +3,7 @@
     {"1": "b", "2": "c?", "3": "e"}     1: b, sure     2: c, guessed     3: does not know
 
 Sure and wrong is a misconception; guessed and wrong is only a gap.  Capitals and
-spaces say nothing.  Read `change.py` next.
+spaces say nothing.
 """
 
 from __future__ import annotations

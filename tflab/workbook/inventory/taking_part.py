@@ -4,7 +4,7 @@
     E0.1 12/15       12 of 15 answered. Not yet: 3, 7, 9.
 
 There is no reply, no hint and no solution, and only the first complete answer is kept
-in the copy.  When form B is in, both open (see `opened.py`).  Read `checks.py` next.
+in the copy.  When form B is in, both open (see `opened.py`).
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ What a page calls as `lesson.…` is this workbook's; everything else on it is P
     capstone  a robot that was only written down
     waiting   robots whose data is late, and nodes that wait for it
 
-Start with `room.py`; each page names the next.
+Start with `room.py`.
 """
 
 from __future__ import annotations

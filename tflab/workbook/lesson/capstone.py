@@ -6,8 +6,6 @@ Each node sends what the answer gives it: a localiser the edges below map, wheel
 filter the footprint if their switch is on, the owner of the mounts the rest, and a
 camera driver its own edges once more if its switch is on.  What was not written is not
 launched.  Nothing is judged here: what one sees is what a real one would show.
-
-Read `waiting.py` next.
 """
 
 from __future__ import annotations

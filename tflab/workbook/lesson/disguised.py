@@ -7,7 +7,6 @@
     draw_rviz()                what RViz shows of it, on paper
 
 Nothing that a list says gives them away: every transform can be computed.
-Read `recordings.py` next.
 """
 
 from __future__ import annotations

@@ -1,8 +1,6 @@
 """In whose language?  Every panel speaks that of the learner's copy.
 
 What a panel has to ask a buffer is asked here, of a fresh one each time.
-
-Read `joints.py` next.
 """
 
 from __future__ import annotations

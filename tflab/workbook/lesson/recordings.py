@@ -10,8 +10,6 @@
 
 The last is the one number that says whether a bag was recorded well: a message whose
 transform is missing here is missing for everybody who plays the bag.
-
-Read `ward_rounds.py` next.
 """
 
 from __future__ import annotations

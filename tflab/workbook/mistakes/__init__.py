@@ -15,5 +15,5 @@
     fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives
 
-Start with `units.py`; each page names the next.
+Start with `units.py`.
 """

@@ -2,7 +2,7 @@
 
     asked for  (0, 0, 0.479, 0.878)     given  (0, 0, 1, 1)     z is the yaw, in radians
 
-Whatever stands in w.  Read `universal.py` next.
+Whatever stands in w.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     Type <class 'geometry_msgs.msg._point.Point'> is not loaded           -> what has no header cannot be moved
     Lookup would require extrapolation into the future                    -> later than all that the buffer holds
 
-The first pattern that fits, from the special to the general.  Read `objects.py` next.
+The first pattern that fits, from the special to the general.
 """
 
 from __future__ import annotations

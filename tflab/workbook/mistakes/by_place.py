@@ -4,7 +4,7 @@
                              given  (2, 1, 3)       "exchanged"         x, y
                              given  (1, 3, -2)      "places and signs"  x is right
 
-Names of numbers, never their values.  Read `written.py` next.
+Names of numbers, never their values.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
                                     "sign, in some": yes, and that is said
 
 A name is given only where it explains all that is wrong, and where what is right would
-be right with it, too.  Read `explaining/` next.
+be right with it, too.
 """
 
 from __future__ import annotations

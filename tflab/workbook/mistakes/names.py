@@ -5,7 +5,7 @@
                                                 {prefix}/{name}        an f before the quotes is missing
 
 Each name is looked at beside the one that is asked for; what is told is so in the learner's
-own.  Read `losses.py` next.
+own.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@
     'tuple' object has no attribute 'x'                          -> places, and no names: `[0]`
 
 Like `stumbles.py`, which asks here first: the first pattern that fits, from the special
-to the general.  Read `fields.py` next.
+to the general.
 """
 
 from __future__ import annotations

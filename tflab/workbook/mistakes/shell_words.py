@@ -6,7 +6,7 @@
     ros2 topic delay /tf                          another command
 
 A line is read as what it does (`answers/command_lines.py`); nothing is said of which
-words are asked for.  Read `stumbles.py` next.
+words are asked for.
 """
 
 from __future__ import annotations

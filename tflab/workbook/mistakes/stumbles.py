@@ -5,7 +5,7 @@
 
 Python says what it could not do; this page adds which slip is behind it, where that is
 sure; what was asked of a message, a Time or a tuple that has no such thing is told in
-`objects.py`.  Read `buffers.py` next.
+`objects.py`.
 """
 
 from __future__ import annotations

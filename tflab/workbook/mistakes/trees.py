@@ -3,7 +3,7 @@
     asked for   base -> odom -> map        given   base -> map        a frame is left out: "base" hangs so
                 r/odom -> map                      odom -> map        before "odom" a robot's name is missing
 
-What is told names frames of the answer alone.  Read `shell_words.py` next.
+What is told names frames of the answer alone.
 """
 
 from __future__ import annotations

@@ -1,8 +1,6 @@
 """In which other unit might an answer be?  What one unit is in others, by its factor.
 
-    asked for [m], answered 2200      2200 / 1000 == 2.2: millimetres
-
-Read `by_place.py` next.
+asked for [m], answered 2200      2200 / 1000 == 2.2: millimetres
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
 Each is undone, and what is left is compared with what was expected, or with what a
 slip of the task would give.
 Such rules are the *mal-rules* of a *bug library* (Brown and Burton's BUGGY): not
-what is wrong, but what was done.  Read `names.py` next.
+what is wrong, but what was done.
 """
 
 from __future__ import annotations

@@ -1,9 +1,7 @@
 """Which place holds the number of another?  It was written over, or the number stands twice.
 
-    asked for  (1, 2, 3)     given  (1, 3, 0)     "written over"    y holds z's number, and z is new
-                             given  (1, 3, 3)     "stands twice"    y holds z's number, and z has it too
-
-Read `angles.py` next.
+asked for  (1, 2, 3)     given  (1, 3, 0)     "written over"    y holds z's number, and z is new
+                         given  (1, 3, 3)     "stands twice"    y holds z's number, and z has it too
 """
 
 from __future__ import annotations

@@ -13,5 +13,5 @@
     site            all pages as one book
     slides          a page as a deck
 
-Start with `source.py`; each page names the next.
+Start with `source.py`.
 """

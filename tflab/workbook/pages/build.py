@@ -7,8 +7,6 @@
 
 The result depends on the sources and on tflab, and on nothing else: two builds are
 the same bytes.  A page with a fault is not written, and all faults are said at once.
-
-Read `html.py` next.
 """
 
 from __future__ import annotations

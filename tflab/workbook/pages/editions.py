@@ -6,8 +6,6 @@
 
 A notebook is a plain dict in the shape of nbformat 4.5, and `text_of` writes it the
 same way every time: ids are names, counts are 1 to N, nothing says when or where.
-
-Read `kernel.py` next.
 """
 
 from __future__ import annotations

@@ -6,8 +6,6 @@
 
 The kernel starts in a temporary workbook that passes for tflab's own, so a page sees its
 tasks as they are being built; no option of the author's shell reaches it.
-
-Read `one_page.py` next.
 """
 
 from __future__ import annotations

@@ -5,8 +5,6 @@
 Each notebook is run in a folder of its own, so nothing is written beside the
 source; then `tflab.views.export` makes a page of it that works from a disk, with
 no kernel and no network: 3D turns, and every view keeps one scrubber.
-
-Read `site.py` next.
 """
 
 from __future__ import annotations

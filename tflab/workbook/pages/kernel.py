@@ -5,7 +5,7 @@
                                                  here it is gone, however the block ended
 
 nbclient's own context takes Ctrl-C for itself and stumbles over it; this one leaves
-it to Python.  Read `execute.py` next.
+it to Python.
 """
 
 from __future__ import annotations

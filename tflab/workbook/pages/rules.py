@@ -5,8 +5,6 @@
 All faults of a page are found at once, each with its place and its remedy.
 What only shows when a page runs is in `execute.py`; what an exercise needs beyond
 this is in `exercise_rules.py`.
-
-Read `exercise_rules.py` next.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@
     site/reference/              what the docstrings say, with --reference
 
 Everything is a file: the book works from a disk, and wherever files are served.
-Read `slides.py` next.
 """
 
 from __future__ import annotations

@@ -11,8 +11,6 @@ What the speaker says stands in the cells' metadata and goes along; `--no-notes`
 leaves it out of a deck to hand on.  3D turns and sliders move, as in `html.py`:
 nbconvert's own decks fetch reveal.js from the network, so this one has a script of
 its own (`static/deck.js`), which moves the cells of the exported page about.
-
-Read `copy/` next.
 """
 
 from __future__ import annotations

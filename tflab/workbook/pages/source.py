@@ -7,8 +7,6 @@
 
 The format is jupytext's percent format.  This module reads it and says nothing about
 what is right: a page's faults are looked for in `rules.py`.
-
-Read `rules.py` next.
 """
 
 from __future__ import annotations

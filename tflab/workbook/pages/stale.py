@@ -1,8 +1,6 @@
 """Is what was built still what would be built?  Compare the two, and say where they part.
 
-    notebooks/en/03_target_and_source.ipynb: cell "lookup": prints '1.5 m' and would be '1.6 m'; run: tflab build 03_...
-
-Read `build.py` next.
+notebooks/en/03_target_and_source.ipynb: cell "lookup": prints '1.5 m' and would be '1.6 m'; run: tflab build 03_...
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@
     command    `tflab practice`
     cells      the same in a notebook
 
-Start with `spacing.py`; each page names the next.
+Start with `spacing.py`.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
     practice.hint()  practice.solution()  practice.skip()  practice.given()  practice.standing()
 
 They write into the copy and nothing else.  Where the page is not able to add a cell,
-the question's starter is printed.  This is the last page of the folder; read `lesson/` next.
+the question's starter is printed.
 """
 
 from __future__ import annotations

@@ -6,7 +6,6 @@
 
 What is a line is typed at the prompt; a function, a tree or a file is written in a
 file of your copy, practice/018_E3.3.py, and Enter checks it.  Ctrl-C loses nothing.
-Read `cells.py` next.
 """
 
 from __future__ import annotations

@@ -7,8 +7,6 @@ The numbers come from the same generators as a class's, with a seed that is no
 secret; the right answer and what each mistake gives come from the same solution.
 What takes minutes to draw is left out, patients without end are in chapter 12; and so
 is the test of before and after, which is asked twice and no more.
-
-Read `kept.py` next.
 """
 
 from __future__ import annotations

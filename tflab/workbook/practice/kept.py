@@ -8,8 +8,6 @@ What is asked stands there before it is shown, and what was typed as soon as it 
 whatever ends the program, the next one goes on from there.  No mark, no objective and
 no line of the checklist is read from it.  Where there is no copy, it lasts as long as
 the program.
-
-Read `question.py` next.
 """
 
 from __future__ import annotations

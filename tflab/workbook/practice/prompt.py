@@ -7,7 +7,6 @@
     b = map, laser_frame                            a list of names
 
 Enter keeps what was typed before.  Trees, files and messages are written in a file.
-Read `command.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,6 @@
     It was about M3 (the inverse is only a minus sign). Box 2 of 5: it comes again after 4 other tasks, or tomorrow.
 
 What a question is about is told after it: before, it would be half the answer.
-Read `terminal.py` next.
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@
     result = session.answer(question, corner)  judged as `check` does; a pass, or `leave`, closes it
 
 Nothing here writes `progress.json`: what is practised ticks nothing and costs nothing.
-Read `sentences.py` next.
 """
 
 from __future__ import annotations

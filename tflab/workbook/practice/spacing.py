@@ -11,8 +11,6 @@
 An idea is a misconception of the course, "M3", or a task that looks for none.  This
 is *spaced repetition* with the boxes of Sebastian Leitner (So lernt man lernen, 1972);
 SM-2 and its heirs fit a curve to each card, which fifteen ideas do not need.
-
-Read `deck.py` next.
 """
 
 from __future__ import annotations

@@ -6,5 +6,5 @@
     one_place   the place where one edit makes every call right, and what is said of it
     lint        what is plain to see in its text
 
-Start with `sums.py`; each page names the next.
+Start with `sums.py`.
 """

@@ -5,7 +5,7 @@
 
 What its cell holds beside it, lists and dicts, is copied for each edit: nothing of a
 learner's is changed, and no edit sees what another left.  An edit may make a loop feed
-itself, so lines are counted.  Read `one_place.py` next.
+itself, so lines are counted.
 """
 
 from __future__ import annotations

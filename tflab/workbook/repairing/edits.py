@@ -5,7 +5,6 @@
 An edit is something else at one spot of the tree (`tasks/spots.py`).  What people mean to
 write and do not is what mutation testing does to a right program, backwards (Debroy and
 Wong, "Using mutation to automatically suggest fixes for faulty programs", 2010).
-Read `calling.py` next.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
     finally: return "ok"                goes over every other `return`
 
 A *linter* looks for such things.  Nothing is run, and what is said is true by Python's
-own rules, whatever was asked for.  Read `trying.py` next.
+own rules, whatever was asked for.
 """
 
 from __future__ import annotations

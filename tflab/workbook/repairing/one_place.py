@@ -5,7 +5,7 @@
 What is said cannot be false: the edit was made, and all calls were right.  It says
 the place and the kind of thing, not what belongs there.  Only `check` asks so, in the
 learner's own kernel; grading runs nothing again that somebody wrote.  It gives up
-after half a second.  Read `lint.py` next.
+after half a second.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
     y = x0 + ratio * (x1 - x0)       y0 + ratio * (y1 - y0): the line of x, copied
 
 Names go by their stem and their number: `x0`, `x1` are of one stem, and `y0`, `y1` of
-another; fields by their letter, `a.x`; members by their place, `a[0]`.  Read `edits.py` next.
+another; fields by their letter, `a.x`; members by their place, `a[0]`.
 """
 
 from __future__ import annotations

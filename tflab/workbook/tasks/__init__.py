@@ -1,15 +1,17 @@
-"""A task: its right answer, its wrong ones, what it is tried on, and how it is tested itself.
+"""Tasks: what they ask, their known mistakes, and the cases that answers are tried on.
 
-    task      what a task is
-    reference its right answer comes from its solution; there is no other
-    case      what a file of cases holds
-    cases     what an answer is tried on
-    evidence  what an answer shows, beyond luck: guess correction
+    task      a task, as its file defines it
+    draws     the seeded source of a task's numbers
+    reference the right answer, which the solution's own cell gives
+    case      the cases of a task, as values
+    cases     compute the cases of a task for a seed
+    pairs     search two mistakes that together give an answer
+    library   a learner's tasks, computed on demand
+    evidence  which right results earn points, beyond guessing
     spots     where in a piece of Python something else can stand
-    mutants   solutions spoilt on purpose, none of which may pass: mutation testing
-    blank     a solution with its answers taken out
+    blank     turn a solution into an exercise
 
-What a task file imports is here.  Start with `task.py`; each page names the next.
+What a task file imports is here.
 """
 
 from ..answers.forms import (

@@ -12,8 +12,6 @@
 Inside a dict, the values of the region's keys become `...`.  What stands outside
 the regions stays, so an example can be faded line by line.  A name that begins with
 an underscore is the solution's own way to the answer, and nobody is asked for it.
-
-Read `mistakes/` next.
 """
 
 from __future__ import annotations

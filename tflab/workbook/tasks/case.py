@@ -10,18 +10,17 @@ An answer is compared with plain JSON (`values.py`).  It is never turned back in
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping, Sequence
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 from ..answers.forms import Form, form_from_plain
 from ..answers.values import Plain, is_raised, outcomes_of, to_plain
 from ..words import Words
 
-if TYPE_CHECKING:
-    from .pairs import PairSearch
-
-__all__ = ["AND", "Case", "ChapterCases", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of"]
+__all__ = [
+    "AND", "Case", "ChapterCases", "FindsPairs", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of",
+]  # fmt: skip
 
 AND = " + "  # between the names of two slips that were made together
 DIGITS = 12  # of a float in a case; the last ones differ between machines
@@ -78,6 +77,19 @@ class TwinWords(NamedTuple):
         return cls(Words(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
 
 
+class FindsPairs(Protocol):
+    """What searches two mistakes that together give an answer: `pairs.PairSearch`."""
+
+    def fitting(
+        self,
+        cases: Sequence[Case],
+        order: Sequence[int],
+        fits: Callable[[int, Plain], Collection[str]],
+        given: dict[str, Plain] | None,
+    ) -> dict[str, list[Plain]]:
+        """Return what each pair gives, case by case, of those that fit the answer."""
+
+
 class TaskCases(NamedTuple):
     """A task without its solution: its words, the form of its answer, and what an answer is tried on."""
 
@@ -95,7 +107,7 @@ class TaskCases(NamedTuple):
     shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
     seen: dict[str, Words] = {}  # noqa: RUF012  what there is to see where an option is right
     counts: str = ""  # as of a Task
-    pairs: PairSearch | None = None  # not part of the JSON
+    pairs: FindsPairs | None = None  # not part of the JSON
 
     def plain(self) -> dict[str, Plain]:
         """Return the task as JSON has it; what counts only where it is not being right, what is seen only if said."""

@@ -23,8 +23,6 @@ Grading also takes off what guessing gives (correction for guessing): the best t
 an answer can get that never looks at what it is asked counts as nothing.
 
     16 cases, 7 of them "ok"      always "ok": 7        right in 13: (13 - 7) / (16 - 7) of the points
-
-Read `spots.py` next.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@
 
 There is no second reference: the cell that a reader of the solution sees is the
 one that makes the expected values.  It is run in this process, so only on
-solutions of one's own.  Read `case.py` next.
+solutions of one's own.
 """
 
 from __future__ import annotations

@@ -5,7 +5,6 @@
 
 What is often written for what is in the tables, in both directions: who spoils a
 solution asks for it, and who looks for the one wrong place in an answer, too.
-Read `mutants.py` next.
 """
 
 from __future__ import annotations

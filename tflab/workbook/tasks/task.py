@@ -12,7 +12,6 @@ makes the public variants, and with a secret seed the hidden ones.
 
 A chapter is a folder in `solutions/tasks/`: `e3_2.py` holds one TASK, each mistake
 beside its function and its reply; what several of them draw is in `draws.py`.
-Read `reference.py` next.
 """
 
 from __future__ import annotations

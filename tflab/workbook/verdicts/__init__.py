@@ -6,5 +6,5 @@
     replies    what `check` says besides
     comparison the wrong answer drawn beside the right one
 
-Start with `verdict.py`; each page names the next.
+Start with `verdict.py`.
 """

@@ -6,7 +6,7 @@
 Only answers that are somewhere in space can be drawn: points, poses, poses in the
 plane, messages that hold one of these, and dicts of them, of which the first wrong
 one is drawn.  And only where the right one is open, and another: two that lie on each
-other say nothing of names that were exchanged.  Read `repairing/` next.
+other say nothing of names that were exchanged.
 """
 
 from __future__ import annotations

@@ -7,7 +7,6 @@
 The second table repeats nothing that a learner's code made, for that could carry
 hidden inputs out.  Both cover every mistake, coarse to fine; the field calls such a
 list an error taxonomy.  A mistake of one task, its *slips*, stands with the task.
-Read `replies.py` next.
 """
 
 from __future__ import annotations

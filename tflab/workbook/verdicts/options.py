@@ -5,7 +5,7 @@
     "cause"   "laser clock ahed"     nearly "laser clock ahead"
     "switch"  "off"                  "False" means that here
 
-Only what stands in the question is said.  Read `mistake.py` next.
+Only what stands in the question is said.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
 """What does `check` say besides?  How it was called, where help is, what grading will add: in both languages.
 
 What is wrong with an answer is said in `mistake.py`, once for everybody who says it.
-Read `comparison.py` next.
 """
 
 from __future__ import annotations

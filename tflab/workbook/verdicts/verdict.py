@@ -7,7 +7,6 @@
     Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
-Read `options.py` next.
 """
 
 from __future__ import annotations
