@@ -8,9 +8,13 @@ from tflab.workbook.tasks import Draws, Number, Slip, Task, Twin, Words
 
 
 def few_digits(rng: Draws) -> dict:
-    """Draw how pi/2 was written in a URDF, and how far away one looks."""
-    written = float(rng.choice((1.55, 1.56, 1.58, 1.59)))
-    return {"written_yaw_rad": written, "range_m": round(float(rng.uniform(6.0, 30.0)), 1)}
+    """Draw how pi/2 was written in a URDF, and how far away one looks, until rounding is told from other mistakes."""
+    while True:
+        written, range_m = float(rng.choice((1.54, 1.55, 1.61, 1.62))), round(float(rng.uniform(8.0, 30.0)), 1)
+        quarters = (math.pi / 2, 11 / 7, 1.571, 3.141 / 2)
+        off_m = [reach_m * abs(quarter - written) for reach_m in (range_m, 10.0) for quarter in quarters]
+        if all(abs(one - round(off_m[0], 2)) > 6e-4 for one in off_m) and abs(range_m - 10.0) > 0.4:
+            return {"written_yaw_rad": written, "range_m": range_m}
 
 
 def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"):
