@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 from tflab.core import Transform
 from tflab.workbook.tasks import Angle, Draws, Number, Parts, Slip, Words
@@ -44,6 +45,7 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
     c, s = math.cos(angle), math.sin(angle)
     right = (c * x - s * y, s * x + c * y)
     return {
+        "right": right,
         "sine's sign in x": (c * x + s * y, right[1]),
         "sine's sign in y": (right[0], c * y - s * x),
         "cosine's sign in x": (-c * x - s * y, right[1]),
@@ -61,6 +63,12 @@ def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float
         "cosines alone": (c * x, c * y),
         "first term alone": (c * x, s * x),
     }[way]
+
+
+def tells_ways_apart(x: float, y: float, angle: float, *others: tuple[float, float]) -> bool:
+    """Return whether a rotated point, what each way in `BY_HAND` gives, and `others` lie 8 mm from one another."""
+    places = [*others, *(by_formula(x, y, angle, way) for way in ("right", *BY_HAND))]
+    return all(math.dist(one, other) > 0.008 for one, other in combinations(places, 2))
 
 
 WRONG_TERMS = (

@@ -8,7 +8,7 @@ from functools import partial
 from tflab.core import Transform
 from tflab.workbook.tasks import Draws, Parts, Slip, Task, Twin, Vector, Words
 
-from .draws import BY_HAND, by_formula, some_mount, some_yaw_degrees, turned
+from .draws import BY_HAND, by_formula, some_mount, some_yaw_degrees, tells_ways_apart, turned
 
 
 def added(*points) -> tuple[float, ...]:
@@ -17,6 +17,23 @@ def added(*points) -> tuple[float, ...]:
 
 
 def corner_given(rng: Draws) -> dict[str, object]:
+    """Draw until both points show how they were rotated."""
+    while True:
+        given = _corner(rng)
+        mount, robot, point = given["base_T_laser"], given["map_T_base"], given["laser_p_corner"]
+        if _shows_its_turn(mount, point) and _shows_its_turn(robot, mount.apply(point)):
+            return given
+
+
+def _shows_its_turn(transform: Transform, point) -> bool:
+    """Return whether half the rotation, twice the rotation and each wrong formula move the point elsewhere."""
+    (x, y, _), yaw = point, transform.rpy()[2]
+    half = abs(yaw) / 2.0
+    is_half_told = math.hypot(x, y) * (half - math.sin(half)) > 0.008
+    return is_half_told and abs(math.sin(3 * half)) > 0.02 and tells_ways_apart(x, y, yaw)
+
+
+def _corner(rng: Draws) -> dict[str, object]:
     x, y = rng.integers(200, 600, size=2) / 100
     map_T_base = Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(x, y, 0.1))
     point = (rng.integers(150, 400) / 100, rng.choice([-1, 1]) * rng.integers(30, 120) / 100, 0.0)
