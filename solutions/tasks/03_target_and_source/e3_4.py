@@ -18,8 +18,13 @@ from .draws import (
 
 
 def compose_inputs(rng: Draws) -> list[tuple]:
+    """Draw pairs, in one of which the yaws add up to more than half a turn, and in one of which they differ by more."""
     nothing = {"x": 0.0, "y": 0.0, "yaw": 0.0}
-    pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
+    sums = differences = [0.0]
+    while max(sums) <= math.pi or max(differences) <= math.pi:
+        pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
+        sums = [abs(one["yaw"] + two["yaw"]) for one, two in pairs]
+        differences = [abs(one["yaw"] - two["yaw"]) for one, two in pairs]
     straight = {"x": 1.5, "y": -2.0, "yaw": 0.0}  # not turned, and not at the origin either
     return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng)), (straight, some_planar(rng))]
 
