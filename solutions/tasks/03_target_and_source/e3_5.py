@@ -9,11 +9,26 @@ from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
 from tflab.workbook.tasks import Angle, Draws, Parts, Slip, Task, Twin, Vector, Words
 
-from .draws import BY_HAND, by_formula, some_mount, turned
+from .draws import BY_HAND, by_formula, some_mount, tells_ways_apart, turned
+
+AMBIGUOUS_DEG = {  # yaws of which two mistakes give the same angle, modulo a turn: 1 / yaw is cos(yaw / 2) at 70
+    44, 45, 56, 70, 113, 118, 119, 125, 126, 135, -25, -44, -45, -70, -117, -125, -126, -127, -129, -135, -149,
+}  # fmt: skip
 
 
 def echo_given(rng: Draws) -> dict[str, str]:
-    return {"echo": echo_text(StampedTransform("base_link", "laser_frame", LATEST, some_mount(rng)))}
+    """Draw until no two mistakes give the same position or the same yaw."""
+    while True:
+        mount = some_mount(rng)
+        (x, y, _), yaw = mount.translation, mount.rpy()[2]
+        inverse, half, converted = (
+            by_formula(-x, -y, angle, "right") for angle in (-yaw, -yaw / 2, -math.radians(yaw))
+        )
+        others = (inverse[::-1], half, converted, (-x, -y), (-x, y), (-y, -x))
+        is_rounded = abs(math.degrees(round(yaw, 3) - yaw)) > 0.006
+        is_clear = is_rounded and round(math.degrees(yaw)) not in AMBIGUOUS_DEG
+        if is_clear and tells_ways_apart(-x, -y, -yaw, *others):
+            return {"echo": echo_text(StampedTransform("base_link", "laser_frame", LATEST, mount))}
 
 
 def echoed(given) -> tuple[Transform, float]:
