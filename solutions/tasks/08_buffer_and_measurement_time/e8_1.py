@@ -8,13 +8,16 @@ PATH = ("map -> odom", "odom -> base_link")
 
 
 def lanes(rng):
-    """Draw until the age of the answer is near none of the times that one may take for it."""
+    """Draw until the age of the answer, and the span of the first lane, are near no other time or span."""
     while True:
         given = _lanes(rng)
         newest = [given["newest_s"][edge] for edge in PATH]
         oldest = [given["oldest_s"][edge] for edge in PATH]
-        age_s = given["clock_s"] - min(newest)
-        if min(abs(age_s - other_s) for other_s in (*newest, *oldest, sum(newest) / 2, 0.12)) > 0.02:
+        first_s = min(given["oldest_s"].values())
+        age_s, span_s = given["clock_s"] - min(newest), newest[0] - oldest[0]
+        spans = (min(newest) - max(oldest), min(newest) - first_s, max(newest) - first_s)
+        far_s = [abs(age_s - other_s) for other_s in (*newest, *oldest, sum(newest) / 2, 0.12)]
+        if min(*far_s, *(abs(span_s - other_s) for other_s in spans)) > 0.02:
             return given
 
 
