@@ -18,8 +18,8 @@ def sightings(rng):
     for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15, -0.15):
         buffer, start_s, end_s, sensor = drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
-        if share == 0.6:  # its nanosec is below 0.1 s
-            stamp_s = round(math.ceil(start_s + 0.05) + 0.045, 3)
+        if share == 0.1:  # its nanosec starts with a zero, and without that zero there is a transform, too
+            stamp_s = round(math.floor(start_s) + 0.045, 3)
         now_s = round(max(end_s, stamp_s) + float(rng.uniform(0.45, 0.7)), 3)
         if share == 0.1:  # it came at once, and transforms have gone on coming
             now_s = round(stamp_s + 0.3, 3)
