@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
 
 
 def motion(rng):
-    """Draw until what the drive turned aside is neither nothing nor what the ray's end lags behind."""
+    """Draw until no two mistakes give the same lengths."""
     while True:
         given = _motion(rng)
-        delay_s = given["delay_ms"] / 1000.0
+        delay_s, range_m = given["delay_ms"] / 1000.0, given["range_m"]
         angle = math.radians(abs(given["yaw_rate_degps"])) * delay_s
-        of_the_way, of_the_ray = given["speed_mps"] * delay_s * angle, given["range_m"] * (1.0 - math.cos(angle))
-        if of_the_way > 0.008 and abs(of_the_way - of_the_ray) > 0.007:
+        ahead, aside = given["speed_mps"] * delay_s, range_m * math.radians(given["yaw_rate_degps"]) * delay_s
+        of_the_way, of_the_ray = ahead * angle, range_m * (1.0 - math.cos(angle))
+        arcs = (angle, given["speed_mps"] * angle, range_m * angle / math.tau)
+        means = ((ahead + aside) / 2.0, math.hypot(ahead, aside) / math.sqrt(2.0))
+        is_told_apart = all(abs(one - other) > 0.004 for one, other in (*combinations(arcs, 2), means))
+        if of_the_way > 0.008 and abs(of_the_way - of_the_ray) > 0.007 and is_told_apart:
             return given
 
 
