@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from functools import partial
 
@@ -32,11 +33,12 @@ def messages(rng: Draws) -> list[tuple]:
     """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, a frame on
     a slower edge than the robot's own, and one that is no name where there is no map yet: tf2 speaks of its target first.
     """
-    t = round(float(rng.uniform(20.0, 60.0)), 1)
+    t = 0.0
+    while round(t + 4.2, 1) - round(t + 4.0, 1) <= LIMIT_S:  # until floats miss the limit
+        t = round(float(rng.uniform(20.0, 60.0)), 1)
     drawn = [
         ("laser_frame", rng.uniform(1.2, 3.8)),
-        ("laser_frame", 4.0 + rng.uniform(0.05, 0.15)),
-        ("laser_frame", 4.0 + rng.uniform(0.17, 0.195)),
+        ("laser_frame", 4.0 + rng.uniform(0.05, 0.09)),
         ("laser_frame", 4.0 + rng.uniform(0.22, 0.35)),
         ("laser_frame", 4.0 + rng.uniform(1.2, 2.0)),
         ("laser_frame", 4.5 + rng.uniform(0.02, 0.12)),  # 0.5 s more for map -> odom
@@ -56,6 +58,8 @@ def messages(rng: Draws) -> list[tuple]:
         at_the_limit.header.stamp = stamp.to_msg()
         rows.append((robot_buffer(t), at_the_limit))
     rows += [(robot_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
+    start = math.floor(t) + 0.9  # a second begins between the newest transform and this message
+    rows.append((robot_buffer(start), point_in("laser_frame", start + 4.0 + round(float(rng.uniform(0.17, 0.195)), 3))))
     slow = point_in("laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3))
     rows.append((robot_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
