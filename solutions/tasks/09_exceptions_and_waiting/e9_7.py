@@ -4,12 +4,27 @@ from __future__ import annotations
 
 import math
 from functools import partial
+from itertools import pairwise
 from statistics import mean
+from types import SimpleNamespace
 
 from tflab.workbook.tasks import Draws, Number, Slip, Task, Twin, Words
 
+TOLERANCE_S = 0.0005
+
 
 def two_edges(rng: Draws) -> dict:
+    """Draw until no two mistakes give the same wait."""
+    while True:
+        given = _two_edges(rng)
+        held = SimpleNamespace(**given)
+        mistakes = [partial(wait_of, **twin.at) if isinstance(twin, Slip) else twin.answer for twin in TASK.twins]
+        waits_s = sorted(mistake(held) if callable(mistake) else mistake for mistake in (wait_of, *mistakes))
+        if min(later - sooner for sooner, later in pairwise(waits_s)) > TOLERANCE_S + 1e-9:
+            return given
+
+
+def _two_edges(rng: Draws) -> dict:
     """Draw two edges of which the slow one decides, and a scan that has been under way for a while.
 
     Each ends in another tenth of a millisecond: two mistakes do not come to the same number by chance.
@@ -387,7 +402,7 @@ TASK = Task(
     points=2,
     title=Words(en="The smallest wait that always succeeds", ko="언제나 성공하는 가장 짧은 기다림"),
     answer="wait_s",
-    form=Number("s", tolerance=0.0005),
+    form=Number("s", tolerance=TOLERANCE_S),
     given=two_edges,
     variants=5,
     model=wait_of,
