@@ -14,12 +14,13 @@ TOLERANCE_S = 0.0005
 
 
 def two_edges(rng: Draws) -> dict:
-    """Draw until no two mistakes give the same wait."""
+    """Draw until no two mistakes give the same wait; two that are easily made together count as one more."""
+    together = partial(wait_of, periods=0.0, scan=-1.0)
     while True:
         given = _two_edges(rng)
         held = SimpleNamespace(**given)
         mistakes = [partial(wait_of, **twin.at) if isinstance(twin, Slip) else twin.answer for twin in TASK.twins]
-        waits_s = sorted(mistake(held) if callable(mistake) else mistake for mistake in (wait_of, *mistakes))
+        waits_s = sorted(mistake(held) if callable(mistake) else mistake for mistake in (wait_of, together, *mistakes))
         if min(later - sooner for sooner, later in pairwise(waits_s)) > TOLERANCE_S + 1e-9:
             return given
 
