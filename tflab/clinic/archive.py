@@ -42,11 +42,12 @@ class Admission(NamedTuple):
 
 def patients(admissions: Sequence[Admission]) -> list[SickRobot]:
     """Return a patient for each admission, in their order; new ones are made on all cores, and kept."""
-    from joblib import Parallel, delayed
-
     paths = [_place(admission) for admission in admissions]
     new = [(admission, path) for admission, path in zip(admissions, paths, strict=True) if not path.is_file()]
-    Parallel(n_jobs=min(len(new), os.cpu_count() or 1) or 1)(delayed(_make)(*pair) for pair in new)
+    if new:
+        from joblib import Parallel, delayed
+
+        Parallel(n_jobs=min(len(new), os.cpu_count() or 1))(delayed(_make)(*pair) for pair in new)
     return [SickRobot.unpacked(path.read_text(encoding="ascii")) for path in paths]
 
 
