@@ -271,7 +271,7 @@ class Recorder:
             return (yield)
         with pytest.MonkeyPatch.context() as environment:
             environment.setenv("PYTHONPATH", str((ROOT / TRACER).parent), prepend=os.pathsep)
-            environment.setenv("TFLAB_RAN", str(self.children))
+            environment.setenv("TRACED_FILES", str(self.children))
             tracing.start(tracing.collect)
             try:
                 return (yield)

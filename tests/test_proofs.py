@@ -23,7 +23,7 @@ FILES = {
     "data/one.txt": "1",
     "data/two.txt": "2",
     "tests/test_all.py": """
-import subprocess, sys
+import os, subprocess, sys
 import pytest
 import tflab.loaded
 from tflab.ran import ran
@@ -32,7 +32,8 @@ from tflab.ran import ran
 @pytest.mark.parametrize("name", ["one", "two"])
 def test_all(name, sample):
     assert ran() == 3
-    subprocess.run([sys.executable, "-c", "from tflab.child import child; child()"], check=True)
+    own = {key: value for key, value in os.environ.items() if not key.startswith("TFLAB_")}  # as a page is run
+    subprocess.run([sys.executable, "-c", "from tflab.child import child; child()"], check=True, env=own)
     print(f"{name} looked at {len(sample(range(50), 20))}")
 """,
 }

@@ -2,7 +2,7 @@
 
 `conftest.py` loads this file and calls `start` and `stop` around a test. Python loads
 it in a child process, because `PYTHONPATH` names this folder. There it appends each
-file of the repository to the file that `TFLAB_RAN` names, at its first call: a kernel
+file of the repository to the file that `TRACED_FILES` names, at its first call: a kernel
 may be killed at any time.
 """
 
@@ -12,7 +12,7 @@ import threading
 from contextlib import suppress
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))) + os.sep
-REPORT = os.environ.get("TFLAB_RAN")
+REPORT = os.environ.get("TRACED_FILES")
 CO_OPTIMIZED = 1  # of a function; the body of a module or a class runs at import, and lacks it
 ran: set[str] = set()
 
