@@ -12,7 +12,7 @@ from __future__ import annotations
 import hashlib
 import json
 import re
-from contextlib import redirect_stdout
+from contextlib import redirect_stdout, suppress
 from functools import lru_cache
 from io import StringIO
 from pathlib import Path
@@ -23,18 +23,12 @@ from .case import TaskCases, Variant, rounded
 from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
 from .pairs import PairSearch
 from .reference import Solution, in_process_ros, solution_in_notebook
-from .task import Task, TaskError, read_tasks, variant_of
+from .task import Task, TaskError, read_task, read_tasks, variant_of
 
 __all__ = [
-    "assigned_cases",
-    "outlines",
-    "pair_search",
-    "question_digest",
-    "seed_of",
-    "solution_of",
-    "task_ids",
+    "assigned_cases", "outlines", "pair_search", "question_digest", "seed_of", "solution_of", "task_ids", "task_in",
     "tasks_of",
-]
+]  # fmt: skip
 
 QUESTION_DIGITS = 9  # fewer than of a case: a digest must not depend on the last digit of a machine's sine
 
@@ -53,6 +47,15 @@ def tasks_of(data: Path, stem: str) -> dict[str, Task]:
         TaskError: there are none, or one cannot be read.
     """
     return _tasks(data, stem, _stamp(data, stem))
+
+
+def task_in(data: Path, stem: str, task_id: str) -> Task:
+    """Return one task of a chapter; the files of the other tasks are not read.
+
+    Raises:
+        TaskError: it is not there, or cannot be read.
+    """
+    return _task(data, stem, task_id, _stamp(data, stem))
 
 
 def solution_of(data: Path, stem: str) -> Solution:
@@ -79,9 +82,8 @@ def assigned_cases(data: Path, stem: str, task_id: str, workbook: Workbook) -> T
     Raises:
         TaskError: the task or the solution cannot be read.
         CasesError: no inputs tell its mistakes apart.
-        KeyError: there is no such task.
     """
-    task = tasks_of(data, stem)[task_id]
+    task = task_in(data, stem, task_id)
     number = variant_of(workbook.learner, task_id, task.variants)
     return _assigned(data, stem, task_id, seed_of(task, workbook.seed), number, _stamp(data, stem))
 
@@ -116,10 +118,9 @@ def pair_search(task_id: str) -> PairSearch:
     def load() -> Task | None:
         number = int(task_id.partition(".")[0].removeprefix("E"))
         stem = next((stem for stem in chapters() if int(stem[:2]) == number), "")
-        try:
-            return tasks_of(workbook_data(), stem).get(task_id)
-        except TaskError:
-            return None
+        with suppress(TaskError):
+            return task_in(workbook_data(), stem, task_id)
+        return None
 
     return PairSearch(load)
 
@@ -136,6 +137,12 @@ def _tasks(data: Path, stem: str, _stamp: int) -> dict[str, Task]:
         return {task.id: task for task in read_tasks(data / "solutions" / "tasks" / stem)}
 
 
+@lru_cache(maxsize=128)
+def _task(data: Path, stem: str, task_id: str, _stamp: int) -> Task:
+    with in_process_ros(), redirect_stdout(StringIO()):
+        return read_task(data / "solutions" / "tasks" / stem, task_id)
+
+
 @lru_cache(maxsize=16)
 def _solution(data: Path, stem: str, _stamp: int) -> Solution:
     return solution_in_notebook(data / "solutions" / "en" / f"{stem}.ipynb")
@@ -143,7 +150,7 @@ def _solution(data: Path, stem: str, _stamp: int) -> Solution:
 
 @lru_cache(maxsize=64)
 def _assigned(data: Path, stem: str, task_id: str, seed: str, number: int, _stamp: int) -> TaskCases:
-    task = tasks_of(data, stem)[task_id]
+    task = task_in(data, stem, task_id)
     with in_process_ros(), redirect_stdout(StringIO()):
         try:
             variant = make_variant(task, seed, number, solution_of(data, stem))

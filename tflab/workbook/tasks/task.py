@@ -39,6 +39,7 @@ __all__ = [
     "TaskError",
     "Twin",
     "chapter_of",
+    "read_task",
     "read_tasks",
     "slug",
     "task_file",
@@ -218,6 +219,19 @@ def read_tasks(folder: Path) -> tuple[Task, ...]:
     if foreign:
         raise TaskError(f"{folder.name}: {', '.join(foreign)} belongs to another chapter")
     return tasks
+
+
+def read_task(folder: Path, task_id: str) -> Task:
+    """Return one task of a chapter's folder; the other files are not run.
+
+    Raises:
+        TaskError: it is not there, or cannot be read.
+    """
+    path = task_file(folder, task_id)
+    if not path.is_file():
+        raise TaskError(f"there is no {path.name} in {folder}")
+    with _as_package(folder) as package:
+        return _read_task(path, package)
 
 
 @contextmanager
