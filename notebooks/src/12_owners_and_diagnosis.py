@@ -475,7 +475,7 @@ lesson.draw_both_ways()
 # %% [markdown] lang="ko" name="clinic-notes" slide="notes"
 # 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 입력하지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
 
-# %% name="trolley" slide="skip"
+# %% name="trolley" tags=["translated"] slide="skip"
 lesson.show_trolley()
 
 # %% [markdown] lang="en" name="trolley-seen"
@@ -486,7 +486,7 @@ lesson.show_trolley()
 # 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
 # `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
-# %% name="worked" slide="subslide"
+# %% name="worked" tags=["translated"] slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
 # %% [markdown] lang="en" name="hasty"
@@ -495,7 +495,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 # %% [markdown] lang="ko" name="hasty"
 # 누구나 바로 고치고 싶어 합니다. 아무것도 묻지 않고 해 봅시다.
 
-# %% name="hasty-say"
+# %% name="hasty-say" tags=["translated"]
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
 
 # %% [markdown] lang="en" name="worked-think"
@@ -506,7 +506,7 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환의 시각보다 늦다는 뜻입니다. 측정 시각이 너무 늦거나 변환이 너무 오래되었습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
-# %% name="worked-ask"
+# %% name="worked-ask" tags=["translated"]
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
@@ -517,11 +517,11 @@ visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 # 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 시계가 늦을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 늦게 온 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
 # 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 반창고, 곧 증상만 가리는 처치부터 봅시다.
 
-# %% name="plaster" slide="subslide"
+# %% name="plaster" tags=["translated"] slide="subslide"
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
 visit.try_fix()
 
-# %% name="cure"
+# %% name="cure" tags=["translated"]
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="set the laser's clock")
 visit.try_fix()
 
@@ -573,7 +573,7 @@ lesson.draw_visit(visit)
 # %% [markdown] lang="ko" name="faded-notes" slide="notes"
 # 둘씩 5분 동안 합니다. 한 사람은 묻고, 한 사람은 용의자 목록을 들고 지웁니다. 다음 환자에서는 역할을 바꿉니다.
 
-# %% name="faded-visit"
+# %% name="faded-visit" tags=["translated"]
 jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
 
 # %% name="faded-checks" slide="subslide"
@@ -615,7 +615,7 @@ lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node lis
 # %% [markdown] lang="ko" name="second" slide="subslide"
 # 기계는 무엇이라고 할까요? 용의자를 대면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
 
-# %% name="second-opinion" slide="-"
+# %% name="second-opinion" tags=["translated"] slide="-"
 my_suspect = ...  # one of the three
 lesson.second_opinion(7, my_suspect)
 
@@ -637,10 +637,10 @@ lesson.second_opinion(7, my_suspect)
 # %% [markdown] lang="ko" name="suspects" slide="skip"
 # 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 검사마다 나올 소견입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
 
-# %% name="suspects-words" slide="skip"
+# %% name="suspects-words" tags=["translated"] slide="skip"
 lesson.show_suspects()
 
-# %% name="findings-words" slide="skip"
+# %% name="findings-words" tags=["translated"] slide="skip"
 lesson.show_findings("flickers")
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
@@ -659,10 +659,10 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
 # 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 웃음이 터집니다.
 
-# %% name="night" tags=["predicted"] slide="subslide"
+# %% name="night" tags=["predicted", "translated"] slide="subslide"
 night = lesson.admit(lesson.night_shift(4))
 
-# %% name="night-fix" tags=["predicted"] slide="subslide"
+# %% name="night-fix" tags=["predicted", "translated"] slide="subslide"
 night.take("node list")
 night.take("use_sim_time")
 night.say(cause="localizer not running", frame="odom", owner="localization", fix="start localization")

@@ -26,7 +26,7 @@ from tflab.workbook import practice
 #
 # 지금까지 무엇을 틀렸는지, 언제였는지, 다음에는 무엇이 나오는지 보여 줍니다. 기록은 내 워크북의 `practice.json`에 있습니다.
 
-# %% name="standing"
+# %% name="standing" tags=["translated"]
 practice.standing()
 
 # %% [markdown] lang="en" name="how" slide="skip"

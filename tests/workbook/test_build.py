@@ -85,6 +85,30 @@ def test_both_languages_have_the_same_code_and_outputs(workbook: Path) -> None:
     assert ko["title"]["source"] == ["# 한 쪽"]
 
 
+SPEAKS = (
+    "from tflab.workbook.places import language_here\nprint({'en': 'Hello', 'ko': '안녕하십니까'}[language_here()])"
+)
+
+
+def test_what_is_printed_in_the_readers_language_is_stored_in_it(tmp_path: Path) -> None:
+    written(tmp_path, TITLE, code("hello", SPEAKS, ' tags=["translated"]'), code("look", "print(6 * 7)"))
+    assert build(["--root", str(tmp_path)]) == 0
+    en, ko = (cells_of(tmp_path, f"notebooks/{language}/03_x.ipynb") for language in ("en", "ko"))
+    assert (en["hello"]["outputs"][0]["text"], ko["hello"]["outputs"][0]["text"]) == (["Hello\n"], ["안녕하십니까\n"])
+    assert en["look"] == ko["look"]
+
+
+def test_a_tag_that_is_missing_or_needless_on_what_is_translated_is_a_fault(tmp_path: Path, capsys) -> None:
+    two = SPEAKS.replace("Hello", "Good day")
+    written(tmp_path, TITLE, code("hello", SPEAKS, ' tags=["translated"]'), code("day", two), code("look", "print(42)"))
+    assert build(["--root", str(tmp_path)]) == 1
+    assert 'cell "day": prints in the reader\'s language' in capsys.readouterr().err
+    written(tmp_path, TITLE, code("look", "print(42)", ' tags=["translated"]'))
+    assert build(["--root", str(tmp_path)]) == 1
+    assert 'cell "look": prints the same in each language' in capsys.readouterr().err
+    assert bytes_below(tmp_path) == {}
+
+
 def test_what_the_speaker_says_is_kept_with_the_cell_before_it(workbook: Path) -> None:
     page = cells_of(workbook, "notebooks/ko/03_x.ipynb")
     assert "note" not in page
@@ -214,27 +238,26 @@ def test_a_fault_of_an_exercise_is_found_before_it_is_run(tmp_path: Path, half: 
     assert exercise_faults(good, read_tasks(tmp_path / "solutions" / "tasks" / "03_x")) == []
 
 
+IN_GIVEN = 'cell "e3-1-given": raised WorkbookError: this task cannot be checked: '
+IN_CHECK = 'cell "e3-2-check": the solution does not pass: E3.2: this task cannot be checked: '
+
+
 @pytest.mark.parametrize(
-    "tasks, half, said",
+    "old, new, said",
     [
-        (TASKS.replace("length * 2", "length / 2"), HALF, 'E3.1, variant 0: the twin "double" is the right answer'),
-        (
-            TASKS.replace("rng.uniform(1.0, 9.0))", "rng.nothing())"),
-            HALF,
-            "E3.1: AttributeError: 'Draws' object has no",
-        ),
-        (TASKS, HALF.replace("e3_1.length / 2", "e3_1.width / 2"), '03_x: the answer cell "e3-1-answer" fails: Attr'),
+        ("length * 2", "length / 2", IN_GIVEN + 'E3.1, variant 0: the twin "double" is the right answer'),
+        ("rng.uniform(1.0, 9.0))", "rng.nothing())", IN_GIVEN + "E3.1: AttributeError: 'Draws' object has no"),
+        ("e3_1.length / 2", "e3_1.width / 2", IN_GIVEN + '03_x: the answer cell "e3-1-answer" fails: AttributeError'),
+        ("rng.uniform(1.0, 9.0, 3)", "rng.nothing()", IN_CHECK + "E3.2: AttributeError: 'Draws' object has no"),
     ],
-    ids=["a mistake that is right", "a generator", "an answer"],
+    ids=["a mistake that is right", "a generator", "an answer", "a function's generator"],
 )
-def test_what_fails_while_cases_are_computed_is_said_at_the_tasks_first_cell(
-    tmp_path: Path, capsys, tasks: str, half: str, said: str
+def test_what_fails_while_cases_are_computed_is_said_at_the_cell_that_asks_for_them(
+    tmp_path: Path, capsys, old: str, new: str, said: str
 ) -> None:
-    exercise(tmp_path, TITLE, LOAD, half, THIRD, tasks=tasks)
+    exercise(tmp_path, TITLE, LOAD, HALF.replace(old, new), THIRD, tasks=TASKS.replace(old, new))
     assert build(["--root", str(tmp_path)]) == 1
-    faults = capsys.readouterr().err
-    assert f'cell "e3-1-given": raised WorkbookError: this task cannot be checked: {said}' in faults
-    assert "E3.2" not in faults
+    assert said in capsys.readouterr().err
     assert bytes_below(tmp_path) == {}
 
 

@@ -20,7 +20,8 @@ WIDGET = "import ipywidgets\nipywidgets.IntSlider()"
 
 
 def run(root: Path, *parts: str) -> tuple[Outputs, list[PageFault]]:
-    return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", {"solutions/tasks/03_x/e3_1.py": b"TASK = 1\n"}))
+    beside = {"solutions/tasks/03_x/e3_1.py": b"TASK = 1\n"}
+    return wait_for(run_page(page(root, TITLE, *parts), "notebooks/en", beside))
 
 
 def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) -> None:

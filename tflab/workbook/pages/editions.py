@@ -84,7 +84,7 @@ def with_figures(page: Notebook, english: Notebook) -> Notebook:
     """Return a page in another language with the figures of the English one, which are stored once."""
     outputs = {cell["id"]: cell["outputs"] for cell in english["cells"] if cell["cell_type"] == "code"}
     for cell in page["cells"]:
-        if cell.get("outputs"):
+        if any(PNG in output.get("data", ()) for output in outputs.get(cell["id"], ())):
             cell["outputs"] = outputs[cell["id"]]
     return page
 

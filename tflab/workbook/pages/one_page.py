@@ -10,11 +10,13 @@ is being built.  An exercise is run, too, untouched: it must reach its end and p
 
 from __future__ import annotations
 
+import json
+from dataclasses import asdict
 from pathlib import Path
 from typing import NamedTuple
 
 from ..course.glossary import read_glossary
-from ..places import exercise_file
+from ..places import MARK, Workbook, exercise_file
 from ..tasks.blank import BlankError
 from ..tasks.case import TaskCases
 from ..tasks.cases import outline_of
@@ -45,9 +47,27 @@ async def make_page(path: Path) -> Made:
         if path.parents[1].name == "solutions":
             return await _solution(page, faults)
         outputs, more = await run_page(page, f"notebooks/{LANGUAGES[0]}")
-        return Made(_in_each_language(page, "notebooks", outputs), faults + more)
+        translated, wrong = await _translated(page, outputs)
+        return Made(_in_each_language(page, "notebooks", outputs, translated=translated), faults + more + wrong)
     except PageError as error:
         return Made({}, list(error.faults))
+
+
+async def _translated(page: Page, outputs: Outputs) -> tuple[Outputs, list[PageFault]]:
+    """Run a page as a Korean reader does, if a cell prints in the reader's language; return what such cells store."""
+    marked = {cell.name for cell in page.code if "translated" in cell.tags}
+    if not marked:
+        return {}, []
+    language = LANGUAGES[1]
+    mark = json.dumps(asdict(Workbook(language=language))).encode()
+    theirs, _ = await run_page(page, f"notebooks/{language}", {MARK: mark})
+    remedy = 'tag what prints in the reader\'s language "translated", and nothing else'
+    faults = []
+    for cell in page.code:
+        if (theirs[cell.name] == outputs[cell.name]) is (cell.name in marked):
+            wrong = "prints the same in each language" if cell.name in marked else "prints in the reader's language"
+            faults.append(page.fault(cell, wrong, remedy))
+    return {name: theirs[name] for name in marked}, faults
 
 
 async def _solution(page: Page, faults: list[PageFault]) -> Made:
@@ -78,9 +98,15 @@ async def _solution(page: Page, faults: list[PageFault]) -> Made:
 
 
 def _in_each_language(
-    page: Page, room: str, outputs: Outputs, tasks: dict[str, TaskCases] | None = None
+    page: Page,
+    room: str,
+    outputs: Outputs,
+    tasks: dict[str, TaskCases] | None = None,
+    translated: Outputs | None = None,
 ) -> dict[str, str]:
+    """Return the notebook of each language; the English outputs stand in all, but for those that were translated."""
+    each = {language: outputs if language == LANGUAGES[0] else outputs | (translated or {}) for language in LANGUAGES}
     return {
-        f"{room}/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, outputs, tasks))
-        for language in LANGUAGES
+        f"{room}/{language}/{page.stem}.ipynb": text_of(lecture_notebook(page, language, printed, tasks))
+        for language, printed in each.items()
     }
