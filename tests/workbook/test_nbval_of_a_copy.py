@@ -40,13 +40,13 @@ def test_nbval_passes_on_a_page_of_a_fresh_copy(tmp_path: Path, language: str, s
     assert status == 0 and " passed" in printed, printed
 
 
-@pytest.mark.proof(reads=["notebooks/*/{stem}.ipynb"])
+@pytest.mark.proof(reads=["notebooks/*/*.ipynb"])
 @pytest.mark.parametrize("language", LANGUAGES)
-@pytest.mark.parametrize("stem", [stem for stem in STEMS if stem != "90_glossary"])  # which has no code
-def test_nbval_passes_on_each_page_of_a_fresh_copy(tmp_path: Path, stem: str, language: str) -> None:
+def test_nbval_passes_on_each_page_of_a_fresh_copy(tmp_path: Path, language: str, sample) -> None:
     copy = lay_out(tmp_path / "copy", language)
-    status, printed = nbval(copy, f"notebooks/{language}/{stem}.ipynb", "--nbval")
-    assert status == 0 and " passed" in printed, printed
+    for stem in sample([stem for stem in STEMS if stem != "90_glossary"], 2):  # the glossary has no code
+        status, printed = nbval(copy, f"notebooks/{language}/{stem}.ipynb", "--nbval")
+        assert status == 0 and " passed" in printed, printed
 
 
 def test_nbval_fails_on_a_page_whose_stored_output_is_another(tmp_path: Path) -> None:
