@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from types import ModuleType
 from typing import Any
 
@@ -26,6 +27,7 @@ from tflab.workbook.tasks.library import (
     tasks_of,
 )
 from tflab.workbook.tasks.reference import in_process_ros
+from tflab.workbook.tasks.task import read_tasks
 
 from . import small_chapter as chapter
 
@@ -149,3 +151,15 @@ def test_a_digest_names_what_is_asked_and_not_how_it_is_said(tmp_path, monkeypat
     assert question_digest(task, variant._replace(given=variant.given | {"laser_p_corner": None})) != digest
     drawn_otherwise = assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook(seed="another"))
     assert question_digest(task, drawn_otherwise.variants[0]) != digest
+
+
+def test_threads_that_read_the_tasks_of_one_chapter_do_not_disturb_each_other():
+    folder = workbook_data() / "solutions" / "tasks" / "08_buffer_and_measurement_time"
+
+    def read(_):
+        with in_process_ros():
+            return [task.id for task in read_tasks(folder)]
+
+    with ThreadPoolExecutor(8) as threads:
+        (ids,) = {tuple(found) for found in threads.map(read, range(40))}
+    assert len(ids) == 7

@@ -15,6 +15,7 @@ import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from threading import RLock
 from types import CodeType, ModuleType, SimpleNamespace
 from typing import Any, NamedTuple
 
@@ -25,6 +26,9 @@ from tflab.ros.process import use_graph
 from .task import Task, TaskError, slug
 
 __all__ = ["CodeCell", "Solution", "answer_cell_name", "given_name", "in_process_ros", "solution_in_notebook"]
+
+
+_one_thread = RLock()
 
 
 class CodeCell(NamedTuple):
@@ -114,19 +118,21 @@ def in_process_ros() -> Iterator[None]:
     """Let `import rclpy` and the like find tflab's own until the block ends, with message fields checked.
 
     The block starts with no graph.  The caller's graph, and a real ROS 2 that it imported, are back at the end.
+    One thread at a time is in such a block: it changes what the whole process imports.
     """
-    was_active, were_on, graph = activation.is_active(), checks.on, use_graph(None)
-    real = {} if was_active else _real_modules()
-    try:
-        activation.activate("in-process")
-        checks.on = True
-        yield
-    finally:
-        checks.on = were_on
-        use_graph(graph)
-        if not was_active:
-            activation.deactivate()
-            sys.modules.update(real)
+    with _one_thread:
+        was_active, were_on, graph = activation.is_active(), checks.on, use_graph(None)
+        real = {} if was_active else _real_modules()
+        try:
+            activation.activate("in-process")
+            checks.on = True
+            yield
+        finally:
+            checks.on = were_on
+            use_graph(graph)
+            if not was_active:
+                activation.deactivate()
+                sys.modules.update(real)
 
 
 def _real_modules() -> dict[str, ModuleType]:
