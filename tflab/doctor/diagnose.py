@@ -1,10 +1,12 @@
 """What is wrong with this TF?  Every check, and then the causes apart from their effects.
 
+```
 checks/ in their order -> findings
                              |
                              v
 one cause has many effects: a misspelt name also makes two trees,
 two owners also bring stamps out of order.  Only the cause is told.
+```
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 r"""Was the clock set?  Where the stamps of an edge leave the time of receipt for good.
 
+```
 received minus stamp
       |          ________        a clock that was set back: a new level
       |__________|
@@ -7,6 +8,7 @@ received minus stamp
       |_____|____________
 
 ''''\____________      a queue that empties, as after a start: no jump, there was no level before
+```
 """
 
 from __future__ import annotations

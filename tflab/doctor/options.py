@@ -1,8 +1,10 @@
 """What may one ask of `tflab doctor`?  Its words, and the help that teaches them.
 
+```
 what to look at      BAG ...  |  --live SECONDS
 how to read it       (text)  --json  --html  --junit  --sarif  --github
 when it fails        --fail-on  --expect  --ignore  --baseline
+```
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """What time is it?  rclpy's clocks, and those who want to know when time jumps.
 
+```
 SYSTEM_TIME   the graph's clock: virtual in pages, the machine's in real time
 STEADY_TIME   the same, but never set back
 ROS_TIME      SYSTEM_TIME, until use_sim_time: then what /clock says, and 0 before it said anything
+```
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """Where do messages and the engine meet?  Here, and nowhere else.
 
+```
 geometry_msgs/TransformStamped  <->  StampedTransform
 rclpy Time, builtin Time, ...    ->  integer nanoseconds
+```
 """
 
 from __future__ import annotations

@@ -1,11 +1,13 @@
 """Who may begin, and when?  A managed (lifecycle) node: it is configured, activated and shut down from outside.
 
+```
 class Scanner(LifecycleNode):
     def on_configure(self, state): ...    open the device, create publishers     -> SUCCESS
     def on_activate(self, state): ...     begin to publish; super() tells the publishers
 
 /scanner/change_state, get_state, ...     the services by which others move it
 /scanner/transition_event                 what it says when it moves
+```
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """How does a node read and set the parameters of another?  A client for each of its parameter services.
 
+```
 client = AsyncParameterClient(node, "localization")     a name as this node means it
 future = client.set_parameters([Parameter("tf_broadcast", value=False)])
 rclpy.spin_until_future_complete(node, future)
 future.result().results[0].successful
+```
 """
 
 from __future__ import annotations

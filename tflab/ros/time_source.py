@@ -1,7 +1,9 @@
 """Whose time does a node follow?  The parameter use_sim_time, and the topic /clock.
 
+```
 use_sim_time: false   the graph's clock
 use_sim_time: true    /clock (best effort, depth 1); 0 until the first message
+```
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """What can be typed next?  Commands, verbs and programs, and what the graph has: frames, topics, nodes.
 
+```
 %ros2 to|                              topic
 %ros2 topic echo /t|                   /tf  /tf_static
 %ros2 run tf2_ros tf2_echo map ba|     base_link
+```
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """What does `%ros2` do in a page?  It runs the tool on the current graph, and time passes meanwhile.
 
+```
 %load_ext tflab                              registers the magic
 graph.start(main)                            a first cell
 %ros2 run tf2_ros tf2_echo odom base_link    a second cell sees what the first one started
 %rviz2 -f map                                a small RViz, after a second of listening
+```
 """
 
 from __future__ import annotations

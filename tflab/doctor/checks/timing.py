@@ -1,10 +1,12 @@
 """Is it there in time?  Question 4, first part: are the stamps set, in order, and each another?
 
+```
 o--o--o--o--o--o          as it should be
 o--o==o--o                the same stamp twice
 o--o-----o                one came late: tf2 sorts it in, if it is not too old
        `--o
 o--o--o-----/ /-----o     one stamp far ahead: whatever comes after is old, and refused
+```
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """Are the numbers transforms at all?  Question 3: finite, of length one, and turned as the name says.
 
+```
 rotation (0, 0, 0, 0)     no direction: tf2 refuses it, and the frame "does not exist"
 rotation of length 0.9    tf2 of ROS 2 scales it, ROS 1 refuses it: somebody forgot to normalise
 NaN, inf                  a division by zero upstream
 optical frame, not turned z must look ahead and x to the right (REP-103)
+```
 """
 
 from __future__ import annotations

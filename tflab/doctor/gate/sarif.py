@@ -1,7 +1,9 @@
 """The report as static analysis gives it: SARIF 2.1.0, which GitHub's code scanning and editors read.
 
+```
 rules     each code once, with its cause
 results   each finding, with the bag as its file and the edge as its logical place
+```
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """Many recordings, a line each: which one does somebody have to open?
 
+```
 bag        errors  warnings  notes   worst
 monday          0         0      1   map -> odom is stamped ahead, as localisers do
 tuesday         1         2      0   The frames go round in a circle
 wednesday       -         -      -   cannot be read: the file is cut short
+```
 """
 
 from __future__ import annotations

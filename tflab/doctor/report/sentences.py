@@ -1,9 +1,11 @@
 """What is a finding told with?  Four sentences with blanks, and the commands that come up again and again.
 
+```
 title       what is wrong
 evidence    what shows it
 cause       why it usually happens
 command     what to type on the robot next
+```
 """
 
 from __future__ import annotations

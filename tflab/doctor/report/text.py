@@ -1,5 +1,6 @@
 """How does a report read in a terminal, and to a program?
 
+```
 drive: 1 error, 1 warning
 
 ERROR    odom -> base_link has two owners                      12.3 s to 40.0 s
@@ -7,6 +8,7 @@ ERROR    odom -> base_link has two owners                      12.3 s to 40.0 s
          Why   Two nodes publish the same transform ...
          Sure  likely; to settle it: stop one of the two ...
          Next  ros2 topic info /tf --verbose
+```
 """
 
 from __future__ import annotations

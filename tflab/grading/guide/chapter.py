@@ -1,8 +1,10 @@
 """What does one read to lecture a chapter tomorrow?  Nine short sections, most of them the page's own words.
 
+```
 1 what they can do afterwards      4 what is shown live      7 marking
 2 what they bring                  5 votes                   8 the exit ticket
 3 the minutes                      6 what the room asks      9 what follows
+```
 """
 
 from __future__ import annotations

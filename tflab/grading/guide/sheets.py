@@ -1,7 +1,9 @@
 """What is a guide set in?  Pages to read on a screen and on paper, by day and by night, with nothing from elsewhere.
 
+```
 sheet("11 · Tools and RViz", "en", [...])     a whole page
 markdown("`max`, not **avg**")                 HTML, as in the pages of the course
+```
 """
 
 from __future__ import annotations

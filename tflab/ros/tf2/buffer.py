@@ -1,8 +1,10 @@
 """A buffer that can wait.  tf2_ros.Buffer.
 
+```
 lookup_transform(..., timeout)       polls every 20 ms, and spins nothing: in a callback of the executor
                                      that serves the listener it burns the whole timeout, and fails
 wait_for_transform_async(...)        a Future, judged again at every new transform; never gives up
+```
 """
 
 from __future__ import annotations

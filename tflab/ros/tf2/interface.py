@@ -1,7 +1,9 @@
 """How is a message moved to another frame?  By its type: each package registers its own.
 
+```
 import tf2_geometry_msgs                     registers PointStamped, PoseStamped, ...
 buffer.transform(point, "map")               looks up, then calls what was registered
+```
 """
 
 from __future__ import annotations

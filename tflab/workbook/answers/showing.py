@@ -1,7 +1,9 @@
 """How is a given printed?  The same in both languages: names, numbers with fixed decimals, nothing else.
 
+```
 base_T_laser    translation (0.200, 0.000, 0.150), rotation xyzw (0.000, 0.000, 0.707, 0.707)
 laser_p_corner  (2.000, 0.000, 0.000)
+```
 """
 
 from __future__ import annotations

@@ -1,7 +1,9 @@
 """What does one see first?  The chapters with their questions and minutes, how to run them, the conventions.
 
+```
 index.html           of each language; and one above, which asks the browser for its own
 conventions.html     which side, which order, which units: `static/conventions.en.md`, `.ko.md`
+```
 """
 
 from __future__ import annotations

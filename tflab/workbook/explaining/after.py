@@ -1,9 +1,11 @@
 """What is a part, once a slip is known in another?  It follows from it, or has a mistake of its own on top.
 
+```
 "stamp_s"   38.2      a slip of the task
 "speed"     0.54      what that slip gives here, too: it only follows
 "yaw_rate"  17.4      what it gives here, in degrees: a second mistake, and it is named
 "length"    9.1       the hypotenuse of two other parts, as it has to be: it follows from the one that is wrong
+```
 """
 
 from __future__ import annotations

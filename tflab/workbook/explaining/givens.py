@@ -1,8 +1,10 @@
 """Was an answer handed out already?  Something that was given, as it was.
 
+```
 given   speed_mps 0.73   map_T_base (x, y, z), a turn
 answer  0.73, in m/s     "this is `speed_mps` as it was given"       0.73, in m: chance
         (x, y, z)        "this is `map_T_base` as it was given"
+```
 """
 
 from __future__ import annotations

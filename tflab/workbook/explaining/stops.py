@@ -1,8 +1,10 @@
 """Did a function stop in some calls, and is it wrong in others?  Each is told apart: what stops hides no other mistake.
 
+```
 asked for   1.0   2.0   3.0          returned   -1.0   -2.0   TypeError
                                      -> in 1 of 3 calls it stops; where it does not, the sign is wrong
 asked for   "ok"  "lookup"           returned   "ok"  LookupException     goes through, and wants a word
+```
 """
 
 from __future__ import annotations

@@ -1,9 +1,11 @@
 """Do the two forms weigh the same?  Whatever is out of balance is a fault, and the build says it.
 
+```
 one right option an item                        a form in which "b" is always right is soon seen through
 every wrong option shows a misconception        what shows nothing teaches nobody anything
 an item looks for one misconception, in A as in B, and each of the fifteen has its item
 at most five right options of one letter
+```
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """What does a depth camera see?  A wall 2 m ahead, and the floor before it, in the camera's own axes.
 
+```
 optical frame: x right, y down, z forward
 wall_cloud()    273 points, 2 m ahead
 floor_cloud()   252 points, 0.4 m below
+```
 """
 
 from __future__ import annotations

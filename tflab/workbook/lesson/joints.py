@@ -1,7 +1,9 @@
 """How does our robot's arm move?  Its chain of joints, of its URDF or of another, for the picture and the panel.
 
+```
 draw_joints({"elbow_joint": -0.6})     the arm as it stands then, and its dominoes
 joints_panel()                         the same, with a slider for each joint
+```
 """
 
 from __future__ import annotations

@@ -1,10 +1,12 @@
 """What is our robot doing?  Its drive through the room, to be played, and one moment of it on paper.
 
+```
 show_drive()             the robot, its laser and the walls in 3D, second by second
 draw_room(at_s=12.0)     the same from above, standing still
 scan_on_map(robot, at_s=1.0)   where its drawing puts what its laser measured
 draw_now(graph, "map")   every frame of a graph, where it is now
 show_latency()           a ball that was seen a moment ago, drawn with the pose of now
+```
 """
 
 from __future__ import annotations

@@ -1,8 +1,10 @@
 """Seven tools, seven questions: who answers what?  Real outputs of the current robot, and a verdict for each pair.
 
+```
 tools_panel()        put a question to a tool, in the language of the copy
 draw_toolbox()       the same as a table, standing still
 say_tools(...)       the outputs themselves
+```
 """
 
 from __future__ import annotations

@@ -1,5 +1,6 @@
 """How does a page let patients in?  In the language of the copy; and how long do two ways of asking take?
 
+```
 admit(patient)            the complaint, the card, twelve minutes
 clinic_panel(patient)     the same with controls
 draw_visit(visit)         how a visit went, step by step; visit_panel(visit) plays it
@@ -9,6 +10,7 @@ draw_both_ways()          the lecture's order beside the best question next, for
 show_suspects()           whom each complaint may come from, in print
 show_trolley()            the checks, and what they cost
 show_findings()           what each check says of whom
+```
 """
 
 from __future__ import annotations

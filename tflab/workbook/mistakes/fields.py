@@ -1,10 +1,12 @@
 """Which parts does an answer have?  Those of a dict by their names, those of a message by their fields.
 
+```
 Parts({"x": Number(), ...})                      "x", "y", "yaw"
 Parts({"a": Sequence(Choice(...)), ...})         "a[0]", "a[1]"
 Message(..., ("header.frame_id", "point"))       a name, three numbers [m]
 Pose                                             a translation, three numbers [m], and a rotation
 Command, `static_transform_publisher`            two names, three numbers [m], a rotation
+```
 """
 
 from __future__ import annotations

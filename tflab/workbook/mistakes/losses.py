@@ -1,9 +1,11 @@
 """What was lost, and cannot be put back?  Digits, zeros, an order, half a stamp: seen by comparing, not by undoing.
 
+```
 answer (1.2, 2.3, 3.4)     expected (1.234, 2.345, 3.456)     rounded
 answer (1.0, 2.0, 0.0)     expected (1.0, 2.0, 3.0)           left at zero
 answer [b, a, c]           expected [a, b, c]                 another order
 answer 12.000000000        expected 12.345000000              a stamp of whole seconds
+```
 """
 
 from __future__ import annotations

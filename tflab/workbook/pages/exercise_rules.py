@@ -1,9 +1,11 @@
 """What must hold for an exercise before anything is run?  Each task has its text, its given, its answer, its check.
 
+```
 ## E3.2 · A corner seen by a turned laser      "e3-2", in both languages
 e3_2 = task("E3.2")                            "e3-2-given", if something is given
 # BEGIN SOLUTION ... # END SOLUTION            "e3-2-answer", tagged "answer"
 check("E3.2", base_p_corner)                   "e3-2-check", tagged "check"
+```
 """
 
 from __future__ import annotations

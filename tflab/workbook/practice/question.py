@@ -1,8 +1,10 @@
 """What does a question look like?  The exercise's own text, with other numbers, and its answer cell to fill in.
 
+```
 text        "## E3.2 · A corner seen by a turned laser ..."        in the language of the copy
 given       {"base_T_laser": ..., "laser_p_corner": ...}           drawn for this number
 starter     imports, `e3_2 = practice.given()`, `corner = {"base_link": ..., "map": ...}`
+```
 """
 
 from __future__ import annotations

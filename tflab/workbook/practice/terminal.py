@@ -1,9 +1,11 @@
 """How does a question look in a terminal?  Its Markdown as plain text, wrapped at words, Korean unbroken.
 
+```
 ## E3.2 · A corner                  E3.2 · A corner
 The laser is **turned** ...   -->   The laser is turned ...
 - **a** Obstacles come ...          - a Obstacles come from the
                                       laser; paint them ...
+```
 """
 
 from __future__ import annotations
