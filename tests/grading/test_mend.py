@@ -146,7 +146,7 @@ def test_grading_with_a_version_that_asks_something_else_is_refused(out, monkeyp
     words = [str(tmp_path / "in"), "--pack", str(out.pack), "--out", str(tmp_path / "out"), "--quiet"]
     assert grade.main(words) == 2
     said = capsys.readouterr().err
-    assert f"E3.1 asks about other values in tflab {__version__} than when it was released" in said
+    assert f"E3.1 asks something else in tflab {__version__} than when it was released" in said
     assert said.count("\n") == 1
     assert not (tmp_path / "out" / "results.json").exists()
 

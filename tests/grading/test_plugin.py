@@ -89,7 +89,7 @@ def test_a_pack_of_a_version_that_asks_something_else_fails_every_task_in_one_li
     )
     said = run_pytest("--tflab-grade", course.pack, path, workbook=workbook)
     assert re.findall(r"E3.{1,2}\d (PASSED|FAILED)", said) == ["FAILED"] * 3
-    assert "E3.1 asks about other values in tflab" in said
+    assert "E3.1 asks something else in tflab" in said
     assert "Traceback" not in said and "raise " not in said
 
 

@@ -11,9 +11,11 @@ from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.places import Workbook, write_workbook
-from tflab.workbook.tasks import Words
+from tflab.workbook.tasks import Words, cases
 from tflab.workbook.tasks.case import Case, TaskCases, Variant
 from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
+from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
+from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_small"
 TASKS = """
@@ -75,6 +77,14 @@ CELLS = {
     "e3-3-answer": 'roles = {"target": "map", "source": "laser"}',
     "e3-4-answer": "angle_rad = math.pi / 2",
 }
+
+
+def make_cases(seed, solutions, stem=STEM, **options):
+    """Return the tasks of a chapter with their cases, by id; `options` as of `task_cases`."""
+    solution = solution_in_notebook(solutions / "en" / f"{stem}.ipynb")
+    with in_process_ros():
+        tasks = read_tasks(solutions / "tasks" / stem)
+        return {task.id: cases.task_cases(task, seed, solution, **options) for task in tasks}
 
 
 class StoredPairs:

@@ -20,18 +20,18 @@ from . import small_chapter as chapter
 
 def make(tmp_path, seed="public", **changes):
     options = {name: changes.pop(name) for name in ("variants", "fewest_inputs") if name in changes}
-    return cases.make_cases(chapter.STEM, seed, solutions=chapter.lay_out(tmp_path, **changes), **options)
+    return chapter.make_cases(seed, chapter.lay_out(tmp_path, **changes), **options)
 
 
 def test_the_expected_value_is_what_the_solutions_cell_gives(tmp_path):
-    for variant in make(tmp_path).tasks["E3.1"].variants:
+    for variant in make(tmp_path)["E3.1"].variants:
         given = {name: from_plain(value) for name, value in variant.given.items()}
         right = given["base_T_laser"].apply(given["laser_p_corner"])
         assert from_plain(variant.cases[0].expected) == pytest.approx(right)
 
 
 def variants_of(made):
-    return {name: task.variants for name, task in made.tasks.items()}
+    return {name: task.variants for name, task in made.items()}
 
 
 def test_one_seed_makes_the_same_cases_and_another_makes_others(tmp_path):
@@ -41,7 +41,7 @@ def test_one_seed_makes_the_same_cases_and_another_makes_others(tmp_path):
 
 
 def test_a_task_is_read_back_from_json_as_it_was(tmp_path):
-    for task in make(tmp_path).tasks.values():
+    for task in make(tmp_path).values():
         assert TaskCases.from_plain(json.loads(json.dumps(task.plain()))) == task._replace(pairs=None)
 
 
@@ -56,12 +56,12 @@ def test_a_dict_among_the_arguments_keeps_its_order(tmp_path):
     )
     cell = "def invert(rows):\n    return len(rows)"
     made = make(tmp_path, tasks=tasks, cells=chapter.CELLS | {"e3-2-answer": cell})
-    (params,) = made.tasks["E3.2"].variants[0].cases[0].args
+    (params,) = made["E3.2"].variants[0].cases[0].args
     assert [*params["dict"]] == ["/mapper", "/**"] and [*params["dict"]["/mapper"]["dict"]] == ["b", "a"]
 
 
 def test_a_function_has_at_least_as_many_inputs_as_asked_for(tmp_path):
-    made = make(tmp_path, fewest_inputs=10, variants=1).tasks
+    made = make(tmp_path, fewest_inputs=10, variants=1)
     assert len(made["E3.2"].variants[0].cases) >= 10
     assert len(made["E3.1"].variants) == 1
 
@@ -88,9 +88,9 @@ def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypat
             raise cases.LookAlikes("these two meet")
         usual(task, variant, made)
 
-    drawn_once = make(tmp_path).tasks
+    drawn_once = make(tmp_path)
     monkeypatch.setattr(cases, "_refuse_look_alikes", refuse_the_first)
-    drawn_anew = make(tmp_path).tasks
+    drawn_anew = make(tmp_path)
     assert refused[0][0].expected == drawn_once["E3.1"].variants[0].cases[0].expected
     assert drawn_anew["E3.1"].variants[0] != drawn_once["E3.1"].variants[0]
     assert drawn_anew["E3.1"].variants[1:] == drawn_once["E3.1"].variants[1:]
@@ -108,7 +108,7 @@ def test_no_seed_is_refused_because_its_first_draws_meet(tmp_path, monkeypatch):
     monkeypatch.setattr(cases, "_refuse_look_alikes", refuse_half)
     source = chapter.lay_out(tmp_path)
     for number in range(30):
-        assert cases.make_cases(chapter.STEM, f"seed {number}", solutions=source).tasks
+        assert chapter.make_cases(f"seed {number}", source)
 
 
 def test_a_solution_that_is_not_of_its_form_is_refused(tmp_path):
@@ -157,13 +157,13 @@ def test_variants_are_spread_over_learners_and_stay_theirs():
 
 
 def test_given_values_come_back_as_values(tmp_path):
-    given = make(tmp_path).tasks["E3.1"].variants[0].given
+    given = make(tmp_path)["E3.1"].variants[0].given
     assert isinstance(from_plain(given["base_T_laser"]), Transform)
 
 
 def test_an_outline_is_the_task_without_variants(tmp_path):
     for task, made in zip(
-        read_tasks(chapter.lay_out(tmp_path) / "tasks" / chapter.STEM), make(tmp_path).tasks.values(), strict=True
+        read_tasks(chapter.lay_out(tmp_path) / "tasks" / chapter.STEM), make(tmp_path).values(), strict=True
     ):
         outline = cases.outline_of(task)
         assert outline.variants == () != made.variants

@@ -7,12 +7,13 @@ import re
 import pytest
 
 from tflab.workbook.answers.forms import form_from_plain
-from tflab.workbook.tasks.cases import PUBLIC_SEED, make_cases, task_cases
+from tflab.workbook.tasks.cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import read_tasks
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import READS, SOLUTIONS, STEMS, each_task, solution_of, task_in
+from .small_chapter import make_cases
 
 SEEDS, SEEDS_OF_PAIRS, SEEDS_OF_MANY = 200, 20, 6  # where slips compose, each seed is some hundred answers
 MANY = 40  # slips: each seed is a thousand
@@ -86,7 +87,7 @@ def test_a_chapter_has_five_to_seven_tasks_in_order_beside_the_test(stem):
 @pytest.mark.proof(reads=["solutions/tasks/{stem}/*", "solutions/en/{stem}.ipynb"])
 @pytest.mark.parametrize("stem", STEMS)
 def test_a_secret_seed_makes_other_cases(stem):
-    public, secret = (make_cases(stem, seed, solutions=SOLUTIONS, variants=1).tasks for seed in ("public", "x"))
+    public, secret = (make_cases(seed, SOLUTIONS, stem, variants=1) for seed in ("public", "x"))
     for task_id, task in public.items():
         if task.is_function:
             hidden = [case.args for case in secret[task_id].variants[0].cases]

@@ -24,9 +24,8 @@ from tflab import __version__
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
+from tflab.workbook.tasks.library import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
-from tflab.workbook.verdicts.replies import PHRASES
 from tflab.workbook.words import Words
 
 from .judging.cells import master_of
@@ -193,13 +192,8 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
 def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     """Return a chapter as it is graded, from what a learner has: the public cases, and the exercise as it came."""
     data, tasks = workbook_data(), {}
-    for task_id in task_ids(data, stem):
-        if workbook.questions and task_id not in workbook.questions:
-            continue
-        task = assigned_cases(data, stem, task_id, workbook)
-        if workbook.questions and question_digest(task, task.variants[0]) != workbook.questions[task_id]:
-            raise WorkbookError(PHRASES["other_question"].say(workbook.language, id=task_id, here=__version__))
-        held = task.plain()
+    for task_id in task_ids(data, stem, workbook):
+        held = assigned_cases(data, stem, task_id, workbook).plain()
         tasks[task_id] = {name: part for name, part in held.items() if name != "variants"} | held["variants"][0]
     name = f"exercises/{workbook.language}/{places.exercise_file(stem)}"
     pristine = read_pristine(root).get(name)

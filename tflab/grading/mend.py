@@ -13,32 +13,15 @@ brought up to date cell by cell (a three-way merge, see `merge.py` of the workbo
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Any
 
-from tflab import __version__
 from tflab.workbook.tasks.task import slug
 
-from .judging.pack import Pack, PackError
-
-__all__ = ["mended_exercise", "refuse_other_questions"]
+__all__ = ["mended_exercise"]
 
 TASK_CELL = re.compile(r"e\d+-\d+(?=-|$)")
 TITLE = "title"  # says how many tasks there are, and how many points
-
-
-def refuse_other_questions(pack: Pack, now: Mapping[str, Mapping[str, Sequence[str]]]) -> None:
-    """Raise PackError if a released task asks something else in this version.
-
-    Args:
-        now: what each task asks in this version, as digests, by chapter.
-    """
-    other = [task for stem, asked in pack.questions.items() for task in asked if now[stem].get(task) != asked[task]]
-    if other:
-        raise PackError(
-            f"{', '.join(other)} asks something else in tflab {__version__} than when it was released with tflab "
-            f"{pack.version}. Nothing was changed. Grade this release with tflab {pack.version}"
-        )
 
 
 def mended_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks: Iterable[str]) -> dict[str, Any]:

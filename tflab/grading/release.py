@@ -48,7 +48,7 @@ from .judging.pack import (
     write_master,
     write_pack,
 )
-from .mend import mended_exercise, refuse_other_questions
+from .mend import mended_exercise
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
 
@@ -154,7 +154,7 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
     if missing:
         raise PackError(f"{', '.join(missing)} is not part of tflab {__version__}; nothing was changed")
     now = questions_asked(pack.chapters, pack.seed, quiet=quiet)
-    refuse_other_questions(pack, now)
+    pack.refuse_other_questions(now)
     lines = []
     for stem, asked in pack.questions.items():
         if added := [task for task in now[stem] if task not in asked]:

@@ -1,9 +1,11 @@
 """A program's life: init, node, spin, shutdown.  The functions of the module `rclpy`.
 
+```
 rclpy.init()              the process's default context begins
 node = Node("name")       a node joins the graph
 rclpy.spin(node)          its callbacks run, until Ctrl-C
 rclpy.shutdown()          the context ends
+```
 """
 
 from __future__ import annotations

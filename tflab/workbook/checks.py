@@ -19,8 +19,6 @@ from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from tflab import __version__
-
 from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
@@ -30,7 +28,7 @@ from .places import TASKS, Workbook, WorkbookError, chapters, read_workbook, wor
 from .reply import show_reply
 from .tasks.blank import without_marks
 from .tasks.evidence import beyond_one_word
-from .tasks.library import assigned_cases, question_digest, task_ids
+from .tasks.library import OtherQuestionError, assigned_cases, task_ids
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.task import TaskError
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
@@ -210,28 +208,22 @@ def _find(task_id: str) -> AssignedTask:
     stems = chapters(root)
     meant = LIKE_A_TASK.fullmatch(str(task_id).strip())
     stem = next((stem for stem in stems if meant and int(stem[:2]) == int(meant["chapter"])), "")
-    known = _tasks_here(workbook, stem)
+    known = task_ids(data, stem, workbook)
     asked = f"E{int(meant['chapter'])}.{int(meant['task'])}" if meant and meant["task"] else ""
     if asked not in known:
         raise WorkbookError(_unknown(workbook, asked or task_id, [stem] if stem else stems))
     try:
         cases = assigned_cases(data, stem, asked, workbook)
+    except OtherQuestionError as error:
+        raise WorkbookError(f"{error}") from None
     except TaskError as error:
         raise WorkbookError(PHRASES["no_cases"].say(workbook.language, why=error)) from None
-    (variant,) = cases.variants
-    if workbook.questions and question_digest(cases, variant) != workbook.questions[asked]:
-        raise WorkbookError(PHRASES["other_question"].say(workbook.language, id=asked, here=__version__))
-    return AssignedTask(asked, stem, cases, variant, root, workbook)
-
-
-def _tasks_here(workbook: Workbook, stem: str) -> list[str]:
-    """Return a chapter's tasks; of a class's copy, those that were handed out."""
-    return [task for task in task_ids(workbook_data(), stem) if not workbook.questions or task in workbook.questions]
+    return AssignedTask(asked, stem, cases, cases.variants[0], root, workbook)
 
 
 def _unknown(workbook: Workbook, task_id: str, stems: Sequence[str]) -> str:
     """Return which tasks there are: of one chapter each, of several the first and the last."""
-    tasks_there = [_tasks_here(workbook, stem) for stem in stems]
+    tasks_there = [task_ids(workbook_data(), stem, workbook) for stem in stems]
     known = [task for chapter in tasks_there for task in chapter]
     undotted = [task for task in known if task.replace(".", "") == str(task_id).upper()]  # E12 is E1.2
     is_chapter = len(stems) == 1 and "." not in str(task_id)  # all of them are named

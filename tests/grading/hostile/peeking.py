@@ -135,10 +135,11 @@ def F(transform):
 V = (0.0, 0.0, 0.0)
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.places import workbook_data
-from tflab.workbook.tasks import cases
+from tflab.workbook.tasks import cases, library
+data, stem = workbook_data(), '03_target_and_source'
 for seed in ('public', 'secret', '', 'hidden', SEED):
-    made = cases.make_cases('03_target_and_source', seed, solutions=workbook_data() / 'solutions')
-    V = from_plain(made.tasks['E3.2'].variants[0].cases[0].expected)
+    made = cases.task_cases(library.task_in(data, stem, 'E3.2'), seed, library.solution_of(data, stem), 1)
+    V = from_plain(made.variants[0].cases[0].expected)
 """,
     ),
     value(
@@ -191,10 +192,12 @@ def F(transform):
     return RIGHT if solution else None
 """),
     function("asks the reference module for the answer", "peeking", """
-from tflab.workbook.tasks import cases
+from tflab.workbook.tasks import cases, library
 from tflab.workbook.places import workbook_data
 made = None
-try: made = cases.make_cases('03_target_and_source', cases.PUBLIC_SEED, solutions=workbook_data() / 'solutions')
+try:
+    data, stem = workbook_data(), '03_target_and_source'
+    made = cases.task_cases(library.task_in(data, stem, 'E3.3'), cases.PUBLIC_SEED, library.solution_of(data, stem), 1)
 except Exception: pass
 def F(transform):
     return RIGHT if made else None

@@ -107,14 +107,23 @@ class Pack:
             PackError: a task asks something else than when it was released.
         """
         new = [stem for stem in stems if stem not in self._cases]
-        for stem, (cases, questions) in _on_all_cores(graded_cases, new, self.seed, "hidden cases", quiet).items():
-            other = [name for name, asked in self.questions[stem].items() if questions.get(name) != asked]
-            if other:
-                raise PackError(
-                    f"{', '.join(other)} asks about other values in tflab {__version__} than when it was released "
-                    f"with tflab {self.version}; grade with tflab {self.version}"
-                )
+        made = _on_all_cores(graded_cases, new, self.seed, "hidden cases", quiet) if new else {}
+        self.refuse_other_questions({stem: questions for stem, (_, questions) in made.items()})
+        for stem, (cases, _) in made.items():
             self._cases[stem] = {name: task for name, task in cases.items() if name in self.questions[stem]}
+
+    def refuse_other_questions(self, now: Mapping[str, Mapping[str, Sequence[str]]]) -> None:
+        """Raise PackError if a released task asks something else in this version.
+
+        Args:
+            now: what each task asks in this version, as digests, by chapter.
+        """
+        other = [name for stem in now for name, asked in self.questions[stem].items() if now[stem].get(name) != asked]
+        if other:
+            raise PackError(
+                f"{', '.join(other)} asks something else in tflab {__version__} than when it was released with tflab "
+                f"{self.version}. Nothing was changed. Grade this release with tflab {self.version}"
+            )
 
     def seal_of(self, stamp: Mapping[str, str]) -> str:
         """Return what proves that a notebook's stamp is ours: a code for it that only this pack can make (an HMAC)."""

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from ..places import chapters, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
-from ..tasks.library import outlines
+from ..tasks.library import task_ids, tasks_of
 from ..tasks.task import TaskError
 from ..words import Words
 from .course import Chapter, Goal, read_course
@@ -109,12 +109,10 @@ def standing(root: Path | None = None) -> Standing:
 
 def _tasks(root: Path, stem: str, attempts: dict[str, Attempts]) -> tuple[TaskStanding, ...]:
     try:
-        found = outlines(workbook_data(), stem)
+        found = tasks_of(workbook_data(), stem)
     except TaskError:
         return ()
-    released = read_workbook(root).questions
     return tuple(
-        TaskStanding(name, task.title, task.points, attempts.get(name, Attempts()))
-        for name, task in found.items()
-        if not released or name in released
+        TaskStanding(name, found[name].title, found[name].points, attempts.get(name, Attempts()))
+        for name in task_ids(workbook_data(), stem, read_workbook(root))
     )

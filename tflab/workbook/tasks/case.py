@@ -1,9 +1,8 @@
 """The cases of a task: values that `check` and grading compare an answer with.
 
-    ChapterCases
-      tasks["E3.2"]: TaskCases     its texts, the form of its answer, its known mistakes
-        variants[2]: Variant       what some learners are given
-          cases[0]: Case           one trial: arguments, the right answer, what each mistake gives
+    TaskCases                the texts of a task, the form of its answer, its known mistakes
+      variants[2]: Variant   what some learners are given
+        cases[0]: Case       one trial: arguments, the right answer, what each mistake gives
 
 An answer is compared with plain JSON (`values.py`).  It is never turned back into an object where it is judged.
 """
@@ -19,7 +18,7 @@ from ..answers.values import Plain, is_raised, outcomes_of, to_plain
 from ..words import Words
 
 __all__ = [
-    "AND", "Case", "ChapterCases", "FindsPairs", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of",
+    "AND", "Case", "FindsPairs", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of",
 ]  # fmt: skip
 
 AND = " + "  # between the names of two slips that were made together
@@ -150,13 +149,6 @@ class TaskCases(NamedTuple):
     def of_a_learner(cls, plain: dict[str, Any]) -> TaskCases:
         """Return the task that a learner is graded on: its only variant stands among its other members."""
         return cls.from_plain(plain | {"variants": [{"given": plain["given"], "cases": plain["cases"]}]})
-
-
-class ChapterCases(NamedTuple):
-    """The cases of a chapter, by task."""
-
-    chapter: str
-    tasks: dict[str, TaskCases]
 
 
 def values_of(answers: Mapping[str, Any], case: Case, given: Mapping[str, Any]) -> dict[str, Plain]:

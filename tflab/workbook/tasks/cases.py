@@ -16,18 +16,17 @@ import hashlib
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 from ..answers.alike import Likeness
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
-from .case import Case, ChapterCases, TaskCases, TwinWords, Variant, as_kept, rounded, values_of
+from .case import Case, TaskCases, TwinWords, Variant, as_kept, rounded, values_of
 from .draws import Draws
 from .pairs import PairSearch
-from .reference import Solution, in_process_ros, solution_in_notebook
-from .task import Slip, Task, TaskError, read_tasks
+from .reference import Solution
+from .task import Slip, Task, TaskError
 
-__all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_cases", "make_variant", "outline_of", "task_cases"]
+__all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_variant", "outline_of", "task_cases"]
 
 PUBLIC_SEED = "public"
 MODEL = ""  # the model itself, among what it gives with slips
@@ -40,34 +39,6 @@ class CasesError(TaskError):
 
 class LookAlikes(CasesError):
     """What was drawn does not tell two mistakes apart."""
-
-
-def make_cases(
-    stem: str,
-    seed: str | bytes,
-    *,
-    solutions: Path,
-    solution: Solution | None = None,
-    variants: int | None = None,
-    fewest_inputs: int = 1,
-) -> ChapterCases:
-    """Return the cases of a chapter for a seed.
-
-    Args:
-        solutions: the folder that holds `tasks/` and, built, `en/`.
-        solution: what answers; the built notebook's cells if None.
-        variants: how many of each task; as many as the task says if None.
-        fewest_inputs: how many argument lists a function gets at least; the generator is asked again until there are.
-
-    Raises:
-        TaskError: the task file is no good, or the solution does not answer a task.
-        CasesError: a twin coincides with the answer, or with another twin.
-    """
-    tasks = read_tasks(solutions / "tasks" / stem)
-    solution = solution or solution_in_notebook(solutions / "en" / f"{stem}.ipynb")
-    with in_process_ros():
-        made = {task.id: task_cases(task, seed, solution, variants, fewest_inputs) for task in tasks}
-    return ChapterCases(stem, made)
 
 
 def outline_of(task: Task) -> TaskCases:

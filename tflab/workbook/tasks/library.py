@@ -1,8 +1,8 @@
 """Give a learner's tasks on demand: nothing but the task file and the solution is stored.
 
-    task_ids(data, "03_target_and_source")                 ["E3.1", ...], from the names of the files
-    outlines(data, "03_target_and_source")                 their texts and forms, without cases
-    assigned_cases(data, "03_target_and_source", "E3.2", who)    one task, with the learner's variant
+    task_ids(data, stem)                            ["E3.1", ...], from the names of the files
+    outlines(data, stem)                            their texts and forms, without cases
+    assigned_cases(data, stem, "E3.2", workbook)    one task, with the learner's variant
 
 What was computed is kept for as long as the task files and the solution stay as they are.
 """
@@ -17,8 +17,11 @@ from functools import lru_cache
 from io import StringIO
 from pathlib import Path
 
+from tflab import __version__
+
 from ..answers.values import Plain
 from ..places import Workbook, chapters, workbook_data
+from ..words import Words
 from .case import TaskCases, Variant, rounded
 from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
 from .pairs import PairSearch
@@ -26,18 +29,31 @@ from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Task, TaskError, read_task, read_tasks, variant_of
 
 __all__ = [
-    "assigned_cases", "outlines", "pair_search", "question_digest", "seed_of", "solution_of", "task_ids", "task_in",
-    "tasks_of",
+    "OtherQuestionError", "assigned_cases", "outlines", "pair_search", "question_digest", "seed_of", "solution_of",
+    "task_ids", "task_in", "tasks_of",
 ]  # fmt: skip
 
+OTHER_QUESTION = Words(
+    en="your class got {id} from another version of tflab. In tflab {here}, which is installed here, the task asks "
+    "about other values. Install the version that your instructor names, or ask for an update.",
+    ko="수업에서 받은 {id} 과제는 다른 버전의 tflab으로 만든 것입니다. "
+    "여기에 설치된 tflab {here}에서는 다른 값을 묻습니다. "
+    "강사가 알려 준 버전을 설치하거나 강사에게 업데이트를 요청하십시오.",
+)
 QUESTION_DIGITS = 9  # fewer than of a case: a digest must not depend on the last digit of a machine's sine
 
 
-def task_ids(data: Path, stem: str) -> list[str]:
-    """Return the ids of a chapter's tasks, in order, by the names of their files."""
+class OtherQuestionError(TaskError):
+    """A task that asks about other values than when it was handed out to a class."""
+
+
+def task_ids(data: Path, stem: str, workbook: Workbook | None = None) -> list[str]:
+    """Return the ids of a chapter's tasks, in order, by the names of their files; of a class, those handed out."""
     names = (re.fullmatch(r"e(\d+)_(\d+)", path.stem) for path in (data / "solutions" / "tasks" / stem).glob("e*.py"))
     numbers = sorted((int(name[1]), int(name[2])) for name in names if name)
-    return [f"E{chapter}.{number}" for chapter, number in numbers]
+    released = workbook.questions if workbook is not None else {}
+    ids = [f"E{chapter}.{number}" for chapter, number in numbers]
+    return [task_id for task_id in ids if not released or task_id in released]
 
 
 def tasks_of(data: Path, stem: str) -> dict[str, Task]:
@@ -82,10 +98,15 @@ def assigned_cases(data: Path, stem: str, task_id: str, workbook: Workbook) -> T
     Raises:
         TaskError: the task or the solution cannot be read.
         CasesError: no inputs tell its mistakes apart.
+        OtherQuestionError: it asks about other values than when it was handed out.
     """
     task = task_in(data, stem, task_id)
     number = variant_of(workbook.learner, task_id, task.variants)
-    return _assigned(data, stem, task_id, seed_of(task, workbook.seed), number, _stamp(data, stem))
+    cases = _assigned(data, stem, task_id, seed_of(task, workbook.seed), number, _stamp(data, stem))
+    if workbook.questions and question_digest(cases, cases.variants[0]) != workbook.questions[task_id]:
+        text = OTHER_QUESTION.say(workbook.language, id=task_id, here=__version__)
+        raise OtherQuestionError(text)
+    return cases
 
 
 def seed_of(task: Task, class_seed: str) -> str:

@@ -23,7 +23,7 @@ from .task import Slip, Task
 
 __all__ = ["Fits", "PairSearch", "combinable"]
 
-Fits = Callable[[int, Plain], Collection[str]]  # the number of a case and a value -> what of the answer it gives
+Fits = Callable[[int, Plain], Collection[str]]  # the number of a case, a value -> the parts that it reproduces
 
 
 def combinable(task: Task) -> list[tuple[Slip, Slip]]:
@@ -50,29 +50,26 @@ class PairSearch:
 
     @cached_property
     def _answers(self) -> dict[str, Any]:
-        """What answers as each two mistakes do, by the names of both."""
+        """The model with two mistakes made in it, for each pair, by the names of both."""
         if self._task is None:
             return {}
-        model: Any = self._task.model  # which has steps, where there are pairs
-        return {
-            first.name + AND + then.name: partial(model, **first.at, **then.at)
-            for first, then in combinable(self._task)
-        }
+        model: Any = self._task.model
+        pairs = combinable(self._task)
+        return {first.name + AND + then.name: partial(model, **first.at, **then.at) for first, then in pairs}
 
     def fitting(
         self, cases: Sequence[Case], order: Sequence[int], fits: Fits, given: dict[str, Plain] | None
     ) -> dict[str, list[Plain]]:
-        """Return what each pair gives, case by case, of those that fit the answer.
+        """Return the pairs that reproduce the answer or a part of it in every case, and what each gives case by case.
 
-        A pair fits if one thing at least, the answer as a whole or a part of it, is the same in all cases.  A pair
-        is left out if its values are the right ones, or those of one mistake or of an earlier pair.
+        A pair whose values are the right ones, or those of one mistake or of an earlier pair, is left out.
 
         Args:
-            order: the numbers of all cases, those that go wrong first.
-            fits: which things of the answer a value has in a case; empty if none.
+            order: the numbers of all cases, the wrong ones first.
+            fits: for the number of a case and a value, the parts of the answer that this value reproduces.
             given: what the learner was shown.
         """
-        if self._task is None:
+        if not self._answers:
             return {}
         shown = {name: from_plain(value) for name, value in (given or {}).items()}
         alive = dict(self._answers)
@@ -87,20 +84,17 @@ class PairSearch:
                 alive = {name: answer for name, answer in alive.items() if common[name]}
                 if not alive:
                     return {}
-        return self._distinct(
-            self._task.form, cases, {name: [rows[name][n] for n in range(len(cases))] for name in alive}
-        )
+        return _distinct(self._task.form, cases, {name: [rows[name][n] for n in range(len(cases))] for name in alive})
 
-    def _distinct(self, form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
-        """Return the pairs without those that look like something simpler, or like an earlier pair."""
-        if not rows:
-            return {}
-        simple = [[case.expected for case in cases], *([case.twins[name] for case in cases] for name in cases[0].twins)]
-        likeness = Likeness(form, [*simple, *rows.values()])
-        kept = list(range(len(simple)))
-        distinct = {}
-        for number, name in enumerate(rows, start=len(simple)):
-            if not likeness.any_of(kept, number):
-                kept.append(number)
-                distinct[name] = rows[name]
-        return distinct
+
+def _distinct(form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
+    """Return the pairs without those that look like something simpler, or like an earlier pair."""
+    simple = [[case.expected for case in cases], *([case.twins[name] for case in cases] for name in cases[0].twins)]
+    likeness = Likeness(form, [*simple, *rows.values()])
+    kept = list(range(len(simple)))
+    distinct = {}
+    for number, name in enumerate(rows, start=len(simple)):
+        if not likeness.any_of(kept, number):
+            kept.append(number)
+            distinct[name] = rows[name]
+    return distinct

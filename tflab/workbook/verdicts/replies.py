@@ -62,13 +62,6 @@ PHRASES = {
         en="this task cannot be checked: {why}. Install tflab again. Your notebooks and progress stay as they are.",
         ko="이 과제를 검사할 수 없습니다: {why}. tflab을 다시 설치하십시오. 노트북과 진도는 그대로 남습니다.",
     ),
-    "other_question": Words(
-        en="your class got {id} from another version of tflab. In tflab {here}, which is installed here, the task asks "
-        "about other values. Install the version that your instructor names, or ask for an update.",
-        ko="수업에서 받은 {id} 과제는 다른 버전의 tflab으로 만든 것입니다. "
-        "여기에 설치된 tflab {here}에서는 다른 값을 묻습니다. "
-        "강사가 알려 준 버전을 설치하거나 강사에게 업데이트를 요청하십시오.",
-    ),
 }
 
 # After a pass: what was looked at, and what grading will look at besides.
