@@ -346,7 +346,7 @@ def test_a_task_that_cannot_be_computed_is_said_in_one_line(copy, capsys, breaks
     else:
         chapter.lay_out(solutions, cells={"load": "x = 1"})
     (line,) = said(capsys, "E3.1", (1.0, 2.0, 3.0)).splitlines()
-    assert line.startswith("E3.1: this task cannot be checked: ") and "Install tflab again." in line
+    assert line.startswith("E3.1: this task cannot be checked: ") and "install tflab again." in line
     assert not (copy / "progress.json").exists()
 
 

@@ -59,8 +59,10 @@ PHRASES = {
     ),
     "did_you_mean": Words(en=' Did you mean "{name}"?', ko=' 혹시 "{name}"을(를) 찾으십니까?'),
     "no_cases": Words(
-        en="this task cannot be checked: {why}. Install tflab again. Your notebooks and progress stay as they are.",
-        ko="이 과제를 검사할 수 없습니다: {why}. tflab을 다시 설치하십시오. 노트북과 진도는 그대로 남습니다.",
+        en="this task cannot be checked: {why}. If a file of tflab is missing, install tflab again. "
+        "Your notebooks and progress stay as they are.",
+        ko="이 과제를 검사할 수 없습니다: {why}. tflab의 파일이 없어졌으면 tflab을 다시 설치하십시오. "
+        "노트북과 진도는 그대로 남습니다.",
     ),
 }
 
