@@ -38,13 +38,13 @@ lab: $(LEARNER)
 PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
 
 test: $(DEVELOPER) check
-	$(PYTEST) --no-loadscope-reorder -p no:nbval
 	$(PYTEST) --nbval $(PAGES)
+	$(PYTEST) --no-loadscope-reorder -p no:nbval
 
 test-all: $(DEVELOPER) check
 ifeq ($(ARGS),)
-	$(PYTEST) --no-loadscope-reorder -p no:nbval --all
 	$(PYTEST) --nbval --all $(PAGES)
+	$(PYTEST) --no-loadscope-reorder -p no:nbval --all
 else
 	$(PYTEST) --all $(ARGS)
 endif
