@@ -7,6 +7,7 @@ import json
 import re
 import zlib
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -205,6 +206,7 @@ def test_a_class_copy_holds_exercises_and_pages_and_no_other_file(class_copies: 
 def test_no_number_that_is_asked_for_is_in_a_class_copy(class_copies: Path) -> None:
     workbook, text = read_workbook(class_copies / "s101"), all_below(class_copies / "s101")
     assert (workbook.edition, workbook.learner) == ("class", "s101") and workbook.seed
+    workbook = replace(workbook, questions={})  # the fixture stored no real digests to compare with
     tasks = [assigned_cases(DATA, NUMBERS, task, workbook) for task in task_ids(DATA, NUMBERS)]
     expected = [case.expected for task in tasks for case in task.variants[0].cases if not is_raised(case.expected)]
     found = {number for one in expected for number in numbers_in(one) if round(number, 2) != number}
