@@ -35,23 +35,25 @@ DEVELOPER := $(VENV)/developer-$(VERSION)
 lab: $(LEARNER)
 	$(BIN)/tflab lab $(ARGS)
 
-PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope
+# The cells of a notebook run in one kernel and stay together; other tests go to whichever worker is free.
+PYTEST := $(BIN)/python -m pytest -n $(WORKERS) --dist worksteal -p no:nbval
+NBVAL := $(BIN)/python -m pytest -n $(WORKERS) --dist loadscope --nbval $(PAGES)
 
 test: $(DEVELOPER) check
-	$(PYTEST) --nbval $(PAGES)
-	$(PYTEST) --no-loadscope-reorder -p no:nbval
+	$(NBVAL)
+	$(PYTEST)
 
 test-all: $(DEVELOPER) check
 ifeq ($(ARGS),)
-	$(PYTEST) --nbval --all $(PAGES)
-	$(PYTEST) --no-loadscope-reorder -p no:nbval --all
+	$(NBVAL) --all
+	$(PYTEST) --all
 else
 	$(PYTEST) --all $(ARGS)
 endif
 
 test-changed: $(DEVELOPER) check
-	tests=$$($(BIN)/python tests/changed.py $(BASE)) && { test -z "$$tests" || $(PYTEST) -p no:nbval $$tests; }
-	$(PYTEST) --nbval $(PAGES)
+	tests=$$($(BIN)/python tests/changed.py $(BASE)) && { test -z "$$tests" || $(PYTEST) $$tests; }
+	$(NBVAL)
 
 check: $(DEVELOPER)
 	$(BIN)/ruff check .
