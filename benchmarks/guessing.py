@@ -49,7 +49,7 @@ RAISED = ("ValueError", "LookupException", "ExtrapolationException", "Connectivi
           "InvalidArgumentException", "TimeoutException")  # fmt: skip
 
 Outcomes = dict[int, Plain]
-Words = Mapping[tuple[str, ...], Sequence[Plain]]  # by the options that they are among
+Text = Mapping[tuple[str, ...], Sequence[Plain]]  # by the options that they are among
 
 
 class Row(NamedTuple):
@@ -196,7 +196,7 @@ def by_function(task: Mapping[str, Any], shown: Sequence[Plain]) -> Iterator[tup
             yield f"{kind(one)}, but once {kind(other)}", {n: other if n == 1 else one for n in range(len(asks))}
 
 
-def by_value(task: Mapping[str, Any], form: Form, words: Words, often: Plain = None) -> Iterator[tuple[str, Outcomes]]:
+def by_value(task: Mapping[str, Any], form: Form, words: Text, often: Plain = None) -> Iterator[tuple[str, Outcomes]]:
     """Yield answers to a value task that were not worked out: nothing, what was given, one option everywhere."""
     if often is not None:
         yield "in each part what is most often right", {0: often}
@@ -243,14 +243,14 @@ def usual_answer(form: Form, expected: Sequence[Plain], own: int) -> Plain:
     return {"dict": {name: column[most_frequent(column)[0]] for name, column in columns.items()}}
 
 
-def frequent_words(form: Form, expected: Sequence[Plain]) -> Words:
+def frequent_words(form: Form, expected: Sequence[Plain]) -> Text:
     """Return the right words of all parts that are asked alike, as often as they are right in all variants."""
     parts = form.parts if isinstance(form, Parts) else {}
     alike = {parts[names[0]].options: names for names in asked_alike(parts)}
     return {options: [plain["dict"][name] for plain in expected for name in names] for options, names in alike.items()}
 
 
-def at_random(parts: Mapping[str, Form], words: Words | None = None) -> dict[str, Plain]:
+def at_random(parts: Mapping[str, Form], words: Text | None = None) -> dict[str, Plain]:
     """Return an option of each part, drawn from all of them, or from `words` if it is among these."""
     options = {name: part.options for name, part in parts.items() if isinstance(part, Choice)}
     drawn = {name: DICE.choice((words or {}).get(row, row)) for name, row in options.items()}

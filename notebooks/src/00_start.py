@@ -14,7 +14,7 @@
 # The workbook follows one lecture on TF2 from end to end: where a page says "the lecture", that one is meant, and you need not have heard it.
 #
 # On this page: a tour of five minutes, then the chapters, how your answers are checked, and where you stand.
-# Words with a dotted line explain themselves when you rest the pointer on them; the [glossary](90_glossary.ipynb) has all of them.
+# Text with a dotted line explain themselves when you rest the pointer on them; the [glossary](90_glossary.ipynb) has all of them.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # tflab: 그때, 어디에 있었을까요?

@@ -1341,7 +1341,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 lesson.draw_card()
 
 # %% [markdown] lang="en" name="words" slide="subslide"
-# **Words of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# **Text of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### Three questions from before
 #

@@ -1339,7 +1339,7 @@ node.stop()
 # - The stamp says when it was measured. Overwrite it, and the error hides.
 # - Two moments: `lookup_transform_full` through a frame that stands still.
 #
-# Words of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
+# Text of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
 #
 # Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
 

@@ -1316,7 +1316,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # - Never wait in the only thread. Use several threads, or a promise.
 # - How long, how many, how old: decide before you drive.
 #
-# Words of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
+# Text of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리

@@ -36,7 +36,7 @@ ANOTHER_TASK = (
 # -- e3_4.py
 from .draws import *
 
-TASK = Task("E3.4", "N", 9, Words("More", "더"), "more", Number(), HINTS)
+TASK = Task("E3.4", "N", 9, Text("More", "더"), "more", Number(), HINTS)
 """
 )
 ANOTHER_CELL = (

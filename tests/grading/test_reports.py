@@ -18,12 +18,12 @@ from tflab.grading.reports.gradebook import file_name, file_names, grades_csv
 from tflab.grading.reports.html import prose, text
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
+from tflab.text import Text
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
-from tflab.workbook.words import Words
 
 
 @pytest.fixture(scope="module")
-def titles(course: tiny.Course) -> dict[str, dict[str, Words]]:
+def titles(course: tiny.Course) -> dict[str, dict[str, Text]]:
     return read_pack(course.pack).titles
 
 
@@ -112,10 +112,10 @@ def test_names_that_differ_in_their_case_only_are_two_files_on_any_disk() -> Non
 
 
 def test_bars_say_their_numbers_in_words() -> None:
-    picture = bars([(Words("added", "더함"), 3), (Words("E3.1", "E3.1"), 1)], LEARNERS, most=5, title=NAMED)
+    picture = bars([(Text("added", "더함"), 3), (Text("E3.1", "E3.1"), 1)], LEARNERS, most=5, title=NAMED)
     assert picture.text == "named mistakes, learners:\n  added: 3\n  E3.1: 1"
     assert picture.png().startswith(b"\x89PNG")
-    korean = bars([(Words("added", "더함"), 3)], LEARNERS, most=5, title=NAMED, language="ko")
+    korean = bars([(Text("added", "더함"), 3)], LEARNERS, most=5, title=NAMED, language="ko")
     assert korean.text == "이름 붙은 실수, 명:\n  더함: 3"
 
 

@@ -87,9 +87,9 @@ TASKS = """
 # -- draws.py
 import math
 
-from tflab.workbook.tasks import Choice, Number, Parts, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Task, WrongAnswer, Text
 
-HINTS = (Words("a", "가"), Words("b", "나"), Words("c", "다"))
+HINTS = (Text("a", "가"), Text("b", "나"), Text("c", "다"))
 FRAMES = Choice(options=("map", "laser_frame"))
 
 
@@ -102,19 +102,20 @@ def legs(rng):
 # -- e3_1.py
 from .draws import *
 
-TASK = Task("E3.1", "N", 2, Words("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
-         twins=(Twin("subtracted", lambda given: given.a - given.b, Words("You subtracted.", "뺐습니다."), "M3"),))
+TASK = Task("E3.1", "N", 2, Text("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
+         twins=(WrongAnswer("subtracted", lambda given: given.a - given.b,
+                            Text("You subtracted.", "뺐습니다."), "M3"),))
 # -- e3_2.py
 from .draws import *
 
-TASK = Task("E3.2", "F", 4, Words("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
-         twins=(Twin("added", lambda x, y: x + y, Words("You added the legs.", "두 변을 더했습니다."), "M1"),))
+TASK = Task("E3.2", "F", 4, Text("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
+         twins=(WrongAnswer("added", lambda x, y: x + y, Text("You added the legs.", "두 변을 더했습니다."), "M1"),))
 # -- e3_3.py
 from .draws import *
 
-TASK = Task("E3.3", "M", 2, Words("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         twins=(Twin("swapped", {"target": "laser_frame", "source": "map"},
-                     Words("Swapped.", "바뀜."), "M1", partly=True),))
+TASK = Task("E3.3", "M", 2, Text("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
+         twins=(WrongAnswer("swapped", {"target": "laser_frame", "source": "map"},
+                     Text("Swapped.", "바뀜."), "M1", partly=True),))
 """
 
 RIGHT = {

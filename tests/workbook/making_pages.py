@@ -41,30 +41,30 @@ def page(root: Path, *parts: str, **where: str) -> Page:
 
 TASKS = """
 # -- e3_1.py
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from tflab.workbook.tasks import Number, Task, WrongAnswer, Text
 
-LOOK = Words(en="Look.", ko="보십시오.")
+LOOK = Text(en="Look.", ko="보십시오.")
 TASK = Task(
     id="E3.1",
     kind="N",
     points=2,
-    title=Words(en="Half", ko="절반"),
+    title=Text(en="Half", ko="절반"),
     answer="half",
     form=Number(unit="m", tolerance=1e-6),
     hints=(LOOK, LOOK, LOOK),
     given=lambda rng: {"length": float(rng.uniform(1.0, 9.0))},
     variants=3,
-    twins=(Twin("double", lambda given: given.length * 2, LOOK),),
+    twins=(WrongAnswer("double", lambda given: given.length * 2, LOOK),),
 )
 # -- e3_2.py
-from tflab.workbook.tasks import Number, Task, Twin, Words
+from tflab.workbook.tasks import Number, Task, WrongAnswer, Text
 
-LOOK = Words(en="Look.", ko="보십시오.")
+LOOK = Text(en="Look.", ko="보십시오.")
 TASK = Task(
     id="E3.2",
     kind="F",
     points=3,
-    title=Words(en="Third", ko="삼분의 일"),
+    title=Text(en="Third", ko="삼분의 일"),
     answer="third",
     form=Number(unit="m", tolerance=1e-6),
     hints=(LOOK, LOOK, LOOK),

@@ -11,7 +11,7 @@ from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.places import Workbook, write_workbook
-from tflab.workbook.tasks import Words, cases
+from tflab.workbook.tasks import Text, cases
 from tflab.workbook.tasks.case import Case, TaskCases, Variant
 from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
@@ -22,9 +22,9 @@ TASKS = """
 # -- draws.py
 import math
 from tflab.core import Transform
-from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, WrongAnswer, Vector, Text
 
-HINTS = tuple(Words(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
+HINTS = tuple(Text(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
 
 
 def mount(rng):
@@ -45,7 +45,7 @@ def minus(T):
 
 
 def both(en):
-    return Words(en=en, ko="한국어: " + en)
+    return Text(en=en, ko="한국어: " + en)
 
 
 FRAME = Choice(("map", "laser"))
@@ -53,17 +53,17 @@ FRAME = Choice(("map", "laser"))
 from .draws import *
 
 TASK = Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
-         given=mount, variants=3, twins=(Twin("swapped", swapped, both("that is the inverse"), "M1"),))
+         given=mount, variants=3, twins=(WrongAnswer("swapped", swapped, both("that is the inverse"), "M1"),))
 # -- e3_2.py
 from .draws import *
 
 TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
-         inputs=transforms, twins=(Twin("minus", minus, both("only the sign"), "M3"),))
+         inputs=transforms, twins=(WrongAnswer("minus", minus, both("only the sign"), "M3"),))
 # -- e3_3.py
 from .draws import *
 
 TASK = Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
-         twins=(Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True),))
+         twins=(WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True),))
 # -- e3_4.py
 from .draws import *
 
@@ -103,7 +103,7 @@ class StoredPairs:
 def bare(form: Form, *cases: Case, is_function: bool = False) -> tuple[TaskCases, Variant]:
     """Return a task that has nothing but a form and these cases, and its only variant."""
     variant = Variant(None, cases)
-    none = Words("", "")
+    none = Text("", "")
     return TaskCases("N", 1, "answer", is_function, none, form, (none,) * 3, (), {}, (variant,)), variant
 
 

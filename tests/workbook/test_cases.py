@@ -52,7 +52,7 @@ def test_a_dict_among_the_arguments_keeps_its_order(tmp_path):
         "inputs=transforms", "inputs=lambda _: [(rows,)]"
     )
     tasks = tasks.replace('invert", Pose()', 'invert", Number()').replace(
-        '(Twin("minus", minus,', '(Twin("minus", lambda rows: 0,'
+        '(WrongAnswer("minus", minus,', '(WrongAnswer("minus", lambda rows: 0,'
     )
     cell = "def invert(rows):\n    return len(rows)"
     made = make(tmp_path, tasks=tasks, cells=chapter.CELLS | {"e3-2-answer": cell})
@@ -73,7 +73,7 @@ def test_a_twin_that_is_right_is_no_twin(tmp_path):
 
 
 def test_two_twins_that_look_alike_are_refused(tmp_path):
-    one = 'Twin("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
+    one = 'WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
     tasks = chapter.TASKS.replace(one, f"{one}, {one.replace('swapped', 'again')}")
     with pytest.raises(cases.CasesError, match=r'E3\.3.*"swapped" and "again" coincide'):
         make(tmp_path, tasks=tasks)

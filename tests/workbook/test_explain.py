@@ -25,8 +25,8 @@ from tflab.workbook.answers.forms import (
     Vector,
 )
 from tflab.workbook.answers.values import outcome_of, raised, to_plain
-from tflab.workbook.tasks import Words
-from tflab.workbook.tasks.case import Case, TwinWords
+from tflab.workbook.tasks import Text
+from tflab.workbook.tasks.case import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
@@ -36,7 +36,7 @@ PARTS = Parts({"a": Number("m"), "b": Number("m"), "c": Number("m")})
 
 
 def words(text, **more):
-    return TwinWords(Words(text, text), "", **more)
+    return Feedback(Text(text, text), "", **more)
 
 
 def judged(form, expected, twins, answer, said=None):
@@ -147,7 +147,7 @@ def test_an_option_says_what_it_would_mean_and_the_part_what_it_shows():
     form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
     task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
     task = task._replace(
-        means={"mount": Words("It would stay.", "남습니다.")}, shows={"a": Words("It goes.", "사라집니다.")}
+        means={"mount": Text("It would stay.", "남습니다.")}, shows={"a": Text("It goes.", "사라집니다.")}
     )
     verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
     assert verdict.said.en == '"a": It would stay. It goes.'
@@ -159,7 +159,7 @@ def test_an_option_says_what_there_is_to_see_where_another_one_is_right():
     form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
     task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
     task = task._replace(
-        means={"mount": Words("It stays.", "남습니다.")}, seen={"clock": Words("It goes.", "사라집니다.")}
+        means={"mount": Text("It stays.", "남습니다.")}, seen={"clock": Text("It goes.", "사라집니다.")}
     )
     verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
     assert verdict.said.en == '"a": It stays. It goes.'

@@ -10,8 +10,8 @@ from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequenc
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.mistakes.stumbles import tip_for
-from tflab.workbook.tasks import Words
-from tflab.workbook.tasks.case import Case, TwinWords
+from tflab.workbook.tasks import Text
+from tflab.workbook.tasks.case import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
@@ -21,7 +21,7 @@ from .test_explain import judged, judged_function
 STAMP = Parts({"stamp_s": Number("s"), "speed": Number("m/s"), "turn": Number("rad/s")})
 READ = {"stamp_s": 38.02, "speed": 0.62, "turn": 0.3571}
 DECIMALS = {"stamp_s": 38.2, "speed": 0.55, "turn": 0.3137}
-IN = {"zeros lost": TwinWords(Words("Zeros.", "0입니다."), "", part="stamp_s")}
+IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
 
 
 @pytest.mark.parametrize(
@@ -58,7 +58,7 @@ def test_a_word_that_stands_in_two_places_of_an_order_is_told_so_and_elsewhere_i
     cards = Choice(("names", "tree", "mount", "rates"))
     task, variant = bare(Parts(dict.fromkeys(("first", "second", "third"), cards)),
                          Case(None, to_plain({"first": "names", "second": "tree", "third": "mount"}), {}))  # fmt: skip
-    task = task._replace(means={"tree": Words("A tree.", "트리입니다.")})
+    task = task._replace(means={"tree": Text("A tree.", "트리입니다.")})
 
     def said(**places):
         return judge_outcomes(task, variant, [to_plain(places)]).said.en
@@ -118,7 +118,7 @@ def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_sho
         rows = zip(wants, [*gives[:2], last_of_the_slip], strict=True)
         task, variant = bare(form, *(Case([n], want, {"late": give}) for n, (want, give) in enumerate(rows)),
                              is_function=True)  # fmt: skip
-        task = task._replace(twins={"late": TwinWords(Words("Late.", "늦습니다."), "", partly=True)})
+        task = task._replace(twins={"late": Feedback(Text("Late.", "늦습니다."), "", partly=True)})
         return judge_outcomes(task, variant, [*halves, last])
 
     assert list(verdict(raised, raised).slips) == ["late"]
@@ -142,9 +142,9 @@ def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
 
 def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
     def reply(count):
-        found = [Found.of(name, Words(f"Cause {name}.", "원인입니다."), name) for name in "abcdefg"[:count]]
+        found = [Found.of(name, Text(f"Cause {name}.", "원인입니다."), name) for name in "abcdefg"[:count]]
         return together(
-            [cause._replace(said=Words(cause.said.en, cause.said.en)) for cause in found], {}, "abcdefgh"
+            [cause._replace(said=Text(cause.said.en, cause.said.en)) for cause in found], {}, "abcdefgh"
         ).said
 
     assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": look again once these are right.')
@@ -208,7 +208,7 @@ def test_a_slip_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_fo
     ]
     task, variant = bare(form, *cases)
     task = task._replace(
-        is_function=True, twins={"never late": TwinWords(Words("Late?", "늦었습니까?"), "", part="cause")}
+        is_function=True, twins={"never late": Feedback(Text("Late?", "늦었습니까?"), "", part="cause")}
     )
     verdict = judge_outcomes(task, variant, [fast, fast, to_plain({"cause": "fast", "frame": "all"})])
     assert next(iter(verdict.slips)) == "never late"

@@ -10,14 +10,14 @@ from tflab.ros.duration import Duration
 from tflab.ros.messages import builtin_interfaces
 from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Number, Parts
-from tflab.workbook.tasks import Words
-from tflab.workbook.tasks.case import TwinWords
+from tflab.workbook.tasks import Text
+from tflab.workbook.tasks.case import Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 
 from .test_explain import judged
 
 TWINS = {"the fast one": 3.05}
-REPLIES = {"the fast one": TwinWords(Words("You counted the fast one.", "빠른 쪽을 셌습니다."), "")}
+REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 쪽을 셌습니다."), "")}
 
 
 @pytest.mark.parametrize(

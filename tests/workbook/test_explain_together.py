@@ -11,8 +11,8 @@ from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.common import in_common
 from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.mistakes.fitting import words_of
-from tflab.workbook.tasks import Words
-from tflab.workbook.tasks.case import Case, TwinWords
+from tflab.workbook.tasks import Text
+from tflab.workbook.tasks.case import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
@@ -59,10 +59,10 @@ def test_edges_that_were_named_by_their_parents_are_told_so_and_a_single_one_is_
 
 
 def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():
-    words = Words("It turns about its own z.", "제 z축으로 돕니다.")
+    words = Text("It turns about its own z.", "제 z축으로 돕니다.")
     form = Parts({"a": Number("m"), "b": Sequence(Choice(("in", "out")))})
     task, variant = bare(form, Case(None, to_plain({"a": 1.0, "b": ["in", "out"]}), {}))
-    task = task._replace(shows={"a": words, "[1]": Words("The second.", "둘째입니다.")})
+    task = task._replace(shows={"a": words, "[1]": Text("The second.", "둘째입니다.")})
     verdict = judge_outcomes(task, variant, [to_plain({"a": -1.0, "b": ["in", "in"]})])
     assert verdict.said.en == '"a": the size is right, the sign is not. It turns about its own z. "b[1]": The second.'
 
@@ -74,16 +74,16 @@ def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
 
 
 def test_a_part_whose_name_the_reply_says_already_is_named_once():
-    named = TwinWords(Words("a: it was turned.", "a: 돌렸습니다."), "")
-    other = TwinWords(Words("b: it was moved.", "b: 옮겼습니다."), "")
+    named = Feedback(Text("a: it was turned.", "a: 돌렸습니다."), "")
+    other = Feedback(Text("b: it was moved.", "b: 옮겼습니다."), "")
     found = [Found({"turned": named}, named.reply, {"a"}), Found({"moved": other}, other.reply, {"b"})]
     said = together(found, {}, ["a", "b"]).said
-    assert said == Words('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
+    assert said == Text('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
 
 
 def test_of_a_slip_that_shows_in_some_calls_the_part_comes_first():
     task, _ = bare(Number("m"), Case([1.0], 1.0, {}), is_function=True)
-    task = task._replace(twins={"static": TwinWords(Words("late: it is old.", "late: 오래되었습니다."), "", "late")})
+    task = task._replace(twins={"static": Feedback(Text("late: it is old.", "late: 오래되었습니다."), "", "late")})
     said = words_of(task, "in some: static").reply
     assert said.en.startswith('"late": In some calls, not in all, it comes out as by this mistake: it is old. ')
     assert said.ko.startswith(
@@ -232,12 +232,12 @@ def test_where_several_slips_give_the_same_words_only_what_is_sure_is_told():
 def test_beside_words_that_are_confused_stands_what_there_is_to_see():
     cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out"))]
     task, variant = bare(Choice(("in", "out")), *cases, is_function=True)
-    task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
+    task = task._replace(seen={"in": Text("There the door is open.", "문이 열려 있습니다.")})
     verdict = judge_outcomes(task, variant, ["out", "out", "out"])
     assert verdict.mistake is Mistake.CONSTANT
     cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off"))]
     task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
-    task = task._replace(seen={"in": Words("There the door is open.", "문이 열려 있습니다.")})
+    task = task._replace(seen={"in": Text("There the door is open.", "문이 열려 있습니다.")})
     assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en
 
 

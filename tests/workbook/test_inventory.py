@@ -28,7 +28,7 @@ from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import Workbook, workbook_data
 from tflab.workbook.progress import read_progress
-from tflab.workbook.tasks import TAKING_PART, Task, Words
+from tflab.workbook.tasks import TAKING_PART, Task, Text
 from tflab.workbook.tasks.library import assigned_cases
 from tflab.workbook.tasks.task import TaskError, read_tasks
 
@@ -207,7 +207,7 @@ def test_the_build_finds_a_form_out_of_balance_and_a_question_that_was_edited_on
 
 
 def test_a_task_where_taking_part_counts_has_nothing_that_could_help():
-    words = Words("a", "가")
+    words = Text("a", "가")
     made = {"id": "E0.1", "kind": "M", "points": 1, "title": words, "answer": "x", "counts": TAKING_PART}
     Task(**made, form=FORM, hints=())
     with pytest.raises(TaskError, match="without hints or twins"):

@@ -10,9 +10,9 @@ from pathlib import Path
 import pytest
 
 import tflab
+from tflab.text import LANGUAGES
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import workbook_data
-from tflab.workbook.words import LANGUAGES
 
 STEMS = sorted(path.stem for path in (workbook_data() / "notebooks" / "en").glob("*.ipynb"))
 

@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.workbook.answers.values import outcome_of, to_plain
-from tflab.workbook.tasks import Number, Parts, Slip, Task, Twin, Words, pairs
+from tflab.workbook.tasks import Number, Parts, Task, Text, WrongAnswer, WrongStep, pairs
 from tflab.workbook.tasks.case import TaskCases
 from tflab.workbook.tasks.cases import task_cases
 from tflab.workbook.tasks.pairs import PairSearch, combinable
@@ -18,8 +18,8 @@ from tflab.workbook.verdicts.verdict import judge_outcomes
 from .small_chapter import bare
 
 
-def said(text: str) -> Words:
-    return Words(en=text, ko=f"한국어: {text}")
+def said(text: str) -> Text:
+    return Text(en=text, ko=f"한국어: {text}")
 
 
 def distance(given, *, offset=1.0, scale=1.0, sign=1.0):
@@ -28,10 +28,10 @@ def distance(given, *, offset=1.0, scale=1.0, sign=1.0):
 
 
 SLIPS = (
-    Slip("sign turned", {"sign": -1.0}, said("the sign is turned")),  # the last step of the work stands first
-    Slip("mount forgotten", {"offset": 0.0}, said("the mount is left out")),
-    Slip("mount subtracted", {"offset": -1.0}, said("the mount is subtracted")),
-    Slip("doubled", {"scale": 2.0}, said("it is taken twice")),
+    WrongStep("sign turned", {"sign": -1.0}, said("the sign is turned")),  # the last step of the work stands first
+    WrongStep("mount forgotten", {"offset": 0.0}, said("the mount is left out")),
+    WrongStep("mount subtracted", {"offset": -1.0}, said("the mount is subtracted")),
+    WrongStep("doubled", {"scale": 2.0}, said("it is taken twice")),
 )
 
 
@@ -71,7 +71,7 @@ def test_mistakes_compose_at_different_steps_the_earlier_step_first():
         ("mount subtracted", "sign turned"),
         ("doubled", "sign turned"),
     ]
-    assert combinable(task_of(model=None, twins=(Twin("swapped", 1.0, said("swapped")),))) == []
+    assert combinable(task_of(model=None, twins=(WrongAnswer("swapped", 1.0, said("swapped")),))) == []
 
 
 def test_two_mistakes_that_give_the_answer_together_are_found(of_a_value):
@@ -93,10 +93,10 @@ def times(x, flag=False, *, scale=1.0, offset=0.0, limit=9.0):
 
 
 FUNCTION_SLIPS = (
-    Slip("doubled", {"scale": 2.0}, said("it is taken twice")),
-    Slip("halved", {"scale": 0.5}, said("it is taken by half")),
-    Slip("shifted", {"offset": 0.7}, said("it is shifted")),
-    Slip("unlimited", {"limit": 99.0}, said("nothing limits it")),
+    WrongStep("doubled", {"scale": 2.0}, said("it is taken twice")),
+    WrongStep("halved", {"scale": 0.5}, said("it is taken by half")),
+    WrongStep("shifted", {"offset": 0.7}, said("it is shifted")),
+    WrongStep("unlimited", {"limit": 99.0}, said("nothing limits it")),
 )
 
 
@@ -159,7 +159,7 @@ def test_pairs_that_look_like_something_simpler_or_like_an_earlier_pair_are_left
     def model(given, *, a=0.0, b=0.0, c=0.0, d=0.0, e=0.0):
         return given.measured + a + b + c + d + e
 
-    task = task_of(model=model, twins=tuple(Slip(name, {name: adds[name]}, said(name)) for name in adds))
+    task = task_of(model=model, twins=tuple(WrongStep(name, {name: adds[name]}, said(name)) for name in adds))
     cases = made(task, "answer = e3_1.measured")
     (variant,) = cases.variants
     found = cases.pairs.fitting(variant.cases, [0], lambda number, value: ["any"], variant.given)

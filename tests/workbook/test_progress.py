@@ -26,9 +26,9 @@ def copy(handed_out: HandedOut, tmp_path: Path) -> Path:
 
 
 TASK = """
-from tflab.workbook.tasks import Number, Task, Words
-LOOK = Words(en="Look.", ko="보십시오.")
-TASK = Task("{id}", "N", 2, Words("Which?", "어느 것?"), "answer", Number(), (LOOK, LOOK, LOOK))
+from tflab.workbook.tasks import Number, Task, Text
+LOOK = Text(en="Look.", ko="보십시오.")
+TASK = Task("{id}", "N", 2, Text("Which?", "어느 것?"), "answer", Number(), (LOOK, LOOK, LOOK))
 """
 
 

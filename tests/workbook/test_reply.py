@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from IPython.core.interactiveshell import InteractiveShell
 
+from tflab.text import Text
 from tflab.workbook import reply
 from tflab.workbook.reply import as_html, show_reply
-from tflab.workbook.words import Words
 
 
 def test_outside_a_notebook_a_reply_is_text(capsys):
@@ -76,6 +76,6 @@ def test_a_reply_begins_as_a_sentence_does_and_leaves_names_as_they_are():
 
 
 def test_what_fills_a_text_is_in_its_language_where_it_has_one():
-    said = Words(en="in {part}, {count} of them: {tip}", ko="{part}에서 {count}개: {tip}")
-    filled = said.filled(part="yaw", count=2, tip=Words(en="look {again}", ko="다시"))
-    assert filled == Words(en="in yaw, 2 of them: look {again}", ko="yaw에서 2개: 다시")
+    said = Text(en="in {part}, {count} of them: {tip}", ko="{part}에서 {count}개: {tip}")
+    filled = said.filled(part="yaw", count=2, tip=Text(en="look {again}", ko="다시"))
+    assert filled == Text(en="in yaw, 2 of them: look {again}", ko="yaw에서 2개: 다시")

@@ -109,13 +109,13 @@ def test_an_error_is_shown_as_far_as_the_readers_own_lines_go(shell, capsys) -> 
 
 def test_the_readers_own_lines_below_ours_are_shown_and_another_librarys_too(shell, capsys) -> None:
     shell.run_cell(
-        "import fractions\nfrom tflab.workbook.words import Words\n"
+        "import fractions\nfrom tflab.text import Text\n"
         "class Mine(str):\n    def format(self, **names):\n        fractions.Fraction('x')\n"
-        "Words(Mine('a'), 'b').say('en', x=1)"
+        "Text(Mine('a'), 'b').say('en', x=1)"
     )
     shown = plain(capsys.readouterr().out)
     assert "in Mine.format(" in shown
-    assert "words.py" not in shown
+    assert "text.py" not in shown
     assert "fractions.py" in shown
 
 

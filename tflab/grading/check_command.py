@@ -21,12 +21,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tflab import __version__
+from tflab.text import Text
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from tflab.workbook.tasks.library import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
-from tflab.workbook.words import Words
 
 from .judging.cells import master_of
 from .judging.job import HandedIn, Job
@@ -43,23 +43,23 @@ __all__ = ["Checked", "check_notebook", "main"]
 
 PLAIN_LIMITS = Limits(cell_s=20.0, notebook_s=120.0)  # a kernel may be the first of the day on a slow disk
 MENDS = "`tflab lab --update` brings it"
-SUM = Words("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
-LATER = Words(
+SUM = Text("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
+LATER = Text(
     "Grading asks functions for inputs that are not here.",
     "채점할 때는 여기에 없는 입력으로도 함수를 시험합니다.",
 )
-ANSWERED = Words("{passed} of {of} answered", "{of}개 중 {passed}개에 답함")
-AS_SAVED = Words(
+ANSWERED = Text("{passed} of {of} answered", "{of}개 중 {passed}개에 답함")
+AS_SAVED = Text(
     "This is the file as it was last saved: what you have written since is seen once you save it (Ctrl+S).",
     "마지막으로 저장한 파일을 보았습니다. 그 뒤에 쓴 것은 저장해야(Ctrl+S) 보입니다.",
 )
-IGNORED = Words("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
-PLAIN = Words(
+IGNORED = Text("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
+PLAIN = Text(
     "Checked in an ordinary kernel ({why}).",
     "일반 커널에서 확인했습니다({why}).",
 )
 SYSTEMS = {"win32": "Windows", "darwin": "macOS"}
-NOT_LINUX = Words("this is {platform}, grading is on Linux", "이 컴퓨터는 {platform}, 채점은 Linux")
+NOT_LINUX = Text("this is {platform}, grading is on Linux", "이 컴퓨터는 {platform}, 채점은 Linux")
 
 
 class Checked(NamedTuple):
@@ -182,7 +182,7 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
         return f"{task_id}  {sign} {ANSWERED.say(language, passed=row['passed'], of=row['of'])}"
     if row["status"] == "right":
         return f"{task_id}  ✓ {row['passed']}/{row['of']}"
-    said = [Words(**row["said"]).say(language)] if row["said"] else []
+    said = [Text(**row["said"]).say(language)] if row["said"] else []
     said += [Remark.from_plain(remark).say(language, with_task=False) for remark in row["remarks"]]
     said = said or [WRONG.say(language)]
     count = status.say(language) if row["status"] == "unanswered" else f"{row['passed']}/{row['of']}"

@@ -22,9 +22,9 @@ from typing import Any
 
 from tflab import __version__
 from tflab.core.stamps import seconds_typed
+from tflab.text import Text
 from tflab.workbook.tasks.task import TaskError
 from tflab.workbook.whole_files import write_whole
-from tflab.workbook.words import Words
 
 from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack
@@ -89,7 +89,7 @@ def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
 
 def _graded(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
-) -> tuple[list[dict], tuple[Words, ...]]:
+) -> tuple[list[dict], tuple[Text, ...]]:
     from .kernels.limits import Limits
     from .kernels.take import choose
 
@@ -122,7 +122,7 @@ def _write_reports(
     pack: Pack,
     out: Path,
     options: argparse.Namespace,
-    wall: tuple[Words, ...],
+    wall: tuple[Text, ...],
 ) -> None:
     about = {
         "tflab": __version__,
@@ -144,7 +144,7 @@ def _write_pages(
     pack: Pack,
     out: Path,
     options: argparse.Namespace,
-    wall: tuple[Words, ...],
+    wall: tuple[Text, ...],
     before: list[str],
 ) -> None:
     pages = out / "feedback"
@@ -167,7 +167,7 @@ def _learners_in(results: Path) -> list[str]:
         return []
 
 
-def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[Words, ...]) -> None:
+def _say(records: list[dict[str, Any]], collection: Collection, out: Path, wall: tuple[Text, ...]) -> None:
     for remark in collection.remarks:
         print(remark.say("en"))
     for record in records:

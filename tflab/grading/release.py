@@ -26,12 +26,12 @@ from typing import Any
 from tqdm import tqdm
 
 from tflab import __version__
+from tflab.text import LANGUAGES
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import lay_out, read_pristine, update
 from tflab.workbook.pages.editions import text_of
 from tflab.workbook.places import WorkbookError
 from tflab.workbook.tasks.task import TaskError
-from tflab.workbook.words import LANGUAGES
 
 from .guide.command import write_guide
 from .guide.shelf import stems_there, teachings_called

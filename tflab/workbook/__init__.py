@@ -29,7 +29,6 @@ In an exercise one calls four functions:
     practice/     the tasks drawn anew, those again that went wrong
     lesson/       what a page draws, drives and looks at
 
-Start with `words.py`.
 """
 
 from __future__ import annotations

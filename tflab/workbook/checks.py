@@ -19,6 +19,7 @@ from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
+from ..text import Text
 from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
@@ -35,7 +36,6 @@ from .trying import AssignedTask, say_verdict, show_hint, tried_on
 from .verdicts.mistake import Mistake
 from .verdicts.replies import LATER, PHRASES
 from .verdicts.verdict import Verdict
-from .words import Words
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
 
@@ -49,7 +49,7 @@ class _Nothing:
 
 NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
-POINT, POINTS = Words(en="{points} point", ko="{points}점"), Words(en="{points} points", ko="{points}점")
+POINT, POINTS = Text(en="{points} point", ko="{points}점"), Text(en="{points} points", ko="{points}점")
 UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
 WHICH = "E?"  # what a reply is about where no task is named

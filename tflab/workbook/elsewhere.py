@@ -18,22 +18,22 @@ from typing import Any, NamedTuple
 
 from tflab.ros.process import process_here
 
+from ..text import Text
 from .places import language_here
 from .reply import show_reply
-from .words import Words
 
 __all__ = ["register"]
 
 STOPS_ALL = re.compile(r"\bgraph\.stop\(\)")
-FROM_ABOVE = Words(
+FROM_ABOVE = Text(
     "For what the page says of it: Run → Run All Above Selected Cell, then this cell.",
     "페이지에서 말하는 결과를 보려면 Run → Run All Above Selected Cell을 누른 다음 이 셀을 실행하십시오.",
 )
-NEW = Words(
+NEW = Text(
     "Since this cell ran, another one has begun a new world.",
     "이 셀을 실행한 뒤에 다른 셀이 가상 세계를 새로 만들었습니다.",
 )
-OVER = Words(
+OVER = Text(
     "Since this cell ran, `graph.stop()` has ended every program of its world.",
     "이 셀을 실행한 뒤에 `graph.stop()`이 이 가상 세계의 프로그램을 모두 끝냈습니다.",
 )
@@ -52,7 +52,7 @@ class _Begun(NamedTuple):
     """Which cell began the world there is now, or ended its programs."""
 
     cell: str
-    said: Words
+    said: Text
 
 
 _begun = _Begun("", NEW)

@@ -10,25 +10,25 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..text import Text
 from .answers.forms import Vector
 from .places import read_workbook, workbook_root
 from .reply import show_reply
-from .tasks.case import Case, TaskCases, TwinWords, Variant
+from .tasks.case import Case, Feedback, TaskCases, Variant
 from .trying import AssignedTask, say_verdict, tried_on
-from .words import Words
 
 __all__ = ["ask_first"]
 
-NAME = Words(en="First question", ko="첫 질문")
-GO_ON = Words(
+NAME = Text(en="First question", ko="첫 질문")
+GO_ON = Text(
     en="Change the answer, and run the cell again. Another mistake gets another reply: try one.",
     ko="답을 고쳐 셀을 다시 실행해 보세요. 실수가 다르면 돌아오는 말도 다릅니다. 일부러 틀려 봐도 됩니다.",
 )
-UNANSWERED = Words(
+UNANSWERED = Text(
     en="Write three numbers (x, y, z) in place of the dots, and run the cell again.",
     ko="점 세 개(`...`) 자리에 숫자 세 개 (x, y, z)를 쓰고 셀을 다시 실행해 보세요.",
 )
-DONE = Words(
+DONE = Text(
     en="From the laser to the middle of the robot is a step, and the step was added. That is half of TF.",
     ko="레이저를 단 위치를 더했습니다. TF가 하는 일의 절반이 바로 이것입니다.",
 )
@@ -37,7 +37,7 @@ RIGHT = [round(seen + mount, 3) for seen, mount in zip(LASER_P_POST, BASE_P_LASE
 MISTAKES = {
     "same numbers": (
         list(LASER_P_POST),
-        Words(
+        Text(
             en="These are the laser's numbers with another label. A frame is not a name to be changed: "
             "count the way again, from the robot's middle.",
             ko="레이저의 숫자에 이름표만 바꾸어 달았습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. "
@@ -46,7 +46,7 @@ MISTAKES = {
     ),
     "taken away": (
         [round(seen - mount, 3) for seen, mount in zip(LASER_P_POST, BASE_P_LASER, strict=True)],
-        Words(
+        Text(
             en="You took the step away. The laser sits ahead of the middle: from the middle, is the post nearer or "
             "farther?",
             ko="레이저를 단 위치를 뺐습니다. 레이저는 중심보다 앞에 있습니다. "
@@ -55,21 +55,21 @@ MISTAKES = {
     ),
     "height forgotten": (
         [RIGHT[0], RIGHT[1], LASER_P_POST[2]],
-        Words(
+        Text(
             en="Ahead is right, and the height is still the laser's. z is counted like x.",
             ko="앞쪽 거리는 맞고, 높이는 아직 레이저 기준입니다. z도 x와 똑같이 셉니다.",
         ),
     ),
     "height alone": (
         [LASER_P_POST[0], LASER_P_POST[1], RIGHT[2]],
-        Words(
+        Text(
             en="The height is right. The laser also sits ahead of the middle: the way ahead is still the laser's.",
             ko="높이는 맞습니다. 레이저는 중심보다 앞에 있기도 합니다. 앞쪽 거리는 아직 레이저 기준입니다.",
         ),
     ),
     "only the mount": (
         list(BASE_P_LASER),
-        Words(
+        Text(
             en="That is where the laser is. The post is farther: from there, go on to what the laser saw.",
             ko="레이저의 위치입니다. 기둥은 더 멉니다. 레이저가 본 것까지 더 가야 합니다.",
         ),
@@ -84,7 +84,7 @@ QUESTION = TaskCases(
     form=Vector(3, unit="m", frame="base_link", tolerance=0.003),
     hints=(),
     cures=(),
-    twins={name: TwinWords(reply, "") for name, (_, reply) in MISTAKES.items()},
+    twins={name: Feedback(reply, "") for name, (_, reply) in MISTAKES.items()},
     variants=(Variant(None, (Case(None, RIGHT, {name: came for name, (came, _) in MISTAKES.items()}),)),),
 )
 

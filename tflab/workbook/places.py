@@ -21,7 +21,7 @@ from pathlib import Path
 
 from tflab import __version__
 
-from .words import LANGUAGES
+from ..text import LANGUAGES
 
 __all__ = [
     "COPY",

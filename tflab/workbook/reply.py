@@ -19,7 +19,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from .words import begun
+from ..text import begun
 
 __all__ = ["as_html", "in_notebook", "shell", "show_caption", "show_page", "show_reply"]
 

@@ -16,6 +16,7 @@ from pathlib import Path
 from threading import Timer
 from typing import Any, NamedTuple
 
+from ..text import Text
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
@@ -28,7 +29,6 @@ from .tasks.case import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
 from .verdicts.replies import PHRASES
 from .verdicts.verdict import Verdict, judge_outcomes, kind_of
-from .words import Words
 
 __all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
@@ -53,7 +53,7 @@ class AssignedTask(NamedTuple):
         """Return one of the phrases in the learner's language."""
         return self.words(PHRASES[name], id=self.id, answer=self.cases.answer, **names)
 
-    def words(self, words: Words, **names: object) -> str:
+    def words(self, words: Text, **names: object) -> str:
         """Return a text in the learner's language."""
         return words.say(self.workbook.language, **names)
 
@@ -158,7 +158,7 @@ def say_verdict(
 def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
     place = verdict.detail.get("place")
     if verdict.said is not None and verdict.mistake is Mistake.SLIP:
-        return assigned.words(Words.joined(verdict.said, place))
+        return assigned.words(Text.joined(verdict.said, place))
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds, tip = names.get("certain"), names.get("tip")
     certain = assigned.words(bounds).removeprefix(f"{names.get('wrong')}: ") if bounds else ""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.ros.messages import builtin_interfaces
-from tflab.workbook.tasks import Message, Slip, Task, Words
+from tflab.workbook.tasks import Message, Task, Text, WrongStep
 
 from .draws import point, time
 
@@ -45,113 +45,113 @@ def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", si
     return message
 
 
-STAMPED_NOW = Slip(
+STAMPED_NOW = WrongStep(
     "stamped now",
     {"moment": "now"},
-    Words(
+    Text(
         en="The stamp is the moment at which your function was called. By then the measurement was already old, and nobody who reads the message can know.",
         ko="측정 시각에 함수가 호출된 시각을 적었습니다. 그때는 측정한 지 이미 시간이 지났고, 메시지를 읽는 사람은 그것을 알 수 없습니다.",
     ),
     "M9",
 )
 
-NO_STAMP = Slip(
+NO_STAMP = WrongStep(
     "no stamp",
     {"moment": "zero"},
-    Words(
+    Text(
         en='The stamp is still zero. For TF2 that means "whatever is latest", and it will not complain.',
         ko="측정 시각이 아직 0입니다. TF2에게는 “가장 최근 것이면 된다”는 뜻이고, 아무 경고도 없습니다.",
     ),
     "M9",
 )
 
-ON_THE_MAP = Slip(
+ON_THE_MAP = WrongStep(
     "on the map",
     {"frame": "map"},
-    Words(
+    Text(
         en="The label says map, and the number was counted from the laser. The wall would stand that far from the corner of the map.",
         ko="이름표는 map인데 숫자는 레이저에서 센 것입니다. 벽이 지도 원점에서 그만큼 떨어진 곳에 서게 됩니다.",
     ),
 )
 
-ON_THE_ROBOT = Slip(
+ON_THE_ROBOT = WrongStep(
     "on the robot",
     {"frame": "base_link"},
-    Words(
+    Text(
         en="Counted from the laser, labelled as counted from the robot's middle: off by the mount.",
         ko="레이저에서 센 숫자인데 이름표는 로봇의 중심입니다. 장착 위치만큼 어긋납니다.",
     ),
 )
 
-NO_FRAME = Slip(
+NO_FRAME = WrongStep(
     "no frame",
     {"frame": ""},
-    Words(
+    Text(
         en="The frame is still empty. Whoever gets this message has to refuse it.",
         ko="좌표계가 아직 비어 있습니다. 이 메시지를 받은 쪽은 거절할 수밖에 없습니다.",
     ),
 )
 
-ALL_IN_NANOSEC = Slip(
+ALL_IN_NANOSEC = WrongStep(
     "all in nanosec",
     {"moment": "all in nanosec"},
-    Words(
+    Text(
         en="All nanoseconds went into nanosec, which holds less than one second of them. `measured.to_msg()` splits a time into both fields.",
         ko="나노초를 모두 nanosec에 넣었습니다. nanosec에는 1초보다 적은 나노초만 들어갑니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
     ),
 )
 
-ALONG_Z = Slip(
+ALONG_Z = WrongStep(
     "along z",
     {"axis": "z"},
-    Words(
+    Text(
         en="The range went into z. The finder looks along the x of its frame; z points up.",
         ko="거리를 z에 넣었습니다. 센서는 자기 좌표계의 x 방향을 봅니다. z는 위쪽입니다.",
     ),
     "M4",
 )
 
-EVERYWHERE = Slip(
+EVERYWHERE = WrongStep(
     "range in all three",
     {"axis": "xyz"},
-    Words(
+    Text(
         en="The range stands in x, y and z. The finder looks along x alone: y and z are 0.",
         ko="x, y, z에 모두 거리를 넣었습니다. 센서는 x축 방향만 봅니다. y와 z는 0입니다.",
     ),
 )
 
-SEC_ALONE = Slip(
+SEC_ALONE = WrongStep(
     "sec alone",
     {"moment": "sec alone"},
-    Words(
+    Text(
         en="Only sec is in the stamp. `measured.to_msg()` writes both fields.",
         ko="측정 시각에 sec만 들어 있습니다. `measured.to_msg()`를 쓰면 두 항목이 모두 채워집니다.",
     ),
 )
 
-AGE_FOR_STAMP = Slip(
+AGE_FOR_STAMP = WrongStep(
     "age for stamp",
     {"moment": "age"},
-    Words(
+    Text(
         en="The stamp holds an age. A stamp is a moment: when was it measured?",
         ko="측정 시각에 나이를 적었습니다. 측정 시각은 순간입니다. 언제 측정했습니까?",
     ),
     "M9",
 )
 
-NO_RANGE = Slip(
+NO_RANGE = WrongStep(
     "no range",
     {"sight": "none"},
-    Words(
+    Text(
         en="The labels are there, and the point is still (0, 0, 0): where is the range?",
         ko="이름표는 있지만 점이 아직 (0, 0, 0)입니다. 거리는 어디에 있습니까?",
     ),
 )
 
-OTHER_NAME = Slip(
+OTHER_NAME = WrongStep(
     "another name",
     {"frame": "laser"},
-    Words(
+    Text(
         en="There is no frame of this name on the robot: it is called `laser_frame`.",
         ko="로봇에 이런 이름의 좌표계는 없습니다. `laser_frame`이라고 합니다.",
     ),
@@ -159,10 +159,10 @@ OTHER_NAME = Slip(
 )
 
 
-HALF_WAY = Slip(
+HALF_WAY = WrongStep(
     "half way",
     {"moment": "half way"},
-    Words(
+    Text(
         en="The stamp lies between the two times, and at that moment nothing was measured.",
         ko="측정 시각이 두 시각 사이에 있습니다. 그 순간에는 아무것도 측정하지 않았습니다.",
     ),
@@ -170,10 +170,10 @@ HALF_WAY = Slip(
 )
 
 
-AGE_TAKEN_OFF = Slip(
+AGE_TAKEN_OFF = WrongStep(
     "age taken off",
     {"sight": "age taken off"},
-    Words(
+    Text(
         en="You took the age off the range: seconds from metres. A driver reports what was measured, and says when; whoever reads it knows what to do.",
         ko="거리에서 나이를 뺐습니다. 미터에서 초를 뺄 수 없습니다. 드라이버는 측정한 것과 그 시각을 그대로 알리고, 나머지는 읽는 쪽이 합니다.",
     ),
@@ -181,30 +181,30 @@ AGE_TAKEN_OFF = Slip(
 )
 
 
-ALONG_Y = Slip(
+ALONG_Y = WrongStep(
     "along y",
     {"axis": "y"},
-    Words(
+    Text(
         en="The range went into y. The finder looks along the x of its frame; y points to the left.",
         ko="거리를 y에 넣었습니다. 센서는 자기 좌표계의 x 방향을 봅니다. y는 왼쪽입니다.",
     ),
 )
 
 
-IN_ODOM = Slip(
+IN_ODOM = WrongStep(
     "in odom",
     {"frame": "odom"},
-    Words(
+    Text(
         en="The label says odom, and the number was counted from the laser.",
         ko="이름표는 odom인데 숫자는 레이저에서 센 것입니다.",
     ),
 )
 
 
-AGE_ADDED = Slip(
+AGE_ADDED = WrongStep(
     "age added",
     {"sight": "age added"},
-    Words(
+    Text(
         en="You added the age to the range: seconds to metres. A driver reports what was measured, and says when.",
         ko="거리에 나이를 더했습니다. 미터에 초를 더할 수 없습니다. 드라이버는 측정한 것과 그 시각을 그대로 알립니다.",
     ),
@@ -212,20 +212,20 @@ AGE_ADDED = Slip(
 )
 
 
-IN_CAMERA_LINK = Slip(
+IN_CAMERA_LINK = WrongStep(
     "in camera_link",
     {"frame": "camera_link"},
-    Words(
+    Text(
         en="The label says camera_link, and no camera measured this: the number was counted from the laser.",
         ko="이름표는 camera_link인데 카메라가 잰 것이 아닙니다. 레이저에서 센 숫자입니다.",
     ),
 )
 
 
-LASER_LINK = Slip(
+LASER_LINK = WrongStep(
     "laser_link",
     {"frame": "laser_link"},
-    Words(
+    Text(
         en="`laser_link` is no frame of this robot: its laser's frame is called `laser_frame`.",
         ko="`laser_link`라는 좌표계는 이 로봇에 없습니다. 레이저의 좌표계는 `laser_frame`입니다.",
     ),
@@ -233,30 +233,30 @@ LASER_LINK = Slip(
 )
 
 
-MILLISECONDS_IN_NANOSEC = Slip(
+MILLISECONDS_IN_NANOSEC = WrongStep(
     "milliseconds in nanosec",
     {"moment": "milliseconds in nanosec"},
-    Words(
+    Text(
         en="sec is right, and nanosec holds milliseconds: a second has a thousand million nanoseconds. `measured.to_msg()` splits a time into both fields.",
         ko="sec은 맞지만 nanosec에 밀리초를 넣었습니다. 1초는 10억 나노초입니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
     ),
 )
 
 
-SEC_ROUNDED = Slip(
+SEC_ROUNDED = WrongStep(
     "sec rounded",
     {"moment": "sec rounded"},
-    Words(
+    Text(
         en="sec is rounded: past the half of a second it is one too many, and nanosec is added to it all the same. `measured.to_msg()` splits a time into both fields.",
         ko="sec을 반올림했습니다. 반 초가 지나면 1이 더 많아지는데 nanosec은 그대로 더해집니다. `measured.to_msg()`가 시각을 두 항목으로 나눠 줍니다.",
     ),
 )
 
 
-TO_CENTIMETRES = Slip(
+TO_CENTIMETRES = WrongStep(
     "to centimetres",
     {"sight": "centimetres"},
-    Words(
+    Text(
         en="You rounded the range to centimetres. A driver hands on what was measured, as it is.",
         ko="거리를 센티미터 단위로 반올림했습니다. 드라이버는 잰 값을 그대로 전합니다.",
     ),
@@ -267,7 +267,7 @@ TASK = Task(
     id="E1.6",
     kind="C",
     points=3,
-    title=Words(en="Write both labels", ko="이름표 두 개를 쓰십시오"),
+    title=Text(en="Write both labels", ko="이름표 두 개를 쓰십시오"),
     answer="as_message",
     form=Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "header.stamp", "point")),
     inputs=measurements,
@@ -298,15 +298,15 @@ TASK = Task(
         TO_CENTIMETRES,
     ),
     hints=(
-        Words(
+        Text(
             en="Three things to fill in: the point, the frame that it is counted in, the moment of measuring.",
             ko="채울 것은 셋입니다. 점, 점을 센 좌표계, 측정한 시각입니다.",
         ),
-        Words(
+        Text(
             en="A `Time` becomes a message's stamp by `.to_msg()`.",
             ko="`Time`은 `.to_msg()`로 메시지의 측정 시각이 됩니다.",
         ),
-        Words(
+        Text(
             en="Of the two times, only one says when it was measured.",
             ko="두 시각 가운데 측정한 때를 말하는 것은 하나뿐입니다.",
         ),

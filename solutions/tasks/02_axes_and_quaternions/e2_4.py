@@ -7,7 +7,7 @@ from itertools import combinations
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Choice, Draws, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Draws, Task, Text, WrongAnswer, WrongStep
 
 VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
 PARTLY = ["".join(some) for size in (1, 2, 3) for some in combinations("xyzw", size)]  # which are asked for NaN
@@ -141,10 +141,10 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     return "nan" if finite == "last" and not all(map(math.isfinite, q)) else "ok"
 
 
-NAN_SLIPS_THROUGH = Slip(
+NAN_SLIPS_THROUGH = WrongStep(
     "nan slips through",
     {"finite": "not asked"},
-    Words(
+    Text(
         en="NaN slips through: math.sqrt and math.hypot raise nothing, every comparison with NaN is False, and `in` finds it by luck alone. Ask for it first, with math.isfinite, called with each part.",
         ko="NaN이 빠져나갔습니다. math.sqrt나 math.hypot은 예외를 내지 않고, NaN과의 비교는 모두 False이며, `in`으로는 운이 좋아야 찾습니다. 성분마다 math.isfinite를 호출해 맨 먼저 확인하십시오.",
     ),
@@ -152,10 +152,10 @@ NAN_SLIPS_THROUGH = Slip(
 )
 
 
-INFINITY_SLIPS_THROUGH = Slip(
+INFINITY_SLIPS_THROUGH = WrongStep(
     "infinity slips through",
     {"finite": "nan"},
-    Words(
+    Text(
         en="Infinity slips through: you ask for NaN alone, or ask only after the length, and infinity is never of length one. Ask math.isfinite of each of the four numbers, before anything else; it finds both.",
         ko="무한대가 빠져나갔습니다. NaN만 확인했거나, 길이를 본 다음에야 확인했습니다. 무한대의 길이는 1이 될 수 없습니다. math.isfinite로 숫자 네 개를 맨 먼저 모두 확인하십시오. 둘 다 찾아냅니다.",
     ),
@@ -163,20 +163,20 @@ INFINITY_SLIPS_THROUGH = Slip(
 )
 
 
-SCALED_FIRST = Slip(
+SCALED_FIRST = WrongStep(
     "scaled first",
     {"length": "of the scaled"},
-    Words(
+    Text(
         en="You scale the numbers before you measure their length; after that it is one, whatever came. Measure what came.",
         ko="길이를 재기 전에 크기부터 맞춥니다. 그러면 무엇이 들어왔든 길이는 1입니다. 들어온 그대로 재십시오.",
     ),
 )
 
 
-ZERO_IF_W_IS_ZERO = Slip(
+ZERO_IF_W_IS_ZERO = WrongStep(
     "zero if w is zero",
     {"zero": "w"},
-    Words(
+    Text(
         en="You call (0, 0, 1, 0) zero. It is half a turn: w is 0, the length is 1. Look at all four numbers.",
         ko="(0, 0, 1, 0)을 zero라고 했습니다. 이것은 반 바퀴 회전입니다. w는 0이지만 길이는 1입니다. 숫자 네 개를 모두 보십시오.",
     ),
@@ -184,40 +184,40 @@ ZERO_IF_W_IS_ZERO = Slip(
 )
 
 
-EXACTLY_ONE = Slip(
+EXACTLY_ONE = WrongStep(
     "exactly one",
     {"tolerance": 0.0},
-    Words(
+    Text(
         en="A quaternion that was rounded to three decimals is still a good one. Compare its length with a tolerance.",
         ko="소수 셋째 자리까지 반올림한 쿼터니언도 올바른 쿼터니언입니다. 길이는 허용 오차를 두고 비교하십시오.",
     ),
 )
 
 
-TOO_STRICT = Slip(
+TOO_STRICT = WrongStep(
     "too strict",
     {"tolerance": 1e-6},
-    Words(
+    Text(
         en="Your tolerance is finer than the task's: a quaternion that was cut to three decimals has a length of 0.999, and is still a good one.",
         ko="허용 오차가 문제에서 정한 것보다 엄격합니다. 소수 셋째 자리까지만 적은 쿼터니언은 길이가 0.999쯤 되지만 여전히 올바릅니다.",
     ),
 )
 
 
-SUM_FOR_LENGTH = Slip(
+SUM_FOR_LENGTH = WrongStep(
     "sum for length",
     {"length": "sum"},
-    Words(
+    Text(
         en="That is the sum of the sizes of the four numbers, not their length. The length is the root of the sum of squares: math.hypot.",
         ko="그것은 숫자 네 개의 크기를 더한 합이지 길이가 아닙니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
 )
 
 
-MINUS_Q_REFUSED = Slip(
+MINUS_Q_REFUSED = WrongStep(
     "minus q refused",
     {"w": "positive"},
-    Words(
+    Text(
         en="You refuse a quaternion because its w is negative. q and -q are the same rotation; both are good.",
         ko="w가 음수라는 이유로 거절했습니다. q와 -q는 같은 회전이며 둘 다 올바릅니다.",
     ),
@@ -225,10 +225,10 @@ MINUS_Q_REFUSED = Slip(
 )
 
 
-ZERO_IS_ONLY_NOT_UNIT = Slip(
+ZERO_IS_ONLY_NOT_UNIT = WrongStep(
     "zero is only not unit",
     {"zero": "not asked"},
-    Words(
+    Text(
         en="All zeros is worse than not unit: the others can be scaled to length one, this one cannot. Give it its own verdict, before the length.",
         ko="모두 0인 것은 not unit보다 나쁩니다. 다른 것은 길이를 1로 맞출 수 있지만 이것은 그럴 수 없습니다. 길이를 보기 전에 따로 판정하십시오.",
     ),
@@ -236,20 +236,20 @@ ZERO_IS_ONLY_NOT_UNIT = Slip(
 )
 
 
-W_FIRST_BEFORE_LENGTH = Slip(
+W_FIRST_BEFORE_LENGTH = WrongStep(
     "w first before length",
     {"first": "w"},
-    Words(
+    Text(
         en="A quaternion can have two faults at once, and the task says which to name: you ask about x and y before you ask about the length.",
         ko="한 쿼터니언에 결함이 둘일 수도 있고, 무엇을 먼저 말할지는 문제에 적혀 있습니다. 길이를 보기 전에 x와 y부터 보았습니다.",
     ),
 )
 
 
-SUM_EVERYWHERE = Slip(
+SUM_EVERYWHERE = WrongStep(
     "sum everywhere",
     {"zero": "sum", "length": "sum"},
-    Words(
+    Text(
         en="You took the sum of the four numbers for their length, once for zero and once for one. The length is the root of the sum of squares: math.hypot.",
         ko="숫자 네 개의 합을 길이로 보았습니다. zero인지 볼 때도, 길이가 1인지 볼 때도 그랬습니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
@@ -257,10 +257,10 @@ SUM_EVERYWHERE = Slip(
 )
 
 
-ZERO_BY_SUM = Slip(
+ZERO_BY_SUM = WrongStep(
     "zero by sum",
     {"zero": "sum"},
-    Words(
+    Text(
         en="You add the four numbers, and a quarter turn to the right adds up to zero. The length is the root of the sum of squares: math.hypot.",
         ko="숫자 네 개를 그냥 더했습니다. 오른쪽으로 4분의 1바퀴 도는 회전은 더하면 0이 됩니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
@@ -268,20 +268,20 @@ ZERO_BY_SUM = Slip(
 )
 
 
-SQUARE_FOR_LENGTH = Slip(
+SQUARE_FOR_LENGTH = WrongStep(
     "square for length",
     {"length": "square"},
-    Words(
+    Text(
         en="That is the square of the length, and it strays from 1 twice as fast as the length does. Take the root: math.sqrt, or math.hypot at once.",
         ko="그것은 길이의 제곱이어서 길이보다 두 배 빨리 1에서 벗어납니다. math.sqrt로 제곱근을 구하거나 처음부터 math.hypot을 쓰십시오.",
     ),
 )
 
 
-SMALL_W = Slip(
+SMALL_W = WrongStep(
     "small w",
     {"size": "w"},
-    Words(
+    Text(
         en="You look whether w is small. It is in every half turn, and those are good; look at the size of x and of y, "
         "which a robot on a floor does not need.",
         ko="w가 작은지를 보았습니다. 반 바퀴 회전은 모두 그렇지만 올바릅니다. 바닥 위의 로봇이 쓰지 않는 x와 y의 크기를 "
@@ -289,10 +289,10 @@ SMALL_W = Slip(
     ),
 )
 
-NEGATIVE_X_OR_Y_PASSES = Slip(
+NEGATIVE_X_OR_Y_PASSES = WrongStep(
     "negative x or y passes",
     {"size": "signed"},
-    Words(
+    Text(
         en="You look only for a large positive x or y. q and -q are the same rotation, so a w that came first may also be -0.9: compare abs().",
         ko="x나 y가 양수로 큰 경우만 보았습니다. q와 -q는 같은 회전이므로 맨 앞에 온 w가 -0.9일 수도 있습니다. abs()로 비교하십시오.",
     ),
@@ -300,112 +300,112 @@ NEGATIVE_X_OR_Y_PASSES = Slip(
 )
 
 
-ONLY_X = Slip(
+ONLY_X = WrongStep(
     "only x",
     {"looks": "x"},
-    Words(
+    Text(
         en="You look at x alone. (Does a loop return in its first round?) The task says x or y: a large y would tip the robot over just the same.",
         ko="x만 보았습니다. (반복문이 첫 바퀴에서 반환하지 않습니까?) 문제에는 x나 y라고 적혀 있습니다. y가 커도 로봇은 똑같이 넘어집니다.",
     ),
 )
 
 
-TOO_SHORT_PASSES = Slip(
+TOO_SHORT_PASSES = WrongStep(
     "too short passes",
     {"sides": "above"},
-    Words(
+    Text(
         en="You refuse a length above 1, but not one below. It differs to both sides: compare abs(length - 1).",
         ko="길이가 1보다 큰 것만 걸러 냈고 1보다 작은 것은 통과시켰습니다. 양쪽으로 모두 벗어날 수 있으니 abs(length - 1)을 비교하십시오.",
     ),
 )
 
 
-ONLY_Y = Slip(
+ONLY_Y = WrongStep(
     "only y",
     {"looks": "y"},
-    Words(
+    Text(
         en="You look at y alone. The task says x or y, and a w that was written first lands in x.",
         ko="y만 보았습니다. 문제에는 x나 y라고 적혀 있습니다. 맨 앞에 쓴 w는 x 자리에 옵니다.",
     ),
 )
 
-NEVER_NOT_UNIT = Slip(
+NEVER_NOT_UNIT = WrongStep(
     "never not unit",
     {"tolerance": math.inf},
-    Words(
+    Text(
         en='You never say "not unit" of a length that is not zero: the question about the length is missing or never reached, its bound is far too wide, or it asks for a length above and below at once.',
         ko='길이가 0이 아니면 "not unit"이라고 하는 일이 없습니다. 길이를 묻지 않았거나, 거기까지 가지 못하거나, 기준이 지나치게 넓거나, 크면서 동시에 작아야 한다고 물었습니다.',
     ),
 )
 
-WITHIN_A_HALF = Slip(
+WITHIN_A_HALF = WrongStep(
     "tolerance 0.5",
     {"tolerance": 0.5},
-    Words(
+    Text(
         en="Your tolerance for the length is about a half, as by round(length): the task allows 0.01.",
         ko="길이의 허용 오차가 0.5쯤 됩니다. round(길이)가 그렇습니다. 문제에서는 0.01까지만 허용합니다.",
     ),
 )
 
-LOOSE = Slip(
+LOOSE = WrongStep(
     "tolerance 0.1",
     {"tolerance": 0.1},
-    Words(
+    Text(
         en="Your tolerance for the length is wider than the task's: a length just beyond 1.01 passes, and it should not.",
         ko="길이의 허용 오차가 문제에서 정한 것보다 넓습니다. 1.01을 갓 넘은 길이가 통과하는데, 통과하면 안 됩니다.",
     ),
 )
 
-FINE = Slip(
+FINE = WrongStep(
     "tolerance 0.001",
     {"tolerance": 0.001},
-    Words(
+    Text(
         en="Your tolerance for the length is narrower than the task's: a length of 1.005 is refused, and it should not be.",
         ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.005를 거절하는데, 통과시켜야 합니다.",
     ),
 )
 
-ZERO_SOON = Slip(
+ZERO_SOON = WrongStep(
     "zero below 0.01",
     {"below": 0.01},
-    Words(
+    Text(
         en='You call short quaternions zero too soon: a length of 0.005 is "not unit", it can still be scaled.',
         ko='짧은 쿼터니언을 너무 일찍 zero라고 합니다. 길이 0.005는 "not unit"입니다. 아직 길이를 맞출 수 있습니다.',
     ),
 )
 
-ZERO_EXACTLY = Slip(
+ZERO_EXACTLY = WrongStep(
     "exactly zero",
     {"below": 5e-324},
-    Words(
+    Text(
         en="Your bound for zero is lower than the task's, or 0 itself: a length just below 0.000001 is not zero for you. The task draws the line there: what is shorter cannot be scaled.",
         ko="zero의 기준이 문제보다 낮거나 0 자체입니다. 0.000001보다 조금 짧은 길이를 zero라고 하지 않습니다. 문제의 기준은 0.000001이고, 그보다 짧으면 길이를 맞출 수 없습니다.",
     ),
 )
 
-ANY_X = Slip(
+ANY_X = WrongStep(
     "any x or y",
     {"above": 0.0},
-    Words(
+    Text(
         en="Your bound for x and y is lower than the task's, or there is none: a small x or y is taken for a w that came first. Small ones are noise: the task draws the line at 0.1.",
         ko="x와 y의 기준이 문제보다 낮거나 없습니다. 작은 x나 y까지 w를 먼저 쓴 것으로 보았습니다. 작은 값은 잡음입니다. 문제의 기준은 0.1입니다.",
     ),
 )
 
-ZERO_BY_SQUARE = Slip(
+ZERO_BY_SQUARE = WrongStep(
     "zero by square",
     {"zero": "square"},
-    Words(
+    Text(
         en="A length of 0.0005 is zero for you, as it is where the square of the length is compared with 0.000001 (or the length with 0.001). Take the root first, and compare with the task's bound.",
         ko="길이 0.0005도 zero가 됩니다. 길이의 제곱을 0.000001과 비교하거나 길이를 0.001과 비교하면 그렇습니다. 먼저 제곱근을 구하고 문제의 기준과 비교하십시오.",
     ),
     "M5",
 )
 
-WITHOUT_W = Slip(
+WITHOUT_W = WrongStep(
     "length without w",
     {"length": "without w", "zero": "without w"},
-    Words(
+    Text(
         en="The length is made of x, y and z alone. w is one of the four: no turn at all is (0, 0, 0, 1), and its length is 1.",
         ko="x, y, z만으로 길이를 구했습니다. w도 넷 중 하나입니다. 회전 없음은 (0, 0, 0, 1)이고 길이는 1입니다.",
     ),
@@ -413,90 +413,90 @@ WITHOUT_W = Slip(
 )
 
 
-SUM_OF_X_AND_Y = Slip(
+SUM_OF_X_AND_Y = WrongStep(
     "sum of x and y",
     {"size": "sum"},
-    Words(
+    Text(
         en="You add the sizes of x and y. The task looks at each by itself: is one of them larger than 0.1?",
         ko="x와 y의 크기를 더합니다. 하나씩 보아야 합니다. 둘 가운데 하나가 0.1보다 큽니까?",
     ),
 )
 
 
-SIZE_OF_THE_SUM = Slip(
+SIZE_OF_THE_SUM = WrongStep(
     "size of the sum",
     {"size": "of the sum"},
-    Words(
+    Text(
         en="You add x and y first, and the one can hide the other: 0.3 and -0.3 make 0. Look at the size of each.",
         ko="x와 y를 먼저 더하므로 서로 상쇄됩니다. 0.3과 -0.3은 0이 됩니다. 각각의 크기를 보십시오.",
     ),
 )
 
 
-LENGTH_OF_X_AND_Y = Slip(
+LENGTH_OF_X_AND_Y = WrongStep(
     "length of x and y",
     {"size": "length"},
-    Words(
+    Text(
         en="You take the length of (x, y). The task looks at each of the two by itself.",
         ko="(x, y)의 길이를 봅니다. 둘을 하나씩 보아야 합니다.",
     ),
 )
 
 
-X_AND_Y_BOTH = Slip(
+X_AND_Y_BOTH = WrongStep(
     "x and y both",
     {"size": "both"},
-    Words(
+    Text(
         en="You want x *and* y to be large. One of them is enough.",
         ko="x와 y가 *둘 다* 커야 한다고 봅니다. 하나만 커도 됩니다.",
     ),
 )
 
 
-Z_TOO = Slip(
+Z_TOO = WrongStep(
     "z too",
     {"size": "z, too"},
-    Words(
+    Text(
         en="You look at z as well. On a flat floor a turn is about z: z may be as large as it likes.",
         ko="z도 봅니다. 평평한 바닥에서는 z 둘레로 돌기 때문에 z는 얼마든지 커도 됩니다.",
     ),
 )
 
 
-EACH_NEXT_TO_NOTHING = Slip(
+EACH_NEXT_TO_NOTHING = WrongStep(
     "each next to nothing",
     {"zero": "each"},
-    Words(
+    Text(
         en="You ask whether each number is next to nothing. The task asks for the length: four small ones make a longer one.",
         ko="숫자 하나하나가 0에 가까운지 봅니다. 길이를 보아야 합니다. 작은 숫자도 네 개가 모이면 더 길어집니다.",
     ),
 )
 
 
-W_OVER_Z = Slip(
+W_OVER_Z = WrongStep(
     "w over z",
     {"size": "w over z"},
-    Words(
+    Text(
         en="You ask whether w is larger than z in size. It is in every turn by less than a quarter circle, and in no turn at all: ask whether x or y is large.",
         ko="w의 크기가 z보다 큰지 물었습니다. 90°보다 작게 돌거나 돌지 않으면 늘 그렇습니다. x나 y가 큰지 물으십시오.",
     ),
 )
 
 
-X_OVER_W = Slip(
+X_OVER_W = WrongStep(
     "x over w",
     {"size": "x over w"},
-    Words(
+    Text(
         en="You ask whether x is larger than w in size. A w that came first may be small, and then z stands last; y may be large as well: the task asks whether x or y is larger than 0.1.",
         ko="x의 크기가 w보다 큰지 물었습니다. 앞에 온 w가 작을 수도 있고 y가 클 수도 있습니다. 과제는 x나 y가 0.1보다 큰지 묻습니다.",
     ),
 )
 
 
-NEVER_W_FIRST = Slip(
+NEVER_W_FIRST = WrongStep(
     "never w first",
     {"size": "never"},
-    Words(
+    Text(
         en='You say "w first" to none of these. The question about x and y is missing or never reached, its bound is too high, or it asks for both to be large, on one side of zero: one of them is enough, to either side, so compare the abs() of each and join with `or`.',
         ko='어느 것에도 "w first"라고 하지 않습니다. x와 y를 묻지 않았거나, 거기까지 가지 못하거나, 기준이 너무 높거나, 둘 다 한쪽으로 커야 한다고 물었습니다. 어느 쪽으로든 하나만 커도 됩니다. 각각 abs()로 비교하고 `or`로 이으십시오.',
     ),
@@ -504,20 +504,20 @@ NEVER_W_FIRST = Slip(
 )
 
 
-HALF_A_UNIT = Slip(
+HALF_A_UNIT = WrongStep(
     "bound of 0.5",
     {"above": 0.5},
-    Words(
+    Text(
         en="Your bound for x and y is higher than the task's: 0.3 passes, and it tips the robot over.",
         ko="x와 y의 한계가 과제보다 높습니다. 0.3이 통과하는데, 그래도 로봇이 기울어집니다.",
     ),
 )
 
 
-NAN_COMPARED = Slip(
+NAN_COMPARED = WrongStep(
     "nan compared",
     {"finite": "infinity"},
-    Words(
+    Text(
         en="NaN gets through. Any of the four may be NaN, and NaN equals nothing, not even itself, so `==` never finds it: ask math.isfinite of each part.",
         ko="NaN이 지나갑니다. 네 성분 가운데 어느 것이나 NaN일 수 있고, NaN은 자기 자신과도 같지 않아 `==`로는 찾을 수 없습니다. 성분마다 math.isfinite로 확인하십시오.",
     ),
@@ -525,20 +525,20 @@ NAN_COMPARED = Slip(
 )
 
 
-SQUARE_EVERYWHERE = Slip(
+SQUARE_EVERYWHERE = WrongStep(
     "square everywhere",
     {"zero": "square", "length": "square"},
-    Words(
+    Text(
         en="You take the square of the length for the length, once for zero and once for one: it strays from 1 twice as fast, and calls a length of 0.0005 zero. The root is missing: math.sqrt, or math.hypot at once.",
         ko="길이의 제곱을 길이로 썼습니다. zero인지 볼 때도, 길이가 1인지 볼 때도 그랬습니다. 제곱은 1에서 두 배 빨리 벗어나고, 길이 0.0005도 zero로 만듭니다. 제곱근이 빠졌습니다. math.sqrt를 쓰거나 처음부터 math.hypot을 쓰십시오.",
     ),
 )
 
 
-SIGNED_SUM = Slip(
+SIGNED_SUM = WrongStep(
     "signed sum",
     {"zero": "signed sum", "length": "signed sum"},
-    Words(
+    Text(
         en="You added the four numbers, signs and all, and took the sum for the length. The length is the root of the sum of squares: math.hypot.",
         ko="숫자 네 개를 부호까지 그대로 더해 길이로 썼습니다. 길이는 제곱의 합의 제곱근입니다. math.hypot을 쓰십시오.",
     ),
@@ -546,20 +546,20 @@ SIGNED_SUM = Slip(
 )
 
 
-W_OVER_Z_WITH_SIGNS = Slip(
+W_OVER_Z_WITH_SIGNS = WrongStep(
     "w over z, signs and all",
     {"size": "w over z, signed"},
-    Words(
+    Text(
         en="You ask whether w is larger than z, signs and all. So it is in every small turn, and in none where both are negative: ask whether x or y is large in size.",
         ko="w가 z보다 큰지 부호까지 넣어 물었습니다. 조금만 돌아도 그렇고, 부호가 바뀌면 달라집니다. x나 y의 크기가 큰지 물으십시오.",
     ),
 )
 
 
-X_OVER_W_WITH_SIGNS = Slip(
+X_OVER_W_WITH_SIGNS = WrongStep(
     "x over w, signs and all",
     {"size": "x over w, signed"},
-    Words(
+    Text(
         en="You ask whether x is larger than w, signs and all. A good turn may have a negative w (q and -q are the same), and a w that came first may be negative as well: the task asks whether x or y is larger than 0.1 in size.",
         ko="x가 w보다 큰지 부호까지 넣어 물었습니다. 올바른 회전에서도 w가 음수일 수 있고(q와 -q는 같습니다), 맨 앞에 온 w도 음수일 수 있습니다. 과제는 x나 y의 크기가 0.1보다 큰지 묻습니다.",
     ),
@@ -567,20 +567,20 @@ X_OVER_W_WITH_SIGNS = Slip(
 )
 
 
-X_OR_Y_OVER_W = Slip(
+X_OR_Y_OVER_W = WrongStep(
     "x or y over w",
     {"size": "x or y over w"},
-    Words(
+    Text(
         en="You compare x and y with w. In half a turn w is next to nothing, and a tipped robot may have a large one: the task compares them with 0.1.",
         ko="x와 y를 w와 비교했습니다. 반 바퀴에서는 w가 거의 0이고, 기울어진 로봇의 w는 클 수도 있습니다. 과제에서는 0.1과 비교합니다.",
     ),
 )
 
 
-FIVE_THOUSANDTHS = Slip(
+FIVE_THOUSANDTHS = WrongStep(
     "tolerance 0.005",
     {"tolerance": 0.005},
-    Words(
+    Text(
         en="Your tolerance for the length is narrower than the task's: a length of 1.008 is refused, and it should not be. To round the length to two digits allows half of 0.01 alone.",
         ko="길이의 허용 오차가 문제에서 정한 것보다 좁습니다. 길이 1.008을 거절하는데, 통과시켜야 합니다. 길이를 소수 둘째 자리로 반올림하면 0.01의 절반만 허용하게 됩니다.",
     ),
@@ -599,16 +599,16 @@ def the_last_that_fits(q: tuple) -> str:
     return [verdict for verdict, fits in {"ok": True, **verdicts}.items() if fits][-1]
 
 
-def judged_by(name: str, steps: dict[str, str], en: str, ko: str) -> Twin:
+def judged_by(name: str, steps: dict[str, str], en: str, ko: str) -> WrongAnswer:
     """Return a judge that stands alone: he composes with no other slip."""
-    return Twin(name, lambda q: judged(q, **steps), Words(en=en, ko=ko))
+    return WrongAnswer(name, lambda q: judged(q, **steps), Text(en=en, ko=ko))
 
 
 ALONE = (
-    Twin(
+    WrongAnswer(
         "the last that fits",
         the_last_that_fits,
-        Words(
+        Text(
             en="Where several verdicts fit, you name the last one, and the first is asked for. Return each where it is "
             "found, or ask on with elif.",
             ko="판정이 여럿 맞을 때 마지막 것을 답합니다. 처음 맞는 것을 답해야 합니다. 찾는 즉시 return 하거나 elif로 "
@@ -882,7 +882,7 @@ TASK = Task(
     id="E2.4",
     kind="F",
     points=4,
-    title=Words(en="A customs officer for quaternions", ko="쿼터니언 검문소"),
+    title=Text(en="A customs officer for quaternions", ko="쿼터니언 검문소"),
     answer="judge_quaternion",
     form=Choice(VERDICTS),
     inputs=quaternions,
@@ -936,15 +936,15 @@ TASK = Task(
         *ALONE,
     ),
     hints=(
-        Words(
+        Text(
             en="Five verdicts, so four questions, in this order: finite? any length at all? length one? only about z?",
             ko="판정이 다섯이니 질문은 넷입니다. 차례로 묻습니다. 유한합니까? 길이가 있기는 합니까? 길이가 1입니까? z축으로만 돕니까?",
         ),
-        Words(
+        Text(
             en="math.isfinite for each number, math.hypot(*q) for the length, a tolerance of 0.01 for one.",
             ko="각 숫자에는 math.isfinite, 길이에는 math.hypot(*q), 1과의 비교에는 허용 오차 0.01을 쓰십시오.",
         ),
-        Words(
+        Text(
             en="A yaw has x = y = 0. Written w first, its w lands in x: so ask whether abs(x) or abs(y) exceeds 0.1. The sign of w says nothing.",
             ko="yaw만 있으면 x = y = 0입니다. w를 먼저 쓰면 w가 x 자리에 옵니다. 그러니 abs(x)나 abs(y)가 0.1을 넘는지 보십시오. w의 부호로는 아무것도 알 수 없습니다.",
         ),

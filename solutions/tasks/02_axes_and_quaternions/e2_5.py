@@ -6,7 +6,7 @@ import math
 
 from tflab.core import Transform
 from tflab.core.quaternions import wxyz_from_xyzw
-from tflab.workbook.tasks import Draws, Quaternion, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Quaternion, Task, Text, WrongAnswer, WrongStep
 
 
 def two_turns(rng: Draws) -> dict:
@@ -60,10 +60,10 @@ def turned_twice(
     return both.inverse().rotation if result == "inverse" else both.rotation
 
 
-INVERSE = Slip(
+INVERSE = WrongStep(
     "inverse",
     {"result": "inverse"},
-    Words(
+    Text(
         en="This undoes the two turns instead of making them. Did a sign get lost, or an inverse get in?",
         ko="두 회전을 하는 것이 아니라 되돌렸습니다. 부호를 잃었거나 inverse가 끼어들지 않았습니까?",
     ),
@@ -71,10 +71,10 @@ INVERSE = Slip(
 )
 
 
-DEGREES = Slip(
+DEGREES = WrongStep(
     "degrees",
     {"unit": "degrees"},
-    Words(
+    Text(
         en="You turned by hundredths of what was asked: the angles are radians already.",
         ko="거의 돌지 않았습니다. 각도는 이미 라디안입니다.",
     ),
@@ -82,10 +82,10 @@ DEGREES = Slip(
 )
 
 
-W_FIRST = Twin(
+W_FIRST = WrongAnswer(
     "w first",
     lambda given: wxyz_from_xyzw(turned(given).rotation),
-    Words(
+    Text(
         en="The rotation is right, the order of its numbers is not: w comes last.",
         ko="회전은 맞지만 숫자의 순서가 다릅니다. w는 마지막에 옵니다.",
     ),
@@ -93,79 +93,79 @@ W_FIRST = Twin(
 )
 
 
-OTHER_ORDER = Slip(
+OTHER_ORDER = WrongStep(
     "other order",
     {"order": "pitch first"},
-    Words(
+    Text(
         en="That is first the pitch, then the yaw: the order that rpy always has. Here the yaw comes first, and both axes stand still. (In a product by hand, x has the other sign.)",
         ko="먼저 pitch, 다음에 yaw를 한 결과입니다. rpy는 언제나 그 순서입니다. 여기서는 yaw가 먼저이고 두 축 모두 고정되어 있습니다. (직접 곱했다면 x의 부호가 반대입니다.)",
     ),
 )
 
 
-YAW_ONLY = Slip(
+YAW_ONLY = WrongStep(
     "yaw only",
     {"pitch": "left out"},
-    Words(en="The pitch is missing.", ko="pitch가 빠졌습니다."),
+    Text(en="The pitch is missing.", ko="pitch가 빠졌습니다."),
 )
 
-PITCH_ONLY = Slip(
+PITCH_ONLY = WrongStep(
     "pitch only",
     {"yaw": "left out"},
-    Words(en="The yaw is missing.", ko="yaw가 빠졌습니다."),
+    Text(en="The yaw is missing.", ko="yaw가 빠졌습니다."),
 )
 
-YAW_RIGHT = Slip(
+YAW_RIGHT = WrongStep(
     "yaw to the other side",
     {"yaw": "right"},
-    Words(
+    Text(
         en="The yaw turns to the other side: a positive one turns left.",
         ko="yaw가 반대로 돌았습니다. 양수면 왼쪽으로 돕니다.",
     ),
 )
 
-PITCH_UP = Slip(
+PITCH_UP = WrongStep(
     "pitch to the other side",
     {"pitch": "up"},
-    Words(
+    Text(
         en="The pitch turns to the other side: a positive one takes the nose down.",
         ko="pitch가 반대로 돌았습니다. 양수면 앞쪽이 내려갑니다.",
     ),
 )
 
-ROLL_FOR_PITCH = Slip(
+ROLL_FOR_PITCH = WrongStep(
     "roll for pitch",
     {"pitch": "roll"},
-    Words(
+    Text(
         en="The second turn goes about x, and pitch is about y.",
         ko="둘째 회전을 x축으로 돌렸습니다. pitch는 y축 회전입니다.",
     ),
 )
 
-TO_DEGREES = Slip(
+TO_DEGREES = WrongStep(
     "to degrees",
     {"unit": "to degrees"},
-    Words(
+    Text(
         en="Both turns go as by degrees: the angles are radians, and `from_rpy`, sine and cosine want them as they are.",
         ko="두 각도를 도로 바꾼 것처럼 돌았습니다. 각도는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
 )
 
 
-YAW_TO_DEGREES = Slip(
+YAW_TO_DEGREES = WrongStep(
     "yaw to degrees",
     {"yaw": "to degrees"},
-    Words(
+    Text(
         en="The yaw turns as by degrees: it is in radians, and `from_rpy`, sine and cosine want it as it is.",
         ko="yaw를 도로 바꾼 것처럼 돌았습니다. yaw는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
     "M5",
 )
 
-PITCH_TO_DEGREES = Slip(
+PITCH_TO_DEGREES = WrongStep(
     "pitch to degrees",
     {"pitch": "to degrees"},
-    Words(
+    Text(
         en="The pitch turns as by degrees: it is in radians, and `from_rpy`, sine and cosine want it as it is.",
         ko="pitch를 도로 바꾼 것처럼 돌았습니다. pitch는 라디안이고, `from_rpy`와 sin, cos에는 그대로 넣습니다.",
     ),
@@ -192,10 +192,10 @@ def rows(given):
     ]
 
 
-SUM_AS_YAW = Twin(
+SUM_AS_YAW = WrongAnswer(
     "sum as one yaw",
     lambda given: Transform.from_rpy(yaw=given.first_yaw_rad + given.then_pitch_rad).rotation,
-    Words(
+    Text(
         en="You added the two angles to one yaw. They turn about two axes: each is a turn of its own.",
         ko="두 각도를 더해 yaw 하나로 만들었습니다. 두 각도는 서로 다른 축을 중심으로 돕니다. 회전을 따로 만드십시오.",
     ),
@@ -203,66 +203,66 @@ SUM_AS_YAW = Twin(
 )
 
 
-ADDED = Twin(
+ADDED = WrongAnswer(
     "added",
     lambda given: [a + b for a, b in zip(*rows(given), strict=True)],
-    Words(
+    Text(
         en="You added the two quaternions. Turns are made one after the other: they are multiplied.",
         ko="두 쿼터니언을 더했습니다. 회전은 차례로 하는 것이므로 곱합니다.",
     ),
     "M5",
 )
 
-AVERAGED = Twin(
+AVERAGED = WrongAnswer(
     "averaged",
     lambda given: [(a + b) / 2 for a, b in zip(*rows(given), strict=True)],
-    Words(
+    Text(
         en="You took the mean of the two quaternions. Turns are made one after the other: they are multiplied.",
         ko="두 쿼터니언의 평균을 냈습니다. 회전은 차례로 하는 것이므로 곱합니다.",
     ),
     "M5",
 )
 
-NUMBER_BY_NUMBER = Twin(
+NUMBER_BY_NUMBER = WrongAnswer(
     "number by number",
     lambda given: [a * b for a, b in zip(*rows(given), strict=True)],
-    Words(
+    Text(
         en="You multiplied number by number. Quaternions have a product of their own; `@` of two Transforms makes it.",
         ko="숫자끼리 곱했습니다. 쿼터니언에는 고유한 곱이 있고, Transform 둘을 `@`로 이으면 됩니다.",
     ),
     "M5",
 )
 
-WHOLE_ANGLES = Slip(
+WHOLE_ANGLES = WrongStep(
     "whole angles",
     {"yaw": "twice", "pitch": "twice"},
-    Words(
+    Text(
         en="Each turn goes twice as far as asked: a quaternion holds the sine and cosine of half the angle.",
         ko="두 회전 모두 두 배로 돌았습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
     ),
     "M5",
 )
 
-ANGLES_EXCHANGED = Slip(
+ANGLES_EXCHANGED = WrongStep(
     "angles exchanged",
     {"angles": "exchanged"},
-    Words(
+    Text(
         en="The two angles have changed places: the yaw turns by the pitch's angle, and the pitch by the yaw's. (Or y and z of the quaternion have.)",
         ko="두 각도가 서로 바뀌었습니다. yaw가 pitch의 각도로, pitch가 yaw의 각도로 돌았습니다. (쿼터니언의 y와 z가 바뀌어도 같습니다.)",
     ),
 )
 
-ANGLES_AS_NUMBERS = Twin(
+ANGLES_AS_NUMBERS = WrongAnswer(
     "angles as numbers",
     lambda given: [0.0, given.then_pitch_rad, given.first_yaw_rad, 1.0],
-    Words(
+    Text(
         en="You wrote the angles themselves into y and z. A quaternion holds no angles.",
         ko="y와 z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다.",
     ),
     "M5",
 )
 
-HALVES_BESIDE = Twin(
+HALVES_BESIDE = WrongAnswer(
     "halves side by side",
     lambda given: [
         0.0,
@@ -270,7 +270,7 @@ HALVES_BESIDE = Twin(
         math.sin(given.first_yaw_rad / 2),
         math.cos(given.then_pitch_rad / 2) * math.cos(given.first_yaw_rad / 2),
     ],
-    Words(
+    Text(
         en="You put the sines of both halves side by side. Two turns one after the other also mix: make each a Transform, and multiply.",
         ko="두 절반의 sin을 나란히 적었습니다. 차례로 돌리면 서로 섞입니다. 각각 Transform으로 만들어 곱하십시오.",
     ),
@@ -278,10 +278,10 @@ HALVES_BESIDE = Twin(
 )
 
 
-YAW_TWICE = Slip(
+YAW_TWICE = WrongStep(
     "yaw twice",
     {"yaw": "twice"},
-    Words(
+    Text(
         en="The yaw turns twice as far as asked: made twice, or its angle not halved in the quaternion.",
         ko="yaw가 두 배로 돕니다. 두 번 돌렸거나, 쿼터니언에서 각도를 반으로 나누지 않았습니다.",
     ),
@@ -289,10 +289,10 @@ YAW_TWICE = Slip(
 )
 
 
-PITCH_TWICE = Slip(
+PITCH_TWICE = WrongStep(
     "pitch twice",
     {"pitch": "twice"},
-    Words(
+    Text(
         en="The pitch turns twice as far as asked: made twice, or its angle not halved in the quaternion.",
         ko="pitch가 두 배로 돕니다. 두 번 돌렸거나, 쿼터니언에서 각도를 반으로 나누지 않았습니다.",
     ),
@@ -300,80 +300,80 @@ PITCH_TWICE = Slip(
 )
 
 
-YAW_ABOUT_X = Slip(
+YAW_ABOUT_X = WrongStep(
     "yaw about x",
     {"yaw": "about x"},
-    Words(
+    Text(
         en="The first turn goes about x, and yaw is about z.",
         ko="첫 회전이 x축 둘레로 돕니다. yaw는 z축 둘레입니다.",
     ),
 )
 
 
-SANDWICHED = Slip(
+SANDWICHED = WrongStep(
     "sandwiched",
     {"order": "sandwiched"},
-    Words(
+    Text(
         en="You put the pitch between a yaw and its inverse: then the yaw is undone again. Both turns stay: the later one stands left.",
         ko="pitch를 yaw와 그 역회전 사이에 넣어서 yaw가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다. 나중 것이 왼쪽에 섭니다.",
     ),
 )
 
 
-SANDWICHED_THE_OTHER_WAY = Slip(
+SANDWICHED_THE_OTHER_WAY = WrongStep(
     "sandwiched the other way",
     {"order": "sandwiched the other way"},
-    Words(
+    Text(
         en="You made yaw @ pitch @ yaw.inverse(), as one takes a turn about another axis: the yaw is undone again. Both turns stay: the later one stands left.",
         ko="다른 축의 회전으로 바꿀 때처럼 yaw @ pitch @ yaw.inverse()를 만들어서 yaw가 다시 풀렸습니다. 두 회전이 모두 남아야 합니다. 나중 것이 왼쪽에 섭니다.",
     ),
 )
 
 
-YAW_ON_BOTH_SIDES = Slip(
+YAW_ON_BOTH_SIDES = WrongStep(
     "yaw on both sides",
     {"order": "yaw twice"},
-    Words(
+    Text(
         en="The yaw is in it twice, before the pitch and after it. Each turn is made once.",
         ko="yaw가 pitch의 앞과 뒤에 두 번 들어 있습니다. 회전마다 한 번씩만 곱합니다.",
     ),
 )
 
 
-PITCH_ON_BOTH_SIDES = Slip(
+PITCH_ON_BOTH_SIDES = WrongStep(
     "pitch on both sides",
     {"order": "pitch twice"},
-    Words(
+    Text(
         en="The pitch is in it twice, before the yaw and after it. Each turn is made once.",
         ko="pitch가 yaw의 앞과 뒤에 두 번 들어 있습니다. 회전마다 한 번씩만 곱합니다.",
     ),
 )
 
 
-AVERAGED_TO_LENGTH_ONE = Twin(
+AVERAGED_TO_LENGTH_ONE = WrongAnswer(
     "averaged to length one",
     lambda given: of_length_one([a + b for a, b in zip(*rows(given), strict=True)]),
-    Words(
+    Text(
         en="You took the middle of the two quaternions and scaled it to length one: that turns about half as far as both together. Turns are multiplied.",
         ko="두 쿼터니언의 중간을 구해 길이를 1로 맞추었습니다. 둘을 합친 것의 절반쯤만 돕니다. 회전은 곱합니다.",
     ),
 )
 
 
-ONE_TURN_ABOUT_A_SLANTED_AXIS = Twin(
+ONE_TURN_ABOUT_A_SLANTED_AXIS = WrongAnswer(
     "one turn about a slanted axis",
     slanted,
-    Words(
+    Text(
         en="You made one turn about the axis between y and z. Two turns one after the other are two factors, and their order counts.",
         ko="y와 z 사이의 축 하나로 한 번 돌렸습니다. 이어지는 두 회전은 곱하는 두 인자이고 순서가 중요합니다.",
     ),
 )
 
 
-HALVED = Slip(
+HALVED = WrongStep(
     "halved",
     {"yaw": "half", "pitch": "half"},
-    Words(
+    Text(
         en="Both turns go half as far as asked: the angles were halved before they became turns. `from_rpy` takes the whole angle; the half is made inside.",
         ko="두 회전이 모두 절반만 돕니다. 각도를 미리 절반으로 나누었습니다. `from_rpy`에는 각도를 그대로 넣습니다. 절반은 안에서 만듭니다.",
     ),
@@ -381,10 +381,10 @@ HALVED = Slip(
 )
 
 
-YAW_HALVED = Slip(
+YAW_HALVED = WrongStep(
     "yaw halved",
     {"yaw": "half"},
-    Words(
+    Text(
         en="The yaw turns half as far as asked: `from_rpy` takes the whole angle.",
         ko="yaw가 절반만 돕니다. `from_rpy`에는 각도를 그대로 넣습니다.",
     ),
@@ -392,10 +392,10 @@ YAW_HALVED = Slip(
 )
 
 
-PITCH_HALVED = Slip(
+PITCH_HALVED = WrongStep(
     "pitch halved",
     {"pitch": "half"},
-    Words(
+    Text(
         en="The pitch turns half as far as asked: `from_rpy` takes the whole angle.",
         ko="pitch가 절반만 돕니다. `from_rpy`에는 각도를 그대로 넣습니다.",
     ),
@@ -403,30 +403,30 @@ PITCH_HALVED = Slip(
 )
 
 
-BOTH_TO_THE_OTHER_SIDE = Slip(
+BOTH_TO_THE_OTHER_SIDE = WrongStep(
     "both to the other side",
     {"yaw": "right", "pitch": "up"},
-    Words(
+    Text(
         en="Both turns go to the other side: a positive yaw turns left, a positive pitch takes the nose down. (The inverse of the two in the other order is just that.)",
         ko="두 회전 모두 반대쪽으로 돕니다. 양의 yaw는 왼쪽으로, 양의 pitch는 앞이 내려가는 쪽으로 돕니다. (순서를 바꾼 곱의 역회전도 이와 같습니다.)",
     ),
 )
 
 
-YAW_IN_BOTH = Slip(
+YAW_IN_BOTH = WrongStep(
     "yaw in both",
     {"angles": "yaw in both"},
-    Words(
+    Text(
         en="Both turns go by the yaw's angle: the pitch has one of its own.",
         ko="두 회전 모두 yaw의 각도만큼 돕니다. pitch에는 따로 주어진 각도를 쓰십시오.",
     ),
 )
 
 
-PITCH_IN_BOTH = Slip(
+PITCH_IN_BOTH = WrongStep(
     "pitch in both",
     {"angles": "pitch in both"},
-    Words(
+    Text(
         en="Both turns go by the pitch's angle: the yaw has one of its own.",
         ko="두 회전 모두 pitch의 각도만큼 돕니다. yaw에는 따로 주어진 각도를 쓰십시오.",
     ),
@@ -479,9 +479,9 @@ def pitch_undone(given):
     return (pitch @ yaw @ pitch.inverse()).rotation
 
 
-def of_numbers(name: str, answer, en: str, ko: str) -> Twin:
+def of_numbers(name: str, answer, en: str, ko: str) -> WrongAnswer:
     """Return an answer that stands alone: it composes with no other slip."""
-    return Twin(name, answer, Words(en=en, ko=ko), "M5")
+    return WrongAnswer(name, answer, Text(en=en, ko=ko), "M5")
 
 
 BY_HAND = (
@@ -547,7 +547,7 @@ TASK = Task(
     id="E2.5",
     kind="N",
     points=3,
-    title=Words(en="First the yaw, then the pitch", ko="먼저 yaw, 다음에 pitch"),
+    title=Text(en="First the yaw, then the pitch", ko="먼저 yaw, 다음에 pitch"),
     answer="robot_q_sensor",
     form=Quaternion(tolerance=2e-3),
     given=two_turns,
@@ -592,15 +592,15 @@ TASK = Task(
         *BY_HAND,
     ),
     hints=(
-        Words(
+        Text(
             en="Two turns, two transforms, one product. Which factor stands next to the point?",
             ko="회전 둘, 변환 둘, 곱 하나입니다. 점과 가까운 쪽에 어느 것이 옵니까?",
         ),
-        Words(
+        Text(
             en="What happens first stands on the right. from_rpy with both angles at once has the other order built in.",
             ko="먼저 일어나는 것이 오른쪽에 옵니다. from_rpy에 두 각도를 한꺼번에 넣으면 순서가 반대로 정해져 있습니다.",
         ),
-        Words(
+        Text(
             en="Make yaw = Transform.from_rpy(yaw=...) and pitch = Transform.from_rpy(pitch=...), multiply with @, and take .rotation.",
             ko="yaw = Transform.from_rpy(yaw=...)와 pitch = Transform.from_rpy(pitch=...)를 만들어 @로 곱하고 .rotation을 꺼내십시오.",
         ),

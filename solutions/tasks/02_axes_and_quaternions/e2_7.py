@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tflab.workbook.tasks import Draws, Number, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Number, Task, Text, WrongAnswer, WrongStep
 
 
 def few_digits(rng: Draws) -> dict:
@@ -69,132 +69,132 @@ def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="ra
     return 1000.0 * (abs(off_m[length]) if sign == "dropped" else -abs(off_m[length]))
 
 
-DEGREES = Slip(
+DEGREES = WrongStep(
     "degrees",
     {"unit": "degrees"},
-    Words(
+    Text(
         en="You multiplied by degrees. An arc is radius times angle only if the angle is in radians.",
         ko="도(degree)를 곱했습니다. 호의 길이가 반지름 곱하기 각도인 것은 각도가 라디안일 때뿐입니다.",
     ),
 )
 
 
-RELATIVE = Slip(
+RELATIVE = WrongStep(
     "relative",
     {"part": "of a quarter turn"},
-    Words(
+    Text(
         en="That is the error as a part of pi/2, times the range. The missing angle itself is what swings the ray.",
         ko="오차를 π/2로 나눈 비율에 거리를 곱했습니다. 광선을 옆으로 미는 것은 비율이 아니라 모자란 각도 자체입니다.",
     ),
 )
 
 
-HALF = Slip(
+HALF = WrongStep(
     "half",
     {"part": "half"},
-    Words(
+    Text(
         en="This is half of it, as by half the angle. Halves belong into quaternions; the ray swings by the whole missing angle.",
         ko="절반입니다. 각도를 절반으로 나누면 이렇게 됩니다. 절반은 쿼터니언에 쓰는 것이고, 광선은 모자란 각도만큼 그대로 돌아갑니다.",
     ),
 )
 
 
-NEGATIVE = Slip(
+NEGATIVE = WrongStep(
     "negative",
     {"sign": "kept"},
-    Words(
+    Text(
         en="How far off is asked without a sign: take abs().",
         ko="얼마나 어긋나는지는 부호 없이 답합니다. abs()를 쓰십시오.",
     ),
 )
 
 
-ROUNDED_PI = Slip(
+ROUNDED_PI = WrongStep(
     "rounded pi",
     {"quarter": "3.14 / 2"},
-    Words(
+    Text(
         en="Digits were lost once more: 3.14 / 2 for a quarter turn, or an angle that was rounded, gives this. Use math.pi, and round nothing.",
         ko="자릿수가 또 없어졌습니다. 4분의 1바퀴를 3.14 / 2로 쓰거나 각도를 반올림하면 이 값이 나옵니다. math.pi를 쓰고, 반올림하지 마십시오.",
     ),
 )
 
-WHOLE_PI = Slip(
+WHOLE_PI = WrongStep(
     "whole pi",
     {"quarter": "pi"},
-    Words(
+    Text(
         en="You compared with π. The mount turns by a quarter of a circle, π/2.",
         ko="π와 비교했습니다. 장착은 4분의 1바퀴, 곧 π/2만큼 돕니다.",
     ),
 )
 
-TWENTY_TWO = Slip(
+TWENTY_TWO = WrongStep(
     "22/7",
     {"quarter": "22/7"},
-    Words(
+    Text(
         en="22/7 is π to two decimals only. Use math.pi.",
         ko="22/7은 소수 둘째 자리까지만 π와 같습니다. math.pi를 쓰십시오.",
     ),
 )
 
-ALL_OF_IT = Slip(
+ALL_OF_IT = WrongStep(
     "all of the angle",
     {"quarter": "none"},
-    Words(
+    Text(
         en="You took the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
         ko="적힌 각도 전체를 썼습니다. 광선을 옆으로 미는 것은 π/2에 모자란 만큼입니다.",
     ),
 )
 
-TWICE = Slip(
+TWICE = WrongStep(
     "twice",
     {"part": "twice"},
-    Words(
+    Text(
         en="This is twice as far: the missing angle counts once.",
         ko="두 배입니다. 모자란 각도는 한 번만 곱합니다.",
     ),
 )
 
-NO_RANGE = Slip(
+NO_RANGE = WrongStep(
     "no range",
     {"reach": "left out"},
-    Words(
+    Text(
         en="The range is missing: that is how far off a point would be at one metre.",
         ko="거리가 빠졌습니다. 1미터 앞의 점이 어긋나는 길이입니다.",
     ),
 )
 
-RANGE_SQUARED = Slip(
+RANGE_SQUARED = WrongStep(
     "range squared",
     {"reach": "squared"},
-    Words(
+    Text(
         en="The range went in twice. An arc is radius times angle, once.",
         ko="거리를 두 번 곱했습니다. 호의 길이는 반지름 곱하기 각도, 한 번입니다.",
     ),
 )
 
-THE_RANGE = Slip(
+THE_RANGE = WrongStep(
     "the range",
     {"length": "range"},
-    Words(
+    Text(
         en="That is the range itself. How far does the missing angle swing a point at this range?",
         ko="거리 그 자체입니다. 모자란 각도 때문에 이 거리의 점이 얼마나 옆으로 갑니까?",
     ),
 )
 
-SHORTER = Slip(
+SHORTER = WrongStep(
     "shorter",
     {"length": "shorter"},
-    Words(
+    Text(
         en="That is how much less far ahead the point is, 1 minus the cosine. Asked for is how far aside.",
         ko="점이 앞쪽으로 얼마나 줄었는지, 곧 1에서 cos을 뺀 것입니다. 옆으로 얼마인지가 필요합니다.",
     ),
 )
 
 
-CONVERTED_ONCE_MORE = Slip(
+CONVERTED_ONCE_MORE = WrongStep(
     "converted once more",
     {"unit": "converted"},
-    Words(
+    Text(
         en="The missing angle went in as if it were degrees, by math.radians, by π/180 or as a part of 360. It is in radians already.",
         ko="모자란 각도를 도(degree)로 여기고 math.radians나 π/180, 360으로 나눈 비율을 쓴 값입니다. 이미 라디안입니다.",
     ),
@@ -202,10 +202,10 @@ CONVERTED_ONCE_MORE = Slip(
 )
 
 
-SINE_OF_DEGREES = Slip(
+SINE_OF_DEGREES = WrongStep(
     "sine of degrees",
     {"length": "sine of degrees"},
-    Words(
+    Text(
         en="You gave the sine an angle in degrees. math.sin wants radians, as the URDF has them.",
         ko="sin에 도 단위 각도를 넣었습니다. math.sin은 URDF처럼 라디안을 받습니다.",
     ),
@@ -213,79 +213,79 @@ SINE_OF_DEGREES = Slip(
 )
 
 
-SINE_OF_THE_WRITTEN = Slip(
+SINE_OF_THE_WRITTEN = WrongStep(
     "sine of the written",
     {"length": "sine of the written"},
-    Words(
+    Text(
         en="That is the sine of the whole angle that was written, or the cosine of the one that is missing. What swings the ray aside is what is missing up to π/2.",
         ko="적혀 있는 각도 전체의 sin, 또는 모자란 각도의 cos입니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
     ),
 )
 
 
-TANGENT_OF_THE_WRITTEN = Slip(
+TANGENT_OF_THE_WRITTEN = WrongStep(
     "tangent of the written",
     {"length": "tangent of the written"},
-    Words(
+    Text(
         en="You took the tangent of the whole angle that was written. What swings the ray aside is what is missing up to π/2.",
         ko="적혀 있는 각도 전체의 tan을 썼습니다. 빛을 옆으로 비키게 하는 것은 π/2까지 모자란 만큼입니다.",
     ),
 )
 
 
-ANGLE_IN_DEGREES = Slip(
+ANGLE_IN_DEGREES = WrongStep(
     "angle in degrees",
     {"length": "angle in degrees"},
-    Words(
+    Text(
         en="That is the missing angle, in degrees. How far does it swing a point at this range?",
         ko="모자란 각도를 도 단위로 쓴 것입니다. 이 거리에 있는 점은 그 각도만큼 돌면 얼마나 움직입니까?",
     ),
 )
 
 
-THREE_DIGITS = Slip(
+THREE_DIGITS = WrongStep(
     "pi / 2 to three digits",
     {"quarter": "three digits"},
-    Words(
+    Text(
         en="This comes of 1.571, π/2 to three decimals, of 3.142 / 2, or of a difference that was rounded: far away that shows. Use math.pi, and round nothing on the way.",
         ko="1.571, 곧 소수 셋째 자리까지의 π/2나 3.142 / 2를 쓰거나 차이를 반올림하면 나오는 값입니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰고 중간에 반올림하지 마십시오.",
     ),
 )
 
 
-PI_CUT_SHORT = Slip(
+PI_CUT_SHORT = WrongStep(
     "pi cut short",
     {"quarter": "3.141 / 2"},
-    Words(
+    Text(
         en="You compared with 3.141 / 2, a π that was cut short: far away that shows. Use math.pi.",
         ko="3.141 / 2, 곧 뒤를 자른 π와 비교했습니다. 먼 곳에서는 차이가 납니다. math.pi를 쓰십시오.",
     ),
 )
 
 
-OF_A_WHOLE_TURN = Slip(
+OF_A_WHOLE_TURN = WrongStep(
     "of a whole turn",
     {"part": "of a whole turn"},
-    Words(
+    Text(
         en="That is the missing angle as a part of a whole circle, times the range. An arc is radius times angle: 2π is in the radians already.",
         ko="모자란 각도가 한 바퀴에서 차지하는 비율에 거리를 곱한 값입니다. 호의 길이는 반지름 곱하기 각도입니다. 라디안에는 2π가 이미 들어 있습니다.",
     ),
 )
 
 
-A_QUARTER_OF_A_CIRCLE = Slip(
+A_QUARTER_OF_A_CIRCLE = WrongStep(
     "a quarter of a circle",
     {"length": "quarter"},
-    Words(
+    Text(
         en="That is the arc of the whole quarter turn. What swings the ray aside is only what is missing up to π/2.",
         ko="4분의 1바퀴 전체의 호입니다. 광선을 옆으로 미는 것은 π/2에 모자란 만큼뿐입니다.",
     ),
 )
 
 
-def off_by(name: str, steps: dict[str, str], en: str, ko: str, misconception: str = "") -> Twin:
+def off_by(name: str, steps: dict[str, str], en: str, ko: str, misconception: str = "") -> WrongAnswer:
     """Return an answer that stands alone: it composes with no other slip."""
-    return Twin(name, lambda given: aside_mm(given, **steps), Words(en=en, ko=ko), misconception)
+    return WrongAnswer(name, lambda given: aside_mm(given, **steps), Text(en=en, ko=ko), misconception)
 
 
 ALONE = (
@@ -404,7 +404,7 @@ TASK = Task(
     id="E2.7",
     kind="N",
     points=2,
-    title=Words(en="A few digits too few", ko="모자란 숫자 몇 자리"),
+    title=Text(en="A few digits too few", ko="모자란 숫자 몇 자리"),
     answer="off_mm",
     form=Number(unit="mm", tolerance=0.5),
     given=few_digits,
@@ -436,15 +436,15 @@ TASK = Task(
         *ALONE,
     ),
     hints=(
-        Words(
+        Text(
             en="How large is the missing angle? And what does a small angle do to a point far away?",
             ko="모자란 각도는 얼마입니까? 작은 각도는 멀리 있는 점에 어떤 영향을 줍니까?",
         ),
-        Words(
+        Text(
             en="The point swings along an arc: radius times angle, the angle in radians.",
             ko="점은 호를 따라 움직입니다. 반지름 곱하기 각도이고, 각도는 라디안입니다.",
         ),
-        Words(
+        Text(
             en="abs(math.pi / 2 - written) is the angle. Metres become millimetres at the very end.",
             ko="각도는 abs(math.pi / 2 - written)입니다. 미터를 밀리미터로 바꾸는 일은 맨 마지막에 합니다.",
         ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from functools import partial
 
-from tflab.workbook.tasks import Draws, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Task, Text, WrongAnswer, WrongStep
 
 from .draws import (
     PLANAR,
@@ -75,10 +75,10 @@ def inverted(
     }
 
 
-SIGN_ONLY = Slip(
+SIGN_ONLY = WrongStep(
     "sign_only",
     {"angle": "none"},
-    Words(
+    Text(
         en="the step is not turned, it has at most got a minus sign. It is measured along a's axes; you need it along b's, "
         "which are turned.",
         ko="이동을 돌리지 않았습니다. 부호를 바꾸는 것만으로는 부족합니다. 그 이동은 a의 축을 따라 잰 값인데, 필요한 것은 돌아가 있는 b의 축을 "
@@ -88,10 +88,10 @@ SIGN_ONLY = Slip(
 )
 
 
-SAME_TURN = Slip(
+SAME_TURN = WrongStep(
     "same_turn",
     {"angle": "none", "turn": "kept"},
-    Words(
+    Text(
         en="the turn has not changed at all: going back, one turns back. And the step needs more than a minus sign.",
         ko="회전이 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다. 이동도 부호만 바꿔서는 모자랍니다.",
     ),
@@ -99,10 +99,10 @@ SAME_TURN = Slip(
 )
 
 
-TURN_KEPT = Slip(
+TURN_KEPT = WrongStep(
     "turn_kept",
     {"turn": "kept"},
-    Words(
+    Text(
         en="the yaw has not changed: going back, one turns back.",
         ko="yaw가 그대로입니다. 돌아갈 때는 반대로 돌려야 합니다.",
     ),
@@ -110,10 +110,10 @@ TURN_KEPT = Slip(
 )
 
 
-X_OVERWRITTEN = Slip(
+X_OVERWRITTEN = WrongStep(
     "x_overwritten",
     {"y": "new"},
-    Words(
+    Text(
         en="for `y` you used the new `x`, which had just been overwritten; both need the old "
         "ones. Give the results other names.",
         ko="`y`를 구할 때 방금 덮어쓴 새 `x`를 썼습니다. 둘 다 원래 값으로 계산해야 합니다. 결과에는 "
@@ -121,10 +121,10 @@ X_OVERWRITTEN = Slip(
     ),
 )
 
-X_OVERWRITTEN_IN_PLACE = Slip(  # x = -(x * c + y * s), and then y = x * s - y * c
+X_OVERWRITTEN_IN_PLACE = WrongStep(  # x = -(x * c + y * s), and then y = x * s - y * c
     "x overwritten in place",
     {"y": "new, taken off"},
-    Words(
+    Text(
         en="your `y` is computed from the result for `x`, which had taken the place of the old `x`. Both results need "
         "the old ones: give them other names.",
         ko="`y`를 원래의 `x`가 아니라, 그 자리에 덮어쓴 결과 `x`로 계산했습니다. 두 결과 모두 원래 값이 필요합니다. 결과에는 "
@@ -133,10 +133,10 @@ X_OVERWRITTEN_IN_PLACE = Slip(  # x = -(x * c + y * s), and then y = x * s - y *
 )
 
 
-RADIANS_TWICE = Slip(
+RADIANS_TWICE = WrongStep(
     "radians_twice",
     {"unit": "degrees"},
-    Words(
+    Text(
         en="the step has hardly turned: the yaw comes in radians already, and you converted it once more.",
         ko="이동이 거의 돌지 않았습니다. yaw는 이미 라디안인데 한 번 더 바꾸었습니다.",
     ),
@@ -144,10 +144,10 @@ RADIANS_TWICE = Slip(
 )
 
 
-TURNED_ON = Slip(
+TURNED_ON = WrongStep(
     "turned_on",
     {"angle": "on"},
-    Words(
+    Text(
         en="you turned the step, but the wrong way: it comes out turned by yaw instead of by minus yaw. If you took a minus "
         "for it, there are two: −yaw once more, or −yaw in a formula whose sines have other signs already. They undo "
         "each other.",
@@ -157,10 +157,10 @@ TURNED_ON = Slip(
 )
 
 
-HALF_A_TURN_OFF = Slip(
+HALF_A_TURN_OFF = WrongStep(
     "half a turn off",
     {"step": "kept", "angle": "on"},
-    Words(
+    Text(
         en="the step is turned by yaw and has kept its sign. Just this comes, too, where sine and cosine of −yaw both get a "
         "minus: of −α the sine is −sin α, and the cosine is cos α as before.",
         ko="이동을 yaw만큼 돌렸고 부호도 그대로입니다. −yaw의 sin과 cos 둘 다에 마이너스를 붙여도 똑같은 값이 나옵니다. −α의 "
@@ -169,82 +169,82 @@ HALF_A_TURN_OFF = Slip(
 )
 
 
-NOT_TAKEN_OFF = Slip(
+NOT_TAKEN_OFF = WrongStep(
     "not_taken_off",
     {"step": "kept"},
-    Words(
+    Text(
         en="the step has kept its sign: from b, the origin of a lies on the other side.",
         ko="이동의 부호가 그대로입니다. b에서 보면 a의 원점은 반대쪽에 있습니다.",
     ),
 )
 
 
-BY_ASIN = Slip(
+BY_ASIN = WrongStep(
     "by asin",
     {"angle": "asin"},
-    Words(
+    Text(
         en="The step is turned by an angle within ±90°, as asin gives it: beyond that it is another angle than the yaw. The yaw is given as it is.",
         ko="이동을 ±90° 이내의 각도로만 돌렸습니다. asin으로 구하면 이렇게 됩니다. 그 밖에서는 이동이 다른 각도로 돌아갑니다. yaw는 그대로 주어져 있습니다.",
     ),
 )
 
-SINE_FOR_COSINE = Slip(
+SINE_FOR_COSINE = WrongStep(
     "sine for cosine",
     {"sine": "cos"},
-    Words(en="sine and cosine have changed places in the turn.", ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다."),
+    Text(en="sine and cosine have changed places in the turn.", ko="회전 공식에서 sin과 cos의 자리가 바뀌었습니다."),
 )
 
-X_ALONE = Slip(
+X_ALONE = WrongStep(
     "x_alone",
     {"step": "x alone"},
-    Words(
+    Text(
         en="you took x off and left y as it is: the whole step is taken off.",
         ko="x만 빼고 y는 그대로 두었습니다. 이동 전체를 빼야 합니다.",
     ),
 )
 
-Y_ALONE = Slip(
+Y_ALONE = WrongStep(
     "y_alone",
     {"step": "y alone"},
-    Words(
+    Text(
         en="you took y off and left x as it is: the whole step is taken off.",
         ko="y만 빼고 x는 그대로 두었습니다. 이동 전체를 빼야 합니다.",
     ),
 )
 
-BEHIND = Slip(
+BEHIND = WrongStep(
     "behind",
     {"turn": "behind"},
-    Words(
+    Text(
         en="you added half a turn to the yaw. To turn back is to turn by as much the other way.",
         ko="yaw에 반 바퀴를 더했습니다. 되돌린다는 것은 같은 만큼 반대로 도는 것입니다.",
     ),
 )
 
-ONE_SIGN = Slip(
+ONE_SIGN = WrongStep(
     "one_sign",
     {"sine": "one sign"},
-    Words(
+    Text(
         en="one sine in your x has the wrong sign: look at the formula once more, u·cos α − v·sin α.",
         ko="x의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오. u·cos α − v·sin α입니다.",
     ),
 )
 
 
-SIGN_IN_Y = Slip(
+SIGN_IN_Y = WrongStep(
     "sign in y",
     {"sine": "sign in y"},
-    Words(
+    Text(
         en="one sine in your y has the wrong sign: look at the formula once more, u·sin α + v·cos α.",
         ko="y의 sin 하나의 부호가 틀렸습니다. 공식을 다시 보십시오: u·sin α + v·cos α.",
     ),
 )
 
 
-BY_HALF_THE_ANGLE = Slip(
+BY_HALF_THE_ANGLE = WrongStep(
     "by half the angle",
     {"angle": "half"},
-    Words(
+    Text(
         en="you turned the step by half the yaw. Halves belong into quaternions; in the plane the step turns by the whole angle.",
         ko="이동을 yaw의 절반만큼 돌렸습니다. 절반은 쿼터니언에서 씁니다. 평면에서는 각도 전체만큼 돌립니다.",
     ),
@@ -252,30 +252,30 @@ BY_HALF_THE_ANGLE = Slip(
 )
 
 
-NO_YAW = Slip(
+NO_YAW = WrongStep(
     "no yaw",
     {"turn": "zero"},
-    Words(
+    Text(
         en="the yaw is 0 for you. Seen from b, a is turned too: as far, and to the other side.",
         ko="yaw를 0으로 두었습니다. b에서 보면 a도 돌아 있습니다. 크기는 같고 방향은 반대입니다.",
     ),
 )
 
 
-REST_OF_HALF_A_TURN = Slip(
+REST_OF_HALF_A_TURN = WrongStep(
     "rest of half a turn",
     {"turn": "rest of a half"},
-    Words(
+    Text(
         en="you took the yaw off half a turn. To turn back is to turn by as much the other way: minus yaw.",
         ko="반 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다: -yaw.",
     ),
 )
 
 
-ONE_OVER = Slip(
+ONE_OVER = WrongStep(
     "one over",
     {"step": "one over"},
-    Words(
+    Text(
         en="you divided 1 by the numbers. The inverse of a pose is no one-over: it is the way back, from b to a, turned and stepped.",
         ko="1을 숫자로 나누었습니다. 포즈의 역은 역수가 아니라 b에서 a로 돌아가는 길입니다. 회전과 이동을 되돌리십시오.",
     ),
@@ -283,10 +283,10 @@ ONE_OVER = Slip(
 )
 
 
-A_QUARTER_TURN = Slip(
+A_QUARTER_TURN = WrongStep(
     "a quarter turn",
     {"step": "a quarter"},
-    Words(
+    Text(
         en="x and y have changed places, one with a minus: that is right only for a yaw of π/2, a quarter "
         "turn. The step turns back by the yaw that comes in.",
         ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집었습니다. 1/4 바퀴를 되돌린 값이고, yaw가 π/2일 때만 맞습니다. 이동은 "
@@ -296,10 +296,10 @@ A_QUARTER_TURN = Slip(
 )
 
 
-ONE_OVER_THE_YAW = Slip(
+ONE_OVER_THE_YAW = WrongStep(
     "one over the yaw",
     {"turn": "one over"},
-    Words(
+    Text(
         en="your yaw is 1 divided by the yaw. To turn back is to turn by as much the other way.",
         ko="1을 yaw로 나누었습니다. 돌아갈 때는 같은 만큼 반대쪽으로 돕니다.",
     ),
@@ -307,10 +307,10 @@ ONE_OVER_THE_YAW = Slip(
 )
 
 
-BY_TWICE_THE_ANGLE = Slip(
+BY_TWICE_THE_ANGLE = WrongStep(
     "by twice the angle",
     {"angle": "twice"},
-    Words(
+    Text(
         en="the step is turned twice as far as it should be: by minus twice the yaw. Once is enough.",
         ko="이동이 두 배로 돌았습니다. −yaw의 두 배만큼 돌린 값입니다. 한 번만 돌립니다.",
     ),
@@ -318,10 +318,10 @@ BY_TWICE_THE_ANGLE = Slip(
 
 
 # what only the yaw shows stands alone: beside a slip of x and y it is found part by part
-YAW_CONVERTED = Twin(
+YAW_CONVERTED = WrongAnswer(
     "yaw converted",
     partial(inverted, turn="converted"),
-    Words(
+    Text(
         en="the yaw went through `math.radians`, and it is in radians already: what you give is hardly turned.",
         ko="이미 라디안인 yaw를 `math.radians`에 한 번 더 넣었습니다. 답한 yaw가 거의 0입니다.",
     ),
@@ -329,20 +329,20 @@ YAW_CONVERTED = Twin(
 )
 
 
-ALWAYS_POSITIVE = Twin(
+ALWAYS_POSITIVE = WrongAnswer(
     "yaw always positive",
     partial(inverted, turn="always positive"),
-    Words(
+    Text(
         en="your yaw is never negative, as by `abs`. To turn back from a turn to the left is to turn to the right.",
         ko="`abs`를 쓴 것처럼 yaw가 음수인 적이 없습니다. 왼쪽으로 돈 것을 되돌리려면 오른쪽으로 돕니다.",
     ),
 )
 
 
-ALWAYS_NEGATIVE = Twin(
+ALWAYS_NEGATIVE = WrongAnswer(
     "yaw always negative",
     partial(inverted, turn="always negative"),
-    Words(
+    Text(
         en="your yaw is never positive, as by `-abs` or `-acos`. To turn back from a turn to the right is to turn to the "
         "left.",
         ko="`-abs`나 `-acos`를 쓴 것처럼 yaw가 양수인 적이 없습니다. 오른쪽으로 돈 것을 되돌리려면 왼쪽으로 돕니다.",
@@ -350,10 +350,10 @@ ALWAYS_NEGATIVE = Twin(
 )
 
 
-YAW_BY_ASIN = Twin(
+YAW_BY_ASIN = WrongAnswer(
     "yaw by asin",
     partial(inverted, turn="asin"),
-    Words(
+    Text(
         en="beyond a quarter turn your yaw comes out smaller than it is, as by `asin`, which never gives more than π/2. "
         "The yaw came in as an angle: no arc is needed.",
         ko="1/4 바퀴를 넘는 yaw가 실제보다 작게 나옵니다. `asin`은 π/2보다 큰 각도를 내지 않습니다. yaw는 각도로 "
@@ -362,30 +362,30 @@ YAW_BY_ASIN = Twin(
 )
 
 
-REST_OF_A_QUARTER = Twin(
+REST_OF_A_QUARTER = WrongAnswer(
     "rest of a quarter turn",
     partial(inverted, turn="rest of a quarter"),
-    Words(
+    Text(
         en="you took the yaw off a quarter turn. To turn back is to turn by as much the other way.",
         ko="1/4 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
     ),
 )
 
 
-YAW_MODULO_PI = Twin(
+YAW_MODULO_PI = WrongAnswer(
     "yaw modulo pi",
     partial(inverted, turn="modulo pi"),
-    Words(
+    Text(
         en="your yaw always lies between 0 and π, as by `% math.pi`: half turns are lost. A full turn is 2π.",
         ko="`% math.pi`를 쓴 것처럼 yaw가 언제나 0과 π 사이입니다. 반 바퀴가 사라집니다. 한 바퀴는 2π입니다.",
     ),
 )
 
 
-YAW_BY_ATAN = Twin(
+YAW_BY_ATAN = WrongAnswer(
     "yaw by atan",
     partial(inverted, turn="atan"),
-    Words(
+    Text(
         en="beyond a quarter turn your yaw is half a turn off, as by `atan`, which never gives more than π/2. The yaw "
         "came in as an angle: no arc is needed.",
         ko="1/4 바퀴를 넘으면 yaw가 반 바퀴 어긋납니다. `atan`은 π/2보다 큰 각도를 내지 않습니다. yaw는 각도로 "
@@ -394,14 +394,14 @@ YAW_BY_ATAN = Twin(
 )
 
 
-SINE_FOR_COSINE_BY_HAND = Twin(
+SINE_FOR_COSINE_BY_HAND = WrongAnswer(
     "sine for cosine, by hand",
     lambda pose: {
         "x": -math.sin(pose["yaw"]) * pose["x"] - math.cos(pose["yaw"]) * pose["y"],
         "y": math.cos(pose["yaw"]) * pose["x"] - math.sin(pose["yaw"]) * pose["y"],
         "yaw": -pose["yaw"],
     },
-    Words(
+    Text(
         en="where a cosine belongs stands a sine, and where a sine belongs a cosine.",
         ko="cos이 올 자리에 sin이, sin이 올 자리에 cos이 있습니다.",
     ),
@@ -412,7 +412,7 @@ TASK = Task(
     id="E3.3",
     kind="F",
     points=4,
-    title=Words(en="The way back", ko="돌아가는 길"),
+    title=Text(en="The way back", ko="돌아가는 길"),
     answer="invert",
     form=PLANAR,
     inputs=invert_inputs,
@@ -453,15 +453,15 @@ TASK = Task(
         SINE_FOR_COSINE_BY_HAND,
     ),
     hints=(
-        Words(
+        Text(
             en="Going there is: turn by yaw, then step by (x, y). Going back undoes the last thing first.",
             ko="가는 길은 yaw만큼 돌고 (x, y)만큼 옮기는 것입니다. 돌아갈 때는 나중에 한 것부터 되돌립니다.",
         ),
-        Words(
+        Text(
             en="(−x, −y) takes the step off, along a's axes. Along b's axes it looks different: b is turned.",
             ko="(−x, −y)는 a의 축을 따라 이동을 되돌립니다. b는 돌아가 있으므로 b의 축을 따르면 값이 달라집니다.",
         ),
-        Words(
+        Text(
             en="Turn (−x, −y) by −yaw: in the formula, u is −x, v is −y, and the angle is −yaw.",
             ko="(−x, −y)를 −yaw만큼 돌리십시오. 공식에서 u는 −x, v는 −y, 각도는 −yaw입니다.",
         ),

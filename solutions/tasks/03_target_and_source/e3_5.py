@@ -7,7 +7,7 @@ from functools import partial
 
 from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
-from tflab.workbook.tasks import Angle, Draws, Parts, Slip, Task, Twin, Vector, Words
+from tflab.workbook.tasks import Angle, Draws, Parts, Task, Text, Vector, WrongAnswer, WrongStep
 
 from .draws import BY_HAND, by_formula, some_mount, tells_ways_apart, turned
 
@@ -94,10 +94,10 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
     }  # fmt: skip
 
 
-SWAPPED = Slip(
+SWAPPED = WrongStep(
     "swapped",
     {"laser": "swapped", "back": "swapped"},
-    Words(
+    Text(
         en="where it is wrong stands the answer to the other question. `tf2_echo base_link laser_frame` "
         "prints where the second sits in the first, whatever the tool's help calls them.",
         ko="틀린 값은 서로 바뀌어 있습니다. `tf2_echo base_link laser_frame`은 첫째를 기준으로 둘째가 어디에 있는지 "
@@ -107,10 +107,10 @@ SWAPPED = Slip(
     partly=True,
 )
 
-SIGN_ONLY = Slip(
+SIGN_ONLY = WrongStep(
     "sign_only",
     {"back": "sign only"},
-    Words(
+    Text(
         en="for the way back only the signs are flipped. The mount is turned, so the step has to be turned, too. If you "
         "made a Transform: does the yaw go into it, and does `.inverse()` follow? Its `.translation` alone is what went in.",
         ko="돌아가는 쪽은 부호만 뒤집혔습니다. 센서가 돌아가 있으므로 이동도 돌려야 합니다. Transform을 만들었다면, 거기에 yaw를 "
@@ -119,10 +119,10 @@ SIGN_ONLY = Slip(
     "M3",
 )
 
-TURNED_ON = Slip(
+TURNED_ON = WrongStep(
     "turned_on",
     {"back": "turned on"},
-    Words(
+    Text(
         en="for the way back the step was turned, but by yaw instead of by minus yaw. If you took a minus for it, there "
         "are two: −yaw and `.inverse()`, or −yaw in a formula whose sines have other signs already. They undo each other.",
         ko="돌아가는 쪽의 이동을 돌렸지만, −yaw가 아니라 yaw만큼 돌아갔습니다. 마이너스를 붙였다면 두 번 붙인 것입니다. "
@@ -130,107 +130,107 @@ TURNED_ON = Slip(
     ),
 )
 
-NOT_TAKEN_OFF = Slip(
+NOT_TAKEN_OFF = WrongStep(
     "not_taken_off",
     {"back": "not taken off"},
-    Words(
+    Text(
         en="for the way back you turned the step rightly and kept its sign. From the laser, the robot's "
         "middle lies on the other side.",
         ko="돌아가는 쪽의 이동을 바르게 돌렸지만 부호가 그대로입니다. 레이저에서 보면 로봇 중심은 반대쪽에 있습니다.",
     ),
 )
 
-SAME_YAW = Slip(
+SAME_YAW = WrongStep(
     "same_yaw",
     {"yaw": "same"},
-    Words(
+    Text(
         en="going back, one also turns back: look at the sign of the yaw.",
         ko="돌아갈 때는 회전도 반대입니다. yaw의 부호를 보십시오.",
     ),
 )
 
-HEIGHT_KEPT = Slip(
+HEIGHT_KEPT = WrongStep(
     "height_kept",
     {"height": "kept"},
-    Words(
+    Text(
         en="the height has kept its sign: from the laser, is the robot's middle above or below?",
         ko="높이의 부호가 그대로입니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
     ),
 )
 
-YAW_IN_DEGREES = Slip(
+YAW_IN_DEGREES = WrongStep(
     "yaw_in_degrees",
     {"yaw": "in degrees"},
-    Words(
+    Text(
         en="the yaw is in degrees. It is asked for in radians: the tool prints both, one line above the other.",
         ko="yaw가 도(degree)로 되어 있습니다. 라디안으로 답해야 합니다. 도구는 두 단위를 위아래 두 줄로 출력합니다.",
     ),
     "M5",
 )
 
-BEHIND = Slip(
+BEHIND = WrongStep(
     "behind",
     {"yaw": "behind"},
-    Words(
+    Text(
         en="you added half a turn. The way back is turned by as much as the way there, to the other side.",
         ko="반 바퀴를 더했습니다. 돌아가는 쪽은 같은 만큼 반대로 돕니다.",
     ),
 )
 
-TURNED_BY_DEGREES = Slip(
+TURNED_BY_DEGREES = WrongStep(
     "turned_by_degrees",
     {"back": "by degrees"},
-    Words(
+    Text(
         en="the step was turned by the degrees, taken for radians: `math.cos` and `math.sin` want radians.",
         ko="도 단위의 각도를 라디안으로 여기고 이동을 돌렸습니다. `math.cos`과 `math.sin`은 라디안을 받습니다.",
     ),
     "M5",
 )
 
-ON_THE_FLOOR = Slip(
+ON_THE_FLOOR = WrongStep(
     "on_the_floor",
     {"height": "left out"},
-    Words(
+    Text(
         en="the height was left out: the third number counts as well.",
         ko="높이를 빠뜨렸습니다. 셋째 숫자도 필요합니다.",
     ),
     partly=True,
 )
 
-TURNED_ON_AND_NOT_TAKEN_OFF = Slip(
+TURNED_ON_AND_NOT_TAKEN_OFF = WrongStep(
     "turned on and not taken off",
     {"back": "turned on, not taken off"},
-    Words(
+    Text(
         en="for the way back the step was turned by yaw instead of by minus yaw, and it has kept its sign.",
         ko="돌아가는 길에서 이동을 -yaw가 아니라 yaw만큼 돌렸고 부호도 그대로입니다.",
     ),
 )
 
 
-SINE_FOR_COSINE = Slip(
+SINE_FOR_COSINE = WrongStep(
     "sine for cosine",
     {"back": "sine for cosine"},
-    Words(
+    Text(
         en="for the way back sine and cosine have changed places in the turn.",
         ko="돌아가는 길의 회전에서 sin과 cos의 자리가 바뀌었습니다.",
     ),
 )
 
 
-X_AND_Y_EXCHANGED = Slip(
+X_AND_Y_EXCHANGED = WrongStep(
     "x and y exchanged",
     {"back": "exchanged"},
-    Words(
+    Text(
         en="x and y of the way back have changed places.",
         ko="돌아가는 길의 x와 y가 서로 바뀌었습니다.",
     ),
 )
 
 
-NO_YAW = Slip(
+NO_YAW = WrongStep(
     "no yaw",
     {"yaw": "zero"},
-    Words(
+    Text(
         en="the yaw of the way back is 0 for you. Seen from the laser the robot is turned too: as far, and to the other "
         "side. In the line RPY (roll, pitch, yaw) the yaw is the last number; the first two are 0.",
         ko="돌아가는 길의 yaw가 0입니다. 레이저에서 보면 로봇도 돌아 있습니다. 크기는 같고 방향은 반대입니다. RPY(roll, pitch, "
@@ -239,20 +239,20 @@ NO_YAW = Slip(
 )
 
 
-REST_OF_HALF_A_TURN = Slip(
+REST_OF_HALF_A_TURN = WrongStep(
     "rest of half a turn",
     {"yaw": "rest of a half"},
-    Words(
+    Text(
         en="you took the yaw off half a turn. To turn back is to turn by as much the other way.",
         ko="반 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
     ),
 )
 
 
-WITH_A_YAW_OF_ZERO = Slip(
+WITH_A_YAW_OF_ZERO = WrongStep(
     "with a yaw of zero",
     {"back": "sign only", "yaw": "zero"},
-    Words(
+    Text(
         en="you reckoned with a yaw of 0: the step of the way back has only other signs, and its yaw is 0. This mount is "
         "turned. The line RPY prints roll, pitch, yaw, in this order: the yaw is the last of the three.",
         ko="yaw를 0으로 보고 계산했습니다. 돌아가는 길의 이동은 부호만 뒤집혔고 yaw도 0입니다. 이 레이저는 돌려서 "
@@ -261,63 +261,65 @@ WITH_A_YAW_OF_ZERO = Slip(
 )
 
 
-def on_the_way_back(way: str, words: Words, misconception: str = "") -> tuple[Twin, ...]:
+def on_the_way_back(way: str, words: Text, misconception: str = "") -> tuple[WrongAnswer, ...]:
     """Return a step back that was computed otherwise, and the same with the height's sign kept."""
     said = _said_of_the_way_back(words)
-    kept = Words(
+    kept = Text(
         en="And the height has kept its sign: from the laser, is the robot's middle above or below?",
         ko="높이의 부호도 그대로입니다. 레이저에서 보면 로봇 중심은 위에 있습니까, 아래에 있습니까?",
     )
     return (
-        Twin(way, partial(read, back=way), said, misconception),
-        Twin(f"{way}, height kept", partial(read, back=way, height="kept"), Words.joined(said, kept), misconception),
+        WrongAnswer(way, partial(read, back=way), said, misconception),
+        WrongAnswer(
+            f"{way}, height kept", partial(read, back=way, height="kept"), Text.joined(said, kept), misconception
+        ),
     )
 
 
-def _said_of_the_way_back(words: Words) -> Words:
-    return Words(en=f"for the way back: {words.en}", ko=f"돌아가는 길의 계산입니다. {words.ko}")
+def _said_of_the_way_back(words: Text) -> Text:
+    return Text(en=f"for the way back: {words.en}", ko=f"돌아가는 길의 계산입니다. {words.ko}")
 
 
-LETTERS = Words(en="Here (u, v) is (−x, −y), and α is −yaw.", ko="(u, v)는 (−x, −y)이고 α는 −yaw입니다.")
+LETTERS = Text(en="Here (u, v) is (−x, −y), and α is −yaw.", ko="(u, v)는 (−x, −y)이고 α는 −yaw입니다.")
 BACK = {
-    "by half": Words(
+    "by half": Text(
         en="the step was turned by half of the yaw. Halves belong into quaternions; a point turns by all of it.",
         ko="이동을 yaw의 절반만 돌렸습니다. 절반은 쿼터니언에만 쓰고, 점은 각도 전체만큼 돌립니다.",
     ),
-    "converted": Words(
+    "converted": Text(
         en="the step has hardly turned: the yaw is printed in radians, and went through `math.radians` once more.",
         ko="이동이 거의 돌지 않았습니다. 라디안으로 출력된 yaw를 `math.radians`에 한 번 더 넣었습니다.",
     ),
-    "about x": Words(
+    "about x": Text(
         en="the step was turned about x, as by a roll. A yaw turns about z; `from_rpy` takes roll, pitch, yaw in this "
         "order.",
         ko="이동을 x축으로, 곧 roll로 돌렸습니다. yaw는 z축으로 돕니다. `from_rpy`는 roll, pitch, yaw 순서로 받습니다.",
     ),
-    "quarter to the left": Words(
+    "quarter to the left": Text(
         en="this is x in y's place and y in x's, one with a minus: as after a turn of −90°. How far is this mount turned?",
         ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집은 값입니다. −90° 돌린 것과 같습니다. 이 장착은 얼마나 돌아가 있습니까?",
     ),
-    "quarter to the right": Words(
+    "quarter to the right": Text(
         en="this is x in y's place and y in x's, one with a minus: as after a turn of +90°. How far is this mount turned?",
         ko="x와 y의 자리를 바꾸고 하나만 부호를 뒤집은 값입니다. +90° 돌린 것과 같습니다. 이 장착은 얼마나 돌아가 있습니까?",
     ),
-    "exchanged and minus": Words(
+    "exchanged and minus": Text(
         en="x and y have changed places, each with a minus. The step has to be turned by the yaw that is printed.",
         ko="x와 y의 자리를 바꾸고 둘 다 부호를 뒤집었습니다. 이동은 출력된 yaw로 돌려야 합니다.",
     ),
-    "mount applied twice": Words(
+    "mount applied twice": Text(
         en="the mount moved its own Translation. Which point is `base_link` in `base_link`? That one goes through the "
         "inverse.",
         ko="Translation을 장착 변환으로 한 번 더 옮겼습니다. `base_link`에서 본 `base_link`는 어느 점입니까? 그 점에 역변환을 "
         "적용합니다.",
     ),
-    "inverse of minus": Words(
+    "inverse of minus": Text(
         en="the inverse moved (−x, −y, −z), and takes the step off itself: so it is off twice. Which point is `base_link` "
         "in `base_link`? That one goes through the inverse.",
         ko="역변환으로 (−x, −y, −z)를 옮겼습니다. 역변환이 이동을 빼므로 두 번 뺀 셈입니다. `base_link`에서 본 `base_link`는 "
         "어느 점입니까? 그 점에 역변환을 적용합니다.",
     ),
-    "new x, taken off": Words(
+    "new x, taken off": Text(
         en="y was computed from the new x, which had just been computed. Both take the old ones: give the results other "
         "names.",
         ko="y를 구할 때 방금 구한 새 x를 썼습니다. 둘 다 원래 값으로 계산합니다. 결과에는 다른 이름을 붙이십시오.",
@@ -326,52 +328,52 @@ BACK = {
 
 
 ALONE = {  # what is said of the height, too, or whose height comes out as 0
-    "minus in x": Words(
+    "minus in x": Text(
         en="only x has got a minus sign. The whole step is taken off, and then it is turned.",
         ko="x의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
     ),
-    "minus in y": Words(
+    "minus in y": Text(
         en="only y has got a minus sign. The whole step is taken off, and then it is turned.",
         ko="y의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
     ),
-    "minus in z": Words(
+    "minus in z": Text(
         en="only the height has got a minus sign. The whole step is taken off, and then it is turned.",
         ko="높이의 부호만 뒤집었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
     ),
-    "minus in x and z": Words(
+    "minus in x and z": Text(
         en="x and the height have got a minus sign, y has not. The whole step is taken off, and then it is turned.",
         ko="x와 높이의 부호만 뒤집고 y는 그대로 두었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
     ),
-    "minus in y and z": Words(
+    "minus in y and z": Text(
         en="y and the height have got a minus sign, x has not. The whole step is taken off, and then it is turned.",
         ko="y와 높이의 부호만 뒤집고 x는 그대로 두었습니다. 이동 전체의 부호를 뒤집고, 그다음에 돌립니다.",
     ),
-    "not taken off in the plane": Words(
+    "not taken off in the plane": Text(
         en="x and y are turned rightly and have kept their sign; only the height is taken off. From the laser, the "
         "robot's middle lies on the other side.",
         ko="x와 y를 바르게 돌렸지만 부호가 그대로이고, 높이의 부호만 뒤집혔습니다. 레이저에서 보면 로봇 중심은 반대쪽에 있습니다.",
     ),
-    "moved by the mount": Words(
+    "moved by the mount": Text(
         en="the mount moved (−x, −y, −z), which are no numbers of a point in the laser. Which point is `base_link` in "
         "`base_link`? That one goes through the inverse.",
         ko="(−x, −y, −z)를 장착 변환으로 옮겼습니다. 이 숫자는 레이저 기준의 점이 아닙니다. `base_link`에서 본 `base_link`는 "
         "어느 점입니까? 그 점에 역변환을 적용합니다.",
     ),
-    "its distance": Words(
+    "its distance": Text(
         en="this is how far away it is, put straight ahead. From the laser, too, the robot's middle lies in some direction.",
         ko="거리만 구해서 정면에 놓은 값입니다. 레이저에서 보아도 로봇 중심은 어느 한 방향에 있습니다.",
     ),
-    "behind, at its distance": Words(
+    "behind, at its distance": Text(
         en="this is how far away it is, put straight behind. From the laser the robot's middle lies in another direction.",
         ko="거리만 구해서 바로 뒤에 놓은 값입니다. 레이저에서 보면 로봇 중심은 다른 방향에 있습니다.",
     ),
 }
 
 
-ONE_OVER = Slip(
+ONE_OVER = WrongStep(
     "one over",
     {"back": "one over"},
-    Words(
+    Text(
         en="for the way back you divided 1 by the numbers. The inverse of a transform is the way back: turned and "
         "stepped, no one-over.",
         ko="돌아가는 길을 1을 나누어 구했습니다. 변환의 역은 역수가 아니라 되돌아가는 길입니다. 회전과 이동을 되돌리십시오.",
@@ -379,10 +381,10 @@ ONE_OVER = Slip(
 )
 
 
-NOWHERE = Slip(
+NOWHERE = WrongStep(
     "nowhere",
     {"back": "nowhere"},
-    Words(
+    Text(
         en="`base_in_laser` is (0, 0, 0): that is a frame's origin, seen from itself. Which point is `base_link` in "
         "`base_link`? That one goes through the inverse.",
         ko="`base_in_laser`가 (0, 0, 0)입니다. 좌표계의 원점을 그 좌표계에서 본 값입니다. `base_link`에서 본 `base_link`는 "
@@ -391,10 +393,10 @@ NOWHERE = Slip(
 )
 
 
-LASER_TURNED = Slip(
+LASER_TURNED = WrongStep(
     "laser turned",
     {"laser": "turned"},
-    Words(
+    Text(
         en="for `laser_in_base` you turned the Translation by the yaw. What is printed is where the laser sits, along "
         "the axes of `base_link`: nothing is left to turn.",
         ko="`laser_in_base`에서 Translation을 yaw만큼 돌렸습니다. 출력된 값이 이미 `base_link`의 축으로 잰 레이저의 "
@@ -403,10 +405,10 @@ LASER_TURNED = Slip(
 )
 
 
-LASER_TURNED_BACK = Slip(
+LASER_TURNED_BACK = WrongStep(
     "laser turned back",
     {"laser": "turned back"},
-    Words(
+    Text(
         en="for `laser_in_base` you turned the Translation by minus the yaw. What is printed is where the laser sits, "
         "along the axes of `base_link`: nothing is left to turn.",
         ko="`laser_in_base`에서 Translation을 −yaw만큼 돌렸습니다. 출력된 값이 이미 `base_link`의 축으로 잰 레이저의 "
@@ -415,10 +417,10 @@ LASER_TURNED_BACK = Slip(
 )
 
 
-ROW_OF_THE_MATRIX = Slip(
+ROW_OF_THE_MATRIX = WrongStep(
     "row of the matrix",
     {"laser": "row of the matrix"},
-    Words(
+    Text(
         en="for `laser_in_base` you took the first row of the Matrix: that is part of the rotation. The place is the "
         "Translation, or the Matrix's last column.",
         ko="`laser_in_base`에 Matrix의 첫 행을 썼습니다. 그것은 회전의 일부입니다. 위치는 Translation, 곧 Matrix의 마지막 "
@@ -428,25 +430,25 @@ ROW_OF_THE_MATRIX = Slip(
 
 
 LINES = tuple(
-    Twin(
+    WrongAnswer(
         line,
         partial(read, laser=line),
-        Words(
+        Text(
             en=f"for `laser_in_base` you took the {held.en} of the {line}. Where the laser sits stands in the Translation.",
             ko=f"`laser_in_base`에 {line}의 {held.ko}를 썼습니다. 레이저의 위치는 Translation 줄에 있습니다.",
         ),
     )
     for line, held in (
-        ("Rotation line", Words("first three numbers", "앞의 숫자 세 개")),
-        ("RPY line", Words("angles", "각도")),
+        ("Rotation line", Text("first three numbers", "앞의 숫자 세 개")),
+        ("RPY line", Text("angles", "각도")),
     )
 )
 
 
-DEGREES_AS_PRINTED = Slip(
+DEGREES_AS_PRINTED = WrongStep(
     "degrees as printed",
     {"yaw": "degrees as printed"},
-    Words(
+    Text(
         en="this is the yaw in degrees, as it is printed. Asked for are radians, and the way back turns to the other side.",
         ko="출력된 대로 도(degree)로 쓴 yaw입니다. 라디안으로 답해야 하고, 돌아가는 길은 반대쪽으로 돕니다.",
     ),
@@ -454,10 +456,10 @@ DEGREES_AS_PRINTED = Slip(
 )
 
 
-DEGREES_AS_COMPUTED = Slip(
+DEGREES_AS_COMPUTED = WrongStep(
     "degrees as computed",
     {"yaw": "degrees as computed"},
-    Words(
+    Text(
         en="this is the printed yaw turned into degrees. It is in radians already, as it is asked for; and the way back "
         "turns to the other side.",
         ko="출력된 yaw를 도(degree)로 바꾼 값입니다. 이미 라디안이고, 라디안으로 답해야 합니다. 그리고 돌아가는 길은 반대쪽으로 "
@@ -467,10 +469,10 @@ DEGREES_AS_COMPUTED = Slip(
 )
 
 
-YAW_CONVERTED = Twin(
+YAW_CONVERTED = WrongAnswer(
     "yaw converted",
     partial(read, yaw="converted"),
-    Words(
+    Text(
         en="the yaw went through `math.radians`, and it is printed in radians already: what you give is hardly turned.",
         ko="라디안으로 출력된 yaw를 `math.radians`에 한 번 더 넣었습니다. 답한 yaw가 거의 0입니다.",
     ),
@@ -478,19 +480,19 @@ YAW_CONVERTED = Twin(
 )
 
 
-REST_OF_A_QUARTER = Twin(
+REST_OF_A_QUARTER = WrongAnswer(
     "rest of a quarter turn",
     partial(read, yaw="from a quarter"),
-    Words(
+    Text(
         en="you took the yaw off a quarter turn. To turn back is to turn by as much the other way.",
         ko="1/4 바퀴에서 yaw를 뺐습니다. 되돌아가는 것은 같은 만큼 반대로 도는 것입니다.",
     ),
 )
 
 
-def of_the_yaw(name: str, way: str, en: str, ko: str) -> Twin:
+def of_the_yaw(name: str, way: str, en: str, ko: str) -> WrongAnswer:
     """Return the right places, and a yaw of the way back that was computed otherwise."""
-    return Twin(name, partial(read, yaw=way), Words(en=en, ko=ko))
+    return WrongAnswer(name, partial(read, yaw=way), Text(en=en, ko=ko))
 
 
 YAWS = (
@@ -521,10 +523,10 @@ YAWS = (
 )
 
 
-LASER_NEGATIVE = Slip(
+LASER_NEGATIVE = WrongStep(
     "laser negative",
     {"laser": "negative"},
-    Words(
+    Text(
         en="for `laser_in_base` you flipped the signs. What is printed is where the second frame sits in the first, the "
         "laser in `base_link`: it stands there as it is asked for.",
         ko="`laser_in_base`에서 부호를 뒤집었습니다. 출력된 값은 첫째를 기준으로 둘째가 있는 자리, 곧 `base_link`에서 본 "
@@ -534,10 +536,10 @@ LASER_NEGATIVE = Slip(
 )
 
 
-W_FOR_THE_YAW = Slip(
+W_FOR_THE_YAW = WrongStep(
     "w for the yaw",
     {"yaw": "w"},
-    Words(
+    Text(
         en="this is the w of the quaternion, the cosine of half the angle. Asked for is the angle of the way back.",
         ko="쿼터니언의 w, 곧 각도 절반의 cos입니다. 필요한 것은 돌아가는 길의 각도입니다.",
     ),
@@ -545,10 +547,10 @@ W_FOR_THE_YAW = Slip(
 )
 
 
-MINUS_W_FOR_THE_YAW = Slip(
+MINUS_W_FOR_THE_YAW = WrongStep(
     "minus w for the yaw",
     {"yaw": "minus w"},
-    Words(
+    Text(
         en="this is the w of the quaternion with a minus. w is the cosine of half the angle, and no angle itself.",
         ko="쿼터니언의 w에 마이너스를 붙인 값입니다. w는 각도 절반의 cos이지 각도가 아닙니다.",
     ),
@@ -560,7 +562,7 @@ TASK = Task(
     id="E3.5",
     kind="N",
     points=3,
-    title=Words(en="tf2_echo, both ways", ko="tf2_echo 양쪽으로 읽기"),
+    title=Text(en="tf2_echo, both ways", ko="tf2_echo 양쪽으로 읽기"),
     answer="both_ways",
     form=Parts(
         {
@@ -603,20 +605,20 @@ TASK = Task(
         *YAWS,
         W_FOR_THE_YAW,
         MINUS_W_FOR_THE_YAW,
-        *(Twin(way, partial(read, back=way), _said_of_the_way_back(words)) for way, words in ALONE.items()),
+        *(WrongAnswer(way, partial(read, back=way), _said_of_the_way_back(words)) for way, words in ALONE.items()),
         *(twin for way, words in BACK.items() for twin in on_the_way_back(way, words)),
-        *(twin for way in BY_HAND for twin in on_the_way_back(way, Words.joined(BY_HAND[way], LETTERS))),
+        *(twin for way in BY_HAND for twin in on_the_way_back(way, Text.joined(BY_HAND[way], LETTERS))),
     ),
     hints=(
-        Words(
+        Text(
             en="One of the two places stands in the output as it is.",
             ko="두 위치 가운데 하나는 출력에 그대로 적혀 있습니다.",
         ),
-        Words(
+        Text(
             en="The output is base_T_laser. The other one is its inverse: E3.3, with z.",
             ko="출력은 base_T_laser입니다. 다른 하나는 그 역변환입니다. E3.3에 z가 더해진 것입니다.",
         ),
-        Words(
+        Text(
             en="`Transform.from_rpy(yaw=..., translation=(...)).inverse()` does the arithmetic; z only changes sign.",
             ko="`Transform.from_rpy(yaw=..., translation=(...)).inverse()`로 계산할 수 있습니다. z는 부호만 바뀝니다.",
         ),

@@ -7,7 +7,7 @@ from functools import partial
 
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Draws, Message, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Draws, Message, Task, Text, WrongAnswer, WrongStep
 
 from .draws import some_yaw_degrees
 
@@ -73,10 +73,10 @@ def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", 
     return t
 
 
-PARENT_AND_CHILD_SWAPPED = Slip(
+PARENT_AND_CHILD_SWAPPED = WrongStep(
     "parent_and_child_swapped",
     {"ends": "child first"},
-    Words(
+    Text(
         en="parent and child are swapped: this says that the robot is bolted onto the camera. The parent "
         "is `header.frame_id`, and the numbers are measured in it.",
         ko="부모와 자식이 바뀌었습니다. 로봇을 카메라에 달았다는 뜻이 됩니다. 부모는 `header.frame_id`이고, "
@@ -86,10 +86,10 @@ PARENT_AND_CHILD_SWAPPED = Slip(
 )
 
 
-OFFSET_TURNED = Slip(
+OFFSET_TURNED = WrongStep(
     "offset turned along",
     {"numbers": "turned"},
-    Words(
+    Text(
         en="you turned the offset along with the camera. It is measured along the axes of `base_link`: however the "
         "camera is turned, it sits in the same place.",
         ko="카메라의 회전만큼 위치까지 돌렸습니다. 위치는 `base_link`의 축을 따라 잰 것이므로, 카메라가 어느 쪽을 보든 "
@@ -99,10 +99,10 @@ OFFSET_TURNED = Slip(
 )
 
 
-DEGREES = Slip(
+DEGREES = WrongStep(
     "degrees",
     {"angle": "degrees"},
-    Words(
+    Text(
         en="your angle went into sin and cos in degrees. Python and ROS count in radians (REP-103): `math.radians`.",
         ko="각도를 도(degree) 그대로 sin과 cos에 넣었습니다. 파이썬과 ROS는 라디안을 씁니다(REP-103). "
         "`math.radians`를 쓰십시오.",
@@ -111,10 +111,10 @@ DEGREES = Slip(
 )
 
 
-WHOLE_ANGLE = Slip(
+WHOLE_ANGLE = WrongStep(
     "whole_angle",
     {"half": "whole"},
-    Words(
+    Text(
         en="the camera is turned twice as far as asked: a quaternion holds the sine and cosine of half the angle.",
         ko="카메라가 두 배로 돌아갔습니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
     ),
@@ -122,10 +122,10 @@ WHOLE_ANGLE = Slip(
 )
 
 
-W_FIRST = Slip(
+W_FIRST = WrongStep(
     "w_first",
     {"quaternion": "w first"},
-    Words(
+    Text(
         en="your quaternion has w first. ROS writes (x, y, z, w), so this camera rolls about x instead of turning.",
         ko="쿼터니언에 w를 먼저 썼습니다. ROS는 (x, y, z, w) 순서이므로 이 카메라는 왼쪽으로 도는 대신 x축을 중심으로 "
         "기울어집니다.",
@@ -134,10 +134,10 @@ W_FIRST = Slip(
 )
 
 
-TO_THE_RIGHT = Slip(
+TO_THE_RIGHT = WrongStep(
     "to_the_right",
     {"side": "right"},
-    Words(
+    Text(
         en="your camera turns to the other side. A turn to the left is positive, and one to the right comes with a minus "
         "already: check the sign of the angle.",
         ko="카메라가 반대쪽으로 돌아갑니다. 왼쪽으로 도는 회전이 양수이고, 오른쪽으로 도는 각도는 이미 음수로 들어옵니다. "
@@ -146,30 +146,30 @@ TO_THE_RIGHT = Slip(
 )
 
 
-NOT_TURNED = Slip(
+NOT_TURNED = WrongStep(
     "not_turned",
     {"quaternion": "none"},
-    Words(
+    Text(
         en="the camera looks straight ahead: the rotation is still the one that a new message has.",
         ko="카메라가 똑바로 앞을 봅니다. 회전이 새 메시지의 값 그대로입니다.",
     ),
 )
 
 
-ROLLED = Slip(
+ROLLED = WrongStep(
     "rolled",
     {"quaternion": "roll"},
-    Words(
+    Text(
         en="the camera is rolled onto its side: the sine stands in x. Which axis does a turn to the left go about?",
         ko="카메라가 옆으로 기울었습니다. sin이 x 자리에 있습니다. 왼쪽으로 도는 회전의 축은 무엇입니까?",
     ),
 )
 
 
-ANGLE_IN_Z = Slip(
+ANGLE_IN_Z = WrongStep(
     "angle_in_z",
     {"quaternion": "angle"},
-    Words(
+    Text(
         en="you wrote the angle itself into z. A quaternion holds no angle: z takes the sine of half of it, "
         "w the cosine.",
         ko="z에 각도를 그대로 넣었습니다. 쿼터니언에는 각도가 직접 들어가지 않습니다. z에는 각도 절반의 sin, w에는 "
@@ -179,10 +179,10 @@ ANGLE_IN_Z = Slip(
 )
 
 
-W_STILL_ONE = Slip(
+W_STILL_ONE = WrongStep(
     "w_still_one",
     {"quaternion": "w one"},
-    Words(
+    Text(
         en="w is still the 1 of a new message: it takes the cosine of half the angle.",
         ko="w가 새 메시지의 값 1 그대로입니다. w에는 각도 절반의 cos을 넣으십시오.",
     ),
@@ -190,20 +190,20 @@ W_STILL_ONE = Slip(
 )
 
 
-AHEAD_AND_UP_SWAPPED = Slip(
+AHEAD_AND_UP_SWAPPED = WrongStep(
     "ahead_and_up_swapped",
     {"axes": "exchanged"},
-    Words(
+    Text(
         en="the two steps have changed places. Which axis of the body points ahead, and which one up?",
         ko="두 이동의 자리가 바뀌었습니다. 본체의 어느 축이 앞을, 어느 축이 위를 향합니까?",
     ),
 )
 
 
-ZERO_QUATERNION = Slip(
+ZERO_QUATERNION = WrongStep(
     "zero_quaternion",
     {"quaternion": "zero"},
-    Words(
+    Text(
         en="the rotation is all zeros. That is no rotation at all: every listener refuses the message, and "
         "camera_link never appears.",
         ko="회전이 모두 0입니다. 이것은 회전이 아니므로 모든 수신기가 메시지를 거절하고, camera_link는 끝내 "
@@ -213,86 +213,86 @@ ZERO_QUATERNION = Slip(
 )
 
 
-OPTICAL_CHILD = Slip(
+OPTICAL_CHILD = WrongStep(
     "optical child",
     {"ends": "optical"},
-    Words(
+    Text(
         en="this bolts on camera_optical_frame. The mount is that of camera_link; the optical frame hangs below it, turned.",
         ko="camera_optical_frame을 달았습니다. 장착 변환은 camera_link의 것이고, 광학 좌표계는 그 아래에 돌아간 채 달립니다.",
     ),
     "M4",
 )
 
-INVERSE_NUMBERS = Slip(
+INVERSE_NUMBERS = WrongStep(
     "inverse numbers",
     {"numbers": "inverse"},
-    Words(
+    Text(
         en="these are the numbers of the way back: where base_link sits in camera_link. The header asks for the camera in its parent.",
         ko="돌아가는 쪽, 곧 camera_link에서 본 base_link의 숫자입니다. 필요한 것은 부모를 기준으로 한 카메라입니다.",
     ),
     "M1",
 )
 
-NEGATIVE_NUMBERS = Slip(
+NEGATIVE_NUMBERS = WrongStep(
     "negative numbers",
     {"numbers": "negative"},
-    Words(
+    Text(
         en="both steps have a minus sign: this camera hangs behind and below. Ahead and up are positive.",
         ko="두 이동에 마이너스가 붙어 있어 카메라가 뒤쪽 아래에 달립니다. 앞과 위가 양수입니다.",
     ),
     "M3",
 )
 
-UP_IN_Y = Slip(
+UP_IN_Y = WrongStep(
     "up in y",
     {"axes": "y"},
-    Words(
+    Text(
         en="up_m stands in y, which points to the left. Up is z.",
         ko="up_m이 y에 들어 있습니다. y는 왼쪽입니다. 위는 z입니다.",
     ),
 )
 
-MILLIMETRES = Slip(
+MILLIMETRES = WrongStep(
     "millimetres",
     {"length": "mm"},
-    Words(
+    Text(
         en="the lengths are a thousand times too large: ROS counts in metres.",
         ko="길이가 천 배 큽니다. ROS는 미터를 씁니다.",
     ),
 )
 
-PITCHED = Slip(
+PITCHED = WrongStep(
     "pitched",
     {"quaternion": "pitch"},
-    Words(
+    Text(
         en="the camera nods: the sine stands in y. Which axis does a turn to the left go about?",
         ko="카메라가 위아래로 기울었습니다. sin이 y 자리에 있습니다. 왼쪽으로 도는 회전의 축은 무엇입니까?",
     ),
 )
 
-SINE_IN_W = Slip(
+SINE_IN_W = WrongStep(
     "sine in w",
     {"quaternion": "exchanged"},
-    Words(
+    Text(
         en="sine and cosine have changed places: z takes the sine, w the cosine.",
         ko="sin과 cos의 자리가 바뀌었습니다. z에는 sin, w에는 cos입니다.",
     ),
     "M5",
 )
 
-STAMPED = Slip(
+STAMPED = WrongStep(
     "stamped",
     {"stamp": "set"},
-    Words(
+    Text(
         en="you set the stamp; the task leaves it as it is.", ko="시각(stamp)을 바꾸었습니다. 문제에서는 그대로 둡니다."
     ),
 )
 
 
-TO_DEGREES = Slip(
+TO_DEGREES = WrongStep(
     "to degrees",
     {"angle": "to degrees"},
-    Words(
+    Text(
         en="`math.degrees` goes the other way: the angle is in degrees already, and `math.radians` makes radians of it.",
         ko="`math.degrees`는 반대 방향입니다. 각도는 이미 도 단위이고, `math.radians`가 라디안으로 바꿉니다.",
     ),
@@ -300,10 +300,10 @@ TO_DEGREES = Slip(
 )
 
 
-PARENT_MAP = Slip(
+PARENT_MAP = WrongStep(
     "parent map",
     {"ends": "map"},
-    Words(
+    Text(
         en="the parent is map: this bolts the camera to the building. It rides along with `base_link`.",
         ko="부모가 map입니다. 카메라를 건물에 단 셈입니다. 카메라는 `base_link`와 함께 움직입니다.",
     ),
@@ -311,10 +311,10 @@ PARENT_MAP = Slip(
 )
 
 
-PARENT_ODOM = Slip(
+PARENT_ODOM = WrongStep(
     "parent odom",
     {"ends": "odom"},
-    Words(
+    Text(
         en="the parent is odom: this camera stays behind as the robot drives. It rides along with `base_link`.",
         ko="부모가 odom입니다. 로봇이 달려도 카메라는 그 자리에 남습니다. 카메라는 `base_link`와 함께 움직입니다.",
     ),
@@ -322,10 +322,10 @@ PARENT_ODOM = Slip(
 )
 
 
-OPTICAL_AXES = Slip(
+OPTICAL_AXES = WrongStep(
     "optical axes",
     {"axes": "optical"},
-    Words(
+    Text(
         en="these are the numbers along the axes of a picture, where z looks ahead and y down. Asked for are those of "
         "`base_link`: x ahead, y to the left, z up.",
         ko="z가 앞, y가 아래인 영상의 축으로 잰 숫자입니다. 필요한 것은 `base_link` 기준이므로 x가 앞, y가 왼쪽, z가 "
@@ -335,10 +335,10 @@ OPTICAL_AXES = Slip(
 )
 
 
-UP_IN_MINUS_Y = Slip(
+UP_IN_MINUS_Y = WrongStep(
     "up in minus y",
     {"axes": "minus y"},
-    Words(
+    Text(
         en="up_m stands in y, with a minus: that is up in a picture, the optical frame. On `base_link` z points up.",
         ko="up_m을 y에 음수로 넣었습니다. 그것은 영상(광학 좌표계)의 위쪽입니다. `base_link`에서는 z가 위입니다.",
     ),
@@ -346,10 +346,10 @@ UP_IN_MINUS_Y = Slip(
 )
 
 
-Y_AHEAD = Slip(
+Y_AHEAD = WrongStep(
     "y ahead",
     {"axes": "y ahead"},
-    Words(
+    Text(
         en="ahead_m stands in y, as on a map. On a robot x points ahead and y to the left.",
         ko="ahead_m을 지도처럼 y에 넣었습니다. 로봇에서는 x가 앞, y가 왼쪽입니다.",
     ),
@@ -357,10 +357,10 @@ Y_AHEAD = Slip(
 )
 
 
-Y_UP_Z_AHEAD = Slip(
+Y_UP_Z_AHEAD = WrongStep(
     "y up and z ahead",
     {"axes": "y up, z ahead"},
-    Words(
+    Text(
         en="up_m stands in y and ahead_m in z. On `base_link` x points ahead and z up.",
         ko="up_m을 y에, ahead_m을 z에 넣었습니다. `base_link`에서는 x가 앞, z가 위입니다.",
     ),
@@ -368,10 +368,10 @@ Y_UP_Z_AHEAD = Slip(
 )
 
 
-OFFSET_TURNED_BACK = Twin(
+OFFSET_TURNED_BACK = WrongAnswer(
     "offset turned back",
     partial(mounted, numbers="turned back"),
-    Words(
+    Text(
         en="you turned the offset, by minus the camera's angle. It is measured along the axes of `base_link`: however "
         "the camera is turned, it sits in the same place.",
         ko="위치를 카메라 각도의 반대로 돌렸습니다. 위치는 `base_link`의 축을 따라 잰 것이므로, 카메라가 어느 쪽을 보든 달린 "
@@ -381,9 +381,9 @@ OFFSET_TURNED_BACK = Twin(
 )
 
 
-def of_place(name: str, axes: str, en: str, ko: str) -> Twin:
+def of_place(name: str, axes: str, en: str, ko: str) -> WrongAnswer:
     """Return the mount with a length in a place where it does not belong."""
-    return Twin(name, partial(mounted, axes=axes), Words(en=en, ko=ko))
+    return WrongAnswer(name, partial(mounted, axes=axes), Text(en=en, ko=ko))
 
 
 PLACES = (
@@ -414,9 +414,9 @@ PLACES = (
 )
 
 
-def of_rotation(name: str, steps: dict[str, str], en: str, ko: str) -> Twin:
+def of_rotation(name: str, steps: dict[str, str], en: str, ko: str) -> WrongAnswer:
     """Return the mount with a rotation that was made otherwise."""
-    return Twin(name, partial(mounted, **steps), Words(en=en, ko=ko), "M5")
+    return WrongAnswer(name, partial(mounted, **steps), Text(en=en, ko=ko), "M5")
 
 
 ROTATIONS = (
@@ -487,9 +487,9 @@ ROTATIONS = (
 )
 
 
-def of_name(name: str, ends: str, en: str, ko: str) -> Twin:
+def of_name(name: str, ends: str, en: str, ko: str) -> WrongAnswer:
     """Return the mount between other frames."""
-    return Twin(name, partial(mounted, ends=ends), Words(en=en, ko=ko), "M2")
+    return WrongAnswer(name, partial(mounted, ends=ends), Text(en=en, ko=ko), "M2")
 
 
 ENDS = (
@@ -530,7 +530,7 @@ TASK = Task(
     id="E3.6",
     kind="C",
     points=4,
-    title=Words(en="Bolt the camera on", ko="카메라 달기"),
+    title=Text(en="Bolt the camera on", ko="카메라 달기"),
     answer="camera_mount",
     form=Message(
         "geometry_msgs/msg/TransformStamped",
@@ -573,15 +573,15 @@ TASK = Task(
         *ENDS,
     ),
     hints=(
-        Words(
+        Text(
             en="Which frame holds the numbers? That one is the parent, `header.frame_id`.",
             ko="숫자를 잰 좌표계는 어느 쪽입니까? 그쪽이 부모, `header.frame_id`입니다.",
         ),
-        Words(
+        Text(
             en="A turn to the left by an angle is z = sin(half of it), w = cos(half of it), and x = y = 0.",
             ko="왼쪽으로 어떤 각도만큼 돌면 z = sin(그 절반), w = cos(그 절반), x = y = 0입니다.",
         ),
-        Words(
+        Text(
             en="ahead is x, up is z. Message fields want floats, so write `float(...)` around what may be an int.",
             ko="앞은 x, 위는 z입니다. 메시지 필드는 float를 받으므로 int일 수 있는 값은 `float(...)`로 감싸십시오.",
         ),

@@ -6,7 +6,7 @@ import math
 
 from tflab.core import Transform
 from tflab.ros.messages import builtin_interfaces, geometry_msgs
-from tflab.workbook.tasks import Message, Sequence, Slip, Task, Words
+from tflab.workbook.tasks import Message, Sequence, Task, Text, WrongStep
 
 NAMES = ("camera_left", "camera_right", "laser_frame", "imu_link", "sonar_link", "gps_link")
 
@@ -71,151 +71,151 @@ def letters(mounts, stamp, *, which="all", objects="each its own", ends="parent 
     ]
 
 
-ONE_OBJECT = Slip(
+ONE_OBJECT = WrongStep(
     "one object",
     {"objects": "one"},
-    Words(
+    Text(
         en="All messages of your list are the last one, as when one TransformStamped is appended again and again, and each round writes over it. Make a new one inside the loop.",
         ko="리스트의 메시지가 모두 마지막 것과 같습니다. TransformStamped 하나를 거듭 넣고 매번 덮어쓰면 이렇게 됩니다. 반복문 안에서 새로 만드십시오.",
     ),
 )
 
-LAST_ONLY = Slip(
+LAST_ONLY = WrongStep(
     "last only",
     {"which": "last"},
-    Words(
+    Text(
         en="Only the last mount is in the letter: the robot of the story, with one camera left. Collect in a list, return it after the loop.",
         ko="마지막 장착 위치만 들어 있습니다. 카메라 한 대만 남은 이야기 속 로봇입니다. 리스트에 모으고 반복문이 끝난 뒤에 반환하십시오.",
     ),
     "M12",
 )
 
-FIRST_ONLY = Slip(
+FIRST_ONLY = WrongStep(
     "first only",
     {"which": "first"},
-    Words(
+    Text(
         en="Only the first mount is in the letter, as when the `return` stands inside the loop. Collect them all, and return the list after it.",
         ko="첫 장착 위치만 들어 있습니다. `return`이 반복문 안에 있으면 이렇게 됩니다. 모두 모은 다음 반복문이 끝나고 반환하십시오.",
     ),
 )
 
-REVERSED = Slip(
+REVERSED = WrongStep(
     "reversed",
     {"which": "reversed"},
-    Words(
+    Text(
         en="The mounts are all there, in the reverse order; here they are wanted in the order of the rows.",
         ko="모두 들어 있지만 순서가 거꾸로입니다. 여기서는 행의 순서대로 넣으십시오.",
     ),
 )
 
-SWAPPED = Slip(
+SWAPPED = WrongStep(
     "swapped",
     {"ends": "child first"},
-    Words(
+    Text(
         en="Parent and child are swapped: the parent is `header.frame_id`, and the numbers are measured in it.",
         ko="부모와 자식이 바뀌었습니다. 부모는 `header.frame_id`이고 숫자는 부모에서 잽니다.",
     ),
     "M2",
 )
 
-ALWAYS_BASE_LINK = Slip(
+ALWAYS_BASE_LINK = WrongStep(
     "always base_link",
     {"ends": "base_link"},
-    Words(
+    Text(
         en="Every parent is base_link. Look at the rows: one of them sits on something else.",
         ko="부모가 모두 base_link입니다. 행을 보세요. 다른 것에 달린 것도 있습니다.",
     ),
 )
 
-NO_CHILD = Slip(
+NO_CHILD = WrongStep(
     "no child",
     {"ends": "no child"},
-    Words(
+    Text(
         en="`child_frame_id` is empty. It stands beside the header, not in it.",
         ko="`child_frame_id`가 비어 있습니다. header 안이 아니라 header 옆에 있는 필드입니다.",
     ),
 )
 
-NOT_MOVED = Slip(
+NOT_MOVED = WrongStep(
     "not moved",
     {"place": "none"},
-    Words(
+    Text(
         en="The translations are all zero: `xyz` has not gone in.",
         ko="이동이 모두 0입니다. `xyz`를 넣지 않았습니다.",
     ),
 )
 
-NO_STAMP = Slip(
+NO_STAMP = WrongStep(
     "no stamp",
     {"moment": "zero"},
-    Words(
+    Text(
         en="`header.stamp` is still zero. tf2 takes that for a static transform, and whoever reads the message learns nothing of when it was made.",
         ko="`header.stamp`가 0 그대로입니다. 정적 변환이라 tf2는 받아 주지만, 언제 만든 것인지 아무도 알 수 없습니다.",
     ),
 )
 
-YAW_FIRST = Slip(
+YAW_FIRST = WrongStep(
     "yaw first",
     {"order": "yaw first"},
-    Words(
+    Text(
         en="Roll and yaw have changed places: `rpy` is roll, pitch, yaw in this order.",
         ko="roll과 yaw가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
     ),
     "M5",
 )
 
-CONVERTED_TWICE = Slip(
+CONVERTED_TWICE = WrongStep(
     "converted twice",
     {"angle": "degrees"},
-    Words(
+    Text(
         en="The angles are radians already. Multiplied by π/180 once more, as `math.radians` does, they are almost nothing.",
         ko="각도는 이미 라디안입니다. `math.radians`처럼 π/180을 한 번 더 곱하면 거의 0이 됩니다.",
     ),
     "M5",
 )
 
-W_FIRST = Slip(
+W_FIRST = WrongStep(
     "w first",
     {"quaternion": "w first"},
-    Words(
+    Text(
         en="Your quaternion has w first. ROS, and `.rotation`, have (x, y, z, w).",
         ko="쿼터니언에 w를 먼저 썼습니다. ROS와 `.rotation`은 (x, y, z, w) 순서입니다.",
     ),
     "M5",
 )
 
-NOT_TURNED = Slip(
+NOT_TURNED = WrongStep(
     "not turned",
     {"quaternion": "none"},
-    Words(
+    Text(
         en="Nothing is turned: the rotation is still the one of a new message.",
         ko="아무것도 돌아가지 않았습니다. 회전이 새 메시지의 값 그대로입니다.",
     ),
 )
 
-ANGLES_AS_QUATERNION = Slip(
+ANGLES_AS_QUATERNION = WrongStep(
     "angles as quaternion",
     {"quaternion": "angles"},
-    Words(
+    Text(
         en="Roll, pitch and yaw went into x, y and z themselves. A quaternion holds no angles; `Transform.from_rpy(…).rotation` makes one.",
         ko="roll, pitch, yaw를 x, y, z에 그대로 넣었습니다. 쿼터니언의 성분은 각도가 아닙니다. `Transform.from_rpy(…).rotation`으로 만드십시오.",
     ),
     "M5",
 )
 
-YAW_ALONE = Slip(
+YAW_ALONE = WrongStep(
     "yaw alone",
     {"quaternion": "yaw alone"},
-    Words(
+    Text(
         en="Only the yaw has gone into the quaternion. These mounts are rolled and pitched as well.",
         ko="쿼터니언에 yaw만 들어갔습니다. 이 장착 위치들은 roll과 pitch도 있습니다.",
     ),
 )
 
-INVERSE_TURN = Slip(
+INVERSE_TURN = WrongStep(
     "inverse turn",
     {"quaternion": "inverse"},
-    Words(
+    Text(
         en="The rotations are turned round: that is the parent as the child sees it.",
         ko="회전이 뒤집혔습니다. 자식에서 본 부모의 방향입니다.",
     ),
@@ -223,30 +223,30 @@ INVERSE_TURN = Slip(
 )
 
 
-SORTED_BY_NAME = Slip(
+SORTED_BY_NAME = WrongStep(
     "sorted by name",
     {"which": "by name"},
-    Words(
+    Text(
         en="The mounts are all there, sorted by name. Here they are wanted in the order of the rows.",
         ko="장착 위치가 모두 있지만 이름순입니다. 여기서는 주어진 줄의 순서로 필요합니다.",
     ),
 )
 
 
-FIRST_STAMP_ALONE = Slip(
+FIRST_STAMP_ALONE = WrongStep(
     "first stamp alone",
     {"moment": "first alone"},
-    Words(
+    Text(
         en="Only the first message has its stamp. Each message has a header of its own: write it inside the loop.",
         ko="첫 메시지에만 시각이 있습니다. 메시지마다 헤더가 따로 있으므로 반복문 안에서 쓰십시오.",
     ),
 )
 
 
-PITCH_FIRST = Slip(
+PITCH_FIRST = WrongStep(
     "pitch first",
     {"order": "pitch first"},
-    Words(
+    Text(
         en="Roll and pitch have changed places: `rpy` is roll, pitch, yaw in this order.",
         ko="roll과 pitch의 자리가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
     ),
@@ -254,10 +254,10 @@ PITCH_FIRST = Slip(
 )
 
 
-TAKEN_FOR_W_FIRST = Slip(
+TAKEN_FOR_W_FIRST = WrongStep(
     "taken for w first",
     {"quaternion": "taken for w first"},
-    Words(
+    Text(
         en="You wrote `.rotation` to w, x, y, z in this order, and it comes as (x, y, z, w): each number stands one place off.",
         ko="`.rotation`은 (x, y, z, w)로 나오는데 w, x, y, z의 순서로 넣었습니다. 숫자가 모두 한 자리씩 밀렸습니다.",
     ),
@@ -265,20 +265,20 @@ TAKEN_FOR_W_FIRST = Slip(
 )
 
 
-YAW_SECOND = Slip(
+YAW_SECOND = WrongStep(
     "yaw second",
     {"order": "yaw second"},
-    Words(
+    Text(
         en="Pitch and yaw have changed places: `rpy` is roll, pitch, yaw in this order.",
         ko="pitch와 yaw의 자리가 바뀌었습니다. `rpy`는 roll, pitch, yaw 순서입니다.",
     ),
 )
 
 
-W_LEFT_OUT = Slip(
+W_LEFT_OUT = WrongStep(
     "w left out",
     {"quaternion": "w left out"},
-    Words(
+    Text(
         en="x, y and z of the quaternion are there, and w is still the 1 of a new message. All four are needed: `.rotation` ends with w.",
         ko="쿼터니언의 x, y, z는 들어 있는데 w는 새 메시지의 1 그대로입니다. 넷이 모두 필요합니다. `.rotation`의 마지막이 w입니다.",
     ),
@@ -286,10 +286,10 @@ W_LEFT_OUT = Slip(
 )
 
 
-W_WRITTEN_TO_Z = Slip(
+W_WRITTEN_TO_Z = WrongStep(
     "w written to z",
     {"quaternion": "w for z"},
-    Words(
+    Text(
         en="z of the quaternion holds what belongs to w, and w is still 1. Four numbers, four fields: is one of them written twice?",
         ko="쿼터니언의 z에 w의 값이 들어 있고 w는 아직 1입니다. 숫자도 네 개, 항목도 네 개입니다. 한 항목에 두 번 썼습니까?",
     ),
@@ -297,10 +297,10 @@ W_WRITTEN_TO_Z = Slip(
 )
 
 
-Z_LEFT_OUT = Slip(
+Z_LEFT_OUT = WrongStep(
     "z left out",
     {"quaternion": "z left out"},
-    Words(
+    Text(
         en="z of the quaternion is still 0. All four numbers of `.rotation` have to be written.",
         ko="쿼터니언의 z가 아직 0입니다. `.rotation`의 숫자 네 개를 모두 써야 합니다.",
     ),
@@ -312,7 +312,7 @@ TASK = Task(
     id="E6.3",
     kind="F",
     points=4,
-    title=Words(en="One letter for all mounts", ko="모든 장착 위치를 쪽지 하나에"),
+    title=Text(en="One letter for all mounts", ko="모든 장착 위치를 쪽지 하나에"),
     answer="letter",
     form=Sequence(
         Message(
@@ -350,15 +350,15 @@ TASK = Task(
         Z_LEFT_OUT,
     ),
     hints=(
-        Words(
+        Text(
             en="A list, one TransformStamped for each row: begin with an empty list, append inside the loop, return after it.",
             ko="행마다 TransformStamped 하나씩 담긴 리스트입니다. 빈 리스트로 시작해 반복문 안에서 넣고, 끝난 뒤에 반환하십시오.",
         ),
-        Words(
+        Text(
             en="Make the TransformStamped *inside* the loop: what is appended is the object, not a copy of it.",
             ko="TransformStamped를 반복문 *안에서* 만드십시오. append는 복사본이 아니라 그 객체를 넣습니다.",
         ),
-        Words(
+        Text(
             en="`roll, pitch, yaw = mount['rpy']`, then `Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation` is (x, y, z, w).",
             ko="`roll, pitch, yaw = mount['rpy']`로 받아 `Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation`을 구하면 (x, y, z, w)입니다.",
         ),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from tflab.workbook.tasks import Slip, Task, Urdf, Words
+from tflab.workbook.tasks import Task, Text, Urdf, WrongStep
 
 from .draws import centimetres
 
@@ -89,7 +89,7 @@ def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="r
 
 
 def slip(name, at, en, ko, misconception=""):
-    return Slip(name, at, Words(en=en, ko=ko), misconception)
+    return WrongStep(name, at, Text(en=en, ko=ko), misconception)
 
 
 SLIPS = (
@@ -223,7 +223,7 @@ TASK = Task(
     id="E7.1",
     kind="T",
     points=5,
-    title=Words(en="Two joints to finish", ko="관절 두 개 완성하기"),
+    title=Text(en="Two joints to finish", ko="관절 두 개 완성하기"),
     answer="joints",
     form=Urdf(links=("camera_link", "camera_optical_frame"), joint="nod_joint", settings=(0.0, 0.4)),
     given=a_head,
@@ -231,15 +231,15 @@ TASK = Task(
     model=finished,
     twins=SLIPS,
     hints=(
-        Words(
+        Text(
             en="Two joints: nod_joint from base_link to camera_link, optical_joint from camera_link to camera_optical_frame.",
             ko="관절은 둘입니다. nod_joint는 base_link에서 camera_link, optical_joint는 camera_link에서 camera_optical_frame입니다.",
         ),
-        Words(
+        Text(
             en="Metres and radians; right is negative, for y and for yaw. The axis is that of the head itself.",
             ko="미터와 라디안입니다. 오른쪽은 y에서도 yaw에서도 음수입니다. axis는 머리 자신의 축입니다.",
         ),
-        Words(
+        Text(
             en='A nod turns about the head\'s own y. The optical turn is rpy="-1.5708 0 -1.5708" (chapter 02).',
             ko='끄덕임은 머리 자신의 y를 중심으로 돕니다. 광학 좌표계의 회전은 rpy="-1.5708 0 -1.5708"입니다(02장).',
         ),

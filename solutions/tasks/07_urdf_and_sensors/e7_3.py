@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Pose, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Pose, Task, Text, WrongAnswer, WrongStep
 
 from .draws import either, turned_about
 
@@ -142,7 +142,7 @@ def _movement(each, at, turn, kinds, fixed, axis):
 
 
 def slip(name, at, en, ko, misconception=""):
-    return Slip(name, at, Words(en=en, ko=ko), misconception)
+    return WrongStep(name, at, Text(en=en, ko=ko), misconception)
 
 
 SLIPS = (
@@ -190,79 +190,79 @@ SLIPS = (
          "이동을 그대로 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.", "M3"),
 )  # fmt: skip
 
-NOT_MOVED = Twin(
+NOT_MOVED = WrongAnswer(
     "not moved",
     lambda chain, positions: walk(chain, {}),
-    Words(
+    Text(
         en="This arm stands at zero: the positions are not in it.", ko="모두 0인 팔입니다. 위치가 들어 있지 않습니다."
     ),
 )
 
-ORIGINS_LEFT_OUT = Twin(
+ORIGINS_LEFT_OUT = WrongAnswer(
     "origins left out",
     lambda chain, positions: walk(
         [{**each, "xyz": [0.0, 0.0, 0.0], "rpy": [0.0, 0.0, 0.0]} for each in chain], positions
     ),
-    Words(
+    Text(
         en="Only the movements are in it. Each joint begins with its origin, which never changes.",
         ko="움직임만 들어 있습니다. 관절은 변하지 않는 origin에서 시작합니다.",
     ),
 )
 
-LAST_ONE = Twin(
+LAST_ONE = WrongAnswer(
     "last joint",
     lambda chain, positions: walk(chain[-1:], positions),
-    Words(
+    Text(
         en="That is the last joint alone: the tip in its parent, not in the base. Multiply all of them.",
         ko="마지막 관절 하나입니다. 베이스가 아니라 바로 위 부모 기준의 팔 끝입니다. 모두 곱하십시오.",
     ),
 )
 
 
-ALWAYS_TURNS_ABOUT_Z = Slip(
+ALWAYS_TURNS_ABOUT_Z = WrongStep(
     "always turns about z",
     {"axis": "turns about z"},
-    Words(
+    Text(
         en="Every revolute joint turns about z. Each has an axis of its own.",
         ko="revolute 관절이 모두 z 둘레로 돕니다. 관절마다 axis가 있습니다.",
     ),
 )
 
 
-ALWAYS_SLIDES_ALONG_X = Slip(
+ALWAYS_SLIDES_ALONG_X = WrongStep(
     "always slides along x",
     {"axis": "slides along x"},
-    Words(
+    Text(
         en="Every prismatic joint slides along x. Each has an axis of its own.",
         ko="prismatic 관절이 모두 x를 따라 미끄러집니다. 관절마다 axis가 있습니다.",
     ),
 )
 
 
-UNNAMED_LEFT_OUT = Slip(
+UNNAMED_LEFT_OUT = WrongStep(
     "unnamed left out",
     {"names": "unnamed left out"},
-    Words(
+    Text(
         en="You leave out a joint that has no position. It stands at 0: its origin is still in the chain.",
         ko="위치가 없는 관절을 건너뜁니다. 0에 서 있을 뿐 origin은 사슬에 남습니다.",
     ),
 )
 
 
-RPY_OF_WHAT_TURNS = Slip(
+RPY_OF_WHAT_TURNS = WrongStep(
     "rpy of what turns",
     {"rotation": "replaced"},
-    Words(
+    Text(
         en="Where a joint turns you left its rpy out, as if the position took its place. The origin is turned first, and then the joint moves.",
         ko="도는 관절의 rpy를 위치로 대신했습니다. 먼저 origin이 돌고, 그다음에 관절이 움직입니다.",
     ),
 )
 
 
-ADDED_TO_RPY = Slip(
+ADDED_TO_RPY = WrongStep(
     "added to rpy",
     {"order": "added to rpy"},
-    Words(
+    Text(
         en="You added the position to the roll, pitch or yaw of the origin. Angles about different axes do not add up so: origin first, then the movement, as two factors.",
         ko="위치를 origin의 roll, pitch, yaw에 더했습니다. 다른 축의 각도는 그렇게 더해지지 않습니다. origin 다음에 움직임을 곱합니다.",
     ),
@@ -270,213 +270,213 @@ ADDED_TO_RPY = Slip(
 )
 
 
-STEPS_LEFT_OUT = Slip(
+STEPS_LEFT_OUT = WrongStep(
     "steps left out",
     {"rotation": "xyz left out"},
-    Words(
+    Text(
         en="The xyz of the origins is not in it: only their turns.",
         ko="origin의 xyz가 빠졌습니다. 회전만 들어 있습니다.",
     ),
 )
 
 
-FIRST_JOINT_LEFT_OUT = Twin(
+FIRST_JOINT_LEFT_OUT = WrongAnswer(
     "first joint left out",
     lambda chain, positions: walk(chain[1:] or chain[:0], positions),
-    Words(
+    Text(
         en="The first joint is not in it: the chain begins at the base.",
         ko="첫 관절이 빠졌습니다. 사슬은 베이스에서 시작합니다.",
     ),
 )
 
-ALWAYS_SLIDES_ALONG_Z = Slip(
+ALWAYS_SLIDES_ALONG_Z = WrongStep(
     "always slides along z",
     {"axis": "slides along z"},
-    Words(
+    Text(
         en="You let every prismatic joint slide along z. Each joint names its own axis.",
         ko="모든 prismatic 관절을 z축으로 밀었습니다. 축은 관절마다 적혀 있습니다.",
     ),
 )
 
-ADDED_TO_XYZ = Slip(
+ADDED_TO_XYZ = WrongStep(
     "added to xyz",
     {"order": "added to xyz"},
-    Words(
+    Text(
         en="You added how far a joint slides to its xyz. That is along the parent's axes; it slides along its own, after the turn of its origin.",
         ko="관절이 미끄러진 거리를 xyz에 더했습니다. 그러면 부모의 축을 따라 움직입니다. 관절은 origin만큼 돌린 뒤 자신의 축을 따라 움직입니다.",
     ),
 )
 
-ADDED_TO_BOTH = Slip(
+ADDED_TO_BOTH = WrongStep(
     "added to xyz and rpy",
     {"order": "added to both"},
-    Words(
+    Text(
         en="You added each position to the numbers of the origin. Then it moves along and about the parent's axes, and not its own.",
         ko="위치를 origin의 숫자에 더했습니다. 그러면 자신의 축이 아니라 부모의 축을 따라 움직입니다.",
     ),
 )
 
-BY_PLACE = Slip(
+BY_PLACE = WrongStep(
     "positions by place",
     {"names": "by place"},
-    Words(
+    Text(
         en="You took the positions by their place, one for each joint of the chain. They have names: a joint's own is the one under its name.",
         ko="위치를 관절의 순서대로 하나씩 썼습니다. 위치에는 이름이 있습니다. 관절의 위치는 그 이름 아래에 있는 것입니다.",
     ),
 )
 
 
-FIXED_LEFT_OUT = Slip(
+FIXED_LEFT_OUT = WrongStep(
     "fixed left out",
     {"fixed": "left out"},
-    Words(
+    Text(
         en="You leave fixed joints out. They never move, but each has an origin, and what comes after hangs on it.",
         ko="fixed 관절을 건너뜁니다. 움직이지는 않지만 origin이 있고, 그다음 것이 거기에 달려 있습니다.",
     ),
 )
 
-SLIDES_WHAT_IS_FIXED = Slip(
+SLIDES_WHAT_IS_FIXED = WrongStep(
     "slides what is fixed",
     {"fixed": "slides"},
-    Words(
+    Text(
         en="A fixed joint slides with you, because a position goes by its name and it is not revolute. Fixed is a third type: it never moves.",
         ko="revolute가 아니고 이름이 같은 위치가 있다고 고정된 관절을 미끄러뜨렸습니다. fixed는 셋째 종류이고 움직이지 않습니다.",
     ),
 )
 
-STEPS_IN_THE_BASE = Slip(
+STEPS_IN_THE_BASE = WrongStep(
     "steps in the base",
     {"frames": "in the base"},
-    Words(
+    Text(
         en="You joined the turns, and added all steps as if they were measured along the base's axes. Each is measured in axes that the joints before it have turned.",
         ko="회전은 이었지만 이동은 모두 베이스의 축으로 잰 것처럼 더했습니다. 이동은 저마다 앞의 관절들이 돌려놓은 축으로 잰 것입니다.",
     ),
     "M3",
 )
 
-LETTERS_TURNED_ROUND = Slip(
+LETTERS_TURNED_ROUND = WrongStep(
     "letters turned round",
     {"axis": "turned round"},
-    Words(
+    Text(
         en="You took a turn about x for a yaw, and one about z for a roll. Roll is about x, yaw about z.",
         ko="x를 중심으로 도는 것을 yaw, z를 중심으로 도는 것을 roll로 여겼습니다. roll이 x, yaw가 z입니다.",
     ),
     "M5",
 )
 
-ALWAYS_X = Twin(
+ALWAYS_X = WrongAnswer(
     "always about x",
     lambda chain, positions: walk(chain, positions, axis="always x"),
-    Words(
+    Text(
         en="Every joint moves about x, or along it. Each has an axis of its own.",
         ko="모든 관절이 x를 중심으로, 또는 x를 따라 움직입니다. 관절마다 axis가 있습니다.",
     ),
 )
 
 
-ALWAYS_Y = Twin(
+ALWAYS_Y = WrongAnswer(
     "always about y",
     lambda chain, positions: walk(chain, positions, axis="always y"),
-    Words(
+    Text(
         en="Every joint moves about y, or along it. Each has an axis of its own.",
         ko="모든 관절이 y를 중심으로, 또는 y를 따라 움직입니다. 관절마다 axis가 있습니다.",
     ),
 )
 
 
-TURNS_THE_OTHER_WAY = Twin(
+TURNS_THE_OTHER_WAY = WrongAnswer(
     "turns the other way",
     lambda chain, positions: walk(chain, positions, turn="turns other way"),
-    Words(
+    Text(
         en="Your revolute joints turn the other way: the sign of their positions is turned round.",
         ko="revolute 관절이 반대로 돕니다. 위치의 부호가 뒤집혔습니다.",
     ),
 )
 
 
-SLIDES_THE_OTHER_WAY = Twin(
+SLIDES_THE_OTHER_WAY = WrongAnswer(
     "slides the other way",
     lambda chain, positions: walk(chain, positions, turn="slides other way"),
-    Words(
+    Text(
         en="Your prismatic joints slide the other way: the sign of their positions is turned round.",
         ko="prismatic 관절이 반대로 미끄러집니다. 위치의 부호가 뒤집혔습니다.",
     ),
 )
 
 
-NOTHING_TURNS = Twin(
+NOTHING_TURNS = WrongAnswer(
     "nothing turns",
     lambda chain, positions: walk(chain, positions, kinds="never turns"),
-    Words(
+    Text(
         en="Revolute joints stand still with you. They turn about their axis, in radians.",
         ko="revolute 관절이 움직이지 않습니다. 축을 중심으로 라디안 단위로 돕니다.",
     ),
 )
 
 
-EVERYTHING_SLIDES = Twin(
+EVERYTHING_SLIDES = WrongAnswer(
     "everything slides",
     lambda chain, positions: walk(chain, positions, kinds="all slide"),
-    Words(
+    Text(
         en="You slide revolute joints, too. They turn about their axis, in radians.",
         ko="revolute 관절까지 미끄러뜨렸습니다. 축을 중심으로 라디안 단위로 돕니다.",
     ),
 )
 
 
-NAMED_ALONE = Twin(
+NAMED_ALONE = WrongAnswer(
     "named alone",
     lambda chain, positions: walk(chain, positions, names="named alone"),
-    Words(
+    Text(
         en="You leave out every joint that has no position, fixed ones, too. Each has an origin, and what comes after hangs on it.",
         ko="위치가 없는 관절을, fixed 관절까지 모두 건너뜁니다. 관절마다 origin이 있고 그다음 것이 거기에 달려 있습니다.",
     ),
 )
 
 
-TURNED_BEFORE_THE_STEP = Twin(
+TURNED_BEFORE_THE_STEP = WrongAnswer(
     "turned before the step",
     lambda chain, positions: walk(chain, positions, rotation="before xyz"),
-    Words(
+    Text(
         en="The origin is turned by its rpy before its xyz is gone. xyz is measured along the parent's axes: first the place, then the turn.",
         ko="origin에서 rpy로 먼저 돌린 다음 xyz만큼 갔습니다. xyz는 부모의 축으로 잽니다. 먼저 위치, 다음에 회전입니다.",
     ),
 )
 
 
-FIRST_JOINT_ALONE = Twin(
+FIRST_JOINT_ALONE = WrongAnswer(
     "first joint alone",
     lambda chain, positions: walk(chain[:1], positions),
-    Words(
+    Text(
         en="That is the first joint alone. Does your `return` stand inside the loop?",
         ko="첫 관절 하나뿐입니다. `return`이 반복문 안에 있지 않습니까?",
     ),
 )
 
-LAST_JOINT_DROPPED = Twin(
+LAST_JOINT_DROPPED = WrongAnswer(
     "last joint dropped",
     lambda chain, positions: walk(chain[:-1], positions),
-    Words(
+    Text(
         en="You stop one joint before the tip: the last one is not in your product, neither its place nor its movement. Does the loop, or a slice, end one too early?",
         ko="팔 끝보다 관절 하나 앞에서 멈춥니다. 마지막 관절이 위치도 움직임도 곱에 들어 있지 않습니다. 반복문이나 슬라이스가 하나 일찍 끝나지 않습니까?",
     ),
 )
 
-ENDS_WITH_THE_POSITIONS = Twin(
+ENDS_WITH_THE_POSITIONS = WrongAnswer(
     "ends with the positions",
     lambda chain, positions: walk(chain[: len(positions)], positions, names="by place"),
-    Words(
+    Text(
         en="You pair joints and positions by their places, as `zip` does: the first joint gets the first number, and whichever list is shorter ends the chain. Go through all joints, and look each one up by its name.",
         ko="관절과 위치를 `zip`처럼 순서대로 짝짓습니다. 첫 관절이 첫 숫자를 받고, 짧은 쪽이 끝나면 사슬도 끝납니다. 관절을 모두 지나면서 이름으로 찾으십시오.",
     ),
 )
 
-LAST_MOVEMENT_LEFT_OUT = Twin(
+LAST_MOVEMENT_LEFT_OUT = WrongAnswer(
     "last movement left out",
     lambda chain, positions: walk(
         chain, {name: at for name, at in positions.items() if not chain or name != chain[-1]["name"]}
     ),
-    Words(
+    Text(
         en="The last joint stands still with you. The tip is behind it: it moves, too.",
         ko="마지막 관절이 움직이지 않습니다. 팔 끝은 그 뒤에 있으므로 함께 움직입니다.",
     ),
@@ -495,10 +495,10 @@ def numbers_added(chain, positions):
     return Transform.from_rpy(*angles, translation=tuple(place))
 
 
-NUMBERS_ADDED = Twin(
+NUMBERS_ADDED = WrongAnswer(
     "numbers added",
     numbers_added,
-    Words(
+    Text(
         en="You added up all offsets, and all angles. Each joint stands in axes that those before it have turned, and turns about different axes do not add up: multiply transforms, joint by joint.",
         ko="오프셋은 오프셋끼리, 각도는 각도끼리 모두 더했습니다. 관절은 앞의 관절들이 돌려놓은 축에 서 있고, 서로 다른 축의 회전은 더해지지 않습니다. 관절마다 변환을 곱하십시오.",
     ),
@@ -510,7 +510,7 @@ TASK = Task(
     id="E7.3",
     kind="F",
     points=5,
-    title=Words(en="Forward kinematics", ko="정기구학"),
+    title=Text(en="Forward kinematics", ko="정기구학"),
     answer="fk",
     form=Pose(),
     inputs=chains,
@@ -551,15 +551,15 @@ TASK = Task(
         TURNED_BEFORE_THE_STEP,
     ),
     hints=(
-        Words(
+        Text(
             en="Begin with Transform() and multiply one domino for each joint.",
             ko="Transform()에서 시작해 관절마다 도미노를 하나씩 곱하십시오.",
         ),
-        Words(
+        Text(
             en="One domino: the origin, Transform.from_rpy(*rpy, translation=xyz), and then the movement.",
             ko="도미노 하나는 origin, 곧 Transform.from_rpy(*rpy, translation=xyz)에 움직임을 이은 것입니다.",
         ),
-        Words(
+        Text(
             en="positions.get(name, 0.0): who is not named stands at zero. A turn about x is roll, about y pitch, about z yaw.",
             ko="positions.get(name, 0.0)이면 이름이 없는 관절은 0입니다. x를 중심으로 돌면 roll, y는 pitch, z는 yaw입니다.",
         ),

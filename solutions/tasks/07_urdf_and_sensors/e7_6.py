@@ -6,7 +6,7 @@ import math
 
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
-from tflab.workbook.tasks import Message, Slip, Task, Words
+from tflab.workbook.tasks import Message, Task, Text, WrongStep
 
 from .draws import tool_pose
 
@@ -61,7 +61,7 @@ def touched(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", si
 
 
 def slip(name, at, en, ko, misconception=""):
-    return Slip(name, at, Words(en=en, ko=ko), misconception)
+    return WrongStep(name, at, Text(en=en, ko=ko), misconception)
 
 
 SLIPS = (
@@ -108,10 +108,10 @@ SLIPS = (
 )  # fmt: skip
 
 
-STEP_OF_THE_INVERSE_ADDED = Slip(
+STEP_OF_THE_INVERSE_ADDED = WrongStep(
     "step of the inverse added",
     {"axes": "step added"},
-    Words(
+    Text(
         en="you added the inverse's step and left out its turn: `.apply` does both.",
         ko="역변환의 이동만 더하고 회전을 빠뜨렸습니다. `.apply`는 둘 다 합니다.",
     ),
@@ -119,20 +119,20 @@ STEP_OF_THE_INVERSE_ADDED = Slip(
 )
 
 
-THE_FLANGE_ITSELF = Slip(
+THE_FLANGE_ITSELF = WrongStep(
     "the flange itself",
     {"axes": "flange"},
-    Words(
+    Text(
         en="that is where the flange is in base_link. Asked for is where the tip is in tool0.",
         ko="base_link에서 플랜지의 위치입니다. tool0에서 끝점의 위치가 필요합니다.",
     ),
 )
 
 
-LENGTH_ALONE = Slip(
+LENGTH_ALONE = WrongStep(
     "length alone",
     {"axes": "length"},
-    Words(
+    Text(
         en="that is how far the tip is from the flange, all of it along z. It also lies to the side: three numbers are needed.",
         ko="플랜지에서 끝점까지의 거리를 모두 z에 넣었습니다. 옆으로도 벗어나 있으므로 세 숫자가 필요합니다.",
     ),
@@ -143,7 +143,7 @@ TASK = Task(
     id="E7.6",
     kind="C",
     points=4,
-    title=Words(en="Find the tool's tip by touching", ko="대어서 찾는 공구 끝"),
+    title=Text(en="Find the tool's tip by touching", ko="대어서 찾는 공구 끝"),
     answer="tcp_mount",
     form=Message(
         "geometry_msgs/msg/TransformStamped",
@@ -159,15 +159,15 @@ TASK = Task(
         LENGTH_ALONE,
     ),
     hints=(
-        Words(
+        Text(
             en="The tip hangs on tool0. So where is it in tool0's own axes?",
             ko="끝점은 tool0에 매달려 있습니다. tool0의 축으로 보면 어디에 있습니까?",
         ),
-        Words(
+        Text(
             en="tool0_p_tip = tool0_T_base @ base_p_tip, and you have base_T_tool0.",
             ko="tool0_p_tip = tool0_T_base @ base_p_tip이고, 주어진 것은 base_T_tool0입니다.",
         ),
-        Words(
+        Text(
             en="base_T_tool0.inverse().apply(base_p_tip). The rotation stays (0, 0, 0, 1).",
             ko="base_T_tool0.inverse().apply(base_p_tip)입니다. 회전은 (0, 0, 0, 1) 그대로입니다.",
         ),

@@ -7,7 +7,7 @@ import math
 from tflab.core import ExtrapolationException, TransformException
 from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
-from tflab.workbook.tasks import Message, Slip, Task, Words
+from tflab.workbook.tasks import Message, Task, Text, WrongStep
 
 from .draws import _moved, _time, drive, seen
 
@@ -104,10 +104,10 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
     return moved
 
 
-LATEST = Slip(
+LATEST = WrongStep(
     "latest",
     {"moment": "latest"},
-    Words(
+    Text(
         en="The point was moved with the latest transform there is, as `Time()` gives it: with a pose from another moment. No error came, did it? Use the message's own stamp.",
         ko="`Time()`이 주는 최신 변환, 곧 다른 순간의 포즈로 점을 옮겼습니다. 오류는 나지 않았습니다. 메시지 자신의 측정 시각을 쓰십시오.",
     ),
@@ -115,10 +115,10 @@ LATEST = Slip(
 )
 
 
-NOW = Slip(
+NOW = WrongStep(
     "now",
     {"moment": "now"},
-    Words(
+    Text(
         en="You asked for `now`, the moment of arrival. Mostly the buffer refuses, for nothing in it is that fresh; and where it does answer, it is for the wrong moment.",
         ko="도착한 순간인 `now`로 물었습니다. 버퍼에 그만큼 새로운 것이 없으면 거절하고, 답하더라도 틀린 순간의 답입니다.",
     ),
@@ -126,10 +126,10 @@ NOW = Slip(
 )
 
 
-FALLS_BACK_ON_LATEST = Slip(
+FALLS_BACK_ON_LATEST = WrongStep(
     "falls back on latest",
     {"refusal": "latest"},
-    Words(
+    Text(
         en="Where the buffer refuses, you fall back on the latest transform. That turns an honest refusal into a wrong point: let the exception through.",
         ko="버퍼가 거절하면 최신 변환으로 물러섭니다. 정직한 거절을 틀린 점으로 바꾸는 일입니다. 예외를 그대로 내보내십시오.",
     ),
@@ -137,10 +137,10 @@ FALLS_BACK_ON_LATEST = Slip(
 )
 
 
-FALLS_BACK_AND_PUTS_BACK = Slip(
+FALLS_BACK_AND_PUTS_BACK = WrongStep(
     "falls back on latest, and the stamp put back",
     {"refusal": "latest", "stamp": "put back"},
-    Words(
+    Text(
         en="Where the buffer refuses, you take the latest transform and put the message's own stamp on the result: a wrong point, and a label that hides it. Let the exception through.",
         ko="버퍼가 거절하면 최신 변환을 쓰고 결과에 메시지의 측정 시각을 적습니다. 틀린 점인데 이름표가 그것을 숨깁니다. 예외를 그대로 내보내십시오.",
     ),
@@ -148,10 +148,10 @@ FALLS_BACK_AND_PUTS_BACK = Slip(
 )
 
 
-ASKS_FOR_NOW_FIRST = Slip(
+ASKS_FOR_NOW_FIRST = WrongStep(
     "asks for now first",
     {"asks": "for now"},
-    Words(
+    Text(
         en="You answer only where there is a transform for `now`, too, and mostly there is none yet: nothing in the buffer is that fresh. Whether there is one for the stamp, the lookup itself tells.",
         ko="`now`의 변환까지 있을 때만 답하는데, 버퍼에 그만큼 새로운 것은 대개 아직 없습니다. 측정 시각의 변환이 있는지는 조회가 직접 알려 줍니다.",
     ),
@@ -159,10 +159,10 @@ ASKS_FOR_NOW_FIRST = Slip(
 )
 
 
-SWALLOWS_THE_REFUSAL = Slip(
+SWALLOWS_THE_REFUSAL = WrongStep(
     "swallows the refusal",
     {"refusal": "None"},
-    Words(
+    Text(
         en="Where the buffer refuses, you return nothing, and nobody learns why. Let the exception through: whoever calls you decides what to do.",
         ko="버퍼가 거절하면 아무것도 반환하지 않아 아무도 이유를 알지 못합니다. 예외를 그대로 내보내십시오. 어떻게 할지는 호출한 쪽이 정합니다.",
     ),
@@ -170,10 +170,10 @@ SWALLOWS_THE_REFUSAL = Slip(
 )
 
 
-SWAPPED = Slip(
+SWAPPED = WrongStep(
     "swapped",
     {"ends": "swapped"},
-    Words(
+    Text(
         en="Target and source are swapped. Say it: data expressed in the message's frame, wanted in map. The wanted one comes first.",
         ko="목표와 원본이 뒤바뀌었습니다. 소리 내어 말해 보십시오. “메시지의 좌표계 기준 데이터를 map 기준으로 보고 싶다.” 기준이 될 좌표계, 곧 목표가 먼저입니다.",
     ),
@@ -181,10 +181,10 @@ SWAPPED = Slip(
 )
 
 
-STAMPED_ANEW = Slip(
+STAMPED_ANEW = WrongStep(
     "stamped anew",
     {"stamp": "now"},
-    Words(
+    Text(
         en="Your point says that it was measured when it arrived. Whoever uses it next can no longer ask about the right moment.",
         ko="반환한 점의 측정 시각이 도착 시각으로 되어 있습니다. 다음에 쓰는 사람은 올바른 시각의 변환을 조회할 수 없게 됩니다.",
     ),
@@ -192,152 +192,152 @@ STAMPED_ANEW = Slip(
 )
 
 
-ONLY_THE_LABEL = Slip(
+ONLY_THE_LABEL = WrongStep(
     "only the label",
     {"move": "label"},
-    Words(
+    Text(
         en="You wrote map on the label, and left the numbers as the sensor gave them. A frame is not a name to be changed: the point itself has to be moved.",
         ko="이름표만 map으로 바꾸고 숫자는 센서가 준 그대로 두었습니다. 좌표계는 이름만 바꾼다고 바뀌지 않습니다. 점의 숫자를 옮겨야 합니다.",
     ),
 )
 
 
-LEFT_IN_ODOM = Slip(
+LEFT_IN_ODOM = WrongStep(
     "left in odom",
     {"target": "odom"},
-    Words(
+    Text(
         en="You stopped in odom. Asked for is map: one edge further up.",
         ko="odom에서 멈추었습니다. 필요한 것은 map입니다. 한 연결 더 올라가야 합니다.",
     ),
 )
 
-ODOM_CALLED_MAP = Slip(
+ODOM_CALLED_MAP = WrongStep(
     "odom called map",
     {"target": "odom", "label": "map"},
-    Words(
+    Text(
         en="You moved the point into odom and wrote map on it. The numbers are still counted from odom: look up one edge further.",
         ko="점을 odom까지만 옮기고 이름표에 map이라고 썼습니다. 숫자는 아직 odom 기준입니다. 한 연결 더 올라가 조회하십시오.",
     ),
 )
 
-LATEST_PUT_BACK = Slip(
+LATEST_PUT_BACK = WrongStep(
     "latest, and the stamp put back",
     {"moment": "latest", "stamp": "put back"},
-    Words(
+    Text(
         en="You asked for the latest transform and put the message's stamp back afterwards. The label is true again, and the numbers are those of another moment.",
         ko="최신 변환을 조회한 뒤 메시지의 측정 시각을 되돌려 놓았습니다. 이름표는 다시 맞지만 숫자는 다른 순간의 것입니다.",
     ),
     "M9",
 )
 
-NOW_PUT_BACK = Slip(
+NOW_PUT_BACK = WrongStep(
     "now, and the stamp put back",
     {"moment": "now", "stamp": "put back"},
-    Words(
+    Text(
         en="You asked for `now`, and the label says the message's stamp. Mostly the buffer refuses, for nothing in it is that fresh; where it does answer, the numbers are those of the moment of arrival.",
         ko="`now`의 변환을 조회했는데, 이름표에는 메시지의 측정 시각이 있습니다. 버퍼에 그만큼 새로운 것은 대개 없어서 거절하고, 답하더라도 숫자는 도착한 순간의 것입니다.",
     ),
     "M9",
 )
 
-FROM_BASE_LINK = Slip(
+FROM_BASE_LINK = WrongStep(
     "from base_link",
     {"source": "base_link"},
-    Words(
+    Text(
         en="You asked from base_link. The numbers were counted in the frame that the message names.",
         ko="base_link를 원본으로 물었습니다. 숫자는 메시지에 적힌 좌표계에서 센 것입니다.",
     ),
 )
 
-FROM_ODOM = Slip(
+FROM_ODOM = WrongStep(
     "from odom",
     {"source": "odom"},
-    Words(
+    Text(
         en="You asked from odom. The numbers were counted in the frame that the message names.",
         ko="odom을 원본으로 물었습니다. 숫자는 메시지에 적힌 좌표계에서 센 것입니다.",
     ),
 )
 
-ALWAYS_FROM_THE_LASER = Slip(
+ALWAYS_FROM_THE_LASER = WrongStep(
     "always from laser_frame",
     {"source": "laser_frame"},
-    Words(
+    Text(
         en='You wrote the name "laser_frame" into your function. The message says itself in which frame its numbers are: `message.header.frame_id`, and here it is not always the same.',
         ko='함수 안에 "laser_frame"이라는 이름을 적어 두었습니다. 숫자가 어느 좌표계 기준인지는 메시지의 `message.header.frame_id`에 있고, 늘 같지는 않습니다.',
     ),
     "M14",
 )
 
-ALWAYS_FROM_THE_CAMERA = Slip(
+ALWAYS_FROM_THE_CAMERA = WrongStep(
     "always from camera_link",
     {"source": "camera_link"},
-    Words(
+    Text(
         en='You wrote the name "camera_link" into your function. The message says itself in which frame its numbers are: `message.header.frame_id`, and here it is not always the same.',
         ko='함수 안에 "camera_link"라는 이름을 적어 두었습니다. 숫자가 어느 좌표계 기준인지는 메시지의 `message.header.frame_id`에 있고, 늘 같지는 않습니다.',
     ),
     "M14",
 )
 
-SEC_ALONE = Slip(
+SEC_ALONE = WrongStep(
     "sec alone",
     {"moment": "sec alone"},
-    Words(
+    Text(
         en="You asked for the stamp's sec alone: up to a second too early. `Time.from_msg(stamp)` reads both fields.",
         ko="sec만으로 물었습니다. 최대 1초나 이릅니다. `Time.from_msg(stamp)`는 두 항목을 모두 읽습니다.",
     ),
 )
 
-HALF_WAY = Slip(
+HALF_WAY = WrongStep(
     "half way to now",
     {"moment": "half way"},
-    Words(
+    Text(
         en="You asked for a moment between measuring and arriving. The point was where it was at the stamp.",
         ko="측정과 도착 사이의 순간으로 물었습니다. 점은 측정 시각에 거기 있었습니다.",
     ),
     "M9",
 )
 
-STEP_ALONE = Slip(
+STEP_ALONE = WrongStep(
     "step alone",
     {"move": "step"},
-    Words(
+    Text(
         en="You added the translation and left the rotation out. The sensor looks another way than the map's x.",
         ko="이동만 더하고 회전을 빠뜨렸습니다. 센서는 지도의 x와 다른 쪽을 봅니다.",
     ),
 )
 
-TURN_ALONE = Slip(
+TURN_ALONE = WrongStep(
     "turn alone",
     {"move": "turn"},
-    Words(
+    Text(
         en="You turned the point and left the translation out: the sensor does not stand where the map begins.",
         ko="점을 돌리기만 하고 이동을 빠뜨렸습니다. 센서는 지도의 원점에 있지 않습니다.",
     ),
 )
 
-MOVED_TWICE = Slip(
+MOVED_TWICE = WrongStep(
     "moved twice",
     {"move": "twice"},
-    Words(
+    Text(
         en="The point was moved twice by the same transform: once it is in map, it stays.",
         ko="같은 변환으로 점을 두 번 옮겼습니다. 한 번 옮기면 이미 map 기준입니다.",
     ),
 )
 
-STAMP_LOST = Slip(
+STAMP_LOST = WrongStep(
     "stamp lost",
     {"stamp": "zero"},
-    Words(
+    Text(
         en="Your point has no stamp any more. Whoever uses it next asks for the latest without knowing it.",
         ko="결과에 측정 시각이 없습니다. 다음에 쓰는 쪽은 모르는 사이에 최신을 묻게 됩니다.",
     ),
     "M9",
 )
 
-AS_IT_CAME = Slip(
+AS_IT_CAME = WrongStep(
     "as it came",
     {"refusal": "as it came"},
-    Words(
+    Text(
         en="Where the buffer refuses, you hand the message on, its numbers still in the sensor's frame. Let the exception through.",
         ko="버퍼가 거절하면 메시지를 그대로 넘기는데, 숫자는 아직 센서 좌표계의 것입니다. 예외를 그대로 내보내십시오.",
     ),
@@ -345,20 +345,20 @@ AS_IT_CAME = Slip(
 )
 
 
-DIGITS = Slip(
+DIGITS = WrongStep(
     "digits",
     {"moment": "digits"},
-    Words(
+    Text(
         en="The digits of nanosec stand right behind the decimal point: 45000000 ns is 0.045 s, not 0.45 s. `Time.from_msg(stamp)` has it right.",
         ko="nanosec의 숫자가 소수점 바로 뒤에 왔습니다. 45000000 ns는 0.45초가 아니라 0.045초입니다. `Time.from_msg(stamp)`를 쓰면 됩니다.",
     ),
 )
 
 
-A_TENTH_BEFORE_NOW = Slip(
+A_TENTH_BEFORE_NOW = WrongStep(
     "a tenth before now",
     {"moment": "a tenth before now"},
-    Words(
+    Text(
         en="You asked for a tenth of a second before now. How old a message is differs each time, and its stamp says when it was.",
         ko="현재보다 0.1초 전을 물었습니다. 메시지의 나이는 매번 다르고, 언제 측정했는지는 측정 시각에 적혀 있습니다.",
     ),
@@ -366,10 +366,10 @@ A_TENTH_BEFORE_NOW = Slip(
 )
 
 
-MAP_OF_NOW = Slip(
+MAP_OF_NOW = WrongStep(
     "map of now",
     {"moment": "now and stamp"},
-    Words(
+    Text(
         en="You ask for two moments: map → odom as it is at `now`, and only the rest of the way at the stamp. For `now` there is mostly nothing yet, and the point lay where it was at the stamp: ask the whole way at that.",
         ko="두 시각을 섞었습니다. map → odom은 `now`의 것을, 나머지 경로만 측정 시각의 것을 물었습니다. `now`에는 대개 아직 아무것도 없고, 점은 측정 시각의 그 자리에 있었습니다. 경로 전체를 측정 시각으로 물으십시오.",
     ),
@@ -377,10 +377,10 @@ MAP_OF_NOW = Slip(
 )
 
 
-MAP_OF_THE_LATEST = Slip(
+MAP_OF_THE_LATEST = WrongStep(
     "map of the latest",
     {"moment": "latest and stamp"},
-    Words(
+    Text(
         en="You ask for two moments: the newest map → odom, and only the rest of the way at the stamp. Where the localiser has corrected itself since, the point jumps: ask the whole way at the stamp.",
         ko="두 시각을 섞었습니다. map → odom은 가장 새로운 것을, 나머지 경로만 측정 시각의 것을 물었습니다. 그사이 위치 추정이 보정했다면 점이 튑니다. 경로 전체를 측정 시각으로 물으십시오.",
     ),
@@ -388,10 +388,10 @@ MAP_OF_THE_LATEST = Slip(
 )
 
 
-ROBOT_OF_THE_LATEST = Slip(
+ROBOT_OF_THE_LATEST = WrongStep(
     "robot of the latest",
     {"moment": "stamp and latest"},
-    Words(
+    Text(
         en="You ask for two moments: map → odom at the stamp, and the robot in odom where it was last. It has driven on since it saw the point: ask the whole way at the stamp.",
         ko="두 시각을 섞었습니다. map → odom은 측정 시각의 것을, odom에서 로봇의 위치는 가장 새로운 것을 물었습니다. 로봇은 점을 본 뒤에 더 달렸습니다. 경로 전체를 측정 시각으로 물으십시오.",
     ),
@@ -399,10 +399,10 @@ ROBOT_OF_THE_LATEST = Slip(
 )
 
 
-ROBOT_OF_NOW = Slip(
+ROBOT_OF_NOW = WrongStep(
     "robot of now",
     {"moment": "stamp and now"},
-    Words(
+    Text(
         en="You ask for two moments: map → odom at the stamp, and the robot in odom at `now`. It has driven on since it saw the point, and for `now` there is mostly nothing yet: ask the whole way at the stamp.",
         ko="두 시각을 섞었습니다. map → odom은 측정 시각의 것을, odom에서 로봇의 위치는 `now`의 것을 물었습니다. 로봇은 점을 본 뒤에 더 달렸고, `now`에는 대개 아직 아무것도 없습니다. 경로 전체를 측정 시각으로 물으십시오.",
     ),
@@ -411,10 +411,10 @@ ROBOT_OF_NOW = Slip(
 
 
 PUT_BACK = tuple(
-    Slip(
+    WrongStep(
         f"{slip.name}, and the stamp put back",
         slip.at | {"stamp": "put back"},
-        Words(
+        Text(
             en=slip.reply.en
             + " The message's own stamp, put back afterwards, makes the label true again and not the numbers.",
             ko=slip.reply.ko + " 나중에 메시지의 측정 시각을 되돌려 놓아도 이름표만 맞고 숫자는 그대로 틀립니다.",
@@ -425,20 +425,20 @@ PUT_BACK = tuple(
 )
 
 
-LEFT_IN_BASE_LINK = Slip(
+LEFT_IN_BASE_LINK = WrongStep(
     "left in base_link",
     {"target": "base_link"},
-    Words(
+    Text(
         en="You moved it into base_link. It is wanted in map.",
         ko="base_link로 옮겼습니다. map 기준이 필요합니다.",
     ),
 )
 
 
-GIVES_UP_ON_THE_OLD = Slip(
+GIVES_UP_ON_THE_OLD = WrongStep(
     "gives up on the old",
     {"asks": "how old"},
-    Words(
+    Text(
         en="You answer only for a message that has just come, and return nothing where it is older. Its age says nothing of what the buffer knows: ask at its stamp, and let the buffer refuse.",
         ko="방금 온 메시지에만 답하고 더 오래된 것에는 아무것도 반환하지 않습니다. 메시지의 나이로는 버퍼가 그 시각을 아는지 알 수 없습니다. 측정 시각으로 묻고, 거절은 버퍼에 맡기십시오.",
     ),
@@ -446,10 +446,10 @@ GIVES_UP_ON_THE_OLD = Slip(
 )
 
 
-REFUSES_THE_OLD = Slip(
+REFUSES_THE_OLD = WrongStep(
     "refuses the old",
     {"asks": "how old, and refuses"},
-    Words(
+    Text(
         en="You answer only for a message that has just come, and refuse yourself where it is older. Its age says nothing of what the buffer knows: ask at its stamp, and let the buffer refuse.",
         ko="방금 온 메시지에만 답하고 더 오래된 것은 직접 거절합니다. 메시지의 나이로는 버퍼가 그 시각을 아는지 알 수 없습니다. 측정 시각으로 묻고, 거절은 버퍼에 맡기십시오.",
     ),
@@ -457,20 +457,20 @@ REFUSES_THE_OLD = Slip(
 )
 
 
-NOTHING_MOVED = Slip(
+NOTHING_MOVED = WrongStep(
     "nothing moved",
     {"move": "nothing"},
-    Words(
+    Text(
         en="Where the buffer has an answer, you return the message as it came. `buffer.transform` and `do_transform_point` leave what they are handed as it is, and *return* the moved point: keep that, and return it.",
         ko="버퍼가 답하는데도 받은 메시지를 그대로 반환합니다. `buffer.transform`과 `do_transform_point`는 넘겨받은 것을 바꾸지 않고 옮긴 점을 *반환*합니다. 그 반환값을 받아서 돌려주십시오.",
     ),
 )
 
 
-FALLS_BACK_ON_NOW = Slip(
+FALLS_BACK_ON_NOW = WrongStep(
     "falls back on now",
     {"refusal": "now"},
-    Words(
+    Text(
         en="Where the buffer refuses for the stamp, you ask for `now` instead. Mostly it refuses that, too; where it does not, an honest refusal becomes a wrong point: let the exception through.",
         ko="버퍼가 측정 시각의 변환을 거절하면 대신 `now`의 변환을 묻습니다. 그것도 대개 거절되지만, 거절되지 않으면 정직한 거절이 틀린 점으로 바뀝니다. 예외를 그대로 내보내십시오.",
     ),
@@ -478,10 +478,10 @@ FALLS_BACK_ON_NOW = Slip(
 )
 
 
-FALLS_BACK_ON_NOW_AND_PUTS_BACK = Slip(
+FALLS_BACK_ON_NOW_AND_PUTS_BACK = WrongStep(
     "falls back on now, and the stamp put back",
     {"refusal": "now", "stamp": "put back"},
-    Words(
+    Text(
         en="Where the buffer refuses for the stamp, you ask for `now` instead, and put the message's own stamp on the result: a wrong point, and a label that hides it. Let the exception through.",
         ko="버퍼가 측정 시각의 변환을 거절하면 대신 `now`의 변환을 묻고, 결과에 메시지의 측정 시각을 적습니다. 틀린 점인데 이름표가 그것을 숨깁니다. 예외를 그대로 내보내십시오.",
     ),
@@ -489,40 +489,40 @@ FALLS_BACK_ON_NOW_AND_PUTS_BACK = Slip(
 )
 
 
-STEP_TAKEN_OFF = Slip(
+STEP_TAKEN_OFF = WrongStep(
     "step taken off",
     {"move": "step taken off"},
-    Words(
+    Text(
         en="You took the translation off, and left the rotation out. `map_T_sensor` takes points from the sensor's frame into map as it is: turn the point, then *add* the translation.",
         ko="이동을 빼고 회전을 빠뜨렸습니다. `map_T_sensor`는 센서 기준의 점을 그대로 map 기준으로 옮깁니다. 점을 돌린 다음 이동을 *더하십시오*.",
     ),
 )
 
 
-TURNED_BACK = Slip(
+TURNED_BACK = WrongStep(
     "turned back",
     {"move": "turned back"},
-    Words(
+    Text(
         en="The translation is right, and the point was turned the other way: a sign of the yaw, or of a sine, is the wrong one.",
         ko="이동은 맞지만 점을 반대쪽으로 돌렸습니다. yaw나 사인의 부호가 반대입니다.",
     ),
 )
 
 
-HALF_TURNED = Slip(
+HALF_TURNED = WrongStep(
     "half turned",
     {"move": "half turned"},
-    Words(
+    Text(
         en="The point was turned only half as far as it has to be: a quaternion's z and w are sine and cosine of *half* the angle, so yaw is `2 * atan2(z, w)`.",
         ko="점을 절반만 돌렸습니다. 쿼터니언의 z와 w는 각의 *절반*의 사인과 코사인이므로 yaw는 `2 * atan2(z, w)`입니다.",
     ),
 )
 
 
-ON_THE_FLOOR = Slip(
+ON_THE_FLOOR = WrongStep(
     "on the floor",
     {"move": "on the floor"},
-    Words(
+    Text(
         en="x and y are moved, and z is still the sensor's: it stands above the floor, and that height is part of the translation.",
         ko="x와 y는 옮겼지만 z는 아직 센서 기준입니다. 센서는 바닥보다 높이 있고, 그 높이도 이동의 일부입니다.",
     ),
@@ -533,7 +533,7 @@ TASK = Task(
     id="E8.3",
     kind="F",
     points=4,
-    title=Words(en="PointToMap: a point onto the map", ko="PointToMap: 점을 지도 위로"),
+    title=Text(en="PointToMap: a point onto the map", ko="PointToMap: 점을 지도 위로"),
     answer="point_to_map",
     form=Message("geometry_msgs/msg/PointStamped", ("point", "header.frame_id", "header.stamp"), tolerance=0.002),
     inputs=sightings,
@@ -583,15 +583,15 @@ TASK = Task(
         ON_THE_FLOOR,
     ),
     hints=(
-        Words(
+        Text(
             en="Value, frame, stamp: all three stand in the message. Which two does the lookup need besides the target?",
             ko="값, 좌표계, 측정 시각이 모두 메시지에 있습니다. 조회에는 목표 말고 어느 둘이 필요합니까?",
         ),
-        Words(
+        Text(
             en="tf2 has a method of the buffer that reads frame and stamp off the message itself.",
             ko="tf2의 버퍼에는 좌표계와 측정 시각을 메시지에서 직접 읽는 메서드가 있습니다.",
         ),
-        Words(
+        Text(
             en="`buffer.transform(message, ...)` takes the message and the target frame, and keeps the stamp. No try, no now.",
             ko="`buffer.transform(message, ...)`은 메시지와 목표 좌표계를 받고 측정 시각을 지킵니다. try도 now도 필요 없습니다.",
         ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from itertools import combinations
 
-from tflab.workbook.tasks import Number, Parts, Slip, Task, Words
+from tflab.workbook.tasks import Number, Parts, Task, Text, WrongStep
 
 
 def motion(rng):
@@ -91,10 +91,10 @@ def late(
     return {"forwards_m": ahead, "left_m": aside, "together_m": lengths[together]}
 
 
-SPEED_ONLY = Slip(
+SPEED_ONLY = WrongStep(
     "speed only",
     {"arc": "forgotten"},
-    Words(
+    Text(
         en="The turn is left out: it is no zero. The pose of now looks another way, and drags the object along sideways: the more, the farther it is.",
         ko="회전이 빠져 0이 되었습니다. 로봇은 지금 다른 쪽을 보고 있어서, 그 회전이 물체를 옆으로 끌고 갑니다. 멀리 있을수록 더 그렇습니다.",
     ),
@@ -103,10 +103,10 @@ SPEED_ONLY = Slip(
 )
 
 
-DEGREES = Slip(
+DEGREES = WrongStep(
     "degrees",
     {"angle": "degrees"},
-    Words(
+    Text(
         en="The yaw rate went in as degrees per second. Arc = range × angle holds for radians.",
         ko="각속도를 초당 도 단위 그대로 넣었습니다. 호 = 거리 × 각도는 라디안일 때 맞습니다.",
     ),
@@ -115,10 +115,10 @@ DEGREES = Slip(
 )
 
 
-WRONG_SIDE = Slip(
+WRONG_SIDE = WrongStep(
     "wrong side",
     {"side": -1.0},
-    Words(
+    Text(
         en="The wrong side: the sign is turned round, or a minus is lost, as `abs` loses it. Where the robot has turned left meanwhile, its straight ahead points further left, and so does the old sight; a negative yaw rate turns right.",
         ko="반대쪽입니다. 부호를 뒤집었거나 `abs`처럼 음의 부호를 없앴습니다. 그사이 로봇이 왼쪽으로 돌았다면 정면이 더 왼쪽을 가리키고 옛 관측도 왼쪽으로 갑니다. 음의 각속도는 오른쪽으로 도는 것입니다.",
     ),
@@ -126,10 +126,10 @@ WRONG_SIDE = Slip(
 )
 
 
-ADDED = Slip(
+ADDED = WrongStep(
     "added",
     {"together": "added"},
-    Words(
+    Text(
         en="That is the sum of the two lengths. The two pieces are at right angles: their lengths do not simply add up.",
         ko="두 길이의 합입니다. 두 성분은 서로 직각이므로 길이를 그냥 더하지 않습니다.",
     ),
@@ -137,29 +137,29 @@ ADDED = Slip(
 )
 
 
-MILLISECONDS = Slip(
+MILLISECONDS = WrongStep(
     "milliseconds",
     {"delay": 1.0},
-    Words(
+    Text(
         en="Everything is a thousand times too large: milliseconds went in for seconds, or millimetres come out.",
         ko="모두 천 배입니다. 지연을 밀리초 그대로 넣었거나 밀리미터로 답했습니다.",
     ),
 )
 
 
-HUNDREDTHS = Slip(
+HUNDREDTHS = WrongStep(
     "hundredths",
     {"delay": 1e-2},
-    Words(
+    Text(
         en="Your delay is ten times too long: a millisecond is a thousandth of a second, not a hundredth.",
         ko="지연이 열 배입니다. 1밀리초는 100분의 1초가 아니라 1000분의 1초입니다.",
     ),
 )
 
-WITHOUT_THE_RANGE = Slip(
+WITHOUT_THE_RANGE = WrongStep(
     "without the range",
     {"arc": "none"},
-    Words(
+    Text(
         en="Yaw rate × delay is the angle only. How long is the arc that it cuts off at the object's distance?",
         ko="각속도 × 지연은 각도일 뿐입니다. 물체까지의 거리에서 그 각도는 얼마나 긴 호가 됩니까?",
     ),
@@ -167,20 +167,20 @@ WITHOUT_THE_RANGE = Slip(
 )
 
 
-CROSSWISE = Slip(
+CROSSWISE = WrongStep(
     "crosswise",
     {"places": "exchanged"},
-    Words(
+    Text(
         en="The two pieces have changed places. Driving pushes the point forwards, turning drags it to the side.",
         ko="두 성분이 자리를 바꾸었습니다. 주행은 점을 앞으로 밀고, 회전은 옆으로 끌고 갑니다.",
     ),
 )
 
 
-ROTATION_ONLY = Slip(
+ROTATION_ONLY = WrongStep(
     "rotation only",
     {"forwards": 0.0},
-    Words(
+    Text(
         en="You left out the drive. While the delay lasted the robot went on at `speed_mps`, and the point goes along.",
         ko="주행을 빠뜨렸습니다. 지연되는 동안 로봇은 `speed_mps`로 계속 갔고 점도 함께 옮겨집니다.",
     ),
@@ -188,20 +188,20 @@ ROTATION_ONLY = Slip(
     part="forwards_m",
 )
 
-BACKWARDS = Slip(
+BACKWARDS = WrongStep(
     "backwards",
     {"forwards": -1.0},
-    Words(
+    Text(
         en="The sign of forwards is wrong. The pose of now lies farther ahead, so the old sight lands farther ahead, too.",
         ko="앞뒤 부호가 반대입니다. 지금의 포즈가 더 앞에 있으므로 옛 관측도 더 앞에 놓입니다.",
     ),
     part="forwards_m",
 )
 
-SPEED_TIMES_RANGE = Slip(
+SPEED_TIMES_RANGE = WrongStep(
     "speed times range",
     {"way": "times range"},
-    Words(
+    Text(
         en="Forwards you multiplied by the range as well. The robot drives speed times delay, however far it sees.",
         ko="앞 방향에도 거리를 곱했습니다. 로봇은 얼마나 멀리 보든 속도 곱하기 지연만큼 달립니다.",
     ),
@@ -209,10 +209,10 @@ SPEED_TIMES_RANGE = Slip(
 )
 
 
-TO_DEGREES = Slip(
+TO_DEGREES = WrongStep(
     "to degrees",
     {"angle": "to degrees"},
-    Words(
+    Text(
         en="The degrees were multiplied by 180/π, as `math.degrees` does, and that turns radians into degrees. An arc is radius times *radians*.",
         ko="`math.degrees`처럼 도에 180/π를 곱했습니다. 그것은 라디안을 도로 바꾸는 계산입니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
     ),
@@ -221,10 +221,10 @@ TO_DEGREES = Slip(
 )
 
 
-SPEED_FOR_THE_RANGE = Slip(
+SPEED_FOR_THE_RANGE = WrongStep(
     "speed for the range",
     {"arc": "speed"},
-    Words(
+    Text(
         en="To the left you have yaw rate, delay and speed: the speed stands where the range belongs. What swings is the ray, as long as the range.",
         ko="왼쪽 오차에 yaw 속도와 지연과 주행 속도를 곱했습니다. 거리가 올 자리에 속도가 왔습니다. 흔들리는 것은 물체까지의 거리만큼 긴 시선입니다.",
     ),
@@ -232,10 +232,10 @@ SPEED_FOR_THE_RANGE = Slip(
 )
 
 
-SPEED_TIMES_RANGE_TO_THE_LEFT = Slip(
+SPEED_TIMES_RANGE_TO_THE_LEFT = WrongStep(
     "speed times range to the left",
     {"arc": "speed times range"},
-    Words(
+    Text(
         en="To the left you have speed, time and range. It is the *turn* that swings the ray: yaw rate, time and range.",
         ko="왼쪽 오차에 속도와 시간과 거리를 곱했습니다. 시선을 흔드는 것은 *회전*입니다. yaw 속도와 시간과 거리입니다.",
     ),
@@ -243,10 +243,10 @@ SPEED_TIMES_RANGE_TO_THE_LEFT = Slip(
 )
 
 
-ONE_MINUS_COSINE = Slip(
+ONE_MINUS_COSINE = WrongStep(
     "one minus cosine",
     {"arc": "one minus cosine"},
-    Words(
+    Text(
         en="That is how much less far ahead the ray's end is, 1 minus the cosine. To the left it is the arc: range times angle.",
         ko="시선 끝이 앞으로 덜 나간 만큼(1 - cos)입니다. 왼쪽은 호의 길이, 거리 곱하기 각도입니다.",
     ),
@@ -254,10 +254,10 @@ ONE_MINUS_COSINE = Slip(
 )
 
 
-SINE_OF_DEGREES = Slip(
+SINE_OF_DEGREES = WrongStep(
     "sine of degrees",
     {"arc": "sine of degrees"},
-    Words(
+    Text(
         en="To the left you have the range times the sine of an angle in degrees. `math.sin` takes radians, and the product of the page is range × angle.",
         ko="왼쪽 오차가 거리에 도 단위 각도의 sin을 곱한 값입니다. `math.sin`은 라디안을 받고, 본문의 곱은 거리 × 각도입니다.",
     ),
@@ -266,10 +266,10 @@ SINE_OF_DEGREES = Slip(
 )
 
 
-RANGE_MINUS_THE_WAY = Slip(
+RANGE_MINUS_THE_WAY = WrongStep(
     "range minus the way",
     {"way": "range minus"},
-    Words(
+    Text(
         en="Forwards you have the distance that is left. Asked for is the error: the way driven meanwhile.",
         ko="앞쪽에 남은 거리를 썼습니다. 오차, 곧 그동안 달린 거리가 필요합니다.",
     ),
@@ -277,10 +277,10 @@ RANGE_MINUS_THE_WAY = Slip(
 )
 
 
-RANGE_PLUS_THE_WAY = Slip(
+RANGE_PLUS_THE_WAY = WrongStep(
     "range plus the way",
     {"way": "range plus"},
-    Words(
+    Text(
         en="Forwards you added the range. Asked for is how far off the answer is, and not where the object lies.",
         ko="앞쪽에 거리를 더했습니다. 물체가 있는 곳이 아니라 답이 얼마나 빗나가는지가 필요합니다.",
     ),
@@ -288,10 +288,10 @@ RANGE_PLUS_THE_WAY = Slip(
 )
 
 
-WAY_FOR_THE_RANGE = Slip(
+WAY_FOR_THE_RANGE = WrongStep(
     "way for the range",
     {"arc": "the way"},
-    Words(
+    Text(
         en="To the left you multiplied the angle by the way driven. What swings is the ray, as long as the range.",
         ko="왼쪽 오차에서 각도에 달린 거리를 곱했습니다. 흔들리는 것은 물체까지의 거리만큼 긴 시선입니다.",
     ),
@@ -299,10 +299,10 @@ WAY_FOR_THE_RANGE = Slip(
 )
 
 
-NO_DELAY_IN_THE_ARC = Slip(
+NO_DELAY_IN_THE_ARC = WrongStep(
     "no delay in the arc",
     {"arc": "no delay"},
-    Words(
+    Text(
         en="To the left the delay is missing: range × yaw rate is what a whole second swings.",
         ko="왼쪽 오차에 지연이 빠졌습니다. 거리 × 각속도는 1초 내내 흔들린 만큼입니다.",
     ),
@@ -310,10 +310,10 @@ NO_DELAY_IN_THE_ARC = Slip(
 )
 
 
-TOGETHER_MEAN = Slip(
+TOGETHER_MEAN = WrongStep(
     "together: mean",
     {"together": "mean"},
-    Words(
+    Text(
         en="You took the mean of the two. They stand at right angles: their length together is the hypotenuse.",
         ko="둘의 평균을 구했습니다. 둘은 직각이므로 함께한 길이는 빗변입니다.",
     ),
@@ -321,10 +321,10 @@ TOGETHER_MEAN = Slip(
 )
 
 
-TOGETHER_SIZES_TAKEN_OFF = Slip(
+TOGETHER_SIZES_TAKEN_OFF = WrongStep(
     "together: sizes taken off",
     {"together": "sizes taken off"},
-    Words(
+    Text(
         en="That is the one length less the other; a sum of two numbers with different signs comes to the same. They stand at right angles: take the hypotenuse.",
         ko="한 길이에서 다른 길이를 뺀 값입니다. 부호가 다른 두 수를 더해도 이렇게 됩니다. 둘은 직각이므로 빗변을 구하십시오.",
     ),
@@ -332,10 +332,10 @@ TOGETHER_SIZES_TAKEN_OFF = Slip(
 )
 
 
-TOGETHER_FORWARDS = Slip(
+TOGETHER_FORWARDS = WrongStep(
     "together: forwards",
     {"together": "forwards"},
-    Words(
+    Text(
         en="Together it is longer than forwards alone: the way to the left counts as well.",
         ko="함께한 길이는 앞쪽만보다 깁니다. 왼쪽도 셉니다.",
     ),
@@ -343,10 +343,10 @@ TOGETHER_FORWARDS = Slip(
 )
 
 
-TOGETHER_LEFT = Slip(
+TOGETHER_LEFT = WrongStep(
     "together: left",
     {"together": "left"},
-    Words(
+    Text(
         en="Together it is longer than to the left alone: the way forwards counts as well.",
         ko="함께한 길이는 왼쪽만보다 깁니다. 앞쪽도 셉니다.",
     ),
@@ -354,10 +354,10 @@ TOGETHER_LEFT = Slip(
 )
 
 
-TOGETHER_SQUARES = Slip(
+TOGETHER_SQUARES = WrongStep(
     "together: squares",
     {"together": "squares"},
-    Words(
+    Text(
         en="You added the squares and left out the root.",
         ko="제곱을 더하고 제곱근을 빠뜨렸습니다.",
     ),
@@ -365,70 +365,70 @@ TOGETHER_SQUARES = Slip(
 )
 
 
-MICROSECONDS = Slip(
+MICROSECONDS = WrongStep(
     "microseconds",
     {"delay": 1e-6},
-    Words(
+    Text(
         en="Everything is a thousand times too small: the milliseconds were divided by a million, as microseconds are, or kilometres come out.",
         ko="모든 값이 1000분의 1입니다. 밀리초를 마이크로초처럼 100만으로 나누었거나, 답이 킬로미터 단위입니다.",
     ),
 )
 
 
-TWICE_THE_DELAY = Slip(
+TWICE_THE_DELAY = WrongStep(
     "twice the delay",
     {"delay": 2e-3},
-    Words(
+    Text(
         en="Everything is twice as much: the delay went in twice, or a 2 that nothing here needs. While it lasts the robot drives and turns once.",
         ko="모두 두 배입니다. 지연이 두 번 들어갔거나, 필요 없는 2를 곱했습니다. 로봇은 지연되는 동안 한 번 달리고 돕니다.",
     ),
 )
 
 
-HALF_THE_DELAY = Slip(
+HALF_THE_DELAY = WrongStep(
     "half the delay",
     {"delay": 5e-4},
-    Words(
+    Text(
         en="Everything is half as much: half the delay went in, or a mean of then and now. The error is that of the whole delay, at its end.",
         ko="모두 절반입니다. 지연의 절반만 넣었거나, 그때와 지금의 평균을 썼습니다. 오차는 지연이 다 지난 뒤의 것입니다.",
     ),
 )
 
 
-TIMES_A_THOUSAND = Slip(
+TIMES_A_THOUSAND = WrongStep(
     "times a thousand",
     {"delay": 1e3},
-    Words(
+    Text(
         en="You multiplied the milliseconds by a thousand: a second has a thousand of them, so they are divided.",
         ko="밀리초에 1000을 곱했습니다. 1초가 1000밀리초이므로 1000으로 나누어야 합니다.",
     ),
 )
 
 
-SIXTIETHS = Slip(
+SIXTIETHS = WrongStep(
     "sixtieths",
     {"delay": 1.0 / 60.0},
-    Words(
+    Text(
         en="You divided the milliseconds by 60. A thousand of them make a second.",
         ko="밀리초를 60으로 나누었습니다. 1초는 1000밀리초입니다.",
     ),
 )
 
 
-NO_DELAY = Slip(
+NO_DELAY = WrongStep(
     "no delay",
     {"delay": 0.0},
-    Words(
+    Text(
         en="The delay is missing: that is how far off it would be after a whole second.",
         ko="지연이 빠졌습니다. 꼬박 1초가 지났을 때의 오차입니다.",
     ),
 )
 
 
-NO_DELAY_FORWARDS = Slip(
+NO_DELAY_FORWARDS = WrongStep(
     "no delay forwards",
     {"way": "no delay"},
-    Words(
+    Text(
         en="Forwards the delay is missing: the speed alone is what the robot drives in a whole second.",
         ko="앞쪽에 지연이 빠졌습니다. 속력만으로는 꼬박 1초 동안 가는 거리입니다.",
     ),
@@ -436,10 +436,10 @@ NO_DELAY_FORWARDS = Slip(
 )
 
 
-TURNS = Slip(
+TURNS = WrongStep(
     "turns",
     {"angle": "turns"},
-    Words(
+    Text(
         en="The degrees were divided by 360: that makes turns, and an arc is radius times *radians*.",
         ko="도를 360으로 나누었습니다. 그러면 바퀴 수가 됩니다. 호의 길이는 반지름 곱하기 *라디안*입니다.",
     ),
@@ -448,10 +448,10 @@ TURNS = Slip(
 )
 
 
-TWO_PI_OVER_180 = Slip(
+TWO_PI_OVER_180 = WrongStep(
     "two pi over 180",
     {"angle": "twice"},
-    Words(
+    Text(
         en="To the left it is twice too much: half a turn, 180°, is π radians, and 2π belongs to 360°.",
         ko="왼쪽이 두 배입니다. 180°가 π 라디안이고, 2π는 360°입니다.",
     ),
@@ -460,10 +460,10 @@ TWO_PI_OVER_180 = Slip(
 )
 
 
-RANGE_LEFT_OVER = Slip(
+RANGE_LEFT_OVER = WrongStep(
     "range left over",
     {"arc": "range left over"},
-    Words(
+    Text(
         en="To the left you took the range less the way driven. The product of the page takes the range as it was measured.",
         ko="왼쪽에 `range_m`에서 간 거리를 뺀 값을 썼습니다. 본문의 곱에는 잰 거리를 그대로 씁니다.",
     ),
@@ -471,10 +471,10 @@ RANGE_LEFT_OVER = Slip(
 )
 
 
-TOGETHER_RMS = Slip(
+TOGETHER_RMS = WrongStep(
     "together: root of the mean",
     {"together": "rms"},
-    Words(
+    Text(
         en="That is the root of the *mean* of the squares. The hypotenuse is the root of their sum.",
         ko="제곱의 *평균*에 제곱근을 씌웠습니다. 빗변은 제곱의 합에 제곱근을 씌운 것입니다.",
     ),
@@ -482,10 +482,10 @@ TOGETHER_RMS = Slip(
 )
 
 
-TOGETHER_DIRECTION = Slip(
+TOGETHER_DIRECTION = WrongStep(
     "together: direction",
     {"together": "direction"},
-    Words(
+    Text(
         en="That is an angle, as `math.atan2` gives it: to which side the error points. Asked for is its length.",
         ko="`math.atan2`가 주는 각도, 곧 오차가 향하는 방향입니다. 필요한 것은 길이입니다.",
     ),
@@ -497,7 +497,7 @@ TASK = Task(
     id="E8.4",
     kind="N",
     points=3,
-    title=Words(en="How far off?", ko="얼마나 빗나갑니까?"),
+    title=Text(en="How far off?", ko="얼마나 빗나갑니까?"),
     answer="late_error",
     form=Parts(
         {name: Number(unit="m", tolerance=0.003) for name in ("forwards_m", "left_m", "together_m")},
@@ -545,15 +545,15 @@ TASK = Task(
         TOGETHER_DIRECTION,
     ),
     hints=(
-        Words(
+        Text(
             en="First bring everything to seconds, metres and radians.",
             ko="먼저 모두 초, m, rad로 바꾸십시오.",
         ),
-        Words(
+        Text(
             en="Forwards comes from driving, left from turning. Positive yaw turns to the left.",
             ko="앞뒤는 주행에서, 좌우는 회전에서 옵니다. 양의 yaw는 왼쪽으로 도는 것입니다.",
         ),
-        Words(
+        Text(
             en="speed × delay, range × yaw rate × delay, and `math.hypot` of the two.",
             ko="속도 × 지연, 거리 × 각속도 × 지연, 그리고 둘의 `math.hypot`입니다.",
         ),

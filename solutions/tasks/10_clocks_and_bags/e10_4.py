@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.workbook.tasks import Choice, Sequence, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Choice, Sequence, Task, Text, WrongAnswer, WrongStep
 
 NAMES = ("mapper", "detector", "planner", "camera", "localizer", "recorder", "driver", "watcher", "guard")
 ABSENT = object()
@@ -108,255 +108,255 @@ def refused_for_all(params, nodes):
     return clocks(params, nodes) if isinstance(general, bool) else ["refused" for _ in nodes]
 
 
-TEXT_IS_READ = Slip(
+TEXT_IS_READ = WrongStep(
     "text is read",
     {"text": "read"},
-    Words(
+    Text(
         en='You read "true" and 1 as if they were true. In YAML quotes make a text, and rclpy takes a text for no answer at all: only True and False will do.',
         ko='"true"나 1을 참으로 읽었습니다. YAML에서 따옴표를 붙이면 문자열이 되고, rclpy는 문자열을 받지 않습니다. True와 False만 됩니다.',
     ),
     "M13",
 )
 
-TEXT_IS_TRUTHY = Slip(
+TEXT_IS_TRUTHY = WrongStep(
     "text is truthy",
     {"text": "truthy"},
-    Words(
+    Text(
         en='`if value:` takes every text for true, "false" as well. Look at the type before the value.',
         ko='`if value:`는 모든 문자열을 참으로 봅니다. "false"도 참이 됩니다. 값보다 타입을 먼저 보십시오.',
     ),
     "M13",
 )
 
-TEXT_IS_WALL = Slip(
+TEXT_IS_WALL = WrongStep(
     "text is wall",
     {"text": "wall"},
-    Words(
+    Text(
         en='What is neither True nor False counts as "wall" for you. The clock is the machine\'s then, but the node also logs an error: asked for is "refused".',
         ko='True도 False도 아닌 것을 "wall"로 보았습니다. 시계는 컴퓨터의 것이 되지만 노드가 오류도 기록합니다. 이때의 답은 "refused"입니다.',
     ),
     "M13",
 )
 
-QUOTES_DO_NOT_COUNT = Slip(
+QUOTES_DO_NOT_COUNT = WrongStep(
     "quotes do not count",
     {"text": "unquoted"},
-    Words(
+    Text(
         en='You read the texts "true" and "false" as the values of that name. In YAML quotes make a text, and rclpy takes no text for this parameter.',
         ko='"true"와 "false"라는 텍스트를 True와 False로 읽습니다. YAML에서 따옴표가 있으면 텍스트이고, rclpy는 이 파라미터에 텍스트를 받지 않습니다.',
     ),
     "M13",
 )
 
-TRUE_IN_QUOTES = Slip(
+TRUE_IN_QUOTES = WrongStep(
     "true in quotes",
     {"text": "true in quotes"},
-    Words(
+    Text(
         en='You take the text "true" for True. In YAML quotes make a text, and rclpy takes no text for this parameter.',
         ko='"true"라는 텍스트를 True로 읽었습니다. YAML에서 따옴표가 있으면 텍스트이고, rclpy는 이 파라미터에 텍스트를 받지 않습니다.',
     ),
     "M13",
 )
 
-TRUE_IN_QUOTES_AND_ONE = Slip(
+TRUE_IN_QUOTES_AND_ONE = WrongStep(
     "true in quotes, and 1",
     {"text": "true in quotes, and 1"},
-    Words(
+    Text(
         en='You take the text "true" for True, and the number 1 with it, for `1 == True` holds in Python. rclpy takes neither a text nor a number for this parameter: look at the type.',
         ko='"true"라는 텍스트를 True로 읽었고, 파이썬에서 `1 == True`가 참이라 숫자 1도 함께 통과했습니다. rclpy는 이 파라미터에 텍스트도 숫자도 받지 않습니다. 타입을 보십시오.',
     ),
     "M13",
 )
 
-NUMBERS_COUNT = Slip(
+NUMBERS_COUNT = WrongStep(
     "numbers count",
     {"text": "numbers"},
-    Words(
+    Text(
         en="`1 == True` holds in Python, and still 1 is no bool: rclpy takes no number for this parameter. Look at the type.",
         ko="파이썬에서 `1 == True`는 참이지만 1은 bool이 아닙니다. rclpy는 이 파라미터에 숫자를 받지 않습니다. 타입을 보십시오.",
     ),
     "M13",
 )
 
-EVERYONE_IGNORED = Slip(
+EVERYONE_IGNORED = WrongStep(
     "everyone ignored",
     {"everyone": False},
-    Words(
+    Text(
         en="The entry `/**` is for every node, also for one that has no entry of its own.",
         ko="`/**` 항목은 모든 노드의 것입니다. 자기 항목이 없는 노드에도 적용됩니다.",
     ),
     "M13",
 )
 
-OWN_IGNORED = Slip(
+OWN_IGNORED = WrongStep(
     "own ignored",
     {"own": "nobody's"},
-    Words(
+    Text(
         en="A node's own entry does not count for you. It stands there to make an exception.",
         ko="노드 자신의 항목을 보지 않았습니다. 예외를 두려고 적은 항목입니다.",
     ),
     "M13",
 )
 
-SLASH_NEEDED = Slip(
+SLASH_NEEDED = WrongStep(
     "slash needed",
     {"slash": "with"},
-    Words(
+    Text(
         en="Entries without a leading slash are passed over: `mapper` and `/mapper` are the same node in such a file.",
         ko="앞에 슬래시가 없는 항목을 건너뛰었습니다. 이 파일에서 `mapper`와 `/mapper`는 같은 노드입니다.",
     ),
     "M14",
 )
 
-SLASH_REFUSED = Slip(
+SLASH_REFUSED = WrongStep(
     "slash refused",
     {"slash": "without"},
-    Words(
+    Text(
         en="Entries with a leading slash are passed over: `/mapper` and `mapper` are the same node in such a file.",
         ko="앞에 슬래시가 있는 항목을 건너뛰었습니다. 이 파일에서 `/mapper`와 `mapper`는 같은 노드입니다.",
     ),
     "M14",
 )
 
-EVERYONE_WINS = Slip(
+EVERYONE_WINS = WrongStep(
     "everyone wins",
     {"order": "everyone last"},
-    Words(
+    Text(
         en="Where both speak, you let `/**` win. The special entry counts more than the general one.",
         ko="둘 다 있을 때 `/**`를 택했습니다. 특별한 항목이 일반 항목보다 우선합니다.",
     ),
     "M13",
 )
 
-EVERYONE_ALONE = Slip(
+EVERYONE_ALONE = WrongStep(
     "everyone alone",
     {"order": "everyone alone"},
-    Words(
+    Text(
         en="Where the file has an entry `/**`, you look at no other one. It is the general one: a node's own entry replaces what it names.",
         ko="파일에 `/**` 항목이 있으면 다른 항목을 보지 않습니다. 그것은 일반 항목이고, 노드 자신의 항목은 거기에 적힌 것을 바꿉니다.",
     ),
     "M13",
 )
 
-LAST_LINE_WINS = Slip(
+LAST_LINE_WINS = WrongStep(
     "last line wins",
     {"order": "of the file"},
-    Words(
+    Text(
         en="You take whichever stands last in the file. Where in the file an entry stands does not matter; whose it is does.",
         ko="파일에서 마지막에 나온 것을 택했습니다. 어디에 적혔는지가 아니라 누구의 항목인지가 중요합니다.",
     ),
 )
 
-FIRST_LINE_WINS = Slip(
+FIRST_LINE_WINS = WrongStep(
     "first line wins",
     {"order": "the first of the file"},
-    Words(
+    Text(
         en="You take whichever stands first in the file. Where in the file an entry stands does not matter; whose it is does.",
         ko="파일에서 먼저 나오는 것을 따릅니다. 항목이 파일의 어디에 있는지가 아니라 누구의 항목인지가 중요합니다.",
     ),
 )
 
-ONE_TRUE_IS_ENOUGH = Slip(
+ONE_TRUE_IS_ENOUGH = WrongStep(
     "one true is enough",
     {"order": "any true"},
-    Words(
+    Text(
         en="One True among the entries, and for you the node is in simulated time. The special entry can take back what the general one says.",
         ko="항목 가운데 True가 하나만 있어도 그 노드를 시뮬레이션 시간으로 봅니다. 노드 자신의 항목은 모두의 항목을 물릴 수 있습니다.",
     ),
 )
 
-FALSE_IS_PASSED_OVER = Slip(
+FALSE_IS_PASSED_OVER = WrongStep(
     "false is passed over",
     {"order": "or"},
-    Words(
+    Text(
         en="A node's own False does not count for you, as if it said nothing: `or` passes over what is false. False is an answer; ask whether it is set.",
         ko="노드 자신의 False를 설정하지 않은 것처럼 지나칩니다. `or`는 거짓인 값을 건너뜁니다. False도 설정한 값이므로, 설정되었는지를 물으십시오.",
     ),
     "M13",
 )
 
-NO_BOOL_IS_PASSED_OVER = Slip(
+NO_BOOL_IS_PASSED_OVER = WrongStep(
     "no bool is passed over",
     {"text": "passed over"},
-    Words(
+    Text(
         en="Where a node's own entry holds no True or False, you take what is for all instead. The entry replaces it all the same, and the node refuses it.",
         ko="노드 자신의 항목이 True나 False가 아니면 모두의 항목을 대신 썼습니다. 그래도 자신의 항목이 우선하고, 노드는 그 값을 거부합니다.",
     ),
     "M13",
 )
 
-ENTRIES_OF_OTHERS = Slip(
+ENTRIES_OF_OTHERS = WrongStep(
     "entries of others",
     {"own": "everybody's"},
-    Words(
+    Text(
         en="You let the entries of other nodes count, too. For a node two things count: what is for all, and what is its own.",
         ko="다른 노드의 항목까지 셉니다. 노드에게는 모두의 항목과 자신의 항목만 통합니다.",
     ),
 )
 
-NAMESPACE_DROPPED = Slip(
+NAMESPACE_DROPPED = WrongStep(
     "namespace dropped",
     {"slash": "last part"},
-    Words(
+    Text(
         en="You compare the last part of a name alone. `/front/mapper` is another node than `/mapper`, and has an entry of its own.",
         ko="이름의 마지막 부분만 비교합니다. `/front/mapper`는 `/mapper`와 다른 노드이고 항목도 따로 있습니다.",
     ),
     "M14",
 )
 
-ONE_LEVEL_TOO_HIGH = Slip(
+ONE_LEVEL_TOO_HIGH = WrongStep(
     "one level too high",
     {"level": "too high"},
-    Words(
+    Text(
         en='Whatever the file says, every node hears the same word from you. Do you look one level too high? What is set stands below "ros__parameters".',
         ko='파일에 무엇이 적혀 있든 모든 노드에 같은 단어를 줍니다. 한 단계 위를 보고 있지 않습니까? 설정한 값은 "ros__parameters" 아래에 있습니다.',
     ),
 )
 
-UNSET_IS_REFUSED = Slip(
+UNSET_IS_REFUSED = WrongStep(
     "unset is refused",
     {"unset": "refused"},
-    Words(
+    Text(
         en='A node for which nobody sets it is "refused" for you. There is nothing that could be refused: it keeps what every node begins with.',
         ko='아무도 설정하지 않은 노드를 "refused"라고 합니다. 거부할 값이 없습니다. 노드가 처음에 갖는 값 그대로입니다.',
     ),
     "M13",
 )
 
-UNSET_IS_SIM = Slip(
+UNSET_IS_SIM = WrongStep(
     "unset is sim",
     {"unset": "sim"},
-    Words(
+    Text(
         en="A node for which nobody says anything lives in the machine's time: use_sim_time is false unless it is set.",
         ko="아무 설정도 없는 노드는 컴퓨터의 시간에 삽니다. use_sim_time은 설정하지 않으면 false입니다.",
     ),
     "M13",
 )
 
-OWN_ENTRY_REPLACES_ALL = Slip(
+OWN_ENTRY_REPLACES_ALL = WrongStep(
     "own entry replaces all",
     {"lacking": "nothing"},
-    Words(
+    Text(
         en="A node with an entry of its own loses what `/**` says. The entries are laid on top of each other: only what the upper one names is replaced.",
         ko="자기 항목이 있는 노드는 `/**`의 값을 잃는다고 했습니다. 항목은 겹쳐집니다. 위의 항목에 적힌 것만 바뀝니다.",
     ),
 )
 
 
-HANDED_ON = Twin(
+HANDED_ON = WrongAnswer(
     "handed on",
     handed_on,
-    Words(
+    Text(
         en="A node for which nothing of its own is set gets what the node before it had. Each node begins with what `/**` says: read that inside the loop.",
         ko="자기 항목에서 정하지 않은 노드가 앞 노드의 값을 물려받습니다. 노드마다 `/**`의 값에서 시작해야 합니다. 그 값을 반복문 안에서 읽으십시오.",
     ),
 )
 
 
-REFUSED_FOR_ALL = Twin(
+REFUSED_FOR_ALL = WrongAnswer(
     "refused for all",
     refused_for_all,
-    Words(
+    Text(
         en="Where what `/**` says is refused, you refuse it for every node. One with an entry of its own that says True or False never gets to see it.",
         ko="`/**`의 값이 거절되면 모든 노드를 거절로 답합니다. 자기 항목에 True나 False가 있는 노드는 그 값을 쓰지 않습니다.",
     ),
@@ -367,7 +367,7 @@ TASK = Task(
     id="E10.4",
     kind="F",
     points=4,
-    title=Words(en="Which clock does a node get?", ko="노드는 어느 시계를 얻습니까?"),
+    title=Text(en="Which clock does a node get?", ko="노드는 어느 시계를 얻습니까?"),
     answer="clock_of",
     form=Sequence(Choice(("sim", "wall", "refused"))),
     inputs=launch_files,
@@ -402,29 +402,29 @@ TASK = Task(
         REFUSED_FOR_ALL,
     ),
     hints=(
-        Words(
+        Text(
             en="Collect the values that concern a node, the general one first, and let the later one replace the earlier.",
             ko="노드에 해당하는 값을 일반 항목부터 모으고, 나중 것이 앞의 것을 바꾸게 하십시오.",
         ),
-        Words(
+        Text(
             en='Three keys can hold it: "/**", the name with its slash, and the name without. `params.get(key, {})` spares you an `if`.',
             ko='값이 있을 수 있는 키는 셋입니다. "/**", 슬래시가 있는 이름, 슬래시가 없는 이름입니다. `params.get(key, {})`를 쓰면 `if`가 줄어듭니다.',
         ),
-        Words(
+        Text(
             en="At the end look at the type: `isinstance(value, bool)`. A number is none.",
             ko="마지막에 타입을 보십시오. `isinstance(value, bool)`입니다. 숫자는 bool이 아닙니다.",
         ),
     ),
     seen={
-        "sim": Words(
+        "sim": Text(
             en="There the entry that counts for the node, its own before that of `/**`, says True.",
             ko="여기서는 그 노드에 통하는 항목이 True입니다. 노드 자신의 항목이 `/**`보다 먼저입니다.",
         ),
-        "wall": Words(
+        "wall": Text(
             en="There the entry that counts for the node says False, or nobody sets it: every node begins with false.",
             ko="여기서는 그 노드에 통하는 항목이 False이거나 아무도 설정하지 않았습니다. 모든 노드는 false로 시작합니다.",
         ),
-        "refused": Words(
+        "refused": Text(
             en="There the entry that counts for the node, its own before that of `/**`, holds a text or a number. Do you find that entry, written with a slash and without, and do you look at its type?",
             ko="여기서는 그 노드에 통하는 항목이 텍스트나 숫자입니다. 노드 자신의 항목이 `/**`보다 먼저입니다. 슬래시가 있든 없든 그 항목을 찾고, 타입을 봅니까?",
         ),

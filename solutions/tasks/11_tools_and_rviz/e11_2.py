@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.tools.tf2_echo import echo_text
-from tflab.workbook.tasks import Number, Parts, Slip, Task, Twin, Words
+from tflab.workbook.tasks import Number, Parts, Task, Text, WrongAnswer, WrongStep
 
 NUMBER = re.compile(r"-?\d+\.\d+")
 
@@ -89,167 +89,167 @@ def read(given, *, zeros="nanoseconds", period="of the stamps", time="divided", 
     return {"speed_mps": way * per, "yaw_rate_radps": turn * per, "stamp_s": stamp(b)}
 
 
-ZEROS_LOST = Slip(
+ZEROS_LOST = WrongStep(
     "zeros lost",
     {"zeros": "decimals"},
-    Words(
+    Text(
         en="You read what stands behind the point as decimals. It is a number of nanoseconds without its leading zeros: count the digits.",
         ko="점 뒤를 소수로 읽었습니다. 첫머리의 0이 빠진 나노초입니다. 자릿수를 세어 보세요.",
     ),
     part="stamp_s",
 )
 
-A_SECOND = Slip(
+A_SECOND = WrongStep(
     "a second",
     {"period": "a second"},
-    Words(
+    Text(
         en="This is the change as it is, as if just a second lay between. The tool *prints* once a second, and the stamps need not be a second apart: divide by the time between them.",
         ko="변한 양 그대로입니다. 사이의 시간이 꼭 1초일 때의 값입니다. 1초에 한 번 *출력*할 뿐 측정 시각의 간격은 1초가 아닐 수 있으니, 그 간격으로 나누십시오.",
     ),
     partly=True,
 )
 
-X_ONLY = Slip(
+X_ONLY = WrongStep(
     "x only",
     {"which": "x"},
-    Words(
+    Text(
         en="For the speed you took the difference in x alone. The robot also moved in y.",
         ko="속도에 x의 차이만 썼습니다. 로봇은 y로도 움직였습니다.",
     ),
     part="speed_mps",
 )
 
-X_PLUS_Y = Slip(
+X_PLUS_Y = WrongStep(
     "x plus y",
     {"which": "sum"},
-    Words(
+    Text(
         en="You added the steps in x and y. The straight distance is the hypotenuse.",
         ko="x와 y의 차이를 더했습니다. 직선 거리는 빗변입니다.",
     ),
     part="speed_mps",
 )
 
-DEGREES = Slip(
+DEGREES = WrongStep(
     "degrees",
     {"angle": "degrees"},
-    Words(en="The yaw is in degrees: take the line above it.", ko="yaw가 도(degree) 단위입니다. 그 윗줄을 쓰십시오."),
+    Text(en="The yaw is in degrees: take the line above it.", ko="yaw가 도(degree) 단위입니다. 그 윗줄을 쓰십시오."),
     part="yaw_rate_radps",
 )
 
-DEGREES_WRAPPED = Slip(
+DEGREES_WRAPPED = WrongStep(
     "degrees wrapped",
     {"angle": "degrees", "turned": "wrapped"},
-    Words(
+    Text(
         en="The yaw is in degrees, and then whole turns of 2π were taken off, as of radians: take the line above it.",
         ko="yaw가 도(degree) 단위인데, 라디안인 것처럼 2π의 배수를 뺐습니다. 그 윗줄을 쓰십시오.",
     ),
     part="yaw_rate_radps",
 )
 
-BACKWARDS = Slip(
+BACKWARDS = WrongStep(
     "backwards",
     {"turned": "earlier"},
-    Words(
+    Text(
         en="The turn has the wrong sign: later minus earlier.",
         ko="회전의 부호가 반대입니다. 나중 값에서 이전 값을 빼십시오.",
     ),
     part="yaw_rate_radps",
 )
 
-Y_ONLY = Slip(
+Y_ONLY = WrongStep(
     "y only",
     {"which": "y"},
-    Words(
+    Text(
         en="For the speed you took the difference in y alone. The robot also moved in x.",
         ko="속도에 y의 차이만 썼습니다. 로봇은 x로도 움직였습니다.",
     ),
     part="speed_mps",
 )
 
-TWO_SECONDS = Slip(
+TWO_SECONDS = WrongStep(
     "two seconds",
     {"period": "two seconds"},
-    Words(
+    Text(
         en="You subtracted only the whole seconds of the stamps. What stands behind the point counts, too.",
         ko="측정 시각에서 초의 정수 부분만 뺐습니다. 점 뒤도 세어야 합니다.",
     ),
     partly=True,
 )
 
-NANOSECONDS_ALONE = Slip(
+NANOSECONDS_ALONE = WrongStep(
     "nanoseconds alone",
     {"period": "nanoseconds alone"},
-    Words(
+    Text(
         en="You subtracted only what stands behind the point. The whole seconds passed, too.",
         ko="점 뒤만 뺐습니다. 점 앞의 초도 지나갔습니다.",
     ),
     partly=True,
 )
 
-STAMP_FOR_THE_TIME_BETWEEN = Slip(
+STAMP_FOR_THE_TIME_BETWEEN = WrongStep(
     "stamp for the time between",
     {"period": "the second stamp"},
-    Words(
+    Text(
         en="You divided by the second stamp. That is a moment on the clock, not the time between the two.",
         ko="둘째 측정 시각으로 나눴습니다. 그것은 시계가 가리키는 순간이지 두 시각의 간격이 아닙니다.",
     ),
     partly=True,
 )
 
-MULTIPLIED = Slip(
+MULTIPLIED = WrongStep(
     "multiplied by the time",
     {"time": "multiplied"},
-    Words(
+    Text(
         en="You multiplied by the time between. A rate is how much changes in one second.",
         ko="사이의 시간을 곱했습니다. 속도는 1초에 얼마나 바뀌는지입니다.",
     ),
     partly=True,
 )
 
-MILLIONTHS = Slip(
+MILLIONTHS = WrongStep(
     "nanoseconds as millionths",
     {"zeros": "millionths"},
-    Words(
+    Text(
         en="You divided what stands behind the point by 1e6: that makes milliseconds of nanoseconds, and seconds are asked for.",
         ko="점 뒤를 1e6으로 나눴습니다. 그러면 나노초가 밀리초가 됩니다. 필요한 것은 초입니다.",
     ),
     part="stamp_s",
 )
 
-NO_ROOT = Slip(
+NO_ROOT = WrongStep(
     "no root",
     {"which": "no root"},
-    Words(
+    Text(
         en="You added the squares of the two differences. That is the square of the distance.",
         ko="두 차이의 제곱을 더했습니다. 그것은 거리의 제곱입니다.",
     ),
     part="speed_mps",
 )
 
-FROM_THE_ORIGIN = Slip(
+FROM_THE_ORIGIN = WrongStep(
     "from the origin",
     {"which": "from the origin"},
-    Words(
+    Text(
         en="You took the second position itself. That is how far it is from the origin of `map`, not how far it went.",
         ko="둘째 위치 자체를 썼습니다. 그것은 `map`의 원점에서 떨어진 거리이지 간 거리가 아닙니다.",
     ),
     part="speed_mps",
 )
 
-NEARER_OR_FARTHER = Slip(
+NEARER_OR_FARTHER = WrongStep(
     "nearer or farther",
     {"which": "of the distances"},
-    Words(
+    Text(
         en="You subtracted two distances from the origin. A robot that drives around it would stand still: subtract the positions first.",
         ko="원점에서 떨어진 두 거리를 뺐습니다. 그러면 원점 둘레를 도는 로봇은 서 있는 것이 됩니다. 위치부터 빼십시오.",
     ),
     part="speed_mps",
 )
 
-Z_FOR_THE_YAW = Slip(
+Z_FOR_THE_YAW = WrongStep(
     "z for the yaw",
     {"angle": "z"},
-    Words(
+    Text(
         en="You took z of the quaternion for the yaw. It is the sine of half of it; the line below has angles.",
         ko="쿼터니언의 z를 yaw로 썼습니다. 그것은 yaw 절반의 sin입니다. 각도는 아랫줄에 있습니다.",
     ),
@@ -257,10 +257,10 @@ Z_FOR_THE_YAW = Slip(
     part="yaw_rate_radps",
 )
 
-TWICE_Z = Slip(
+TWICE_Z = WrongStep(
     "twice z for the yaw",
     {"angle": "twice z"},
-    Words(
+    Text(
         en="You took twice z of the quaternion for the yaw. That holds for small angles only; the line below has angles.",
         ko="쿼터니언 z의 두 배를 yaw로 썼습니다. 작은 각도에서만 맞습니다. 각도는 아랫줄에 있습니다.",
     ),
@@ -268,10 +268,10 @@ TWICE_Z = Slip(
     part="yaw_rate_radps",
 )
 
-W_FOR_THE_YAW = Slip(
+W_FOR_THE_YAW = WrongStep(
     "w for the yaw",
     {"angle": "w"},
-    Words(
+    Text(
         en="You took w of the quaternion for the yaw. It is the cosine of half of it; the line below has angles.",
         ko="쿼터니언의 w를 yaw로 썼습니다. 그것은 yaw 절반의 cos입니다. 각도는 아랫줄에 있습니다.",
     ),
@@ -279,80 +279,80 @@ W_FOR_THE_YAW = Slip(
     part="yaw_rate_radps",
 )
 
-SECOND_YAW_ALONE = Slip(
+SECOND_YAW_ALONE = WrongStep(
     "second yaw alone",
     {"turned": "second"},
-    Words(
+    Text(
         en="You took the second yaw itself. It says which way the robot looks then, not how much it turned.",
         ko="둘째 yaw 자체를 썼습니다. 그때 어디를 보는지이지 얼마나 돌았는지가 아닙니다.",
     ),
     part="yaw_rate_radps",
 )
 
-FIRST_YAW_ALONE = Slip(
+FIRST_YAW_ALONE = WrongStep(
     "first yaw alone",
     {"turned": "first"},
-    Words(
+    Text(
         en="You took the first yaw itself. It says which way the robot looked, not how much it turned.",
         ko="첫째 yaw 자체를 썼습니다. 처음에 어디를 보았는지이지 얼마나 돌았는지가 아닙니다.",
     ),
     part="yaw_rate_radps",
 )
 
-YAWS_ADDED = Slip(
+YAWS_ADDED = WrongStep(
     "yaws added",
     {"turned": "added"},
-    Words(
+    Text(
         en="You added the two yaws. How much it turned is their difference.",
         ko="두 yaw를 더했습니다. 얼마나 돌았는지는 둘의 차이입니다.",
     ),
     part="yaw_rate_radps",
 )
 
-COURSE_FOR_THE_TURN = Slip(
+COURSE_FOR_THE_TURN = WrongStep(
     "course for the turn",
     {"turned": "course"},
-    Words(
+    Text(
         en="You took the direction of the way from one position to the other. How the robot turned stands in the yaws.",
         ko="한 위치에서 다른 위치로 가는 방향을 썼습니다. 로봇이 얼마나 돌았는지는 yaw에 있습니다.",
     ),
     part="yaw_rate_radps",
 )
 
-TIME_BETWEEN_FOR_THE_STAMP = Twin(
+TIME_BETWEEN_FOR_THE_STAMP = WrongAnswer(
     "time between for the stamp",
     lambda g: {**read(g), "stamp_s": stamp_of(g.second) - stamp_of(g.first)},
-    Words(
+    Text(
         en="stamp_s: that is the time between the two. Asked is the moment that the second one tells.",
         ko="stamp_s: 두 시각의 간격입니다. 구할 것은 둘째 출력에 나오는 시각입니다.",
     ),
     part="stamp_s",
 )
 
-YAW_ITSELF = Twin(
+YAW_ITSELF = WrongAnswer(
     "yaw itself",
     lambda g: {**read(g), "yaw_rate_radps": parts_of(g.second).radians},
-    Words(
+    Text(
         en="yaw_rate_radps: that is the yaw of the second reading. How much did it change, and in which time?",
         ko="yaw_rate_radps: 둘째 출력의 yaw 자체입니다. 얼마 동안 얼마나 바뀌었습니까?",
     ),
     part="yaw_rate_radps",
 )
 
-STAMP_AS_DECIMALS = Twin(
+STAMP_AS_DECIMALS = WrongAnswer(
     "stamp as decimals",
     lambda g: {**read(g), "stamp_s": float(".".join(parts_of(g.second)[:2]))},
-    Words(
+    Text(
         en="stamp_s: that is how it is printed. Behind the point stand nanoseconds without their leading zeros.",
         ko="stamp_s: 출력된 모양 그대로입니다. 점 뒤는 첫머리의 0이 빠진 나노초입니다.",
     ),
     part="stamp_s",
 )
 
-STAMP_OF_THE_FIRST = Twin(
+STAMP_OF_THE_FIRST = WrongAnswer(
     "stamp of the first",
     lambda g: {**read(g), "stamp_s": stamp_of(g.first)},
-    Words(en="stamp_s: that is the first reading's.", ko="stamp_s: 첫째 출력의 시각입니다."),
+    Text(en="stamp_s: that is the first reading's.", ko="stamp_s: 첫째 출력의 시각입니다."),
     part="stamp_s",
 )
 
@@ -361,7 +361,7 @@ TASK = Task(
     id="E11.2",
     kind="N",
     points=3,
-    title=Words(en="Two readings of tf2_echo", ko="tf2_echo의 두 출력"),
+    title=Text(en="Two readings of tf2_echo", ko="tf2_echo의 두 출력"),
     answer="motion",
     form=Parts(
         {
@@ -403,15 +403,15 @@ TASK = Task(
         STAMP_OF_THE_FIRST,
     ),
     hints=(
-        Words(
+        Text(
             en="Write down for both blocks: stamp in seconds, x, y, yaw in radians.",
             ko="두 출력에서 측정 시각(초), x, y, yaw(rad)를 적어 보세요.",
         ),
-        Words(
+        Text(
             en="Behind the point stand nanoseconds: 9 digits are 0.9 s and less, 8 digits less than 0.1 s.",
             ko="점 뒤는 나노초입니다. 아홉 자리면 0.1초 이상, 여덟 자리면 0.1초 미만입니다.",
         ),
-        Words(
+        Text(
             en="Speed: hypot of the differences, divided by the time between the stamps. Yaw rate: the yaws' difference, divided by the same.",
             ko="속도는 두 차이의 hypot을 측정 시각의 간격으로, 각속도는 yaw의 차이를 같은 간격으로 나눈 값입니다.",
         ),

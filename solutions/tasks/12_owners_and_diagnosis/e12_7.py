@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.clinic.cures import DIAGNOSES
-from tflab.workbook.tasks import Choice, Parts, Proof, Slip, Task, Words
+from tflab.workbook.tasks import Choice, Parts, Proof, Task, Text, WrongStep
 
 from .draws import CAUSES, FRAMES, everything, one_of_each
 
@@ -110,19 +110,19 @@ def _all_green(patient, green, jumps):
     return "nothing is wrong" if jumps == "correction" else "localizer owns the base"
 
 
-EVERYTHING = Slip(
+EVERYTHING = WrongStep(
     "everything asked",
     {"asks": "everything"},
-    Words(
+    Text(
         en="Your program asks the whole trolley before it thinks. A proof ends when the last rival is struck, and it has twelve minutes.",
         ko="프로그램이 생각하기 전에 트롤리 전체를 묻습니다. 증명은 마지막 경쟁자가 지워질 때 끝나고, 시간은 12분입니다.",
     ),
 )
 
-NO_NODE_NO_MAP = Slip(
+NO_NODE_NO_MAP = WrongStep(
     "map gone, node down",
     {"map_lost": "node down"},
-    Words(
+    Text(
         en="Where map is missing your program blames a node that is not running. A node can run and wait: which check tells the two apart?",
         ko="map이 없으면 프로그램이 노드가 꺼졌다고 합니다. 켜져 있으면서 기다리는 노드도 있습니다. 둘을 가르는 검사는 무엇입니까?",
     ),
@@ -130,10 +130,10 @@ NO_NODE_NO_MAP = Slip(
     part="cause",
 )
 
-NO_NODE_NO_ROBOT = Slip(
+NO_NODE_NO_ROBOT = WrongStep(
     "robot gone, node down",
     {"robot_lost": "node down"},
-    Words(
+    Text(
         en="Where the robot is missing your program always blames a node that is not running. A misspelt parent and a switch look the same on the map.",
         ko="로봇이 안 보이면 프로그램이 늘 노드가 꺼졌다고 합니다. 틀린 부모 이름이나 꺼진 스위치도 지도에서는 똑같아 보입니다.",
     ),
@@ -141,10 +141,10 @@ NO_NODE_NO_ROBOT = Slip(
     part="cause",
 )
 
-SECOND_PARENT = Slip(
+SECOND_PARENT = WrongStep(
     "second parent taken for a second owner",
     {"robot_lost": "two owners"},
-    Words(
+    Text(
         en="Two nodes that send *different* edges to one child are no second owner of one edge: the tree itself changes to and fro.",
         ko="두 노드가 한 자식에게 *서로 다른* 연결을 보내는 것은 한 연결의 두 번째 발행자가 아닙니다. 트리 자체가 오락가락합니다.",
     ),
@@ -152,10 +152,10 @@ SECOND_PARENT = Slip(
     part="cause",
 )
 
-SENSOR = Slip(
+SENSOR = WrongStep(
     "sensor broken",
     {"scan_lost": "sensor"},
-    Words(
+    Text(
         en="Where the scan is missing your program blames the sensor. RViz has the messages; it names the frame that it does not know.",
         ko="스캔이 안 보이면 프로그램이 센서를 탓합니다. RViz는 메시지를 받았고, 모르는 좌표계의 이름을 댑니다.",
     ),
@@ -163,10 +163,10 @@ SENSOR = Slip(
     part="cause",
 )
 
-ALWAYS_LATE = Slip(
+ALWAYS_LATE = WrongStep(
     "future means late",
     {"future": "late"},
-    Words(
+    Text(
         en="“Into the future” does not always mean that transforms are late. A clock that is ahead says the same, and so does an odometry at 2 Hz.",
         ko="“into the future”가 늘 변환이 늦다는 뜻은 아닙니다. 시계가 빠를 때도, 오도메트리가 2 Hz로 느릴 때도 같은 메시지가 나옵니다.",
     ),
@@ -174,10 +174,10 @@ ALWAYS_LATE = Slip(
     part="cause",
 )
 
-ALL_IS_WELL = Slip(
+ALL_IS_WELL = WrongStep(
     "green means well",
     {"green": "all is well"},
-    Words(
+    Text(
         en="Where RViz is green your program sends the patient home. A wrong mount, a wrong header, a late clock and a second owner are all green.",
         ko="RViz가 초록색이면 프로그램이 환자를 돌려보냅니다. 틀린 장착, 틀린 header, 늦은 시계, 두 번째 발행자도 모두 초록색입니다.",
     ),
@@ -185,10 +185,10 @@ ALL_IS_WELL = Slip(
     part="cause",
 )
 
-A_STEP_IS_A_FAULT = Slip(
+A_STEP_IS_A_FAULT = WrongStep(
     "a correction taken for a fault",
     {"jumps": "fault"},
-    Words(
+    Text(
         en="Your program finds a fault in a robot that has none. A step of map → odom is a correction; that is what the edge is for.",
         ko="아무 이상이 없는 로봇에서 고장을 찾아냅니다. map → odom이 튀는 것은 보정입니다. 그러라고 있는 연결입니다.",
     ),
@@ -196,10 +196,10 @@ A_STEP_IS_A_FAULT = Slip(
     part="cause",
 )
 
-NO_CLOCK_BUT_ITS_OWN = Slip(
+NO_CLOCK_BUT_ITS_OWN = WrongStep(
     "always waits for /clock",
     {"map_lost": "clock"},
-    Words(
+    Text(
         en="Where map is missing your program always says that the localiser waits for /clock. A node that is not there waits for nothing, and asked for its parameter it gives an error, which is a text, too. Which check tells, and what does it say to the letter?",
         ko="map이 없으면 프로그램이 늘 위치 추정 노드가 /clock을 기다린다고 합니다. 없는 노드는 기다리지도 않고, 그 파라미터를 물으면 오류가 나옵니다. 오류도 텍스트입니다. 어느 검사로 알 수 있고, 정확히 무엇이라고 나옵니까?",
     ),
@@ -207,10 +207,10 @@ NO_CLOCK_BUT_ITS_OWN = Slip(
     part="cause",
 )
 
-NAME_IS_NODE = Slip(
+NAME_IS_NODE = WrongStep(
     "a name taken for a node",
     {"fixed": "node down"},
-    Words(
+    Text(
         en="RViz's own list holds map, and your program blames the localiser. What does it mean that the frame is there, and the one that was typed is not?",
         ko="RViz의 목록에 map이 있는데도 프로그램이 위치 추정 노드를 탓합니다. 그 좌표계는 있고 입력한 이름은 없다면 무슨 뜻입니까?",
     ),
@@ -218,10 +218,10 @@ NAME_IS_NODE = Slip(
     part="cause",
 )
 
-ALWAYS_VOLATILE = Slip(
+ALWAYS_VOLATILE = WrongStep(
     "always volatile",
     {"scan_lost": "volatile"},
-    Words(
+    Text(
         en="Where laser_frame is unknown your program always says volatile. A mount that is heard can still be refused: what does the log of a tool say?",
         ko="laser_frame을 모르면 프로그램이 늘 volatile이라고 합니다. 받았는데 거절된 장착도 있습니다. 도구의 로그는 무엇이라고 합니까?",
     ),
@@ -229,10 +229,10 @@ ALWAYS_VOLATILE = Slip(
     part="cause",
 )
 
-ALWAYS_ZEROS = Slip(
+ALWAYS_ZEROS = WrongStep(
     "always zeros",
     {"scan_lost": "zeros"},
-    Words(
+    Text(
         en="Where laser_frame is unknown your program always blames the quaternion. A mount that was sent too early for a late listener is missing, too.",
         ko="laser_frame을 모르면 프로그램이 늘 쿼터니언을 탓합니다. 늦게 온 쪽이 받지 못한 장착도 없는 것으로 나옵니다.",
     ),
@@ -240,10 +240,10 @@ ALWAYS_ZEROS = Slip(
     part="cause",
 )
 
-ALWAYS_AHEAD = Slip(
+ALWAYS_AHEAD = WrongStep(
     "future means ahead",
     {"future": "ahead"},
-    Words(
+    Text(
         en="Where RViz speaks of the future your program always blames the laser's clock. Late transforms and a slow odometry give the same line.",
         ko="RViz에 future가 나오면 프로그램이 늘 레이저의 시계를 탓합니다. 늦은 변환과 느린 오도메트리도 같은 줄을 냅니다.",
     ),
@@ -251,10 +251,10 @@ ALWAYS_AHEAD = Slip(
     part="cause",
 )
 
-SPREAD_UNREAD = Slip(
+SPREAD_UNREAD = WrongStep(
     "spread unread",
     {"future": "rate alone"},
-    Words(
+    Text(
         en="Your program takes late transforms for a laser's clock. They come as often as ever; what gives them away is the std dev behind the rate in `hz /odom`, which is far above the card's, and a laser's clock leaves that as it was.",
         ko="늦은 변환을 레이저의 시계로 봅니다. 늦게 오는 변환도 횟수는 그대로입니다. `hz /odom`의 주파수 뒤에 적힌 std dev가 카드보다 훨씬 커지고, 레이저의 시계는 그것을 바꾸지 않습니다.",
     ),
@@ -262,30 +262,30 @@ SPREAD_UNREAD = Slip(
     part="cause",
 )
 
-HEADER_UNREAD = Slip(
+HEADER_UNREAD = WrongStep(
     "header unread",
     {"green": "no header"},
-    Words(
+    Text(
         en="Where all is green your program never reads the scan's header, and a header that says base_link gets another name.",
         ko="모두 초록색일 때 프로그램이 스캔의 header를 읽지 않습니다. 그래서 header가 base_link인 환자를 다른 원인으로 진단합니다.",
     ),
     "M15",
 )
 
-DELAY_UNREAD = Slip(
+DELAY_UNREAD = WrongStep(
     "delay unread",
     {"green": "no delay"},
-    Words(
+    Text(
         en="Where all is green your program never holds the scan's stamp against the clock, and a clock that is behind gets another name.",
         ko="모두 초록색일 때 프로그램이 스캔의 측정 시각을 시계와 견주지 않습니다. 그래서 시계가 늦은 환자를 다른 원인으로 진단합니다.",
     ),
     "M9",
 )
 
-DELAY_MISREAD = Slip(
+DELAY_MISREAD = WrongStep(
     "delay misread",
     {"green": "delay misread"},
-    Words(
+    Text(
         en="Where all is green, a laser's clock that is behind is never found: with it you say that nothing is wrong. If your program reads `delay /scan`, what does it compare it with? Patients differ: compare with the card, and by more or less, not with one number to the letter.",
         ko="모두 초록색일 때 늦은 레이저 시계를 찾지 못하고 이상이 없다고 합니다. `delay /scan`을 읽는다면 무엇과 비교합니까? 환자마다 값이 다릅니다. 한 숫자와 글자까지 같은지가 아니라 카드보다 얼마나 큰지를 보십시오.",
     ),
@@ -293,49 +293,49 @@ DELAY_MISREAD = Slip(
     part="cause",
 )
 
-NEITHER_READ = Slip(
+NEITHER_READ = WrongStep(
     "header and delay unread",
     {"green": "neither"},
-    Words(
+    Text(
         en="Where all is green your program reads neither the scan's header nor its delay. Two of the suspects show there and nowhere else.",
         ko="모두 초록색일 때 프로그램이 스캔의 header도 지연도 읽지 않습니다. 용의자 둘은 거기에만 드러납니다.",
     ),
     "M15",
 )
 
-OWNERS_UNSEEN = Slip(
+OWNERS_UNSEEN = WrongStep(
     "owners unseen",
     {"green": "no owners"},
-    Words(
+    Text(
         en="Where all is green your program never asks who runs, or how the wheels' edge moves. A second owner is green, too.",
         ko="모두 초록색일 때 프로그램이 누가 실행 중인지, 바퀴의 연결이 어떻게 움직이는지 묻지 않습니다. 두 번째 발행자도 초록색입니다.",
     ),
     "M6",
 )
 
-MOUNT_UNREAD = Slip(
+MOUNT_UNREAD = WrongStep(
     "mount unread",
     {"green": "no mount"},
-    Words(
+    Text(
         en="Where all is green your program never reads the mount. RViz computes with whatever it is told.",
         ko="모두 초록색일 때 프로그램이 장착의 값을 읽지 않습니다. RViz는 받은 값으로 계산할 뿐입니다.",
     ),
     "M15",
 )
 
-ONE_MORE_QUESTION = Slip(
+ONE_MORE_QUESTION = WrongStep(
     "one more question",
     {"asks": "one more"},
-    Words(
+    Text(
         en="Your program asks on where only one suspect is left. A proof ends with the check that struck the last rival.",
         ko="용의자가 하나 남았는데도 프로그램이 더 묻습니다. 증명은 마지막 경쟁자를 지운 검사에서 끝납니다.",
     ),
 )
 
-ALWAYS_THE_LASER = Slip(
+ALWAYS_THE_LASER = WrongStep(
     "always the laser's frame",
     {"frame": "laser_frame"},
-    Words(
+    Text(
         en="You name laser_frame for every patient. Whose place is not right depends on the cause: a localiser's, the wheels', everything that moves, or nobody's.",
         ko="모든 환자에게 laser_frame이라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 바퀴의 것, 움직이는 모든 것, 또는 없음입니다.",
     ),
@@ -343,10 +343,10 @@ ALWAYS_THE_LASER = Slip(
     part="frame",
 )
 
-ALWAYS_THE_BASE = Slip(
+ALWAYS_THE_BASE = WrongStep(
     "always the base",
     {"frame": "base_footprint"},
-    Words(
+    Text(
         en="You name base_footprint for every patient. Whose place is not right depends on the cause: a localiser's, the laser's, everything that moves, or nobody's.",
         ko="모든 환자에게 base_footprint라고 합니다. 어느 자리가 틀렸는지는 원인에 달렸습니다. 위치 추정의 것, 레이저의 것, 움직이는 모든 것, 또는 없음입니다.",
     ),
@@ -354,30 +354,30 @@ ALWAYS_THE_BASE = Slip(
 )
 
 
-THE_EDGES_PARENT = Slip(
+THE_EDGES_PARENT = WrongStep(
     "the edge's parent",
     {"frame": "the parent"},
-    Words(
+    Text(
         en="You name the frame above: of the edge that is missing or wrong, its parent. The parent stays where it is; the frame whose place is not right is the child.",
         ko="위쪽 좌표계를 답합니다. 빠지거나 틀린 연결의 부모입니다. 부모는 제자리에 있고, 자리가 틀린 것은 자식입니다.",
     ),
     part="frame",
 )
 
-NO_FRAME_FOR_A_NAME = Slip(
+NO_FRAME_FOR_A_NAME = WrongStep(
     "no frame for a name",
     {"named": "none"},
-    Words(
+    Text(
         en='For a misspelt Fixed Frame you answer "none". The frame that is asked for under a wrong name is one of those to choose from: which one did RViz not find?',
         ko='Fixed Frame이 틀린 환자에게 "none"이라고 답합니다. 틀린 이름으로 찾은 좌표계가 보기에 있습니다. RViz가 찾지 못한 것은 어느 좌표계입니까?',
     ),
     part="frame",
 )
 
-LASER_FOR_THE_FUTURE = Slip(
+LASER_FOR_THE_FUTURE = WrongStep(
     "the laser's frame for the future",
     {"frame": "laser_frame for the future"},
-    Words(
+    Text(
         en="Wherever RViz speaks of the future you name laser_frame: that is where it shows. Whose place is not right is another question: of a slow odometry it is the wheels' edge, of late transforms every edge that moves.",
         ko="RViz에 future가 나오면 언제나 laser_frame이라고 합니다. 그것은 증상이 보이는 곳입니다. 자리가 틀린 것은 따로 있습니다. 오도메트리가 느리면 바퀴의 연결, 변환이 늦으면 움직이는 연결 모두입니다.",
     ),
@@ -385,20 +385,20 @@ LASER_FOR_THE_FUTURE = Slip(
     part="frame",
 )
 
-LATE_IS_THE_BASE = Slip(
+LATE_IS_THE_BASE = WrongStep(
     "late is the base",
     {"late": "base_footprint"},
-    Words(
+    Text(
         en="For late transforms you name base_footprint. The wheels' edge is late, and not alone: what else comes over the same network, and moves?",
         ko="변환이 늦은 환자에게 base_footprint라고 답합니다. 바퀴의 연결도 늦지만 그것만이 아닙니다. 같은 네트워크로 오면서 움직이는 것이 또 무엇입니까?",
     ),
     part="frame",
 )
 
-NOBODYS_FRAME = Slip(
+NOBODYS_FRAME = WrongStep(
     "nobody's frame",
     {"frame": "none"},
-    Words(
+    Text(
         en='You answer "none" for every patient: that nobody\'s place is wrong. It is so of a robot that has nothing; of all others some frame does not stand where it should.',
         ko='모든 환자에게 "none", 곧 틀린 자리가 없다고 답합니다. 아무 이상이 없는 로봇만 그렇습니다. 다른 환자는 어느 좌표계의 자리가 틀립니다.',
     ),
@@ -407,99 +407,99 @@ NOBODYS_FRAME = Slip(
 
 
 SEEN = {  # what there is to see wherever a cause, or a frame, is right
-    "localizer not running": Words(
+    "localizer not running": Text(
         en="There `node list` holds no localization.",
         ko="여기서는 `node list`에 localization이 없습니다.",
     ),
-    "localizer waits for /clock": Words(
+    "localizer waits for /clock": Text(
         en="There localization runs, and its `use_sim_time` says True.",
         ko="여기서는 localization이 실행 중이고 `use_sim_time`이 True입니다.",
     ),
-    "Fixed Frame misspelt": Words(
+    "Fixed Frame misspelt": Text(
         en="There RViz does not know its Fixed Frame, and lists map.",
         ko="여기서는 RViz가 Fixed Frame을 모르는데 목록에는 map이 있습니다.",
     ),
-    "odometry not running": Words(
+    "odometry not running": Text(
         en="There wheel_odometry is not found, neither in `node list` nor for `publish_tf`.",
         ko="여기서는 `node list`에도, `publish_tf`를 물어도 wheel_odometry가 없습니다.",
     ),
-    "parent misspelt": Words(
+    "parent misspelt": Text(
         en="There RViz tells of a foreign frame.",
         ko="여기서는 RViz에 낯선 좌표계가 나옵니다.",
     ),
-    "publish_tf off": Words(
+    "publish_tf off": Text(
         en="There `publish_tf` says False.",
         ko="여기서는 `publish_tf`가 False입니다.",
     ),
-    "two owners of one edge": Words(
+    "two owners of one edge": Text(
         en="There `node list` holds an ekf_filter_node.",
         ko="여기서는 `node list`에 ekf_filter_node가 있습니다.",
     ),
-    "localizer owns the base": Words(
+    "localizer owns the base": Text(
         en="There the robot is lost to RViz, and yet `publish_tf` says True.",
         ko="여기서는 RViz에 로봇이 없는데 `publish_tf`는 True입니다.",
     ),
-    "nothing is wrong": Words(
+    "nothing is wrong": Text(
         en="There every reading is as on the card.",
         ko="여기서는 읽은 값이 모두 카드와 같습니다.",
     ),
-    "mount wrong": Words(
+    "mount wrong": Text(
         en="There `echo base_link laser_frame` is not what the card says.",
         ko="여기서는 `echo base_link laser_frame`이 카드와 다릅니다.",
     ),
-    "header says base_link": Words(
+    "header says base_link": Text(
         en="There `scan header` says base_link.",
         ko="여기서는 `scan header`가 base_link입니다.",
     ),
-    "laser clock behind": Words(
+    "laser clock behind": Text(
         en="There `delay /scan` is much larger than on the card.",
         ko="여기서는 `delay /scan`이 카드보다 훨씬 큽니다.",
     ),
-    "laser clock ahead": Words(
+    "laser clock ahead": Text(
         en="There RViz speaks of the future, and `hz /odom` is as on the card, its std dev with it.",
         ko="여기서는 RViz에 future가 나오고 `hz /odom`은 std dev까지 카드와 같습니다.",
     ),
-    "transforms late": Words(
+    "transforms late": Text(
         en="There `hz /odom` has the rate of the card, and a std dev far above it.",
         ko="여기서는 `hz /odom`의 주파수는 카드와 같지만 std dev가 훨씬 큽니다.",
     ),
-    "odometry slow": Words(
+    "odometry slow": Text(
         en="There the rate in `hz /odom` is far below the card's.",
         ko="여기서는 `hz /odom`의 주파수가 카드보다 훨씬 작습니다.",
     ),
-    "quaternion of zeros": Words(
+    "quaternion of zeros": Text(
         en="There a tool that listens logs TF_DENORMALIZED_QUATERNION.",
         ko="여기서는 수신하는 도구의 로그에 TF_DENORMALIZED_QUATERNION이 나옵니다.",
     ),
-    "header says another frame": Words(
+    "header says another frame": Text(
         en="There RViz names another frame than laser_frame as unknown.",
         ko="여기서는 RViz가 모른다고 하는 좌표계가 laser_frame이 아닙니다.",
     ),
-    "mount volatile": Words(
+    "mount volatile": Text(
         en="There laser_frame is unknown, and `info /tf_static` shows a publisher that is VOLATILE.",
         ko="여기서는 laser_frame을 모르고, `info /tf_static`에 VOLATILE인 발행자가 있습니다.",
     ),
-    "map": Words(
+    "map": Text(
         en="There the Fixed Frame is misspelt: it is map that is asked for by a wrong name.",
         ko="여기서는 Fixed Frame이 틀렸습니다. 틀린 이름으로 찾은 것이 map입니다.",
     ),
-    "odom": Words(
+    "odom": Text(
         en="There map → odom is missing, and its child is odom.",
         ko="여기서는 map → odom 연결이 없고, 그 자식이 odom입니다.",
     ),
-    "base_footprint": Words(
+    "base_footprint": Text(
         en="There it is the edge odom → base_footprint, and its child is base_footprint.",
         ko="여기서는 odom → base_footprint 연결이 문제이고, 그 자식이 base_footprint입니다.",
     ),
-    "laser_frame": Words(
+    "laser_frame": Text(
         en="There it is the laser's mount, header or clock.",
         ko="여기서는 레이저의 장착이나 header나 시계가 문제입니다.",
     ),
-    "all that move": Words(
+    "all that move": Text(
         en="There transforms come late over the network: of every edge that moves.",
         ko="여기서는 네트워크로 오는 변환이 늦습니다. 움직이는 연결이 모두 그렇습니다.",
     ),
-    "none": Words(
+    "none": Text(
         en="There nothing is wrong.",
         ko="여기서는 아무 이상이 없습니다.",
     ),
@@ -509,7 +509,7 @@ TASK = Task(
     id="E12.7",
     kind="F",
     points=5,
-    title=Words(en="A program that makes the rounds", ko="회진하는 프로그램"),
+    title=Text(en="A program that makes the rounds", ko="회진하는 프로그램"),
     answer="triage",
     form=Parts({"cause": Choice(CAUSES), "frame": Choice(FRAMES), "proof": Proof(whole=True)}),
     inputs=eighteen,
@@ -548,15 +548,15 @@ TASK = Task(
     ),
     seen=SEEN,
     hints=(
-        Words(
+        Text(
             en='Begin with the check that splits best: `patient.ask("rviz")` tells six complaints apart for a minute.',
             ko='가장 잘 가르는 검사로 시작하십시오. `patient.ask("rviz")`는 1분에 여섯 증상을 가릅니다.',
         ),
-        Words(
+        Text(
             en="Then one question for each complaint: node list, publish_tf, hz /odom, echo base_link laser_frame.",
             ko="그다음은 증상마다 질문 하나입니다. node list, publish_tf, hz /odom, echo base_link laser_frame.",
         ),
-        Words(
+        Text(
             en="Where all is green, rule out one suspect a question, and return as soon as one is found; last remains that nothing is wrong.",
             ko="모두 초록색이면 질문마다 용의자를 하나씩 지우고, 찾으면 바로 반환하십시오. 끝까지 남는 것은 이상 없음입니다.",
         ),

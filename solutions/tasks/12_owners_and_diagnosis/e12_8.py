@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from tflab.workbook.inventory.replies import FORM
-from tflab.workbook.tasks import TAKING_PART, Task, Words
+from tflab.workbook.tasks import TAKING_PART, Task, Text
 
 TASK = Task(
     id="E12.8",
     kind="M",
     points=1,
-    title=Words(en="Fifteen questions, after", ko="열다섯 문제, 끝"),
+    title=Text(en="Fifteen questions, after", ko="열다섯 문제, 끝"),
     answer="after",
     form=FORM,
     hints=(),

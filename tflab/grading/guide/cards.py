@@ -12,7 +12,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator, Sequence
 
-from tflab.workbook.words import Words
+from tflab.text import Text
 
 from ..reports.html import text
 from .lecture import LecturedPage
@@ -21,15 +21,15 @@ from .teaching import BlankTable, Teaching
 
 __all__ = ["cards", "without_answers"]
 
-TITLE = Words("To print and cut", "인쇄해서 자를 것")
-RAISE = Words(
+TITLE = Text("To print and cut", "인쇄해서 자를 것")
+RAISE = Text(
     "Vote cards: one sheet for each learner, cut into six, raised all at once.",
     "투표 카드: 한 사람에 한 장씩, 여섯 조각으로 자르고 다 함께 듭니다.",
 )
-PREDICT = Words("Prediction sheet", "예측지")
-BLANK = Words("To fill by shouting", "함께 채울 표")
-NAME = Words("Name", "이름")
-NUMBER = Words("{number:02} · {title}", "{number:02} · {title}")
+PREDICT = Text("Prediction sheet", "예측지")
+BLANK = Text("To fill by shouting", "함께 채울 표")
+NAME = Text("Name", "이름")
+NUMBER = Text("{number:02} · {title}", "{number:02} · {title}")
 FACES = ("1 A", "2 B", "3 C", "4 D", "5 E", "?")
 PREDICTIONS = ("predict", "predict-error", "predict-question")  # what pages call the cell that asks for them
 LINES, TICKETS = 4, 3

@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
+from tflab.text import Text
 from tflab.workbook.course.course import Chapter, Course
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.tasks.task import Task
-from tflab.workbook.words import Words
 
 from ..reports.html import text
 from .counts import ENOUGH, Counts, share
@@ -26,69 +26,69 @@ from .vote import LATER, RULES, Vote, rule_for, votes_of
 __all__ = ["chapter_guide"]
 
 WHO = {
-    "you": Words("you", "강사"),
-    "room": Words("the room", "모두"),
-    "pairs": Words("pairs", "둘씩"),
-    "each": Words("each alone", "각자"),
+    "you": Text("you", "강사"),
+    "room": Text("the room", "모두"),
+    "pairs": Text("pairs", "둘씩"),
+    "each": Text("each alone", "각자"),
 }
-LENGTH = Words("{talk} minutes of talk, {lab} of laboratory", "강의 {talk}분, 실습 {lab}분")
-NO_LAB = Words("{talk} minutes", "{talk}분")
-AFTERWARDS = Words("What they can do afterwards", "마치면 할 수 있는 것")
-KEEP = Words("What they are to keep (the page's last words; read them first)", "남길 것(본문의 정리. 먼저 읽으십시오)")
-BRING = Words("What they bring", "학습자가 아는 것")
-LACKS = Words("What is usually missing", "흔히 빠져 있는 것")
-TEST = Words("One question to test it", "확인할 질문 하나")
-MINUTES = Words("The minutes", "분 단위 계획")
+LENGTH = Text("{talk} minutes of talk, {lab} of laboratory", "강의 {talk}분, 실습 {lab}분")
+NO_LAB = Text("{talk} minutes", "{talk}분")
+AFTERWARDS = Text("What they can do afterwards", "마치면 할 수 있는 것")
+KEEP = Text("What they are to keep (the page's last words; read them first)", "남길 것(본문의 정리. 먼저 읽으십시오)")
+BRING = Text("What they bring", "학습자가 아는 것")
+LACKS = Text("What is usually missing", "흔히 빠져 있는 것")
+TEST = Text("One question to test it", "확인할 질문 하나")
+MINUTES = Text("The minutes", "분 단위 계획")
 MINUTE_HEADS = (
-    Words("Minute", "분"),
-    Words("On the screen", "화면"),
-    Words("Who", "누가"),
-    Words("What happens", "하는 일"),
+    Text("Minute", "분"),
+    Text("On the screen", "화면"),
+    Text("Who", "누가"),
+    Text("What happens", "하는 일"),
 )
-LATE = Words("Late:", "늦었으면:")
-NOTES = Words("Note on the slide:", "발표자 노트:")
-LAB = Words("laboratory", "실습")
-DEMOS = Words("What to show live", "직접 보일 것")
-DEMO_CELL = Words("Cell {cell}, on the slide “{slide}”", "셀 {cell}, 슬라이드 “{slide}”")
-OFF_SLIDE = Words("Cell {cell} of the page", "본문의 셀 {cell}")
-DO, SEE = Words("Do:", "할 일:"), Words("Must be seen:", "보여야 하는 것:")
-FAILS = Words("If it fails:", "안 되면:")
-FIGURE = Words("(cell {cell})", "(셀 {cell})")
-TYPES = Words("Type into new cells:", "새 셀에 입력:")
-VOTES = Words("Votes", "투표")
-VOTE_NUMBER = Words("Vote {number}", "투표 {number}")
-AFTER = Words("After the slide “{slide}”.", "슬라이드 “{slide}” 다음에 합니다.")
-VOTE_HEADS = (Words("", ""), Words("Option", "보기"), Words("Expected", "예상"), Words("What to say", "할 말"))
-GUESS = Words("{expected} % (guess)", "{expected} % (짐작)")
-SEEN = Words(
+LATE = Text("Late:", "늦었으면:")
+NOTES = Text("Note on the slide:", "발표자 노트:")
+LAB = Text("laboratory", "실습")
+DEMOS = Text("What to show live", "직접 보일 것")
+DEMO_CELL = Text("Cell {cell}, on the slide “{slide}”", "셀 {cell}, 슬라이드 “{slide}”")
+OFF_SLIDE = Text("Cell {cell} of the page", "본문의 셀 {cell}")
+DO, SEE = Text("Do:", "할 일:"), Text("Must be seen:", "보여야 하는 것:")
+FAILS = Text("If it fails:", "안 되면:")
+FIGURE = Text("(cell {cell})", "(셀 {cell})")
+TYPES = Text("Type into new cells:", "새 셀에 입력:")
+VOTES = Text("Votes", "투표")
+VOTE_NUMBER = Text("Vote {number}", "투표 {number}")
+AFTER = Text("After the slide “{slide}”.", "슬라이드 “{slide}” 다음에 합니다.")
+VOTE_HEADS = (Text("", ""), Text("Option", "보기"), Text("Expected", "예상"), Text("What to say", "할 말"))
+GUESS = Text("{expected} % (guess)", "{expected} % (짐작)")
+SEEN = Text(
     "{expected} % (guess), so far {share} % of {voters}", "{expected} % (짐작), 지금까지 {voters}명 중 {share} %"
 )
-REALLY = Words("{share} % of {voters} (expected {expected} %)", "{voters}명 중 {share} % (예상 {expected} %)")
-RIGHT = Words("right", "정답")
-THEN = Words("Your class: {share} % right. {rule}", "이 반의 정답률은 {share} %입니다. {rule}")
-ROOM = Words("What the room asks", "나올 만한 질문")
-MARKING = Words("Marking", "채점")
-IDEAS = Words("One point an idea, in any words:", "내용 하나에 1점, 표현은 자유입니다.")
-FULL, HALF, WRONG = Words("Full", "만점"), Words("Half", "절반"), Words("Wrong", "오답")
-HAS = Words("{got} of {most}: ideas {ideas}", "{most}점 중 {got}점: {ideas}번 내용")
-BEHIND = Words("behind it: {name} ({code})", "바탕에 있는 생각: {name}({code})")
-ELSEWHERE = Words("Samples are in the guide of chapter {number}.", "답안 예시는 {number}장의 안내서에 있습니다.")
-TICKET = Words("The exit ticket", "마무리 쪽지")
-COMPARE = Words("Compare with:", "맞춰 볼 것:")
+REALLY = Text("{share} % of {voters} (expected {expected} %)", "{voters}명 중 {share} % (예상 {expected} %)")
+RIGHT = Text("right", "정답")
+THEN = Text("Your class: {share} % right. {rule}", "이 반의 정답률은 {share} %입니다. {rule}")
+ROOM = Text("What the room asks", "나올 만한 질문")
+MARKING = Text("Marking", "채점")
+IDEAS = Text("One point an idea, in any words:", "내용 하나에 1점, 표현은 자유입니다.")
+FULL, HALF, WRONG = Text("Full", "만점"), Text("Half", "절반"), Text("Wrong", "오답")
+HAS = Text("{got} of {most}: ideas {ideas}", "{most}점 중 {got}점: {ideas}번 내용")
+BEHIND = Text("behind it: {name} ({code})", "바탕에 있는 생각: {name}({code})")
+ELSEWHERE = Text("Samples are in the guide of chapter {number}.", "답안 예시는 {number}장의 안내서에 있습니다.")
+TICKET = Text("The exit ticket", "마무리 쪽지")
+COMPARE = Text("Compare with:", "맞춰 볼 것:")
 PILES = (
-    ("full", Words("Has it", "됨")),
-    ("half", Words("Half", "절반")),
-    ("none", Words("Not yet", "아직")),
+    ("full", Text("Has it", "됨")),
+    ("half", Text("Half", "절반")),
+    ("none", Text("Not yet", "아직")),
 )
-FOLLOWS = Words("What follows", "이어지는 것")
+FOLLOWS = Text("What follows", "이어지는 것")
 TASK_HEADS = (
-    Words("Task", "과제"),
-    Words("", ""),
-    Words("Points", "점수"),
-    Words("Numbers of one's own", "사람마다 다른 숫자"),
-    Words("Cures", "다루는 오개념"),
+    Text("Task", "과제"),
+    Text("", ""),
+    Text("Points", "점수"),
+    Text("Numbers of one's own", "사람마다 다른 숫자"),
+    Text("Cures", "다루는 오개념"),
 )
-YES, NO = Words("yes", "예"), Words("no", "아니요")
+YES, NO = Text("yes", "예"), Text("no", "아니요")
 
 
 def chapter_guide(
@@ -134,7 +134,7 @@ def chapter_guide(
     return "\n".join(filter(None, parts))
 
 
-def _heading(number: int, words: Words, language: str) -> str:
+def _heading(number: int, words: Text, language: str) -> str:
     return f"<h2>{number} · {text(words.say(language))}</h2>"
 
 

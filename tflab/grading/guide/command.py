@@ -17,12 +17,12 @@ import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
+from tflab.text import LANGUAGES, Text
 from tflab.workbook.course.course import read_course
 from tflab.workbook.pages.html import PageFailed
 from tflab.workbook.places import TASKS, WorkbookError, read_workbook, workbook_data
 from tflab.workbook.tasks.library import tasks_of
 from tflab.workbook.whole_files import write_whole
-from tflab.workbook.words import LANGUAGES, Words
 
 from ..reports.html import text
 from .cards import cards
@@ -40,7 +40,7 @@ from .vote import votes_of
 __all__ = ["main", "write_guide"]
 
 CLINIC = "12_owners_and_diagnosis"  # the chapter that has patients
-TITLE = Words("The instructor's guide", "강사 안내서")
+TITLE = Text("The instructor's guide", "강사 안내서")
 
 
 def main(words: Sequence[str]) -> int:

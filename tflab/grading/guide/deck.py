@@ -17,8 +17,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from tflab.text import Text
 from tflab.workbook.pages.slides import deck_from_notebook
-from tflab.workbook.words import Words
 
 from .counts import COLUMNS, Counts, share
 from .sheets import STATIC, inline, markdown
@@ -28,24 +28,24 @@ __all__ = ["only", "with_votes", "write_deck"]
 
 BEGINS, FRAGMENT = ("slide", "subslide"), "fragment"
 HEADING = re.compile(r"#{1,6} .*\S")
-VOTE = Words("Vote", "투표")
+VOTE = Text("Vote", "투표")
 SAYS = {
-    "expected": Words("expected", "예상"),
-    "before": Words("earlier", "지난 반"),
-    "voters": Words("votes", "표"),
-    "again": Words("Vote again", "다시 투표"),
-    "say": Words("What to say", "할 말"),
-    "save": Words("Save votes.csv", "votes.csv로 저장"),
-    "clear": Words("Clear", "지우기"),
-    "right": Words("right", "정답"),
-    "copy": Words("In your copy:", "각자의 워크북에서는:"),
-    "later": Words("Counted. The answer comes later.", "세었습니다. 답은 나중에 나옵니다."),
-    "do0": Words("Once more, explained another way.", "다르게 다시 설명합니다."),
-    "do1": Words(
+    "expected": Text("expected", "예상"),
+    "before": Text("earlier", "지난 반"),
+    "voters": Text("votes", "표"),
+    "again": Text("Vote again", "다시 투표"),
+    "say": Text("What to say", "할 말"),
+    "save": Text("Save votes.csv", "votes.csv로 저장"),
+    "clear": Text("Clear", "지우기"),
+    "right": Text("right", "정답"),
+    "copy": Text("In your copy:", "각자의 워크북에서는:"),
+    "later": Text("Counted. The answer comes later.", "세었습니다. 답은 나중에 나옵니다."),
+    "do0": Text("Once more, explained another way.", "다르게 다시 설명합니다."),
+    "do1": Text(
         "Convince a neighbour who chose otherwise, then vote again.",
         "다른 답을 고른 옆 사람을 설득해 보고 다시 투표합니다.",
     ),
-    "do2": Words("On we go.", "다음으로 넘어갑니다."),
+    "do2": Text("On we go.", "다음으로 넘어갑니다."),
 }
 
 

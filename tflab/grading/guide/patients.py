@@ -13,8 +13,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import NamedTuple
 
+from tflab.text import Text
 from tflab.workbook.places import workbook_data
-from tflab.workbook.words import Words
 
 from ..reports.html import text
 from .sheets import grid, inline
@@ -24,8 +24,8 @@ __all__ = ["BoardPatient", "board_patients", "patients_section"]
 
 FOLDER = "patients"
 SPOKEN = ("said", "rules_out", "next", "no_timeout", "truth")
-TITLE = Words("Six patients for the board, and the oral clinic", "칠판용 환자 여섯과 구술 진료")
-HOW = Words(
+TITLE = Text("Six patients for the board, and the oral clinic", "칠판용 환자 여섯과 구술 진료")
+HOW = Text(
     "On the board: read the complaint, show the output, ask the three questions. As an examination, five minutes and "
     "one patient: a point each for reading the output, for what it rules out, for a cheap next question, and for a "
     "proof. Nobody has to name the cause at once; who names it without a proof has three points at most.",
@@ -34,10 +34,10 @@ HOW = Words(
     "원인을 바로 맞히지 않아도 됩니다. 증명 없이 원인만 맞히면 3점까지입니다.",
 )
 ASKED = (
-    ("rules_out", Words("What does this rule out?", "이것으로 무엇이 지워집니까?")),
-    ("next", Words("What would you ask next, and why?", "다음에는 무엇을, 왜 묻겠습니까?")),
-    ("no_timeout", Words("Why not a longer timeout?", "왜 timeout을 늘리지 않습니까?")),
-    ("truth", Words("Truth", "실제 원인")),
+    ("rules_out", Text("What does this rule out?", "이것으로 무엇이 지워집니까?")),
+    ("next", Text("What would you ask next, and why?", "다음에는 무엇을, 왜 묻겠습니까?")),
+    ("no_timeout", Text("Why not a longer timeout?", "왜 timeout을 늘리지 않습니까?")),
+    ("truth", Text("Truth", "실제 원인")),
 )
 
 
@@ -49,7 +49,7 @@ class BoardPatient(NamedTuple):
     check: str
     command: str
     text: str
-    words: dict[str, Words]
+    words: dict[str, Text]
 
 
 def board_patients(data: Path | None = None) -> list[BoardPatient]:

@@ -17,8 +17,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from tflab.text import LANGUAGES, Text
 from tflab.workbook.places import workbook_data
-from tflab.workbook.words import LANGUAGES, Words
 
 from ..reports.html import text
 from .lecture import lectured_page
@@ -30,34 +30,34 @@ __all__ = ["CoursePlan", "PlanPart", "cells_of", "plan_lines", "plan_sheet", "re
 FILE = "plans.yaml"
 NEEDED, ALLOWED = {"minutes", "do"}, {"minutes", "do", "label", "cells", "tasks", "bring"}
 HEADS = (
-    Words("Minute", "분"),
-    Words("What happens", "하는 일"),
-    Words("Shown", "화면"),
-    Words("Tasks", "과제"),
-    Words("Bring", "준비물"),
+    Text("Minute", "분"),
+    Text("What happens", "하는 일"),
+    Text("Shown", "화면"),
+    Text("Tasks", "과제"),
+    Text("Bring", "준비물"),
 )
-WHOLE = Words("all of {chapter}", "{chapter}장 전체")
-SOME = Words("{chapter}: {count} cells", "{chapter}장: 셀 {count}개")
-LENGTH = Words("{minutes} minutes.", "모두 {minutes}분입니다.")
+WHOLE = Text("all of {chapter}", "{chapter}장 전체")
+SOME = Text("{chapter}: {count} cells", "{chapter}장: 셀 {count}개")
+LENGTH = Text("{minutes} minutes.", "모두 {minutes}분입니다.")
 
 
 class PlanPart(NamedTuple):
     """A part of a course: `cells` by chapter, none of a chapter for the whole deck."""
 
     minutes: int
-    do: Words
+    do: Text
     cells: Mapping[str, tuple[str, ...]]
     tasks: tuple[str, ...]
-    label: Words | None
-    bring: Words | None
+    label: Text | None
+    bring: Text | None
 
 
 class CoursePlan(NamedTuple):
     """A course of some length; `name` is what one types."""
 
     name: str
-    title: Words
-    about: Words
+    title: Text
+    about: Text
     minutes: int
     parts: tuple[PlanPart, ...]
 

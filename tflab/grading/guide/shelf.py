@@ -10,9 +10,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from pathlib import Path
 
+from tflab.text import LANGUAGES
 from tflab.workbook.course.course import read_course
 from tflab.workbook.places import stems_called, workbook_data
-from tflab.workbook.words import LANGUAGES
 
 from .lecture import lectured_page
 from .misfits import misfits, misfits_of_marking

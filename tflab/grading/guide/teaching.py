@@ -24,8 +24,8 @@ from typing import Any
 
 import yaml
 
+from tflab.text import LANGUAGES, Text
 from tflab.workbook.places import workbook_data
-from tflab.workbook.words import LANGUAGES, Words
 
 __all__ = ["TEACHING", "BlankTable", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
            "read_teaching", "read_yaml", "said_once"]  # fmt: skip
@@ -63,10 +63,10 @@ class PlanRow:
 
     minutes: int
     who: str
-    do: Words
+    do: Text
     slide: str = ""
     lab: tuple[str, ...] = ()
-    late: Words | None = None
+    late: Text | None = None
 
 
 @dataclass(frozen=True)
@@ -74,9 +74,9 @@ class Demo:
     """What is shown live: the cell to run or the line to type, what must be seen, what to show if it fails."""
 
     cell: str
-    do: Words
-    see: Words
-    fails: Words
+    do: Text
+    see: Text
+    fails: Text
     types: str = ""
     figure: str = ""
 
@@ -85,7 +85,7 @@ class Demo:
 class Sample:
     """An answer as a learner writes it, and how many of the rubric's ideas are in it."""
 
-    words: Words
+    words: Text
     ideas: tuple[int, ...] = ()
 
 
@@ -94,11 +94,11 @@ class Marking:
     """How a practice question is marked: three samples, and the misconception behind the wrong one."""
 
     question: int
-    full: Words
+    full: Text
     half: Sample
-    wrong: Words
+    wrong: Text
     because: str
-    note: Words | None = None
+    note: Text | None = None
 
 
 @dataclass(frozen=True)
@@ -107,7 +107,7 @@ class BlankTable:
 
     cell: str = ""
     keep: tuple[int, ...] = ()
-    heads: Words | None = None
+    heads: Text | None = None
     rows: tuple[str, ...] = ()
 
 
@@ -117,14 +117,14 @@ class Teaching:
 
     stem: str
     path: str
-    brings: Mapping[str, Words]
+    brings: Mapping[str, Text]
     plan: tuple[PlanRow, ...]
     demos: tuple[Demo, ...]
     votes: tuple[Mapping[str, Any], ...]
-    questions: tuple[tuple[Words, Words], ...]
+    questions: tuple[tuple[Text, Text], ...]
     markings: tuple[Marking, ...]
-    ticket: Mapping[str, Words]
-    handover: Words
+    ticket: Mapping[str, Text]
+    handover: Text
     tables: tuple[BlankTable, ...]
 
 
@@ -172,9 +172,9 @@ def read_yaml(path: Path, shown: str) -> dict[str, Any]:
     return found
 
 
-def as_words(text: Mapping[str, str]) -> Words:
+def as_words(text: Mapping[str, str]) -> Text:
     """Return a text in both languages, each without the breaks of its lines."""
-    return Words(*(" ".join(str(text[language]).split()) for language in LANGUAGES))
+    return Text(*(" ".join(str(text[language]).split()) for language in LANGUAGES))
 
 
 def said_once(found: Any, place: str) -> Iterator[str]:

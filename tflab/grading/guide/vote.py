@@ -22,7 +22,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from tflab.workbook.words import Words
+from tflab.text import Text
 
 from .lecture import LecturedPage
 from .teaching import Teaching, as_words
@@ -30,25 +30,25 @@ from .teaching import Teaching, as_words
 __all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "LATER", "RULES", "Vote", "VoteOption", "matches", "rule_for", "votes_of"]
 
 EXPLAIN_BELOW, ARGUE_BELOW = 35, 70  # percent of a room that are right
-LATER = Words(
+LATER = Text(
     "A prediction: only count. What to say is for the slide “{slide}”, where it is answered.",
     "예측이므로 세기만 합니다. 할 말은 답이 나오는 슬라이드 “{slide}”에서 합니다.",
 )
 RULES = (
-    Words(
+    Text(
         "Below 35 % right: explain it again, another way, then vote anew.",
         "정답이 35 % 미만이면 다르게 다시 설명하고 새로 투표합니다.",
     ),
-    Words(
+    Text(
         "35 to 70 %: say nothing yet. Two minutes with a neighbour who chose otherwise, then vote again.",
         "35–70 %이면 아직 설명하지 않습니다. 다른 답을 고른 옆 사람과 2분 동안 이야기하게 하고 다시 투표합니다.",
     ),
-    Words(
+    Text(
         "Above 70 %: say one sentence to each wrong option, and go on.",
         "70 %를 넘으면 오답마다 한 문장씩 말하고 넘어갑니다.",
     ),
 )
-UNSURE = Words("I do not know", "모르겠습니다")
+UNSURE = Text("I do not know", "모르겠습니다")
 
 
 @dataclass(frozen=True)
@@ -99,7 +99,7 @@ def votes_of(teaching: Teaching, page: LecturedPage) -> list[Vote]:
     return sorted(votes, key=lambda vote: page.shown.get(vote.after, 0))
 
 
-def rule_for(right_percent: float) -> Words:
+def rule_for(right_percent: float) -> Text:
     """Return what to do after a vote."""
     return RULES[0 if right_percent < EXPLAIN_BELOW else 1 if right_percent <= ARGUE_BELOW else 2]
 

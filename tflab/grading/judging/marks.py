@@ -15,15 +15,15 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from tflab.text import Text
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.inventory.replies import chosen
-from tflab.workbook.tasks.case import TaskCases, TwinWords
+from tflab.workbook.tasks.case import Feedback, TaskCases
 from tflab.workbook.tasks.evidence import beyond_guessing, beyond_the_usual
 from tflab.workbook.tasks.library import pair_search
 from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER, Mistake
 from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
-from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 from .draw import asks_of
@@ -63,8 +63,8 @@ class TaskMark:
     of: int
     points: float
     most: float
-    slips: dict[str, TwinWords] = field(default_factory=dict)
-    said: Words | None = None
+    slips: dict[str, Feedback] = field(default_factory=dict)
+    said: Text | None = None
     remarks: tuple[Remark, ...] = ()
     answers: Mapping[str, str] = field(default_factory=dict)
 
@@ -195,7 +195,7 @@ def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdi
         return [Remark("raised", task_id, error=safe_error_name(found.detail["error"]))]
     wanted = task.form.wanted()
     names = {name: ", ".join(held) if isinstance(held, list) else held for name, held in found.detail.items()}
-    tip = found.detail.get("tip", Words("", ""))
+    tip = found.detail.get("tip", Text("", ""))
     names |= {
         "tip": f" {tip.en}" if tip.en else "",
         "tip_ko": f" {tip.ko}" if tip.ko else "",

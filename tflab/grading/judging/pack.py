@@ -29,6 +29,7 @@ from joblib.externals.loky import get_reusable_executor
 from tqdm import tqdm
 
 from tflab import __version__
+from tflab.text import Text
 from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.places import TASKS, workbook_data
 from tflab.workbook.tasks.case import TaskCases
@@ -38,7 +39,6 @@ from tflab.workbook.tasks.library import question_digest, seed_of, solution_of, 
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.whole_files import write_whole
-from tflab.workbook.words import Words
 
 from ..submissions.roster import Learner
 from .cells import Master, master_of
@@ -87,7 +87,7 @@ class Pack:
         return list(self.questions)
 
     @cached_property
-    def titles(self) -> dict[str, dict[str, Words]]:
+    def titles(self) -> dict[str, dict[str, Text]]:
         """The titles of the tasks, by chapter and task."""
         return {
             stem: {name: task.title for name, task in tasks_of(workbook_data(), stem).items() if name in tasks}

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from tflab.text import LANGUAGES
 from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.words import LANGUAGES
 
 from ..submissions.remarks import Remark
 from .agree import in_another_order

@@ -8,31 +8,31 @@ from __future__ import annotations
 import statistics
 from collections.abc import Sequence
 
+from tflab.text import Text
 from tflab.views import style
 from tflab.views.picture import Picture
-from tflab.workbook.words import Words
 
 __all__ = ["bars", "histogram", "scores"]
 
 BINS = 10
 ROW_INCH = 0.3
-SUMMARY = Words(
+SUMMARY = Text(
     "{count} learners, points [%]: mean {mean}, median {middle}", "{count}명의 점수[%]: 평균 {mean}, 중앙값 {middle}"
 )
-SCORES = Words(
+SCORES = Text(
     "{count} learners, right of {of}: before mean {before}, after mean {after}; guessing alone gives {by_guessing}",
     "{count}명, {of}문제 중 맞힌 수: 처음 평균 {before}, 끝 평균 {after}. 짐작만 하면 {by_guessing}",
 )
-SCORE = Words("  {right} right: {before} before, {after} after", "  {right}개 맞힘: 처음 {before}명, 끝 {after}명")
-BIN = Words("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
+SCORE = Text("  {right} right: {before} before, {after} after", "  {right}개 맞힘: 처음 {before}명, 끝 {after}명")
+BIN = Text("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
 
 
 def bars(
-    rows: Sequence[tuple[Words, float]],
-    unit: Words,
+    rows: Sequence[tuple[Text, float]],
+    unit: Text,
     *,
     most: float,
-    title: Words,
+    title: Text,
     digits: int = 0,
     language: str = "en",
 ) -> Picture:

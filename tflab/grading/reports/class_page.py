@@ -15,9 +15,9 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
+from tflab.text import Text
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import read_inventory
-from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 from .class_figures import bars, histogram
@@ -30,33 +30,33 @@ from .html import figure, page, points, prose, rows, text
 __all__ = ["CommonMistake", "class_page", "mistakes"]
 
 MOST_BARS = 14
-TITLE = Words("The class", "반 전체 결과")
-COUNTED = Words(
+TITLE = Text("The class", "반 전체 결과")
+COUNTED = Text(
     "{graded} graded, {empty} with nothing to grade.", "{graded}명을 채점했고, {empty}명은 채점할 것이 없습니다."
 )
-TOOK = Words("Running them took {seconds} s in all.", "실행에 모두 {seconds}초가 걸렸습니다.")
-MISUNDERSTOOD = Words("What is misunderstood", "무엇을 잘못 알고 있을까요?")
-MISTAKES = Words("Which mistakes", "어떤 실수를 했을까요?")
-NO_MISTAKES = Words("No answer was one of the named mistakes.", "이름 붙은 실수와 일치한 답이 없습니다.")
-HARDEST = Words("How hard the tasks were", "과제의 난이도")
-DISTRIBUTION = Words("How the class did", "점수 분포")
-EVERYBODY = Words("Everybody", "전체 명단")
-IN_WORDS = Words("the same in words", "글로 보기")
-SPOILT = Words("misconceptions by the answers they spoilt", "잘못 알고 있는 점과 그 때문에 틀린 답")
-ANSWERS = Words("answers", "개")
-NAMED = Words("named mistakes", "이름 붙은 실수")
-LEARNERS = Words("learners", "명")
-HARDEST_FIRST = Words("the hardest tasks first", "어려운 과제부터")
-MEAN = Words("mean points [%]", "평균 점수[%]")
-ON_THE_WALL = Words("What stood between the submissions and this machine", "제출물을 이 컴퓨터와 격리한 방법")
-ABOUT = Words("What was odd about the files", "파일에 대한 알림")
+TOOK = Text("Running them took {seconds} s in all.", "실행에 모두 {seconds}초가 걸렸습니다.")
+MISUNDERSTOOD = Text("What is misunderstood", "무엇을 잘못 알고 있을까요?")
+MISTAKES = Text("Which mistakes", "어떤 실수를 했을까요?")
+NO_MISTAKES = Text("No answer was one of the named mistakes.", "이름 붙은 실수와 일치한 답이 없습니다.")
+HARDEST = Text("How hard the tasks were", "과제의 난이도")
+DISTRIBUTION = Text("How the class did", "점수 분포")
+EVERYBODY = Text("Everybody", "전체 명단")
+IN_WORDS = Text("the same in words", "글로 보기")
+SPOILT = Text("misconceptions by the answers they spoilt", "잘못 알고 있는 점과 그 때문에 틀린 답")
+ANSWERS = Text("answers", "개")
+NAMED = Text("named mistakes", "이름 붙은 실수")
+LEARNERS = Text("learners", "명")
+HARDEST_FIRST = Text("the hardest tasks first", "어려운 과제부터")
+MEAN = Text("mean points [%]", "평균 점수[%]")
+ON_THE_WALL = Text("What stood between the submissions and this machine", "제출물을 이 컴퓨터와 격리한 방법")
+ABOUT = Text("What was odd about the files", "파일에 대한 알림")
 MISTAKE_HEADS = (
-    Words("Learners", "인원"),
-    Words("Task", "과제"),
-    Words("Mistake", "실수"),
-    Words("What they are told", "안내"),
+    Text("Learners", "인원"),
+    Text("Task", "과제"),
+    Text("Mistake", "실수"),
+    Text("What they are told", "안내"),
 )
-HEADS = (Words("Learner", "학습자"), Words("Points", "점수"), Words("Tasks", "과제"), Words("Remarks", "비고"))
+HEADS = (Text("Learner", "학습자"), Text("Points", "점수"), Text("Tasks", "과제"), Text("Remarks", "비고"))
 
 
 class CommonMistake(NamedTuple):
@@ -65,14 +65,14 @@ class CommonMistake(NamedTuple):
     task: str
     name: str
     misconception: str
-    reply: Words
+    reply: Text
     count: int
 
 
 def mistakes(records: Sequence[Mapping[str, Any]]) -> list[CommonMistake]:
     """Return the mistakes that were made, the most frequent first."""
     made = [
-        (task, name, twin["misconception"], Words(**twin["reply"]))
+        (task, name, twin["misconception"], Text(**twin["reply"]))
         for record in records
         for chapter in record["chapters"].values()
         for task, row in chapter["tasks"].items()
@@ -86,7 +86,7 @@ def class_page(
     records: Sequence[Mapping[str, Any]],
     *,
     language: str = "en",
-    wall: Sequence[Words] = (),
+    wall: Sequence[Text] = (),
     remarks: Sequence[Remark] = (),
 ) -> str:
     """Return the instructor's page as HTML."""
@@ -120,7 +120,7 @@ def _misunderstood(found: Sequence[CommonMistake], language: str) -> list[str]:
     if not counts:
         return []
     order = sorted(counts, key=lambda name: (-counts[name], int(name[1:])))
-    named = [(Words(*(f"{words} ({name})" for words in MISCONCEPTIONS[name])), counts[name]) for name in order]
+    named = [(Text(*(f"{words} ({name})" for words in MISCONCEPTIONS[name])), counts[name]) for name in order]
     picture = bars(named, ANSWERS, most=max(counts.values()), title=SPOILT, language=language)
     body = [f"<h2>{text(MISUNDERSTOOD.say(language))}</h2>"]
     body.append(figure(picture.png(), picture.text, picture.size_px[0], IN_WORDS.say(language)))
@@ -135,7 +135,7 @@ def _mistakes(found: Sequence[CommonMistake], graded: int, language: str) -> lis
     body = [f"<h2>{text(MISTAKES.say(language))}</h2>"]
     if not found:
         return [*body, f"<p>{text(NO_MISTAKES.say(language))}</p>"]
-    named = [(Words(_label(mistake), _label(mistake)), mistake.count) for mistake in found[:MOST_BARS]]
+    named = [(Text(_label(mistake), _label(mistake)), mistake.count) for mistake in found[:MOST_BARS]]
     picture = bars(named, LEARNERS, most=graded, title=NAMED, language=language)
     cells = [
         (
@@ -164,7 +164,7 @@ def _hardest(graded: Sequence[Mapping[str, Any]], language: str) -> list[str]:
         got = [verdicts_of(record)[task] for record in graded if task in verdicts_of(record)]
         share[task] = 100 * sum(row["points"] for row in got) / sum(row["most"] for row in got)
     hardest = sorted(share.items(), key=lambda pair: (pair[1], pair[0]))
-    named = [(Words(task, task), value) for task, value in hardest[:MOST_BARS]]
+    named = [(Text(task, task), value) for task, value in hardest[:MOST_BARS]]
     picture = bars(named, MEAN, most=100, title=HARDEST_FIRST, language=language)
     return [
         f"<h2>{text(HARDEST.say(language))}</h2>",

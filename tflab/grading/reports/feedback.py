@@ -15,8 +15,8 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
+from tflab.text import Text
 from tflab.workbook.course.course import read_course
-from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 from .html import page, points, prose, rows, text
@@ -26,32 +26,32 @@ __all__ = ["LEVELS", "STATUS", "feedback_page"]
 LEVELS = ("none", "score", "named", "full")
 ONLY_FULL = {"parts", "missing parts", "unit", "frame"}
 
-TITLE = Words("Your exercises", "연습 문제 결과")
-OF = Words("{points} of {most} points", "{most}점 만점에 {points}점")
-FOR = Words("for {name}", "{name}")
-HEADS = (Words("Task", "과제"), Words("", ""), Words("Points", "점수"), Words("What there is to say", "의견"))
-CASES = Words("{passed} of {of} checks right.", "확인 항목 {of}개 중 {passed}개가 맞습니다.")
-ABOUT_CHAPTER = Words("About the notebook", "노트북에 대하여")
-ABOUT_FILES = Words("About what was handed in", "제출한 파일에 대하여")
-HOW = Words(
+TITLE = Text("Your exercises", "연습 문제 결과")
+OF = Text("{points} of {most} points", "{most}점 만점에 {points}점")
+FOR = Text("for {name}", "{name}")
+HEADS = (Text("Task", "과제"), Text("", ""), Text("Points", "점수"), Text("What there is to say", "의견"))
+CASES = Text("{passed} of {of} checks right.", "확인 항목 {of}개 중 {passed}개가 맞습니다.")
+ABOUT_CHAPTER = Text("About the notebook", "노트북에 대하여")
+ABOUT_FILES = Text("About what was handed in", "제출한 파일에 대하여")
+HOW = Text(
     "Values were judged on your own variant, functions on inputs that nobody has seen before. "
     "To find out more, run the checks in your notebook: they tell you about the inputs there.",
     "값은 자신의 변형 문제로, 함수는 공개하지 않은 입력으로 채점했습니다. "
     "더 알아보려면 노트북의 check를 실행하십시오. 그쪽 입력에 대해서는 자세히 알려 줍니다.",
 )
-WRONG = Words("The result is not right yet.", "결과가 아직 맞지 않습니다.")
-NOT_HANDED_IN = Words("Not handed in.", "제출되지 않았습니다.")
+WRONG = Text("The result is not right yet.", "결과가 아직 맞지 않습니다.")
+NOT_HANDED_IN = Text("Not handed in.", "제출되지 않았습니다.")
 STATUS = {
-    "right": ("✓", Words("right", "정답")),
-    "partly": ("◐", Words("partly right", "일부 정답")),
-    "wrong": ("✗", Words("not right", "오답")),
-    "unanswered": ("–", Words("not answered", "미응답")),
-    "trouble": ("!", Words("could not be judged", "채점 불가")),
-    "missing": ("–", Words("not handed in", "미제출")),
+    "right": ("✓", Text("right", "정답")),
+    "partly": ("◐", Text("partly right", "일부 정답")),
+    "wrong": ("✗", Text("not right", "오답")),
+    "unanswered": ("–", Text("not answered", "미응답")),
+    "trouble": ("!", Text("could not be judged", "채점 불가")),
+    "missing": ("–", Text("not handed in", "미제출")),
 }
 
 
-def feedback_page(record: Mapping[str, Any], titles: Mapping[str, Mapping[str, Words]], level: str) -> str:
+def feedback_page(record: Mapping[str, Any], titles: Mapping[str, Mapping[str, Text]], level: str) -> str:
     """Return a learner's page as HTML.
 
     Args:
@@ -75,9 +75,7 @@ def feedback_page(record: Mapping[str, Any], titles: Mapping[str, Mapping[str, W
     return page(f"{TITLE.say(language)} · {who}", language, body)
 
 
-def _chapter(
-    stem: str, chapter: Mapping[str, Any], titles: Mapping[str, Words], level: str, language: str
-) -> list[str]:
+def _chapter(stem: str, chapter: Mapping[str, Any], titles: Mapping[str, Text], level: str, language: str) -> list[str]:
     of_chapter = chapter["tasks"].values()
     got, most = (points(sum(row[name] for row in of_chapter)) for name in ("points", "most"))
     title = _titles().get(stem)
@@ -94,11 +92,11 @@ def _chapter(
     return [*body, table, *_about(ABOUT_CHAPTER.say(language), lines)]
 
 
-def _task(task_id: str, row: Mapping[str, Any], title: Words, level: str, language: str) -> tuple[str, str, str, str]:
+def _task(task_id: str, row: Mapping[str, Any], title: Text, level: str, language: str) -> tuple[str, str, str, str]:
     sign, status = STATUS[row["status"]]
     said = []
     if row["said"]:
-        said.append(Words(**row["said"]).say(language))
+        said.append(Text(**row["said"]).say(language))
     remarks = [Remark.from_plain(remark) for remark in row["remarks"]]
     shown = [remark for remark in remarks if level == "full" or remark.kind not in ONLY_FULL]
     said += [remark.say(language, with_task=False) for remark in shown]
@@ -115,7 +113,7 @@ def _task(task_id: str, row: Mapping[str, Any], title: Words, level: str, langua
 
 
 @lru_cache(maxsize=1)
-def _titles() -> dict[str, Words]:
+def _titles() -> dict[str, Text]:
     return {chapter.stem: chapter.title for chapter in read_course().chapters}
 
 

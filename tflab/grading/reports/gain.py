@@ -15,10 +15,10 @@ from collections.abc import Mapping, Sequence
 from statistics import mean
 from typing import Any, NamedTuple
 
+from tflab.text import Text
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import FORMS, Item
 from tflab.workbook.inventory.replies import Reply, replies_to
-from tflab.workbook.words import Words
 
 from ..submissions.remarks import Remark
 
@@ -41,21 +41,21 @@ HARDEST, EASIEST, FEWEST_CHOOSE = 0.2, 0.8, 0.05  # of a class, before: else an 
 MOST_NAMES = 12
 
 ONLY = {
-    "A": Words("Only the first form, no second: {who}.", "A형만 있고 B형이 없음: {who}."),
-    "B": Words("Only the second form, no first: {who}.", "B형만 있고 A형이 없음: {who}."),
+    "A": Text("Only the first form, no second: {who}.", "A형만 있고 B형이 없음: {who}."),
+    "B": Text("Only the second form, no first: {who}.", "B형만 있고 A형이 없음: {who}."),
 }
-NEITHER = Words("Neither form: {who}.", "A형과 B형이 모두 없음: {who}.")
-INCOMPLETE = Words("Not all questions answered: {who}.", "답하지 않은 문제가 있음: {who}.")
-TWICE = Words("Handed in more than once: {learner}. {said}", "두 번 이상 제출함: {learner}. {said}")
-OTHER_LANGUAGE = Words(
+NEITHER = Text("Neither form: {who}.", "A형과 B형이 모두 없음: {who}.")
+INCOMPLETE = Text("Not all questions answered: {who}.", "답하지 않은 문제가 있음: {who}.")
+TWICE = Text("Handed in more than once: {learner}. {said}", "두 번 이상 제출함: {learner}. {said}")
+OTHER_LANGUAGE = Text(
     "In another language than the roster's: {who}. The letters are the same, so it counts.",
     "명단과 다른 언어로 답함: {who}. 보기의 글자(a~e)는 같으므로 그대로 셉니다.",
 )
-AND_MORE = Words("{names} and {more} more", "{names} 외 {more}명")
+AND_MORE = Text("{names} and {more} more", "{names} 외 {more}명")
 BANDS = {
-    "low": Words("low (below 0.3)", "낮음(0.3 미만)"),
-    "medium": Words("medium (0.3 to 0.7)", "중간(0.3~0.7)"),
-    "high": Words("high (above 0.7)", "높음(0.7 초과)"),
+    "low": Text("low (below 0.3)", "낮음(0.3 미만)"),
+    "medium": Text("medium (0.3 to 0.7)", "중간(0.3~0.7)"),
+    "high": Text("high (above 0.7)", "높음(0.7 초과)"),
 }
 
 
@@ -71,7 +71,7 @@ class ClassGain(NamedTuple):
     """Who is matched, and a line for everything else."""
 
     matched: tuple[Matched, ...]
-    lines: tuple[Words, ...]
+    lines: tuple[Text, ...]
 
     def right(self) -> tuple[list[int], list[int]]:
         """Return how many each of the matched has right, before and after."""
@@ -113,7 +113,7 @@ def normalised_gain(before: float, after: float, of: int) -> float | None:
     return (after - before) / (of - before) if before < of else None
 
 
-def band(gain: float) -> Words:
+def band(gain: float) -> Text:
     """Return in which of the three bands a gain is."""
     return BANDS["low" if round(gain, 6) < LOW else "medium" if round(gain, 6) <= HIGH else "high"]
 
@@ -182,9 +182,9 @@ def _answers(record: Mapping[str, Any], form: str) -> Mapping[str, str]:
     return _row(record, form).get("answers", {})
 
 
-def _lines(records: Sequence[Mapping[str, Any]], answers: Mapping[str, Mapping[str, Any]]) -> list[Words]:
+def _lines(records: Sequence[Mapping[str, Any]], answers: Mapping[str, Mapping[str, Any]]) -> list[Text]:
     """Return a line for whoever is not matched, and for what is odd about those who are."""
-    found: dict[Words, list[str]] = {words: [] for words in (INCOMPLETE, *ONLY.values(), NEITHER, OTHER_LANGUAGE)}
+    found: dict[Text, list[str]] = {words: [] for words in (INCOMPLETE, *ONLY.values(), NEITHER, OTHER_LANGUAGE)}
     for record in records:
         words = _why_not_matched(record, answers[record["learner"]])
         if words is not None:
@@ -195,7 +195,7 @@ def _lines(records: Sequence[Mapping[str, Any]], answers: Mapping[str, Mapping[s
     return lines + [line for record in records for line in _twice(record)]
 
 
-def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Words | None:
+def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Text | None:
     if all(both.values()):
         return None
     if any(_row(record, form).get("passed") and not both[form] for form in FORMS):
@@ -203,7 +203,7 @@ def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Word
     return next((ONLY[form] for form in FORMS if both[form]), NEITHER)
 
 
-def _line(words: Words, who: Sequence[str]) -> Words:
+def _line(words: Text, who: Sequence[str]) -> Text:
     names, more = ", ".join(who[:MOST_NAMES]), len(who) - MOST_NAMES
     return words.filled(who=AND_MORE.filled(names=names, more=more) if more > 0 else names)
 
@@ -213,8 +213,8 @@ def _is_in_another_language(record: Mapping[str, Any]) -> bool:
     return bool(written_in - {"", record["language"]})
 
 
-def _twice(record: Mapping[str, Any]) -> list[Words]:
+def _twice(record: Mapping[str, Any]) -> list[Text]:
     remarks = [remark for form in FORMS for remark in _chapter(record, form).get("remarks", ())]
     said = [Remark.from_plain(remark) for remark in remarks if remark["kind"] == "several"]
     names = {"learner": record["learner"]}
-    return [Words(*(TWICE.say(tongue, said=one.say(tongue), **names) for tongue in ("en", "ko"))) for one in said]
+    return [Text(*(TWICE.say(tongue, said=one.say(tongue), **names) for tongue in ("en", "ko"))) for one in said]

@@ -13,9 +13,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from tflab.text import Text
 from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import Item
-from tflab.workbook.words import Words
 
 from .class_figures import scores
 from .gain import BY_GUESSING, Believed, ClassGain, band, believed, normalised_gain, out_of_reach, unused_options
@@ -23,54 +23,54 @@ from .html import figure, rows, text
 
 __all__ = ["gain_section"]
 
-HEADING = Words("Before and after: the fifteen questions", "처음과 끝: 열다섯 문제")
-MEANS = Words(
+HEADING = Text("Before and after: the fifteen questions", "처음과 끝: 열다섯 문제")
+MEANS = Text(
     "{count} learners answered both forms. Right of {of}, on average: {before} before, {after} after; "
     "guessing alone gives {by_guessing}.",
     "A형과 B형에 모두 답한 학습자는 {count}명입니다. {of}문제 중 맞힌 수의 평균: 처음 {before}개, 끝 {after}개. "
     "짐작만 하면 {by_guessing}개입니다.",
 )
-GAIN = Words("Normalised gain {gain}: {band}.", "정규화 향상도(normalised gain) {gain}: {band}.")
-BANDS_FROM = Words(
+GAIN = Text("Normalised gain {gain}: {band}.", "정규화 향상도(normalised gain) {gain}: {band}.")
+BANDS_FROM = Text(
     "It is the share of what was left to learn, of the means of these learners; the bands are those of a survey "
     "of 62 courses with 6542 students.",
     "처음에 더 배울 것으로 남아 있던 몫 가운데 얼마를 배웠는지를 이 학습자들의 평균으로 계산했습니다. "
     "구간은 강의 62개, 학생 6542명을 조사한 연구에서 가져왔습니다.",
 )
-NOTHING_LEFT = Words(
+NOTHING_LEFT = Text(
     "Normalised gain: nothing left to gain, everybody had all of it right before.",
     "정규화 향상도(normalised gain): 모두가 처음부터 다 맞혀서 더 오를 것이 없습니다.",
 )
-NOBODY = Words("No learner has answered both forms yet.", "A형과 B형에 모두 답한 학습자가 아직 없습니다.")
-CURED = Words("Most cured: {which}.", "가장 많이 바로잡힌 것: {which}.")
-GREW = Words("Grew: {which}. Teach it again.", "늘어난 것: {which}. 다시 가르칠 내용입니다.")
-LINES = Words("Who is not in it, and what was odd", "빠진 사람과 특이한 점")
+NOBODY = Text("No learner has answered both forms yet.", "A형과 B형에 모두 답한 학습자가 아직 없습니다.")
+CURED = Text("Most cured: {which}.", "가장 많이 바로잡힌 것: {which}.")
+GREW = Text("Grew: {which}. Teach it again.", "늘어난 것: {which}. 다시 가르칠 내용입니다.")
+LINES = Text("Who is not in it, and what was odd", "빠진 사람과 특이한 점")
 HEADS = (
-    Words("Misconception", "잘못 알고 있는 점"),
-    Words("Chose it, before → after", "고른 비율, 처음 → 끝"),
-    Words("Of these sure", "그중 확신"),
-    Words("", ""),
+    Text("Misconception", "잘못 알고 있는 점"),
+    Text("Chose it, before → after", "고른 비율, 처음 → 끝"),
+    Text("Of these sure", "그중 확신"),
+    Text("", ""),
 )
-GROWN, GONE, FELL = Words("grew", "늘어남"), Words("gone", "사라짐"), Words("fell", "줄어듦")
-ON_BOTH = Words(
+GROWN, GONE, FELL = Text("grew", "늘어남"), Text("gone", "사라짐"), Text("fell", "줄어듦")
+ON_BOTH = Text(
     "Counted on the items on which both forms offer it, so that it has as many chances before as after.",
     "A형과 B형에 모두 그 보기가 있는 문제만 세었으므로, 고를 기회는 처음과 끝이 같습니다.",
 )
-ABOUT_THE_TEST = Words("Of the test itself, before the course", "시험 자체에 대하여(강의 전)")
-OUT_OF_REACH = Words(
+ABOUT_THE_TEST = Text("Of the test itself, before the course", "시험 자체에 대하여(강의 전)")
+OUT_OF_REACH = Text(
     "fewer than 20 % or more than 80 % had these right, so they tell little: {which}",
     "맞힌 사람이 20 %보다 적거나 80 %보다 많아서 알려 주는 것이 적은 문제: {which}",
 )
-UNUSED = Words(
+UNUSED = Text(
     "fewer than 5 % chose these wrong options, so they should be rewritten: {which}",
     "고른 사람이 5 %보다 적어서 고쳐 써야 할 오답 보기: {which}",
 )
-LIMITS = Words(
+LIMITS = Text(
     "A small test, and not validated yet: use it to find what to teach again, not to compare people.",
     "문제 수가 적고 아직 타당성을 검증하지 않은 시험입니다. "
     "무엇을 다시 가르칠지 찾는 데만 쓰고, 사람을 비교하는 데는 쓰지 마십시오.",
 )
-IN_WORDS = Words("the same in words", "글로 보기")
+IN_WORDS = Text("the same in words", "글로 보기")
 MOST_NAMED = 3
 ENOUGH = 20  # learners, to say anything of the test itself
 
@@ -160,5 +160,5 @@ def _change(row: Believed, language: str) -> str:
     return (FELL if row.after else GONE).say(language)
 
 
-def _quiet(words: Words, language: str) -> str:
+def _quiet(words: Text, language: str) -> str:
     return f'<p class="quiet">{text(words.say(language))}</p>'

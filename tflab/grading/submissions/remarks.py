@@ -14,8 +14,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from tflab.text import Text
 from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER
-from tflab.workbook.words import Words
 
 from .reasons import REASONS
 
@@ -23,124 +23,124 @@ __all__ = ["KINDS", "Remark", "printable"]
 
 KINDS = {
     # about cells
-    "changed": Words(
+    "changed": Text(
         en='the cell "{cell}" was changed; grading uses its own.',
         ko='"{cell}" 셀이 바뀌었습니다. 채점에는 원래 셀을 씁니다.',
     ),
-    "twice": Words(
+    "twice": Text(
         en='two different cells are called "{cell}", so neither counts. Keep one and delete the other.',
         ko='"{cell}"이라는 이름의 서로 다른 셀이 두 개라서 어느 쪽도 채점하지 않았습니다. 하나만 남기고 지우십시오.',
     ),
-    "missing": Words(
+    "missing": Text(
         en='the cell "{cell}" is not there. Put the answer into the cell that came with the exercise.',
         ko='"{cell}" 셀이 없습니다. 연습 문제에 들어 있던 셀에 답을 쓰십시오.',
     ),
-    "no code": Words(
+    "no code": Text(
         en='the cell "{cell}" is text, not code, so it does not run. Turn it back into a code cell (Y).',
         ko='"{cell}" 셀이 코드가 아니라 텍스트라서 실행되지 않습니다. 코드 셀로 되돌리십시오(Y 키).',
     ),
-    "elsewhere": Words(
+    "elsewhere": Text(
         en='the answer stands in a cell of your own, not in "{cell}". It counts; next time write it there.',
         ko='답이 "{cell}"이 아니라 직접 만든 셀에 있습니다. 이번에는 인정하지만 다음에는 제자리에 쓰십시오.',
     ),
-    "apart": Words(
+    "apart": Text(
         en="right only by itself: another of the answers gets in its way. It counts.",
         ko="다른 답이 방해하여 따로 실행했을 때만 맞습니다. 점수는 인정합니다.",
     ),
-    "left out": Words(
+    "left out": Text(
         en='your own cell behind "{cell}" did not end; it was left out.',
         ko='"{cell}" 뒤에 직접 만든 셀이 끝나지 않아서 빼고 채점했습니다.',
     ),
     # about what happened
-    "timed out": Words(
+    "timed out": Text(
         en="it did not end within {seconds} s, and not in a second run with three times as long either.",
         ko="{seconds}초 안에 끝나지 않았고, 세 배의 시간을 준 두 번째 실행에서도 끝나지 않았습니다.",
     ),
-    "died": Words(
+    "died": Text(
         en="it ended Python itself, or used up its memory; twice.",
         ko="파이썬 자체가 종료되었거나 메모리를 모두 썼습니다. 두 번 모두 그랬습니다.",
     ),
-    "flood": Words(
+    "flood": Text(
         en="it wrote without end.",
         ko="출력이 끝없이 이어졌습니다.",
     ),
-    "raised": Words(
+    "raised": Text(
         en="the answer cell stops with {error}.",
         ko="답안 셀이 {error} 오류로 멈춥니다.",
     ),
-    "endless to judge": Words(
+    "endless to judge": Text(
         en="to judge it took more than {seconds} s of computing or {most} MB of memory, so it was ended: "
         "no answer is that large.",
         ko="판정하는 데 계산 {seconds}초나 메모리 {most} MB가 넘게 들어 중단했습니다. 그렇게 큰 답은 없습니다.",
     ),
-    "no result": Words(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
-    "not run": Words(
+    "no result": Text(en="no result came back.", ko="결과가 돌아오지 않았습니다."),
+    "not run": Text(
         en="it could not be run on this machine ({why}); grade it again.",
         ko="이 컴퓨터에서 실행하지 못했습니다({why}). 다시 채점해야 합니다.",
     ),
     # about files
-    "unreadable": Words(en="{file}: {why}.", ko="{file}: {why}."),
-    "no exercise": Words(
+    "unreadable": Text(en="{file}: {why}.", ko="{file}: {why}."),
+    "no exercise": Text(
         en="{file}: none of its cells belongs to a chapter that is graded.",
         ko="{file}: 채점하는 장의 셀이 하나도 없습니다.",
     ),
-    "several": Words(
+    "several": Text(
         en="{chapter} was handed in more than once; {file} was graded: {rule}.",
         ko="{chapter} 장이 여러 번 제출되었습니다. {rule} 채점했습니다: {file}.",
     ),
-    "by answers": Words(en="the one with most answers, of these the later", ko="답이 가장 많은 것을, 같으면 나중 것을"),
-    "by latest": Words(en="the latest, by its name", ko="이름으로 보아 가장 나중 것을"),
-    "by first": Words(en="the first, by its name", ko="이름으로 보아 가장 먼저 것을"),
-    "nothing": Words(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
-    "other release": Words(
+    "by answers": Text(en="the one with most answers, of these the later", ko="답이 가장 많은 것을, 같으면 나중 것을"),
+    "by latest": Text(en="the latest, by its name", ko="이름으로 보아 가장 나중 것을"),
+    "by first": Text(en="the first, by its name", ko="이름으로 보아 가장 먼저 것을"),
+    "nothing": Text(en="{chapter} was not handed in.", ko="{chapter} 장은 제출되지 않았습니다."),
+    "other release": Text(
         en="{file} comes from another release ({stamp}); it was graded as this one ({ours}).",
         ko="{file}: 다른 배포본({stamp})에서 나온 파일이라 이번 배포본({ours}) 기준으로 채점했습니다.",
     ),
-    "other version": Words(
+    "other version": Text(
         en="{file} is stamped tflab {stamp}, the release tflab {ours}.",
         ko="{file}: 적혀 있는 버전은 tflab {stamp}, 배포본은 tflab {ours}입니다.",
     ),
-    "other learner": Words(
+    "other learner": Text(
         en="{file} was handed out to {stamp}, and handed in for {ours}.",
         ko="{file}: {stamp}에게 배포된 것인데 {ours}의 이름으로 제출되었습니다.",
     ),
-    "unknown task": Words(
+    "unknown task": Text(
         en="{file} has a task {stamp} that is not in this release.",
         ko="{file}: 이번 배포본에 없는 과제가 들어 있습니다({stamp}).",
     ),
     # about what was handed in
-    "no file": Words(en="nothing was handed in.", ko="제출한 것이 없습니다."),
-    "empty": Words(en="an empty folder.", ko="빈 폴더입니다."),
-    "no notebook": Words(en="no notebook; there is {stamp}.", ko="노트북이 없습니다. 있는 것: {stamp}."),
-    "many": Words(
+    "no file": Text(en="nothing was handed in.", ko="제출한 것이 없습니다."),
+    "empty": Text(en="an empty folder.", ko="빈 폴더입니다."),
+    "no notebook": Text(en="no notebook; there is {stamp}.", ko="노트북이 없습니다. 있는 것: {stamp}."),
+    "many": Text(
         en="more than {ours} notebooks; the {ours} largest are looked at.",
         ko="노트북이 {ours}개보다 많아서 큰 것부터 {ours}개만 보았습니다.",
     ),
-    "nobody": Words(
+    "nobody": Text(
         en='"{stamp}" is nobody on the roster, and neither is the stamp in the notebook.',
         ko='명단에 없는 이름입니다: "{stamp}". 노트북에 적힌 이름도 명단에 없습니다.',
     ),
-    "contested": Words(
+    "contested": Text(
         en='several people hand in as "{stamp}", and no sealed stamp says which of them is on the roster.',
         ko='"{stamp}" 이름으로 제출한 사람이 여럿인데, 누가 명단의 그 사람인지 확인할 봉인된 표시가 없습니다.',
     ),
-    "stamped": Words(
+    "stamped": Text(
         en='stamped for "{stamp}", who handed in elsewhere; not graded for them.',
         ko='"{stamp}"에게 배포된 것이지만 그 사람은 따로 제출했으므로 그의 것으로 채점하지 않았습니다.',
     ),
-    "places": Words(en="handed in at several places: {stamp}.", ko="여러 곳에 제출되었습니다: {stamp}."),
-    "file": Words(en="{file}: {why}.", ko="{file}: {why}."),
+    "places": Text(en="handed in at several places: {stamp}.", ko="여러 곳에 제출되었습니다: {stamp}."),
+    "file": Text(en="{file}: {why}.", ko="{file}: {why}."),
     # about the whole batch
-    "other tflab": Words(
+    "other tflab": Text(
         en="released by tflab {stamp}, graded by tflab {ours}.",
         ko="tflab {stamp}에서 배포하고 tflab {ours}에서 채점했습니다.",
     ),
-    "failed": Words(
+    "failed": Text(
         en="tflab itself failed here ({error}); please report it, and grade again.",
         ko="tflab 자체의 오류로 채점하지 못했습니다({error}). 오류를 알리고 다시 채점해야 합니다.",
     ),
-    "some error": Words(en="an exception", ko="어떤"),  # inside another remark
-    "own error": Words(en="an error of its own", ko="직접 정의한"),  # inside another remark
+    "some error": Text(en="an exception", ko="어떤"),  # inside another remark
+    "own error": Text(en="an error of its own", ko="직접 정의한"),  # inside another remark
     **{mistake.value: words for mistake, words in WITHOUT_THE_ANSWER.items()},
     **REASONS,
 }

@@ -15,7 +15,7 @@ import io
 import re
 from dataclasses import dataclass, field
 
-from tflab.workbook.words import LANGUAGES
+from tflab.text import LANGUAGES
 
 from .remarks import printable
 

@@ -23,7 +23,7 @@ from typing import Any, ClassVar, NamedTuple
 
 from tflab.core import Transform
 
-from ..words import Words
+from ...text import Text
 from .values import Plain, from_plain, is_raised
 
 __all__ = [
@@ -78,7 +78,7 @@ class Form:
         """Return what earns credit in an answer, or None if it is not of this form at all."""
         raise NotImplementedError
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         """Return in words what is wanted."""
         raise NotImplementedError
 
@@ -140,7 +140,7 @@ class Form:
 
         return read
 
-    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
+    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:
         """Return what can be said of a wrong answer by itself, beside the other parts of a dict; None if nothing."""
         return None
 
@@ -165,9 +165,9 @@ class Number(Form):
         row = numbers_of(plain, None)
         return None if row is None else [[(Mark(row[0], self.tolerance),)]]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         unit = f" [{self.unit}]" if self.unit else ""
-        return Words(en=f"one number{unit}", ko=f"숫자 하나{unit}")
+        return Text(en=f"one number{unit}", ko=f"숫자 하나{unit}")
 
 
 @dataclass(frozen=True)
@@ -183,8 +183,8 @@ class Angle(Form):
         angle = math.remainder(row[0], math.tau)
         return [[(Mark(angle + turn, self.tolerance),) for turn in (0.0, math.tau, -math.tau)]]
 
-    def wanted(self) -> Words:
-        return Words(en="one angle [rad]", ko="각도 하나 [rad]")
+    def wanted(self) -> Text:
+        return Text(en="one angle [rad]", ko="각도 하나 [rad]")
 
 
 @dataclass(frozen=True)
@@ -203,11 +203,11 @@ class Vector(Form):
         row = numbers_of(plain, self.size)
         return None if row is None else [[tuple(Mark(number, self.tolerance) for number in row)]]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         unit = f" [{self.unit}]" if self.unit else ""
         where = f" in {self.frame}" if self.frame else ""
         names = " (x, y, z)" if self.size == 3 else ""
-        return Words(
+        return Text(
             en=f"{self.size} numbers{names}{unit}{where}",
             ko=f"{self.frame + ' 기준 ' if self.frame else ''}숫자 {self.size}개{names}{unit}",
         )
@@ -223,8 +223,8 @@ class Quaternion(Form):
         row = numbers_of(plain, 4)
         return None if row is None else [_both_signs((), row, self.tolerance)]
 
-    def wanted(self) -> Words:
-        return Words(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 네 개 (x, y, z, w)")
+    def wanted(self) -> Text:
+        return Text(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 네 개 (x, y, z, w)")
 
 
 @dataclass(frozen=True)
@@ -251,10 +251,10 @@ class Pose(Form):
         row += tuple(Mark(number, self.tolerance_m) for number in translation)
         return [_both_signs(row, rotation, self.tolerance_rad / 2.0)]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         if self.frames:
-            return Words(en="a transform with its two frames", ko="두 좌표계 이름이 있는 변환(Transform)")
-        return Words(en="a transform: translation and rotation", ko="변환(Transform): 이동과 회전")
+            return Text(en="a transform with its two frames", ko="두 좌표계 이름이 있는 변환(Transform)")
+        return Text(en="a transform: translation and rotation", ko="변환(Transform): 이동과 회전")
 
 
 def numbers_of(plain: Plain, size: int | None) -> tuple[float, ...] | None:

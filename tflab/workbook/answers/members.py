@@ -15,7 +15,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
-from ..words import Words
+from ...text import Text
 from .form import Form, Mark, Probe, inside, is_given, pose_of
 from .structures import as_one
 from .values import Plain
@@ -42,8 +42,8 @@ class Name(Form):
             return None
         return [[(Mark("/" + plain.strip().lstrip("/") if self.topic else plain),)]]
 
-    def wanted(self) -> Words:
-        return Words(en="a name, as a str", ko="이름 하나(str)")
+    def wanted(self) -> Text:
+        return Text(en="a name, as a str", ko="이름 하나(str)")
 
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: what kind of name it is only where that is said."""
@@ -64,9 +64,9 @@ class Pair(Form):
         pairs = zip((self.first, self.second), held, strict=True)
         return [as_one([as_one(form.probes(member)) for form, member in pairs])]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         first, second = self.first.wanted(), self.second.wanted()
-        return Words(en=f"a pair ({first.en}, {second.en})", ko=f"쌍({first.ko}, {second.ko})")
+        return Text(en=f"a pair ({first.en}, {second.en})", ko=f"쌍({first.ko}, {second.ko})")
 
 
 @dataclass(frozen=True)
@@ -88,9 +88,9 @@ class Set(Form):
                 probes.append(probe)
         return sorted(probes, key=repr) or [NOTHING]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         each = self.of.wanted()
-        return Words(en=f"a set or a list, each member {each.en}", ko=f"set이나 리스트(각 원소는 {each.ko})")
+        return Text(en=f"a set or a list, each member {each.en}", ko=f"set이나 리스트(각 원소는 {each.ko})")
 
 
 @dataclass(frozen=True)
@@ -105,8 +105,8 @@ class Tree(Form):
             return None
         return [[(Mark(child), Mark(parent))] for child, parent in edges] or [NOTHING]
 
-    def wanted(self) -> Words:
-        return Words(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
+    def wanted(self) -> Text:
+        return Text(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
 
 
 def belonging(form: Set | Tree, answer: Plain, expected: Plain) -> list[bool]:

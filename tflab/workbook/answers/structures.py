@@ -19,7 +19,7 @@ from functools import lru_cache
 from itertools import islice, product
 from typing import Any
 
-from ..words import Words
+from ...text import Text
 from . import command_lines
 from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of
 from .values import Plain
@@ -52,9 +52,9 @@ class Choice(Form):
         meant = _options_meant(self.options, text)
         return meant[0] if len(meant) == 1 else None
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         options = ", ".join(f'"{option}"' for option in self.options)
-        return Words(en=f"one of {options}", ko=f"{options} 가운데 하나")
+        return Text(en=f"one of {options}", ko=f"{options} 가운데 하나")
 
 
 @dataclass(frozen=True)
@@ -80,10 +80,10 @@ class Parts(Form):
         neighbours = {other: answers.get(other) for other in named_beside(name, self.parts) if other != name}
         return self.parts[name].beside(answers.get(name), neighbours)
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         names = ", ".join(f'"{name}"' for name in self.parts)
-        alone = Words(" and nothing else", "만") if self.alone else Words("", "")
-        return Words(
+        alone = Text(" and nothing else", "만") if self.alone else Text("", "")
+        return Text(
             en=f"a dict with {names}{alone.en}", ko=f"{names} 키{alone.ko}를 가진 dict".replace("키만를", "키만")
         )
 
@@ -113,9 +113,9 @@ class Sequence(Form):
         length: Probe = [(Mark(f"{len(members)} members"),)]
         return [as_one([length, *probes])]
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         each = self.of.wanted()
-        return Words(en=f"a list, each member {each.en}", ko=f"리스트(각 원소는 {each.ko})")
+        return Text(en=f"a list, each member {each.en}", ko=f"리스트(각 원소는 {each.ko})")
 
 
 @dataclass(frozen=True)
@@ -133,8 +133,8 @@ class Message(Form):
             return None
         return [self._field(member(plain, *path.split("."))) for path in self.fields]
 
-    def wanted(self) -> Words:
-        return Words(en=f"a message {self.type}", ko=f"{self.type} 메시지")
+    def wanted(self) -> Text:
+        return Text(en=f"a message {self.type}", ko=f"{self.type} 메시지")
 
     def _field(self, plain: Plain) -> Probe:
         for size in (4, 3):
@@ -153,8 +153,8 @@ class Command(Form):
         rows = command_lines.rows(plain) if isinstance(plain, str) else None
         return None if rows is None else [[tuple(Mark(*mark) for mark in row) for row in rows]]
 
-    def wanted(self) -> Words:
-        return Words(en="a command line, as a str", ko="명령 한 줄(str)")
+    def wanted(self) -> Text:
+        return Text(en="a command line, as a str", ko="명령 한 줄(str)")
 
 
 def as_one(probes: list[Probe] | None) -> Probe:

@@ -17,18 +17,18 @@ from dataclasses import dataclass
 from tflab.clinic.table import kind_expected
 from tflab.clinic.trolley import TROLLEY
 
-from ..words import Words
+from ...text import Text
 from .form import Mark, Probe
 from .structures import Choice
 from .values import Plain
 
 __all__ = ["Telling"]
 
-TOO_DEAR = Words(
+TOO_DEAR = Text(
     en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
     ko="두 용의자를 가르기는 하지만 {minutes:g}분이 걸립니다. 허용된 것은 {most:g}분입니다.",
 )
-THE_SAME = Words(
+THE_SAME = Text(
     en="It says the same whichever of these two it is.",
     ko="두 용의자 가운데 어느 쪽이든 똑같이 나옵니다.",
 )
@@ -52,7 +52,7 @@ class Telling(Choice):
             return None
         return [[(Mark("tells them apart" if self._tells(word) else word),)]]
 
-    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Words | None:
+    def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:
         """Return why a check does not do: it tells nothing, or it would and costs too much; None if it is none."""
         word = self.option(answer)
         if word not in TROLLEY or self._tells(word):

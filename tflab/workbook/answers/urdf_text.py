@@ -21,7 +21,7 @@ from tflab.robots.kinematics import joint_transform
 from tflab.robots.model import Joint, Robot
 from tflab.robots.urdf import UrdfError, parse_urdf
 
-from ..words import Words
+from ...text import Text
 from .form import Form, Mark, Probe, Row
 from .values import Plain
 
@@ -56,9 +56,9 @@ class Urdf(Form):
             return None
         return _probes(self, plain)
 
-    def wanted(self) -> Words:
+    def wanted(self) -> Text:
         names = ", ".join(self.links)
-        return Words(en=f"a URDF as a str, with {names}", ko=f"URDF 문자열({names} 포함)")
+        return Text(en=f"a URDF as a str, with {names}", ko=f"URDF 문자열({names} 포함)")
 
     def fault(self, plain: Plain) -> str:
         """Return why a text is no robot, or "" if it is one, or no text at all."""

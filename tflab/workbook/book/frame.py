@@ -20,7 +20,7 @@ from dataclasses import dataclass, field
 from html import escape
 from pathlib import Path
 
-from ..words import Words
+from ...text import Text
 from .reading import Section
 
 __all__ = ["STATIC", "BookPage", "framed", "shell"]
@@ -29,17 +29,17 @@ STATIC = Path(__file__).parent / "static"
 OTHER = {"en": ("ko", "한국어"), "ko": ("en", "English")}
 
 SAYS = {
-    "skip": Words(en="To the text", ko="본문으로 가기"),
-    "chapters": Words(en="Contents", ko="차례"),
-    "here": Words(en="On this page", ko="이 쪽에서"),
-    "search": Words(en="Search", ko="찾기"),
-    "nothing": Words(en="Nothing found.", ko="찾은 것이 없습니다."),
-    "theme": Words(en="Light or dark", ko="밝게 또는 어둡게"),
-    "before": Words(en="Before", ko="이전"),
-    "after": Words(en="Next", ko="다음"),
-    "answers": Words(en="Folded answers of this page", ko="이 쪽의 접힌 답"),
-    "way": Words(en="Before and next page", ko="이전 쪽과 다음 쪽"),
-    "run": Words(
+    "skip": Text(en="To the text", ko="본문으로 가기"),
+    "chapters": Text(en="Contents", ko="차례"),
+    "here": Text(en="On this page", ko="이 쪽에서"),
+    "search": Text(en="Search", ko="찾기"),
+    "nothing": Text(en="Nothing found.", ko="찾은 것이 없습니다."),
+    "theme": Text(en="Light or dark", ko="밝게 또는 어둡게"),
+    "before": Text(en="Before", ko="이전"),
+    "after": Text(en="Next", ko="다음"),
+    "answers": Text(en="Folded answers of this page", ko="이 쪽의 접힌 답"),
+    "way": Text(en="Before and next page", ko="이전 쪽과 다음 쪽"),
+    "run": Text(
         en="To read: views turn, sliders move, nothing runs. "
         "To run the code and have your answers checked, <a href='index.html#run'>get the workbook</a>.",
         ko="읽기용 쪽입니다. 3D는 돌아가고 슬라이더는 움직이지만 코드는 실행되지 않습니다. "

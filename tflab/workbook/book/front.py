@@ -11,29 +11,29 @@ from __future__ import annotations
 from collections.abc import Sequence
 from html import escape
 
+from ...text import LANGUAGES, Text
 from ..course.course import read_course
 from ..places import exercise_file
-from ..words import LANGUAGES, Words
 from .frame import STATIC, BookPage
 
 __all__ = ["CONVENTIONS", "conventions_text", "door", "front_page"]
 
-CONVENTIONS = Words(en="Conventions", ko="규약")
-TITLE = Words(en="A book that runs: ROS 2 TF2", ko="실행되는 책: ROS 2 TF2")
-LEAD = Words(
+CONVENTIONS = Text(en="Conventions", ko="규약")
+TITLE = Text(en="A book that runs: ROS 2 TF2", ko="실행되는 책: ROS 2 TF2")
+LEAD = Text(
     en="On a robot, every number has a frame and a moment. This book teaches ROS 2 <strong>TF2</strong>, coordinate "
     "frames, transforms and the time that belongs to them, to people who have only Python: no robot, no ROS.",
     ko="로봇에서는 모든 숫자에 좌표계와 측정 시각이 있습니다. 이 워크북에서는 ROS 2의 <strong>TF2</strong>, 곧 "
     "좌표계와 변환, 그리고 그 시각을 처음부터 배웁니다. 파이썬 기초만 알면 됩니다. 로봇도 ROS도 필요 없습니다.",
 )
-CHAPTERS = Words(en="Chapters", ko="장")
-MINUTES = Words(en="{n} min", ko="{n}분")
-EXERCISE = Words(en="exercise", ko="연습 문제")
-TO_COME = Words(en="To come: {titles}.", ko="준비 중: {titles}.")
-LOOK_UP = Words(en="To look up", ko="찾아보기")
-REFERENCE = Words(en="Reference of the code", ko="코드 레퍼런스(영어)")
-RUN = Words(en="Run it yourself", ko="직접 실행하기")
-HOW = Words(
+CHAPTERS = Text(en="Chapters", ko="장")
+MINUTES = Text(en="{n} min", ko="{n}분")
+EXERCISE = Text(en="exercise", ko="연습 문제")
+TO_COME = Text(en="To come: {titles}.", ko="준비 중: {titles}.")
+LOOK_UP = Text(en="To look up", ko="찾아보기")
+REFERENCE = Text(en="Reference of the code", ko="코드 레퍼런스(영어)")
+RUN = Text(en="Run it yourself", ko="직접 실행하기")
+HOW = Text(
     en="Here you read. In the workbook you run: every cell, every exercise, and a wrong answer is told "
     "<em>which</em> mistake it is. You need Python 3.10 or newer:",
     ko="여기서는 읽기만 합니다. 워크북에서는 모든 셀과 연습 문제를 실행하고, 답이 틀리면 "

@@ -16,13 +16,13 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from ..words import Words
+from ...text import Text
 
 __all__ = ["GALLERY", "ShownFigure", "gallery_page", "last_line", "pictures_of"]
 
 KINDS = {"image/png": "png", "image/svg+xml": "svg"}
-GALLERY = Words(en="Gallery", ko="그림 모음")
-LEAD = Words(
+GALLERY = Text(en="Gallery", ko="그림 모음")
+LEAD = Text(
     en="Every figure of the pages, and the line that draws it. The link leads to the place where it is explained.",
     ko="본문에 나오는 모든 그림과, 그 그림을 그리는 줄입니다. 링크를 따라가면 설명이 있는 곳이 나옵니다.",
 )

@@ -17,8 +17,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
+from ...text import Text
 from ..places import MARK, language_here, workbook_root
-from ..words import Words
 
 __all__ = ["check_environment", "missing"]
 
@@ -26,30 +26,30 @@ __all__ = ["check_environment", "missing"]
 class Need(NamedTuple):
     """What the pages need: what it is for, and what of tflab brings which modules."""
 
-    what: Words
+    what: Text
     brought_by: str
     modules: tuple[str, ...]
 
 
 NEEDED = (
-    Need(Words("numbers and figures", "숫자와 그림"), "tflab[views]", ("numpy", "matplotlib", "PIL", "yaml")),
-    Need(Words("widgets and 3D", "위젯과 3D"), "tflab[views]", ("ipywidgets", "anywidget", "meshcat")),
-    Need(Words("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
-    Need(Words("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
+    Need(Text("numbers and figures", "숫자와 그림"), "tflab[views]", ("numpy", "matplotlib", "PIL", "yaml")),
+    Need(Text("widgets and 3D", "위젯과 3D"), "tflab[views]", ("ipywidgets", "anywidget", "meshcat")),
+    Need(Text("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
+    Need(Text("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
 )
 LEAST_PYTHON = (3, 10)
 LEAST = ".".join(map(str, LEAST_PYTHON))
-OUR_PYTHON = Words(f"Python {LEAST} or later", f"Python {LEAST} 이상")
-A_PLACE = Words("a place to keep your progress", "학습 기록을 저장할 곳")
-OLD_PYTHON = Words(
+OUR_PYTHON = Text(f"Python {LEAST} or later", f"Python {LEAST} 이상")
+A_PLACE = Text("a place to keep your progress", "학습 기록을 저장할 곳")
+OLD_PYTHON = Text(
     "this is Python {found}: install a later one, and tflab in it",
     "지금은 Python {found}입니다. 새 Python을 설치하고 거기에 tflab을 설치하십시오",
 )
-ABSENT = Words(
+ABSENT = Text(
     'missing: {names}. Type: pip install "{brought_by}"',
     '없음: {names}. 이렇게 설치하십시오: pip install "{brought_by}"',
 )
-LOCKED = Words(
+LOCKED = Text(
     "{folder} cannot be written to: copy it elsewhere, and open it there",
     "{folder}에 쓸 수 없습니다. 다른 곳에 복사해서 여십시오",
 )
@@ -64,7 +64,7 @@ def check_environment() -> None:
         print(f"✗  {name}: {faults[what].say(language)}" if what in faults else f"✓  {name}")
 
 
-def missing() -> Iterator[tuple[Words, Words]]:
+def missing() -> Iterator[tuple[Text, Text]]:
     """Yield what is not as the pages need it, and what to do."""
     if sys.version_info < LEAST_PYTHON:
         yield OUR_PYTHON, OLD_PYTHON.filled(found=".".join(str(part) for part in sys.version_info[:2]))

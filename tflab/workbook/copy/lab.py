@@ -28,8 +28,8 @@ from shutil import which
 from tflab import __version__
 from tflab.extras import require
 
+from ...text import LANGUAGES, Text
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
-from ..words import LANGUAGES, Words
 from .lay_out import Change, handed_out_in, has_language, lay_out, update
 
 __all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "language_of", "our_environment"]
@@ -46,51 +46,51 @@ OUR_OPTIONS = (
 FIRST_PAGE = "00_start.ipynb"
 PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier
 
-MADE = Words(
+MADE = Text(
     en="tflab lab: your own copy of the workbook is in {folder}.",
     ko="tflab lab: 내 워크북을 {folder}에 만들었습니다.",
 )
-OPENED = Words(
+OPENED = Text(
     en="tflab lab: opening your copy in {folder}.",
     ko="tflab lab: {folder}에 있는 내 워크북을 엽니다.",
 )
-BROUGHT_BACK = Words(en="  {page}: was missing, laid out again", ko="  {page}: 없어서 다시 만들었습니다")
-OTHER_VERSION = Words(
+BROUGHT_BACK = Text(en="  {page}: was missing, laid out again", ko="  {page}: 없어서 다시 만들었습니다")
+OTHER_VERSION = Text(
     en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
     "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
     ko="이 워크북은 tflab {theirs}로 만들었고, 지금 설치된 것은 tflab {ours}입니다. 일단 그대로 엽니다.\n"
     "새 내용을 받으려면 tflab lab {folder} --update를 실행하십시오. 직접 쓴 내용은 그대로 남습니다.",
 )
-UP_TO_DATE = Words(
+UP_TO_DATE = Text(
     en="Nothing to bring in: everything is as in tflab {version}.",
     ko="받을 내용이 없습니다. 모두 tflab {version}과 같습니다.",
 )
-INSTRUCTORS = Words(
+INSTRUCTORS = Text(
     en="The exercises stay in the language in which your instructor handed them out.",
     ko="연습 문제는 강사가 나눠 준 언어 그대로입니다.",
 )
 CHANGES = {
-    "new": Words(en="new", ko="새 파일"),
-    "replaced": Words(
+    "new": Text(en="new", ko="새 파일"),
+    "replaced": Text(
         en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓴 내용 없음)"
     ),
-    "merged": Words(
+    "merged": Text(
         en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓴 셀 {kept}개를 남김"
     ),
-    "kept": Words(
+    "kept": Text(
         en="yours is no notebook that tflab can read; it stays, and the new one is beside it",
         ko="읽을 수 없는 노트북이라 그대로 두고, 새 버전을 옆에 따로 저장함",
     ),
 }
-BESIDE = Words(
+BESIDE = Text(
     en='; {beside} changed on both sides, look for "New in tflab"',
     ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
 )
-ROOT = Words(
+ROOT = Text(
     en="JupyterLab does not run as root unless it is told to: {command}",
     ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {command}",
 )
-BACKUP = Words(
+BACKUP = Text(
     en="What was there before is in {folder}.",
     ko="바뀌기 전의 파일은 {folder}에 있습니다.",
 )

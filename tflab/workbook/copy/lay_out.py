@@ -25,10 +25,10 @@ from pathlib import Path, PurePosixPath
 
 from tflab import __version__
 
+from ...text import LANGUAGES, Text
 from ..pages.editions import still_twins, text_of, with_figures
 from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from ..whole_files import locked, write_whole
-from ..words import LANGUAGES, Words
 from .merge import Merged, merge_notebooks
 
 __all__ = [
@@ -47,7 +47,7 @@ INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
 OWN_FOLD = re.compile(r"(<details>.*?</details>)", re.DOTALL)
 CAPTION = "그림 읽기:"  # a Korean page says below a figure what its English words mean
-UNFOLD = Words(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
+UNFOLD = Text(en="Run it first, then open this", ko="먼저 실행한 다음 펼치십시오")
 
 
 @dataclass(frozen=True)

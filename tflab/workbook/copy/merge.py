@@ -17,13 +17,13 @@ import json
 from dataclasses import dataclass
 from typing import Any
 
-from ..words import Words
+from ...text import Text
 
 __all__ = ["Merged", "merge_notebooks"]
 
 Cell = dict[str, Any]
 
-BESIDE = Words(
+BESIDE = Text(
     en="**New in tflab {version}.** You changed the cell above, and so did we. Yours stays; this is ours:",
     ko="**tflab {version}에서 바뀐 내용입니다.** 위 셀은 직접 고친 것이라 그대로 두었고, 이것이 새 셀입니다.",
 )

@@ -15,12 +15,12 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
+from ...text import LANGUAGES, Text
 from ..inventory.items import read_inventory
 from ..inventory.questions import SOURCES as FORM_PAGES
 from ..inventory.questions import with_questions
 from ..places import exercise_file, workbook_data
 from ..whole_files import write_whole
-from ..words import LANGUAGES, Words
 from .course import Chapter, read_course
 from .glossary import Term, read_glossary
 
@@ -43,12 +43,12 @@ READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
 README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
 README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
-HEAD = Words(
+HEAD = Text(
     en="| no. | chapter | its question | minutes | builds on | exercise |",
     ko="| 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |",
 )
-TO_COME = Words(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
-GLOSSARY_TITLE = Words(
+TO_COME = Text(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
+GLOSSARY_TITLE = Text(
     en="# Glossary\n\n"
     "Every term of the course, in the order in which the chapters need them.\n"
     "On the pages, rest the pointer on a dotted word, or come to it by Tab, to read the same sentence.\n"
@@ -57,11 +57,11 @@ GLOSSARY_TITLE = Words(
     "이 워크북에 나오는 용어를 장의 순서대로 모았습니다.\n"
     "본문에서 점선이 그어진 낱말에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.",
 )
-GLOSSARY_INDEX = Words(
+GLOSSARY_INDEX = Text(
     en="In the order of the alphabet, each with the number of its chapter:",
     ko="가나다순으로 찾기(숫자는 그 용어를 설명한 장입니다):",
 )
-GLOSSARY_CHAPTER = Words(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
+GLOSSARY_CHAPTER = Text(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
 
 
 def chapter_table(language: str, root: Path) -> str:
@@ -106,12 +106,12 @@ def start_page(root: Path) -> str:
 def glossary_page() -> str:
     """Return the source of the glossary as a page."""
     terms = read_glossary().values()
-    index = Words(*(_index(terms, language) for language in LANGUAGES))
+    index = Text(*(_index(terms, language) for language in LANGUAGES))
     cells = [_cells("title", GLOSSARY_TITLE, "slide"), _cells("index", index, "skip")]
     for chapter in read_course().chapters:
         own = [term for term in terms if term.chapter == chapter.stem]
         if own:
-            text = Words(*(_terms(chapter, own, language) for language in LANGUAGES))
+            text = Text(*(_terms(chapter, own, language) for language in LANGUAGES))
             cells.append(_cells(f"chapter-{chapter.number}", text, "skip"))
     return "\n".join(cells)
 
@@ -176,7 +176,7 @@ def _shown(term: Term, language: str) -> str:
     return f"{term.word.en} ({term.word.ko})" if language == "en" else f"{term.word.ko} ({term.word.en})"
 
 
-def _cells(name: str, text: Words, slide: str) -> str:
+def _cells(name: str, text: Text, slide: str) -> str:
     return "\n".join(
         f'# %% [markdown] lang="{language}" name="{name}" slide="{slide}"\n{_commented(text.say(language))}\n'
         for language in LANGUAGES

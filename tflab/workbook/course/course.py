@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import yaml
 
-from ..words import Words
+from ...text import Text
 
 __all__ = ["COURSE", "Chapter", "Course", "Goal", "read_course"]
 
@@ -31,8 +31,8 @@ class Chapter(NamedTuple):
     """
 
     stem: str
-    title: Words
-    question: Words
+    title: Text
+    question: Text
     minutes: int
     builds_on: tuple[int, ...]
     sections: tuple[int, ...]
@@ -50,7 +50,7 @@ class Chapter(NamedTuple):
 class Goal(NamedTuple):
     """An objective or an item of the checklist: what it says, what shows it, what to type on a robot."""
 
-    words: Words
+    words: Text
     tasks: tuple[str, ...]
     robot: tuple[str, ...] = ()
 
@@ -61,7 +61,7 @@ class Course(NamedTuple):
     chapters: tuple[Chapter, ...]
     objectives: tuple[Goal, ...]
     checklist: tuple[Goal, ...]
-    questions: tuple[Words, ...]
+    questions: tuple[Text, ...]
 
 
 @cache
@@ -72,15 +72,15 @@ def read_course() -> Course:
         tuple(_chapter(line) for line in found["chapters"]),
         tuple(_goal(line) for line in found["objectives"]),
         tuple(_goal(line) for line in found["checklist"]),
-        tuple(Words(line["en"], line["ko"]) for line in found["practice"]),
+        tuple(Text(line["en"], line["ko"]) for line in found["practice"]),
     )
 
 
 def _chapter(line: dict) -> Chapter:
     numbers = [tuple(line[name]) for name in ("builds_on", "sections", "objectives", "practice")]
-    words = Words(**line["title"]), Words(**line["question"])
+    words = Text(**line["title"]), Text(**line["question"])
     return Chapter(line["stem"], *words, line["minutes"], *numbers, *line["taught"])
 
 
 def _goal(line: dict) -> Goal:
-    return Goal(Words(line["en"], line["ko"]), tuple(line["tasks"]), tuple(line.get("robot", ())))
+    return Goal(Text(line["en"], line["ko"]), tuple(line["tasks"]), tuple(line.get("robot", ())))

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import yaml
 
-from ..words import Words
+from ...text import Text
 
 __all__ = ["GLOSSARY", "MARKED", "Term", "UnknownTerm", "expand", "read_glossary"]
 
@@ -40,8 +40,8 @@ class Term(NamedTuple):
     """
 
     key: str
-    word: Words
-    definition: Words
+    word: Text
+    definition: Text
     chapter: str
     lecture: bool = False
     code: bool = False
@@ -64,8 +64,8 @@ def read_glossary() -> dict[str, Term]:
     return {
         key: Term(
             key,
-            Words(line["en"], line["ko"]),
-            Words(line["definition"]["en"], line["definition"]["ko"]),
+            Text(line["en"], line["ko"]),
+            Text(line["definition"]["en"], line["definition"]["ko"]),
             line["chapter"],
             line.get("lecture", False),
             line.get("code", False),

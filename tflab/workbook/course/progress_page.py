@@ -14,40 +14,40 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from ...text import Text
 from ..inventory.opened import Opened, opened, waiting
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
-from ..words import Words
 from .standing import ChapterStanding, GoalStanding, Standing, TaskStanding, standing
 
 __all__ = ["ProgressPage", "progress", "show_progress"]
 
-TITLE = Words(en="Your progress", ko="학습 현황")
-CHAPTERS = Words(en="Chapters", ko="장")
-OBJECTIVES = Words(en="What you can do", ko="학습 목표")
-CHECKLIST = Words(en="What you have done", ko="실습 체크리스트")
-LATER = Words(en="to come", ko="준비 중")
-TASKS_PASSED = Words(en="{passed} of {of} tasks passed", ko="과제 {of}개 중 {passed}개 통과")
-PASSED_OF = Words(en="{passed} of {of}", ko="과제 {of}개 중 {passed}개 통과")
-REST_LATER = Words(en="{count} to come", ko="{count}개는 준비 중")
-TO_PASS = Words(en="to pass", ko="남은 과제")
-ON_A_ROBOT = Words(en="simulated here; on the robot", ko="여기서는 시뮬레이션으로 했습니다. 로봇에서는")
-WILL_ROBOT = Words(en="on the robot", ko="로봇에서는")
-TRIES = Words(en="tries: {tries}, hints: {hints}", ko="시도 {tries}번, 힌트 {hints}번")
-ONLY_CHECKS = Words(
+TITLE = Text(en="Your progress", ko="학습 현황")
+CHAPTERS = Text(en="Chapters", ko="장")
+OBJECTIVES = Text(en="What you can do", ko="학습 목표")
+CHECKLIST = Text(en="What you have done", ko="실습 체크리스트")
+LATER = Text(en="to come", ko="준비 중")
+TASKS_PASSED = Text(en="{passed} of {of} tasks passed", ko="과제 {of}개 중 {passed}개 통과")
+PASSED_OF = Text(en="{passed} of {of}", ko="과제 {of}개 중 {passed}개 통과")
+REST_LATER = Text(en="{count} to come", ko="{count}개는 준비 중")
+TO_PASS = Text(en="to pass", ko="남은 과제")
+ON_A_ROBOT = Text(en="simulated here; on the robot", ko="여기서는 시뮬레이션으로 했습니다. 로봇에서는")
+WILL_ROBOT = Text(en="on the robot", ko="로봇에서는")
+TRIES = Text(en="tries: {tries}, hints: {hints}", ko="시도 {tries}번, 힌트 {hints}번")
+ONLY_CHECKS = Text(
     en="Only a passed check ticks anything here.",
     ko="check를 통과해야만 표시됩니다.",
 )
-NO_COPY = Words(
+NO_COPY = Text(
     en="Nothing is kept here: these are tflab's own pages. Make your copy with: tflab lab",
     ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다. tflab lab으로 내 워크북을 만드십시오.",
 )
 PASSED, TRIED, UNTRIED = "■", "◧", "□"
 STATES = {"passed": "✓", "open": "○"}
-SQUARES = Words(
+SQUARES = Text(
     en=f"{PASSED} passed, {TRIED} tried and not passed yet, {UNTRIED} not tried",
     ko=f"{PASSED} 통과, {TRIED} 시도했으나 아직 통과 못 함, {UNTRIED} 아직 시도 안 함",
 )
-TICKS = Words(
+TICKS = Text(
     en=f"{STATES['passed']} every task for it is passed, {STATES['open']} not yet",
     ko=f"{STATES['passed']} 해당 과제를 모두 통과, {STATES['open']} 아직",
 )
@@ -128,7 +128,7 @@ class ProgressPage:
             rows.append("</table>")
         return "".join([*rows, "</div>"])
 
-    def _heading(self, title: Words, signs: Words) -> str:
+    def _heading(self, title: Text, signs: Text) -> str:
         """Return a heading, and below it what the signs of its table mean."""
         return f'<h3>{self._say(title)}</h3><p class="signs"><small>{self._say(signs)}</small></p>'
 
@@ -180,7 +180,7 @@ class ProgressPage:
     def _note(self) -> str:
         return self._say(ONLY_CHECKS if self._kept else NO_COPY)
 
-    def _say(self, words: Words) -> str:
+    def _say(self, words: Text) -> str:
         return words.say(self._language)
 
 

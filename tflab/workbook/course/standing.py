@@ -13,11 +13,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from ...text import Text
 from ..places import chapters, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
 from ..tasks.library import task_ids, tasks_of
 from ..tasks.task import TaskError
-from ..words import Words
 from .course import Chapter, Goal, read_course
 
 __all__ = ["ChapterStanding", "GoalStanding", "Standing", "TaskStanding", "standing"]
@@ -27,7 +27,7 @@ class TaskStanding(NamedTuple):
     """One task, and what was done with it."""
 
     id: str
-    title: Words
+    title: Text
     points: float
     attempts: Attempts
 

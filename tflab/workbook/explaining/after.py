@@ -14,12 +14,12 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
+from ...text import Text
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Number
 from ..answers.values import Plain
 from ..mistakes.fitting import MEASURED, is_just, undone_to, words_of
 from ..tasks.case import TaskCases
-from ..words import Words
 from .together import Found
 
 __all__ = ["after_a_slip", "followers", "only_follows"]
@@ -35,7 +35,7 @@ JOINED: tuple[Callable[[float, float], float], ...] = (
     lambda a, b: b / a,
 )
 
-ONLY_FOLLOWS = Words(
+ONLY_FOLLOWS = Text(
     en='this only follows from what is wrong in "{part}".',
     ko='"{part}"이(가) 틀렸기 때문에 함께 틀린 값입니다.',
 )

@@ -13,19 +13,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from ...text import Text
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import words_of
 from ..tasks.case import Case, TaskCases
-from ..words import Words
 from .beside import side_by_side
 from .explanation import Explanation, said_of
 
 __all__ = ["of_words_apart"]
 
-AND_MORE = Words(en="Something else is wrong beside it.", ko="그 밖에도 틀린 것이 있습니다.")
+AND_MORE = Text(en="Something else is wrong beside it.", ko="그 밖에도 틀린 것이 있습니다.")
 
 
 class _Word(NamedTuple):
@@ -45,7 +45,7 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     if not sure:
         return None
     told, slips = said_of(task, sure), {name: words_of(task, name) for name in sure}
-    return Explanation(slips, told if is_all else Words.joined(told, AND_MORE))
+    return Explanation(slips, told if is_all else Text.joined(told, AND_MORE))
 
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:

@@ -21,10 +21,10 @@ from typing import NamedTuple
 
 from tflab.core import Transform
 
+from ...text import Text
 from ..answers.form import Form, inside, numbers_of, pose_of
 from ..answers.forms import Angle, Number, Pose, Vector
 from ..answers.values import Plain
-from ..words import Words
 
 __all__ = ["as_written", "computed", "computed_in_all", "leaves"]
 
@@ -36,11 +36,11 @@ UNITS = {  # by how a given's name ends
     "mps": "m/s", "radps": "rad/s", "degps": "deg/s", "hz": "1/s", "m": "m", "cm": "cm", "mm": "mm", "s": "s",
     "ms": "ms", "rad": "rad", "deg": "deg",
 }  # fmt: skip
-SAID = Words(
+SAID = Text(
     en="this is what `{sum}` gives{units}. Asked for: {wanted}.",
     ko="`{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
 )
-IN_ALL = Words(
+IN_ALL = Text(
     en="wherever there is an answer, this is what `{sum}` gives{units}. Asked for: {wanted}.",
     ko="답이 있는 호출에서는 언제나 `{sum}`의 값입니다{units}. 필요한 것: {wanted}.",
 )
@@ -58,11 +58,11 @@ class _Sum(NamedTuple):
     """How something was computed, the units that went in (in both languages), and what it gives."""
 
     text: str
-    units: Words
+    units: Text
     value: Row
 
 
-def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
+def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple[str, Text] | None:
     """Return what an answer was computed by, and what to say of it; None if no sum of what was given gives it."""
     row = _row(form, answer)
     if row is None or max(map(_digits, row)) < FEWEST_DIGITS - 1:
@@ -77,7 +77,7 @@ def computed(form: Form, answer: Plain, given: dict[str, Plain] | None) -> tuple
     return f"computed: {found.text}", _said(SAID, found, form)
 
 
-def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Words] | None:
+def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Text] | None:
     """Return what a function computes of its arguments in every call, and what to say of it; None if no sum does."""
     rows = [_row(form, answer) for answer in answers]
     if len(rows) < FEWEST_CALLS or None in rows or len({str(row) for row in rows}) < FEWEST_CALLS:
@@ -93,7 +93,7 @@ def computed_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[P
     return f"computed: {found.text}", _said(IN_ALL, found, form)
 
 
-def _said(words: Words, found: _Sum, form: Form) -> Words:
+def _said(words: Text, found: _Sum, form: Form) -> Text:
     return words.filled(sum=found.text, units=found.units, wanted=form.wanted())
 
 
@@ -119,7 +119,7 @@ def _sums(form: Form, given: dict[str, Plain], *, zeros: bool = False) -> Iterat
     elif isinstance(form, Number | Angle):
         yield from _of_numbers(given)
     elif isinstance(form, Pose):
-        yield from (_Sum(text, Words("", ""), _matrix(pose)) for text, pose in _products(given))
+        yield from (_Sum(text, Text("", ""), _matrix(pose)) for text, pose in _products(given))
 
 
 def _poses(given: dict[str, Plain]) -> list[tuple[str, Transform]]:
@@ -145,7 +145,7 @@ def _of_moved(given: dict[str, Plain]) -> Iterator[_Sum]:
     held = _poses(given)
     for name, row in points[:MOST_POSES]:
         for text, pose in [*held, *((f"({a} @ {b})", one @ other) for (a, one), (b, other) in permutations(held, 2))]:
-            yield _Sum(f"{text}.apply({name})", Words("", ""), tuple(pose.apply(row)))
+            yield _Sum(f"{text}.apply({name})", Text("", ""), tuple(pose.apply(row)))
 
 
 def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
@@ -161,7 +161,7 @@ def _of_numbers(given: dict[str, Plain]) -> Iterator[_Sum]:
     for name, value in held:
         yield _Sum(name, _units(_unit(name)), (value,))
         for text, changed in _changed(value):
-            yield _Sum(text.format(name), Words("", ""), (changed,))
+            yield _Sum(text.format(name), Text("", ""), (changed,))
     for (one, a), (other, b) in permutations(held, 2):
         for sign, en, ko, join in JOINED:
             if sign in "+*" and one > other:
@@ -207,7 +207,7 @@ def _of_points(size: int, given: dict[str, Plain], zeros: bool) -> Iterator[_Sum
 def _signed_sum(chosen: tuple[tuple[str, Row], ...], signs: tuple[float, ...]) -> _Sum:
     text = as_written((sign, name) for sign, (name, _) in zip(signs, chosen, strict=True))
     rows = [[sign * number for number in row] for sign, (_, row) in zip(signs, chosen, strict=True)]
-    return _Sum(text, Words("", ""), tuple(map(sum, zip(*rows, strict=True))))
+    return _Sum(text, Text("", ""), tuple(map(sum, zip(*rows, strict=True))))
 
 
 def as_written(terms: Iterable[tuple[float, str]]) -> str:
@@ -220,12 +220,12 @@ def _unit(name: str) -> str:
     return UNITS.get(name.rpartition("_")[2], "")
 
 
-def _units(unit: str) -> Words:
-    return Words(f" ({unit})", f"({unit})") if unit else Words("", "")
+def _units(unit: str) -> Text:
+    return Text(f" ({unit})", f"({unit})") if unit else Text("", "")
 
 
-def _units_of(one: str, other: str, en: str, ko: str) -> Words:
-    return Words(f" ({one} {en} {other})", f"({one} {ko} {other})") if one and other else Words("", "")
+def _units_of(one: str, other: str, en: str, ko: str) -> Text:
+    return Text(f" ({one} {en} {other})", f"({one} {ko} {other})") if one and other else Text("", "")
 
 
 def _is_plain_sum(sign: str, one: str, other: str) -> bool:

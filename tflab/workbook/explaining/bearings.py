@@ -13,16 +13,16 @@ from itertools import permutations, product
 
 import numpy as np
 
+from ...text import Text
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle
 from ..answers.values import Plain
-from ..words import Words
 from .turning import FEWEST_CALLS, poses_among
 
 __all__ = ["bearing_in_all"]
 
 CLOSE = 1e-6
-SAID = Words(
+SAID = Text(
     en="in every call this is what `{sum}` gives: `atan2` of a place is the direction in which it lies. Asked for is "
     "how far something is turned, and where it lies says nothing of that.",
     ko="어느 호출에서나 `{sum}`의 값입니다. 위치를 `atan2`에 넣으면 그 위치가 놓인 방향이 나옵니다. 구할 것은 돌아간 "
@@ -33,7 +33,7 @@ Place = tuple[str, str, np.ndarray, np.ndarray]  # how its x and its y are writt
 
 def bearing_in_all(
     form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain], beside: Mapping[str, Sequence[Plain]]
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     """Return of which place a function's angle is the bearing in every call, and what to say; None if of none.
 
     Args:

@@ -11,15 +11,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...text import Text
 from ..answers.values import Plain
 from ..mistakes.fitting import all_alike
 from ..tasks.case import Case, TaskCases
-from ..words import Words
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["gave", "of_changes"]
 
-CHANGED = Words(
+CHANGED = Text(
     en="your function writes into argument {number}: whoever called it has lost the original. Work on a copy.",
     ko="함수가 {number}번째 인자에 값을 씁니다. 호출한 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
 )

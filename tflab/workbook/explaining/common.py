@@ -14,11 +14,11 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import NamedTuple
 
+from ...text import Text
 from ..answers.form import Form, inside, is_number, member
 from ..answers.values import Plain
 from ..mistakes.fitting import alike
 from ..mistakes.losses import stamp_of, time_of
-from ..words import Words
 
 __all__ = ["calls_in_common", "in_common"]
 
@@ -26,58 +26,58 @@ FEWEST = 2  # calls on either side: of one call everything is true
 SELDOM = 1 / 3  # of the calls that are right, at most, may share it, too
 LONGEST = 30  # letters of a text that is quoted
 
-JUST_THERE = Words(
+JUST_THERE = Text(
     en="It goes wrong in just the calls in which {fact}.",
     ko="{fact} 호출에서만 틀립니다.",
 )
-IN_ALL = Words(
+IN_ALL = Text(
     en="In all calls that go wrong {fact}.",
     ko="틀리는 호출은 모두 {fact} 호출입니다.",
 )
 FACTS = {  # the plainest first; the Korean ones stand before a noun
-    "empty": Words("argument {at} is empty", "{at}번째 인자가 비어 있는"),
-    "zero": Words("argument {at} is 0", "{at}번째 인자가 0인"),
-    "zero time": Words("argument {at} is a time of 0", "{at}번째 인자가 시각 0인"),
-    "no frame": Words("the header of argument {at} names no frame", "{at}번째 인자의 헤더에 좌표계가 없는"),
-    "no stamp": Words("the stamp in the header of argument {at} is zero", "{at}번째 인자의 헤더에 있는 시각이 0인"),
-    "later": Words(
+    "empty": Text("argument {at} is empty", "{at}번째 인자가 비어 있는"),
+    "zero": Text("argument {at} is 0", "{at}번째 인자가 0인"),
+    "zero time": Text("argument {at} is a time of 0", "{at}번째 인자가 시각 0인"),
+    "no frame": Text("the header of argument {at} names no frame", "{at}번째 인자의 헤더에 좌표계가 없는"),
+    "no stamp": Text("the stamp in the header of argument {at} is zero", "{at}번째 인자의 헤더에 있는 시각이 0인"),
+    "later": Text(
         "the stamp in the header of argument {at} is later than argument {of}",
         "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자보다 늦은",
     ),
-    "earlier": Words(
+    "earlier": Text(
         "the stamp in the header of argument {at} is earlier than argument {of}",
         "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자보다 이른",
     ),
-    "at once": Words(
+    "at once": Text(
         "the stamp in the header of argument {at} is just argument {of}",
         "{at}번째 인자의 헤더에 있는 시각이 {of}번째 인자와 같은",
     ),
-    "no sec": Words(
+    "no sec": Text(
         "the stamp in the header of argument {at} has a sec of 0", "{at}번째 인자의 헤더에 있는 시각의 sec이 0인"
     ),
-    "no nanosec": Words(
+    "no nanosec": Text(
         "the stamp in the header of argument {at} has a nanosec of 0",
         "{at}번째 인자의 헤더에 있는 시각의 nanosec이 0인",
     ),
-    "one": Words("argument {at} has a single member", "{at}번째 인자의 원소가 하나뿐인"),
-    "twice": Words("argument {at} holds a member twice", "{at}번째 인자에 같은 원소가 두 번 든"),
-    "unsorted": Words("argument {at} is not in rising order", "{at}번째 인자가 커지는 순서가 아닌"),
-    "slash": Words("argument {at} begins with a slash", "{at}번째 인자가 슬래시로 시작하는"),
-    "slash of a frame": Words(
+    "one": Text("argument {at} has a single member", "{at}번째 인자의 원소가 하나뿐인"),
+    "twice": Text("argument {at} holds a member twice", "{at}번째 인자에 같은 원소가 두 번 든"),
+    "unsorted": Text("argument {at} is not in rising order", "{at}번째 인자가 커지는 순서가 아닌"),
+    "slash": Text("argument {at} begins with a slash", "{at}번째 인자가 슬래시로 시작하는"),
+    "slash of a frame": Text(
         "the frame in the header of argument {at} begins with a slash",
         "{at}번째 인자의 헤더에 있는 좌표계가 슬래시로 시작하는",
     ),
-    "negative": Words("argument {at} is below 0", "{at}번째 인자가 0보다 작은"),
-    "member negative": Words("argument {at}[{of}] is below 0", "{at}번째 인자의 [{of}]가 0보다 작은"),
-    "some negative": Words("argument {at} holds a number below 0", "{at}번째 인자에 0보다 작은 수가 든"),
-    "equal": Words("arguments {at} and {of} are the same", "{at}번째 인자와 {of}번째 인자가 같은"),
-    "larger": Words("argument {at} is larger than argument {of}", "{at}번째 인자가 {of}번째 인자보다 큰"),
-    "is": Words("argument {at} is {of}", "{at}번째 인자가 {of}인"),
-    "frame": Words("the frame in the header of argument {at} is {of}", "{at}번째 인자의 헤더에 있는 좌표계가 {of}인"),
-    "key": Words("argument {at} has the key {of}", "{at}번째 인자에 {of} 키가 있는"),
-    "no key": Words("argument {at} has no key {of}", "{at}번째 인자에 {of} 키가 없는"),
-    "holds": Words("argument {at} holds {of}", "{at}번째 인자에 {of}도 든"),
-    "member zero": Words("argument {at}[{of}] is 0", "{at}번째 인자의 [{of}]가 0인"),
+    "negative": Text("argument {at} is below 0", "{at}번째 인자가 0보다 작은"),
+    "member negative": Text("argument {at}[{of}] is below 0", "{at}번째 인자의 [{of}]가 0보다 작은"),
+    "some negative": Text("argument {at} holds a number below 0", "{at}번째 인자에 0보다 작은 수가 든"),
+    "equal": Text("arguments {at} and {of} are the same", "{at}번째 인자와 {of}번째 인자가 같은"),
+    "larger": Text("argument {at} is larger than argument {of}", "{at}번째 인자가 {of}번째 인자보다 큰"),
+    "is": Text("argument {at} is {of}", "{at}번째 인자가 {of}인"),
+    "frame": Text("the frame in the header of argument {at} is {of}", "{at}번째 인자의 헤더에 있는 좌표계가 {of}인"),
+    "key": Text("argument {at} has the key {of}", "{at}번째 인자에 {of} 키가 있는"),
+    "no key": Text("argument {at} has no key {of}", "{at}번째 인자에 {of} 키가 없는"),
+    "holds": Text("argument {at} holds {of}", "{at}번째 인자에 {of}도 든"),
+    "member zero": Text("argument {at}[{of}] is 0", "{at}번째 인자의 [{of}]가 0인"),
 }
 ONLY_JUST_THERE = {"no sec", "no nanosec", "member negative", "member zero"}  # of many, one is shared by chance
 MOST_MEMBERS = 4  # of a tuple of numbers that are looked at one by one
@@ -93,13 +93,13 @@ class Fact(NamedTuple):
 
 def calls_in_common(
     form: Form, args: Sequence[list[Plain] | None], outcomes: Sequence[Plain], wanted: Sequence[Plain]
-) -> Words | None:
+) -> Text | None:
     """Return what the arguments of the calls that go wrong have in common; None if nothing that others have not."""
     rows = [(call or [], alike(form, *pair)) for call, *pair in zip(args, outcomes, wanted, strict=True)]
     return in_common(*([call for call, is_right in rows if is_right is side] for side in (False, True)))
 
 
-def in_common(wrong: Sequence[list[Plain]], right: Sequence[list[Plain]]) -> Words | None:
+def in_common(wrong: Sequence[list[Plain]], right: Sequence[list[Plain]]) -> Text | None:
     """Return what the arguments of calls that go wrong have in common, and those of others have not; None if nothing.
 
     Args:

@@ -13,33 +13,33 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import combinations, product
 from typing import NamedTuple
 
+from ...text import Text
 from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Vector
 from ..answers.values import Plain
 from ..mistakes.by_place import LETTERS
-from ..words import Words
 from .arithmetic import as_written, leaves
 
 __all__ = ["of_components", "place_by_place", "put_together"]
 
 MOST_POINTS = 6
 CLOSE = 1e-6
-RIGHT = Words(en="{names}: right", ko="{names}: 맞음")
-PUT = Words(
+RIGHT = Text(en="{names}: right", ko="{names}: 맞음")
+PUT = Text(
     en="these are the numbers of `{name}`, put together as ({places}). {judged}",
     ko="`{name}`의 숫자를 ({places})로 늘어놓은 값입니다. {judged}",
 )
-ASKED = Words(
+ASKED = Text(
     en="Ask of each: does it stand where it belongs, and with which sign?",
     ko="하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
 )
-OTHER_SIGN = Words(en="{names}: the right number with the wrong sign", ko="{names}: 숫자는 맞고 부호가 반대")
-TWICE = Words(
+OTHER_SIGN = Text(en="{names}: the right number with the wrong sign", ko="{names}: 숫자는 맞고 부호가 반대")
+TWICE = Text(
     en="{letter} stands twice: was a place written over before it was read, or a line copied?",
     ko="{letter}이(가) 두 번 나옵니다. 읽기 전에 덮어썼거나 줄을 복사하지 않았습니까?",
 )
-OTHER_NUMBER = Words(en="{names}: another of the numbers belongs there", ko="{names}: 다른 숫자가 올 자리")
-GIVES = Words(en="{name}: this is what `{sum}` gives", ko="{name}: `{sum}`의 값입니다")
+OTHER_NUMBER = Text(en="{names}: another of the numbers belongs there", ko="{names}: 다른 숫자가 올 자리")
+GIVES = Text(en="{name}: this is what `{sum}` gives", ko="{name}: `{sum}`의 값입니다")
 
 
 _Signed = tuple[float, str, tuple[float, ...]]  # how often a point counts, its name, its numbers
@@ -66,7 +66,7 @@ class _Term(NamedTuple):
 
 def of_components(
     form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     """Return what the wrong numbers of a point were computed by, and what to say; None if not all are known."""
     both = _compared(form, answer, expected) if isinstance(form, Vector) and form.size <= len(LETTERS) else None
     if both is None:
@@ -78,7 +78,7 @@ def of_components(
 
 def place_by_place(
     form: Vector, answer: Plain, expected: Plain, found: Callable[[float, int], str]
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     """Return what `found` says of each wrong number of a point, and what to say; None if it says nothing of one."""
     both = _compared(form, answer, expected)
     if both is None:
@@ -98,20 +98,18 @@ def _compared(
     return have, want, [place for place in range(form.size) if abs(have[place] - want[place]) > form.tolerance]
 
 
-def _said_of(form: Vector, sums: dict[int, str]) -> tuple[str, Words] | None:
+def _said_of(form: Vector, sums: dict[int, str]) -> tuple[str, Text] | None:
     return _said(form.size, sums) if sums and all(sums.values()) else None
 
 
-def _said(size: int, sums: dict[int, str]) -> tuple[str, Words]:
+def _said(size: int, sums: dict[int, str]) -> tuple[str, Text]:
     right = [LETTERS[place] for place in range(size) if place not in sums]
     said = [RIGHT.filled(names=", ".join(right))] if right else []
     said += [GIVES.filled(name=LETTERS[place], sum=text) for place, text in sums.items()]
-    return f"computed: {'; '.join(sums.values())}", Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
+    return f"computed: {'; '.join(sums.values())}", Text(*(f"{text}." for text in Text.joined(*said, between="; ")))
 
 
-def put_together(
-    form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None
-) -> tuple[str, Words] | None:
+def put_together(form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None) -> tuple[str, Text] | None:
     """Return in which places and with which signs the numbers of a point that was given stand in an answer; else None.
 
     Only where no two of them are alike in size, and none is 0: then it is no chance.
@@ -122,25 +120,25 @@ def put_together(
             want = numbers_of(expected, form.size)
             judged = _judged(have, want, form.tolerance) if want else ASKED
             said = PUT.filled(name=name, places=places, judged=judged)
-            return f"put together: {places}", Words.joined(said, _stands_twice(places))
+            return f"put together: {places}", Text.joined(said, _stands_twice(places))
     return None
 
 
-def _stands_twice(places: str) -> Words | None:
+def _stands_twice(places: str) -> Text | None:
     """Return that a letter stands in two places, whatever its sign; None if none does."""
     letters = places.replace("-", "").split(", ")
     letter = next((one for one in letters if letters.count(one) == 2), None)
     return TWICE.filled(letter=letter) if letter else None
 
 
-def _judged(have: Sequence[float], want: Sequence[float], tolerance: float) -> Words:
+def _judged(have: Sequence[float], want: Sequence[float], tolerance: float) -> Text:
     """Return which numbers are right, which have only the wrong sign, and which stand where another belongs."""
-    found: dict[Words, list[str]] = {RIGHT: [], OTHER_SIGN: [], OTHER_NUMBER: []}
+    found: dict[Text, list[str]] = {RIGHT: [], OTHER_SIGN: [], OTHER_NUMBER: []}
     for letter, number, wanted in zip(LETTERS, have, want, strict=True):
         is_right, is_turned = abs(number - wanted) <= tolerance, abs(number + wanted) <= tolerance
         found[RIGHT if is_right else OTHER_SIGN if is_turned else OTHER_NUMBER].append(letter)
     said = (words.filled(names=", ".join(letters)) for words, letters in found.items() if letters)
-    return Words(*(f"{text}." for text in Words.joined(*said, between="; ")))
+    return Text(*(f"{text}." for text in Text.joined(*said, between="; ")))
 
 
 def _are_distinct(row: Sequence[float], tolerance: float) -> bool:

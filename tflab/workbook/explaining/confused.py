@@ -12,35 +12,35 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
+from ...text import Text
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from ..words import Words
 
 __all__ = ["confused", "confused_in_lists", "never_said", "seen_of", "word_of"]
 
-SWAPPED = Words(
+SWAPPED = Text(
     en='"{one}" and "{other}" have changed places.',
     ko='"{one}"과(와) "{other}"이(가) 서로 바뀌었습니다.',
 )
-NEVER = Words(
+NEVER = Text(
     en='"{wanted}" never comes: wherever it is asked for, there is "{said}".',
     ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에 "{said}"이(가) 있습니다.',
 )
-INSTEAD = Words(
+INSTEAD = Text(
     en='wherever "{wanted}" is asked for, there is "{said}".',
     ko='"{wanted}"이어야 하는 곳마다 "{said}"이(가) 있습니다.',
 )
-NONE_OF_THEM = Words(
+NONE_OF_THEM = Text(
     en='{wanted} never come: wherever one of them is asked for, there is "{said}".',
     ko='{wanted}이(가) 한 번도 나오지 않습니다. 이들 가운데 하나여야 할 곳에 언제나 "{said}"이(가) 있습니다.',
 )
-SOMETIMES = Words(
+SOMETIMES = Text(
     en='in {wrong} of the {of} places that ask for "{wanted}", there is "{said}".',
     ko='"{wanted}"이어야 하는 곳 {of}개 가운데 {wrong}개에 "{said}"이(가) 있습니다.',
 )
-NOTHING = Words(
+NOTHING = Text(
     en='wherever "{wanted}" is asked for, nothing is returned: it is the way to "{wanted}" that has no `return`',
     ko='"{wanted}"이어야 하는 곳마다 아무것도 반환하지 않습니다. "{wanted}"(으)로 가는 갈래에 `return`이 없습니다',
 )
@@ -57,7 +57,7 @@ class Confusion(NamedTuple):
     """
 
     name: str
-    said: Words
+    said: Text
     wanted: str = ""
     word: str = ""
     is_of_several: bool = False
@@ -80,7 +80,7 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
             for want, word in zip(asked, said, strict=True)
         ]
         rest = _others_confused(asked, back)
-        return Confusion(f"{one} and {other} swapped", Words.joined(words, rest))
+        return Confusion(f"{one} and {other} swapped", Text.joined(words, rest))
     return _most_confused(asked, said, wrong, whole)
 
 
@@ -96,7 +96,7 @@ def _most_confused(
     if len(never) > 1:
         quoted = [f'"{one}"' for one in never[:MOST_NAMED]]
         more = len(never) - len(quoted)
-        names = Words(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
+        names = Text(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
         return Confusion(
             f"{word} for all of them",
             NONE_OF_THEM.filled(wanted=names, said=word),
@@ -109,7 +109,7 @@ def _most_confused(
     return Confusion(f"{word} for {want}", named, want, word)
 
 
-def _others_confused(asked: Sequence[str | None], said: Sequence[str | None]) -> Words | None:
+def _others_confused(asked: Sequence[str | None], said: Sequence[str | None]) -> Text | None:
     """Return which word is said besides for another, wherever that one is asked for."""
     wrong = Counter(_different(asked, said))
     whole = {pair: count for pair, count in wrong.items() if None not in pair and count == asked.count(pair[0])}
@@ -120,12 +120,12 @@ def _different(asked: Sequence[str | None], said: Sequence[str | None]) -> list[
     return [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
 
 
-def seen_of(found: Confusion, seen: Mapping[str, Words]) -> Words | None:
+def seen_of(found: Confusion, seen: Mapping[str, Text]) -> Text | None:
     """Return what there is to see where the word that is asked for is right; of several words, of which one it is."""
     words = seen.get(found.wanted)
     if words is None or not found.is_of_several:
         return words
-    return Words(f'"{found.wanted}": {words.en}', f'"{found.wanted}": {words.ko}')
+    return Text(f'"{found.wanted}": {words.en}', f'"{found.wanted}": {words.ko}')
 
 
 def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
@@ -140,7 +140,7 @@ def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequenc
     )
 
 
-def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
+def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
     """Return the only word for which a function returns nothing, if it does so wherever that one is asked for."""
     pairs = {(word_of(form, want), outcome is None) for want, outcome in zip(wanted, outcomes, strict=True)}
     words = {word for word, is_nothing in pairs if is_nothing}

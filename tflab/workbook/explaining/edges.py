@@ -10,10 +10,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from ...text import Text
 from ..answers.form import Form, inside
 from ..answers.forms import Choice
 from ..answers.values import Plain
-from ..words import Words
 from .together import Found
 
 __all__ = ["CARD", "parents_named"]
@@ -21,7 +21,7 @@ __all__ = ["CARD", "parents_named"]
 CARD = {  # child -> parent, of the robot that every chapter meets
     "odom": "map", "base_footprint": "odom", "base_link": "base_footprint", "laser_frame": "base_link",
 }  # fmt: skip
-BY_ITS_CHILD = Words(
+BY_ITS_CHILD = Text(
     en="you named the frame above: {named}. An edge goes by its child, the frame below, and that is asked for.",
     ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부릅니다. "
     "여기에 적을 것도 그 이름입니다.",

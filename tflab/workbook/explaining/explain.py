@@ -15,6 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
+from ...text import Text, begun
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
@@ -24,7 +25,6 @@ from ..mistakes.losses import MARGINS, TOLD, by_comparison
 from ..mistakes.names import of_names, unfilled
 from ..tasks.case import AND, Case, TaskCases
 from ..tasks.evidence import habit
-from ..words import Words, begun
 from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
@@ -47,7 +47,7 @@ from .stops import of_stops
 __all__ = ["explained"]
 
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
-ONLY_NEAR = Words(
+ONLY_NEAR = Text(
     en="Rounding aside, this is what comes of the following. {said}",
     ko="반올림을 빼면 다음과 같이 했을 때의 값입니다. {said}",
 )
@@ -128,7 +128,7 @@ def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], 
     slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
     said = said_of(task, names)
     if len(names) == 1 and _is_only_near(task, cases, outcomes, names[0]):
-        said = ONLY_NEAR.filled(said=Words(begun(said.en), said.ko))
+        said = ONLY_NEAR.filled(said=Text(begun(said.en), said.ko))
     explanation = Explanation(slips, said)
     return _and_where(task, cases, outcomes, explanation) if names[0].startswith(IN_SOME) else explanation
 
@@ -176,11 +176,11 @@ def _of_calls(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
 
 def _summed_pose(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     return _summed(task, cases, outcomes) if task.is_function else computed(task.form, outcomes[0], given)
 
 
-def _summed(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> tuple[str, Words] | None:
+def _summed(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> tuple[str, Text] | None:
     """Return what a function computes of its arguments wherever an answer is asked for, and answers nothing else."""
     rows = [(case.args or [], outcome) for case, outcome in zip(cases, outcomes, strict=True)
             if not is_raised(case.expected)]  # fmt: skip
@@ -206,7 +206,7 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
     if (apart := of_words_apart(task, cases, outcomes)) is not None:
         return apart
     explanation = Explanation.of(
-        found.name, Words.joined(found.said, task.means.get(found.word), seen_of(found, task.seen))
+        found.name, Text.joined(found.said, task.means.get(found.word), seen_of(found, task.seen))
     )
     if isinstance(form, Choice):
         pairs = [(word_of(form, want), word_of(form, outcome)) for want, outcome in zip(wanted, outcomes, strict=True)]
@@ -217,7 +217,7 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
 def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:
     """Return an explanation with what the calls that go wrong have in common, if that can be said."""
     common = calls_in_common(task.form, [case.args for case in cases], outcomes, [case.expected for case in cases])
-    return found._replace(said=Words.joined(found.said, common))
+    return found._replace(said=Text.joined(found.said, common))
 
 
 def _ways(

@@ -1,6 +1,6 @@
 """What is an explanation?  Slips by name, what to say of them, and what only follows from them.
 
-    Explanation({"late": ..., "far": ...}, Words("Two things together give ..."), follows=("ahead_m",))
+    Explanation({"late": ..., "far": ...}, Text("Two things together give ..."), follows=("ahead_m",))
 
 Slips that were made together are told as what gives this answer, for another mistake may come to the same numbers;
 what was seen of itself, as in `and_then`, is told as it is.
@@ -11,19 +11,19 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
+from ...text import Text, begun
 from ..answers.values import Plain
 from ..mistakes.fitting import words_of
-from ..tasks.case import Case, TaskCases, TwinWords
-from ..words import Words, begun
+from ..tasks.case import Case, Feedback, TaskCases
 
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 
-AND_THEN = Words(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
-TWO_TOGETHER = Words(
+AND_THEN = Text(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
+TWO_TOGETHER = Text(
     en="Two things together give just this. First: {first} Then: {then}",
     ko="두 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then}",
 )
-THREE_TOGETHER = Words(
+THREE_TOGETHER = Text(
     en="Three things together give just this. First: {first} Then: {then} And: {last}",
     ko="세 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then} 끝으로, {last}",
 )
@@ -39,15 +39,15 @@ class Explanation(NamedTuple):
         shows: the number of the call in which it is plain to see; None: the first that goes wrong.
     """
 
-    slips: dict[str, TwinWords]
-    said: Words
+    slips: dict[str, Feedback]
+    said: Text
     follows: tuple[str, ...] = ()
     shows: int | None = None
 
     @classmethod
-    def of(cls, name: str, said: Words) -> Explanation:
+    def of(cls, name: str, said: Text) -> Explanation:
         """Return that of one mistake which no task has to know."""
-        return cls({name: TwinWords(said, "")}, said)
+        return cls({name: Feedback(said, "")}, said)
 
 
 Explains = Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None]
@@ -61,7 +61,7 @@ def and_then(first: Explanation, then: Explanation) -> Explanation:
     return Explanation(first.slips | then.slips, said, first.follows)
 
 
-def said_of(task: TaskCases, names: Sequence[str]) -> Words:
+def said_of(task: TaskCases, names: Sequence[str]) -> Text:
     """Return what to say of one slip, or of two or three in the order of the work."""
     said = [words_of(task, name).reply for name in names]
     if len(said) == 1:
@@ -71,5 +71,5 @@ def said_of(task: TaskCases, names: Sequence[str]) -> Words:
     return THREE_TOGETHER.filled(first=said[0], then=said[1], last=said[2])
 
 
-def _in_a_row(first: Words, then: Words) -> Words:
-    return Words(f"{first.en} {begun(then.en)}", f"{first.ko} {then.ko}")
+def _in_a_row(first: Text, then: Text) -> Text:
+    return Text(f"{first.en} {begun(then.en)}", f"{first.ko} {then.ko}")

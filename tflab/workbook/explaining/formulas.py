@@ -18,10 +18,10 @@ import numpy as np
 
 from tflab.core import Transform
 
+from ...text import Text
 from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Number, Quaternion, Vector
 from ..answers.values import Plain
-from ..words import Words
 from .arithmetic import leaves
 from .components import place_by_place
 from .turning import sum_of
@@ -34,15 +34,15 @@ MOST_ANGLES = 2
 MOST_POSES = 2
 MOST_POINTS = 3
 NUMBERS = "xyzw"
-SAID = Words(
+SAID = Text(
     en="this is what `{sum}` gives. Compare it, factor by factor, with what has to be computed.",
     ko="`{sum}`의 값입니다. 구해야 할 식과 하나씩 비교하십시오.",
 )
-FOUR = Words(
+FOUR = Text(
     en="the four numbers are `({sum})`. Compare each with what belongs in its place.",
     ko="숫자 네 개는 `({sum})`의 값입니다. 하나씩 그 자리에 올 것과 비교하십시오.",
 )
-NO_ROTATION = Words(
+NO_ROTATION = Text(
     en="The squares of the four do not add up to 1, as those of any rotation do.",
     ko="숫자 네 개의 제곱을 더하면 1이 되지 않습니다. 회전이라면 언제나 1입니다.",
 )
@@ -89,7 +89,7 @@ PARTS_OF_AN_ANGLE = (
 SCALES = (("", 1.0), ("100 * ", 100.0), ("1000 * ", 1000.0))
 
 
-def of_formula(form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None) -> tuple[str, Words] | None:
+def of_formula(form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None) -> tuple[str, Text] | None:
     """Return by which formula a value was computed, and what to say; None if none of those that are tried gives it."""
     if isinstance(form, Number):
         return _of_a_number(answer, given or {})
@@ -101,7 +101,7 @@ def of_formula(form: Form, answer: Plain, expected: Plain, given: dict[str, Plai
     return None
 
 
-def of_formula_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Words] | None:
+def of_formula_in_all(form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain]) -> tuple[str, Text] | None:
     """Return by which formula a function computes a quaternion of an angle in every call; None if by none of these."""
     if not isinstance(form, Quaternion) or len(args) < FEWEST_CALLS:
         return None
@@ -119,7 +119,7 @@ def _angles(given: dict[str, Plain]) -> list[tuple[str, float]]:
 # -- a number ------------------------------------------------------------------------------
 
 
-def _of_a_number(answer: Plain, given: dict[str, Plain]) -> tuple[str, Words] | None:
+def _of_a_number(answer: Plain, given: dict[str, Plain]) -> tuple[str, Text] | None:
     row = numbers_of(answer, None)
     if row is None or not row[0]:
         return None
@@ -148,7 +148,7 @@ def _products(angles: Sequence[tuple[str, float]], others: Sequence[tuple[str, f
 # -- a quaternion --------------------------------------------------------------------------
 
 
-def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Words] | None:
+def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Text] | None:
     """Return of what each of the four numbers was made, in all answers; None if one is of nothing that is known."""
     rows = [numbers_of(answer, len(NUMBERS)) for answer in answers]
     if not angles or None in rows or len(angles) > MOST_ANGLES:
@@ -160,7 +160,7 @@ def _of_halves(answers: Sequence[Plain], angles: Terms) -> tuple[str, Words] | N
         return None
     text = ", ".join(found)
     is_rotation = np.allclose(np.sum(columns**2, axis=0), 1.0, atol=1e-3)
-    return f"computed: {text}", Words.joined(FOUR.filled(sum=text), None if is_rotation else NO_ROTATION)
+    return f"computed: {text}", Text.joined(FOUR.filled(sum=text), None if is_rotation else NO_ROTATION)
 
 
 def _of_angles(angles: Terms) -> Iterator[tuple[str, np.ndarray]]:

@@ -11,53 +11,53 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 
+from ...text import Text
 from ..answers.form import Form, inside, numbers_of
 from ..answers.forms import Angle, Choice, Name, Number, Set
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import is_just
-from ..words import Words
 
 __all__ = ["constant_of", "habit_of", "round_number"]
 
 FEWEST = 3  # calls with a result of their own, for it to be no luck
-ALWAYS = Words(
+ALWAYS = Text(
     en="in every call this is {what}, and no more.",
     ko="어느 호출에서나 {what}일 뿐입니다.",
 )
-OF_A_LIST: dict[str, tuple[Callable[[list], Plain], Words, Words]] = {
+OF_A_LIST: dict[str, tuple[Callable[[list], Plain], Text, Text]] = {
     "the first member": (
         lambda held: held[0],
-        Words("the first member of argument {at}", "{at}번째 인자의 첫 원소"),
-        Words(" Does a `return` stand inside the loop?", " 반복문 안에 `return`이 있지 않습니까?"),
+        Text("the first member of argument {at}", "{at}번째 인자의 첫 원소"),
+        Text(" Does a `return` stand inside the loop?", " 반복문 안에 `return`이 있지 않습니까?"),
     ),
     "the last member": (
         lambda held: held[-1],
-        Words("the last member of argument {at}", "{at}번째 인자의 마지막 원소"),
-        Words(" Does each round of the loop write over the one before?",
+        Text("the last member of argument {at}", "{at}번째 인자의 마지막 원소"),
+        Text(" Does each round of the loop write over the one before?",
               " 반복문을 돌 때마다 앞의 결과를 덮어쓰지 않습니까?"),
     ),
-    "the smallest": (min, Words("the smallest in argument {at}", "{at}번째 인자에서 가장 작은 것"), Words("", "")),
-    "the largest": (max, Words("the largest in argument {at}", "{at}번째 인자에서 가장 큰 것"), Words("", "")),
+    "the smallest": (min, Text("the smallest in argument {at}", "{at}번째 인자에서 가장 작은 것"), Text("", "")),
+    "the largest": (max, Text("the largest in argument {at}", "{at}번째 인자에서 가장 큰 것"), Text("", "")),
     "the number of members": (
-        len, Words("the number of members in argument {at}", "{at}번째 인자의 원소 수"), Words("", "")
+        len, Text("the number of members in argument {at}", "{at}번째 인자의 원소 수"), Text("", "")
     ),
-    "the sum": (sum, Words("the sum of argument {at}", "{at}번째 인자의 합"), Words("", "")),
+    "the sum": (sum, Text("the sum of argument {at}", "{at}번째 인자의 합"), Text("", "")),
     "the mean": (
-        lambda held: sum(held) / len(held), Words("the mean of argument {at}", "{at}번째 인자의 평균"), Words("", "")
+        lambda held: sum(held) / len(held), Text("the mean of argument {at}", "{at}번째 인자의 평균"), Text("", "")
     ),
 }  # fmt: skip
-SAME = Words(
+SAME = Text(
     en="this is {what} in every call, and it should not be: what of the arguments does it depend on?",
     ko="모든 호출에서 {what} 나옵니다. 그래서는 안 됩니다. 인자의 무엇에 따라 달라져야 합니까?",
 )
-ROUND = Words(
+ROUND = Text(
     en="that is a round number, {side} than what is asked for: a guess, or a habit? Work it out of what was given.",
     ko="딱 떨어지는 수이고 필요한 값보다 {side}. 짐작으로 적은 값 아닙니까? 주어진 값으로 계산하십시오.",
 )
-LARGER, SMALLER = Words("larger", "큽니다"), Words("smaller", "작습니다")
-PASSED_OVER = Words(
+LARGER, SMALLER = Text("larger", "큽니다"), Text("smaller", "작습니다")
+PASSED_OVER = Text(
     en="what is too much follows each time on something that went: whoever removes from the list that the loop goes "
     "through makes it pass over the next one. Build a new list, or loop over a copy.",
     ko="남으면 안 되는데 남은 것은 모두, 빠진 원소 바로 다음에 있던 것입니다. 반복문이 지나는 리스트에서 원소를 지우면 "
@@ -67,7 +67,7 @@ PASSED_OVER = Words(
 
 def habit_of(
     form: Form, args: Sequence[list[Plain]], outcomes: Sequence[Plain], wanted: Sequence[Plain]
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     """Return the habit that gives what came out in every call, and what to say of it; None if none does."""
     if any(map(is_raised, outcomes)) or any(map(is_raised, wanted)):
         return None
@@ -77,11 +77,11 @@ def habit_of(
         return None
     for name, what, asks, values in _candidates(args):
         if is_just(form, outcomes, values):
-            return name, Words(*map("".join, zip(ALWAYS.filled(what=what), asks, strict=True)))
+            return name, Text(*map("".join, zip(ALWAYS.filled(what=what), asks, strict=True)))
     return None
 
 
-def round_number(form: Form, outcome: Plain, wanted: Plain) -> tuple[str, Words] | None:
+def round_number(form: Form, outcome: Plain, wanted: Plain) -> tuple[str, Text] | None:
     """Return that a round number stands where one that is not is asked for; None if it is none, or both are."""
     if not isinstance(form, Number) or not form.unit:
         return None
@@ -101,7 +101,7 @@ def _is_round(number: float) -> bool:
     )
 
 
-def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> tuple[str, Words] | None:
+def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> tuple[str, Text] | None:
     """Return that a part of what a function gives is the same in every call, though others are wanted; else None."""
     others = [want for want in wanted if not form.alike(want, wanted[0])]
     differs = any(not form.alike(want, others[0]) for want in others[1:])  # two values are no more than confused
@@ -110,20 +110,20 @@ def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) 
         return None
     word = inside(outcomes[0])
     is_word = isinstance(form, Choice) and isinstance(word, str)
-    what = Words(f'"{word}"', f'"{word}"이(가)') if is_word else Words("the same", "같은 것이")
+    what = Text(f'"{word}"', f'"{word}"이(가)') if is_word else Text("the same", "같은 것이")
     if isinstance(form, Number | Angle) and (row := numbers_of(outcomes[0], None)) is not None:
-        what = Words(f"{row[0]:g}", f"{row[0]:g}이(가)")
+        what = Text(f"{row[0]:g}", f"{row[0]:g}이(가)")
     return "the same in every call", SAME.filled(what=what)
 
 
-def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
+def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, Text, Text, list[Plain]]]:
     """Yield what may be made of arguments: a name, what it is, what to ask, and what it gives in each call."""
     count = min(map(len, args), default=0)
     for at in range(count):
         yield from _of_one(at, [inside(row[at]) for row in args])
 
 
-def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Words, Words, list[Plain]]]:
+def _of_one(at: int, held: list[Plain]) -> Iterator[tuple[str, Text, Text, list[Plain]]]:
     if not all(isinstance(each, list) and each for each in held):
         return
     for name, (make, what, asks) in OF_A_LIST.items():

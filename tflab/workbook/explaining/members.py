@@ -13,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
+from ...text import Text
 from ..answers.form import Form
 from ..answers.forms import Choice, Parts
 from ..answers.forms import Sequence as ListForm
@@ -21,8 +22,7 @@ from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section, sections, split
 from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, undone_to, words_of
 from ..mistakes.losses import TOLD, stamp_of, time_of
-from ..tasks.case import Case, TaskCases, TwinWords
-from ..words import Words
+from ..tasks.case import Case, Feedback, TaskCases
 from .after import after_a_slip, followers, only_follows
 from .arithmetic import computed, computed_in_all
 from .bearings import bearing_in_all
@@ -42,19 +42,19 @@ from .turning import turned_in_all
 
 __all__ = ["changed_places", "of_members", "plain_in_one"]
 
-ANOTHERS = Words(
+ANOTHERS = Text(
     en='this is what is asked for under "{other}".',
     ko='이 값은 "{other}"의 자리에 들어갈 답입니다.',
 )
-CHANGED_PLACES = Words(
+CHANGED_PLACES = Text(
     en="the two have changed places: each holds what is asked for under the other.",
     ko="두 답의 자리가 바뀌었습니다. 서로 상대의 자리에 들어갈 값입니다.",
 )
-TIME_OF = Words(
+TIME_OF = Text(
     en="this is the time in argument {number}, and not the one that is asked for.",
     ko="{number}번째 인자의 시각입니다. 필요한 시각이 아닙니다.",
 )
-AS_IT_CAME = Words(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
+AS_IT_CAME = Text(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
 
 
 def of_members(
@@ -181,7 +181,7 @@ def _changed_places(table: Table, wrong: set[str]) -> Iterator[Found]:
         is_alike = type(table.forms[one]) is type(table.forms[other])
         if is_alike and _holds(table, one, other) and _holds(table, other, one):
             key = f"{one} and {other} changed places"
-            yield Found({key: TwinWords(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
+            yield Found({key: Feedback(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
 
 
 def _holds(table: Table, one: str, other: str) -> bool:
@@ -201,8 +201,8 @@ def _by_itself(
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        hint = Words.joined(hint, form.remark(outcomes[0], {}), twice)
-        return [Found({f"{name}: {outcomes[0]}": TwinWords(hint, "")}, hint, {name})]
+        hint = Text.joined(hint, form.remark(outcomes[0], {}), twice)
+        return [Found({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
     if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
         return found
     if len(outcomes) > 1:
@@ -231,7 +231,7 @@ def _of_kinds(table: Table, name: str) -> list[Found]:
     """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
     said = kinds_said(table.forms[name], table.given[name])[:2]
     texts = (". ".join(row) + "." for row in zip(*said, strict=True))
-    return [Found.of(f"{name}: no word", Words(*texts), name)] if said else []
+    return [Found.of(f"{name}: no word", Text(*texts), name)] if said else []
 
 
 def _after_a_slip(
@@ -290,11 +290,11 @@ def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    said = Words.joined(confusion.said, seen_of(confusion, task.seen), _in_common(table, name))
+    said = Text.joined(confusion.said, seen_of(confusion, task.seen), _in_common(table, name))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 
 
-def _in_common(table: Table, name: str) -> Words | None:
+def _in_common(table: Table, name: str) -> Text | None:
     """Return what the arguments of the calls have in common in which a part is wrong."""
     return calls_in_common(table.forms[name], table.args, table.given[name], table.wanted[name])
 
@@ -355,15 +355,15 @@ def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> l
     for place in range(len(cases[0].args or ())):
         came = [section(form, case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
-            return [Found({f"{name} as it came": TwinWords(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
+            return [Found({f"{name} as it came": Feedback(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
         times = [time_of(case.args[place]) for case in cases]
         if None not in times and times == [stamp_of(value) for value in table.given[name]]:
             said = TIME_OF.filled(number=place + 1)
-            return [Found({f"{name}: a time": TwinWords(said, "")}, said, {name})]
+            return [Found({f"{name}: a time": Feedback(said, "")}, said, {name})]
     return []
 
 
-def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Words | None:
+def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Text | None:
     """Return what an option would mean, and what the part shows: why one is not the other."""
     option = (
         form.option(answer) if isinstance(form, Choice) else str(answer) if isinstance(answer, str | bool) else None
@@ -373,24 +373,24 @@ def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain
     shows = _shows(task, part) or task.seen.get(right or "")
     if means is None and shows is None:
         return None
-    return Words.joined(means, shows)
+    return Text.joined(means, shows)
 
 
-def _shows(task: TaskCases, part: str) -> Words | None:
+def _shows(task: TaskCases, part: str) -> Text | None:
     """Return what there is to see in a part: of "c[0]", what was written for it, for c, or for each list's first."""
     name, bracket, place = part.partition("[")
     return task.shows.get(part) or task.shows.get(name) or task.shows.get(bracket + place)
 
 
-def _shown_too(task: TaskCases, part: str, said: Words) -> Words:
+def _shown_too(task: TaskCases, part: str, said: Text) -> Text:
     """Return what is said of a part that is no choice, and what there is to see in it, if that was written."""
-    return Words.joined(said, task.shows.get(part))
+    return Text.joined(said, task.shows.get(part))
 
 
-def _certain(table: Table, name: str) -> Words | None:
+def _certain(table: Table, name: str) -> Text | None:
     """Return what is certain of a part that nothing explains, where it goes wrong first."""
     pairs = zip(table.given[name], table.wanted[name], strict=True)
     wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
     said = [certain(table.forms[name], *wrong) if wrong else None, _in_common(table, name)]
     rows = list(zip(*filter(None, said), strict=True))
-    return Words(*(". ".join(row).rstrip(".") for row in rows)) if rows else None
+    return Text(*(". ".join(row).rstrip(".") for row in rows)) if rows else None

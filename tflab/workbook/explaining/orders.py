@@ -16,10 +16,10 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import permutations
 from typing import Any
 
+from ...text import Text
 from ..answers.form import Form
 from ..answers.forms import Choice
 from ..answers.values import Plain
-from ..words import Words
 from .confused import word_of
 from .edges import parents_named
 from .together import Found
@@ -30,17 +30,17 @@ FEWEST = 3  # places, for an order to be more than two words that are exchanged
 
 Row = Sequence[Any]
 
-ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
+ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Text]] = {
     "order reversed": (
         lambda given, want: given == want[::-1],
-        Words(
+        Text(
             en="the whole order is the other way round: what you put last comes first.",
             ko="순서 전체가 거꾸로입니다. 맨 나중에 둔 것이 맨 처음입니다.",
         ),
     ),
     "one place too late": (
         lambda given, want: given[1:] == want[:-1],
-        Words(
+        Text(
             en="what stands first does not belong there; without it, all the others would stand right, each one place "
             "earlier.",
             ko="맨 앞에 둔 것은 그 자리가 아닙니다. 그것만 빼고 나머지를 한 자리씩 당기면 모두 맞습니다.",
@@ -48,7 +48,7 @@ ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
     ),
     "one place too early": (
         lambda given, want: given[:-1] == want[1:],
-        Words(
+        Text(
             en="each stands one place too early: something comes before all of them.",
             ko="모두 한 자리씩 앞에 있습니다. 이 모두보다 먼저 올 것이 있습니다.",
         ),
@@ -57,20 +57,20 @@ ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Words]] = {
 
 
 OUT_OF_PLACE = {  # whether it belongs further to the front
-    False: Words(
+    False: Text(
         en='all the others stand in the right order; "{word}" alone is out of its place, and comes later.',
         ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 나중에 옵니다.',
     ),
-    True: Words(
+    True: Text(
         en='all the others stand in the right order; "{word}" alone is out of its place, and comes earlier.',
         ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 먼저 옵니다.',
     ),
 }
-NAMED_TWICE = Words(
+NAMED_TWICE = Text(
     en='You have "{word}" in {count} of the places, and each place has a word of its own: another one is missing.',
     ko='"{word}"을(를) {count}곳에 두었습니다. 자리마다 낱말이 다르므로 다른 하나가 빠졌습니다.',
 )
-PLACES = Words(
+PLACES = Text(
     en="each of these lists holds the right words in another order, and it is the same order in all of them: read "
     "again which question stands first, second, third.",
     ko="리스트마다 낱말은 맞지만 순서가 다르고, 어느 리스트에서나 같은 순서로 바뀌었습니다. "
@@ -84,7 +84,7 @@ def of_orders(
     forms: Mapping[str, Form],
     given: Mapping[str, Sequence[Plain]],
     wanted: Mapping[str, Sequence[Plain]],
-    means: Mapping[str, Words] | None = None,
+    means: Mapping[str, Text] | None = None,
 ) -> list[Found]:
     """Return what is wrong with places that are filled from the same words, all of them together.
 
@@ -107,7 +107,7 @@ def of_orders(
     return found
 
 
-def _of_an_order(have: Row, want: Row, means: Mapping[str, Words]) -> tuple[str, Words] | None:
+def _of_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
     """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
     for name, (fits, said) in ORDERS.items():
         if fits(have, want):
@@ -116,7 +116,7 @@ def _of_an_order(have: Row, want: Row, means: Mapping[str, Words]) -> tuple[str,
     return ("one out of place", moved) if moved else None
 
 
-def _out_of_place(have: Row, want: Row, means: Mapping[str, Words]) -> Words | None:
+def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | None:
     """Return which one word stands elsewhere than it should, by two places or more, while the others are in order."""
     if sorted(map(str, have)) != sorted(map(str, want)):
         return None
@@ -124,7 +124,7 @@ def _out_of_place(have: Row, want: Row, means: Mapping[str, Words]) -> Words | N
         place = want.index(word)
         others = ([one for one in row if one != word] for row in (have, want))
         if abs(place - at) > 1 and next(others) == next(others):
-            return Words.joined(OUT_OF_PLACE[place < at].filled(word=word), means.get(word))
+            return Text.joined(OUT_OF_PLACE[place < at].filled(word=word), means.get(word))
     return None
 
 
@@ -158,7 +158,7 @@ def _lists_of_words(forms: Mapping[str, Form], given: Mapping[str, Sequence[Plai
 
 def named_twice(
     forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]], name: str
-) -> Words | None:
+) -> Text | None:
     """Return that a part's word stands in other places, too, where each place has a word of its own; None if not."""
     form = forms[name]
     names = next((names for names in _asked_in_order(forms) if name in names), [])

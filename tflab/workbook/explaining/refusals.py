@@ -12,36 +12,36 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...text import Text
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import alike
 from ..tasks.case import Case, TaskCases
-from ..words import Words
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_refusals"]
 
-NOTHING = Words(
+NOTHING = Text(
     en="where there is no answer, your function returns None, and nobody learns why. If an `except` swallows the "
     "error, let it through; if there is none, raise it.",
     ko="답이 없는 곳에서 함수가 None을 반환하므로 아무도 이유를 알 수 없습니다. `except`가 예외를 삼켰다면 "
     "그대로 통과시키고, 예외가 없었다면 일으키십시오.",
 )
-THE_SAME = Words(
+THE_SAME = Text(
     en="where there is no answer, your function returns the same thing each time, and the caller takes it for one. "
     "If an `except` swallows the error, let it through; if there is none, raise it.",
     ko="답이 없는 곳에서 함수가 매번 같은 것을 반환하므로 호출한 쪽은 그것을 답으로 압니다. `except`가 예외를 "
     "삼켰다면 그대로 통과시키고, 예외가 없었다면 일으키십시오.",
 )
-RETURNED = Words(
+RETURNED = Text(
     en="your function returns the exception as if it were a result: `raise` it.",
     ko="함수가 예외를 결과처럼 반환합니다. `raise`로 일으키십시오.",
 )
-SOMETHING = Words(
+SOMETHING = Text(
     en="where an exception has to be raised, your function returns something.",
     ko="예외를 일으켜야 하는 곳에서 함수가 값을 반환합니다.",
 )
 
-ANOTHER = Words(
+ANOTHER = Text(
     en="where an exception has to be raised, your function raises {error}, and another one is asked for.",
     ko="예외를 일으켜야 하는 곳에서 {error} 예외가 나오는데, 필요한 것은 다른 예외입니다.",
 )

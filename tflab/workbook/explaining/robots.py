@@ -14,45 +14,45 @@ from collections.abc import Iterator
 
 from tflab.core import Transform
 
+from ...text import Text
 from ..answers.form import Row
 from ..answers.forms import Form, Quaternion, Urdf, Vector
 from ..answers.values import Plain
 from ..mistakes.fitting import undone_to, words_of
-from ..tasks.case import TaskCases, TwinWords
-from ..words import Words
+from ..tasks.case import Feedback, TaskCases
 from .certain import certain
 from .explanation import Explanation
 
 __all__ = ["of_robots"]
 
-PLACE = Words("where it is in its parent: {said}", "부모 기준 위치: {said}")
-TURN = Words("how it is turned in its parent: {said}", "부모 기준 방향: {said}")
-ROOT = Words(
+PLACE = Text("where it is in its parent: {said}", "부모 기준 위치: {said}")
+TURN = Text("how it is turned in its parent: {said}", "부모 기준 방향: {said}")
+ROOT = Text(
     en="what it hangs on is right, and that hangs on {name} in the end, where it should not.",
     ko="바로 위의 부모는 맞지만, 맨 위가 {name}입니다. 그래서는 안 됩니다.",
 )
-PARENT = Words(en="it hangs on {name}, and another parent is asked for.", ko="{name}에 달려 있습니다. 부모가 다릅니다.")
-NOWHERE = Words(
+PARENT = Text(en="it hangs on {name}, and another parent is asked for.", ko="{name}에 달려 있습니다. 부모가 다릅니다.")
+NOWHERE = Text(
     en="it hangs on nothing: no joint has it as its child.",
     ko="아무 데도 달려 있지 않습니다. 이것을 자식으로 둔 관절이 없습니다.",
 )
-KIND = Words(en="its joint {name}, and here it should not.", ko="관절이 {name}. 여기서는 그러면 안 됩니다.")
+KIND = Text(en="its joint {name}, and here it should not.", ko="관절이 {name}. 여기서는 그러면 안 됩니다.")
 KINDS = {  # of a joint, and what it does
-    "turns": Words("turns", "돕니다"),
-    "slides": Words("slides", "미끄러집니다"),
-    "fixed": Words("is fixed", "고정되어 있습니다"),
+    "turns": Text("turns", "돕니다"),
+    "slides": Text("slides", "미끄러집니다"),
+    "fixed": Text("is fixed", "고정되어 있습니다"),
 }
-MOVES = Words(
+MOVES = Text(
     en="at 0 it stands right; moved, it {name}, and that is not how it should move.",
     ko="0에서는 맞습니다. 움직이면 {name}. 그렇게 움직여서는 안 됩니다.",
 )
-ABOUT = Words(en="turns about {name} of its own axes", ko="자신의 {name}축을 중심으로 돕니다")
-ALONG = Words(en="slides along {name} of its own axes", ko="자신의 {name}축을 따라 미끄러집니다")
-AXES = Words(
+ABOUT = Text(en="turns about {name} of its own axes", ko="자신의 {name}축을 중심으로 돕니다")
+ALONG = Text(en="slides along {name} of its own axes", ko="자신의 {name}축을 따라 미끄러집니다")
+AXES = Text(
     en="{said}. Now its axes x, y, z point along {name} of its parent",
     ko="{said}. 지금 이 링크의 x, y, z축은 부모의 {name}축 방향을 향합니다",
 )
-STAYS = Words(en="stays where it is", ko="그대로 있습니다")
+STAYS = Text(en="stays where it is", ko="그대로 있습니다")
 POSE = 7  # marks of a place and a rotation
 SMALL = 1e-6
 ALONG_AN_AXIS = 1e-4  # by so much less than all of a step along it
@@ -68,16 +68,16 @@ def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | 
     for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
         row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
         for name, words in [] if any(_fits(row, right[0]) for row in rows) else _of_link(task, row, right[0]):
-            slips[f"{link}: {name}"] = TwinWords(words, "")
-            said.append(Words(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
-    return Explanation(slips, Words.joined(*said)) if said else None
+            slips[f"{link}: {name}"] = Feedback(words, "")
+            said.append(Text(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
+    return Explanation(slips, Text.joined(*said)) if said else None
 
 
 def _fits(row: Row, right: Row) -> bool:
     return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
 
 
-def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Words]]:
+def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
     """Yield what is wrong with one link: what it hangs on alone, or its place and its turn, or how it moves."""
     if not _fits(row[:2], right[:2]):
         yield "hangs", _of_joint(str(row[0].value), str(row[1].value), str(right[1].value))
@@ -96,7 +96,7 @@ def _names(form: Form) -> str:
     return "xyz" if isinstance(form, Vector) else "xyzw"
 
 
-def _of_joint(root: str, hangs: str, right: str) -> Words:
+def _of_joint(root: str, hangs: str, right: str) -> Text:
     """Return what is wrong with what a link hangs on."""
     kind, _, parent = hangs.partition(" on ")
     if not parent:
@@ -105,15 +105,15 @@ def _of_joint(root: str, hangs: str, right: str) -> Words:
         return _filled(ROOT, root.removeprefix("root "))
     if parent != right.partition(" on ")[2]:
         return _filled(PARENT, parent)
-    return _filled(KIND, KINDS.get(kind, Words(f"is {kind}", f"{kind}입니다")))
+    return _filled(KIND, KINDS.get(kind, Text(f"is {kind}", f"{kind}입니다")))
 
 
-def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Words:
+def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Text:
     """Return what any answer can have wrong, or else what is certain."""
     name = next(undone_to(form, [given], [wanted]), None)
     if name:
         return words_of(task, name).reply
-    bounds = certain(form, given, wanted) or Words("", "")
+    bounds = certain(form, given, wanted) or Text("", "")
     axes = _axes(given) if isinstance(form, Quaternion) else ""
     return AXES.filled(said=bounds, name=axes) if axes else bounds
 
@@ -126,7 +126,7 @@ def _axes(rotation: Plain) -> str:
     return ", ".join(_axis(row) for row in rows) if is_along else ""
 
 
-def _movement(row: Row) -> Words:
+def _movement(row: Row) -> Text:
     """Return how a link moves from its first setting to its second."""
     first, second = (
         Transform(tuple(numbers[:3]), tuple(numbers[3:]))
@@ -146,5 +146,5 @@ def _axis(numbers: list[float]) -> str:
     return ("" if most > 0.0 else "-") + "xyz"[numbers.index(most)]
 
 
-def _filled(words: Words, name: Words | str) -> Words:
+def _filled(words: Text, name: Text | str) -> Text:
     return words.filled(name=name, said=name)

@@ -10,19 +10,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from ...text import Text
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section
 from ..mistakes.fitting import MEASURED, ONE, TWO, alike, is_just, words_of
-from ..tasks.case import AND, Case, TaskCases, TwinWords
-from ..words import Words
+from ..tasks.case import AND, Case, Feedback, TaskCases
 from .explanation import said_of
 from .together import Found, each_part_once
 
 __all__ = ["Table", "is_something", "slips_in_parts"]
 
-FOLLOWS = Words(
+FOLLOWS = Text(
     en='this is what would follow from another "{part}" than the one you give: {said}',
     ko='"{part}"이(가) 따로 답한 것과 다른 값일 때 나오는 답입니다. {said}',
 )
@@ -107,7 +107,7 @@ def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:
     return {name for name in same if name.partition("[")[0] not in others}
 
 
-def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: TwinWords) -> bool:
+def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: Feedback) -> bool:
     """Return whether a slip's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
     return words.partly or (
         bool(words.part) and _shown(form, table, [case.twins.get(name) for case in cases], ONE)[0] == {words.part}
@@ -122,7 +122,7 @@ def _of_one_slip(
     form: Form,
     table: Table,
     name: str,
-    words: TwinWords,
+    words: Feedback,
     changed: set[str],
     same: set[str],
     wrong: set[str],

@@ -11,12 +11,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ...text import Text
 from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import ANY_BUG, alike
 from ..mistakes.stumbles import tip_for
 from ..tasks.case import Case, TaskCases
-from ..words import Words
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_stops"]
@@ -24,12 +24,12 @@ __all__ = ["of_stops"]
 OF_TF2 = {"ConnectivityException", "ExtrapolationException", "InvalidArgumentException", "LookupException"}
 BUGS = ANY_BUG | {"AssertionError", "ZeroDivisionError"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
-STOPS = Words(
+STOPS = Text(
     en="in {stopped} of the {of} calls your function stops with {error}. {tip}",
     ko="호출 {of}번 가운데 {stopped}번에서 함수가 {error} 예외를 내고 멈춥니다. {tip}",
 )
 
-UNCAUGHT = Words(
+UNCAUGHT = Text(
     en="a word is asked for in each call, and in {stopped} of the {of} your function lets an exception through: "
     "{errors}. Each of them needs an `except`, and a word of its own.",
     ko="호출마다 낱말 하나가 필요한데, 호출 {of}번 가운데 {stopped}번에서 예외가 함수를 그대로 지나갑니다({errors}). "
@@ -57,7 +57,7 @@ def of_stops(
         return None
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
-    said = Words(*map(str.rstrip, STOPS.filled(**filled, tip=tip)))
+    said = Text(*map(str.rstrip, STOPS.filled(**filled, tip=tip)))
     return and_then(first, Explanation.of(f"stops: {error}", said))
 
 

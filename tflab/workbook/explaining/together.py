@@ -13,16 +13,16 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ..tasks.case import TwinWords
-from ..words import Words, begun
+from ...text import Text, begun
+from ..tasks.case import Feedback
 from .explanation import Explanation
 
 __all__ = ["Found", "each_part_once", "together"]
 
-LOOK = Words(en="look again.", ko="다시 보십시오.")
+LOOK = Text(en="look again.", ko="다시 보십시오.")
 MOST_TOLD = 4  # causes; who reads more than that at once mends none
-LATER = Words(en="look again once these are right.", ko="앞의 것을 고친 다음에 다시 보십시오.")
-LOOK_AND_SEE = Words(en="look again ({certain}).", ko="다시 보십시오({certain}).")
+LATER = Text(en="look again once these are right.", ko="앞의 것을 고친 다음에 다시 보십시오.")
+LOOK_AND_SEE = Text(en="look again ({certain}).", ko="다시 보십시오({certain}).")
 
 
 class Found(NamedTuple):
@@ -30,16 +30,16 @@ class Found(NamedTuple):
     a fact about words.
     """
 
-    slips: dict[str, TwinWords]
-    said: Words
+    slips: dict[str, Feedback]
+    said: Text
     parts: set[str]
     is_whole: bool = False
     is_of_words: bool = False
 
     @classmethod
-    def of(cls, name: str, said: Words, *parts: str) -> Found:
+    def of(cls, name: str, said: Text, *parts: str) -> Found:
         """Return that of one mistake which no task has to know."""
-        return cls({name: TwinWords(said, "")}, said, set(parts))
+        return cls({name: Feedback(said, "")}, said, set(parts))
 
 
 def each_part_once(causes: Sequence[Found], wrong: set[str]) -> list[Found]:
@@ -52,7 +52,7 @@ def each_part_once(causes: Sequence[Found], wrong: set[str]) -> list[Found]:
     return found
 
 
-def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Sequence[str]) -> Explanation:
+def together(found: Sequence[Found], left: Mapping[str, Text | None], names: Sequence[str]) -> Explanation:
     """Return one explanation of what was found in several parts.
 
     Args:
@@ -67,12 +67,12 @@ def together(found: Sequence[Found], left: Mapping[str, Words | None], names: Se
     said += [_where(words, parts, names) for words, parts in _looks(left).items()]
     slips = {name: words for cause in found for name, words in cause.slips.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}
-    return Explanation(slips, Words.joined(*said), tuple(sorted(follows)))
+    return Explanation(slips, Text.joined(*said), tuple(sorted(follows)))
 
 
-def _looks(left: Mapping[str, Words | None]) -> dict[Words, set[str]]:
+def _looks(left: Mapping[str, Text | None]) -> dict[Text, set[str]]:
     """Return what to say of the parts that are left, and of which."""
-    looks: dict[Words, set[str]] = {}
+    looks: dict[Text, set[str]] = {}
     for name, certain in left.items():
         looks.setdefault(LOOK_AND_SEE.filled(certain=certain) if certain else LOOK, set()).add(name)
     return looks
@@ -80,7 +80,7 @@ def _looks(left: Mapping[str, Words | None]) -> dict[Words, set[str]]:
 
 def _merged(found: Sequence[Found]) -> list[Found]:
     """Return what was found with each reply once, for all parts that it is given to."""
-    merged: dict[Words, Found] = {}
+    merged: dict[Text, Found] = {}
     for cause in found:
         held = merged.get(cause.said)
         both = cause if held is None else held._replace(slips=held.slips | cause.slips, parts=held.parts | cause.parts)
@@ -94,7 +94,7 @@ def _follows(found: Found) -> set[str]:
     return found.parts - made_in if found.is_whole and made_in & found.parts else set()
 
 
-def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
+def _where(words: Text, parts: set[str], names: Sequence[str]) -> Text:
     """Say in which parts it is; a list by its name where it is in all of its members."""
     lists = {name.partition("[")[0] for name in names}
     whole = {name for name in lists if {held for held in names if held.partition("[")[0] == name} <= parts}
@@ -102,7 +102,7 @@ def _where(words: Words, parts: set[str], names: Sequence[str]) -> Words:
     called = list(dict.fromkeys(called))
     where = ", ".join(f'"{name}"' for name in called)
     said = [_without_its_name(text, called[0]) if len(called) == 1 else text for text in (words.en, words.ko)]
-    return Words(*(f"{where}: {text}" for text in said))
+    return Text(*(f"{where}: {text}" for text in said))
 
 
 def _without_its_name(text: str, name: str) -> str:

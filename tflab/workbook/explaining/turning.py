@@ -16,10 +16,10 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from ...text import Text
 from ..answers.form import Form, inside, numbers_of
 from ..answers.forms import Number
 from ..answers.values import Plain
-from ..words import Words
 from .arithmetic import as_written
 
 __all__ = ["FEWEST_CALLS", "poses_among", "sum_of", "turned_in_all"]
@@ -28,47 +28,47 @@ FEWEST_CALLS = 4  # more than there are terms: so many numbers are no luck
 MOST_POSES = 2
 CLOSE = 1e-6
 PLANAR = ("x", "y", "yaw")
-SAID = Words(
+SAID = Text(
     en="in every call this is what `{sum}` gives. {seen}",
     ko="어느 호출에서나 `{sum}`의 값입니다. {seen}",
 )
-COMPARE = Words(
+COMPARE = Text(
     en="Compare it, term by term, with what has to be computed.",
     ko="구해야 할 식과 한 항씩 비교하십시오.",
 )
-MISSING = Words(en="`{what}` does not come into it at all.", ko="`{what}`이(가) 전혀 들어가지 않았습니다.")
-TOO_MUCH = Words(en="`{what}` does not belong in it.", ko="`{what}`은(는) 들어갈 값이 아닙니다.")
-OTHER_SIGN = Words(en="`{what}` has the wrong sign.", ko="`{what}`의 부호가 반대입니다.")
-OTHER_OF_TWO = Words(
+MISSING = Text(en="`{what}` does not come into it at all.", ko="`{what}`이(가) 전혀 들어가지 않았습니다.")
+TOO_MUCH = Text(en="`{what}` does not belong in it.", ko="`{what}`은(는) 들어갈 값이 아닙니다.")
+OTHER_SIGN = Text(en="`{what}` has the wrong sign.", ko="`{what}`의 부호가 반대입니다.")
+OTHER_OF_TWO = Text(
     en="`{what}` goes with the other of sine and cosine.",
     ko="`{what}`에는 sin과 cos 가운데 다른 쪽을 곱합니다.",
 )
-OTHER_ANGLE = Words(
+OTHER_ANGLE = Text(
     en="`{what}` is turned by another angle than it should be.",
     ko="`{what}`을(를) 다른 각도로 돌렸습니다.",
 )
-NOT_TURNED = Words(
+NOT_TURNED = Text(
     en="`{what}` stands there as it is, and is measured along axes that are turned.",
     ko="`{what}`을(를) 그대로 썼습니다. 돌아가 있는 축을 따라 잰 값입니다.",
 )
-ANGLE_ITSELF = Words(
+ANGLE_ITSELF = Text(
     en="`{what}` is multiplied by the angle itself, where its sine or cosine belongs: they are alike only for small "
     "angles.",
     ko="sin이나 cos을 곱할 자리에 각도 자체를 `{what}`에 곱했습니다. 둘은 각도가 작을 때만 비슷합니다.",
 )
-TANGENT = Words(
+TANGENT = Text(
     en="`{what}` is multiplied by a tangent, where a sine or a cosine belongs.",
     ko="sin이나 cos을 곱할 자리에 tan을 `{what}`에 곱했습니다.",
 )
-DIVIDED = Words(
+DIVIDED = Text(
     en="`{what}` is divided there: to turn is to multiply by a sine or a cosine, whichever way it goes.",
     ko="`{what}`을(를) 나누었습니다. 어느 쪽으로 돌리든 sin이나 cos을 곱합니다.",
 )
-DISTANCE = Words(
+DISTANCE = Text(
     en="`{what}` is how far away it lies: in which direction is lost.",
     ko="`{what}`은(는) 거리입니다. 어느 방향인지는 사라집니다.",
 )
-TURNED_TOO = Words(
+TURNED_TOO = Text(
     en="`{what}` is turned, and is measured along the right axes already.",
     ko="`{what}`을(를) 돌렸습니다. 이미 맞는 축을 따라 잰 값입니다.",
 )
@@ -79,7 +79,7 @@ Sum = dict[str, float]  # terms, as they are written, each with its sign
 
 def turned_in_all(
     form: Form, args: Sequence[list[Plain]], answers: Sequence[Plain], wanted: Sequence[Plain]
-) -> tuple[str, Words] | None:
+) -> tuple[str, Text] | None:
     """Return which terms a function's number has in every call, and what to say; None if no few terms give it."""
     rows = [[numbers_of(plain, None) for plain in plains] if isinstance(form, Number) else []
             for plains in (answers, wanted)]  # fmt: skip
@@ -94,7 +94,7 @@ def turned_in_all(
     return f"computed: {text}", SAID.filled(sum=text, seen=_seen(found, right))
 
 
-def _seen(found: Sum, right: Sum) -> Words:
+def _seen(found: Sum, right: Sum) -> Text:
     """Return where a sum differs from the one that is asked for, or that it is to be compared."""
     of_found, of_right = _by_number(found), _by_number(right)
     if distance := next((name for name in of_found if name.startswith("hypot")), ""):
@@ -107,7 +107,7 @@ def _seen(found: Sum, right: Sum) -> Words:
             said.append((TOO_MUCH, name))
         else:
             said += _differences(name, terms, of_right[name])
-    return Words.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else COMPARE
+    return Text.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else COMPARE
 
 
 def _by_number(terms: Sum) -> dict[str, Sum]:
@@ -119,7 +119,7 @@ def _by_number(terms: Sum) -> dict[str, Sum]:
     return by_number
 
 
-def _differences(name: str, terms: Sum, right: Sum) -> Iterator[tuple[Words, str]]:
+def _differences(name: str, terms: Sum, right: Sum) -> Iterator[tuple[Text, str]]:
     """Yield in what the terms of one number differ from those that are asked for, and of what that is said."""
     if len(terms) > 1 or len(right) > 1:
         yield from ((TOO_MUCH, name + factor) for factor in terms if factor not in right)

@@ -17,8 +17,8 @@ from typing import Any, NamedTuple
 
 import yaml
 
+from ...text import Text
 from ..places import workbook_data
-from ..words import Words
 
 __all__ = ["FORMS", "LETTERS", "RIGHT", "Item", "Option", "Wording", "inventory_file", "parsed", "read_inventory"]
 
@@ -30,15 +30,15 @@ RIGHT = "right"  # in the place of a misconception
 class Option(NamedTuple):
     """One option: what it says, the misconception that it shows (RIGHT if none), and what to say of it later."""
 
-    says: Words
+    says: Text
     shows: str
-    why: Words
+    why: Text
 
 
 class Wording(NamedTuple):
     """An item as one form words it: the question, and its options by letter."""
 
-    stem: Words
+    stem: Text
     options: dict[str, Option]
 
     @property
@@ -51,7 +51,7 @@ class Item(NamedTuple):
     """One item: its misconception, what it is about, the task that goes with it, and its wording in each form."""
 
     misconception: str
-    about: Words
+    about: Text
     task: str
     forms: dict[str, Wording]
 
@@ -97,6 +97,6 @@ def _wording(line: dict[str, Any]) -> Wording:
     )
 
 
-def _words(held: Any) -> Words:
+def _words(held: Any) -> Text:
     """Return a text in both languages; numbers alone are the same in both."""
-    return Words(str(held), str(held)) if not isinstance(held, dict) else Words(held["en"], held["ko"])
+    return Text(str(held), str(held)) if not isinstance(held, dict) else Text(held["en"], held["ko"])

@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING
 
 from tflab.views.gain import draw_gain
 
+from ...text import Text
 from ..places import chapters
 from ..progress import read_progress
 from ..tasks.task import chapter_of
-from ..words import Words
 from .change import changes, relearnt
 from .items import FORMS, Item, read_inventory
 from .questions import DO_NOT_KNOW
@@ -36,46 +36,46 @@ if TYPE_CHECKING:
 
 __all__ = ["LIMITS", "Opened", "opened", "waiting"]
 
-TITLE = Words("Fifteen questions, before and after", "열다섯 문제, 처음과 끝")
-RIGHT = Words("{right} right, {sure} of them sure", "{right}개 맞음(그중 {sure}개는 확신)")
-BEFORE = Words("Before: {first}. After: {then}.", "처음: {first}. 끝: {then}.")
-ONLY_AFTER = Words(
+TITLE = Text("Fifteen questions, before and after", "열다섯 문제, 처음과 끝")
+RIGHT = Text("{right} right, {sure} of them sure", "{right}개 맞음(그중 {sure}개는 확신)")
+BEFORE = Text("Before: {first}. After: {then}.", "처음: {first}. 끝: {then}.")
+ONLY_AFTER = Text(
     "{then}. Form A was not answered, so there is no before.",
     "{then}. A형에 답하지 않아 처음과 비교할 수 없습니다.",
 )
 STATES = {
-    "cured": Words("cured", "바로잡음"),
-    "held": Words("held", "지킴"),
-    "stuck": Words("stuck", "그대로"),
-    "lost": Words("lost", "놓침"),
+    "cured": Text("cured", "바로잡음"),
+    "held": Text("held", "지킴"),
+    "stuck": Text("stuck", "그대로"),
+    "lost": Text("lost", "놓침"),
 }
 SIGNS = {"cured": "▲", "held": "●", "stuck": "○", "lost": "▽"}
-RELEARNT = Words(
+RELEARNT = Text(
     "What you have really learnt: you were sure of it and wrong, and now you are right.",
     "정말로 새로 배운 것: 처음에는 확신했지만 틀렸고, 이제는 맞았습니다.",
 )
-TO_DO = Words("Where to go now", "이제 다시 볼 곳")
-WHERE = Words(
+TO_DO = Text("Where to go now", "이제 다시 볼 곳")
+WHERE = Text(
     "{number} · {about} → chapter {chapter:02}, task {task}", "{number} · {about} → {chapter:02}장, 과제 {task}"
 )
-CAPTION = Words(
+CAPTION = Text(
     "In the picture: a row for each question, what you said before and after.",
     "그림 읽기: 줄마다 문제 하나. before 처음, after 끝 · right 맞음, wrong 틀림, sure 확신, guessed 짐작, "
     "not known 모름 · cured 바로잡음, held 지킴, stuck 그대로, lost 놓침.",
 )
-LIMITS = Words(
+LIMITS = Text(
     "This is a small test, and it has not been validated yet. It tells you what to look at again; "
     "it is not made to compare people.",
     "작은 시험이고, 아직 타당성을 검증하지 않았습니다. 무엇을 다시 볼지 알려 줄 뿐 사람을 비교하는 데 쓰지 않습니다.",
 )
-FORM = Words("Form {form}, with a sentence for each option", "{form}형: 보기마다 한 문장씩")
-YOURS = Words("your answer", "내 답")
-GUESSED = Words("your guess", "짐작한 답")
-TO_DO = Words(
+FORM = Text("Form {form}, with a sentence for each option", "{form}형: 보기마다 한 문장씩")
+YOURS = Text("your answer", "내 답")
+GUESSED = Text("your guess", "짐작한 답")
+TO_DO = Text(
     "The one task of 00, E0.1, is fifteen questions to answer before you begin. Any answers pass it.",
     "00의 과제 하나(E0.1)는 시작하기 전에 푸는 열다섯 문제입니다. 맞든 틀리든 모두 답하면 통과합니다.",
 )
-WAITING = Words(
+WAITING = Text(
     "Fifteen questions: your first answers are kept. Both forms open when you have answered the second, E12.8.",
     "열다섯 문제: 처음 답을 보관했습니다. 마지막의 E12.8에 답하면 시험지 두 장이 함께 열립니다.",
 )
@@ -171,7 +171,7 @@ class Opened:
         right = [reply for reply in replies if reply.is_right]
         return self._say(RIGHT, right=len(right), sure=sum(reply.is_sure for reply in right))
 
-    def _sections(self) -> Iterator[tuple[Words, list[str]]]:
+    def _sections(self) -> Iterator[tuple[Text, list[str]]]:
         """Yield what was learnt against one's own certainty first, then where to go for what is wrong now."""
         learnt = [f"{change.number} · {change.item.about.say(self._language)}" for change in relearnt(self._changes)]
         if learnt:
@@ -223,7 +223,7 @@ class Opened:
         summary = html.escape(self._say(FORM, form=form))
         return f"<details><summary>{summary}</summary>{''.join(parts)}</details>"
 
-    def _say(self, words: Words, **names: object) -> str:
+    def _say(self, words: Text, **names: object) -> str:
         return words.say(self._language, **names)
 
 

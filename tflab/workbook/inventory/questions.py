@@ -13,14 +13,14 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from ...text import LANGUAGES, Text
 from ..tasks.task import slug
-from ..words import LANGUAGES, Words
 from .items import FORMS, Item
 
 __all__ = ["DO_NOT_KNOW", "SOURCES", "question", "with_questions"]
 
 SOURCES = {"A": "solutions/src/00_start.py", "B": "solutions/src/12_owners_and_diagnosis.py"}
-DO_NOT_KNOW = Words("I do not know", "모르겠습니다")
+DO_NOT_KNOW = Text("I do not know", "모르겠습니다")
 
 
 def question(item: Item, number: int, form: str, language: str) -> str:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...text import Text
 from .. import progress
 from ..answers.form import Form
 from ..answers.values import Plain
@@ -18,32 +19,31 @@ from ..places import workbook_data
 from ..reply import show_page, show_reply
 from ..verdicts.mistake import Mistake
 from ..verdicts.verdict import Verdict
-from ..words import Words
 from .opened import opened
 from .replies import chosen
 
 __all__ = ["NO_HELP", "say_taken_part"]
 
-ANSWERED = Words("{passed} of {of} answered.", "{of}개 가운데 {passed}개에 답했습니다.")
-NOT_YET = Words("Not yet: {parts}.", "아직 답이 없는 문제: {parts}.")
-LOOK = Words(
+ANSWERED = Text("{passed} of {of} answered.", "{of}개 가운데 {passed}개에 답했습니다.")
+NOT_YET = Text("Not yet: {parts}.", "아직 답이 없는 문제: {parts}.")
+LOOK = Text(
     'Look at question {part}: one of the letters a to e, with "?" behind it if you guess.',
     "{part}번을 다시 보십시오. a에서 e까지의 글자 하나를 쓰고, 짐작이면 뒤에 ?를 붙입니다.",
 )
-WRONG_KIND = Words(
+WRONG_KIND = Text(
     'A dict is asked for, with a letter for each question: {"1": "b", "2": "c?", ...}.',
     '문제마다 글자 하나를 담은 dict가 필요합니다: {"1": "b", "2": "c?", ...}.',
 )
-KEPT = Words("Your answers are kept.", "답을 보관했습니다.")
-FIRST_KEPT = Words(
+KEPT = Text("Your answers are kept.", "답을 보관했습니다.")
+FIRST_KEPT = Text(
     "The first answers that you gave are kept; these change nothing.",
     "처음에 쓴 답을 보관하고 있습니다. 지금 쓴 답은 보관하지 않습니다.",
 )
-OPENS_LATER = Words(
+OPENS_LATER = Text(
     "Nothing is told until you have answered the second form, E12.8.",
     "두 번째 시험지인 E12.8에 답할 때까지 정답은 알려 주지 않습니다.",
 )
-NO_HELP = Words(
+NO_HELP = Text(
     "no hints and no solution here: nothing is marked, and both forms open when the second, E12.8, is in.",
     "여기에는 힌트도 풀이도 없습니다. 채점하지 않으며, 두 번째 시험지인 E12.8에 답하면 두 장이 함께 열립니다.",
 )

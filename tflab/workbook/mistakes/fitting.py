@@ -13,11 +13,11 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
+from ...text import Text
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
-from ..tasks.case import TaskCases, TwinWords
-from ..words import Words
+from ..tasks.case import Feedback, TaskCases
 from .by_place import said_of_letters
 from .fields import section
 from .losses import TOLD, by_comparison, words_of_loss
@@ -37,13 +37,13 @@ __all__ = [
 
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
-UNIT = Words(en="right, if it were in {unit}.", ko="{unit} 단위라면 맞습니다.")
-GIVEN = Words(en="this is `{name}` as it was given, unchanged.", ko="주어진 `{name}`의 값 그대로입니다.")
-SOME = Words(
+UNIT = Text(en="right, if it were in {unit}.", ko="{unit} 단위라면 맞습니다.")
+GIVEN = Text(en="this is `{name}` as it was given, unchanged.", ko="주어진 `{name}`의 값 그대로입니다.")
+SOME = Text(
     en="In some calls, not in all: {said} What do these calls have in common?",
     ko="모든 호출이 아니라 일부에서 그렇습니다. {said} 이 호출들의 공통점은 무엇입니까?",
 )
-SOME_AS_BY = Words(  # what is said of a task's slip was written for all calls: of some it is what they look like
+SOME_AS_BY = Text(  # what is said of a task's slip was written for all calls: of some it is what they look like
     en="In some calls, not in all, it comes out as by this mistake: {said} What do these calls have in common?",
     ko="모든 호출이 아니라 일부에서, 다음 실수를 했을 때와 같은 값이 나옵니다. {said} 이 호출들의 공통점은 무엇입니까?",
 )
@@ -151,26 +151,26 @@ def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool
     return any(is_just(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
 
 
-def words_of(task: TaskCases, name: str) -> TwinWords:
+def words_of(task: TaskCases, name: str) -> Feedback:
     """Return what is said of a slip, the task's or one that any answer can have, and what is behind it."""
     if name in task.twins:
         return task.twins[name]
     if name.startswith(IN_SOME):
         slip = name.removeprefix(IN_SOME)
         words, some = words_of(task, slip), SOME_AS_BY if slip in task.twins else SOME
-        said = Words(*(_of_some(tongue, some, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
-        return TwinWords(said, words.misconception)
+        said = Text(*(_of_some(tongue, some, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
+        return Feedback(said, words.misconception)
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):
         if name.startswith(start):
             rest = name.removeprefix(start)
-            return TwinWords(words.filled(unit=rest, name=rest), "")
+            return Feedback(words.filled(unit=rest, name=rest), "")
     if (words := words_of_loss(name)) is not None:
-        return TwinWords(words, "")
+        return Feedback(words, "")
     kind, _, told = name.partition(TOLD)
-    return TwinWords(said_of_letters(kind, told) or UNIVERSAL[kind].reply, UNIVERSAL[kind].misconception)
+    return Feedback(said_of_letters(kind, told) or UNIVERSAL[kind].reply, UNIVERSAL[kind].misconception)
 
 
-def _of_some(tongue: str, some: Words, reply: str, part: str) -> str:
+def _of_some(tongue: str, some: Text, reply: str, part: str) -> str:
     """Return what is said of a slip that shows in some calls, the part first where the reply begins with it."""
     rest = reply.removeprefix(f"{part}: ") if part else reply
     return ("" if rest == reply else f'"{part}": ') + some.say(tongue, said=rest)

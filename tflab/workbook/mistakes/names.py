@@ -13,10 +13,10 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 
+from ...text import Text
 from ..answers.form import Form
 from ..answers.forms import Command, Name
 from ..answers.values import Plain, is_raised
-from ..words import Words
 
 __all__ = ["of_names", "renamed", "unfilled"]
 
@@ -27,46 +27,46 @@ RENAMED: dict[str, Callable[[str], str]] = {
     "space around": str.strip,
     "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
 }
-UNFILLED = Words(
+UNFILLED = Text(
     en='`{text}` still stands in the text: nothing was filled in. An f before the quotes does it, as in f"…".',
     ko='값이 채워지지 않고 `{text}` 그대로 남아 있습니다. f"…"처럼 따옴표 앞에 f를 붙이십시오.',
 )
 BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?::(?:[.\d]*[a-z]|\.\d+))?\}")
-IN = Words("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
-FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Words]] = {
+IN = Text("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
+FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Text]] = {
     "nothing": (
         lambda pair: not pair[0] and bool(pair[1]),
-        Words("nothing is left of it", "이름이 비어 있습니다"),
+        Text("nothing is left of it", "이름이 비어 있습니다"),
     ),
     "slash in front": (
         lambda pair: pair[0].startswith("/") and not pair[1].startswith("/"),
-        Words("a slash in front, `{one}`", "맨 앞에 슬래시가 있습니다(`{one}`)"),
+        Text("a slash in front, `{one}`", "맨 앞에 슬래시가 있습니다(`{one}`)"),
     ),
     "slashes in a row": (
         lambda pair: "//" in pair[0].lstrip("/") and "//" not in pair[1],
-        Words("two slashes in a row, `{one}`", "슬래시가 연달아 있습니다(`{one}`)"),
+        Text("two slashes in a row, `{one}`", "슬래시가 연달아 있습니다(`{one}`)"),
     ),
     "slash behind": (
         lambda pair: len(pair[0]) > 1 and pair[0].endswith("/") and not pair[1].endswith("/"),
-        Words("a slash at the end, `{one}`", "맨 끝에 슬래시가 있습니다(`{one}`)"),
+        Text("a slash at the end, `{one}`", "맨 끝에 슬래시가 있습니다(`{one}`)"),
     ),
     "too little in front": (
         lambda pair: bool(pair[0].strip("/")) and pair[1].endswith("/" + pair[0].strip("/")),
-        Words("what belongs before the frame is missing, `{one}`", "좌표계 앞에 있어야 할 것이 없습니다(`{one}`)"),
+        Text("what belongs before the frame is missing, `{one}`", "좌표계 앞에 있어야 할 것이 없습니다(`{one}`)"),
     ),
     "too much in front": (
         lambda pair: bool(pair[1]) and pair[0].strip("/").endswith("/" + pair[1]),
-        Words("something before the frame that does not belong there, `{one}`",
+        Text("something before the frame that does not belong there, `{one}`",
               "좌표계 앞에 없어야 할 것이 있습니다(`{one}`)"),
     ),
     "other letters": (
         lambda pair: pair[0] != pair[1] and pair[0].lower() == pair[1].lower(),
-        Words("other capitals, `{one}`", "대소문자가 다릅니다(`{one}`)"),
+        Text("other capitals, `{one}`", "대소문자가 다릅니다(`{one}`)"),
     ),
 }  # fmt: skip
 
 
-def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
+def unfilled(form: Form, outcomes: Sequence[Plain]) -> Text | None:
     """Return what to say of texts in whose braces nothing was filled in; None if there is none."""
     texts = [outcome for outcome in outcomes if isinstance(outcome, str)]
     if not isinstance(form, Name | Command) or len(texts) < len(outcomes):
@@ -77,7 +77,7 @@ def unfilled(form: Form, outcomes: Sequence[Plain]) -> Words | None:
     return UNFILLED.filled(text=first[0])
 
 
-def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Words | None:
+def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
     """Return what can be seen at the names that a function gives; None unless that covers all that are wrong."""
     if not isinstance(form, Name) or any(map(is_raised, wanted)):
         return None
@@ -87,7 +87,7 @@ def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> 
     if not wrong or any(pair not in seen for pair in wrong):
         return None
     said = [_filled(FACTS[name][1], pairs, wrong) for name, pairs in shows.items() if pairs]
-    return Words("; ".join(words.en for words in said) + ".", ". ".join(words.ko for words in said) + ".")
+    return Text("; ".join(words.en for words in said) + ".", ". ".join(words.ko for words in said) + ".")
 
 
 def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[str, str]]:
@@ -96,7 +96,7 @@ def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tup
     return wrong if all(isinstance(word, str) for pair in wrong for word in pair) else []
 
 
-def _filled(words: Words, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Words:
+def _filled(words: Text, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Text:
     return IN.filled(count=len(pairs), of=len(wrong), fact=words.filled(one=pairs[0][0]))
 
 

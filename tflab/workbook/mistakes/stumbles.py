@@ -12,17 +12,17 @@ from __future__ import annotations
 
 import re
 
-from ..words import Words
+from ...text import Text
 from .objects import OF_OBJECTS
 
 __all__ = ["tip_for"]
 
-NO_TIP = Words("", "")
+NO_TIP = Text("", "")
 LONGEST = 500  # letters of an error that are looked at
 TIPS = (  # the error's name and text, the first that fits
     (
         r"TypeError: .*different clock types",
-        Words(
+        Text(
             "One of the two times is of the ROS clock, the other is not (a bare `Time()`, say): "
             "compare their `.nanoseconds`.",
             "두 시각 가운데 하나는 ROS 시계의 것이고 다른 하나는 아닙니다(예: 그냥 `Time()`). "
@@ -31,35 +31,35 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"AttributeError: 'property' object has no attribute",  # a type that lacks a name is a misspelt one as often
-        Words(
+        Text(
             "That is the class, and not one of its kind: brackets make one, as in `PointStamped()`.",
             "클래스 자체입니다. `PointStamped()`처럼 괄호를 붙여 객체를 만드십시오.",
         ),
     ),
     (
         r"(Type|Attribute)Error: .*'(method|builtin_function_or_method|function)'",
-        Words(
+        Text(
             "A method was not called: its brackets are missing, as in `.inverse()`.",
             "메서드를 호출하지 않았습니다. `.inverse()`처럼 괄호가 필요합니다.",
         ),
     ),
     (
         r"TypeError: unsupported operand type\(s\) for [-+*/]: .*'Transform'",
-        Words(
+        Text(
             "Transforms are not added, subtracted or divided: `@` joins them, `.inverse()` turns one round.",
             "변환은 더하거나 빼거나 나누지 않습니다. `@`로 잇고 `.inverse()`로 뒤집습니다.",
         ),
     ),
     (
         r"TypeError: unsupported operand type\(s\) for @: ",
-        Words(
+        Text(
             "`@` joins two Transforms; a point is moved by `.apply(point)`.",
             "`@`는 변환 둘을 잇습니다. 점은 `.apply(point)`로 옮깁니다.",
         ),
     ),
     (
         r"TypeError: (can only concatenate str|.*unsupported operand.*'str'|can't multiply sequence)",
-        Words(
+        Text(
             "A text or a list does not compute: `float(text)` makes a number of a text, members of a list are taken "
             "one by one.",
             "글자나 리스트로는 계산할 수 없습니다. 글자는 `float(글자)`로 수를 만들고, 리스트는 원소를 하나씩 "
@@ -68,21 +68,21 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"TypeError: .*(unsupported operand.*'(tuple|list)'|can only concatenate (list|tuple))",
-        Words(
+        Text(
             "Lists and tuples do not compute as wholes: take their members one by one.",
             "리스트와 튜플은 통째로 계산되지 않습니다. 원소를 하나씩 꺼내 계산하십시오.",
         ),
     ),
     (
         r"(Type|Attribute)Error: .*'?NoneType'?",
-        Words(
+        Text(
             "Something there is None: what gave it has no `return`, or found nothing.",
             "그곳의 값이 None입니다. 그 값을 준 것에 `return`이 없거나, 찾지 못한 것입니다.",
         ),
     ),
     (
         r"AttributeError: 'dict' object",
-        Words(
+        Text(
             'What a dict holds stands in square brackets: `pose["x"]`.',
             '딕셔너리의 값은 대괄호로 꺼냅니다: `pose["x"]`.',
         ),
@@ -90,28 +90,28 @@ TIPS = (  # the error's name and text, the first that fits
     (
         r"TypeError: '(Transform|Point|PointStamped|TransformStamped|Vector3|Quaternion)' object is not "
         r"(subscriptable|iterable)",
-        Words(
+        Text(
             "Its numbers have names, and no places: `.translation`, `.point.x` and the like.",
             "순번이 아니라 이름으로 꺼냅니다: `.translation`, `.point.x` 등.",
         ),
     ),
     (
         r"KeyError",
-        Words(
+        Text(
             "That key is not in it: of a dict, `.get(key, otherwise)` does not stop where one is missing.",
             "그 안에 없는 키입니다. 딕셔너리라면 `.get(key, 기본값)`으로 꺼내면 멈추지 않습니다.",
         ),
     ),
     (
         r"IndexError: .*(out of range|out of bounds|pop from empty)|ValueError: (max|min)\(\) .*empty|StopIteration",
-        Words(
+        Text(
             "There is less in it than you count on: is a list short, or empty? Did nothing fit what you looked for?",
             "생각보다 적게 들어 있습니다. 리스트가 짧거나 비어 있습니까? 찾으려던 것과 맞는 것이 하나도 없었습니까?",
         ),
     ),
     (
         r"ValueError: (could not convert string to float|invalid literal for int)",
-        Words(
+        Text(
             "That text is no such number as it stands: a point where a whole number is wanted, or another word, a "
             "colon or a comma on it. Lines and words counted off in one text stand elsewhere in another: look for the "
             "words around the number.",
@@ -121,14 +121,14 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"ValueError: .*(to unpack|unpack )",
-        Words(
+        Text(
             "As many names as values have to stand on the left.",
             "왼쪽의 이름 수와 값의 수가 같아야 합니다.",
         ),
     ),
     (
         r"(Assertion|Type)Error: .*'sec' field must be (an integer in|of type 'int')",
-        Words(
+        Text(
             "`sec` holds whole seconds, as an `int`, and `nanosec` what is left over of them: `.to_msg()` of a Time "
             "writes both.",
             "`sec`에는 초의 정수 부분(`int`)이, `nanosec`에는 나머지가 들어갑니다. Time의 `.to_msg()`가 둘을 채웁니다.",
@@ -136,21 +136,21 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"(Assertion|Type)Error: .*field must be of type 'int'",
-        Words(
+        Text(
             "The field takes a whole number alone: `int(…)` or `round(…)` makes one.",
             "이 필드에는 정수만 들어갑니다. `int(…)`나 `round(…)`로 바꾸십시오.",
         ),
     ),
     (
         r"(Assertion|Type)Error: .*field must be of type 'str'",
-        Words(
+        Text(
             "The field takes a text: a name in quotes, or a variable that holds one.",
             "이 필드에는 글자가 들어갑니다. 따옴표로 묶은 이름이나 그런 값을 담은 변수를 쓰십시오.",
         ),
     ),
     (
         r"(Assertion|Type)Error: .*field must be an? (un)?signed integer",
-        Words(
+        Text(
             "The type is right, and the number does not fit. `nanosec` holds only what is left over the whole "
             "seconds, below 1000000000: `.to_msg()` of a Time splits it.",
             "자료형은 맞지만 들어갈 수 없는 수입니다. `nanosec`에는 초를 뺀 나머지, 곧 1000000000보다 작은 수만 "
@@ -159,7 +159,7 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"(Assertion|Type)Error: .*field must be a sub message of type '(Vector3|Point|Quaternion)'",
-        Words(
+        Text(
             "A tuple or a list is no such message: write its numbers one by one, `.x`, `.y`, `.z`, of a rotation "
             "`.w` too.",
             "튜플이나 리스트는 그런 메시지가 아닙니다. `.x`, `.y`, `.z`에 하나씩, 회전은 `.w`까지 쓰십시오.",
@@ -167,35 +167,35 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"(Assertion|Type)Error: .*field must be a sub message of type 'Time'",
-        Words(
+        Text(
             "A stamp is a message of its own: `.to_msg()` of a Time makes it.",
             "stamp도 하나의 메시지입니다. Time의 `.to_msg()`로 만드십시오.",
         ),
     ),
     (
         r"(Assertion|Type)Error: .*field must be of type 'float'",
-        Words(
+        Text(
             "The field takes a `float` alone: `float(…)` makes one of a whole number or a text.",
             "이 필드에는 `float`만 들어갑니다. 정수나 글자는 `float(…)`로 바꾸십시오.",
         ),
     ),
     (
         r"(Assertion|Type)Error: .*field must be",
-        Words(
+        Text(
             "A field of a message takes its own type alone: `float(…)` for a number, `.to_msg()` for a Time.",
             "메시지의 필드는 정해진 자료형만 받습니다. 숫자는 `float(…)`, Time은 `.to_msg()`로 바꾸십시오.",
         ),
     ),
     (
         r"ZeroDivisionError",
-        Words(
+        Text(
             "Which of the arguments is 0 in this call, or which two are the same?",
             "이 호출에서 0인 인자, 또는 서로 같은 두 인자는 무엇입니까?",
         ),
     ),
     (
         r"NameError|UnboundLocalError",
-        Words(
+        Text(
             "Inside the function nobody has given that name a value: is it misspelt, or set on another way through?",
             "함수 안에서 그 이름에 값을 준 적이 없습니다. 철자가 다르거나, 값을 정하지 않고 지나가는 갈래가 "
             "있지 않습니까?",
@@ -203,7 +203,7 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"AttributeError: 'Time' object has no attribute '(sec|nanosec|nanoseconds)'",
-        Words(
+        Text(
             "There are two kinds of Time: the stamp of a message has `.sec` and `.nanosec`, a Time of rclpy has "
             "`.nanoseconds`. `Time.from_msg(stamp)` makes the second of the first.",
             "Time은 두 가지입니다. 메시지의 stamp에는 `.sec`과 `.nanosec`이, rclpy의 Time에는 `.nanoseconds`가 "
@@ -212,7 +212,7 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"TypeError: unhashable type: '(list|set|dict)'",
-        Words(
+        Text(
             "A list, a set or a dict cannot be a member of a set or a key of a dict: `.update(…)` puts its members "
             "into a set one by one.",
             "리스트, 집합, 딕셔너리는 집합의 원소나 딕셔너리의 키가 될 수 없습니다. `.update(…)`를 쓰면 그 원소가 "
@@ -221,28 +221,28 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"RecursionError",
-        Words(
+        Text(
             "It calls itself without an end: which case has to stop it?",
             "자기 자신을 끝없이 호출합니다. 어떤 경우에 멈춰야 합니까?",
         ),
     ),
     (
         r"TypeError: .*(an unexpected|an invalid) keyword argument",
-        Words(
+        Text(
             "It takes no argument of that name: is it misspelt?",
             "그런 이름의 인자는 없습니다. 철자가 다르지 않습니까?",
         ),
     ),
     (
         r"TypeError: .*(positional argument|keyword argument)",
-        Words(
+        Text(
             "Compare how many arguments are handed over with how many are taken.",
             "넘기는 인자의 수와 받는 인자의 수를 비교하십시오.",
         ),
     ),
     (
         r'LookupException: "[^"]*" passed to lookupTransform argument',
-        Words(
+        Text(
             "The buffer of this call holds no frame of that name, and yet the call has an answer. If the name is "
             "written down in your function, is it the name that this call is about? If it came with the call, does "
             "your `except` name another class?",
@@ -252,7 +252,7 @@ TIPS = (  # the error's name and text, the first that fits
     ),
     (
         r"(Lookup|Connectivity|Extrapolation|InvalidArgument|Transform)Exception",
-        Words(
+        Text(
             "That is a refusal, tf2's or that of a `raise` of your own, and this call has an answer: are the frames, "
             "their order and the time those of this call? Is a `raise` reached too soon, or does an `except` name "
             "another class?",
@@ -263,7 +263,7 @@ TIPS = (  # the error's name and text, the first that fits
 )
 
 
-def tip_for(error: str, text: str) -> Words:
+def tip_for(error: str, text: str) -> Text:
     """Return what is behind one of Python's errors, or nothing."""
     said = f"{error}: {text}"[:LONGEST]
     return next((tip for pattern, tip in (*OF_OBJECTS, *TIPS) if re.match(pattern, said, re.DOTALL)), NO_TIP)

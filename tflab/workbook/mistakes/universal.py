@@ -18,10 +18,10 @@ from typing import NamedTuple
 
 from tflab.core import Transform
 
+from ...text import Text
 from ..answers.form import inside, numbers_of, pose_of
 from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Set, Tree, Vector
 from ..answers.values import Plain, to_plain
-from ..words import Words
 from .by_place import letters_told
 from .names import renamed
 from .units import OTHER_UNITS, unit_of
@@ -39,7 +39,7 @@ class Universal(NamedTuple):
         undo: what the answer would have been without it; several where it can be undone in several ways.
     """
 
-    reply: Words
+    reply: Text
     undo: Callable[[Row], Iterator[Row]]
     misconception: str = ""
 
@@ -144,44 +144,44 @@ def _halved(row: Row) -> Iterator[Row]:
 
 UNIVERSAL = {
     "sign": Universal(
-        Words(en="the size is right, the sign is not.", ko="크기는 맞지만 부호가 반대입니다."),
+        Text(en="the size is right, the sign is not.", ko="크기는 맞지만 부호가 반대입니다."),
         _negated,
     ),
     "one over it": Universal(
-        Words(
+        Text(
             en="this is one over what is asked for: a rate for a period, or the other way round.",
             ko="필요한 값의 역수입니다. 주기 대신 주파수를, 또는 그 반대를 쓰지 않았습니까?",
         ),
         _reciprocal,
     ),
     "twice": Universal(
-        Words(en="this is twice what is asked for.", ko="필요한 값의 두 배입니다."),
+        Text(en="this is twice what is asked for.", ko="필요한 값의 두 배입니다."),
         _half,
     ),
     "half": Universal(
-        Words(en="this is half of what is asked for.", ko="필요한 값의 절반입니다."),
+        Text(en="this is half of what is asked for.", ko="필요한 값의 절반입니다."),
         _double,
     ),
     "squared": Universal(
-        Words(
+        Text(
             en="this is the square of what is asked for: is a root missing?",
             ko="필요한 값의 제곱입니다. 제곱근을 빠뜨리지 않았습니까?",
         ),
         _root,
     ),
     "root": Universal(
-        Words(en="this is the square root of what is asked for.", ko="필요한 값의 제곱근입니다."),
+        Text(en="this is the square root of what is asked for.", ko="필요한 값의 제곱근입니다."),
         _square,
     ),
     "half a turn": Universal(
-        Words(
+        Text(
             en="this angle is half a turn off: the opposite direction.",
             ko="각도가 반 바퀴 어긋났습니다. 반대 방향입니다.",
         ),
         _half_a_turn,
     ),
     "z for the angle": Universal(
-        Words(
+        Text(
             en="this is the sine of half the angle, the z of a quaternion; asked for is the angle.",
             ko="각도 절반의 sin, 곧 쿼터니언의 z입니다. 필요한 것은 각도입니다.",
         ),
@@ -189,29 +189,29 @@ UNIVERSAL = {
         "M5",
     ),
     "all signs": Universal(
-        Words(
+        Text(
             en="each number has the other sign: the arrow points the opposite way.",
             ko="모든 숫자의 부호가 반대입니다. 화살표가 반대쪽을 가리킵니다.",
         ),
         _negated,
     ),
     "one sign": Universal(
-        Words(en="one of the numbers has the wrong sign.", ko="숫자 하나의 부호가 반대입니다."),
+        Text(en="one of the numbers has the wrong sign.", ko="숫자 하나의 부호가 반대입니다."),
         _one_sign,
     ),
     "exchanged": Universal(
-        Words(en="these are the right numbers in the wrong places.", ko="숫자는 맞지만 자리가 서로 바뀌었습니다."),
+        Text(en="these are the right numbers in the wrong places.", ko="숫자는 맞지만 자리가 서로 바뀌었습니다."),
         _exchanged,
     ),
     "places and signs": Universal(
-        Words(
+        Text(
             en="the sizes of the numbers are right; their places and signs are not.",
             ko="숫자의 크기는 맞지만 자리와 부호가 다릅니다.",
         ),
         _places_and_signs,
     ),
     "w first": Universal(
-        Words(
+        Text(
             en="the rotation is right, the order of its numbers is not: in ROS w comes last, (x, y, z, w).",
             ko="회전은 맞지만 숫자의 순서가 다릅니다. ROS에서는 w가 마지막입니다: (x, y, z, w).",
         ),
@@ -219,7 +219,7 @@ UNIVERSAL = {
         "M5",
     ),
     "w taken first": Universal(
-        Words(
+        Text(
             en="these are the right numbers, each one place off: they came as (x, y, z, w), and were taken for "
             "(w, x, y, z).",
             ko="숫자는 맞지만 모두 한 자리씩 밀렸습니다. (x, y, z, w)로 나온 것을 (w, x, y, z)로 읽었습니다.",
@@ -228,7 +228,7 @@ UNIVERSAL = {
         "M5",
     ),
     "inverse rotation": Universal(
-        Words(
+        Text(
             en="this is the inverse rotation (its matrix transposed): it turns as far, and the other way.",
             ko="역회전입니다(행렬로는 전치). 도는 크기는 같고 방향이 반대입니다.",
         ),
@@ -236,7 +236,7 @@ UNIVERSAL = {
         "M1",
     ),
     "not normalised": Universal(
-        Words(
+        Text(
             en="the direction of the quaternion is right, its length is not 1: divide it by its length.",
             ko="쿼터니언의 방향은 맞지만 길이가 1이 아닙니다. 길이로 나누십시오.",
         ),
@@ -244,7 +244,7 @@ UNIVERSAL = {
         "M5",
     ),
     "whole angle": Universal(
-        Words(
+        Text(
             en="this turns twice as far: a quaternion holds the sine and cosine of half the angle.",
             ko="두 배로 돌아갑니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
         ),
@@ -252,7 +252,7 @@ UNIVERSAL = {
         "M5",
     ),
     "other case": Universal(
-        Words(
+        Text(
             en="capitals make it another name: `odom` and `Odom` are two.",
             ko="대문자를 쓰면 다른 이름이 됩니다. `odom`과 `Odom`은 서로 다릅니다.",
         ),
@@ -260,7 +260,7 @@ UNIVERSAL = {
         "M14",
     ),
     "slash in front": Universal(
-        Words(
+        Text(
             en="right, but for a slash in front that does not belong there: to TF it is part of the name.",
             ko="앞에 붙인 슬래시만 지우면 맞습니다. TF는 슬래시까지 이름으로 읽습니다.",
         ),
@@ -268,7 +268,7 @@ UNIVERSAL = {
         "M14",
     ),
     "space around": Universal(
-        Words(
+        Text(
             en="right, but for a space at its end: it is part of a name.",
             ko="앞뒤의 공백만 빼면 맞습니다. 공백도 이름의 일부입니다.",
         ),
@@ -276,12 +276,12 @@ UNIVERSAL = {
         "M14",
     ),
     "no slash in front": Universal(
-        Words(en="right, but for the slash in front, which is missing.", ko="앞의 슬래시가 빠진 것만 빼면 맞습니다."),
+        Text(en="right, but for the slash in front, which is missing.", ko="앞의 슬래시가 빠진 것만 빼면 맞습니다."),
         lambda row: iter(()),
         "M14",
     ),
     "other separator": Universal(
-        Words(
+        Text(
             en="right, but for what stands between a robot's name and its frame: that is a slash.",
             ko="로봇 이름과 좌표계 이름 사이에 있는 것만 빼면 맞습니다. 그 사이에는 슬래시를 씁니다.",
         ),
@@ -289,7 +289,7 @@ UNIVERSAL = {
         "M14",
     ),
     "inverse transform": Universal(
-        Words(
+        Text(
             en="this is the inverse transform: target and source are swapped.",
             ko="역변환입니다. 목표와 원본이 바뀌었습니다.",
         ),
@@ -297,7 +297,7 @@ UNIVERSAL = {
         "M1",
     ),
     "not turned back": Universal(
-        Words(
+        Text(
             en="of what has to be inverted only the translation was negated: the rotation was not turned back.",
             ko="뒤집어야 할 변환에서 이동의 부호만 바꾸었습니다. 회전을 되돌리지 않았습니다.",
         ),
@@ -305,7 +305,7 @@ UNIVERSAL = {
         "M1",
     ),
     "translation taken away": Universal(
-        Words(
+        Text(
             en="the rotation is right, the translation points the opposite way.",
             ko="회전은 맞지만 이동이 반대쪽을 가리킵니다.",
         ),
@@ -313,14 +313,14 @@ UNIVERSAL = {
         "M3",
     ),
     "transposed": Universal(
-        Words(
+        Text(
             en="this matrix is transposed: the translation stands in the last column, not in the last row.",
             ko="행렬이 전치되었습니다. 이동은 마지막 행이 아니라 마지막 열에 있습니다.",
         ),
         lambda row: iter(()),
     ),
     "power of ten": Universal(
-        Words(
+        Text(
             en="the digits are right, and the decimal point stands elsewhere: a factor of 10, 100, 1000 … was "
             "forgotten, or is one too many.",
             ko="숫자는 맞지만 소수점의 자리가 다릅니다. 10, 100, 1000 같은 배수가 빠졌거나 더 들어갔습니다.",

@@ -14,10 +14,10 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from ...text import LANGUAGES
 from ..course.glossary import MARKED, UnknownTerm, expand
 from ..tasks.blank import blank
 from ..tasks.task import slug
-from ..words import LANGUAGES
 from .source import Page, SourceCell
 
 __all__ = [

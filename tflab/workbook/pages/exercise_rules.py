@@ -18,12 +18,12 @@ from typing import Any
 
 import yaml
 
+from ...text import LANGUAGES
 from ..inventory.balance import imbalances
 from ..inventory.items import FORMS, parsed
 from ..inventory.questions import with_questions
 from ..tasks.blank import BlankError, blank, regions
 from ..tasks.task import Task, slug
-from ..words import LANGUAGES
 from .editions import Outputs, task_of
 from .source import Page, PageFault, SourceCell
 

@@ -15,6 +15,7 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import NamedTuple
 
+from ...text import LANGUAGES
 from ..course.glossary import read_glossary
 from ..places import MARK, Workbook, exercise_file
 from ..tasks.blank import BlankError
@@ -22,7 +23,6 @@ from ..tasks.case import TaskCases
 from ..tasks.cases import outline_of
 from ..tasks.reference import in_process_ros
 from ..tasks.task import TaskError, read_tasks
-from ..words import LANGUAGES
 from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page
 from .exercise_rules import exercise_faults, form_faults, score_faults, untouched, untouched_faults

@@ -15,8 +15,8 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import Path
 from posixpath import normpath
 
+from ...text import LANGUAGES
 from ..places import chapter_of
-from ..words import LANGUAGES
 from .source import Page, PageFault, SourceCell, code_lines
 
 __all__ = ["MOST_LINES", "SLIDES", "TAGS", "page_faults"]

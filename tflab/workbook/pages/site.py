@@ -22,6 +22,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from ...text import Text
 from ..book.frame import STATIC, BookPage, framed, shell
 from ..book.front import CONVENTIONS, conventions_text, door, front_page
 from ..book.gallery import GALLERY, ShownFigure, gallery_page, pictures_of
@@ -29,17 +30,16 @@ from ..book.reading import search_index, sections_of
 from ..book.reference import write_reference
 from ..course.course import read_course
 from ..places import chapter_of, workbook_data
-from ..words import Words
 from .editions import live_and_still
 from .html import PageFailed, run_with_films
 
 __all__ = ["write_book"]
 
 KERNELS = 2
-EXERCISE = Words(en="Exercise {number}", ko="연습 문제 {number}")
+EXERCISE = Text(en="Exercise {number}", ko="연습 문제 {number}")
 BESIDE_THE_CHAPTERS = {
-    "90_glossary": Words(en="Glossary", ko="용어집"),
-    "91_practice": Words(en="Practice", ko="연습"),
+    "90_glossary": Text(en="Glossary", ko="용어집"),
+    "91_practice": Text(en="Practice", ko="연습"),
 }
 LINK = re.compile(r'href="(?:\.\./\.\./(?:exercises|notebooks)/\w+/)?(?P<page>\w+)\.ipynb(?P<place>#[^"]*)?"')
 

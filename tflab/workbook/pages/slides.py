@@ -27,8 +27,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from ...text import LANGUAGES, Text
 from ..places import WorkbookError, read_workbook, workbook_root
-from ..words import LANGUAGES, Words
 from .editions import still_twins
 from .html import PageFailed, notebooks_called, run_with_films
 
@@ -39,29 +39,29 @@ HEADING = re.compile(r"^#{1,6}\s+(.+?)\s*$", re.MULTILINE)
 BEGINS = ("slide", "subslide")
 
 KEYS = (
-    ("→ Space PgDn", Words(en="on", ko="다음")),
-    ("← PgUp", Words(en="back", ko="이전")),
-    ("Home End", Words(en="first, last", ko="처음, 끝")),
-    ("o Esc", Words(en="all slides at a glance", ko="모든 슬라이드 보기")),
-    ("s", Words(en="a window for the speaker", ko="발표자 창")),
-    ("n", Words(en="the speaker's notes, here", ko="발표자 노트 보기")),
-    ("c", Words(en="with or without code", ko="코드 보이기, 숨기기")),
-    ("f", Words(en="the whole screen", ko="전체 화면")),
-    ("t", Words(en="light or dark", ko="밝게, 어둡게")),
-    ("p", Words(en="print, or save as PDF", ko="인쇄, PDF로 저장")),
-    ("b", Words(en="a black screen", ko="검은 화면")),
-    ("?", Words(en="this list", ko="이 목록")),
+    ("→ Space PgDn", Text(en="on", ko="다음")),
+    ("← PgUp", Text(en="back", ko="이전")),
+    ("Home End", Text(en="first, last", ko="처음, 끝")),
+    ("o Esc", Text(en="all slides at a glance", ko="모든 슬라이드 보기")),
+    ("s", Text(en="a window for the speaker", ko="발표자 창")),
+    ("n", Text(en="the speaker's notes, here", ko="발표자 노트 보기")),
+    ("c", Text(en="with or without code", ko="코드 보이기, 숨기기")),
+    ("f", Text(en="the whole screen", ko="전체 화면")),
+    ("t", Text(en="light or dark", ko="밝게, 어둡게")),
+    ("p", Text(en="print, or save as PDF", ko="인쇄, PDF로 저장")),
+    ("b", Text(en="a black screen", ko="검은 화면")),
+    ("?", Text(en="this list", ko="이 목록")),
 )
 BUTTONS = {
-    "back": Words(en="back", ko="이전"),
-    "on": Words(en="on", ko="다음"),
-    "overview": Words(en="overview", ko="전체"),
-    "notes": Words(en="notes", ko="노트"),
-    "noNotes": Words(en="There are no notes here.", ko="여기에는 노트가 없습니다."),
-    "theme": Words(en="theme", ko="테마"),
-    "help": Words(en="keys", ko="단축키"),
-    "next": Words(en="next", ko="다음"),
-    "end": Words(en="This is the last slide.", ko="마지막 슬라이드입니다."),
+    "back": Text(en="back", ko="이전"),
+    "on": Text(en="on", ko="다음"),
+    "overview": Text(en="overview", ko="전체"),
+    "notes": Text(en="notes", ko="노트"),
+    "noNotes": Text(en="There are no notes here.", ko="여기에는 노트가 없습니다."),
+    "theme": Text(en="theme", ko="테마"),
+    "help": Text(en="keys", ko="단축키"),
+    "next": Text(en="next", ko="다음"),
+    "end": Text(en="This is the last slide.", ko="마지막 슬라이드입니다."),
 }
 
 

@@ -17,13 +17,13 @@ from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
 
+from ...text import Text
 from ..answers.showing import show_all
 from ..checks import TRIES_BEFORE_SOLUTION, solution_text
 from ..places import MARK, WorkbookError, read_workbook, workbook_root
 from ..reply import in_notebook, shell, show_reply
 from ..tasks.task import TaskError
 from ..trying import say_verdict, show_hint
-from ..words import Words
 from .question import DrawnQuestion
 from .sentences import afterwards, why_asked
 from .sentences import standing as standing_of
@@ -35,16 +35,16 @@ if TYPE_CHECKING:
 
 __all__ = ["ask", "boxes", "check", "given", "hint", "say_hint", "say_solution", "skip", "solution", "standing"]
 
-HERE = Words(
+HERE = Text(
     en="Your answer goes into the cell below; run it, and it is checked.",
     ko="아래 셀에 답을 쓰고 실행하면 바로 확인합니다.",
 )
-GO_ON = Words(en="practice.ask() brings the next one.", ko="practice.ask()를 실행하면 다음 문제가 나옵니다.")
-NO_COPY = Words(
+GO_ON = Text(en="practice.ask() brings the next one.", ko="practice.ask()를 실행하면 다음 문제가 나옵니다.")
+NO_COPY = Text(
     en="Nothing is kept here: these are tflab's own pages.",
     ko="여기는 tflab에 들어 있는 원본이라 기록을 남기지 않습니다.",
 )
-HELP = Words(
+HELP = Text(
     en="practice.hint() helps, practice.skip() leaves it for later.",
     ko="practice.hint()로 힌트를 보고, practice.skip()으로 나중으로 미룰 수 있습니다.",
 )

@@ -23,13 +23,13 @@ from tempfile import mkdtemp
 from types import SimpleNamespace
 from typing import Any
 
+from ...text import Text
 from ..answers.showing import show_all
 from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
 from ..tasks.reference import in_process_ros
 from ..tasks.task import TaskError
 from ..trying import say_verdict
 from ..whole_files import write_whole
-from ..words import Words
 from .cells import say_hint, say_solution
 from .prompt import WORDS, Said, ask_for, can_be_typed
 from .question import DrawnQuestion
@@ -40,25 +40,25 @@ from .terminal import as_text
 __all__ = ["main"]
 
 WIDEST = 88
-GIVEN = Words(en="Given, as {name}:", ko="주어진 값({name}):")
-HOW_TO_TYPE = Words(
+GIVEN = Text(en="Given, as {name}:", ko="주어진 값({name}):")
+HOW_TO_TYPE = Text(
     en="Type your answer; words need no quotes, numbers may be expressions ({name}). Also: hint, skip, quit.",
     ko="답을 입력하십시오. 낱말에 따옴표는 필요 없고, 숫자는 식({name})도 됩니다. 다른 명령: hint, skip, quit.",
 )
-IN_FILE = Words(
+IN_FILE = Text(
     en="Write your answer in this file, save it, and press Enter here:\n  {file}\nAlso: hint, skip, quit{edit}.",
     ko="이 파일에 답을 쓰고 저장한 다음 여기서 Enter를 누르십시오.\n  {file}\n다른 명령: hint, skip, quit{edit}.",
 )
-NEXT = Words(en="Enter: the next question. quit: until later. ", ko="Enter를 누르면 다음 문제, quit이면 끝냅니다. ")
-KEPT = Words(
+NEXT = Text(en="Enter: the next question. quit: until later. ", ko="Enter를 누르면 다음 문제, quit이면 끝냅니다. ")
+KEPT = Text(
     en="Everything is kept{where}; go on with: tflab practice",
     ko="모두 남아 있습니다{where}. 이어서 하려면: tflab practice",
 )
-NO_COPY = Words(
+NO_COPY = Text(
     en="There is no copy of the workbook here, so nothing is kept; make one with: tflab lab",
     ko="여기에는 워크북이 없어 기록을 남기지 않습니다. 워크북을 만들려면: tflab lab",
 )
-STOPPED = Words(en="Stopped, as you wished.", ko="멈추었습니다.")
+STOPPED = Text(en="Stopped, as you wished.", ko="멈추었습니다.")
 EMPTY = "..."
 
 
@@ -196,7 +196,7 @@ class _Terminal:
     def _line(self, prompt: str) -> str:
         return input(prompt)
 
-    def _say(self, words: Words, **names: object) -> None:
+    def _say(self, words: Text, **names: object) -> None:
         print(words.say(self.language, **names))
 
 

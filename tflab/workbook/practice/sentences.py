@@ -11,67 +11,67 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 
+from ...text import Text
 from ..course.misconceptions import MISCONCEPTIONS
-from ..words import Words
 from .kept import Kept, Open, Practised
 from .spacing import AGAIN, AHEAD, DUE, GAPS, LAST_BOX, NEW, Idea, is_due
 
 __all__ = ["afterwards", "standing", "why_asked"]
 
 WHY = {
-    AGAIN: Words(
+    AGAIN: Text(
         en="Question {number}. What it looks for went wrong before.",
         ko="{number}번 문제입니다. 전에 틀린 적이 있는 내용입니다.",
     ),
-    DUE: Words(
+    DUE: Text(
         en="Question {number}. It is time to see this again.", ko="{number}번 문제입니다. 다시 볼 때가 되었습니다."
     ),
-    NEW: Words(
+    NEW: Text(
         en="Question {number}. Its idea is new to your practice.",
         ko="{number}번 문제입니다. 연습에서는 처음 나오는 내용입니다.",
     ),
-    AHEAD: Words(
+    AHEAD: Text(
         en="Question {number}. Nothing is due, so this one comes early.",
         ko="{number}번 문제입니다. 다시 볼 때가 된 것이 없어 조금 일찍 나왔습니다.",
     ),
 }
-LAST_TIME = Words(en=" Last time: {day}.", ko=" 지난번: {day}.")
-ABOUT = Words(en="It was about {idea}.", ko="{idea}에 관한 문제였습니다.")
-ALSO_SHOWN = Words(en="Your answers showed {ideas}.", ko="답에서 이런 점도 드러났습니다: {ideas}.")
-AGAIN_AFTER = Words(
+LAST_TIME = Text(en=" Last time: {day}.", ko=" 지난번: {day}.")
+ABOUT = Text(en="It was about {idea}.", ko="{idea}에 관한 문제였습니다.")
+ALSO_SHOWN = Text(en="Your answers showed {ideas}.", ko="답에서 이런 점도 드러났습니다: {ideas}.")
+AGAIN_AFTER = Text(
     en="Box {box} of {last}: it comes again after {tasks} other task{s}, or {wait}.",
     ko="상자 {last}개 중 {box}번에 있습니다. 다른 과제 {tasks}개를 푼 뒤, 또는 {wait} 다시 나옵니다.",
 )
 WAITS = (
-    Words(en="in an hour", ko="한 시간 뒤에"),
-    Words(en="tomorrow", ko="내일"),
-    Words(en="in 3 days", ko="사흘 뒤에"),
-    Words(en="in a week", ko="일주일 뒤에"),
-    Words(en="in 3 weeks", ko="3주 뒤에"),
+    Text(en="in an hour", ko="한 시간 뒤에"),
+    Text(en="tomorrow", ko="내일"),
+    Text(en="in 3 days", ko="사흘 뒤에"),
+    Text(en="in a week", ko="일주일 뒤에"),
+    Text(en="in 3 weeks", ko="3주 뒤에"),
 )
-PUT_OFF = Words(en="Put off: nothing was seen of it.", ko="건너뛰었습니다. 상자는 그대로입니다.")
-NOTHING_YET = Words(en="Nothing has been practised yet.", ko="아직 연습한 것이 없습니다.")
-SUM = Words(
+PUT_OFF = Text(en="Put off: nothing was seen of it.", ko="건너뛰었습니다. 상자는 그대로입니다.")
+NOTHING_YET = Text(en="Nothing has been practised yet.", ko="아직 연습한 것이 없습니다.")
+SUM = Text(
     en="{count} question{s} so far, {right} right at the first go. None of it counts for marks or progress.",
     ko="지금까지 {count}문제, 그중 한 번에 맞힌 것은 {right}문제입니다. 점수나 학습 현황에는 들어가지 않습니다.",
 )
-ROW = Words(
+ROW = Text(
     en="box {box}; shown {shown}, right since then {right}; last asked {day}; comes again {next}",
     ko="상자 {box}. 드러난 횟수 {shown}, 그 뒤 맞힌 횟수 {right}. 마지막 출제: {day}. 다음: {next}",
 )
-NOW = Words(en="now", ko="지금")
-NEXT = Words(en="after {tasks} more task{s}, or on {day}", ko="과제 {tasks}개 뒤, 또는 {day}")
-NEVER = Words(en="never", ko="없음")
-COMES_NEXT = Words(en="What comes next: {ideas}.", ko="다음에 나올 내용: {ideas}.")
-COMES_OLDEST = Words(
+NOW = Text(en="now", ko="지금")
+NEXT = Text(en="after {tasks} more task{s}, or on {day}", ko="과제 {tasks}개 뒤, 또는 {day}")
+NEVER = Text(en="never", ko="없음")
+COMES_NEXT = Text(en="What comes next: {ideas}.", ko="다음에 나올 내용: {ideas}.")
+COMES_OLDEST = Text(
     en="Nothing is due; next comes what was asked longest ago.",
     ko="다시 볼 때가 된 것이 없으므로, 나온 지 가장 오래된 것이 다음에 나옵니다.",
 )
-OPEN = Words(en="Question {number} waits for your answer.", ko="{number}번 문제가 답을 기다립니다.")
+OPEN = Text(en="Question {number} waits for your answer.", ko="{number}번 문제가 답을 기다립니다.")
 CAME = {
-    "right": Words(en="right", ko="맞힘"),
-    "wrong": Words(en="wrong at first", ko="처음에 틀림"),
-    "skipped": Words(en="skipped", ko="건너뜀"),
+    "right": Text(en="right", ko="맞힘"),
+    "wrong": Text(en="wrong at first", ko="처음에 틀림"),
+    "skipped": Text(en="skipped", ko="건너뜀"),
 }
 LINES_OF_LOG = 10
 

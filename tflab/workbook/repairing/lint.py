@@ -17,82 +17,82 @@ from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
-from ..words import Words
+from ...text import Text
 from .calling import text_of, with_its_own
 from .one_place import quoted
 
 __all__ = ["said_of_its_text"]
 
-Found = Iterator[tuple[ast.AST, Words]]
+Found = Iterator[tuple[ast.AST, Text]]
 
-IN_LINE = Words(en="In line {line}, `{text}`: {said}", ko="{line}번째 줄의 `{text}`: {said}")
-HOLDS_ALWAYS = Words(
+IN_LINE = Text(en="In line {line}, `{text}`: {said}", ko="{line}번째 줄의 `{text}`: {said}")
+HOLDS_ALWAYS = Text(
     "`or` asks each side by itself, and {word} alone counts as true: this holds always. Write the whole comparison on "
     "each side.",
     "`or`는 양쪽을 따로 판단하고 {word}만 있으면 참입니다. 그래서 이 조건은 언제나 참입니다. 양쪽에 비교식을 끝까지 "
     "쓰십시오.",
 )
-ONE_ALWAYS = Words(
+ONE_ALWAYS = Text(
     "`or` gives the first side that counts as true, here always {word}. Among several is `in (…, …)`.",
     "`or`는 참인 첫 번째 것을 내놓으므로 여기서는 언제나 {word}입니다. 여럿 가운데 하나인지는 `in (…, …)`으로 "
     "보십시오.",
 )
-ASKS_NOTHING = Words(
+ASKS_NOTHING = Text(
     "`and` asks each side by itself, and {word} alone counts as true: it asks nothing. Write the whole comparison on "
     "each side.",
     "`and`는 양쪽을 따로 판단하고 {word}만 있으면 언제나 참이라 아무것도 따지지 않습니다. 양쪽에 비교식을 끝까지 "
     "쓰십시오.",
 )
-FIRST_CLASS_ALONE = Words(
+FIRST_CLASS_ALONE = Text(
     "`or` between two classes gives the first alone. Several stand in brackets: `except (A, B):`.",
     "클래스 둘 사이의 `or`는 첫 번째만 남깁니다. 여럿을 잡으려면 괄호로 묶으십시오: `except (A, B):`.",
 )
-NEVER_REACHED = Words(
+NEVER_REACHED = Text(
     "it is never reached. `except {name}` stands above it and takes all of these, too: Python takes the first that "
     "fits, so the wider class comes last.",
     "여기에는 결코 이르지 않습니다. 위의 `except {name}`에 모두 걸립니다. 파이썬은 들어맞는 첫 번째를 택하므로 더 넓은 "
     "클래스를 뒤에 두십시오.",
 )
-GOES_OVER_ALL = Words(
+GOES_OVER_ALL = Text(
     "`finally` runs whatever happened, and its `return` goes over every other one, and over exceptions.",
     "`finally`는 무슨 일이 있어도 실행되고, 그 안의 `return`은 다른 모든 `return`과 예외를 덮어씁니다.",
 )
-FOUND_NOWHERE = Words(
+FOUND_NOWHERE = Text(
     "`find` gives -1 where there is nothing, and -1 counts as true; 0, the very beginning, does not. Ask with `in`.",
     "`find`는 없으면 -1을 주는데 -1은 참이고, 맨 앞에 있을 때의 0은 거짓입니다. `in`으로 물으십시오.",
 )
-A_CHAIN = Words(
+A_CHAIN = Text(
     "comparisons in a row are a chain: `a in b == c` means `a in b and b == c`.",
     "비교를 잇달아 쓰면 사슬이 됩니다. `a in b == c`는 `a in b and b == c`라는 뜻입니다.",
 )
-ASKED_ABOVE = Words(
+ASKED_ABOVE = Text(
     "the same is asked above already, so this one is never reached.",
     "위에서 이미 같은 것을 물었으므로 여기에는 결코 이르지 않습니다.",
 )
-NOT_KEPT = Words(
+NOT_KEPT = Text(
     "what this gives is new, and nobody keeps it: what it was made of stays as it was.",
     "여기서 새로 만든 것을 아무 데도 담지 않습니다. 원래 것은 그대로입니다.",
 )
-NOT_CALLED = Words(
+NOT_CALLED = Text(
     "this names a method and does not call it: its brackets are missing.",
     "메서드의 이름만 있고 호출하지 않습니다. 괄호가 빠졌습니다.",
 )
-NOT_SET = Words("`==` compares and sets nothing; `=` sets.", "`==`는 비교만 합니다. 값은 `=`로 넣습니다.")
-GIVES_NONE = Words(
+NOT_SET = Text("`==` compares and sets nothing; `=` sets.", "`==`는 비교만 합니다. 값은 `=`로 넣습니다.")
+GIVES_NONE = Text(
     "`.{name}(…)` changes the list in its place and gives None: let it stand in a line of its own.",
     "`.{name}(…)`은 리스트 자체를 바꾸고 None을 줍니다. 따로 한 줄로 쓰십시오.",
 )
-TEXT_OF_A_CLASS = Words(
+TEXT_OF_A_CLASS = Text(
     "this is the text of the class, the same each time. What tf2 says stands in the error that was caught: "
     "`except … as error`, `str(error)`.",
     "이것은 클래스의 글자라 언제나 같습니다. tf2의 말은 잡은 예외에 있습니다: `except … as error`, `str(error)`.",
 )
 
-AFTER_THE_END = Words(
+AFTER_THE_END = Text(
     "it is never reached: what stands above it ends the function, or the round of the loop.",
     "여기에는 결코 이르지 않습니다. 바로 위에서 함수나 반복의 그 바퀴가 끝납니다.",
 )
-ONLY_PRINTED = Words(
+ONLY_PRINTED = Text(
     "`print` shows the word and the function goes on; `return` gives it to whoever called.",
     "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 호출한 곳에 주는 것은 `return`입니다.",
 )
@@ -104,12 +104,12 @@ IN_PLACE = {"append", "extend", "sort", "reverse"}
 OF_NUMPY = {"np", "numpy"}
 
 
-def said_of_its_text(function: Any) -> Words | None:
+def said_of_its_text(function: Any) -> Text | None:
     """Return what is plain to see first in the text of a function, or of one of its cell that it calls; else None."""
     return next(filter(None, map(_said_of, with_its_own(function))), None)
 
 
-def _said_of(function: Any) -> Words | None:
+def _said_of(function: Any) -> Text | None:
     if (written := text_of(function)) is None:
         return None
     text, first, tree = written

@@ -14,6 +14,7 @@
 What a task file imports is here.
 """
 
+from ...text import Text
 from ..answers.forms import (
     Angle,
     Choice,
@@ -33,9 +34,8 @@ from ..answers.forms import (
     Urdf,
     Vector,
 )
-from ..words import Words
 from .draws import Draws
-from .task import TAKING_PART, Slip, Task, Twin
+from .task import TAKING_PART, Task, WrongAnswer, WrongStep
 
 __all__ = [
     "TAKING_PART",
@@ -53,12 +53,12 @@ __all__ = [
     "Quaternion",
     "Sequence",
     "Set",
-    "Slip",
     "Task",
     "Telling",
+    "Text",
     "Tree",
-    "Twin",
     "Urdf",
     "Vector",
-    "Words",
+    "WrongAnswer",
+    "WrongStep",
 ]

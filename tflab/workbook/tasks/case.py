@@ -13,12 +13,20 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from types import SimpleNamespace
 from typing import Any, NamedTuple, Protocol
 
+from ...text import Text
 from ..answers.forms import Form, form_from_plain
 from ..answers.values import Plain, is_raised, outcomes_of, to_plain
-from ..words import Words
 
 __all__ = [
-    "AND", "Case", "FindsPairs", "TaskCases", "TwinWords", "Variant", "as_kept", "rounded", "values_of",
+    "AND",
+    "Case",
+    "Feedback",
+    "FindsPairs",
+    "TaskCases",
+    "Variant",
+    "as_kept",
+    "rounded",
+    "values_of",
 ]  # fmt: skip
 
 AND = " + "  # between the names of two slips that were made together
@@ -58,10 +66,10 @@ class Variant(NamedTuple):
         return cls(plain["given"], tuple(map(Case.from_plain, plain["cases"])))
 
 
-class TwinWords(NamedTuple):
+class Feedback(NamedTuple):
     """What is said of a mistake, which of the course's misconceptions is behind it, and in which part it is made."""
 
-    reply: Words
+    reply: Text
     misconception: str
     part: str = ""
     partly: bool = False
@@ -71,9 +79,9 @@ class TwinWords(NamedTuple):
         return self._asdict() | {"reply": self.reply.plain()}
 
     @classmethod
-    def from_plain(cls, plain: dict[str, Plain]) -> TwinWords:
+    def from_plain(cls, plain: dict[str, Plain]) -> Feedback:
         """Return the words that `plain` wrote."""
-        return cls(Words(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
+        return cls(Text(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
 
 
 class FindsPairs(Protocol):
@@ -96,15 +104,15 @@ class TaskCases(NamedTuple):
     points: float
     answer: str
     is_function: bool
-    title: Words
+    title: Text
     form: Form
-    hints: tuple[Words, ...]
+    hints: tuple[Text, ...]
     cures: tuple[str, ...]
-    twins: dict[str, TwinWords]
+    twins: dict[str, Feedback]
     variants: tuple[Variant, ...]
-    means: dict[str, Words] = {}  # noqa: RUF012  what each option would mean
-    shows: dict[str, Words] = {}  # noqa: RUF012  what each part shows instead
-    seen: dict[str, Words] = {}  # noqa: RUF012  what there is to see where an option is right
+    means: dict[str, Text] = {}  # noqa: RUF012  what each option would mean
+    shows: dict[str, Text] = {}  # noqa: RUF012  what each part shows instead
+    seen: dict[str, Text] = {}  # noqa: RUF012  what there is to see where an option is right
     counts: str = ""  # as of a Task
     pairs: FindsPairs | None = None  # not part of the JSON
 
@@ -133,15 +141,15 @@ class TaskCases(NamedTuple):
             points=plain["points"],
             answer=plain["answer"],
             is_function=plain["is_function"],
-            title=Words(**plain["title"]),
+            title=Text(**plain["title"]),
             form=form_from_plain(plain["form"]),
-            hints=tuple(Words(**hint) for hint in plain["hints"]),
+            hints=tuple(Text(**hint) for hint in plain["hints"]),
             cures=tuple(plain["cures"]),
-            twins={name: TwinWords.from_plain(twin) for name, twin in plain["twins"].items()},
+            twins={name: Feedback.from_plain(twin) for name, twin in plain["twins"].items()},
             variants=tuple(map(Variant.from_plain, plain["variants"])),
-            means={name: Words(**words) for name, words in plain["means"].items()},
-            shows={name: Words(**words) for name, words in plain["shows"].items()},
-            seen={name: Words(**words) for name, words in plain.get("seen", {}).items()},
+            means={name: Text(**words) for name, words in plain["means"].items()},
+            shows={name: Text(**words) for name, words in plain["shows"].items()},
+            seen={name: Text(**words) for name, words in plain.get("seen", {}).items()},
             counts=plain.get("counts", ""),
         )
 

@@ -20,11 +20,11 @@ from typing import Any
 
 from ..answers.alike import Likeness
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
-from .case import Case, TaskCases, TwinWords, Variant, as_kept, rounded, values_of
+from .case import Case, Feedback, TaskCases, Variant, as_kept, rounded, values_of
 from .draws import Draws
 from .pairs import PairSearch
 from .reference import Solution
-from .task import Slip, Task, TaskError
+from .task import Task, TaskError, WrongStep
 
 __all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_variant", "outline_of", "task_cases"]
 
@@ -52,7 +52,7 @@ def outline_of(task: Task) -> TaskCases:
         form=task.form,
         hints=task.hints,
         cures=task.cures,
-        twins={twin.name: TwinWords(twin.reply, twin.misconception, twin.part, twin.partly) for twin in task.twins},
+        twins={twin.name: Feedback(twin.reply, twin.misconception, twin.part, twin.partly) for twin in task.twins},
         variants=(),
         means=task.means,
         shows=task.shows,
@@ -105,7 +105,7 @@ def _each_mistake(task: Task) -> dict[str, Any]:
     """Return what answers as each mistake does, and as the model does without one."""
     right = {MODEL: task.model} if task.model else {}
     return right | {
-        twin.name: partial(task.model, **twin.at) if isinstance(twin, Slip) else twin.answer for twin in task.twins
+        twin.name: partial(task.model, **twin.at) if isinstance(twin, WrongStep) else twin.answer for twin in task.twins
     }
 
 

@@ -19,9 +19,9 @@ from pathlib import Path
 
 from tflab import __version__
 
+from ...text import Text
 from ..answers.values import Plain
 from ..places import Workbook, chapters, workbook_data
-from ..words import Words
 from .case import TaskCases, Variant, rounded
 from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
 from .pairs import PairSearch
@@ -33,7 +33,7 @@ __all__ = [
     "task_ids", "task_in", "tasks_of",
 ]  # fmt: skip
 
-OTHER_QUESTION = Words(
+OTHER_QUESTION = Text(
     en="your class got {id} from another version of tflab. In tflab {here}, which is installed here, the task asks "
     "about other values. Install the version that your instructor names, or ask for an update.",
     ko="수업에서 받은 {id} 과제는 다른 버전의 tflab으로 만든 것입니다. "

@@ -19,17 +19,17 @@ from ..answers.forms import Form
 from ..answers.values import Plain, from_plain
 from .case import AND, Case, values_of
 from .reference import in_process_ros
-from .task import Slip, Task
+from .task import Task, WrongStep
 
 __all__ = ["Fits", "PairSearch", "combinable"]
 
 Fits = Callable[[int, Plain], Collection[str]]  # the number of a case, a value -> the parts that it reproduces
 
 
-def combinable(task: Task) -> list[tuple[Slip, Slip]]:
+def combinable(task: Task) -> list[tuple[WrongStep, WrongStep]]:
     """Return the pairs of mistakes at different steps of the model, the earlier step first."""
     steps = list(inspect.signature(task.model).parameters) if task.model else []
-    slips = [twin for twin in task.twins if isinstance(twin, Slip)]
+    slips = [twin for twin in task.twins if isinstance(twin, WrongStep)]
     slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
     return [(first, then) for first, then in combinations(slips, 2) if not set(first.at) & set(then.at)]
 

@@ -27,17 +27,17 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from ...text import Text
 from ..answers.forms import Form, Parts
-from ..words import Words
 from .draws import Draws
 
 __all__ = [
     "KINDS",
     "TAKING_PART",
-    "Slip",
     "Task",
     "TaskError",
-    "Twin",
+    "WrongAnswer",
+    "WrongStep",
     "chapter_of",
     "read_task",
     "read_tasks",
@@ -64,7 +64,7 @@ class TaskError(Exception):
 
 
 @dataclass(frozen=True)
-class Twin:
+class WrongAnswer:
     """The answer that one misconception gives.
 
     Attributes:
@@ -72,19 +72,19 @@ class Twin:
         answer: of the given (values), of the arguments (functions), or simply the value.
         reply: what to say to whoever gave it; never the right answer.
         misconception: "M1" ... "M15", if it is one of the course's.
-        part, partly: as of a Slip.
+        part, partly: as of a WrongStep.
     """
 
     name: str
     answer: Callable[..., Any] | Any
-    reply: Words
+    reply: Text
     misconception: str = ""
     part: str = ""
     partly: bool = False
 
 
 @dataclass(frozen=True)
-class Slip:
+class WrongStep:
     """An alternative that people take at one step of the work; two of them at different steps compose.
 
     Attributes:
@@ -98,7 +98,7 @@ class Slip:
 
     name: str
     at: dict[str, Any]
-    reply: Words
+    reply: Text
     misconception: str = ""
     part: str = ""
     partly: bool = False
@@ -132,18 +132,18 @@ class Task:
     id: str
     kind: str
     points: int
-    title: Words
+    title: Text
     answer: str
     form: Form
-    hints: tuple[Words, ...]
+    hints: tuple[Text, ...]
     given: Callable[[Draws], dict[str, Any]] | None = None
     inputs: Callable[[Draws], list[tuple]] | None = None
     variants: int = 1
-    twins: tuple[Twin | Slip, ...] = ()
+    twins: tuple[WrongAnswer | WrongStep, ...] = ()
     model: Callable[..., Any] | None = None
-    means: dict[str, Words] = field(default_factory=dict)
-    shows: dict[str, Words] = field(default_factory=dict)
-    seen: dict[str, Words] = field(default_factory=dict)
+    means: dict[str, Text] = field(default_factory=dict)
+    shows: dict[str, Text] = field(default_factory=dict)
+    seen: dict[str, Text] = field(default_factory=dict)
     equivalent: dict[str, str] = field(default_factory=dict)
     cures: tuple[str, ...] = ()
     is_costly: bool = False
@@ -161,7 +161,7 @@ class Task:
         if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
             raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
         names = [twin.name for twin in self.twins]
-        if any(isinstance(twin, Slip) for twin in self.twins) and self.model is None:
+        if any(isinstance(twin, WrongStep) for twin in self.twins) and self.model is None:
             raise TaskError(f"{self.id}: slips are steps of a `model`, and there is none")
         if len(set(names)) < len(names):
             raise TaskError(f"{self.id}: two twins have one name: {', '.join(names)}")

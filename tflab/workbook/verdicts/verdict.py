@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from ...text import Text
 from ..answers import forms
 from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Tree, Urdf, Vector
@@ -30,16 +31,15 @@ from ..mistakes.fitting import ANY_BUG
 from ..mistakes.stumbles import tip_for
 from ..mistakes.units import unit_of
 from ..tasks import evidence
-from ..tasks.case import Case, TaskCases, TwinWords, Variant
-from ..words import Words
+from ..tasks.case import Case, Feedback, TaskCases, Variant
 from .mistake import Mistake
 from .options import near_an_option, no_options_either, one_part_alone, option_of_another, raised_option
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
-IN_THIS_CALL = Words(en="in the call below: {said}", ko="아래 호출에서: {said}")
+IN_THIS_CALL = Text(en="in the call below: {said}", ko="아래 호출에서: {said}")
 
-NESTED = Words(
+NESTED = Text(
     en="One dict holds all edges; in yours, other dicts stand inside it",
     ko="모든 연결을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
 )
@@ -64,11 +64,11 @@ class Verdict:
     passed: int
     of: int
     mistake: Mistake | None = None
-    slips: dict[str, TwinWords] = field(default_factory=dict)
+    slips: dict[str, Feedback] = field(default_factory=dict)
     case: int = 0
     right: tuple[bool, ...] = ()
     detail: dict[str, Any] = field(default_factory=dict)
-    said: Words | None = None
+    said: Text | None = None
     follows: tuple[bool, ...] = ()
 
 
@@ -210,7 +210,7 @@ def _unexplained(
         common := calls_in_common(form, [case.args for case in cases], outcomes, [case.expected for case in cases])
     ):
         told = [bounds, common] if bounds else [common]
-        bounds = Words(*(". ".join(row).rstrip(".") for row in zip(*told, strict=True)))
+        bounds = Text(*(". ".join(row).rstrip(".") for row in zip(*told, strict=True)))
     if isinstance(form, Parts | Message | Urdf):
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}
@@ -218,7 +218,7 @@ def _unexplained(
 
 def _bounds(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], shown: int
-) -> Words | None:
+) -> Text | None:
     """Return what is certain of the answer; of calls, of all that go wrong, or else of the one that is shown."""
     said = certain(task.form, outcomes[shown], cases[shown].expected)
     wrong = (number for number, row in enumerate(rights) if not all(row))
@@ -372,12 +372,12 @@ def _with_tip(
     if fault[0] is not Mistake.OPTION:
         return fault[1]
     said = [option_of_another(form, name, answers[name]) or fault[1].get("tip"), no_options_either(form, name, answers)]
-    return fault[1] | ({"tip": Words.joined(*said, between=". ")} if any(said) else {})
+    return fault[1] | ({"tip": Text.joined(*said, between=". ")} if any(said) else {})
 
 
-def _not_asked_for(names: list[str]) -> Words:
+def _not_asked_for(names: list[str]) -> Text:
     quoted = ", ".join(f'"{name}"' for name in names[:3])
-    return Words(en=f"Nobody asked for {quoted}", ko=f"묻지 않은 이름: {quoted}")
+    return Text(en=f"Nobody asked for {quoted}", ko=f"묻지 않은 이름: {quoted}")
 
 
 def _holds_numbers(body: Plain) -> bool:
