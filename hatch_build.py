@@ -70,7 +70,8 @@ def indexed(readme: str, address: str, ref: str = "main") -> str:
     if not address:
         without = re.sub(rf"^{picture}\n\n(?:\*[^*\n].*\*\n\n)?", "", readme, flags=re.MULTILINE)
         return re.sub(link, r"\1", without)
-    pictured = re.sub(picture, rf"![\1]({address}/raw/{ref}/\2)", readme)
+    cloned = re.sub(r"git clone ADDRESS tflab .*", f"git clone {address} tflab", readme)
+    pictured = re.sub(picture, rf"![\1]({address}/raw/{ref}/\2)", cloned)
     return re.sub(link, rf"[\1]({address}/blob/{ref}/\2)", pictured)
 
 

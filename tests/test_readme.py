@@ -86,8 +86,8 @@ def test_an_index_shows_no_picture_that_it_has_not() -> None:
     shown = of_the_build().indexed(readme("en"), "")
     assert "](" not in shown
     assert "docs/pictures" not in shown and "smear" not in shown
-    assert shown.startswith("# tflab\n\n**A book that runs")
-    assert "nothing leaves your machine.\n\nTF2 is the part of ROS 2" in shown
+    assert shown.startswith("# tflab\n\n**Learn ROS 2 TF2 in Jupyter")
+    assert "and fix them.\n\n한국어" in shown
     plain = re.sub(r"\[([^\]]*)\]\([^)]+\)", r"\1", readme("en"))
     assert shown.partition("## Try it")[2] == plain.partition("## Try it")[2]
     assert of_the_build().urls("") == {}
@@ -101,7 +101,10 @@ def test_a_release_that_says_where_it_lives_has_links_that_lead_there() -> None:
     files = [link.partition("/v1/")[2] for link in links]
     assert {"docs/pictures/drive.webp", "README.ko.md", "docs/grading.md", "CONTRIBUTING.md"} <= set(files)
     assert [name for name in files if not (ROOT / name).is_file()] == []
-    assert shown.replace(f"{address}/raw/v1/", "").replace(f"{address}/blob/v1/", "") == readme("en")
+    assert f"\ngit clone {address} tflab\ncd tflab" in shown
+    pointing_here = shown.replace(f"{address}/raw/v1/", "").replace(f"{address}/blob/v1/", "")
+    without_clone = re.compile("git clone .*")
+    assert without_clone.sub("", pointing_here) == without_clone.sub("", readme("en"))
     assert build.urls(address, "v1", "https://someone.example/tflab/") == {
         "Documentation": "https://someone.example/tflab/",
         "Source": address,
@@ -119,13 +122,23 @@ def test_the_release_says_where_it_lives_by_the_names_that_the_build_reads() -> 
 
 
 def test_the_files_that_the_readme_names_are_there() -> None:
-    named = set(re.findall(r"(?<![\w/])((?:docs/|\.\w+/?)?[\w.]+\.(?:md|py)|\.\w+/)(?![\w/])", readme("en")))
-    assert {"CONTRIBUTING.md", "CHANGELOG.md", "docs/grading.md", "README.ko.md", ".binder/"} <= named
+    text = readme("en") + (ROOT / "docs" / "install.md").read_text(encoding="utf-8").replace(
+        "install.ko", "docs/install.ko"
+    )
+    named = set(re.findall(r"(?<![\w/])((?:docs/|\.\w+/?)?[\w.]+\.(?:md|py)|\.\w+/)(?![\w/])", text))
+    assert {
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "docs/grading.md",
+        "docs/install.md",
+        "README.ko.md",
+        ".binder/",
+    } <= named
     missing = [name for name in named if name.endswith((".md", "/")) and not (ROOT / name).exists()]
     assert set(missing) <= {".venv/"}
 
 
-@pytest.mark.parametrize("path", [*READMES.values(), "docs/grading.md", "docs/grading.ko.md"])
+@pytest.mark.parametrize("path", [f"docs/{name}{ko}.md" for name in ("install", "grading") for ko in ("", ".ko")])
 def test_what_keeps_nbval_out_of_every_pytest_is_called_as_it_is_there(path: str) -> None:
     (plugin,) = re.findall(r"`pytest -p no:(\w+)`", (ROOT / path).read_text(encoding="utf-8"))
     assert "nbval" in {one.name for one in entry_points(group="pytest11")} & {plugin}
@@ -264,15 +277,10 @@ def test_what_a_korean_teacher_is_told_to_type_is_what_an_english_one_is() -> No
         assert named[0] and named[0] <= named[1]
 
 
-def test_a_korean_reader_is_told_all_that_an_english_one_is() -> None:
-    for named in (
-        r"tflab\.\w+`",
-        r"\*\*(?:VS Code|Windows)",
-        r"TFLAB_\w+=\w+",
-        r"`tflab [a-z]+",
-        r"\| *\d+ \| \d+ \|$",
-        r"[A-Za-z.]+\.md",
-    ):
-        found = {language: set(re.findall(named, readme(language), re.MULTILINE)) for language in READMES}
-        own = {"README.ko.md", "README.md", "grading.md", "grading.ko.md"}  # each names the other's
-        assert found["en"] - own == found["ko"] - own, named
+def test_the_korean_readme_and_installation_name_the_same_commands_and_figures() -> None:
+    named = (r"tflab\.\w+`", r"\*\*(?:VS Code|Windows)", r"TFLAB_\w+=\w+", r"`tflab [a-z]+", r"\| *\d+ \| \d+ \|$")
+    for name in ("README{}.md", "docs/install{}.md"):
+        both = [(ROOT / name.format(language)).read_text(encoding="utf-8") for language in ("", ".ko")]
+        for pattern in (*named, r"(?<!\.ko)\.md"):
+            en, ko = (set(re.findall(pattern, text, re.MULTILINE)) for text in both)
+            assert en == ko, pattern
