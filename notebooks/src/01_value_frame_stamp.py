@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 01 · Three numbers are not a place yet
+# # 01 · Value, frame and stamp
 #
-# **Value, frame and stamp** · about 45 minutes · builds on 00
+# **Three numbers are not yet a position** · about 45 minutes · builds on 00
 #
 # After this chapter you can
 #
-# - name the three parts of a measurement that can be used: value, frame, stamp;
-# - say one place in three frames, and say which of the numbers change when something moves;
-# - read the header of a message, nanoseconds included, and tell how old a measurement is;
-# - refuse data that lacks a part, and say why.
+# - name the three parts of a usable measurement: value, frame and stamp,
+# - express one position in three frames, and say which coordinates change when something moves,
+# - read a message header, nanoseconds included, and calculate the age of a measurement,
+# - reject incomplete data, and say why.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 01 · 숫자 세 개는 아직 위치가 아닙니다
@@ -23,8 +23,8 @@
 # - 한 부분이라도 빠진 데이터는 거절하고, 이유를 설명할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# One idea: a number without its frame and its moment is a rumour.
-# Ask the room: "I have (2, 0, 0). Where is it?" Wait until somebody answers with a question. That question is the chapter.
+# One idea: a number without a frame and a time is a rumour.
+# Ask the class: "I have (2, 0, 0). Where is it?" Wait until someone answers with a question. That question is today's topic.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 뜬소문입니다.
@@ -38,14 +38,14 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## One click, two maps
 #
-# A robot has lost its place, so a person helps: one click on the map, *here you are*.
-# The click is a message. It holds three numbers and a label: these numbers are in the [[frame]] `world`.
-# The mapping program copies the numbers, and never reads the label.
-# It thinks in `map`, and `map` begins five metres from where `world` begins.
+# A robot did not know where it was, so its operator clicked the robot's position on a map.
+# The click became a ROS message with three coordinates and a [[frame]] name: `world`.
+# The mapping program used the coordinates and ignored the frame name.
+# It assumed `map`, whose origin is five metres from the origin of `world`.
 #
-# There is no error and no warning.
-# The program goes on mapping from the wrong place, and now there are two maps of one building, five metres apart (SteveMacenski/slam_toolbox, 2026).
-# The cure was one question: *how do I say this place in `map`?* TF answers it.
+# There was no error and no warning.
+# The program kept mapping from the wrong position and produced a second copy of the building, five metres off (SteveMacenski/slam_toolbox, 2026).
+# One question would have prevented it: *what are these coordinates in `map`?* TF answers that question.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 클릭 한 번, 지도 두 장
@@ -60,7 +60,7 @@ from tflab.workbook import lesson
 # 고치는 데는 질문 하나면 되었습니다. *이 위치를 `map` 기준으로는 어떻게 나타낼까?* TF가 그 답을 줍니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876); the writer's side of it: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
+# *Read the reports:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). A similar bug on the sending side: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 메시지를 받아 쓰는 프로그램에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
@@ -70,11 +70,11 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
            ghost_points={'understood': (7.0, 1.5, 0.0)}, fixed_frame='world', length_m=0.8)
 
 # %% [markdown] lang="en" name="story-seen"
-# The point *meant* is (2, 1.5) counted from `world`. Read the same numbers from `map`, and you stand at *understood*.
+# The operator meant (2, 1.5) in `world`, the point *meant*. The program read the same numbers in `map`, the point *understood*.
 #
-# The reader forgot the label here. Elsewhere the writer spoilt it: a program saw a marker (a printed code) one metre in front of its camera and wrote `/map` over the label.
-# Now the marker "was" one metre from the corner of the map (its origin, from which the map is counted), wherever the robot stood.
-# A label must be written *and* read.
+# Here the receiver ignored the frame. The sender can get it wrong, too. One program detected a printed marker one metre in front of its camera, but wrote `/map` into the message instead of the camera's frame.
+# From then on the marker appeared one metre from the origin of the map, wherever the robot was.
+# The sender has to write the right frame, and the receiver has to read it.
 
 # %% [markdown] lang="ko" name="story-seen"
 # *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
@@ -85,8 +85,8 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # 이름표는 제대로 써야 하고, 또 *읽어야* 합니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Act it: one person writes (2, 1.5) on a note, another walks there from a corner of their own choosing.
-# Nobody did anything wrong on purpose, and nothing complained. That is the kind of bug this course is about.
+# Act it out: one student writes (2, 1.5) on a note. Another picks a corner of the room and walks to that position.
+# Nobody made a mistake on purpose, and nothing reported an error. This course is about bugs of that kind.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 직접 해 봅니다. 한 사람이 쪽지에 (2, 1.5)를 적고, 다른 사람은 자기가 고른 모서리에서부터 재어 걸어갑니다.
@@ -95,12 +95,14 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# A robot stands in a room. Its middle, `base_link`, is at **(6.2, −1.7, 0.10)** in `map`, and it looks along the map's x.
-# Its laser, `laser_frame`, sits at **(0.20, 0, 0.15)** in `base_link`: ahead of the middle and above it, and looks the same way.
-# The laser sees a ball at **(2, 0, 0)** in `laser_frame`: two metres straight ahead.
+# A robot is in a room.
 #
-# Where is the ball in `base_link`, and where in `map`?
-# Write your guesses into the next cell before you go on. A wrong guess is worth more than none.
+# - Its centre, `base_link`, is at **(6.2, −1.7, 0.10)** in `map`. The robot faces along the x axis of `map`.
+# - Its laser, `laser_frame`, is mounted at **(0.20, 0, 0.15)** in `base_link`, in front of the centre and above it. It faces forward.
+# - The laser detects a ball at **(2, 0, 0)** in `laser_frame`, two metres straight ahead.
+#
+# What are the ball's coordinates in `base_link`? And in `map`?
+# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than none.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -113,7 +115,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # 넘어가기 전에 다음 셀에 예측을 적어 보세요. 틀린 예측도 예측하지 않은 것보다 낫습니다.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# One minute with paper. Ask for hands: who kept the numbers, who added, who took away? Leave the counts on the board.
+# Give them one minute with pen and paper. Then ask for a show of hands: who kept the numbers, who added, who subtracted? Leave the counts on the board.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 종이로 1분을 줍니다. 숫자를 그대로 둔 사람, 더한 사람, 뺀 사람의 수를 칠판에 남깁니다.
@@ -124,10 +126,15 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # %% [markdown] lang="en" name="run-it" slide="subslide"
 # ## Run it
 #
-# Two lines tell ROS where the robot stands and where the laser is bolted on.
-# Then a [[node]] with a [[buffer]], which remembers what was said, and a [[listener]], which fills it: what you would write on a robot.
-# `rclpy` is ROS 2 for Python, and `spin_thread=True` lets the listener listen while your program goes on. A `PointStamped` is a point with a label. In what the two lines print, the rotation (0, 0, 0, 1) means *not turned* (chapter 02).
-# Time is virtual in these pages: it passes only inside `graph.run(…)`. `graph` is the small world in which the nodes live; the first `%ros2` has made it.
+# The next cell publishes two transforms: the robot's pose in `map`, and the laser's mount on the robot. In its output, rotation (0, 0, 0, 1) means "no rotation" (chapter 02).
+#
+# The cell after that is what you would write on a robot:
+#
+# - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that uses it.
+# - The [[buffer]] stores transforms. The [[listener]] receives them and fills the buffer. With `spin_thread=True` it does so in the background.
+# - A `PointStamped` is a point with a header: a frame and a stamp.
+#
+# Time in this workbook is simulated. It advances only while `graph.run(…)` is running. `graph` is the simulation that the first `%ros2` started.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
@@ -169,22 +176,22 @@ print('you guessed ', my_guess)
 #
 # <details><summary>I said (2, 0, 0) each time</summary>
 #
-# You kept the numbers and changed the label. That is the story above: the ball would be two metres from the corner of the map, wherever the robot stands.
+# You kept the coordinates and changed the frame name. That is the mistake of the story above: the ball would be two metres from the origin of the map, wherever the robot is.
 #
 # </details>
 # <details><summary>I said (1.8, 0, −0.15) in base_link</summary>
 #
-# You took the mount away. But the laser sits *ahead* of the middle, so from the middle the way to the ball is longer, not shorter.
+# You subtracted the mounting offset. The laser is mounted *in front of* `base_link`, so the ball is farther from `base_link` than from the laser. Add the offset.
 #
 # </details>
 # <details><summary>I said (8.2, −1.7, 0.10) in map</summary>
 #
-# You left out the mount: you went from the laser to the map as if the laser were the robot's middle.
+# You left out the mount. You treated the laser as if it were at the robot's centre.
 #
 # </details>
-# <details><summary>I know the lecture, and there z = 0.3 stands in both</summary>
+# <details><summary>I attended the lecture, and there z was 0.3 in both</summary>
 #
-# You need not know it: this is for those who have heard the lecture that the workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, came before its robot. Later it mounts the laser 0.15 m up, as here, and then a ball straight ahead of the laser is 0.15 m above the middle. The workbook uses that one robot throughout, and counts the middle's own 0.10 m in `map`.
+# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses that one robot throughout, and adds the height of the robot's centre, 0.10 m, in `map`.
 #
 # </details>
 
@@ -213,9 +220,9 @@ print('you guessed ', my_guess)
 # </details>
 
 # %% [markdown] lang="en" name="run-notes" slide="notes"
-# Count the hands against the board: the three replies are the three mistakes.
-# Open the first one aloud, because it is the story again.
-# Whoever was right explains to a neighbour in one sentence.
+# Compare the hands with the counts on the board. The three replies are the three mistakes.
+# Open the first one and read it aloud, because it is the mistake of the story.
+# Those who were right explain it to a neighbour in one sentence.
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
 # 칠판의 숫자와 견주어 봅니다.
@@ -225,9 +232,9 @@ print('you guessed ', my_guess)
 # 맞힌 사람은 옆 사람에게 한 문장으로 설명합니다.
 
 # %% [markdown] lang="en" name="three-places" slide="slide"
-# ## The same numbers are three places
+# ## The same numbers are three positions
 #
-# (2, 0, 0) alone is not a place. Counted from three frames, it is three.
+# (2, 0, 0) alone is not a position. In three frames it is three positions.
 
 # %% [markdown] lang="ko" name="three-places" slide="slide"
 # ## 같은 숫자, 세 곳의 위치
@@ -243,8 +250,8 @@ places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in pose
 lesson.draw_scene(poses, places, length_m=0.7)
 
 # %% [markdown] lang="en" name="three-places-seen"
-# A [[frame]] is an origin and three directions with a name: x ahead, y to the left, z up (why so: chapter 02).
-# In this workbook a transform carries both names: `map_T_base` says where base is in map, and `@` chains two of them. Chapter 03 is about nothing else.
+# A [[frame]] is an origin and three directions with a name: x forward, y left, z up (chapter 02 says why).
+# In this workbook a transform carries both frame names: `map_T_base` is the pose of base in map. `@` chains two transforms, and `apply` transforms a point. Chapter 03 explains all of it.
 
 # %% [markdown] lang="ko" name="three-places-seen"
 # *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
@@ -252,9 +259,9 @@ lesson.draw_scene(poses, places, length_m=0.7)
 # 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 잇습니다. 03장이 이 이야기입니다.
 
 # %% [markdown] lang="en" name="one-place" slide="slide"
-# ## One place has three triples
+# ## One position has three sets of coordinates
 #
-# Now the other way round: the ball lies still in one place, and each frame measures the way to it with its own ruler.
+# Now the other way round: the ball is at rest in one position, and each frame measures that position along its own axes.
 
 # %% [markdown] lang="ko" name="one-place" slide="slide"
 # ## 한 위치, 세 가지 숫자
@@ -266,18 +273,18 @@ ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
 lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="en" name="one-place-seen"
-# From above, one map for each frame: so far along the frame's own x, then so far along its own y.
-# All three triples are right. Which one you want depends on who asks: a gripper wants `base_link`, a planner wants `map`.
+# Each panel shows the same scene from above. It draws the distance along that frame's x, then along its y.
+# All three sets of coordinates are right. Which one you need depends on the task: a gripper needs `base_link`, a planner needs `map`.
 
 # %% [markdown] lang="ko" name="one-place-seen"
 # *그림 읽기:* 위에서 본 지도가 좌표계마다 하나씩 있습니다. 그 좌표계의 x를 따라 얼마, 이어서 y를 따라 얼마인지 그렸습니다.
 # 세 가지 모두 맞습니다. 어느 것을 쓸지는 누가 묻는지에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
-# While nobody is turned, you may simply add: 2 + 0.20 + 6.2.
-# Now the robot turns to its left by 90°, on the spot, and finds another ball straight ahead of its laser.
+# As long as no frame is rotated, you can simply add: 2 + 0.20 + 6.2.
+# Now the robot rotates on the spot, 90° to the left, and detects another ball straight ahead of its laser.
 #
-# **Predict:** which of the three triples stay what they were?
+# **Predict:** which of the three sets of coordinates stay the same?
 
 # %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
 # 회전이 없으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
@@ -295,8 +302,8 @@ turned = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_lase
 lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=lesson.readings_of(poses, ball_in_map))
 
 # %% [markdown] lang="en" name="turned-seen" tags=["predicted"]
-# Ahead is ahead: the laser and the robot say the same numbers as before. Only the map says something else, and 2 + 0.20 + 6.2 no longer gives it: ahead now runs along the map's y.
-# Simple adding is over as soon as something turns. Chapters 02 and 03 show what takes its place; TF does it for you.
+# Straight ahead stays straight ahead: the coordinates in `laser_frame` and `base_link` are the same as before. Only those in `map` are different, and 2 + 0.20 + 6.2 no longer gives them, because the robot now faces along the map's y.
+# Adding stops working as soon as a frame is rotated. Chapters 02 and 03 show what to do instead, and TF does it for you.
 
 # %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
 # *그림 읽기:* same은 숫자가 그대로라는 뜻, changed는 바뀌었다는 뜻입니다.
@@ -304,10 +311,10 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # 무엇이든 돌기 시작하면 더하기는 끝입니다. 무엇이 그 자리를 대신하는지는 02장과 03장에서 다루고, 계산은 TF가 합니다.
 
 # %% [markdown] lang="en" name="turned-notes" slide="notes"
-# Let everybody stand up and turn to the left by 90°.
-# Ask: the door, where is it now, for you?
+# Let everybody stand up and rotate 90° to the left.
+# Ask: where is the door now, for you?
 # And for the room?
-# Your numbers stayed if you took the thing along; the room's did not.
+# If an object rotated with you, its coordinates in your frame stayed the same; in the room's frame they changed.
 # This is the last time today that adding works.
 
 # %% [markdown] lang="ko" name="turned-notes" slide="notes"
@@ -323,12 +330,12 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="who-moved" slide="slide"
-# ## Who moved?
+# ## Which coordinates change?
 #
-# Now the robot drives straight on, along the map's x, at half a metre a second.
+# Now the robot drives straight on, along the map's x, at half a metre per second.
 # A ball lies on the floor ahead of it. A cup stands on the robot's own tray.
 #
-# **Predict:** while the robot drives, whose numbers change, the ball's or the cup's? In `map`? In `base_link`?
+# **Predict:** while the robot drives, whose coordinates change, the ball's or the cup's? In `map`? In `base_link`?
 
 # %% [markdown] lang="ko" name="who-moved" slide="slide"
 # ## 누가 움직였을까요?
@@ -355,8 +362,8 @@ for t, pose in poses_at.items():
     print(f'at {t} s    ', '  '.join(lesson.fmt_all(point, digits=1) for point in row))
 
 # %% [markdown] lang="en" name="ball-and-cup-seen" tags=["predicted"]
-# The ball never moved, and its numbers in `base_link` shrink. The cup drives along, and its numbers in `base_link` stand still.
-# "It rests, so its numbers stay" is true in one frame only: the one in which it rests.
+# The ball did not move, and its coordinates in `base_link` change. The cup moves with the robot, and its coordinates in `base_link` stay the same.
+# "It is at rest, so its coordinates stay the same" is true in one frame only: the one in which it is at rest.
 
 # %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 함께 달리는데 `base_link` 기준 숫자는 그대로입니다.
@@ -370,8 +377,8 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # %% [markdown] lang="en" name="rulers-try" slide="subslide"
 # ### Try it
 #
-# Move the robot, turn it, move the thing; then let it rest on the tray instead of the floor.
-# *same* and *changed* compare with the robot where it was at first, and with the thing where it first lay on the floor, or on the tray if that is chosen. Can you change the triple of `laser_frame`, and of no other frame?
+# Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
+# *same* and *changed* compare with the start: the robot in its first pose, and the object in its first position on the floor, or on the tray if you chose that. Can you change the coordinates in `laser_frame`, and in no other frame?
 
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
@@ -380,9 +387,9 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # same과 changed는 로봇이 처음 자리에 있고 물체가 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있을 때와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="rulers-notes" slide="notes"
-# Hand the mouse to somebody.
-# The question at the end is the one to wait for: can only the laser's triple change?
-# It cannot, as long as nobody loosens a screw, because laser and base are bolted together.
+# Give the mouse to a student.
+# The important question is the last one: can only the coordinates in `laser_frame` change?
+# They cannot, as long as nobody loosens a screw, because the laser is fixed to the base.
 
 # %% [markdown] lang="ko" name="rulers-notes" slide="notes"
 # 마우스를 한 사람에게 넘깁니다.
@@ -401,7 +408,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # %% [markdown] lang="en" name="rulers-answer"
 # <details><summary>Can you?</summary>
 #
-# No. The laser is bolted to the robot: what changes for one changes for the other. Their triples differ by a step that never changes, and that is why such a step is sent only once.
+# No. The laser is fixed to the robot, so what changes in one frame changes in the other. The two sets of coordinates differ by an offset that never changes. That is why such an offset is sent only once.
 #
 # </details>
 
@@ -413,8 +420,8 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # </details>
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
-# The same in 3D: drag to turn it, and move the scrubber to let the robot drive.
-# The arrow goes from the robot to the ball, and its label is what `base_link` says. The cup rides along on the tray.
+# The same in 3D: drag to rotate the view, and move the slider below to let the robot drive.
+# The arrow goes from the robot to the ball. Its label shows the ball's coordinates in `base_link`. The cup moves with the robot.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 같은 장면을 3D로 봅니다. 끌어서 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
@@ -443,11 +450,11 @@ scene
 lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
 
 # %% [markdown] lang="en" name="header" slide="slide"
-# ## The label that a message carries
+# ## The header of a message
 #
-# The robot has a camera, and a node that finds the ball in its pictures. Every message of it begins with a **header**: a frame and a [[stamp]].
-# The stamp says *when it was measured*, on the robot's clock.
-# The next cell subscribes to its [[topic]], `/detected_point`, and keeps in `heard` each message that comes, with the time of its arrival.
+# The robot has a camera, and a node that finds the ball in its images. Each of its messages begins with a **header**: a frame and a [[stamp]].
+# The stamp is the time of the measurement, on the robot's clock.
+# The next cell subscribes to its [[topic]], `/detected_point`, and stores each message in `heard`, with the time of its arrival.
 
 # %% [markdown] lang="ko" name="header" slide="slide"
 # ## 메시지에 달린 이름표
@@ -473,9 +480,9 @@ print('stamp    ', seen.header.stamp.sec, 's and', seen.header.stamp.nanosec, 'n
 print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
 
 # %% [markdown] lang="en" name="one-message-seen"
-# In the camera's own frame the ball is 3.5 m along **z**: for cameras, z is what points forward (chapter 02). Without the label you would have put the ball above the robot.
+# In the camera's own frame the ball is 3.5 m along **z**: in camera frames, z points forward (chapter 02). Without the frame name you would have placed the ball above the robot.
 #
-# And here are the same two fields of another message: that of the IMU, a sensor that measures how the robot turns and speeds up. **Predict:** which second is this?
+# Here are the same two fields of another message, from the IMU, a sensor that measures rotation and acceleration. **Predict:** which second is this?
 
 # %% [markdown] lang="ko" name="one-message-seen"
 # 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
@@ -488,8 +495,8 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %% [markdown] lang="en" name="imu-header-seen" tags=["predicted"]
 # <details><summary>Which second?</summary>
 #
-# `nanosec` counts billionths of a second, so 58000000 is 0.058 s: the stamp is **6.058 s**, and not 6.58 s.
-# Written as digits behind a point it needs nine places: 6.058000000.
+# `nanosec` counts billionths of a second, so 58000000 is 0.058 s. The stamp is **6.058 s**, and not 6.58 s.
+# As a decimal fraction, nanoseconds need nine digits: 6.058000000.
 #
 # </details>
 
@@ -504,8 +511,8 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %% [markdown] lang="en" name="age" slide="slide"
 # ## How old is it?
 #
-# Finding a ball takes the node 0.2 s. The message that you hold is stamped 5.800 and arrived at 6.000.
-# At the stamp the ball was 3.60 m ahead of the robot, which drives at 0.5 m/s.
+# The node takes 0.2 s to find a ball in an image. The message that you have is stamped 5.800 and arrived at 6.000.
+# At the time of the stamp the ball was 3.60 m ahead of the robot, which drives at 0.5 m/s.
 #
 # **Predict:** how far ahead is the ball when the message arrives?
 
@@ -527,17 +534,17 @@ ahead_now = robot.truth_at(arrived_ns)['base_link'].inverse().apply(map_p_ball)[
 print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arrival {ahead_now:.2f} m')
 
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
-# 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. Who said 3.60 took the moment of arrival for the moment of the picture; who said 3.70 drove backwards.
-# It is often said that a place shifts by the distance driven. That holds straight on; when the robot turns meanwhile, what is far away shifts by much more (chapter 08).
+# 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. If you said 3.60, you used the arrival time instead of the stamp. If you said 3.70, you moved the robot backwards.
+# The error equals the distance driven only if the robot drives straight. If it also rotates, distant points shift much further (chapter 08).
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
 # 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 부호를 거꾸로 쓴 것입니다.
 # 흔히 움직인 거리만큼 위치가 밀린다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
-# Draw it: a line for the camera, a line for the robot, and the 0.2 s between.
+# Draw it: a timeline for the camera, a timeline for the robot, and the 0.2 s between them.
 # Ask who would have written 3.60 into a program.
-# Then say the sentence of the hour: the number was right, and it was right then.
+# Then state the main point: the number was right, but it was right 0.2 s ago.
 
 # %% [markdown] lang="ko" name="age-notes" slide="notes"
 # 그려 봅니다.
@@ -548,27 +555,20 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # 그때 맞았습니다.
 
 # %% [markdown] lang="en" name="topic-delay-why"
-# The next command measures the age, and the figure shows the journeys of three messages.
+# The next command measures the age of each message: the time of arrival minus the stamp.
 
 # %% [markdown] lang="ko" name="topic-delay-why"
-# 다음 명령은 메시지가 얼마나 오래되었는지 재고, 이어지는 그림은 메시지 세 개의 여정입니다. *그림 읽기:* stamped = 측정, sent = 보냄, received = 받음, transformed = 옮김, seconds after 7.600 s = 7.6초부터 센 시간(초).
+# 다음 명령은 메시지마다 나이를 측정합니다. 도착한 시각에서 측정 시각을 뺀 값입니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
 
-# %% name="journeys" slide="subslide"
-last = heard[-3:]
-lesson.draw_journeys([
-    lesson.Journey(f'ball {i}', Time.from_msg(m.header.stamp).nanoseconds, at_ns, at_ns, at_ns)
-    for i, (at_ns, m) in enumerate(last, start=1)
-])
-
 # %% [markdown] lang="en" name="milk" slide="subslide"
 # ### Milk and tins
 #
-# A number in `base_link` is milk: 3.60 m was true at 5.8 s, and it is sour on arrival.
-# The same place in `map` is tinned, if the thing rests: (6.5, −1.5) keeps.
-# So put a measurement into a frame in which it keeps, **with the [[pose]] of its stamp**, and do it early.
+# Think of coordinates in `base_link` as milk: 3.60 m was true at 5.8 s, and it is sour on arrival.
+# In `map` the same position is like tinned food: for an object at rest, (6.5, −1.5) stays correct.
+# So transform a measurement into a frame in which it stays correct, **with the [[pose]] at its stamp**, and do it early.
 
 # %% [markdown] lang="ko" name="milk" slide="subslide"
 # ### 우유와 통조림
@@ -585,9 +585,9 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # ## The contract
 #
 # > **A measurement is a value, a frame, and a stamp.**
-# > The writer fills in both labels at the moment of measuring. The reader reads both, or refuses and says so.
+# > The sender fills in frame and stamp at the time of the measurement. The receiver reads both, or rejects the message and reports it.
 #
-# Here is a reader that keeps it. Read it once, aloud.
+# Here is a receiver that keeps the contract. Read it once, aloud.
 
 # %% [markdown] lang="ko" name="contract" slide="slide"
 # ## 약속
@@ -613,9 +613,9 @@ def usable(message, now_ns, max_age_s=1.0):
 print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|', usable(PointStamped(), arrived_ns))
 
 # %% [markdown] lang="en" name="contract-notes" slide="notes"
-# Three calls, three verdicts.
-# Ask for a fourth message that this function lets through and should not: a stamp from the future, a label that lies.
-# Both are in the exercises, and the second one no function can find.
+# Three calls, three results.
+# Ask for a fourth message that this function accepts and should not: a stamp from the future, or a wrong frame name.
+# Both are in the exercises. No function can detect the second one.
 
 # %% [markdown] lang="ko" name="contract-notes" slide="notes"
 # 호출 셋에 판정 셋입니다.
@@ -626,7 +626,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# Fill both blanks, so that whoever reads this message can use it. A range finder that looks along the x of `laser_frame` measured 1.4 m at `measured`; the program runs this line at `now`, 50 ms later.
+# Fill in both blanks, so that a receiver can use this message. A range finder that points along the x of `laser_frame` measured 1.4 m at `measured`. The program runs this line at `now`, 50 ms later.
 #
 # ```python
 # message.header.frame_id = ____________
@@ -636,7 +636,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>Compare</summary>
 #
-# `'laser_frame'`, because the 1.4 is counted along its x; and `measured`, not `now`. Your message would otherwise claim that the measurement is fresher than it is, and nobody who reads it could ever know.
+# `'laser_frame'`, because the 1.4 m are measured along its x; and `measured`, not `now`. With `now` your message would claim that the measurement is 50 ms newer than it is, and no receiver could find out.
 #
 # </details>
 
@@ -660,9 +660,9 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
 #
-# > Forget the frame, and TF2 shouts. Forget the stamp, and it smiles.
+# > Forget the frame, and TF2 raises an exception. Forget the stamp, and it does not.
 #
-# Four messages, each with one thing spoilt. (`%xmode Minimal` shows an error by its last line, the one to read.)
+# Four messages, each with one mistake. (`%xmode Minimal` shows only the last line of an error, the one to read.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
@@ -687,10 +687,10 @@ misspelt.header.frame_id = 'lazer_frame'
 buffer.transform(misspelt, 'map')
 
 # %% [markdown] lang="en" name="shouts"
-# Both shout, and both say which name they mean.
-# Now forget the stamp: a stamp of 0 means "whatever is latest" to TF2.
+# Both raise an exception, and both messages name the frame.
+# Now forget the stamp: TF2 takes a stamp of 0 as "the latest available".
 #
-# **Predict:** since the picture the robot has driven on, 1.25 m by now. Where does the ball land in `map`, and what does TF2 say?
+# **Predict:** since the image was taken the robot has driven another 1.25 m. Where does the ball land in `map`, and what does TF2 report?
 
 # %% [markdown] lang="ko" name="shouts"
 # 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.
@@ -708,13 +708,13 @@ for frame in ('base_link', 'map'):
     print(f'x in {frame:<10} with its stamp {right:.2f} m   without {wrong:.2f} m')
 
 # %% [markdown] lang="en" name="no-stamp-seen" tags=["predicted"]
-# Not a word, and a ball that rolled forward with the robot. Into `base_link` nothing changed: between the camera and the robot lies only a mount, and a mount is the same at all times.
+# TF2 reports nothing, and the ball has moved forward with the robot. In `base_link` nothing changed: between the camera and the robot there is only a mount, and a mount is the same at all times.
 
 # %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
 # 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
 
 # %% [markdown] lang="en" name="wrong-label-why"
-# Last, overwrite the label as the program with the code did:
+# Last, overwrite the frame name, as the marker detector of the story did:
 
 # %% [markdown] lang="ko" name="wrong-label-why"
 # 마지막으로, 앞에서 본 프로그램처럼 이름표를 덮어써 봅시다.
@@ -726,15 +726,15 @@ point = buffer.transform(relabelled, 'map').point
 print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 
 # %% [markdown] lang="en" name="wrong-label-seen"
-# The numbers came back untouched: TF2 was asked to move something from `map` to `map`.
-# The ball now hovers three and a half metres above the corner of the map, and no tool can tell that the label is a lie.
+# The coordinates came back unchanged, because TF2 had to transform a point from `map` to `map`.
+# The ball now hovers three and a half metres above the origin of the map, and no tool can detect that the frame name is wrong.
 
 # %% [markdown] lang="ko" name="wrong-label-seen"
 # 숫자가 그대로 돌아왔습니다. TF2가 받은 요청은 `map` 기준의 점을 `map` 기준으로 옮기는 것이었습니다.
 # 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 거짓이라는 것을 알아낼 도구는 없습니다.
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
-# Ask before each cell: will it raise? Two do, two do not, and the two silent ones are the expensive ones.
+# Ask before each cell: will it raise an exception? Two do, two do not, and the two silent ones are the expensive ones.
 
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
 # 셀마다 실행 전에 묻습니다. 오류가 날까요? 둘은 나고 둘은 나지 않습니다. 비싼 대가를 치르는 것은 조용한 둘입니다.
@@ -742,32 +742,32 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# A message says `frame_id: 'base_link'`, a stamp of half a second ago, and (1.0, 0.0, 0.0): a box one metre ahead.
+# A message has `frame_id: 'base_link'`, a stamp of half a second ago, and (1.0, 0.0, 0.0): a box one metre ahead.
 # The robot has been driving. You want to mark the box on the map. What do you do?
 #
-# 1. Put it into `map` with the robot's pose of *now*: nothing is fresher.
-# 2. Put it into `map` with the robot's pose of the *stamp*.
-# 3. Refuse it: half a second is too old.
+# 1. Transform it into `map` with the robot's *current* pose, because nothing is newer.
+# 2. Transform it into `map` with the robot's pose at the *stamp*.
+# 3. Reject it: half a second is too old.
 # 4. Write `map` into its `frame_id`.
 #
 # <details><summary>I chose 1</summary>
 #
-# The box was a metre ahead of where the robot *was*. With the pose of now you push the box forward by what the robot has driven since.
+# The box was a metre ahead of where the robot *was*. With the current pose you shift the box forward by the distance that the robot has driven since.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# Yes: the value, its frame and its moment belong together. `buffer.transform(message, 'map')` does just that.
+# Yes: the value, its frame and its stamp belong together. `buffer.transform(message, 'map')` does exactly this.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# If the box rests, age does not spoil it: the pose of the stamp puts it where it is. Refuse what is older than the buffer remembers, or what moves by itself.
+# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject what is older than the buffer's memory, and what moves by itself.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# That changes the label and leaves the numbers: the box would be a metre from the corner of the map. You have met this one already.
+# That changes the frame name and leaves the coordinates: the box would be a metre from the origin of the map. It is the mistake of the story again.
 #
 # </details>
 
@@ -806,14 +806,18 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# The first lines of a callback that can be trusted; below them two commands that show the labels of any topic, and one that publishes a point:
+# A callback that checks what it receives. Below it are two commands that show the headers of any topic, and one that publishes a point:
 #
 # ```python
 # def on_point(self, message):
 #     if not message.header.frame_id:
-#         self.get_logger().warning('no frame_id: refused')
+#         self.get_logger().warning('no frame_id: rejected')
 #         return
 #     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
+#     if age > Duration(seconds=1.0):
+#         self.get_logger().warning(f'{age.nanoseconds / 1e9:.1f} s old: rejected')
+#         return
+#     self.use(message)
 # ```
 #
 # ```
@@ -822,7 +826,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
 # ```
 #
-# The third publishes a point by hand, to try a node with. It has no stamp: would yours have noticed?
+# The third command publishes one point, so that you can try a node. The point has no stamp: would your node have noticed?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -832,9 +836,13 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # ```python
 # def on_point(self, message):
 #     if not message.header.frame_id:
-#         self.get_logger().warning('no frame_id: refused')
+#         self.get_logger().warning('no frame_id: rejected')
 #         return
 #     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
+#     if age > Duration(seconds=1.0):
+#         self.get_logger().warning(f'{age.nanoseconds / 1e9:.1f} s old: rejected')
+#         return
+#     self.use(message)
 # ```
 #
 # ```
@@ -853,11 +861,11 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - Three numbers are a place only with a [[frame]] and a [[stamp]].
-# - One place has a different triple in each frame; adding works only while nothing is turned.
-# - A thing keeps its numbers in the frame in which it rests, and only there.
-# - `nanosec` has nine digits. Age is arrival minus stamp.
-# - TF2 shouts about a missing frame. About a missing stamp, and about a lie, it says nothing.
+# - Three numbers are a position only with a [[frame]] and a [[stamp]].
+# - One position has different coordinates in each frame. Adding works only as long as no frame is rotated.
+# - An object keeps its coordinates in the frame in which it is at rest, and only there.
+# - `nanosec` has nine digits. The age of a measurement is the current time minus the stamp.
+# - TF2 raises an exception if the frame is missing. If the stamp is missing or the frame name is wrong, it reports nothing.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -871,16 +879,16 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q1
 #
-# A node hands you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
+# A node gives you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
 # Write four or five sentences, then open the list and give yourself a point for each idea.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
-# - [ ] Alone it is not a place: it may be ahead of the laser, of the robot, or beside the corner of the map.
-# - [ ] A frame is needed (`header.frame_id`): whose origin and whose axes are counted from.
-# - [ ] A stamp is needed (`header.stamp`): the moment of measuring, not of sending or of arriving.
-# - [ ] With both, TF can express it in any connected frame, with the poses of that moment.
-# - [ ] Without them one refuses, and says so; guessing gives a wrong place and no error.
+# - [ ] Alone it is not a position: it may be ahead of the laser, ahead of the robot, or near the origin of the map.
+# - [ ] A frame is needed (`header.frame_id`): the origin and the axes of the coordinates.
+# - [ ] A stamp is needed (`header.stamp`): the time of the measurement, not of sending or of arrival.
+# - [ ] With both, TF can express it in any connected frame, with the poses at that time.
+# - [ ] Without them you reject it and report it. A guess gives a wrong position and no error.
 #
 # Four or five: you could teach it. Two or three: read "The contract" again. Fewer: do the predictions again, with a pencil.
 #
@@ -907,11 +915,11 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > "The camera saw the ball at (0, 0.1, 3.5)." Write the two questions that you ask before you do anything with it, and say for each what goes wrong if nobody asks.
+# > "The camera saw the ball at (0, 0.1, 3.5)." Write the two questions that you ask before you use it. For each, say what goes wrong if nobody asks.
 #
 # <details><summary>Compare</summary>
 #
-# *In which frame?* Otherwise the ball hovers above the corner of the map. *When?* Otherwise it rolls along with the robot.
+# *In which frame?* Otherwise the ball may hover above the origin of the map. *When?* Otherwise the ball moves with the robot.
 #
 # </details>
 
@@ -927,14 +935,14 @@ rclpy.shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
-# Collect the tickets. If the second question is missing on many, begin the next lecture with the cell that smiled.
+# Collect the tickets. If the second question is missing on many, begin the next lecture with the cell that raised no exception.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 조용히 틀린 그 셀로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # Then do the exercises: [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb).
-# Next comes [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
+# Next is [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb).
