@@ -2,19 +2,19 @@
 # # tflab: where is it, and when?
 #
 # A number without a frame is a rumour.
-# `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, of the robot, or of the corner of the map.
-# Two metres ahead a moment ago is somewhere else now.
+# `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, ahead of the robot, or from the origin of the map.
+# And a point that was two metres ahead a moment ago is somewhere else once the robot has moved.
 #
-# [[tf2|TF2]] is the part of ROS 2 that keeps track: where each [[frame]] was in another one, and at which time.
-# Here you learn it from the beginning, with a robot that lives in these pages.
+# [[tf2|TF2]] is the part of ROS 2 that keeps track of this: the pose of each [[frame]] in another one, and the time at which it was measured.
+# In this workbook you learn TF2 from the beginning, with a simulated robot.
 #
 # You need basic Python.
-# You do not need ROS, a robot, or a network: nothing you do here leaves this machine.
+# You do not need ROS, a robot, or a network. Nothing that you do here leaves this machine.
 # The ROS 2 code that you write runs on a real robot unchanged.
-# The workbook follows one lecture on TF2 from end to end: where a page says "the lecture", that one is meant, and you need not have heard it.
+# The workbook follows one lecture on TF2. "The lecture" on a page always means that one. You do not need to have attended it.
 #
-# On this page: a tour of five minutes, then the chapters, how your answers are checked, and where you stand.
-# Text with a dotted line explain themselves when you rest the pointer on them; the [glossary](90_glossary.ipynb) has all of them.
+# On this page you take a tour of five minutes. Then you see the chapters, how your answers are checked, and what you have passed so far.
+# Rest the pointer on a word with a dotted line to see what it means. The [glossary](90_glossary.ipynb) lists all of them.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # tflab: 그때, 어디에 있었을까요?
@@ -35,7 +35,7 @@
 # 점선이 그어진 낱말에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
 
 # %% [markdown] lang="en" name="how-to-run" slide="skip"
-# Click into the first cell below and press `Shift`+`Enter`: it runs, and you are in the next one.
+# Click into the first cell below and press `Shift`+`Enter`. The cell runs, and you are in the next one.
 # (*Run* → *Run All Cells* in the menu runs all of them.)
 
 # %% [markdown] lang="ko" name="how-to-run" slide="skip"
@@ -47,8 +47,8 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first puts ROS 2's own modules in place, inside the page ("in-process"), as those of the release that it names. The second brings this workbook's own: whatever a page calls `lesson.…` is ours, and everything else is Python or ROS 2, as on a robot.
-# Time is virtual here: it stands still until a command lets it pass, so a page that runs from its start prints the same thing every time.
+# These two lines begin every page. The first line loads ROS 2 into this page ("in-process"); its output names the release that it emulates. The second line imports this workbook's own functions. Whatever a page calls `lesson.…` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
+# Time is simulated here: it advances only while a command lets it, so a page prints the same each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
 # 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 ROS 2의 모듈을 페이지 안(in-process)에 준비하며, 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 것이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
@@ -57,13 +57,13 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room
 #
-# Run the cell below, then press ▶ under its picture: the drive takes 24 seconds, and the film shows it in four. Drag to turn it; click into it and scroll to come closer; double-click to see all of it again. (By keyboard: Tab into it; the arrows turn it, with Shift they move it, + and − go nearer and away, Home shows all, Escape leads back.)
+# Run the cell below, then press ▶ under its picture. The drive takes 24 seconds, and the animation shows it in four. Drag to rotate the view, scroll to zoom, and double-click to see all of it again. (By keyboard: Tab moves into the view; the arrow keys rotate it, with Shift they move it, + and − zoom, Home shows all, Escape leaves it.)
 #
-# - The body with wheels and an arm is our robot. It goes round a pillar.
-# - The coloured dots are what its laser measures, ten times a second; the pale area between them and the robot is what it has swept. The dots lie on the walls, although the laser knows nothing of walls: it only knows how far away something is, *as seen from itself*. In the bends they slip off the walls a little; chapter 08 is about that.
-# - The three arrows on the robot are the frame [[base_link]], and those on top are `laser_frame`. The ones that stay on the floor are `map`.
+# - The body with wheels and an arm is our robot. It drives round a pillar.
+# - The coloured dots are the points that its laser measures, ten times a second. The pale area is what the laser has swept. The dots are on the walls, although the laser measures only distances *from itself*. In curves they drift off the walls a little; chapter 08 explains why.
+# - The three arrows on the robot are the frame [[base_link]], and those on top of it are `laser_frame`. The arrows that stay on the floor are `map`.
 #
-# Everything in this workbook is about the step from *as seen from itself* to *on the map*.
+# This workbook is about one step: from *measured from the laser* to *on the map*.
 
 # %% [markdown] lang="ko" name="motion-why" slide="slide"
 # ## 방 안을 달리는 로봇
@@ -87,10 +87,10 @@ lesson.draw_room(at_s=5.0)
 # %% [markdown] lang="en" name="first-question" slide="slide"
 # ## Be wrong once, on purpose
 #
-# The laser sits 0.20 m ahead of the robot's middle and 0.15 m above it, and looks the same way. It reports a post at (2.0, 0.5, 0.0): 2 m ahead of the laser, 0.5 m to the left.
-# Where is the post for `base_link`, the robot's middle?
+# The laser is mounted 0.20 m in front of the robot's centre, `base_link`, and 0.15 m above it. It faces forward. It detects a post at (2.0, 0.5, 0.0): 2 m ahead of the laser, 0.5 m to the left.
+# What are the post's coordinates in `base_link`?
 #
-# Below stands an answer that many programs give. Run the cell, and read what is said to it. Then mend the numbers and run it again.
+# The cell below contains a common answer. Run the cell and read the reply. Then correct the numbers and run it again.
 
 # %% [markdown] lang="ko" name="first-question" slide="slide"
 # ## 한 번 틀려 봅시다
@@ -107,11 +107,11 @@ lesson.ask_first(base_p_post)
 # %% [markdown] lang="en" name="robot-why" slide="slide"
 # ## The same robot, in ROS 2
 #
-# What moved was a picture. Now the real thing: the robot's programs, each a ROS 2 [[node]], as they would run on the robot itself.
-# One node adds up the turns of the wheels, another finds the robot on the map, a third one knows where each part is bolted on.
-# Each tells everybody (it *publishes*) the part that it knows. TF2 puts the parts together.
+# So far you saw an animation. Now you run the robot's programs. Each is a ROS 2 [[node]], as it would run on the robot itself.
+# One node calculates the pose from the wheels, another finds the robot on the map, and a third publishes where each part is mounted.
+# Each node *publishes* the transforms that it knows. TF2 combines them.
 #
-# `new_graph` makes a world for them, `launch` switches them on, and `graph.run` lets two seconds pass. (A robot needs neither the first nor the last: it is in the world already, and there time passes by itself.)
+# `new_graph` creates the simulation, `launch` starts the nodes, and `graph.run` lets two seconds pass. (On a robot you need neither the first nor the last: time passes by itself.)
 
 # %% [markdown] lang="ko" name="robot-why" slide="slide"
 # ## 같은 로봇을 ROS 2로
@@ -128,10 +128,11 @@ nodes = lesson.launch(graph)
 graph.run(seconds=2.0)
 
 # %% [markdown] lang="en" name="echo-why" slide="slide"
-# ## Where is the laser, as seen from `map`?
+# ## Where is the laser in `map`?
 #
-# Read it aloud: *data expressed in* `laser_frame`, *wanted in* `map`. The frame in which you want it comes first.
-# `%ros2` is what you would type as `ros2` in a terminal.
+# Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. The frame in which you want the data comes first.
+# `%ros2` is what you type as `ros2` in a terminal.
+# The first line that it prints is a warning. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map`에서 보면 레이저는 어디에 있을까요?
@@ -143,8 +144,7 @@ graph.run(seconds=2.0)
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-read" slide="-"
-# The answer is the line *Translation*: x, y and z in metres, on the map, once a second. The lines below it say the same turn four times over; chapter 02 reads them.
-# (The first line is the tool that asks before it has heard anything. On a robot it is the same.)
+# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the same rotation in four notations; chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
 # 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며, 02장에서 읽습니다.
@@ -153,7 +153,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="en" name="fail-why" slide="-"
 # ## Now make it fail
 #
-# A name with a letter missing. On a robot you would read exactly these lines: in the first the tool has not heard of anything yet, not even of `map`; the second is about the name.
+# Here one letter of the frame's name is missing. On a robot you read exactly these lines. When the first line is printed, no transform has arrived yet, not even one for `map`. The second line is about the misspelt name.
 
 # %% [markdown] lang="ko" name="fail-why" slide="-"
 # ## 이번에는 실패해 봅시다
@@ -166,10 +166,10 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="en" name="rviz-why" slide="slide"
 # ## See what ROS 2 sees
 #
-# This is a small [[rviz]], ROS 2's window for looking. Choose another [[fixed frame|Fixed Frame]] in the menu: the picture changes, the data does not.
-# Take `base_link`: now the robot is the middle, and the room stands around it as the robot sees it. Time stands still here; where a robot drives, the room comes towards it.
+# This is a small [[rviz]], ROS 2's 3D visualiser. Choose another [[fixed frame|Fixed Frame]] in the menu: the view changes, the data does not.
+# Choose `base_link`: now the robot is at the centre, and the room is drawn around it. Time does not advance here. With a driving robot the room would move towards it.
 #
-# If the box stays empty, your browser has WebGL switched off. Every 3D view is followed by a figure of the same thing: in your copy it is folded until you run its cell by itself or click on the three dots.
+# If the box stays empty, WebGL is switched off in your browser. Every 3D view is followed by a figure that shows the same. In your copy it is folded until you run its cell or click on the three dots.
 
 # %% [markdown] lang="ko" name="rviz-why" slide="slide"
 # ## ROS 2가 보는 것을 봅시다
@@ -191,11 +191,10 @@ graph.stop()
 # %% [markdown] lang="en" name="fifteen" slide="slide"
 # ## Before you begin: fifteen questions
 #
-# Fifteen questions about robots, before you know anything: [the questions](../../exercises/en/E00_start.ipynb), a quarter of an hour.
-# You will meet them again at the end of chapter 12. Nothing there is marked; wrong is useful, guessing is fine if you say so.
-# What is right stays closed until then. After that, *Where you stand* at the end of this page shows what you have learnt, what to read again, and a sentence for each option.
+# Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and nothing is marked. A guess is fine if you say that it is one.
+# You answer such questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every option.
 #
-# It is a small test, and not validated yet: use it to see what to read again, not to compare yourself with others.
+# The test is small, and it is not validated yet. Use it to see what to read again, not to compare yourself with others.
 
 # %% [markdown] lang="ko" name="fifteen" slide="slide"
 # ## 시작하기 전에: 열다섯 문제
@@ -209,9 +208,9 @@ graph.stop()
 # %% [markdown] lang="en" name="chapters" slide="slide"
 # ## The chapters
 #
-# Each begins with something that went wrong on a real robot.
-# You can begin with any chapter: it says what it needs from the ones before.
-# The minutes are for reading, predicting and running; the exercise takes about as long again.
+# Each chapter begins with something that went wrong on a real robot.
+# For a first evening, read 01, 03 and 08. They take about three hours, and their exercises about two and a half more.
+# The minutes are for reading, predicting and running. The exercise of a chapter takes about as long again.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
@@ -255,19 +254,19 @@ graph.stop()
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked
 #
-# Every chapter has exercises. Each task gives you something, asks for something, and checks it:
+# Every chapter has exercises. Each task gives you data, asks for an answer, and checks it:
 #
 # ```python
-# e2_2 = task("E2.2")          # prints what is given
+# e2_2 = task("E2.2")          # prints the data of the task
 # link_p_part = ...            # your answer goes here
-# check("E2.2", link_p_part)   # says what is right, or which mistake it is
+# check("E2.2", link_p_part)   # reports that it is right, or which mistake you made
 # hint("E2.2")                 # the next of three hints
 # solution("E2.2")             # after a pass, or three tries
 # ```
 #
-# A wrong answer is named for what it is, as above. You may try as often as you like, in any order.
-# `check` tries your answer on a few inputs; in a class, grading tries it on others that nobody has seen.
-# To start a page over, delete its file and type `tflab lab` in a terminal: it lays out what is missing, and touches nothing else.
+# The reply to a wrong answer names the mistake, as above. You may try as often as you like, in any order.
+# `check` tries your answer on a few inputs. In a class, grading also uses other inputs.
+# To start a page over, delete its file and type `tflab lab` in a terminal. It restores missing files and changes nothing else.
 
 # %% [markdown] lang="ko" name="checks" slide="slide"
 # ## 답을 확인하는 방법
@@ -289,7 +288,7 @@ graph.stop()
 # %% [markdown] lang="en" name="environment-why" slide="skip"
 # ## If something did not work
 #
-# One line for each thing that the pages need. A ✗ says what is missing and what to type.
+# The next cell prints one line for each program that the pages need. A ✗ shows what is missing and what to type.
 
 # %% [markdown] lang="ko" name="environment-why" slide="skip"
 # ## 잘 되지 않는다면
@@ -303,9 +302,9 @@ lesson.check_environment()
 # ## Where you stand
 #
 # Run the next cell whenever you like, or type `tflab progress` in a terminal.
-# Only a passed check ticks anything, and the file behind it, `progress.json`, stays in your copy.
-# After a chapter, [practice without end](91_practice.ipynb) asks its tasks again with other numbers, first of all what went wrong.
-# When a new version of tflab comes, `tflab lab --update` brings it in around what you wrote.
+# A task counts as passed after a successful check. The results are in the file `progress.json` in your copy.
+# After a chapter, [practice](91_practice.ipynb) asks its tasks again with other numbers.
+# After you have installed a new version of tflab, `tflab lab --update` adds its new material around what you wrote.
 
 # %% [markdown] lang="ko" name="progress-why" slide="skip"
 # ## 나의 학습 현황
@@ -321,7 +320,7 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# Run the cell to unfold its picture. An arrow means *builds on*; the numbers are those of the table of chapters.
+# Run the cell to show its picture. An arrow means *builds on*. The numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?

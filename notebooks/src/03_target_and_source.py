@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 03 · Data in …, wanted in …
+# # 03 · Target and source
 #
-# **Target and source** · about 60 minutes · builds on 01 and 02
+# **Data in which frame, wanted in which?** · about 60 minutes · builds on 01 and 02
 #
 # After this chapter you can
 #
-# - say where a child sits in its parent, and which way its data goes;
-# - turn a sentence into `lookup_transform(target, source, time)`, and never guess the order again;
-# - chain transforms like dominoes, and see at once when a product is wrong;
-# - go back: invert a transform that turns, and read `tf2_echo` both ways.
+# - say what a transform tells you about a child and its parent, and in which direction it transforms data,
+# - turn a sentence into `lookup_transform(target, source, time)` without guessing the order,
+# - chain transforms like dominoes, and see at once when a product is wrong,
+# - invert a transform that contains a rotation, and read `tf2_echo` in both directions.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 03 · … 기준 데이터를 … 기준으로 보고 싶다
@@ -24,8 +24,8 @@
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # The whole chapter is one sentence: "data expressed in source, wanted in target".
-# Ask the room now: who has ever fixed a transform by swapping two arguments until the picture looked right?
-# Most hands go up. That is the chapter.
+# Ask the class now: who has ever fixed a transform by swapping two arguments until the picture looked right?
+# Most hands go up. This chapter is for them.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 이 장은 한 문장입니다. "원본 기준 데이터를 목표 기준으로 보고 싶다."
@@ -35,16 +35,16 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# Facts from the chapters before; if one is new, believe it for an hour.
+# These facts come from earlier chapters. If one is new, accept it for now.
 #
 # - A position is a value **in a [[frame]]**: `(2, 0, 0)` alone means nothing, `(2, 0, 0)` in `laser_frame` does.
-# - x points forward, y to the left, z up; a positive yaw turns to the left.
-# - A rotation is a quaternion (x, y, z, w), and "no rotation" is (0, 0, 0, 1).
-# - Where a sensor is bolted on does not change, so it is published once, as a static transform.
-# - A `Buffer` remembers what was published, and a `TransformListener` fills it; `Time()` asks for the latest.
-# - In the workbook's code, `base_T_laser.apply(laser_p)` moves a point from laser_frame to base_link. `Transform.from_rpy(yaw=…, translation=…)` makes such a transform by hand, and `LATEST` is the engine's word for `Time()`.
+# - x points forward, y left, z up. A positive yaw rotates to the left.
+# - A rotation is a quaternion (x, y, z, w). "No rotation" is (0, 0, 0, 1).
+# - A sensor's mount does not change, so its transform is published once, as a static transform.
+# - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` asks for the latest.
+# - In the workbook's code, `base_T_laser.apply(laser_p)` transforms a point from laser_frame into base_link. `Transform.from_rpy(yaw=…, translation=…)` creates such a transform. `LATEST` is the engine's name for `Time()`.
 #
-# Today the robot stands still, so time plays no part; chapter 08 brings it back.
+# In this chapter the robot stands still, so time plays no part. Chapter 08 brings it back.
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
@@ -70,17 +70,17 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
-# A robot carried its IMU, the sensor that feels turning and gravity, turned on its mount, and somewhere a transform seemed reversed.
+# A robot's IMU, which measures rotation and acceleration, was mounted rotated, and somewhere a transform seemed to be reversed.
 # So its team published a *wrong* mount, and the numbers came out right.
-# Later they proposed to swap two frames in the program that uses the IMU, and heard: the target comes first, and it already does.
+# Later they proposed to swap two frames in the program that uses the IMU. The answer was: the target comes first, and it already does.
 #
 # They are in good company.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
-# Three more asked the same. ROS 2 came with a new `tf2_echo`, and the question came along: in 2021, and again in 2024.
-# The maintainer of a package with which very many robots estimate their place wrote: I frequently get these backwards.
+# Three more people asked the same. ROS 2 brought a new `tf2_echo`, and the question came again in 2021 and in 2024.
+# The maintainer of a package with which very many robots estimate their pose wrote: I frequently get these backwards.
 #
-# Now the strange part: the tool's numbers were right all along, and most people's question was a good one.
-# They had asked for the transform **"from A to B"**, and that phrase is two questions.
+# Now the strange part: the tool's numbers were right all along, and most of the questions were good ones.
+# The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
 # ## "거꾸로 나와요" 10년
@@ -98,7 +98,7 @@ from tflab.workbook import lesson
 # 모두 <b>"A에서 B로 가는 변환"</b>을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
 
 # %% [markdown] lang="en" name="ten-years-sources" slide="skip"
-# *Read them:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
+# *Read the reports:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% [markdown] lang="ko" name="ten-years-sources" slide="skip"
 # *직접 읽어 보기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
@@ -108,12 +108,12 @@ mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # tu
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
-# Left, an engineer who mounts sensors: where does the laser *sit*, looking from the robot? The numbers are (0.20, 0, 0.15).
-# Right, an engineer who moves data: I have numbers of the robot and *want* them in the laser. The numbers are (0, 0.20, −0.15): look at which axes they are counted along.
+# On the left is an engineer who mounts sensors: where is the laser *mounted*, measured on the robot? The numbers are (0.20, 0, 0.15).
+# On the right is an engineer who transforms data: I have coordinates in the robot's frame and *want* them in the laser's frame. The numbers are (0, 0.20, −0.15), along the laser's axes.
 # Both say "from base_link to laser_frame", and they need opposite transforms.
 #
-# The cure is a sentence with neither "from" nor "to".
-# You will have it in ten minutes; first, burn your fingers.
+# The solution is a sentence with neither "from" nor "to".
+# You will see it in ten minutes. First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
 # 그림 읽기: reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
@@ -127,7 +127,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
 # Let two people act it: one is base_link, one is laser_frame, an object lies between them.
-# "Go from A to B" moves a person; "take this number from A to B" moves a note. Same words.
+# "Go from A to B" moves a person. "Take this number from A to B" moves a note. The words are the same.
 # Do not name target and source yet.
 
 # %% [markdown] lang="ko" name="two-readings-seen-notes" slide="notes"
@@ -138,12 +138,12 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# The laser is bolted on 20 cm ahead of the robot's middle and 15 cm above it.
-# Somebody has turned it by +90°, so that it looks along the shelf on the left.
-# It sees the corner of the shelf straight ahead: **(2, 0, 0) in `laser_frame`**.
+# The laser is mounted 20 cm in front of `base_link` and 15 cm above it.
+# It is rotated by +90°, so that it faces the shelf on the left.
+# It detects the corner of the shelf straight ahead: **(2, 0, 0) in `laser_frame`**.
 #
 # Where is the corner in `base_link`?
-# Write your guess into the next cell before you go on; a guess that turns out wrong is worth more than none.
+# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than none.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -157,7 +157,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Give them a full minute, with paper, and let them show hands: ahead, left, right, behind.
-# Keep the count on the board; it comes back after the run. Do not comment on it.
+# Keep the count on the board. You need it after the run. Do not comment on it.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 종이를 주고 1분을 기다린 뒤 손을 들게 합니다. 앞, 왼쪽, 오른쪽, 뒤.
@@ -169,9 +169,9 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # %% [markdown] lang="en" name="run-it" slide="subslide"
 # ## Run it
 #
-# The mount, with ROS 2's own tool, and then a node with a buffer: what you would write on a robot.
-# `spin_thread=True` lets the listener hear in a thread of its own, while you type.
-# Time is virtual here and stands still until `graph.run(…)` lets it pass; `graph` came with `%load_ext tflab`.
+# The first cell publishes the mount with ROS 2's own tool. The second creates a node with a buffer, exactly as on a robot.
+# With `spin_thread=True` the listener receives transforms in a thread of its own while you type.
+# Time is simulated. It advances only while `graph.run(…)` is running. `graph` was created by `%load_ext tflab`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 보기
@@ -210,7 +210,7 @@ print(corner.header.frame_id, lesson.fmt_all(base_p_corner))
 print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 
 # %% [markdown] lang="en" name="the-corner-seen" tags=["predicted"] slide="fragment"
-# The laser looks to the left, so its "ahead" is the robot's "left": 2 m of y, counted from where the laser sits.
+# The laser faces left, so straight ahead of the laser is to the left of the robot: 2 m along y, measured from the laser.
 
 # %% [markdown] lang="ko" name="the-corner-seen" tags=["predicted"] slide="fragment"
 # 레이저가 왼쪽을 보므로, 레이저의 "앞"은 로봇의 "왼쪽"입니다. 레이저가 달린 자리에서 y로 2 m입니다.
@@ -220,20 +220,20 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # <details><summary>I said (2.2, 0, 0.15)</summary>
 #
-# You added the step and forgot the turn.
-# It is right for a laser that looks straight ahead, and only for that one.
+# You added the translation and left out the rotation.
+# That is right only for a laser that faces straight ahead.
 #
 # </details>
 # <details><summary>I said (0, −1.8, −0.15)</summary>
 #
-# You applied the opposite transform: that one takes robot data to the laser.
+# You applied the inverse transform, which transforms data of `base_link` into `laser_frame`.
 # The corner has changed sides, from the left of the robot to the right.
 #
 # </details>
 # <details><summary>I said (0, 2.2, 0.15)</summary>
 #
-# You added the step first and turned the sum.
-# The step of 20 cm is measured along the robot's own x, so nobody turns it: turn the point, *then* add the step.
+# You added the translation first and rotated the sum.
+# The 20 cm are measured along `base_link`'s x, so they are not rotated. Rotate the point, *then* add the translation.
 #
 # </details>
 
@@ -262,7 +262,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% [markdown] lang="en" name="one-transform" slide="slide"
 # ## One transform, read twice
 #
-# What you published is a [[transform]]: it says where the [[child frame]] sits in its [[parent frame]].
+# What you published is a [[transform]]: the pose of the [[child frame]] in its [[parent frame]].
 #
 # ```
 # header.frame_id = base_link      # parent
@@ -271,13 +271,13 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
 # ```
 #
-# The same seven numbers do a second job.
-# They take a point that is expressed in the **child** and give the same point in the **parent**.
-# So the arrow that is usually drawn, parent → child, shows the family; the data runs against it, child → parent.
+# The same seven numbers have a second use.
+# They take the coordinates of a point in the **child** and give the coordinates of the same point in the **parent**.
+# So the arrow that is usually drawn, parent → child, shows parenthood. Data goes the other way, child → parent.
 #
-# Call it by both names, the parent first: `base_T_laser`, and say "laser, expressed in base".
+# Name a transform by both frames, the parent first: `base_T_laser`. Read it as "laser, expressed in base".
 #
-# `buffer.core`, in the next cell, is a short cut of this workbook, and a robot has none: it answers not with a message but with a value, to be multiplied with `@` and applied to points.
+# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. Its `lookup_transform` returns a `Transform` instead of a message. You can multiply transforms with `@` and apply them to points.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -307,11 +307,11 @@ print('its own origin, moved   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0
 print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
-# (The order of the two names in the call is the next section.)
+# (The next section explains the order of the two names in the call.)
 #
-# Look at the first two lines: they must be the same, and that settles which way a transform works.
-# The laser's origin is (0, 0, 0) in the laser, and the transform moves it to where the laser sits.
-# Child data goes in, parent data comes out.
+# Look at the first two lines. They must be equal, and that shows in which direction a transform works.
+# The laser's origin is (0, 0, 0) in `laser_frame`, and the transform gives the position of the laser in `base_link`.
+# You put in coordinates in the child, and you get coordinates in the parent.
 
 # %% [markdown] lang="ko" name="one-transform-numbers-seen"
 # (호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
@@ -321,14 +321,14 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 # 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
 
 # %% [markdown] lang="en" name="one-transform-notes" slide="notes"
-# The origin settles every quarrel of this chapter: where does (0, 0, 0) go? Make them ask it aloud each time somebody hesitates.
+# The origin settles every doubt in this chapter: where does (0, 0, 0) end up? Let them ask it aloud each time somebody hesitates.
 
 # %% [markdown] lang="ko" name="one-transform-notes" slide="notes"
 # 이 장의 모든 다툼은 원점이 해결합니다. (0, 0, 0)은 어디로 갑니까? 누가 머뭇거릴 때마다 소리 내어 묻게 합니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
-# Now in 3D: drag to turn it, and move the scrubber to turn the mount.
-# The grey, hatched one is the opposite transform, with the corner where it would put it.
+# Now in 3D: drag to rotate the view, and move the slider to rotate the mount.
+# The grey, hatched frame is the inverse transform, with the corner where it would place it.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보세요.
@@ -362,7 +362,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # > Data **expressed in** `laser_frame`, **wanted in** `base_link`.
 #
 # That is all.
-# What the data is expressed in is the [[source frame|source]]; what you want it in is the [[target frame|target]].
+# The frame in which the data is expressed is the [[source frame|source]]. The frame in which you want it is the [[target frame|target]].
 # The target comes first in every call:
 #
 # ```python
@@ -370,15 +370,15 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # ```
 #
 # The answer is `base_T_laser`: same order, same words.
-# There is no "from" and no "to" in it, so there is nothing to turn round.
+# The sentence contains no "from" and no "to", so there is nothing to swap.
 #
 # | you want | target | source |
 # |---|---|---|
 # | a laser point on the map | `map` | `laser_frame` |
-# | to know where the robot is on the map | `map` | `base_link` |
-# | a goal of the map as the robot sees it | `base_link` | `map` |
+# | the robot's position on the map | `map` | `base_link` |
+# | a goal on the map, relative to the robot | `base_link` | `map` |
 #
-# The second row is the first in disguise: "where is the robot" is the robot's own origin, expressed in `base_link`, wanted in `map`.
+# The second row is a special case of the first: "where is the robot" means the robot's own origin, expressed in `base_link`, wanted in `map`.
 
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
 # ## 문장 하나
@@ -405,8 +405,8 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link` 기준인 로봇의 원점을 `map` 기준으로 보고 싶다는 뜻입니다.
 
 # %% [markdown] lang="en" name="the-sentence-notes" slide="notes"
-# Have everybody say it aloud three times with other frames: camera and map, tool and base, goal and robot.
-# If the board is free, write both readings of "from A to B" beside it once more, and strike them out.
+# Let everybody say it aloud three times with other frames: camera and map, tool and base, goal and robot.
+# If the board is free, write both meanings of "from A to B" beside it once more, and strike them out.
 # If somebody says "from", stop and smile.
 
 # %% [markdown] lang="ko" name="the-sentence-notes" slide="notes"
@@ -417,18 +417,18 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # %% [markdown] lang="en" name="one-edge" slide="subslide"
 # ### One edge, two questions
 #
-# Somebody publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
+# A node publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
 #
 # 1. In which frame were 0.10 and 0.30 measured?
-# 2. A point is expressed in `camera_link`. Which call brings it to `base_link`?
+# 2. A point is expressed in `camera_link`. Which call gives the transform into `base_link`?
 #
 # <details><summary>Answers, and the trap</summary>
 #
-# 1. In `base_link`, the parent: 10 cm ahead of it and 30 cm above it sits the camera.
+# 1. In `base_link`, the parent: the camera is 10 cm in front of it and 30 cm above it.
 # 2. `lookup_transform('base_link', 'camera_link', t)`: wanted in, expressed in. The answer is the published transform itself.
 #
-# The trap is the arrow: it points from parent to child, and says who holds whom.
-# If you read it as the way the data goes, you write the second call the other way round.
+# The trap is the arrow. It points from parent to child and shows which frame is the parent.
+# If you read it as the direction of the data, you swap the frames in the second answer.
 #
 # </details>
 
@@ -452,8 +452,8 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
 # Change any of the menus; the others follow.
-# On the right is the same transform as a table, a matrix: the first three columns say how it turns, the last one is the step.
-# Find a pair for which the matrix and its opposite (target and source exchanged) differ in only one sign.
+# On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
+# Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
 # %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
 # 메뉴 가운데 하나를 바꾸면 나머지도 따라 바뀝니다.
@@ -478,9 +478,9 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>A pair with only one sign of difference</summary>
 #
-# `base_link` and `rear_laser`: a laser at the back, turned by half a turn.
-# Its matrix and the opposite one differ in the sign of z alone.
-# Remember this laser; it will fool a whole team further down.
+# `base_link` and `rear_laser`, a laser at the back that is rotated by 180°.
+# Its matrix and the inverse differ only in the sign of z.
+# Remember this laser: it will mislead a whole team below.
 #
 # </details>
 
@@ -496,11 +496,11 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="en" name="dominoes" slide="slide"
 # ## Dominoes
 #
-# The laser sits on the robot, the robot stands in [[odom|`odom`]] (where its wheels think it is), and `odom` lies in [[map|`map`]] (the building).
-# [[base_footprint|`base_footprint`]] is the robot's place on the floor, right under it.
+# The laser is mounted on the robot. The robot moves in [[odom|`odom`]], the frame of its wheel odometry. The pose of `odom` is given in [[map|`map`]], the frame of the building.
+# [[base_footprint|`base_footprint`]] is the robot's position on the floor, directly below it.
 #
-# Let us bolt the rest together, this time from Python: one message for each edge, that is, for each pair of parent and child.
-# Read it as the message above: who is the parent, who is the child, where does the child sit, how is it turned.
+# The next cells publish the rest of the robot from Python: one message for each edge, that is, for each pair of parent and child.
+# Read each message as above: the parent, the child, the child's position and its rotation.
 
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
@@ -539,8 +539,8 @@ broadcaster.sendTransform(
 )
 
 # %% [markdown] lang="en" name="the-tree-why" slide="subslide"
-# The robot stands still today, so every edge may be static: an **S** in the picture.
-# (ROS 2 does not pass on who published an edge, so the last column says `default_authority` everywhere.)
+# The robot stands still in this chapter, so every edge may be static: an **S** in the picture.
+# (ROS 2 does not pass on which node published an edge, so the last column is `default_authority` everywhere.)
 
 # %% [markdown] lang="ko" name="the-tree-why" slide="subslide"
 # 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
@@ -553,8 +553,8 @@ lesson.draw_buffer(buffer)
 # %% [markdown] lang="en" name="dominoes-fit" slide="subslide"
 # ### Neighbours must match
 #
-# Transforms multiply the way dominoes lie: the right half of one must be the left half of the next.
-# What matches cancels; the two ends remain.
+# Transforms multiply like dominoes: the right half of one must be the left half of the next.
+# Matching halves cancel, and the two ends remain.
 
 # %% [markdown] lang="ko" name="dominoes-fit" slide="subslide"
 # ### 이웃끼리 맞아야 합니다
@@ -577,7 +577,7 @@ lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'lase
 # ### A worked example
 #
 # The corner once more: expressed in `laser_frame`, wanted in `map`.
-# First by hand, one domino after the other; then what `lookup_transform` says.
+# First you calculate it by hand, one domino after the other. Then you compare with `lookup_transform`.
 
 # %% [markdown] lang="ko" name="worked-example" slide="subslide"
 # ### 예제
@@ -604,10 +604,10 @@ print('one product   ', lesson.fmt_all(map_T_laser.apply(laser_p_corner)))
 print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order" slide="subslide"
-# ### A row that does not fit
+# ### Dominoes that do not fit
 #
-# Somebody multiplies in another order.
-# The picture objects.
+# Here the transforms are multiplied in another order.
+# The picture shows that they do not fit.
 
 # %% [markdown] lang="ko" name="wrong-order" slide="subslide"
 # ### 맞지 않는 줄
@@ -623,9 +623,9 @@ nonsense = map_T_odom @ base_T_laser @ odom_T_base
 print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 
 # %% [markdown] lang="en" name="wrong-order-seen"
-# Python does not object: any two transforms can be multiplied.
-# The corner has moved by metres, and no error was raised.
-# That is why both frames stand in the name of a variable: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never will.
+# Python reports no error: it multiplies any two transforms.
+# The corner has moved by metres.
+# That is why a variable's name contains both frames: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never does.
 
 # %% [markdown] lang="ko" name="wrong-order-seen"
 # 파이썬은 아무 말이 없습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
@@ -641,10 +641,10 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 # %% [markdown] lang="en" name="up-up-down" slide="slide"
 # ## Up, then down
 #
-# Nobody has published where the laser is in the camera.
+# No node publishes the pose of the laser in the camera's frame.
 # They are siblings: `base_link` is the parent of both.
-# Yet you may ask, because a lookup walks the tree: **up** from the source to the frame that both share, then **down** to the target.
-# Up is a transform as it was published; down is one turned round.
+# You can still look it up, because a lookup walks the tree: **up** from the source to the common parent, then **down** to the target.
+# On the way up it uses the transforms as published. On the way down it uses their inverses.
 
 # %% [markdown] lang="ko" name="up-up-down" slide="slide"
 # ## 위로, 그리고 아래로
@@ -666,7 +666,7 @@ print('one lookup    ', lesson.fmt_all(asked.transform.translation))
 lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 
 # %% [markdown] lang="en" name="up-up-down-notes" slide="notes"
-# Walk the tree with a finger: going up say "as published", going down say "turned round". Then ask for map in laser_frame: how many are turned round? All of them.
+# Walk the tree with a finger: going up say "as published", going down say "inverse". Then ask for map in laser_frame: how many are inverted? All of them.
 
 # %% [markdown] lang="ko" name="up-up-down-notes" slide="notes"
 # 손가락으로 트리를 따라갑니다. 올라갈 때는 "발행된 그대로", 내려갈 때는 "뒤집어서"라고 말합니다. 그다음 laser_frame에서 본 map을 묻습니다. 몇 개를 뒤집습니까? 전부입니다.
@@ -676,9 +676,9 @@ places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame':
 lesson.draw_sentence(places, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
-# 10 cm ahead of the camera and 15 cm below it: check that with the numbers of both mounts.
+# The laser is 10 cm in front of the camera and 15 cm below it. Check that with the numbers of both mounts.
 # The tile `camera_link | base_link` is the published one, `base_link | camera_link`, turned round.
-# `inverse()` turns a tile, and now we look at what it costs.
+# `inverse()` turns a tile round. The next section shows how it is calculated.
 
 # %% [markdown] lang="ko" name="siblings-seen"
 # 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서를 단 자리의 숫자로 확인해 보세요.
@@ -688,8 +688,8 @@ lesson.draw_sentence(places, asked)
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Your turn, with two blanks
 #
-# A goal is given in `map` at (4, 1, 0), and the robot wants to know where that is as it stands there: ahead, behind, left, right?
-# Fill both blanks, and run.
+# A goal is given in `map` at (4, 1, 0). Where is it relative to the robot: ahead, behind, left, right?
+# Fill in both blanks, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸 두 개를 채워 보세요
@@ -708,9 +708,9 @@ if ... not in (wanted_in, expressed_in):
 # %% [markdown] lang="en" name="faded-answer"
 # <details><summary>Compare</summary>
 #
-# Expressed in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` puts the goal at (−2, 0, −0.1).
-# That is 2 m behind the robot, and 10 cm below its middle, on the floor.
-# If you read (3, 7, 0.1), the two names stand the other way round, and your robot is on its way to somewhere else.
+# Expressed in `map`, wanted in `base_link`: `lookup_transform('base_link', 'map', …)` gives the goal at (−2, 0, −0.1).
+# That is 2 m behind the robot, and 10 cm below `base_link`, on the floor.
+# If you got (3, 7, 0.1), you swapped the two names, and your robot drives somewhere else.
 #
 # </details>
 
@@ -724,15 +724,15 @@ if ... not in (wanted_in, expressed_in):
 # </details>
 
 # %% [markdown] lang="en" name="inverse" slide="slide"
-# ## The way back
+# ## The inverse
 #
-# Stand up. You are the laser: face left, with the robot's middle 20 cm away from you.
-# Where is the robot's middle, **as you see it**? Point at it before you read on.
+# Stand up. You are the laser: face left. The robot's centre is 20 cm away from you.
+# Where is the robot's centre, **measured from you**? Point at it before you read on.
 #
 # <details><summary>Sit down again</summary>
 #
-# The robot's front is to your right now, so its middle, which lies behind the mount, is on your **left**: +y, not −x.
-# A flipped sign would have said "20 cm behind you", and there is nothing there.
+# The robot's front is to your right now. Its centre is behind the mount, so it is on your **left**: +y, not −x.
+# With only a changed sign you would have said "20 cm behind you", and there is nothing there.
 #
 # </details>
 
@@ -750,15 +750,15 @@ if ... not in (wanted_in, expressed_in):
 # </details>
 
 # %% [markdown] lang="en" name="inverse-why" slide="fragment"
-# A transform is "turn, then step": a turn R and a step t. To undo it, take the step off, then turn back.
-# Written as "turn, then step" again, the step comes out turned, too:
+# A transform rotates first and then translates: rotation R, translation t. To invert it, subtract the translation, then apply the inverse rotation.
+# Written in the same form, the new translation is the old one rotated and negated:
 #
 # ```
 # base_T_laser:  R      then  t
 # laser_T_base:  R⁻¹    then  −R⁻¹ t
 # ```
 #
-# The minus sign alone is right only where nothing turns.
+# Negating the translation alone is right only if there is no rotation.
 
 # %% [markdown] lang="ko" name="inverse-why" slide="fragment"
 # 변환은 "돌린 다음 옮기기", 즉 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
@@ -784,9 +784,9 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
                   eye=lesson.FROM_ABOVE, fixed_frame='laser_frame', length_m=0.075)
 
 # %% [markdown] lang="en" name="inverse-seen"
-# There and back must end where it began: at (2, 0, 0).
-# The flipped one misses by 28 cm, the length of a shoe, just small enough to be taken for a bad calibration.
-# People have turned screws for days over less.
+# If you transform a point there and back, it must return to where it was: (2, 0, 0).
+# With only the sign changed it misses by 28 cm, the length of a shoe. That is just small enough to look like a bad calibration.
+# People have adjusted screws for days over less.
 
 # %% [markdown] lang="ko" name="inverse-seen"
 # *그림 읽기:* sign flipped = 부호만 뒤집은 것.
@@ -796,9 +796,9 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # 이보다 작은 차이 때문에 며칠씩 나사를 돌린 사람도 있습니다.
 
 # %% [markdown] lang="en" name="inverse-seen-notes" slide="notes"
-# Really have one person stand up. It takes twenty seconds and nobody forgets it.
-# Then ask: for which turns is the flipped sign right? For none but zero. By how much is it wrong?
-# By twice the step times the sine of half the turn: 2 × 0.20 m × sin 45° = 0.28 m.
+# Really let one person stand up. It takes twenty seconds, and nobody forgets it.
+# Then ask: for which rotations is the changed sign right? Only for zero. How large is the error?
+# Twice the translation times the sine of half the rotation: 2 × 0.20 m × sin 45° = 0.28 m.
 
 # %% [markdown] lang="ko" name="inverse-seen-notes" slide="notes"
 # 정말로 한 사람을 일으켜 세웁니다. 20초면 되고, 아무도 잊지 않습니다.
@@ -806,13 +806,13 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # 이동 거리의 두 배에 회전각 절반의 사인을 곱한 만큼, 2 × 0.20 m × sin 45° = 0.28 m입니다.
 
 # %% [markdown] lang="en" name="try-it" slide="slide"
-# ## Try it: turn the mount
+# ## Try it: rotate the mount
 #
 # Move the slider, and watch two mistakes.
 #
-# 1. Where does "turn forgotten" hide behind the truth?
-# 2. Where does "swapped" do so, seen from above? Look at z as well.
-# 3. At which yaw is a swap at its worst?
+# 1. At which yaw do you not see "turn forgotten" (the missing rotation)?
+# 2. At which yaw do you not see "swapped" from above? Look at z as well.
+# 3. At which yaw is the error of the swap largest?
 
 # %% [markdown] lang="ko" name="try-it" slide="slide"
 # ## 직접 해 보세요: 레이저 돌리기
@@ -834,9 +834,9 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="en" name="try-it-answers"
 # <details><summary>What I found</summary>
 #
-# 1. At yaw 0: without a turn, there is nothing to forget.
-# 2. At ±π, a laser that looks backwards: from above the swap cannot be seen at all, and z is off by 0.30 m, which a flat 2D scan does not show.
-# 3. Near ±π/2, by 3.8 m here: the corner jumps to the other side of the robot.
+# 1. At yaw 0: there is no rotation that you could leave out.
+# 2. At ±π, with a laser that faces backwards. From above the swap cannot be seen, and z is off by 0.30 m, which a flat 2D scan does not show.
+# 3. Near ±π/2, by 3.8 m here: the corner is on the other side of the robot.
 #
 # </details>
 
@@ -850,7 +850,7 @@ lesson.draw_mount(math.pi / 2)
 # </details>
 
 # %% [markdown] lang="en" name="try-it-notes" slide="notes"
-# Somebody else moves the slider, the room calls "stop" when a ghost hides behind the truth. Then ask what a test at that angle would have found.
+# Let a student move the slider. The class calls "stop" when a wrong position coincides with the right one. Then ask what a test at that angle would have found.
 
 # %% [markdown] lang="ko" name="try-it-notes" slide="notes"
 # 다른 사람이 슬라이더를 움직이고, 잘못된 답이 정답 뒤에 숨는 순간 모두가 "멈춰"라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
@@ -858,8 +858,8 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="en" name="echo-help" slide="slide"
 # ## The tool that caused it all
 #
-# `tf2_echo A B` prints where B sits in A.
-# So A is what you want it in, the target, and B is the source: the order of `lookup_transform`.
+# `tf2_echo A B` prints the pose of B in A.
+# So A is the frame in which you want it, the target, and B is the source: the order of `lookup_transform`.
 # Now read the tool's own help.
 
 # %% [markdown] lang="ko" name="echo-help" slide="slide"
@@ -874,9 +874,9 @@ lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="en" name="echo-help-seen"
 # The first argument is the *target* of the lookup, and the help calls it `source_frame`.
-# Its first sentence says "from … to …"; two lines later it says, correctly, that data goes the other way.
-# This is the text behind ten years of reports.
-# Laugh once, and trust the sentence: **echo wanted-in expressed-in**.
+# The first sentence of the help says "from … to …". Two lines later it says, correctly, that data goes the other way.
+# This text is behind ten years of reports.
+# Rely on the sentence instead: **echo wanted-in expressed-in**.
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
@@ -885,7 +885,7 @@ lesson.draw_mount(math.pi / 2)
 # 한 번 웃고, 문장을 믿으십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"
-# Read the help aloud, slowly and with a straight face. Let the room find the contradiction before you name it.
+# Read the help aloud, slowly and with a straight face. Let the class find the contradiction before you name it.
 
 # %% [markdown] lang="ko" name="echo-help-notes" slide="notes"
 # 도움말을 진지한 얼굴로 천천히 읽습니다. 모순은 먼저 말하지 말고 청중이 찾게 합니다.
@@ -894,8 +894,8 @@ lesson.draw_mount(math.pi / 2)
 # ### Predict the second from the first
 #
 # Here is `tf2_echo base_link laser_frame`.
-# Before you run the cell after it: what will the Translation of `tf2_echo laser_frame base_link` be?
-# (`--for 1.5` belongs to the page: it stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
+# Before you run the second cell: what will the Translation of `tf2_echo laser_frame base_link` be?
+# (`--for 1.5` belongs to this page: it stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="echo-predict" slide="subslide"
 # ### 첫 출력에서 둘째 출력 예측하기
@@ -911,19 +911,19 @@ lesson.draw_mount(math.pi / 2)
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
 # %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
-# (−0.20, 0, −0.15) would be the sign flipped; the tool says (0, 0.20, −0.15): to the laser's left, as you saw when you stood up.
-# The first line of each is the tool waiting until it has heard something, and `-0.000` is its way to print a level pose.
+# (−0.20, 0, −0.15) would be the changed sign. The tool prints (0, 0.20, −0.15): to the laser's left, as you saw when you stood up.
+# The first line of each output was printed before any transform arrived. The tool prints zero as `-0.000` here.
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
 # 첫 줄은 도구가 변환을 받을 때까지 기다린다는 뜻이고, `-0.000`은 기울지 않았을 때 이 도구가 늘 그렇게 출력하는 것입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: a swap goes through the tests
+# ## Break it: a swap passes the tests
 #
 # A team swaps the arguments.
-# Their robot has one laser, at the back, looking backwards: 20 cm behind the middle, turned by 180°.
-# They test with a corner 2 m behind the robot and 0.7 m aside (ahead of that laser, which looks backwards), all in one plane.
+# Their robot has one laser, at the back, facing backwards: 20 cm behind `base_link`, rotated by 180°.
+# They test with a corner 2 m ahead of the laser and 0.7 m to its left. Everything is in one plane.
 #
 # **Predict:** how far is the swapped answer from the right one? A centimetre, half a metre, four metres?
 
@@ -938,7 +938,7 @@ lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Ask before running: will the numbers differ? Almost everybody says yes.
-# Then: what would your own test have been? A symmetric test cannot find a swapped answer.
+# Then: what would your own test have been? A symmetric test cannot find a swap.
 
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
 # 실행 전에 묻습니다. 두 숫자가 다르겠습니까? 거의 모두 다르다고 답합니다.
@@ -952,7 +952,7 @@ print('right  ', lesson.fmt_all(rear.apply(seen_at)))
 print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 
 # %% [markdown] lang="en" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
-# Identical: after half a turn, another half turn brings you home, so this mount is its own inverse.
+# They are identical. Two rotations by 180° cancel, so this mount is its own inverse.
 # Every test passes.
 
 # %% [markdown] lang="ko" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
@@ -960,9 +960,9 @@ print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 # 시험은 모두 통과합니다.
 
 # %% [markdown] lang="en" name="swap-once-more"
-# The code is reviewed, merged, and copied to the next robot, whose laser looks to the left.
+# The code is reviewed, merged, and copied to the next robot, whose laser faces left.
 #
-# **Predict** once more: how far off now?
+# **Predict** once more: how far off is the swapped answer now?
 
 # %% [markdown] lang="ko" name="swap-once-more"
 # 코드는 검토를 거쳐 병합되고, 레이저가 왼쪽을 보는 다음 로봇으로 복사됩니다.
@@ -979,11 +979,11 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # ### Where is the error message?
 #
 # There is none.
-# Both questions are good questions, and TF2 cannot know which one you meant.
-# The shelf is on the left; the robot keeps clear of its right, and drives into the shelf.
+# Both lookups are valid, and TF2 cannot know which one you meant.
+# The shelf is on the left. The robot keeps clear of its right side, and drives into the shelf.
 #
-# What *does* raise is a name that nobody knows, and then the text tells you in which role you used it.
-# (`%xmode Minimal` shows an error by its last line, which is the one to read; `%xmode Context` brings the rest back.)
+# An unknown frame name *does* raise an exception, and the message tells you in which argument you used it.
+# (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
 # %% [markdown] lang="ko" name="no-error" slide="subslide"
 # ### 오류 메시지는 어디에 있을까요?
@@ -1002,10 +1002,10 @@ from rclpy.time import Time
 buffer.lookup_transform('laser_fame', 'base_link', Time())
 
 # %% [markdown] lang="en" name="unknown-name-seen"
-# `argument target_frame`: the misspelt name stands where the target belongs.
-# If you had meant it as the *source*, this message is the only one that ever tells you about a swap. Read it to the end.
+# `argument target_frame`: the misspelt name is in the place of the target.
+# If you meant it as the *source*, this message is the only hint at a swap that you ever get. Read it to the end.
 #
-# And a leading slash, common in ROS 1, is not a name at all:
+# A name that begins with a slash, common in ROS 1, cannot be looked up at all:
 
 # %% [markdown] lang="ko" name="unknown-name-seen"
 # `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
@@ -1018,8 +1018,8 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 
 # %% [markdown] lang="en" name="safest-call"
 # The safest call is the one that you used at the start: `buffer.transform(message, 'base_link')`.
-# The message carries its own source in `header.frame_id`, so only the target is left to say, and nothing can be swapped.
-# Where the two steps stand apart, lookup first and then `tf2_geometry_msgs.do_transform_point(message, transform)`, the names are yours to put in order: the exercise has such a node.
+# The message carries its source in `header.frame_id`. You only name the target, so you cannot swap anything.
+# If you look up and transform in two calls, `lookup_transform` and `tf2_geometry_msgs.do_transform_point(message, transform)`, you have to get the order right yourself. The exercise contains such a node.
 
 # %% [markdown] lang="ko" name="safest-call"
 # 가장 안전한 호출은 처음에 쓴 `buffer.transform(message, 'base_link')`입니다.
@@ -1029,36 +1029,36 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# A detector stamps an apple with `header.frame_id = 'camera_optical_frame'`.
+# A detector publishes an apple with `header.frame_id = 'camera_optical_frame'`.
 # The arm is planned in `base_link`.
 # Which line gives the transform to apply to the apple?
 #
 # 1. `lookup_transform('camera_optical_frame', 'base_link', t)`
 # 2. `lookup_transform('base_link', 'camera_link', t)`
 # 3. `lookup_transform('base_link', 'camera_optical_frame', t)`
-# 4. `lookup_transform('map', 'camera_optical_frame', t)`, because `map` is where everything is
+# 4. `lookup_transform('map', 'camera_optical_frame', t)`, because `map` contains everything
 #
 # <details><summary>I chose 1</summary>
 #
 # Say the sentence: data expressed in `camera_optical_frame`, wanted in `base_link`. Wanted comes first.
-# Your line moves robot data into the camera; "from the camera to the base" has caught you.
+# Your line transforms data of the robot into the camera's frame. You thought "from the camera to the base".
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The order is right, the source is not: the apple is expressed in the *optical* frame, whose axes point elsewhere (chapter 02).
-# The source is whatever `header.frame_id` says, not the part that you can touch.
+# The order is right, the source is not: the apple is expressed in the *optical* frame, whose axes point in other directions (chapter 02).
+# The source is what `header.frame_id` names, not the frame of the camera's housing.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: expressed in `camera_optical_frame`, wanted in `base_link`, and the names in the call are those in the sentence.
+# Yes: expressed in `camera_optical_frame`, wanted in `base_link`. The names in the call are those of the sentence.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
 # The source is right, the target is not: the arm is planned in `base_link`.
-# Through `map` the apple would pick up the localiser's corrections, which the arm has nothing to do with (chapter 05).
+# Through `map` you add the corrections of the localisation, which have nothing to do with the arm (chapter 05).
 #
 # </details>
 
@@ -1099,8 +1099,8 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # </details>
 
 # %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
-# Vote on all four before opening any reply; let a voter for 1 and a voter for 3 convince each other.
-# Option 2 is the one to wait for: the order is right, and the apple is still in the wrong place.
+# Vote on all four before you open any reply. Let a voter for 1 and a voter for 3 convince each other.
+# Option 2 is the instructive one: the order is right, and the apple is still in the wrong position.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
 # 답을 펼치기 전에 네 가지 모두 손을 들게 하고, 1번과 3번을 고른 사람이 서로 설득하게 합니다.
@@ -1110,8 +1110,8 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # ## On a real robot
 #
 # Nothing changes.
-# Put the imports of ROS 2 on top and `main()` at the end of a file, and `python3` runs it on a robot; the buffer, the listener and the lookup are the ones that you used above.
-# Right after its start a listener has heard nothing, so a real node expects to be told "not yet"; chapter 09 is about that.
+# Put the imports of ROS 2 at the top of a file and `main()` at its end, and `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
+# Directly after its start a listener has received nothing, so a real node must handle "not available yet". Chapter 09 shows how.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -1147,9 +1147,9 @@ graph.start(main, name='where_is_the_laser')
 graph.run(seconds=2.5)
 
 # %% [markdown] lang="en" name="on-the-robot-commands" slide="subslide"
-# In the answer, `header.frame_id` is the target and `child_frame_id` the source: an answer is the same kind of thing as what was published.
+# In the answer, `header.frame_id` is the target and `child_frame_id` is the source. An answer is the same kind of message as the published transforms.
 #
-# Three commands to type on any robot, each with its sentence:
+# Three commands to type on any robot:
 #
 # ```
 # ros2 run tf2_ros tf2_echo base_link laser_frame   # the laser, on the robot
@@ -1182,12 +1182,12 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - A [[transform]] `parent_T_child` says where the child sits, and takes child data to the parent.
-# - Say it without "from" and "to": **data expressed in [[source frame|source]], wanted in [[target frame|target]]**; wanted comes first.
+# - A [[transform]] `parent_T_child` is the pose of the child in the parent. It transforms coordinates in the child into coordinates in the parent.
+# - Say it without "from" and "to": **data expressed in [[source frame|source]], wanted in [[target frame|target]]**. Wanted comes first.
 # - Neighbours match: `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
-# - The way back is an inverse: turn back, and turn the step back too. A minus sign is not enough.
-# - A swap raises no error. Half a turn hides it, a quarter shows it.
-# - `tf2_echo A B` prints B in A.
+# - The reverse transform is the inverse. It rotates the translation as well. A minus sign is not enough.
+# - A swap raises no error. A rotation by 180° hides it, a rotation by 90° shows it.
+# - `tf2_echo A B` prints the pose of B in A.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1202,15 +1202,15 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. A message says `(2.0, 0.0, 0.0)` and has an empty `frame_id`. May you use it?
-# 2. A wheeled robot turns to its right. Is its yaw rate positive or negative?
+# 1. A message contains `(2.0, 0.0, 0.0)` and an empty `frame_id`. May you use it?
+# 2. A wheeled robot turns right. Is its yaw rate positive or negative?
 # 3. Which quaternion (x, y, z, w) means "no rotation", and what does TF2 do with (0, 0, 0, 0)?
 #
 # <details><summary>Answers</summary>
 #
-# 1. No: a value without a frame is a rumour. Refuse it, and say so in the log.
-# 2. Negative: z points up, and by the right hand a positive turn goes to the left.
-# 3. (0, 0, 0, 1). All zeros is not a rotation but nothing at all: each listener refuses it, and the frame never appears.
+# 1. No: a value without a frame is a rumour. Reject it, and log a warning.
+# 2. Negative: z points up, and by the right-hand rule a positive yaw rate turns left.
+# 3. (0, 0, 0, 1). All zeros is no rotation at all: each listener rejects the transform, and the frame never appears.
 #
 # </details>
 
@@ -1232,17 +1232,17 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q3
 #
-# Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` means.
+# Explain the parent and the child of a transform, and what `lookup_transform(target, source, time)` returns.
 # Write four or five sentences, then open the list and give yourself a point for each idea.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] A transform gives the position and rotation of the child frame, measured in the parent.
 # - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
-# - [ ] The lookup returns what takes data expressed in *source* to the same data in *target*.
-# - [ ] Target and source need not be parent and child: any two frames of one tree will do, and the lookup walks between them.
-# - [ ] `time` says for which moment; `Time()` means the latest moment that all edges on the way share.
-# - [ ] Swapping both gives the inverse and no error; if anything turns, that is not just another sign.
+# - [ ] The lookup returns the transform that takes data expressed in *source* into *target*.
+# - [ ] Target and source need not be parent and child. Any two frames of one tree will do, and the lookup follows the path between them.
+# - [ ] `time` is the time of the transform. `Time()` means the latest time for which all edges on the path have data.
+# - [ ] Swapping both gives the inverse and no error. With a rotation, that is not just another sign.
 #
 # Five or six: you could teach it. Three or four: read "One transform, read twice" again. Fewer: do the predictions again, with a pencil.
 #
@@ -1270,14 +1270,14 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# Fill the blanks without looking anything up.
+# Fill in the blanks without looking anything up.
 #
 # > "`goal` is expressed in `map`. The controller works in `base_link`."
 # > `lookup_transform('____', '____', Time())`, and the product that gives it: `base_T_map = ______ @ ______`
 #
 # <details><summary>Compare</summary>
 #
-# `lookup_transform('base_link', 'map', Time())`; `base_T_map = base_T_odom @ odom_T_map`, two published tiles, both turned round.
+# `lookup_transform('base_link', 'map', Time())`; `base_T_map = base_T_odom @ odom_T_map`, the inverses of two published transforms.
 #
 # </details>
 
@@ -1296,13 +1296,13 @@ rclpy.try_shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
-# Collect the tickets. A wrong order here is the one thing to come back to at the start of the next lecture.
+# Collect the tickets. If the order is wrong on many, return to it at the start of the next lecture.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), where you see how the edges hang together, and who makes sure of it (nobody).
+# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that nothing enforces it.
 # After a pass, or three tries, `solution("E3.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 # On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
 
