@@ -1,15 +1,15 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 08 · Where was I when I saw it?
+# # 08 · Buffer and measurement time
 #
-# **Buffer and measurement time** · about 75 minutes · builds on 01, 03, 04, 05 and 06
+# **Where was I when I saw it?** · about 75 minutes · builds on 01, 03, 04, 05 and 06
 #
 # After this chapter you can
 #
-# - describe a [[buffer]] as one [[timeline]] for each edge of the tree;
-# - say what the buffer answers between two samples, and what it refuses outside them;
-# - find the [[latest common time]] of a path, and say what `Time()` asks for;
-# - move a message into another frame at the moment it was measured;
-# - estimate how far off you are if you do not.
+# - describe a [[buffer]] as one [[timeline]] for each edge of the tree,
+# - say what the buffer returns between two samples, and what it rejects outside them,
+# - find the [[latest common time]] of a path, and say what `Time()` asks for,
+# - transform a message at the time of its measurement,
+# - estimate the error if you use another time.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 08 · 그것을 본 순간, 나는 어디에 있었을까요?
@@ -25,9 +25,9 @@
 # - 그렇게 하지 않으면 얼마나 빗나가는지 어림할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask the room first: how old is what you see on your phone's camera screen?
+# Ask the class first: how old is what you see on your phone's camera screen?
 # Nobody says "zero" for long.
-# The whole chapter is that one number, carried through tf2.
+# The whole chapter is about that number and how tf2 handles it.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 이렇게 묻습니다. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
@@ -37,14 +37,14 @@
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
 #
-# This is all that the page uses of the chapters before; skip the lines of those that you have read.
+# This page uses the following from earlier chapters. Skip the lines of those that you have read.
 #
-# - **A point** (01) is three things: a value, a frame, and the moment it was measured. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
-# - **The question** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
+# - **A point** (01) needs three things: a value, a frame, and the time of its measurement. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
+# - **A lookup** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
 # - **The tree** (04) gives each frame one parent. Between two frames there is one path, made of edges.
-# - **Our robot** (05) has `map → odom → base_footprint → base_link`. `map → odom` is corrected by a localiser; `odom → base_footprint` is counted by the wheels, many times a second.
-# - **Two kinds of edge** (06): a static one, such as a camera's mount, is sent once and holds for ever. A dynamic one is sent again and again, each time with its [[stamp]].
-# - **A node** is a program. It subscribes to a *topic*, and ROS 2 calls one of its functions, a *callback*, with each message that arrives. *Spinning* is waiting for messages and calling callbacks.
+# - **Our robot** (05) has `map → odom → base_footprint → base_link`. The localisation corrects `map → odom`. The wheel odometry publishes `odom → base_footprint` many times a second.
+# - **Two kinds of edge** (06): a static one, such as a camera's mount, is sent once and is valid at all times. A dynamic one is sent again and again, each time with its [[stamp]].
+# - **A node** is a program. It subscribes to a *topic*, and ROS 2 calls one of its functions, a *callback*, with each message that arrives. *Spinning* means waiting for messages and calling callbacks.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
@@ -70,20 +70,20 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Fifty years, and the length of a hand
 #
-# Someone's mapping node asked TF for the robot's place at second 1574652168.59. (Computers count the seconds from the first of January 1970.)
-# TF stood at second 3.235.
-# One of them lived in 2019, the other in a simulation that had just been switched on: they were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# A mapping node asked TF for the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
+# The newest transform was from 3.235 s.
+# The node used the date of 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
-# That one is easy. Nothing works, and the error says why.
+# That mistake is easy to find. Nothing works, and the error says why.
 #
-# This one is harder: everything works, no error comes, and each obstacle sits the length of a hand away from where it is.
-# Let us build it.
+# This one is harder: everything works, there is no error, and each obstacle is the length of a hand away from where it really is.
+# You now build it.
 # A robot weaves through a room at walking pace.
-# Its camera looks for one ball, and finding it takes 0.2 s of computing.
+# Its camera looks for one ball. The detector takes 0.2 s to find it in an image.
 #
-# The next cell starts the robot; you need not understand its words.
-# A `Leg` is a piece of the drive: how many seconds, how fast forwards, how fast it turns.
-# `graph` is a little ROS 2 world, made afresh whenever you run the cell; `graph.now_ns` is what its clock says.
+# The next cell starts the robot. You do not need to understand it.
+# A `Leg` is a part of the drive: seconds, speed, yaw rate.
+# `graph` is the ROS 2 simulation, created again whenever you run the cell. `graph.now_ns` is its clock.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 손 한 뼘
@@ -113,14 +113,13 @@ parts = ["robot_state_publisher", "wheel_odometry", "localization", "object_dete
 nodes = lesson.launch(graph, robot, only=parts)
 
 # %% [markdown] lang="en" name="finder-intro" slide="subslide"
-# Here is the node that puts the ball on the map.
-# Read it slowly; it is shorter than its fame.
+# This node puts the ball on the map. Read it slowly.
 #
-# - The [[listener]] hears `/tf` and `/tf_static`, and fills the [[buffer]].
-# - `on_point` is called with each sighting. It asks the buffer for `map_T_camera`, and moves the point.
-# - It asks with `Time()`. The author thought: "the newest pose is surely the best one".
+# - The [[listener]] subscribes to `/tf` and `/tf_static`, and fills the [[buffer]].
+# - `on_point` is called with each detection. It looks up `map_T_camera`, and transforms the point.
+# - It uses `Time()`. The author thought: "the newest pose is surely the best one".
 #
-# The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback; time here is virtual, so this takes a moment only.
+# The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback. Time here is simulated, so this is quick.
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
 # 공을 지도에 올리는 노드입니다.
@@ -170,7 +169,7 @@ print(len(finder.balls), "sightings")
 # %% [markdown] lang="en" name="how-many-balls" slide="slide"
 # ### Predict
 #
-# Forty sightings, one ball, which lies still.
+# The robot detected one resting ball forty times.
 # Before you run the next cell: what does the map look like, and how many balls would you say there are?
 
 # %% [markdown] lang="ko" name="how-many-balls" slide="slide"
@@ -184,14 +183,14 @@ on_the_map = {"balls on the map": np.array(finder.balls)}
 lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1.1))
 
 # %% [markdown] lang="en" name="many-balls" tags=["predicted"] slide="subslide"
-# The ring is the ball. The dots are where they stand on the map; the picture is 1.9 m wide.
+# The ring is the ball's true position. The dots are the detections, transformed with `Time()`. The picture is 1.9 m wide.
 #
-# Not one dot lies in the ring.
-# The map shows four or five balls, in two gangs, one on either side of the real one: 0.20 m off on average, 0.28 m at worst.
-# A gripper would close on air, with great confidence.
+# Not one dot is in the ring.
+# The map shows four or five balls in two groups, one on either side of the real one. They are off by 0.20 m on average and by 0.28 m at worst.
+# A gripper would close on nothing.
 #
 # The mathematics was right, and so was the tree.
-# The question was wrong: it asked where the camera is *now* for something the camera saw *then*.
+# The lookup was wrong: it asked where the camera is *now* for an image that was taken *then*.
 
 # %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
 # 고리가 실제 공이고, 점은 지도에 찍힌 공의 위치입니다. 그림의 가로는 1.9 m입니다.
@@ -205,9 +204,9 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 # 틀린 것은 질문입니다. 카메라가 *그때* 본 것인데, 카메라가 *지금* 어디 있는지를 조회했습니다.
 
 # %% [markdown] lang="en" name="many-balls-notes" slide="notes"
-# Let them count. Wait for the laugh, then ask why there are two gangs and not one cloud.
-# The robot was turning left or turning right; hardly ever neither.
-# Real numbers to mention: in a recorded Nav2 run, asking for map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
+# Let them count. Wait for the laugh, then ask why there are two groups and not one cloud.
+# The robot was turning left or turning right; it hardly ever drove straight.
+# Real numbers to mention: in a recorded Nav2 run, looking up map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
 
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
 # 직접 세어 보게 합니다. 웃음이 가라앉으면, 왜 구름 하나가 아니라 두 무리인지 묻습니다.
@@ -219,10 +218,10 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 #
 # ### Predict
 #
-# 1. A robot drives straight ahead at 1 m/s. It sees an object 5 m ahead, and uses that sight 200 ms later, with the robot's pose of *now*. How far off is the object drawn?
-# 2. The same, but the robot also turns left at 0.5 rad/s. How far off now: about the same, twice, or more than twice?
+# 1. A robot drives straight ahead at 1 m/s. It detects an object 5 m ahead and uses the detection 200 ms later, with the robot's *current* pose. How large is the error?
+# 2. The same, but the robot also turns left at 0.5 rad/s. How large is the error now: about the same, twice, or more than twice?
 #
-# Write both numbers down. Then run.
+# Write both numbers down. Then run the cell.
 
 # %% [markdown] lang="ko" name="predict-error" slide="slide"
 # ## 연필로 어림하는 오차
@@ -242,23 +241,23 @@ for name, sight in (("straight", straight), ("turning", turning)):
     print(f"{name}: {error.exact_m:.3f} m off, at ({error.drawn_at[0]:.3f}, {error.drawn_at[1]:.3f})")
 
 # %% [markdown] lang="en" name="two-pieces" tags=["predicted"] slide="subslide"
-# Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, from a turn that you would hardly notice.
+# Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, from a rotation that you would hardly notice.
 #
-# Two pieces make the error, at right angles to each other:
+# The error has two components, at right angles to each other:
 #
 # - **forwards**: speed × delay = 1.0 × 0.2 = 0.2 m;
 # - **sideways**: range × yaw rate × delay = 5 × 0.5 × 0.2 = 0.5 m.
 #
 # Many texts give only the first, `speed × delay`. On a robot that turns, that is the small one.
-# And the second grows with the range: what is far away is drawn far off.
-# (On our map the balls lie only about half as far off as this formula says for 0.2 s: `Time()` gave a pose that was itself 0.1 s old.)
+# The second grows with the range: distant objects are far off.
+# (On our map the error is only about half of what this formula gives for 0.2 s, because `Time()` returned a pose that was itself 0.1 s old.)
 #
 # <details><summary>If you predicted something else</summary>
 #
-# - *0.2 m both times*: you left out the turn. The pose of now is 0.1 rad further round, and at 5 m that is half a metre.
-# - *0.7 m*: you added the pieces. They are at right angles, so it is √(0.2² + 0.5²).
-# - *To the right*: the old sight is straight ahead of the robot. Now the robot looks further left, and drags the sight along to the left.
-# - *Hundreds of metres, or millimetres*: a yaw rate in degrees went into a formula for radians, or the other way round.
+# - *0.2 m both times*: you left out the rotation. By now the robot has rotated another 0.1 rad, and at 5 m that is half a metre.
+# - *0.7 m*: you added the components. They are at right angles, so it is √(0.2² + 0.5²).
+# - *To the right*: the old detection is placed straight ahead of the robot. Now the robot faces further left, so the error is to the left.
+# - *Hundreds of metres, or millimetres*: you mixed up degrees and radians.
 #
 # </details>
 
@@ -285,7 +284,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 
 # %% [markdown] lang="en" name="two-pieces-notes" slide="notes"
 # Collect the numbers for the second question before you go on; most say 0.2 or 0.3 m.
-# Then turn on the spot by a few degrees with an arm stretched out: the body hardly moves, the hand does.
+# Then rotate on the spot by a few degrees with an arm stretched out: the body hardly moves, the hand does.
 
 # %% [markdown] lang="ko" name="two-pieces-notes" slide="notes"
 # 다음으로 넘어가기 전에 둘째 문제의 답을 모읍니다. 대개 0.2 m나 0.3 m라고 합니다.
@@ -294,12 +293,12 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The idea, three times
 #
-# **In a sentence:** ask where the sensor was when the light came in, not where it is when the computer has finished thinking.
+# **In a sentence:** look up where the sensor was at the time of the measurement, not where it is when the computation has finished.
 #
 # **In numbers:** the cell above.
 #
 # **In 3D:** below. The solid axes are the robot at the stamp, the dashed ones are the robot now.
-# Drag the delay, and watch the ball leave.
+# Drag the delay, and watch the error grow.
 
 # %% [markdown] lang="ko" name="the-sentence" slide="slide"
 # ## 같은 내용을 세 가지로
@@ -321,10 +320,10 @@ lesson.draw_latency(turning)
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
 # ### Play with it
 #
-# Four sliders. Find out, and say it aloud before you move:
+# There are four sliders. Find out, and say it aloud before you move one:
 #
 # - Which of speed, yaw rate, range and delay can make the error zero all by itself?
-# - Your robot may be off by 0.1 m at 5 m, and it turns at 0.5 rad/s. How old may a sight be?
+# - The error of your robot may be 0.1 m at 5 m, and it turns at 0.5 rad/s. How old may a detection be?
 
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
 # ### 직접 해 보세요
@@ -344,10 +343,10 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # <details><summary>Answers</summary>
 #
 # Only the delay, and that is why this chapter is about time.
-# Speed zero leaves the turn; yaw rate zero leaves the drive.
+# At zero speed the rotation still causes an error; at zero yaw rate the translation does.
 #
-# 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that turns on the spot: about one picture of a 30 Hz camera.
-# No detector is that fast. You cannot win by being quick; you win by asking about the right moment.
+# 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that rotates on the spot: about one image of a 30 Hz camera.
+# No detector is that fast. Speed does not help. Looking up the right time does.
 #
 # </details>
 
@@ -365,15 +364,15 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # %% [markdown] lang="en" name="the-lanes" slide="slide"
 # ## What the buffer remembers
 #
-# To ask about *then*, somebody must have kept *then*.
-# That is the buffer's whole job.
+# To look up a pose of the past, somebody must have stored it.
+# That is the purpose of the buffer.
 #
-# Each edge of the tree has a timeline of its own, drawn as one row.
-# A row holds the [[sample|samples]] that were heard, each at its stamp, for the last few seconds.
-# A static edge has one value, and it is good for any time.
+# Each edge of the tree has a timeline of its own.
+# A timeline holds the [[sample|samples]] that were received, each at its stamp, for the last few seconds.
+# A static edge has one value, and it is valid at all times.
 #
 # Here is a small buffer, made by hand so that you can count its samples.
-# (`BufferCore` is the engine inside `tf2_ros.Buffer`. Filling it ourselves saves us three nodes.)
+# (`BufferCore` is the engine inside `tf2_ros.Buffer`. Here you fill it without nodes.)
 
 # %% [markdown] lang="ko" name="the-lanes" slide="slide"
 # ## 버퍼가 기억하는 것
@@ -404,11 +403,11 @@ lesson.draw_history(small, "map", "laser_frame", seconds(3.4))
 # %% [markdown] lang="en" name="between" slide="slide"
 # ### Between two samples
 #
-# Nobody sent anything at 3.4 s, and still there is an answer: x = 2.1 m.
-# The neighbours of `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m); 3.4 s lies 0.6 of the way, so 1.90 m, and 0.20 m more to the laser.
-# That is [[interpolation]]: positions go along a straight line, rotations along the shortest arc.
+# No sample has the stamp 3.4 s, and still there is an answer: x = 2.1 m.
+# The neighbours on `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m). 3.4 s is 0.6 of the way between them, so 1.90 m, and 0.20 m more to the laser.
+# That is [[interpolation]]: positions along a straight line, rotations along the shortest arc.
 #
-# Inside the row the buffer fills the gaps. Outside it never guesses.
+# Within a timeline the buffer interpolates. Outside it, it never guesses.
 #
 # **Predict.** At 1.0 s the yaw is 170°, at 2.0 s it is −170°. What is it at 1.5 s: 0° or 180°?
 
@@ -433,9 +432,9 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
     print(f"{stamp_s:.2f} s: yaw {math.degrees(yaw):7.2f} degrees")
 
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
-# 180°. The robot turned by 20°, through the back, as any robot would.
-# Whoever averages the two numbers gets 0°, and a robot that looks the other way for one picture.
-# That bug has been written by hand in every language there is; the exercise lets you write it once more, safely.
+# 180°. The robot rotated by 20°, past the rear, as any robot would.
+# If you average the two angles you get 0°: for one image the robot faces backwards.
+# Many programs contain this bug. The exercise lets you write it once more, safely.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
 # 180°입니다. 여느 로봇처럼 등 뒤쪽을 지나 20°만 돌았습니다.
@@ -445,14 +444,14 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="en" name="latest-common" slide="slide"
 # ### How fresh is "latest"?
 #
-# A query walks several rows, and *each* must cover the moment asked for.
-# The shaded band in the picture is where all do.
+# A lookup uses several timelines, and *each* must cover the requested time.
+# The shaded band in the picture is where all of them do.
 #
-# `Time()` means "time zero", and tf2 reads that as: the [[latest common time]] of the path.
+# `Time()` means "time zero", and tf2 takes it as the [[latest common time]] of the path.
 # It does **not** mean now.
 #
 # **Predict** from the picture: `map → odom` ends at 4.00 s, `odom → base_link` at 4.75 s, the static mount was sent at 1.00 s, and the time now is 4.80 s.
-# What does `Time()` get?
+# Which time does `Time()` give?
 
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
 # ### "최신"은 얼마나 새로울까요?
@@ -472,17 +471,17 @@ print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- lase
 print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
 
 # %% [markdown] lang="en" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00 s: **the earliest of the latest ones**. One slow row holds everybody back.
+# 4.00 s: **the earliest of the latest samples**. The slowest timeline limits the result.
 #
-# - 4.75 would need `map → odom` where it has nothing to say yet.
-# - 1.00 counts the static edge, which holds for ever and limits nobody.
-# - 4.80 is now, and nothing in the buffer is that fresh.
+# - For 4.75 s, `map → odom` has no data yet.
+# - 1.00 s is the stamp of the static edge, which is valid at all times and limits nothing.
+# - 4.80 s is now, and nothing in the buffer is that new.
 #
-# From `odom` the slow row is not on the path, so 4.75 s.
-# A path of static edges only has no latest time; tf2 says 0.
+# From `odom` the slow timeline is not on the path, so it is 4.75 s.
+# A path of static edges only has no latest time; tf2 returns 0.
 # (On a robot: `buffer.get_latest_common_time("map", "laser_frame")`.)
 #
-# Our live robot, a moment after its last sighting:
+# Here is our driving robot, shortly after its last detection:
 
 # %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
 # 4.00초, 즉 **마지막 시각들 중에서 가장 이른 것**입니다. 느린 줄 하나가 모두를 붙잡습니다.
@@ -504,11 +503,11 @@ print("Time() came back as", Time.from_msg(newest.header.stamp).nanoseconds / 1e
 print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nanoseconds / 1e9)
 
 # %% [markdown] lang="en" name="latest-live-read"
-# Three moments: 13.00 s now, 12.89 s "latest", 12.80 s the picture.
-# `Time()` is neither now nor the picture; it is whatever the slowest row had to offer.
+# There are three times here: 13.00 s is now, 12.89 s is the latest common time, and 12.80 s is the stamp of the image.
+# `Time()` gives neither now nor the time of the image. It gives what the slowest timeline has.
 # The answer carries its stamp. Print it, and you will never again call it "now".
 #
-# Now drag a query through the small buffer, and past both of its ends.
+# Now drag the requested time through the small buffer, and past both of its ends.
 
 # %% [markdown] lang="ko" name="latest-live-read"
 # 순간이 셋입니다. 지금 13.00초, "최신" 12.89초, 영상을 찍은 12.80초입니다.
@@ -525,16 +524,16 @@ lesson.timeline_panel("map", "laser_frame", lanes, small.lookup_transform, secon
 lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="en" name="past-the-end-read"
-# At 4.4 s `odom → base_link` could answer, `map → odom` cannot, so there is no answer.
-# tf2 calls this [[extrapolation]], and refuses. Chapter 09 is about the refusals.
+# At 4.4 s `odom → base_link` has data and `map → odom` has none, so there is no answer.
+# tf2 calls this [[extrapolation]], and raises an exception. Chapter 09 is about these exceptions.
 
 # %% [markdown] lang="ko" name="past-the-end-read"
 # 4.4초에 `odom → base_link`는 답할 수 있지만 `map → odom`은 답할 수 없으므로, 답이 없습니다.
 # tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절에 관한 이야기는 09장에서 합니다.
 
 # %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
-# Drag slowly across 4.00 s and let the class see the handle turn into a cross.
-# Ask: who is to blame, the query or map → odom?
+# Drag slowly across 4.00 s and let the class see the handle change into a cross.
+# Ask: what is the cause, the lookup or map → odom?
 # Then tick LATEST and watch the handle jump back to 4.00 s.
 
 # %% [markdown] lang="ko" name="past-the-end-notes" slide="notes"
@@ -545,7 +544,7 @@ lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 # %% [markdown] lang="en" name="worked" slide="slide"
 # ## A worked example: value, frame and stamp
 #
-# A message brings all three along. So the only thing that is yours to say is the target:
+# A message contains the value, the frame and the stamp. You only have to name the target:
 #
 # 1. **target**: where you want it, `"map"`;
 # 2. **source**: `message.header.frame_id`;
@@ -568,10 +567,10 @@ by_hand = do_transform_point(message, map_T_camera)
 print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y:.2f}, {by_hand.point.z:.2f})")
 
 # %% [markdown] lang="en" name="worked-one-line" slide="subslide"
-# The ball truly lies at (6.50, -1.50, 0.30).
+# The true position of the ball is (6.50, -1.50, 0.30).
 #
-# These lines are so usual that tf2 has one for them.
-# `buffer.transform(message, "map")` reads frame and stamp off the message itself, and there is nothing left to get wrong:
+# These lines are so common that tf2 has one call for them.
+# `buffer.transform(message, "map")` reads frame and stamp from the message, so you cannot mix them up:
 
 # %% [markdown] lang="ko" name="worked-one-line" slide="subslide"
 # 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
@@ -588,8 +587,8 @@ ways = {
 lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% [markdown] lang="en" name="one-ball-again"
-# One ball. Same forty messages, same buffer, same robot; only the third argument changed.
-# What is left, 2 cm on average, is the camera's noise and the localiser's.
+# One ball. The messages, the buffer and the robot are the same; only the third argument is different.
+# The rest, 2 cm on average, is noise of the camera and the localisation.
 
 # %% [markdown] lang="ko" name="one-ball-again"
 # 그림 읽기: newest pose = 최신 위치, pose at the stamp = 측정 시각의 위치.
@@ -600,7 +599,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Your turn, with two blanks
 #
-# Same point, wanted in `odom` this time. Replace each `...`, and run.
+# The same kind of point, wanted in `odom` this time. Replace each `...`, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 빈칸 두 개를 채워 보세요
@@ -636,15 +635,15 @@ else:
 # %% [markdown] lang="en" name="try-it" slide="slide"
 # ### Try it
 #
-# - In the cell above, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now `Time()` is 12.9 s, for every message. So the older the message, the further off.)
-# - Ask for 100 ms before the stamp. Is that better or worse than 100 ms after it?
-# - In the cell that starts the robot, where the `Leg`s are, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small piece, speed × delay.
+# - In the cell above, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now `Time()` is 12.9 s for every message. So the older the message, the larger the error.)
+# - Look up 100 ms before the stamp. Is that better or worse than 100 ms after it?
+# - In the cell that starts the robot, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small component, speed × delay.
 #
 # <details><summary>What I found</summary>
 #
-# - 1.9 m for message 20, 1.8 m for 25, 0.5 m for 38: they were seen at different times, and now all of them are moved with one pose. Live, in `on_point`, the newest pose was never more than 0.2 s younger than the sight.
-# - 100 ms too early is as bad as 100 ms too late, and on the other side: the error has the sign of the delay.
-# - Without turns, one ball, a little drawn out along the way of the robot.
+# - 1.9 m for message 20, 1.8 m for 25, 0.5 m for 38. They were measured at different times, and now all of them are transformed with one pose. While the robot drove, in `on_point`, the newest pose was at most 0.2 s newer than the detection.
+# - 100 ms too early is as bad as 100 ms too late, in the other direction: the error has the sign of the delay.
+# - Without rotation there is one ball, stretched a little along the robot's path.
 #
 # </details>
 
@@ -668,9 +667,9 @@ else:
 #
 # ### One: overwrite the stamp
 #
-# Somewhere in the world a node does this at this very moment:
-# it receives a message, filters it, and sends it on with a fresh stamp, because "it is published now, after all".
-# (A traceback would stand above the error. The next line leaves it out: what counts is the last line.)
+# Many real nodes do this:
+# they receive a message, filter it, and publish it with a new stamp, because "it is published now, after all".
+# (The next line hides the traceback. Only the last line matters here.)
 
 # %% [markdown] lang="ko" name="break-stamp" slide="slide"
 # ## 일부러 고장 내기
@@ -691,8 +690,8 @@ late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
-# Read the last line. It asked for 13.000 s. The edge that the text tells of ends at 12.946 s; `map → odom`, as `Time()` said above, ends at 12.890 s already.
-# So 110 ms are missing, and a "cure" is near: let 0.2 s pass and ask again.
+# Read the last line. The lookup was for 13.000 s. The transform named in the message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
+# So 110 ms are missing, and a "fix" seems near: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
 # 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 위에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
@@ -708,10 +707,10 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
     print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {off_m:.2f} m")
 
 # %% [markdown] lang="en" name="the-cure-read" slide="subslide"
-# The error is gone, and the ball is wrong. Now nothing will ever tell you.
-# **The stamp says when it was measured, not when it arrived.** Overwrite it, and the error does not go away; it hides.
+# The error is gone, and the ball is wrong. From now on nothing will tell you.
+# **The stamp is the time of the measurement, not of the arrival.** If you overwrite it, the error does not go away. It becomes invisible.
 #
-# What does that look like to a laser? Here a filter holds each scan for 0.3 s. The walls are placed twice: once at the stamp that the laser gave, once at a fresh one.
+# What does that look like for a laser? Here a filter holds each scan for 0.3 s. The walls are drawn twice: once with the laser's stamp, once with a new one.
 
 # %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
 # 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 아무도 알려 주지 않습니다.
@@ -744,12 +743,12 @@ ways = {
 lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="smear-read" slide="subslide"
-# In RViz people call this "the walls are smeared", and begin to look for a broken laser.
-# Far walls swing most: that is range × yaw rate × delay again.
+# In RViz people call this "the walls are smeared", and look for a broken laser.
+# Distant walls are off by most: that is range × yaw rate × delay again.
 #
-# The left picture is not perfect either: 4 cm on average, up to 27 cm.
-# A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last one is 0.1 s younger.
-# That is [[motion distortion]], and you know the cure by now: ask for each ray at its own moment.
+# The left picture is not perfect either: it is off by 4 cm on average, by up to 27 cm at worst.
+# A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last ray is 0.1 s newer.
+# That is [[motion distortion]], and you know the fix by now: look up each ray at its own time.
 
 # %% [markdown] lang="ko" name="smear-read" slide="subslide"
 # RViz에서 흔히 "스캔이 벽에 번진다"고 하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
@@ -768,9 +767,9 @@ for heard in scans:
 lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(rays)}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
-# This is the slide for the engineers in the room: laser_geometry does the same in C++ when it is given a TF buffer.
-# With a sweep of 0.1 s a robot at 0.5 rad/s turns by 0.05 rad from the first ray to the last: 25 cm at 5 m.
-# Then go back: most of the smear in practice comes from stamps, and costs nothing to mend.
+# This is the slide for the engineers in the class: laser_geometry does the same in C++ if it is given a TF buffer.
+# In a sweep of 0.1 s a robot at 0.5 rad/s rotates by 0.05 rad from the first ray to the last: 25 cm at 5 m.
+# Then go back: most of the smear in practice comes from stamps, and costs nothing to fix.
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
 # 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 같은 일을 합니다.
@@ -780,9 +779,9 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 # %% [markdown] lang="en" name="break-slow" slide="slide"
 # ### Two: odometry once a second
 #
-# The wheels now speak at 1 Hz instead of 20. The camera still sees the ball five times a second, and each sighting arrives 0.2 s after its stamp.
+# The odometry is now published at 1 Hz instead of 20. The camera still detects the ball five times a second, and each detection arrives 0.2 s after its stamp.
 #
-# **Predict:** of about forty sightings, how many can be placed at their stamp the moment they arrive?
+# **Predict:** of about forty detections, how many can be transformed at their stamp when they arrive?
 
 # %% [markdown] lang="ko" name="break-slow" slide="slide"
 # ### 둘: 초당 한 번뿐인 오도메트리
@@ -808,9 +807,9 @@ print(refusals[0])
 
 # %% [markdown] lang="en" name="slow-odometry-read" tags=["predicted"] slide="subslide"
 # One in three.
-# A sighting is answered only if a sample of *each* row is at least as young as it is, and for most of each second the newest odometry is older.
+# A detection can be transformed only if *each* timeline has a sample at or after its stamp. For most of each second the newest odometry is older.
 #
-# Three ways out, in this order: publish odometry faster; let the message wait until the row has caught up (chapter 09); or drop it.
+# There are three solutions, in this order: publish the odometry faster; let the message wait until the timeline has caught up (chapter 09); or drop it.
 # `Time()` is not among them. It always answers, with a pose that is up to a second old.
 
 # %% [markdown] lang="ko" name="slow-odometry-read" tags=["predicted"] slide="subslide"
@@ -824,9 +823,9 @@ print(refusals[0])
 # ### Three: a forgotten import
 #
 # How does `transform()` know what to do with a `PointStamped`?
-# Importing `tf2_geometry_msgs` told it. The import looks unused, so one day a tidy colleague deletes it.
+# Importing `tf2_geometry_msgs` registers the conversion. The import looks unused, so one day a tidy colleague deletes it.
 #
-# This page imported the teacher for points, but not the one for clouds, `tf2_sensor_msgs`:
+# This page imported the conversions for points but not those for point clouds, `tf2_sensor_msgs`:
 
 # %% [markdown] lang="ko" name="break-type" slide="slide"
 # ### 셋: 빠뜨린 import
@@ -845,9 +844,9 @@ except TransformException as error:
     print("handled:", error)
 
 # %% [markdown] lang="en" name="forgotten-import-read"
-# It walked straight past `except TransformException`, because `TypeException` is **not** a `TransformException`.
-# TF is innocent here: no frame is missing and no time is wrong, only Python was never told about the type.
-# Cure: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
+# `except TransformException` did not catch it, because `TypeException` is **not** a `TransformException`.
+# TF is not the cause: no frame is missing and no time is wrong. Only the conversion of this type is not registered.
+# Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
@@ -855,7 +854,7 @@ except TransformException as error:
 # 고치는 법: 점, 포즈, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
 # %% [markdown] lang="en" name="forgotten-import-notes" slide="notes"
-# Ask who has a linter that deletes unused imports. This one has to stay, and the comment beside it is what saves it.
+# Ask who has a linter that deletes unused imports. This import has to stay, and the comment beside it protects it.
 
 # %% [markdown] lang="ko" name="forgotten-import-notes" slide="notes"
 # 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 묻습니다. 이 import는 남아야 하고, 옆에 단 주석이 그것을 지킵니다.
@@ -863,7 +862,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
 #
-# And the story from the beginning, with its own numbers. Simulated TF, and a node that looks at the computer's own clock (wall time):
+# And the story from the beginning, with its own numbers: simulated TF, and a node that uses the computer's own clock (wall time):
 
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
@@ -877,7 +876,7 @@ for stamp_s in (3.185, 3.235):
 simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 
 # %% [markdown] lang="en" name="fifty-years-read"
-# Two numbers so far apart are never a slow network. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
+# A slow network never explains two times this far apart. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
 
 # %% [markdown] lang="ko" name="fifty-years-read"
 # 두 숫자가 이렇게 멀면 결코 느린 네트워크 탓이 아닙니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
@@ -885,8 +884,8 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # %% [markdown] lang="en" name="how-long" slide="slide"
 # ## How long must the buffer remember?
 #
-# A buffer forgets. Each row keeps its samples for the [[cache time]], ten seconds if you do not say otherwise, counted back from its newest one.
-# Whoever computes longer than that comes home to an empty house:
+# A buffer forgets. Each timeline keeps its samples for the [[cache time]], ten seconds by default, counted back from its newest one.
+# If your computation takes longer than that, the sample is gone:
 
 # %% [markdown] lang="ko" name="how-long" slide="slide"
 # ## 버퍼는 얼마나 오래 기억해야 할까요?
@@ -899,12 +898,12 @@ forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
 forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 
 # %% [markdown] lang="en" name="short-memory-read"
-# When a sight is used, its stamp lies one *delay* back. To interpolate there, the row must still hold the sample *before* the stamp, and that one can be a whole period older.
-# So, for the slowest row of the path:
+# A detection is used one *delay* after its stamp. To interpolate there, the timeline must still hold the sample *before* the stamp, which can be a whole period older.
+# So, for the slowest timeline of the path:
 #
 # > cache time ≥ delay + one period
 #
-# A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Take more; memory is cheap.
+# A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Choose more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
 # 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
@@ -915,14 +914,14 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # 2초 걸리는 검출기와 4 Hz 연결이 있는 경로라면 2.25초입니다. 넉넉히 잡으십시오. 메모리는 비싸지 않습니다.
 
 # %% [markdown] lang="en" name="two-moments" slide="slide"
-# ## One more question: two moments at once
+# ## One more lookup: two times at once
 #
-# A planner thinks for a second about the ball that it saw at 7.4 s. Now, at 8.4 s, it wants to steer.
+# A planner computes for a second with the ball that was detected at 7.4 s. Now, at 8.4 s, it wants to steer.
 # So it needs the ball of *then* in the base_link of *now*.
 #
-# One stamp cannot say that. What stands still between the two moments can: the [[fixed frame]], here `odom`.
-# `lookup_transform_full` walks from the camera **then** up to `odom`, waits there for a second, and walks down to base_link **now**.
-# Its arguments are two frames, each with its own time behind it, and the frame that stands still.
+# One stamp is not enough for that. You need a frame that does not move between the two times: the [[fixed frame]], here `odom`.
+# `lookup_transform_full` goes from the camera at the **first** time up to `odom`, and down to base_link at the **second** time.
+# Its arguments are two frames, each followed by its own time, and the fixed frame.
 
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
 # ## 한 걸음 더: 두 순간을 한 번에
@@ -956,9 +955,9 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="en" name="two-moments-read"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
-# The old answer was a true answer to an old question; steering by it would have turned the robot away.
+# The old coordinates were correct for the old pose. Steering by them would have turned the robot away.
 #
-# Why `odom` and not `map`? The ball rests in both. But `map` may jump when the localiser corrects itself in between, and the ball would jump with it (chapter 05).
+# Why `odom` and not `map`? The ball is at rest in both. But `map` may jump when the localisation corrects the pose in between, and the ball would jump with it (chapter 05).
 
 # %% [markdown] lang="ko" name="two-moments-read"
 # *그림 읽기:* ball = 공, ahead = 앞, to the right = 오른쪽, to the left = 왼쪽, grid of 1 m = 눈금 한 칸이 1미터.
@@ -979,30 +978,30 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# Your node asks at `header.stamp`. Every few messages it gets "extrapolation into the future", 40 ms short.
-# Four colleagues offer four patches. Choose one, then open its reply.
+# Your node looks up at `header.stamp`. Every few messages it gets "extrapolation into the future", and 40 ms are missing.
+# Four colleagues suggest four changes. Choose one, then open its reply.
 #
 # <details><summary>A. Ask for <code>Time()</code> instead of the stamp.</summary>
 #
-# The error goes, and each point is now moved with a pose of another moment. On a turning robot that was 20 cm in our room. You traded a loud error for a silent one.
+# The error goes away, and each point is now transformed with a pose of another time. On a turning robot that was 20 cm in our room. You replaced an exception by a silent error.
 #
 # </details>
 #
-# <details><summary>B. Set <code>header.stamp</code> to now before asking.</summary>
+# <details><summary>B. Set <code>header.stamp</code> to now before the lookup.</summary>
 #
-# Then you ask for an even later moment: more refusals, and those that succeed are wrong by the whole delay. You also lied to everyone who reads the message after you.
+# Then you look up an even newer time: more exceptions, and the lookups that succeed are wrong by the whole delay. Every node that receives the message after you gets the wrong stamp, too.
 #
 # </details>
 #
 # <details><summary>C. Keep the stamp, let the message wait a little for its transform, drop it when it is too old.</summary>
 #
-# Yes. 40 ms short means that the transform is on its way. The moment is right; only your hurry was wrong. Chapter 09 shows how to wait without blocking, and for how long.
+# Yes. 40 ms missing means that the transform is on its way. The time is right; you only looked it up too soon. Chapter 09 shows how to wait without blocking, and for how long.
 #
 # </details>
 #
 # <details><summary>D. Make the <code>cache_time</code> longer.</summary>
 #
-# The cache decides how far *back* the buffer remembers. What you ask for has not arrived yet; no memory is long enough for that.
+# The cache time decides how far *back* the buffer remembers. The transform that you need has not arrived yet.
 #
 # </details>
 
@@ -1037,7 +1036,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # </details>
 
 # %% [markdown] lang="en" name="checkpoint-notes" slide="notes"
-# Everybody writes a letter down before anybody speaks. Let an A and a C argue: both get rid of the error, and only one of them places the ball.
+# Everybody writes a letter down before anybody speaks. Let an A and a C argue: both get rid of the error, and only one of them places the ball correctly.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
 # 누구든 입을 열기 전에 모두 글자 하나를 적게 합니다. A와 C를 고른 사람이 서로 설득하게 합니다. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
@@ -1045,16 +1044,18 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is the node for the lab, whole, as you would save it in `tf_lab_py/point_to_map.py`.
-# It is our finder, grown up: it refuses a point without a frame, uses the point's own stamp, and says so when TF cannot answer.
+# This is the lecture's node for the lab. It is our finder with three additions: it rejects a point without a frame, uses the point's own stamp, and logs a warning if TF has no transform.
+# Read it first, then run its main part below. The corrected file is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
 #
-# 실습용 노드의 전체 코드입니다. `tf_lab_py/point_to_map.py`에 그대로 저장하면 됩니다.
-# 앞의 `Finder`를 어엿하게 키운 모습입니다. 좌표계 없는 점은 거절하고, 점 자신의 측정 시각을 쓰고, TF가 답하지 못하면 그렇다고 알립니다.
+# 강의의 실습용 노드입니다. 앞의 `Finder`에 세 가지를 더했습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, TF에 변환이 없으면 경고를 남깁니다.
+# 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 고친 파일은 이 절의 끝에 있습니다.
 
 # %% [markdown] lang="en" name="the-file" slide="skip"
+# <details><summary><code>tf_lab_py/point_to_map.py</code>, as the lecture has it</summary>
+#
 # ```python
 # # tf_lab_py/point_to_map.py
 # import rclpy
@@ -1106,8 +1107,12 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # if __name__ == '__main__':
 #     main()
 # ```
+#
+# </details>
 
 # %% [markdown] lang="ko" name="the-file" slide="skip"
+# <details><summary><code>tf_lab_py/point_to_map.py</code>, 강의에 나온 그대로</summary>
+#
 # ```python
 # # tf_lab_py/point_to_map.py
 # import rclpy
@@ -1159,9 +1164,11 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # if __name__ == '__main__':
 #     main()
 # ```
+#
+# </details>
 
 # %% [markdown] lang="en" name="its-heart" slide="-"
-# Here is its heart, running on our robot:
+# Here is its main part, running on our robot:
 
 # %% [markdown] lang="ko" name="its-heart" slide="-"
 # 핵심 부분을 우리 로봇에서 돌려 봅니다.
@@ -1185,9 +1192,9 @@ class PointToMap(Node):
 
 
 # %% [markdown] lang="en" name="point-to-map-predict" slide="subslide"
-# The robot has been driving for twelve seconds; the node starts in the middle of it.
+# The robot has been driving for twelve seconds when the node starts.
 #
-# **Predict:** the first point was measured before the node began to listen, so it must be refused. The second one, 0.2 s later: placed or refused?
+# **Predict:** the first point was measured before the node began to receive transforms, so it must be rejected. What about the second one, 0.2 s later?
 
 # %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
 # 로봇이 12초째 달리던 중에 노드를 켭니다.
@@ -1206,14 +1213,14 @@ graph.run(seconds=1.3)
 node.stop()
 
 # %% [markdown] lang="en" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
-# Every point is refused, and look at the two times of each line: the gap *grows*.
-# The robot speaks as before. It is the node that has stopped listening.
+# Every point is rejected, and look at the two times of each line: the gap *grows*.
+# The robot publishes as before. It is the node that has stopped receiving.
 #
 # A node that spins on one thread does one thing at a time.
-# The first point fails, so its callback waits 0.2 s for a transform, and while it waits nobody reads `/tf`.
-# Then comes the next point, and waits 0.2 s as well.
-# The transforms stand in a queue at the door, and the node reads one of them for each nap it takes.
-# The timeout that was to help has made the node deaf, after a single miss.
+# The lookup for the first point fails, so its callback waits 0.2 s for a transform. While it waits, nothing reads `/tf`.
+# Then comes the next point, and its callback waits 0.2 s as well.
+# Transforms queue up, and the node processes one of them between two waiting callbacks.
+# After one missed lookup, the timeout itself keeps the node from receiving transforms.
 #
 # Without it:
 
@@ -1235,11 +1242,11 @@ graph.run(seconds=1.3)
 node.stop()
 
 # %% [markdown] lang="en" name="point-to-map-read" slide="subslide"
-# One refusal, then the ball, again and again, where it is.
+# One point is rejected. After that the ball is in its true position each time.
 #
-# The first point is older than everything the node has heard. That one is lost, and rightly so.
-# A mapping node once crashed on exactly that, at start-up, because a scan was 41 ms older than the first transform ([SteveMacenski/slam_toolbox, issue 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
-# The patch that was proposed there asked for the latest transform instead. You know now what that would have hidden.
+# The first point is older than all transforms that the node has received. That point is lost, and this is correct.
+# A mapping node once crashed for this reason at start-up, because a scan was 41 ms older than the first transform ([SteveMacenski/slam_toolbox, issue 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
+# The change that was proposed there looked up the latest transform instead. You know now which error that would have hidden.
 
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
 # 한 번 거절한 뒤로는 공을 계속 제자리에 찍습니다.
@@ -1249,8 +1256,8 @@ node.stop()
 # 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 무엇이 숨었을지 이제 여러분은 압니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
-# The lecture's node is right in everything that it asks. It works as long as no transform is ever late; one miss, and it goes deaf.
-# On a slower detector (1 Hz) it would recover: 0.2 s of sleep in each second leaves time to listen. Ask the class why.
+# Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one miss it no longer receives any.
+# With a slower detector (1 Hz) it would recover: 0.2 s of waiting in each second leaves time to receive. Ask the class why.
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 
 # %% [markdown] lang="ko" name="point-to-map-notes" slide="notes"
@@ -1261,10 +1268,10 @@ node.stop()
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
 # So, before you type it on a robot:
 #
-# - Leave `timeout=` out of callbacks, or give the listener a thread of its own; chapter 09 shows how to wait.
-# - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Today one writes `except (KeyboardInterrupt, ExternalShutdownException): pass` and `rclpy.try_shutdown()`.
+# - Leave out `timeout=` in a callback, or give the listener a thread of its own. Chapter 09 shows how to wait.
+# - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Catch `ExternalShutdownException` as well, and call `rclpy.try_shutdown()`.
 #
-# And the lookup by hand, when you need the transform itself (here with its `timeout`, so not in a callback of a single thread):
+# If you need the transform itself, look it up by hand. This call has a `timeout`, so do not use it in a callback of a single thread:
 #
 # ```python
 # measurement_time = Time.from_msg(message.header.stamp)
@@ -1296,8 +1303,102 @@ node.stop()
 # )
 # ```
 
+# %% [markdown] lang="en" name="corrected-file" slide="skip"
+# This is the node to save as `tf_lab_py/point_to_map.py`. It has no `timeout=`, and it can be stopped with Ctrl-C.
+#
+# ```python
+# import rclpy
+# import tf2_geometry_msgs  # registers the geometry messages
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+#
+# class PointToMap(Node):
+#     def __init__(self):
+#         super().__init__('point_to_map')
+#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+#         self.listener = TransformListener(self.buffer, self)
+#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         if not message.header.frame_id:
+#             self.get_logger().warning('no frame_id: rejected')
+#             return
+#         try:
+#             point = self.buffer.transform(message, 'map').point
+#             self.get_logger().info(f'map point=({point.x:.2f}, {point.y:.2f}, {point.z:.2f})')
+#         except TransformException as error:
+#             self.get_logger().warning(f'no transform: {error}')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = PointToMap()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+
+# %% [markdown] lang="ko" name="corrected-file" slide="skip"
+# `tf_lab_py/point_to_map.py`에 저장할 노드입니다. `timeout=`이 없고, Ctrl-C로 멈출 수 있습니다.
+#
+# ```python
+# import rclpy
+# import tf2_geometry_msgs  # Geometry Message 변환 등록
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+#
+# class PointToMap(Node):
+#     def __init__(self):
+#         super().__init__('point_to_map')
+#         self.buffer = Buffer(cache_time=Duration(seconds=20.0))
+#         self.listener = TransformListener(self.buffer, self)
+#         self.subscription = self.create_subscription(PointStamped, 'detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         if not message.header.frame_id:
+#             self.get_logger().warning('frame_id가 없는 Point 거절')
+#             return
+#         try:
+#             point = self.buffer.transform(message, 'map').point
+#             self.get_logger().info(f'map point=({point.x:.2f}, {point.y:.2f}, {point.z:.2f})')
+#         except TransformException as error:
+#             self.get_logger().warning(f'TF 변환 실패: {error}')
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = PointToMap()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+
 # %% [markdown] lang="en" name="topic-delay-why" slide="subslide"
-# Is your robot's data old? Ask it. `ros2 topic delay` prints arrival minus stamp:
+# Is your robot's data old? `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="topic-delay-why" slide="subslide"
 # 여러분 로봇의 데이터는 얼마나 묵었을까요? `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
@@ -1306,13 +1407,13 @@ node.stop()
 # %ros2 --for 2 topic delay /detected_point
 
 # %% [markdown] lang="en" name="topic-delay-read"
-# 0.200 s: the detector's computing time, for everyone to see, because its stamp is honest.
-# Had somebody overwritten the stamp, this would read 0.000 s, and look splendid.
+# 0.200 s is the detector's computing time. You can see it because its stamp is correct.
+# With an overwritten stamp the command would print 0.000 s.
 #
 # | symptom | likely cause | first look |
 # |---|---|---|
 # | scan smeared along walls while turning | stamp overwritten, or late odometry | `ros2 topic delay`, then `tf2_monitor` |
-# | smeared, and the delay reads 0.000 s | stamp overwritten on the way | who republishes the topic? |
+# | smeared, and the delay reads 0.000 s | stamp overwritten on the way | which node republishes the topic? |
 # | "extrapolation into the future" by some ms | transform still on its way | wait a little (09) |
 # | "extrapolation into the past" | long computing, or a short cache | data age, `cache_time` |
 # | off by the same amount, standing or moving | static mount is wrong | `tf2_echo base_link laser_frame` |
@@ -1332,14 +1433,14 @@ node.stop()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - The buffer keeps a timeline for each edge. Between samples it interpolates; outside it refuses.
-# - `Time()` is the latest common time: the earliest of the latest ones, statics not counted. It is not now.
+# - The buffer keeps a timeline for each edge. Between samples it interpolates; outside them it raises an exception.
+# - `Time()` is the latest common time: the earliest of the latest samples, without the static edges. It is not now.
 # - Value + frame + stamp. `buffer.transform()` uses all three, and so should you.
-# - Wrong moment, wrong place: speed × delay forwards, range × yaw rate × delay sideways.
-# - The stamp says when it was measured. Overwrite it, and the error hides.
-# - Two moments: `lookup_transform_full` through a frame that stands still.
+# - A wrong time gives a wrong position: speed × delay forwards, range × yaw rate × delay sideways.
+# - The stamp is the time of the measurement. If you overwrite it, the error becomes invisible.
+# - For two times, use `lookup_transform_full` with a frame that does not move between them.
 #
-# Text of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
+# Terms of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
 #
 # Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
 
@@ -1360,9 +1461,9 @@ node.stop()
 # %% [markdown] lang="en" name="from-before" slide="slide"
 # ## Three questions from earlier chapters
 #
-# <details><summary>01. A message says (2.0, 0.0, 0.0). What two things must you know before you may use it?</summary>
+# <details><summary>01. A message contains (2.0, 0.0, 0.0). Which two things must you know before you use it?</summary>
 #
-# Its frame and its stamp: two metres of whose x, and when.
+# Its frame and its stamp.
 #
 # </details>
 #
@@ -1372,9 +1473,9 @@ node.stop()
 #
 # </details>
 #
-# <details><summary>06. Why does a camera's mount have no place in the latest common time?</summary>
+# <details><summary>06. Why does a camera's mount not limit the latest common time?</summary>
 #
-# It is static: sent once on `/tf_static`, good for any time. A row without an end cannot end first.
+# It is static: sent once on `/tf_static`, and valid at all times.
 #
 # </details>
 
@@ -1404,15 +1505,15 @@ node.stop()
 #
 # **Q10.** Why must a sensor message be transformed at its measurement stamp, and not with the newest transform? Write five lines, then open the rubric and mark yourself.
 #
-# <details><summary>Rubric: one point for each idea that stands in your text</summary>
+# <details><summary>Rubric: one point for each idea in your text</summary>
 #
-# 1. The message tells what the sensor saw at its stamp; processing and the network make it older before it is used.
+# 1. The message contains what the sensor measured at its stamp. Processing and the network make it older before it is used.
 # 2. Meanwhile the robot moves, so the newest pose is not the pose of the sensor at the measurement.
 # 3. The error has a size: about speed × delay, and range × yaw rate × delay when the robot turns.
-# 4. No exception warns you: the newest transform always exists. Walls smear, obstacles trail.
+# 4. No exception warns you: there is always a newest transform. Walls smear, obstacles trail.
 # 5. The buffer keeps the past for this purpose: look up at `header.stamp`, or use `transform()`; do not overwrite the stamp.
 #
-# 4 or 5: you have it. 2 or 3: read "How far off, with a pencil" again. Less: play with the slider first.
+# 4 or 5: you have it. 2 or 3: read "How far off, with a pencil" again. Less: play with the sliders first.
 #
 # </details>
 
@@ -1440,7 +1541,7 @@ node.stop()
 #
 # <details><summary>One good ending</summary>
 #
-# "… at the message's own stamp, because that is when the sensor was where it was; and if there is none yet, I wait a bounded time, and then drop the message."
+# "… at the message's own stamp, because the sensor was there at that time; and if there is none yet, I wait a bounded time, and then drop the message."
 #
 # </details>
 #
