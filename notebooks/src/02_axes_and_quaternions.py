@@ -1,15 +1,15 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 02 · Which way is forward?
+# # 02 · Axes and quaternions
 #
-# **Axes and quaternions** · about 75 minutes · builds on 01
+# **Which way is forward?** · about 75 minutes · builds on 01
 #
 # After this chapter you can
 #
-# - point along x, y and z of any robot with your eyes shut, and say the sign of a turn before the robot moves,
+# - point along x, y and z of any robot with your eyes shut, and say the sign of a rotation before the robot moves,
 # - read roll, pitch and yaw, and know why their order matters,
-# - write the quaternion of a turn, and tell a good one from four kinds of bad ones,
-# - move a point from a camera's picture to the camera's body and back,
-# - look at a point cloud that lies at 90° and name the one line to change.
+# - write the quaternion of a rotation, and tell a good one from four kinds of bad ones,
+# - convert a point between a camera's optical frame and its body frame,
+# - look at a point cloud that is rotated by 90°, and name the one line to change.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 02 · 어느 쪽이 앞일까요?
@@ -26,7 +26,7 @@
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask everyone to stand up and point forward, left, up: x, y, z. Then ask them to imagine they are a camera and do it again.
-# Half the room will not move their hands. That half is this chapter's audience.
+# Half the class will not move their hands. This chapter is for that half.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라라고 생각하고 다시 가리키게 합니다.
@@ -35,19 +35,19 @@
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
 #
-# You need Python. These lines are all that you need of chapter 01; if you have read it, skip them:
+# You need Python. These lines are all that you need of chapter 01. If you have read it, skip them:
 #
 # - A [[frame]] is an origin and three directions, with a name: `base_link`, `camera_link`.
 # - A point is a value, a frame and a time. `(2, 0, 0)` alone is a rumour.
-# - A message says its frame in `header.frame_id`.
-# - A [[transform]] says where one frame, the [[child frame|child]], sits in another, the [[parent frame|parent]]. It has two parts: a step (metres) and a turn. **This chapter is about the turn.**
-# - [[tf2|TF2]], TF for short, is the part of ROS 2 that keeps all transforms and does this arithmetic for you. RViz is the window in which ROS draws them.
-# - A [[urdf]] is the file that says where a robot's parts are bolted on.
-# - Our robot carries a camera: `camera_link` sits at (0.10, 0, 0.30) in `base_link`, 10 cm ahead of the robot's middle and 30 cm up.
+# - A message names its frame in `header.frame_id`.
+# - A [[transform]] is the pose of one frame, the [[child frame|child]], in another, the [[parent frame|parent]]. It has two parts: a translation (metres) and a rotation. **This chapter is about the rotation.**
+# - [[tf2|TF2]], TF for short, is the part of ROS 2 that stores all transforms and does this arithmetic for you. RViz is ROS 2's 3D visualiser.
+# - A [[urdf]] is the file that describes where a robot's parts are mounted.
+# - Our robot has a camera: `camera_link` is at (0.10, 0, 0.30) in `base_link`, 10 cm in front of the robot's centre and 30 cm above it.
 #
-# In code, names say both frames, target first: `base_T_camera` carries numbers from the camera to the base, `base_p_mug` is a point in the base.
-# `base_T_camera.apply(camera_p_mug)` moves a point, and `@` puts two transforms in a row. Chapter 3 is about that; here you only need to read it.
-# Whatever is called `lesson.…` is this workbook's own: it draws, and writes numbers tidily (`fmt_all`).
+# In code, a name contains both frames, target first: `base_T_camera` transforms coordinates of the camera into the base, `base_p_mug` is a point in the base.
+# `base_T_camera.apply(camera_p_mug)` transforms a point, and `@` chains two transforms. Chapter 03 explains this; here you only need to read it.
+# Whatever is called `lesson.…` belongs to this workbook: it draws, and formats numbers (`fmt_all`).
 
 # %% [markdown] lang="ko" name="needed" slide="skip"
 # ## 시작하기 전에 알아 둘 것
@@ -77,15 +77,15 @@ from tflab.workbook import lesson
 # ## Half a day, lost in a contest
 #
 # A robot contest, in simulation. Cameras look at a bench, a [[detector]] finds the parts, an arm picks them up.
-# One team took an object detector off the shelf, as one should.
-# It found the parts, and their places were wrong.
+# One team used a ready-made object detector.
+# It found the parts, and their positions were wrong.
 #
 # The mathematics was right. The detector was right. The camera was right.
-# The images were stamped with the frame of the camera's **body**, and the detector's numbers were those of the camera's **picture**.
+# The images were stamped with the frame of the camera's **body**, and the detector's numbers were in the camera's **optical** frame.
 # The team wrote down what it had cost them: about half a day, during the competition.
 # ([usnistgov/ARIAC, issue 345](https://github.com/usnistgov/ARIAC/issues/345). The organisers added the missing frame.)
 #
-# Here is the same mistake on our robot: one part, where it is and where an arm would reach for it.
+# Here is the same mistake on our robot: the true position of one part, and the position for which an arm would reach.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 대회에서 날린 반나절
@@ -116,9 +116,9 @@ lesson.draw_scene(
 
 # %% [markdown] lang="en" name="story-after"
 # The grey circle is where the arm would go: up, above the camera, into the air.
-# No error was raised. TF computed happily: to the mathematics, one frame is as good as another.
-# (The frame that the numbers were really expressed in is not drawn. It sits where the camera does, turned; you meet it further down.)
-# By the end of this page you will find this fault in one minute, with one command.
+# No error was raised. For the mathematics, one frame is as good as another.
+# (The frame in which the numbers were really expressed is not drawn. It is at the camera's position, but rotated. You meet it further down.)
+# By the end of this page you can find this fault in one minute, with one command.
 
 # %% [markdown] lang="ko" name="story-after"
 # 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
@@ -137,9 +137,9 @@ lesson.draw_scene(
 #
 # A mug stands 2 m straight ahead of the camera. In the image it is exactly in the middle.
 #
-# **Write down two triples on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
+# **Write down two sets of coordinates on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
 #
-# Guessing is allowed. Not writing is not: a guess in the head bends itself to fit the answer.
+# You may guess. But write it down: a guess that you only remember changes when you see the answer.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -151,7 +151,7 @@ lesson.draw_scene(
 # 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
 
 # %% [markdown] lang="en" name="predict-how" slide="skip"
-# Written? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
+# Have you written them down? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
 
 # %% [markdown] lang="ko" name="predict-how" slide="skip"
 # 적었으면 다음 셀을 실행해 보세요. 내 워크북에서는 예측의 답이 나오는 셀은 실행하기 전까지 비어 있습니다.
@@ -166,17 +166,17 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 #
 # <details><summary>(2, 0, 0) again</summary>
 #
-# That is the mistake of the contest. One point, but two frames: the numbers must differ, because the axes do.
+# That is the mistake of the contest. It is one point in two frames: the coordinates must differ, because the axes do.
 #
 # </details>
 # <details><summary>(0, 0, −2)</summary>
 #
-# You know that depth is z, but your z points backward. Computer graphics (OpenGL) does it that way; ROS cameras look along **+z**.
+# You know that depth is z, but your z points backward. Computer graphics (OpenGL) does it that way. ROS cameras look along **+z**.
 #
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# The right rotation, the wrong way round: you took the numbers from the picture to the body. Here they go from the body to the picture. Chapter 3 has a sentence that cures this for good.
+# You used the right rotation in the wrong direction: from the optical frame to the body frame. Here you need it from the body to the optical frame. Chapter 03 has a sentence that prevents this mistake.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
@@ -210,7 +210,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # </details>
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Collect the answers on the board before you run the cell, with a count for each. Leave them there: they come back at the end.
+# Collect the answers on the board before you run the cell, with a count for each. Leave them there: you need them at the end.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 셀을 실행하기 전에 답을 칠판에 모으고 각각 몇 명인지 적습니다. 지우지 마십시오. 마지막에 다시 봅니다.
@@ -218,7 +218,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="en" name="body-axes" slide="slide"
 # ## The body: x forward, y left, z up
 #
-# Every ROS robot agrees on this; the rule is called [[rep-103]].
+# Every ROS robot uses these axes. The convention is called [[rep-103]].
 # Lengths are in metres, angles in radians.
 #
 # Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger, stretched out from the palm, points left (y).
@@ -238,15 +238,15 @@ lesson.draw_body_axes()
 
 # %% [markdown] lang="en" name="body-axes-notes" slide="notes"
 # Every hand is up before the figure appears. Walk round: in each row somebody holds up the left one.
-# Ask that person which way y points, and let the neighbours find out why.
+# Ask that person in which direction y points, and let the neighbours find out why.
 
 # %% [markdown] lang="ko" name="body-axes-notes" slide="notes"
 # 그림을 보여 주기 전에 모두 손을 들게 하고 한 바퀴 돌아봅니다. 줄마다 왼손을 든 사람이 있습니다.
 # 그 사람에게 y가 어느 쪽인지 묻고, 왜 다른지는 옆 사람들이 찾게 합니다.
 
 # %% [markdown] lang="en" name="body-axes-colours" slide="skip"
-# In every figure of this workbook x is a solid line, y is dashed, z is dotted; the letters stand at the tips. ⊙ is an axis that comes towards you, ⊗ one that goes away from you (the tip and the feathers of an arrow).
-# The colours are RViz's idea (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
+# In every figure of this workbook x is a solid line, y is dashed, z is dotted. The letters are at the tips. ⊙ is an axis that points towards you, ⊗ one that points away from you (the tip and the feathers of an arrow).
+# The colours follow RViz (red, green, blue for x, y, z), in shades that colour-blind people can tell apart.
 
 # %% [markdown] lang="ko" name="body-axes-colours" slide="skip"
 # 이 워크북의 모든 그림에서 x는 실선, y는 파선, z는 점선이며, 끝에 글자가 붙어 있습니다. ⊙는 보는 사람 쪽으로 나오는 축, ⊗는 반대쪽으로 들어가는 축입니다(화살의 촉과 깃).
@@ -256,10 +256,10 @@ lesson.draw_body_axes()
 # %% [markdown] lang="en" name="signs-predict" slide="slide"
 # ## Say the sign before it moves
 #
-# Now the thumb of the right hand shows the axis, and the fingers curl the **positive** way.
+# The thumb of the right hand shows the axis, and the fingers curl in the **positive** direction.
 #
-# **Predict.** You send a robot a message with a velocity: `linear.x = 0.5` (half a metre per second ahead) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
-# And an aeroplane question: pitch is the turn about y. With a *positive* pitch, does the nose go up or down?
+# **Predict.** You send a robot a message with a velocity: `linear.x = 0.5` (half a metre per second forward) and `angular.z = -0.5` (half a radian per second about z). Does it go left or right?
+# And an aeroplane question: pitch is the rotation about y. With a *positive* pitch, does the nose go up or down?
 
 # %% [markdown] lang="ko" name="signs-predict" slide="slide"
 # ## 움직이기 전에 부호를 말해 봅시다
@@ -278,8 +278,8 @@ lesson.draw_right_hand()
 # %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
-# Positive pitch puts the **nose down**. Pilots shake their heads: in an aeroplane's frame z points down, so there plus is up.
-# Neither is wrong. They are two conventions, and a drone has both on board.
+# Positive pitch puts the **nose down**. Pilots learn the opposite: in an aeroplane's frame z points down, so plus is up.
+# Neither is wrong. They are two conventions, and a drone uses both.
 #
 # Positive roll lifts the left side.
 
@@ -294,7 +294,7 @@ lesson.draw_right_hand()
 # 양의 roll은 왼쪽을 들어 올립니다.
 
 # %% [markdown] lang="en" name="signs-notes" slide="notes"
-# Make them vote on pitch before the figure. The vote is usually split down the middle, and people with a drone at home lose it.
+# Let them vote on pitch before the figure. The vote is usually split down the middle, and people with a drone at home lose it.
 
 # %% [markdown] lang="ko" name="signs-notes" slide="notes"
 # 그림을 보여 주기 전에 pitch에 대해 손을 들게 합니다. 보통 반반으로 갈리고, 집에 드론이 있는 사람이 틀립니다.
@@ -302,12 +302,12 @@ lesson.draw_right_hand()
 # %% [markdown] lang="en" name="rpy" slide="slide"
 # ## Roll, pitch, yaw
 #
-# [[roll pitch yaw|Three angles]] describe any turn: roll about x, then pitch about y, then yaw about z.
-# The three axes are **fixed**: they stay where they are while the robot turns.
+# [[roll pitch yaw|Three angles]] describe any rotation: roll about x, then pitch about y, then yaw about z.
+# The three axes are **fixed**: they do not rotate with the robot.
 # URDF's `rpy="..."` and the `--roll --pitch --yaw` of ROS 2's tools mean exactly this.
 #
 # Move one slider at a time, and say aloud what will happen before you let go.
-# The panel also writes the same turn in two other ways: as a *quaternion*, four numbers, and as a *matrix*, nine. Both come further down; for now, watch them change.
+# The panel also writes the same rotation in two other ways: as a *quaternion*, four numbers, and as a *matrix*, nine. Both are explained further down. For now, watch them change.
 
 # %% [markdown] lang="ko" name="rpy" slide="slide"
 # ## Roll, pitch, yaw
@@ -334,7 +334,7 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 #
 # <details><summary>Solution</summary>
 #
-# Pitch −1.57: minus, for plus puts the nose down. Yaw 3.14: half a turn. Roll 3.14: on its back.
+# Pitch −1.57: minus, because plus puts the nose down. Yaw 3.14: 180°. Roll 3.14: on its back.
 #
 # </details>
 
@@ -363,10 +363,10 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 # ### Does the order matter?
 #
 # Take your phone. Screen up, top edge forward.
-# Give it a quarter roll (left side up), then a quarter yaw (to the left). Remember where the top edge points.
-# Start again, and do it the other way round. Mind that the second turn, too, is about the *room's* direction: the roll is about the line that pointed forward at the beginning, not about the phone's own edge.
+# Rotate it by a 90° roll (left side up), then by a 90° yaw (to the left). Remember in which direction the top edge points.
+# Start again, and do it in the other order. Note that the second rotation is also about a fixed direction of the *room*: the roll is about the line that pointed forward at the beginning, not about the phone's own edge.
 #
-# **Predict:** is it the same?
+# **Predict:** is the result the same?
 
 # %% [markdown] lang="ko" name="order-predict" slide="subslide"
 # ### 순서를 바꾸면 달라질까요?
@@ -388,15 +388,15 @@ print("first roll, then yaw:", lesson.fmt_all((yaw @ roll).apply(nose), ""))
 print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 
 # %% [markdown] lang="en" name="order-after" tags=["predicted"] slide="fragment"
-# One robot looks to the left. The other looks at the ceiling.
+# One robot faces left. The other looks at the ceiling.
 #
-# In code, the turn that happens **first** stands on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
-# `Transform.from_rpy(r, p, y)` is `yaw @ pitch @ roll`, always.
+# In code, the rotation that happens **first** is on the **right**, next to the point: `yaw @ roll` is "roll, then yaw".
+# `Transform.from_rpy(r, p, y)` is always `yaw @ pitch @ roll`.
 #
-# <details><summary>Deeper: axes that turn along</summary>
+# <details><summary>Deeper: axes that rotate with the robot</summary>
 #
-# The same product can be read from left to right with axes that turn along: yaw first, then pitch about the *new* y, then roll about the *new* x.
-# Both readings are in use. If somebody hands you three angles, ask: which order, and fixed axes or turning ones?
+# The same product can be read from left to right with axes that rotate with the robot: yaw first, then pitch about the *new* y, then roll about the *new* x.
+# Both readings are in use. If somebody gives you three angles, ask for the order, and whether the axes are fixed or rotate with the robot.
 #
 # </details>
 
@@ -416,7 +416,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # </details>
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
-# Do it with a book in front of the class, both orders, and let somebody else call the turns. Nobody forgets a book that ends up on its spine.
+# Do it with a book in front of the class, both orders, and let somebody else call the rotations. Nobody forgets a book that ends up on its spine.
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
 # 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책등을 아래로 하고 선 책은 아무도 잊지 못합니다.
@@ -424,7 +424,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # %% [markdown] lang="en" name="gimbal" slide="slide"
 # ## Why not stay with three angles?
 #
-# Point the nose straight down: pitch 90°. Now compare two recipes with quite different rolls and yaws.
+# Point the nose straight down: pitch 90°. Now compare two sets of angles with quite different rolls and yaws.
 # **Predict:** how far apart are the two robots?
 
 # %% [markdown] lang="ko" name="gimbal" slide="slide"
@@ -441,11 +441,11 @@ print("other (x, y, z, w):", lesson.fmt_all(other, ""))
 print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 
 # %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
-# Not at all: they are the same. With the nose down, roll and yaw turn about the same line, and one of the three angles has nothing left to say.
-# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles leap, so a filter or a controller that computes with angles goes wild.
+# Not at all: they are the same. With the nose down, roll and yaw rotate about the same line, so one of the three angles is redundant.
+# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles becomes unstable.
 #
-# A [[quaternion]] has no such place. It is four numbers, one of them to spare, and wherever you are a small motion is a small change.
-# So ROS **stores and sends** quaternions. Angles are for people: URDF takes them from you, tools show them to you.
+# A [[quaternion]] has no such orientation. It has four numbers, one more than necessary, and a small motion is always a small change.
+# So ROS **stores and sends** quaternions. Angles are for people: URDF reads them, tools print them.
 
 # %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
 # 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
@@ -455,7 +455,7 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
-# Say what it means on a real machine: an arm whose wrist points straight down is there all day long.
+# Say what it means on a real machine: an arm whose wrist points straight down is in gimbal lock all day long.
 
 # %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
 # 실제 기계에서 어떤 뜻인지 말해 줍니다. 손목이 똑바로 아래를 향하는 로봇 팔은 하루 종일 이 자리에 있습니다.
@@ -463,20 +463,20 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # %% [markdown] lang="en" name="recipe" slide="slide"
 # ## How to write one: half the angle
 #
-# To turn by an angle *a* about an axis (a direction of length one):
+# To rotate by an angle *a* about an axis (a direction of length one):
 #
 # ```
 # (x, y, z) = axis * sin(a / 2)
 #         w = cos(a / 2)
 # ```
 #
-# **Worked example.** Turn left by 90°. Left is yaw, so the axis is z: (0, 0, 1).
+# **Worked example.** Rotate left by 90°. Left is yaw, so the axis is z: (0, 0, 1).
 # Half of 90° is 45°, and sin 45° = cos 45° = 0.707.
 # So (x, y, z, w) = (0, 0, 0.707, 0.707).
 #
 # <details><summary>Deeper: why half the angle?</summary>
 #
-# The formula that turns a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the turn.
+# The formula that rotates a point uses the quaternion twice, once on each side of the point: q · p · q⁻¹. Each side does half of the rotation.
 #
 # </details>
 
@@ -507,7 +507,7 @@ print("quaternion:", lesson.fmt_all(left_90, ""))
 print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1.0, 0.0, 0.0)), ""))
 
 # %% [markdown] lang="en" name="recipe-notes" slide="notes"
-# Somebody will ask: why half? An honest short answer: the formula that turns a point uses the quaternion twice, once on each side of the point.
+# Somebody will ask: why half? The short answer: the formula that rotates a point uses the quaternion twice, once on each side of the point.
 # Leave the two lines on the board until the end.
 
 # %% [markdown] lang="ko" name="recipe-notes" slide="notes"
@@ -515,7 +515,7 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # 공식 두 줄은 끝날 때까지 칠판에 남겨 둡니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
-# **Your turn, with two blanks.** Turn *right* by 40°. Replace the two `...` and run the cell again.
+# **Your turn, with two blanks.** Rotate *right* by 40°. Replace the two `...` and run the cell again.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # **빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
@@ -534,8 +534,8 @@ else:
 # `math.sin(half)` and `math.cos(half)`. You should read "a yaw of -40.0 degrees".
 #
 # - 40.0: the sign got lost. `half` has it; use `half`, not 20°.
-# - -80.0: a quaternion holds *half* the angle, and you gave it the whole.
-# - -140.0: sine and cosine changed places. z takes the sine, w the cosine.
+# - -80.0: a quaternion uses *half* the angle, and you used the whole angle.
+# - -140.0: you swapped sine and cosine. z takes the sine, w the cosine.
 #
 # </details>
 
@@ -558,9 +558,9 @@ else:
 # | (0, 0, 0, 1) | no rotation |
 # | (0, 0, 0, 0) | nothing at all: not a rotation |
 # | q and −q | the same rotation |
-# | (1, 0, 0, 0) | half a turn about x: the robot lies on its back |
+# | (1, 0, 0, 0) | a rotation by 180° about x: the robot is on its back |
 #
-# The last line is what "no rotation" looks like if somebody writes **w first**.
+# The last line is what "no rotation" looks like if a program writes **w first**.
 # Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
 
 # %% [markdown] lang="ko" name="four-facts" slide="slide"
@@ -583,7 +583,7 @@ print(" q turns it to", lesson.fmt_all(Transform(rotation=left_90).apply(point),
 print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), ""))
 
 # %% [markdown] lang="en" name="four-facts-notes" slide="notes"
-# Cover the right column and let the room fill it, line by line. The second line splits the room; leave it open, it comes back as an accident.
+# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open: it comes back as an accident.
 
 # %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
 # 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. 뒤에서 사고로 다시 만납니다.
@@ -592,10 +592,10 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # ### How long is it?
 #
 # The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
-# If the length is off, TF scales it back without a word. Other programs trust you, and stretch the robot.
-# Rounded numbers are fine, so nobody asks for *exactly* one.
+# If the length is off, TF normalises it without a message. Other programs use it as it is, and stretch the robot.
+# Rounded numbers are fine, so no program requires *exactly* one.
 #
-# And there is NaN, "not a number", the child of 0/0. **Predict:** is NaN close to 1, or far from it?
+# And there is NaN, "not a number", the result of 0/0. **Predict:** is NaN close to 1, or far from it?
 
 # %% [markdown] lang="ko" name="length" slide="subslide"
 # ### 길이는 얼마일까요?
@@ -613,15 +613,15 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
     print(f"length {length:.4f}:  close to 1? {off < 0.01}   far from 1? {off > 0.01}")
 
 # %% [markdown] lang="en" name="length-after" tags=["predicted"] slide="fragment"
-# Neither. NaN is neither greater nor less than anything: both comparisons say False, so it walks through any check that asks "is it bad?".
-# Ask `math.isfinite` first.
+# Neither. NaN is neither greater nor less than any number, so both comparisons are False. It passes every check that asks "is it bad?".
+# Check `math.isfinite` first.
 
 # %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
 # 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, '나쁜 값인가?'를 묻는 검사를 유유히 통과합니다.
 # `math.isfinite`로 먼저 확인하십시오.
 
 # %% [markdown] lang="en" name="w-first" slide="subslide"
-# And the w-first accident, with a gentle turn to the left of 20°. **Predict** what the robot does.
+# And the w-first accident, with a small rotation to the left by 20°. **Predict** what the robot does.
 
 # %% [markdown] lang="ko" name="w-first" slide="subslide"
 # 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
@@ -635,8 +635,8 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 
 # %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
 # Roll 160°: upside down, wheels in the air.
-# Small turns become half rolls, so a robot that stands on its head in RViz is the signature of w-first.
-# Convert at the border, once, in a function whose name says it: `xyzw_from_wxyz`.
+# A small rotation becomes a roll of nearly 180°. So if a robot stands on its head in RViz, suspect w first.
+# Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
@@ -650,13 +650,13 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 # RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 깁니다.
 
 # %% [markdown] lang="en" name="optical" slide="slide"
-# ## The picture: z forward, x right, y down
+# ## The image: z forward, x right, y down
 #
-# Pictures have a convention of their own: pixels are counted to the **right** and **down** from the upper left corner.
-# People who compute with pictures keep it in space: x right, y down, and so, right hand, z goes **forward**, into the scene.
+# Images have a convention of their own: pixels are counted to the **right** and **down** from the upper left corner.
+# Computer vision keeps these directions in space: x right, y down, and by the right-hand rule z points **forward**, into the scene.
 # ROS calls such a frame an [[optical frame]], and its name ends in `_optical_frame`.
 #
-# Move the mug. Watch the same point being written twice.
+# Move the mug. Watch the coordinates of the same point in both frames.
 
 # %% [markdown] lang="ko" name="optical" slide="slide"
 # ## 영상: z는 앞, x는 오른쪽, y는 아래
@@ -674,20 +674,20 @@ lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 lesson.draw_cameras((2.0, 0.5, 0.3))
 
 # %% [markdown] lang="en" name="optical-notes" slide="notes"
-# Two volunteers: one is the robot's body, one is the camera's picture. The same mug, both read out their three numbers at once.
+# Two volunteers: one is the robot's body, one is the camera's image. They look at the same mug and read out their three coordinates at once.
 
 # %% [markdown] lang="ko" name="optical-notes" slide="notes"
 # 두 사람이 나옵니다. 한 사람은 로봇 본체, 한 사람은 카메라 영상입니다. 같은 머그컵의 세 숫자를 동시에 읽게 합니다.
 
 # %% [markdown] lang="en" name="two-turns" slide="slide"
-# ## Two quarter turns
+# ## Two rotations by 90°
 #
-# How do you get from one to the other? Take the camera's body axes, and turn about the fixed axes:
+# How do you get from one to the other? Take the camera's body axes, and rotate about the fixed axes:
 #
 # 1. roll −90°: y (left) goes down. Now x is forward, **y is down**, z is left.
 # 2. yaw −90°: x (forward) goes right, z (left) goes forward. Now **x is right, y is down, z is forward**.
 #
-# The rotation to remember: **rpy (−π/2, 0, −π/2)**. As a quaternion, it looks as if somebody had tossed coins: **(−0.5, 0.5, −0.5, 0.5)**.
+# The rotation to remember: **rpy (−π/2, 0, −π/2)**. As a quaternion: **(−0.5, 0.5, −0.5, 0.5)**.
 
 # %% [markdown] lang="ko" name="two-turns" slide="slide"
 # ## 90° 회전 두 번
@@ -710,9 +710,9 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 
 # %% [markdown] lang="en" name="two-turns-after" slide="fragment"
 # Read the three lines aloud: optical x points to minus y, that is, right. Optical y points to minus z: down. Optical z points to plus x: forward.
-# These three lines are the three **columns** of the rotation matrix, the nine numbers of the panel above. A rotation matrix is nothing more: where do the child's axes point, in the parent?
+# These three lines are the three **columns** of the rotation matrix, the nine numbers of the panel above. The columns of a rotation matrix are the directions of the child's axes in the parent.
 #
-# So a point of the picture, (right, down, forward), is in the camera's body (forward, −right, −down).
+# So a point (right, down, forward) in the optical frame is (forward, −right, −down) in the camera's body frame.
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
@@ -723,11 +723,11 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 # %% [markdown] lang="en" name="worked" slide="subslide"
 # ### Worked example: from a detection to the robot
 #
-# A detector says: 0.40 m to the right, 0.20 m **above** the middle, 1.50 m deep. Where is it in `base_link`?
+# A detector reports: 0.40 m to the right, 0.20 m **above** the middle of the image, 1.50 m deep. Where is it in `base_link`?
 #
 # 1. In the optical frame, up is minus down: (0.40, −0.20, 1.50).
 # 2. In `camera_link`: (forward, −right, −down) = (1.50, −0.40, 0.20). Check with your hand: ahead, to the right, above. Yes.
-# 3. The camera is at (0.10, 0, 0.30) and not turned: add. (1.60, −0.40, 0.50).
+# 3. The camera is at (0.10, 0, 0.30) and not rotated: add. (1.60, −0.40, 0.50).
 
 # %% [markdown] lang="ko" name="worked" slide="subslide"
 # ### 예제: 검출 결과에서 로봇까지
@@ -754,13 +754,13 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # %% [markdown] lang="en" name="why-two" slide="slide"
 # ## Why two frames, and which one goes into the header?
 #
-# - `camera_link` is where the camera is **bolted on**. Mechanics, URDF, rulers: x forward, like everything else on the robot.
-# - `camera_optical_frame` is what its **data** is expressed in: images, detections, depth clouds.
+# - `camera_link` is where the camera is **mounted**. It is used for mechanics and URDF: x forward, like everything else on the robot.
+# - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, depth clouds.
 #
-# Both sit at the same place; only the turn is between them.
-# The driver stamps its data with the **optical** one. Then nobody has to convert anything: TF does.
+# Both have the same origin. Only a rotation is between them.
+# The driver stamps its data with the **optical** one. Then no node has to convert anything: TF does.
 #
-# Here are all three frames; the two of the camera sit at one place. The arrow is the ray to the mug. The pyramid is what the camera sees; *u* counts its pixels to the right, *v* counts them down.
+# Here are all three frames; the two of the camera have the same origin. The arrow is the ray to the mug. The pyramid is the camera's field of view; *u* counts its pixels to the right, *v* counts them down.
 
 # %% [markdown] lang="ko" name="why-two" slide="slide"
 # ## 좌표계는 왜 둘이고, 헤더에는 어느 것을 적을까요?
@@ -800,14 +800,14 @@ lesson.draw_scene(
 # %% [markdown] lang="en" name="try-it" slide="subslide"
 # ### Try it
 #
-# Change the numbers and run again. Can you find
+# Change the numbers and run the cell again. Can you find
 #
-# - a point that has the **same** three numbers in both frames?
-# - a point that lands at (1, 1, 1) in `camera_link`?
+# - a point that has the **same** coordinates in both frames?
+# - a point whose coordinates in `camera_link` are (1, 1, 1)?
 #
 # <details><summary>Solution</summary>
 #
-# You look for (x, y, z) = (z, −x, −y): y = −x and z = x and z = −y, so every (a, −a, a) will do. All of them lie on one line: the axis that the rotation turns about.
+# You look for (x, y, z) = (z, −x, −y): y = −x and z = x and z = −y, so every (a, −a, a) will do. All of them are on one line, the axis of the rotation.
 # For (1, 1, 1) in the body: right is −1, down is −1, forward is 1.
 #
 # </details>
@@ -834,18 +834,18 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # %% [markdown] lang="en" name="break-zero" slide="slide"
 # ## From arithmetic to ROS 2
 #
-# So far you were the one who multiplied. On a robot nobody does: programs tell each other where things are, and TF multiplies. Four words are all that you need for it.
+# So far you multiplied the transforms yourself. On a robot, nodes publish transforms, and TF multiplies them. You need four words for that.
 #
 # | word | what it is | on this page |
 # |---|---|---|
 # | [[node]] | a program with a name that takes part in ROS 2 | `Node("asker")` |
-# | [[broadcaster]] | tells everybody one transform: *the camera sits here* | `static_transform_publisher` |
-# | [[listener]] | hears every transform | `TransformListener` |
-# | [[buffer]] | keeps what was heard, and answers | `Buffer` |
+# | [[broadcaster]] | publishes a transform, such as the camera's mount | `static_transform_publisher` |
+# | [[listener]] | receives every transform | `TransformListener` |
+# | [[buffer]] | stores what was received, and answers lookups | `Buffer` |
 #
-# A line that begins with `%ros2` is a command of ROS 2: here it runs in the page, on a robot you type it in a terminal.
-# First, the robot's camera as it should be: bolted on, and its optical frame beside it.
-# Note the second command. It is the one that the contest lacked.
+# A line that begins with `%ros2` is a command of ROS 2. Here it runs in the page; on a robot you type it in a terminal.
+# First, the robot's camera as it should be: its mount, and its optical frame.
+# Note the second command. It is the one that was missing in the contest.
 
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 계산에서 ROS 2로
@@ -870,9 +870,9 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 #     --frame-id camera_link --child-frame-id camera_optical_frame
 
 # %% [markdown] lang="en" name="asker-before" slide="subslide"
-# Next, a program that asks. Its [[listener]] hears every transform and keeps it in a [[buffer]]; with `spin_thread=True` it goes on hearing in a thread of its own, while you type.
-# `buffer.transform(message, "base_link")` then moves a message from the frame in its header to the one you want.
-# Chapter 8 opens that box. Time on this page stands still, except while `graph.run` lets some of it pass. (`graph` came with `%load_ext tflab`; a robot needs no such thing, its time passes by itself.)
+# Next, a program that looks up transforms. Its [[listener]] receives every transform and stores it in a [[buffer]]. With `spin_thread=True` it does so in a thread of its own while you type.
+# `buffer.transform(message, "base_link")` then transforms a message from the frame in its header into the one that you want.
+# Chapter 08 explains how. Time on this page advances only while `graph.run` lets it. (`graph` was created by `%load_ext tflab`. A robot does not need it, because there time passes by itself.)
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
 # 다음은 변환을 조회하는 프로그램입니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 자기 스레드에서 계속 받습니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
@@ -901,13 +901,13 @@ p = buffer.transform(seen, "base_link").point
 print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 
 # %% [markdown] lang="en" name="asker-after" slide="subslide"
-# The worked example, by TF.
+# This is the worked example, calculated by TF.
 #
 # ## Break it on purpose, 1: all zeros
 #
-# Now a colleague adds a second camera, whose quaternion comes from a configuration file. The file says `0, 0, 0, 0`: "no rotation, of course".
+# A colleague adds a second camera, whose quaternion comes from a configuration file. The file contains `0, 0, 0, 0`: "no rotation, of course".
 #
-# **Predict:** who complains? The broadcaster, the listener, or whoever asks? And with which words?
+# **Predict:** who reports an error? The broadcaster, the listener, or the program that looks up the transform? And with which message?
 
 # %% [markdown] lang="ko" name="asker-after" slide="subslide"
 # 위의 예제를 TF가 계산했습니다.
@@ -934,9 +934,9 @@ broadcaster.sendTransform(t)
 print("sent")
 
 # %% [markdown] lang="en" name="zero-sent-after" slide="subslide"
-# The broadcaster is content. Let half a second pass, so that the listener hears it, and ask:
+# The broadcaster reports no error. Let half a second pass, so that the listener receives the transform, and look it up:
 #
-# (`%xmode Minimal` shows an error by its last line, the one to read; `%xmode Context` brings the rest back.)
+# (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
 # %% [markdown] lang="ko" name="zero-sent-after" slide="subslide"
 # 발행기에서는 아무 일도 일어나지 않았습니다. 수신기가 받도록 0.5초를 보낸 다음 조회합니다.
@@ -951,7 +951,7 @@ graph.run(seconds=0.5)
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
 # %% [markdown] lang="en" name="zero-notes" slide="notes"
-# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer and it is what the engine raises for bad *lookups*; a bad *transform* never gets in.
+# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer, and it is what the engine raises for bad *lookups*. A bad *transform* is never stored.
 
 # %% [markdown] lang="ko" name="zero-notes" slide="notes"
 # 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
@@ -959,14 +959,14 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # %% [markdown] lang="en" name="zero-after" slide="subslide"
 # Look at what happened, and where.
 #
-# 1. The **sender** said nothing.
-# 2. **Each listener** refused the transform, in its own log, in words about `nan`: to turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
-# 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which is sending away happily.
+# 1. The **sender** reported nothing.
+# 2. **Each listener** rejected the transform, in its own log, with a message about `nan`. To turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
+# 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which publishes as before.
 #
 # The error and its cause are two programs apart.
-# So: when a frame "does not exist" and its publisher runs, read the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
+# So: when a frame "does not exist" and its publisher runs, search the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
 #
-# A new message in ROS 2 has w = 1 already. The zeros come from elsewhere: files, arrays made by `zeros(4)`, programs in C, ROS 1.
+# A new message in ROS 2 has w = 1 already. The zeros come from other sources: files, arrays made by `zeros(4)`, programs in C, ROS 1.
 
 # %% [markdown] lang="ko" name="zero-after" slide="subslide"
 # 무슨 일이 어디에서 일어났는지 보십시오.
@@ -983,7 +983,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # %% [markdown] lang="en" name="break-cloud" slide="slide"
 # ## Break it on purpose, 2: one word in a header
 #
-# A depth camera looks at a wall 2 m ahead, and at the floor before it. Here is what it measures, in its own axes: right, down, forward.
+# A depth camera sees a wall 2 m ahead, and the floor in front of it. Here is what it measures, along its own axes: right, down, forward.
 
 # %% [markdown] lang="ko" name="break-cloud" slide="slide"
 # ## 일부러 고장 내기 2: 헤더의 단어 하나
@@ -1001,7 +1001,7 @@ wall, floor = lesson.wall_cloud(), lesson.floor_cloud()  # points (x, y, z), one
 print(lesson.describe_extent({"wall": wall, "floor": floor}, "the optical frame"))
 
 # %% [markdown] lang="en" name="cloud-node" slide="subslide"
-# And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame that the camera is bolted to. It sounds so sensible.
+# And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame in which the camera is mounted. It sounds sensible.
 
 # %% [markdown] lang="ko" name="cloud-node" slide="subslide"
 # 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 그럴듯하지 않습니까?
@@ -1027,7 +1027,7 @@ graph.run(seconds=1.0)
 
 # %% [markdown] lang="en" name="cloud-predict" slide="subslide"
 # **Predict.** Where does RViz draw the wall? Where is the floor?
-# Take your pistol hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
+# Use your right hand: right becomes *forward*, down becomes *left*, forward becomes *up*.
 
 # %% [markdown] lang="ko" name="cloud-predict" slide="subslide"
 # **예측해 봅시다.** RViz는 벽을 어디에 그릴까요? 바닥은 어디에 그릴까요?
@@ -1044,8 +1044,8 @@ lesson.draw_misread(
 )
 
 # %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
-# The wall hangs above the robot as a ceiling, and the floor stands at its left, in the air.
-# TF raised nothing. It was asked to move points from `camera_link` to `base_link`, and it did.
+# The wall is above the robot like a ceiling, and the floor is upright at its left.
+# TF raised nothing. It had to transform points from `camera_link` into `base_link`, and it did.
 
 # %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
 # *그림 읽기:* wall = 벽, floor = 바닥. 그림 위의 글은 데이터에 적힌 `frame_id`입니다.
@@ -1074,9 +1074,9 @@ print("stamped camera_optical_frame:", obstacles_ahead("camera_optical_frame"), 
 print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points in the way")
 
 # %% [markdown] lang="en" name="cloud-obstacles-after" slide="fragment"
-# No obstacle at all. The road is clear, says the planner, and the robot drives into the wall that its own camera is looking at.
+# No obstacle at all. The planner reports a clear path, and the robot drives into the wall that its own camera sees.
 #
-# The cure is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
+# The fix is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
 
 # %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
 # 장애물이 하나도 없습니다. 경로 계획기는 길이 비었다고 하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
@@ -1091,15 +1091,15 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %ros2 topic echo /camera/points --field header.frame_id --once
 
 # %% [markdown] lang="en" name="cloud-others" slide="fragment"
-# Run the RViz cell above once more: the wall stands where it should.
+# Run the RViz cell above once more: the wall is where it should be.
 #
-# <details><summary>Deeper: whom else it happened to</summary>
+# <details><summary>Deeper: who else made this mistake</summary>
 #
-# This does not happen to beginners only. Clouds that stare at the sky or lie at 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots grew up in ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+# This does not happen to beginners only. Clouds that point at the sky or are rotated by 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots use ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
 #
 # </details>
 #
-# The cure has one shape: keep two frames, and stamp the data with the optical one.
+# The fix is always the same: keep two frames, and stamp the data with the optical one.
 
 # %% [markdown] lang="ko" name="cloud-others" slide="fragment"
 # 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
@@ -1113,7 +1113,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # 해결책은 언제나 같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
 
 # %% [markdown] lang="en" name="cloud-notes" slide="notes"
-# Let the zero stand on the screen for a moment. Then ask who of the three programs should have noticed: camera, TF, or planner. (None of them could.)
+# Show the zero for a moment. Then ask which of the three programs should have noticed: camera, TF, or planner. (None of them could.)
 
 # %% [markdown] lang="ko" name="cloud-notes" slide="notes"
 # 화면의 0을 잠시 그대로 둡니다. 그러고 나서 카메라, TF, 경로 계획기 중 누가 알아챘어야 하는지 묻습니다. (아무도 알 수 없었습니다.)
@@ -1121,30 +1121,30 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# A new camera arrives. In RViz its whole cloud stands in the air above the robot, flat like a ceiling.
+# A new camera arrives. In RViz its whole cloud is above the robot, flat like a ceiling.
 # `tf2_echo camera_link camera_optical_frame` prints −90, 0, −90 degrees. What do you change?
 #
 # <details><summary>A. In my node, I swap the coordinates: (z, −x, −y)</summary>
 #
 # It will look right in your node, and wrong in every other one: RViz, the recorder, the colleague's planner.
-# And on the day somebody mends the driver, yours breaks. Leave the numbers alone.
+# And when somebody fixes the driver, your node breaks. Do not change the numbers.
 #
 # </details>
-# <details><summary>B. In the URDF, I turn camera_link by −90°, 0, −90°</summary>
+# <details><summary>B. In the URDF, I rotate camera_link by −90°, 0, −90°</summary>
 #
-# Now the cloud lies right. But in the model the camera looks to the robot's right, and `camera_optical_frame`, which hangs from it, is turned **twice**.
-# The next thing that uses the optical frame properly is wrong.
+# Now the cloud is right. But in the model the camera looks to the robot's right, and `camera_optical_frame`, its child, is rotated **twice**.
+# The next program that uses the optical frame properly is wrong.
 #
 # </details>
 # <details><summary>C. In the driver, I set frame_id to camera_optical_frame</summary>
 #
-# Yes. The numbers are optical; now the label says so. The mount is right, as tf2_echo has just shown.
+# Yes. The numbers are in the optical frame, and now the header names it. The mount is right, as tf2_echo has just shown.
 #
 # </details>
 # <details><summary>D. I look for the broken quaternion</summary>
 #
-# A quaternion of zeros would not turn the cloud: the transform would be refused, and nothing at all would be drawn.
-# One with w first would turn it, and you would see it in tf2_echo, which has just shown a good one.
+# A quaternion of zeros would not rotate the cloud: the transform would be rejected, and nothing at all would be drawn.
+# One with w first would rotate it, and you would see it in tf2_echo, which has just shown a good one.
 #
 # </details>
 
@@ -1187,8 +1187,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="en" name="robot" slide="slide"
 # ## The same on a real robot
 #
-# Everything above runs there unchanged; without the `%`, the commands are what you type in a terminal. Check the turn with your own eyes:
-# (`--for 1` belongs to the page: it stops the tool after one second. In a terminal you leave it out, and press Ctrl-C.)
+# Everything above runs there unchanged. Without the `%`, the commands are what you type in a terminal. Check the rotation yourself:
+# (`--for 1` belongs to this page: it stops the tool after one second. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
@@ -1200,9 +1200,9 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %ros2 --for 1 run tf2_ros tf2_echo camera_link camera_optical_frame
 
 # %% [markdown] lang="en" name="robot-urdf" slide="subslide"
-# `tf2_echo` prints the first line, "Waiting", because it asks before it has heard anything. That is normal.
+# `tf2_echo` prints the first line, "Waiting", because it looks up the transform before it has received any. That is normal.
 #
-# On a robot, mounts belong into the URDF, and `robot_state_publisher`, a node that comes with ROS 2, reads it and publishes them. These are the lines to have in every camera's description:
+# On a robot, mounts belong in the URDF. `robot_state_publisher`, a node of ROS 2, reads it and publishes them. These lines should be in every camera's description:
 #
 # ```xml
 # <link name="camera_link"/>
@@ -1219,11 +1219,11 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# Write π/2 with all its digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF writes `-1.57`, and so do the many robots that copied from it: at 10 m you can measure it. How much, you compute in the exercise.
+# Write π/2 with all its digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`, and so do the many robots that copied from it. At 10 m you can measure the difference. You calculate it in the exercise.
 #
 # <details><summary>Deeper: six bare numbers, and a yaw without a library</summary>
 #
-# Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are the other way round. The named options of this page cannot be mixed up; `--help` lists them.
+# Old tutorials pass six bare numbers to `static_transform_publisher`. Their order is x y z **yaw pitch roll**: the angles are in the reverse order. The named options of this page cannot be mixed up; `--help` lists them.
 #
 # In a node, a yaw needs no library, only two lines where the message is filled:
 #
@@ -1270,20 +1270,20 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 
 # %% [markdown] lang="en" name="robot-table" slide="subslide"
-# ### "It is turned by 90° or 180°": where to look first
+# ### "It is rotated by 90° or 180°": where to look first
 #
 # <details><summary>The table, for when you need it</summary>
 #
 # | what you see | likely cause | first look |
 # |---|---|---|
 # | a depth cloud above the robot like a ceiling | optical data stamped with the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
-# | what is ahead appears at the robot's right | the optical turn applied twice, or to the body as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
+# | what is ahead appears at the robot's right | the optical rotation applied twice, or to the body as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
 # | the robot on its back | quaternion written w first | print it where it enters |
 # | "frame does not exist", but its publisher runs | all zeros, or NaN | the **listener's** log |
-# | a sensor turned by an angle that nobody chose | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
-# | IMU: gravity appears on the wrong axis | `imu_link` not turned as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
+# | a sensor rotated by an unexpected angle | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
+# | IMU: gravity appears on the wrong axis | `imu_link` not rotated as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
 #
-# An IMU is the chip that measures turning and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means it is upside down; 9.8 on x or y, that it is on its side.
+# An IMU measures rotation and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means that it is upside down; 9.8 on x or y, that it is on its side.
 # Then correct the mount (the `rpy` of `imu_link`), not the numbers.
 #
 # </details>
@@ -1308,7 +1308,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 
 # %% [markdown] lang="en" name="robot-table-notes" slide="notes"
-# Read only the left column aloud, and let the room name the cause. Whoever has met one tells how long it took.
+# Read only the left column aloud, and let the class name the cause. If somebody has met one, ask how long it took to find.
 
 # %% [markdown] lang="ko" name="robot-table-notes" slide="notes"
 # 왼쪽 열만 읽어 주고 원인은 청중이 말하게 합니다. 겪어 본 사람이 있으면 얼마나 걸렸는지 들려 달라고 합니다.
@@ -1316,14 +1316,14 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - Body: x forward, y left, z up. Picture: x right, y down, z forward. Both are right-handed.
+# - Body frame: x forward, y left, z up. Optical frame: x right, y down, z forward. Both are right-handed.
 # - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
-# - rpy turns about fixed axes, roll first; the order matters.
-# - A quaternion (x, y, z, w) holds half the angle and has length one. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are one.
+# - rpy rotates about fixed axes, roll first. The order matters.
+# - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are the same.
 # - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
-# - If it is turned by 90°, change the label or the mount, never the data.
+# - If data is rotated by 90°, change the frame name or the mount, never the data.
 #
-# Save the card (Shift and a right click on the picture), print it, and put it where you solder.
+# Save the card (Shift and a right click on the picture), print it, and put it on your workbench.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1341,7 +1341,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 lesson.draw_card()
 
 # %% [markdown] lang="en" name="words" slide="subslide"
-# **Text of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
+# **Terms of this chapter:** [[rep-103]] · [[roll pitch yaw]] · [[quaternion]] · [[gimbal lock]] · [[optical frame]] · [[static transform]]
 #
 # ### Three questions from before
 #
@@ -1350,14 +1350,14 @@ lesson.draw_card()
 # A frame, and a time: which axes it is expressed in, and when it was measured.
 #
 # </details>
-# <details><summary>2. The robot drives on while a post stands still. Whose coordinates of the post change: those in map, or those in laser_frame?</summary>
+# <details><summary>2. The robot drives on while a post stands still. Which coordinates of the post change: those in map, or those in laser_frame?</summary>
 #
-# Those in `laser_frame`: the frame moves along with the robot. In `map` the post stands still.
+# Those in `laser_frame`, because that frame moves with the robot. In `map` the post is at rest.
 #
 # </details>
-# <details><summary>3. The laser is at (0.20, 0, 0.15) in base_link, not turned. It sees a corner at (2, 0, 0). Where is the corner in base_link?</summary>
+# <details><summary>3. The laser is at (0.20, 0, 0.15) in base_link, not rotated. It detects a corner at (2, 0, 0). Where is the corner in base_link?</summary>
 #
-# (2.20, 0, 0.15): without a turn, one adds. With a turn, one does not, and that is chapter 3.
+# (2.20, 0, 0.15): without a rotation, you add. With a rotation you do not, and that is chapter 03.
 #
 # </details>
 
@@ -1385,9 +1385,9 @@ lesson.draw_card()
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice questions
 #
-# Write two or three sentences each, then open the rubric and mark yourself honestly: one point per idea.
+# Write two or three sentences each, then open the rubric and mark yourself: one point per idea.
 #
-# **Q2.** Compare the axes of a robot's body with those of a camera's optical frame.
+# **Q2.** Compare the axes of a robot's body frame with those of a camera's optical frame.
 #
 # **Q8.** What is the difference between the quaternion of "no rotation" and one that is all zeros?
 #
@@ -1397,15 +1397,15 @@ lesson.draw_card()
 #
 # - Body: x forward, y left, z up.
 # - Optical: z forward, x right, y down.
-# - Both are right-handed, in metres; between them lies a rotation, rpy (−π/2, 0, −π/2), and no step.
-# - If a header names the wrong one, TF computes without an error, and clouds and detections come out turned.
+# - Both are right-handed, in metres. Between them is a rotation, rpy (−π/2, 0, −π/2), and no translation.
+# - If a header names the wrong one, TF computes without an error, and clouds and detections are rotated.
 #
 # </details>
 # <details><summary>Rubric of Q8 (3 points)</summary>
 #
-# - (0, 0, 0, 1) is the identity: length one, turns nothing.
-# - (0, 0, 0, 0) has length zero and is no rotation; it cannot be made one by scaling.
-# - The sender does not complain; each listener refuses the transform in its log, and whoever asks later reads that the frame does not exist.
+# - (0, 0, 0, 1) is the identity: length one, no rotation.
+# - (0, 0, 0, 0) has length zero and is not a rotation. Normalising does not help.
+# - The sender reports nothing. Each listener rejects the transform in its log, and a later lookup reports that the frame does not exist.
 #
 # </details>
 
@@ -1443,9 +1443,9 @@ lesson.draw_card()
 #
 # 1. Why is the mug at (0, 0, 2) in the optical frame? Use your hand, not a formula.
 # 2. Somebody says: "TF gave no error, so the frames are right." What do you answer?
-# 3. What is still foggy? Write it down, and look at it again after chapter 03.
+# 3. What is still unclear? Write it down, and look at it again after chapter 03.
 #
-# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only whether, but *which* mistake.
+# **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
 # After a pass, or three tries, `solution("E2.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
