@@ -248,9 +248,9 @@ def test_what_no_json_can_hold_is_named_as_an_object() -> None:
 
 
 def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
-    task = {"form": Number().plain(), "points": 2, "twins": {}, "kind": "N", "title": {"en": "", "ko": ""}}
-    task |= {"hints": [], "cures": [], "means": {}, "shows": {}}
-    task |= {"cases": [{"args": None, "expected": 1, "twins": {}}]}
+    task = {"form": Number().plain(), "points": 2, "feedback": {}, "kind": "N", "title": {"en": "", "ko": ""}}
+    task |= {"hints": [], "misconceptions": [], "means": {}, "shows": {}}
+    task |= {"cases": [{"args": None, "expected": 1, "wrong": {}}]}
     tasks = {"E1.1": {**TASKS["E1.1"], **task}}
     master = [["e1-1-answer", "a = ...", "E1.1", "answer"], ["e1-1-check", "check", "E1.1", "check"]]
     cells = [{"id": "e1-1-answer", "cell_type": "code", "source": "a = 1"}]

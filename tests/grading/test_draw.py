@@ -10,8 +10,8 @@ SEEDS = [f"secret/s{number}".encode() for number in range(40)]
 
 
 def pool() -> list:
-    cases = [{"args": [number], "expected": word, "twins": {}} for number, word in enumerate(WORDS)]
-    rare = {"args": [99], "expected": "ok", "twins": {"nobody else tells": "nan"}}
+    cases = [{"args": [number], "expected": word, "wrong": {}} for number, word in enumerate(WORDS)]
+    rare = {"args": [99], "expected": "ok", "wrong": {"nobody else tells": "nan"}}
     task = {"form": Choice(("ok", "zero", "nan")).plain()}
     return pool_of(task, [*cases, rare, cases[0]], shown=())
 
@@ -55,7 +55,7 @@ def test_some_cases_are_asked_again_at_a_distance_and_all_at_least_once() -> Non
 
 
 def test_what_was_shown_is_asked_only_where_there_is_nothing_else() -> None:
-    cases = [{"args": [number], "expected": float(number), "twins": {}} for number in range(30)]
+    cases = [{"args": [number], "expected": float(number), "wrong": {}} for number in range(30)]
     task = {"form": Number().plain()}
     shown = {digest_of(case["args"]) for case in cases[:10]}
     assert not any(any(drawn(pool_of(task, cases, shown), seed)["known"]) for seed in SEEDS)

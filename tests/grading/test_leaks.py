@@ -85,7 +85,7 @@ def cells_of_pages() -> tuple[dict[str, Any], ...]:
 def said_to_all() -> str:
     """Return what the pages say to their readers, and `check` to whoever answers."""
     tasks = [task.plain() for stem in chapters() for task in outlines(DATA, stem).values()]
-    words = [[task["twins"], task["hints"]] for task in tasks]
+    words = [[task["feedback"], task["hints"]] for task in tasks]
     return plain("\n".join([*("".join(cell["source"]) for cell in cells_of_pages()), *texts_in(words)]))
 
 
@@ -194,7 +194,7 @@ def test_no_copy_says_why_an_option_of_the_test_is_right_or_wrong(copy: str, req
 def test_no_copy_holds_cases(copy: str, request: pytest.FixtureRequest) -> None:
     text = request.getfixturevalue(copy)
     assert "E03_target_and_source.ipynb" in text
-    assert [name for name in ('"expected"', '"twins"', '"cases"', "/cases/") if name in text] == []
+    assert [name for name in ('"expected"', '"feedback"', '"cases"', "/cases/") if name in text] == []
 
 
 def test_a_class_copy_holds_exercises_and_pages_and_no_other_file(class_copies: Path) -> None:

@@ -30,7 +30,7 @@ def places_of(task: dict[str, Any], *numbers: int) -> list[int]:
 
 
 def twin(task: dict[str, Any], name: str) -> dict[int, Any]:
-    return {place: task["cases"][number]["twins"][name] for place, number in enumerate(asks_of(task))}
+    return {place: task["cases"][number]["wrong"][name] for place, number in enumerate(asks_of(task))}
 
 
 def said(mark: TaskMark) -> list[str]:

@@ -104,7 +104,7 @@ def test_what_was_mended_comes_in_and_answers_seed_roster_stamps_and_questions_s
     assert {name: there[name] for name in tiny.RIGHT} == tiny.RIGHT
     assert now.questions == before.questions
     task = out.assigned("s102", "E3.1")
-    assert task.twins["subtracted"].reply.en == "You took one from the other."
+    assert task.feedback["subtracted"].reply.en == "You took one from the other."
     assert task.variants[0].given == given
     assert "긴" not in cells(out.exercise("s101"))["e3-2"]  # the Korean text was not mended
 

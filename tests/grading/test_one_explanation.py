@@ -32,12 +32,12 @@ def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
 @pytest.mark.parametrize("language", ["en", "ko"])
 def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(pack: Pack, language: str) -> None:
     task = pack.for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
-    got = {place: task["cases"][number]["twins"]["added"] for place, number in enumerate(asks_of(task))}
+    got = {place: task["cases"][number]["wrong"]["added"] for place, number in enumerate(asks_of(task))}
     mark = judged("E3.2", task, got)
     held = TaskCases.of_a_learner(task)
-    outcomes = [case.twins["added"] for case in held.variants[0].cases]
+    outcomes = [case.wrong["added"] for case in held.variants[0].cases]
     said = judge_outcomes(held, held.variants[0], outcomes).said.say(language)  # what `check` prints
-    assert mark.said.say(language) == said == held.twins["added"].reply.say(language)
+    assert mark.said.say(language) == said == held.feedback["added"].reply.say(language)
     row = mark.plain()
     assert said in feedback_page(record(language, row), pack.titles, "named")
     assert said in class_page([record(language, row)], language=language)

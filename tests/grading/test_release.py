@@ -91,7 +91,7 @@ def test_nothing_that_is_given_away_holds_the_seed_or_a_hidden_case(course: tiny
 
 def test_a_copy_of_a_class_holds_no_cases_and_no_right_answer(course: tiny.Course) -> None:
     given_away = texts_below(course.copy_of("s102"))
-    assert not [word for word in ('"expected"', '"twins"', '"cases"') if word in given_away]
+    assert not [word for word in ('"expected"', '"feedback"', '"cases"') if word in given_away]
     (total,) = course.assigned("s102", "E3.1").variants[0].cases
     assert str(total.expected)[:6] not in given_away
     for name, number in course.assigned("s102", "E3.1").variants[0].given.items():
@@ -167,7 +167,7 @@ def test_a_question_is_the_same_with_another_text_or_tolerance_and_another_with_
     task = course.assigned("s102", "E3.1")
     (variant,) = task.variants
     asked = library.question_digest(task, variant)
-    for same in (task._replace(hints=(), twins={}), task._replace(form=Number(unit="m", tolerance=0.5))):
+    for same in (task._replace(hints=(), feedback={}), task._replace(form=Number(unit="m", tolerance=0.5))):
         assert library.question_digest(same, variant) == asked
     for other in (task._replace(points=3), task._replace(answer="sum"), task._replace(form=Number(unit="deg"))):
         assert library.question_digest(other, variant) != asked

@@ -103,18 +103,18 @@ def legs(rng):
 from .draws import *
 
 TASK = Task("E3.1", "N", 2, Text("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
-         twins=(WrongAnswer("subtracted", lambda given: given.a - given.b,
+         mistakes=(WrongAnswer("subtracted", lambda given: given.a - given.b,
                             Text("You subtracted.", "뺐습니다."), "M3"),))
 # -- e3_2.py
 from .draws import *
 
 TASK = Task("E3.2", "F", 4, Text("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
-         twins=(WrongAnswer("added", lambda x, y: x + y, Text("You added the legs.", "두 변을 더했습니다."), "M1"),))
+         mistakes=(WrongAnswer("added", lambda x, y: x + y, Text("You added the legs.", "두 변을 더했습니다."), "M1"),))
 # -- e3_3.py
 from .draws import *
 
 TASK = Task("E3.3", "M", 2, Text("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         twins=(WrongAnswer("swapped", {"target": "laser_frame", "source": "map"},
+         mistakes=(WrongAnswer("swapped", {"target": "laser_frame", "source": "map"},
                      Text("Swapped.", "바뀜."), "M1", partly=True),))
 """
 

@@ -61,9 +61,9 @@ def cases_of(stem: str, file: str, variants: int | None = None) -> TaskCases:
 
 def singles_of(variant: Variant) -> dict[str, list]:
     """Return what each single mistake gives, case by case."""
-    return {name: [case.twins[name] for case in variant.cases] for name in variant.cases[0].twins if AND not in name}
+    return {name: [case.wrong[name] for case in variant.cases] for name in variant.cases[0].wrong if AND not in name}
 
 
 def pairs_of(variant: Variant) -> list[str]:
     """Return the names of all pairs of mistakes, such as "swapped + no turn"."""
-    return [name for name in variant.cases[0].twins if AND in name]
+    return [name for name in variant.cases[0].wrong if AND in name]

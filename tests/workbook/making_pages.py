@@ -54,7 +54,7 @@ TASK = Task(
     hints=(LOOK, LOOK, LOOK),
     given=lambda rng: {"length": float(rng.uniform(1.0, 9.0))},
     variants=3,
-    twins=(WrongAnswer("double", lambda given: given.length * 2, LOOK),),
+    mistakes=(WrongAnswer("double", lambda given: given.length * 2, LOOK),),
 )
 # -- e3_2.py
 from tflab.workbook.tasks import Number, Task, WrongAnswer, Text

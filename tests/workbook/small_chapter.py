@@ -53,17 +53,18 @@ FRAME = Choice(("map", "laser"))
 from .draws import *
 
 TASK = Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
-         given=mount, variants=3, twins=(WrongAnswer("swapped", swapped, both("that is the inverse"), "M1"),))
+         given=mount, variants=3, mistakes=(WrongAnswer("swapped", swapped, both("that is the inverse"), "M1"),))
 # -- e3_2.py
 from .draws import *
 
 TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
-         inputs=transforms, twins=(WrongAnswer("minus", minus, both("only the sign"), "M3"),))
+         inputs=transforms, mistakes=(WrongAnswer("minus", minus, both("only the sign"), "M3"),))
 # -- e3_3.py
 from .draws import *
 
 TASK = Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
-         twins=(WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True),))
+         mistakes=(WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1",
+                               partly=True),))
 # -- e3_4.py
 from .draws import *
 

@@ -245,7 +245,7 @@ IN_CHECK = 'cell "e3-2-check": the solution does not pass: E3.2: this task canno
 @pytest.mark.parametrize(
     "old, new, said",
     [
-        ("length * 2", "length / 2", IN_GIVEN + 'E3.1, variant 0: the twin "double" is the right answer'),
+        ("length * 2", "length / 2", IN_GIVEN + 'E3.1, variant 0: the mistake "double" gives the right answer'),
         ("rng.uniform(1.0, 9.0))", "rng.nothing())", IN_GIVEN + "E3.1: AttributeError: 'Draws' object has no"),
         ("e3_1.length / 2", "e3_1.width / 2", IN_GIVEN + '03_x: the answer cell "e3-1-answer" fails: AttributeError'),
         ("rng.uniform(1.0, 9.0, 3)", "rng.nothing()", IN_CHECK + "E3.2: AttributeError: 'Draws' object has no"),

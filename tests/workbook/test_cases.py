@@ -68,14 +68,14 @@ def test_a_function_has_at_least_as_many_inputs_as_asked_for(tmp_path):
 
 def test_a_twin_that_is_right_is_no_twin(tmp_path):
     tasks = chapter.TASKS.replace("base_T_laser.inverse()", "base_T_laser")
-    with pytest.raises(cases.CasesError, match=r'E3\.1, variant 0: the twin "swapped" is the right answer'):
+    with pytest.raises(cases.CasesError, match=r'E3\.1, variant 0: the mistake "swapped" gives the right answer'):
         make(tmp_path, tasks=tasks)
 
 
 def test_two_twins_that_look_alike_are_refused(tmp_path):
     one = 'WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
     tasks = chapter.TASKS.replace(one, f"{one}, {one.replace('swapped', 'again')}")
-    with pytest.raises(cases.CasesError, match=r'E3\.3.*"swapped" and "again" coincide'):
+    with pytest.raises(cases.CasesError, match=r'E3\.3.*"swapped" and "again" give the same answer'):
         make(tmp_path, tasks=tasks)
 
 

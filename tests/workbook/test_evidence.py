@@ -247,8 +247,8 @@ def test_no_known_mistake_loses_by_it_what_it_has_right_unless_it_is_one_word_fo
     groups = asked_alike(form.parts) if isinstance(form, Parts) and not task_in(stem, file).counts else []
     task = cases_of(stem, file) if groups else None
     for case in (case for variant in task.variants for case in variant.cases) if task else ():
-        for name in (name for name in task.twins if (task_in(stem, file).id, name) not in WORSE_THAN_LOTS):
-            answer, right = case.twins[name], form.judge(case.twins[name], case.expected)
+        for name in (name for name in task.feedback if (task_in(stem, file).id, name) not in WORSE_THAN_LOTS):
+            answer, right = case.wrong[name], form.judge(case.wrong[name], case.expected)
             said = [{str(inside(answer).get(part)) for part in group} for group in groups]
             if all(len(words) > 1 for words in said):
                 assert beyond_one_word(form, answer, case.expected, right) == right, name

@@ -44,9 +44,9 @@ def judged(form, expected, twins, answer, said=None):
     plain = {name: to_plain(value) for name, value in twins.items()}
     case = Case(None, to_plain(expected), {name: value for name, value in plain.items() if " + " not in name})
     task, variant = bare(form, case)
-    known = said or {name: words(name) for name in case.twins}
+    known = said or {name: words(name) for name in case.wrong}
     pairs = StoredPairs({name: [value] for name, value in plain.items()})
-    return judge_outcomes(task._replace(twins=known, pairs=pairs), variant, [to_plain(answer)])
+    return judge_outcomes(task._replace(feedback=known, pairs=pairs), variant, [to_plain(answer)])
 
 
 @pytest.mark.parametrize(
@@ -292,7 +292,7 @@ def test_what_a_function_gives_is_explained_though_it_changes_what_it_is_given()
     cases = [Case([[1.0, 2.5]], 2.5, {"first": 1.0}), Case([[3.0, 4.5]], 4.5, {"first": 3.0})]
     task, variant = bare(Number("s"), *cases, is_function=True)
     verdict = judge_outcomes(
-        task._replace(twins={"first": words("first")}),
+        task._replace(feedback={"first": words("first")}),
         variant,
         [outcome_of(first_and_gone, case.args) for case in cases],
     )
@@ -308,7 +308,7 @@ def judged_function(form, asked, twins=None):
         for place, (want, _) in enumerate(asked)
     ]
     task, variant = bare(form, *cases, is_function=True)
-    task = task._replace(twins={name: words(name) for name in single}, pairs=StoredPairs(gives))
+    task = task._replace(feedback={name: words(name) for name in single}, pairs=StoredPairs(gives))
     return judge_outcomes(task, variant, [to_plain(outcome) for _, outcome in asked])
 
 

@@ -33,7 +33,7 @@ def test_a_function_that_stops_in_some_calls_hears_what_is_wrong_in_the_others_f
 def test_a_slip_that_would_show_only_where_a_function_stops_is_not_said_of_it():
     cases = [Case([place], float(place + 1), {"late": float(place + 1) if place < 3 else 9.0}) for place in range(4)]
     task, variant = bare(Number("m"), *cases, is_function=True)
-    verdict = judge_outcomes(task._replace(twins={"late": words("late")}), variant, [1.0, 2.0, 3.0, STOPPED])
+    verdict = judge_outcomes(task._replace(feedback={"late": words("late")}), variant, [1.0, 2.0, 3.0, STOPPED])
     assert (verdict.mistake, verdict.slips) == (Mistake.RAISES, {})
 
 

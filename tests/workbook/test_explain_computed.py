@@ -59,7 +59,7 @@ def test_a_slip_in_all_calls_that_have_an_answer_is_not_said_to_be_in_some():
     cases = [Case([n], float(n), {"late": n + 5.0}) for n in range(1, 4)]
     cases.append(Case([9], raised(LookupError("no")), {"late": 14.0}))
     task, variant = bare(Number("m"), *cases, is_function=True)
-    task = task._replace(twins={"late": words("late")})
+    task = task._replace(feedback={"late": words("late")})
     outcomes = [6.0, 7.0, 8.0, raised(LookupError("no"))]
     assert judge_outcomes(task, variant, outcomes).said.en == "late"
     assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).said.en.startswith("In some calls")

@@ -118,7 +118,7 @@ def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_sho
         rows = zip(wants, [*gives[:2], last_of_the_slip], strict=True)
         task, variant = bare(form, *(Case([n], want, {"late": give}) for n, (want, give) in enumerate(rows)),
                              is_function=True)  # fmt: skip
-        task = task._replace(twins={"late": Feedback(Text("Late.", "늦습니다."), "", partly=True)})
+        task = task._replace(feedback={"late": Feedback(Text("Late.", "늦습니다."), "", partly=True)})
         return judge_outcomes(task, variant, [*halves, last])
 
     assert list(verdict(raised, raised).slips) == ["late"]
@@ -208,7 +208,7 @@ def test_a_slip_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_fo
     ]
     task, variant = bare(form, *cases)
     task = task._replace(
-        is_function=True, twins={"never late": Feedback(Text("Late?", "늦었습니까?"), "", part="cause")}
+        is_function=True, feedback={"never late": Feedback(Text("Late?", "늦었습니까?"), "", part="cause")}
     )
     verdict = judge_outcomes(task, variant, [fast, fast, to_plain({"cause": "fast", "frame": "all"})])
     assert next(iter(verdict.slips)) == "never late"

@@ -83,7 +83,7 @@ def test_a_part_whose_name_the_reply_says_already_is_named_once():
 
 def test_of_a_slip_that_shows_in_some_calls_the_part_comes_first():
     task, _ = bare(Number("m"), Case([1.0], 1.0, {}), is_function=True)
-    task = task._replace(twins={"static": Feedback(Text("late: it is old.", "late: 오래되었습니다."), "", "late")})
+    task = task._replace(feedback={"static": Feedback(Text("late: it is old.", "late: 오래되었습니다."), "", "late")})
     said = words_of(task, "in some: static").reply
     assert said.en.startswith('"late": In some calls, not in all, it comes out as by this mistake: it is old. ')
     assert said.ko.startswith(

@@ -28,7 +28,7 @@ from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import Workbook, workbook_data
 from tflab.workbook.progress import read_progress
-from tflab.workbook.tasks import TAKING_PART, Task, Text
+from tflab.workbook.tasks import PARTICIPATION, Task, Text
 from tflab.workbook.tasks.library import assigned_cases
 from tflab.workbook.tasks.task import TaskError, read_tasks
 
@@ -155,7 +155,7 @@ def test_the_questions_have_no_word_of_ros():
 def test_what_is_still_wrong_leads_to_a_task_that_looks_for_it():
     tasks = {task.id: task for folder in TASKS.glob("[0-9]*") for task in read_tasks(folder)}
     for item in ITEMS:
-        assert item.misconception in tasks[item.task].cures
+        assert item.misconception in tasks[item.task].misconceptions
 
 
 @pytest.mark.parametrize("form", FORMS)
@@ -208,9 +208,9 @@ def test_the_build_finds_a_form_out_of_balance_and_a_question_that_was_edited_on
 
 def test_a_task_where_taking_part_counts_has_nothing_that_could_help():
     words = Text("a", "가")
-    made = {"id": "E0.1", "kind": "M", "points": 1, "title": words, "answer": "x", "counts": TAKING_PART}
+    made = {"id": "E0.1", "kind": "M", "points": 1, "title": words, "answer": "x", "counts": PARTICIPATION}
     Task(**made, form=FORM, hints=())
-    with pytest.raises(TaskError, match="without hints or twins"):
+    with pytest.raises(TaskError, match="without hints or mistakes"):
         Task(**made, form=FORM, hints=(words,) * 3)
     with pytest.raises(TaskError, match="the answer is Parts"):
         Task(**made, form=Number(), hints=())
@@ -382,4 +382,4 @@ def test_what_check_asks_knows_no_right_answer(form):
     (variant,) = task.variants
     (case,) = variant.cases
     assert set(case.expected["dict"].values()) == {"e"}
-    assert (case.twins, task.twins, task.hints, task.cures) == ({}, {}, (), ())
+    assert (case.wrong, task.feedback, task.hints, task.misconceptions) == ({}, {}, (), ())

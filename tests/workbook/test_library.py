@@ -121,7 +121,7 @@ def test_a_chapters_tasks_stand_in_order_with_their_texts_and_without_cases() ->
     found = outlines(workbook_data(), "08_buffer_and_measurement_time")
     assert list(found) == ids == task_ids(workbook_data(), "08_buffer_and_measurement_time")
     for task in found.values():
-        assert task.variants == () and task.title.ko and len(task.hints) == 3 and task.twins
+        assert task.variants == () and task.title.ko and len(task.hints) == 3 and task.feedback
 
 
 def test_a_task_is_computed_once_for_all_who_have_the_same_variant(tmp_path, monkeypatch) -> None:

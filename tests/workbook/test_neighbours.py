@@ -55,7 +55,7 @@ def test_a_reply_is_given_to_its_answer_and_not_to_the_neighbours_of_it(stem: st
 def assert_a_slips_answer_hears_its_own_reply(task: TaskCases, name: str, outcomes: list) -> None:
     verdict = judge_outcomes(task, task.variants[0], outcomes)
     assert verdict.mistake is Mistake.SLIP and list(verdict.slips) == [name]
-    reply = task.twins[name].reply
+    reply = task.feedback[name].reply
     assert without_its_part(task.form, reply.en) in verdict.said.en
     assert without_its_part(task.form, reply.ko) in verdict.said.ko
 

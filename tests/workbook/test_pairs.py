@@ -38,9 +38,10 @@ SLIPS = (
 METRES = Number("m", 0.001)
 
 
-def task_of(form=METRES, model=distance, twins=SLIPS, **changes) -> Task:
+def task_of(form=METRES, model=distance, mistakes=SLIPS, **changes) -> Task:
     return Task(
-        "E3.1", "N", 1, said("distance"), "answer", form, (said("1"), said("2"), said("3")), twins=twins, model=model,
+        "E3.1", "N", 1, said("distance"), "answer", form, (said("1"), said("2"), said("3")), mistakes=mistakes,
+        model=model,
         given=lambda rng: {"measured": float(rng.uniform(3, 4)), "mounted": float(rng.uniform(0.2, 0.4))}, **changes,
     )  # fmt: skip
 
@@ -71,7 +72,7 @@ def test_mistakes_compose_at_different_steps_the_earlier_step_first():
         ("mount subtracted", "sign turned"),
         ("doubled", "sign turned"),
     ]
-    assert combinable(task_of(model=None, twins=(WrongAnswer("swapped", 1.0, said("swapped")),))) == []
+    assert combinable(task_of(model=None, mistakes=(WrongAnswer("swapped", 1.0, said("swapped")),))) == []
 
 
 def test_two_mistakes_that_give_the_answer_together_are_found(of_a_value):
@@ -104,7 +105,7 @@ FUNCTION_SLIPS = (
 def of_a_function() -> TaskCases:
     task = Task(
         "E3.1", "F", 1, said("times"), "answer", Number("m", 0.001), (said("1"), said("2"), said("3")),
-        inputs=lambda rng: [(1.0,), (2.5,), (3.5,), (8.0,), (12.0,)], twins=FUNCTION_SLIPS, model=times,
+        inputs=lambda rng: [(1.0,), (2.5,), (3.5,), (8.0,), (12.0,)], mistakes=FUNCTION_SLIPS, model=times,
     )  # fmt: skip
     return made(task, "def answer(x):\n    return min(x, 9.0)")
 
@@ -159,7 +160,7 @@ def test_pairs_that_look_like_something_simpler_or_like_an_earlier_pair_are_left
     def model(given, *, a=0.0, b=0.0, c=0.0, d=0.0, e=0.0):
         return given.measured + a + b + c + d + e
 
-    task = task_of(model=model, twins=tuple(WrongStep(name, {name: adds[name]}, said(name)) for name in adds))
+    task = task_of(model=model, mistakes=tuple(WrongStep(name, {name: adds[name]}, said(name)) for name in adds))
     cases = made(task, "answer = e3_1.measured")
     (variant,) = cases.variants
     found = cases.pairs.fitting(variant.cases, [0], lambda number, value: ["any"], variant.given)

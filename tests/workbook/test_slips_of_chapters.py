@@ -28,11 +28,11 @@ def test_every_slip_and_two_at_a_time_get_their_own_reply_and_the_solution_full_
         right = [case.expected for case in variant.cases]
         assert judge_outcomes(made, variant, right).mistake is None
         for name in [*singles_of(variant), *sample(_thinned(pairs_of(variant)), PAIRS)]:
-            verdict = judge_outcomes(made, variant, [case.twins[name] for case in variant.cases])
+            verdict = judge_outcomes(made, variant, [case.wrong[name] for case in variant.cases])
             if verdict.mistake in SAID_MORE_SIMPLY and " + " in name:
                 continue
             assert verdict.mistake is Mistake.SLIP, name
-            if " + " in name and len(verdict.slips) == 1 and not verdict.slips.keys() & made.twins.keys():
+            if " + " in name and len(verdict.slips) == 1 and not verdict.slips.keys() & made.feedback.keys():
                 continue  # two signs that come to what anybody's one slip gives: x and y changed places, say
             if " + " in name and _is_explained_by_one(task, variant, name, verdict):
                 continue
@@ -50,9 +50,9 @@ def _thinned(names):
 def _is_explained_by_one(task, variant, name, verdict):
     """Return whether one slip gives in each part that is wrong what the two gave together, in these numbers."""
     (one, *others), parts = verdict.slips, getattr(task.form, "parts", {})
-    if others or not parts or one not in variant.cases[0].twins:
+    if others or not parts or one not in variant.cases[0].wrong:
         return False
-    rows = [(case.twins[name]["dict"], case.twins[one]["dict"], case.expected["dict"]) for case in variant.cases]
+    rows = [(case.wrong[name]["dict"], case.wrong[one]["dict"], case.expected["dict"]) for case in variant.cases]
     return all(
         form.alike(both[part], alone[part]) or form.alike(both[part], right[part])
         for both, alone, right in rows

@@ -23,7 +23,7 @@ def _seeds(task):
     """Some hundred, fewer where slips compose, one where a case takes minutes to make."""
     if task.is_costly:
         return [PUBLIC_SEED]
-    count = SEEDS if task.model is None else SEEDS_OF_PAIRS if len(task.twins) < MANY else SEEDS_OF_MANY
+    count = SEEDS if task.model is None else SEEDS_OF_PAIRS if len(task.mistakes) < MANY else SEEDS_OF_MANY
     return [f"seed {number}" for number in range(count)]
 
 
@@ -58,13 +58,13 @@ def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, file):
 @each_task
 def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, file):
     task = task_in(stem, file)
-    said = [task.title, *task.hints, *(twin.reply for twin in task.twins)]
+    said = [task.title, *task.hints, *(twin.reply for twin in task.mistakes)]
     for words in said:
         assert words.en.strip() and words.ko.strip()
         assert re.search("[가-힣]", words.ko), f"not in Korean: {words.ko}"
         assert not re.search("[가-힣]", words.en), f"not in English: {words.en}"
     assert len({words.en for words in task.hints}) == (0 if task.counts else 3)
-    assert len({twin.reply.en for twin in task.twins}) == len(task.twins), "two mistakes get one reply"
+    assert len({twin.reply.en for twin in task.mistakes}) == len(task.mistakes), "two mistakes get one reply"
 
 
 @each_task
@@ -72,7 +72,7 @@ def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, file):
     task = task_in(stem, file)
     if task.kind in "NFT":
         assert task.variants >= 3 or task.inputs is not None
-        assert task.twins
+        assert task.mistakes
     assert form_from_plain(task.form.plain()) == task.form
 
 

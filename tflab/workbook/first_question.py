@@ -83,8 +83,8 @@ QUESTION = TaskCases(
     title=NAME,
     form=Vector(3, unit="m", frame="base_link", tolerance=0.003),
     hints=(),
-    cures=(),
-    twins={name: Feedback(reply, "") for name, (_, reply) in MISTAKES.items()},
+    misconceptions=(),
+    feedback={name: Feedback(reply, "") for name, (_, reply) in MISTAKES.items()},
     variants=(Variant(None, (Case(None, RIGHT, {name: came for name, (came, _) in MISTAKES.items()}),)),),
 )
 

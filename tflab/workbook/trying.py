@@ -111,7 +111,7 @@ def _with_its_place(
     """Return the verdict with what is plain to see in a wrong function, or where one edit makes it right."""
     if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
-    is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.twins)
+    is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.feedback)
     place = said_of_its_text(answer)
     if place is None and verdict.mistake in IN_ONE_PLACE and not is_known:
         with suppress(KeyboardInterrupt):  # who stops it wants the reply

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.workbook.inventory.replies import FORM
-from tflab.workbook.tasks import TAKING_PART, Task, Text
+from tflab.workbook.tasks import PARTICIPATION, Task, Text
 
 TASK = Task(
     id="E0.1",
@@ -13,5 +13,5 @@ TASK = Task(
     answer="before",
     form=FORM,
     hints=(),
-    counts=TAKING_PART,
+    counts=PARTICIPATION,
 )

@@ -251,7 +251,7 @@ TASK = Task(
     given=robot_and_post,
     variants=6,
     model=both,
-    twins=(
+    mistakes=(
         SAME_NUMBERS,
         TAKEN_AWAY,
         MOUNT_TAKEN_AWAY,
@@ -286,5 +286,5 @@ TASK = Task(
             ko="회전이 없으면 성분끼리 더합니다. base = 장착 위치 + 레이저의 숫자, map = 로봇의 위치 + base입니다.",
         ),
     ),
-    cures=("M3",),
+    misconceptions=("M3",),
 )

@@ -75,7 +75,7 @@ TASK = Task(
     title=Text(en="Which message can be used?", ko="어느 메시지를 쓸 수 있습니까?"),
     answer="verdicts",
     form=Parts({name: Choice(OPTIONS) for name in RIGHT}),
-    twins=(
+    mistakes=(
         ZERO_TAKEN_FOR_FRESH,
         A_NAME_THAT_LOOKS_FINE,
         OLD_IS_USELESS,
@@ -133,5 +133,5 @@ TASK = Task(
             ko="쓸 수 있는 것은 셋입니다. 하나는 오래되었지만 가만히 있고, 하나는 더 오래되었지만 로봇에 실려 있습니다.",
         ),
     ),
-    cures=("M9",),
+    misconceptions=("M9",),
 )

@@ -439,7 +439,7 @@ TASK = Task(
     inputs=messages,
     variants=3,
     model=verdict,
-    twins=(
+    mistakes=(
         FRAME_ONLY,
         NO_LOOK_AT_ZERO,
         NO_LOOK_AHEAD,
@@ -488,7 +488,7 @@ TASK = Task(
             ko="나이 = now − 측정 시각(나노초)입니다. 0보다 작으면 미래, `max_age_s * 1e9`보다 크면 너무 오래된 것입니다.",
         ),
     ),
-    cures=("M9", "M10"),
+    misconceptions=("M9", "M10"),
     equivalent={
         "round(max_age_s * 1000000000.0) -> max_age_s * 1000000000.0": "whole nanoseconds compare alike with both",
     },

@@ -471,7 +471,7 @@ TASK = Task(
     given=a_late_message,
     variants=6,
     model=by_arrival,
-    twins=(
+    mistakes=(
         LEFT_AS_IT_WAS,
         FARTHER,
         DIGITS,
@@ -523,5 +523,5 @@ TASK = Task(
             ko="로봇은 속도 × 나이만큼 더 가까이 갔습니다.",
         ),
     ),
-    cures=("M9",),
+    misconceptions=("M9",),
 )

@@ -121,7 +121,7 @@ TASK = Task(
     title=Text(en="Whose numbers change?", ko="누구의 숫자가 바뀝니까?"),
     answer="numbers",
     form=Parts({name: Choice(("stays", "changes")) for name in RIGHT}),
-    twins=(
+    mistakes=(
         WHAT_RESTS_KEEPS,
         WHAT_IS_MEASURED_CHANGES,
         THE_CUP_STANDS_STILL,

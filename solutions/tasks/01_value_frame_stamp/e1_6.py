@@ -273,7 +273,7 @@ TASK = Task(
     inputs=measurements,
     variants=3,
     model=honest,
-    twins=(
+    mistakes=(
         STAMPED_NOW,
         NO_STAMP,
         ON_THE_MAP,
@@ -311,5 +311,5 @@ TASK = Task(
             ko="두 시각 가운데 측정한 때를 말하는 것은 하나뿐입니다.",
         ),
     ),
-    cures=("M9",),
+    misconceptions=("M9",),
 )

@@ -141,7 +141,7 @@ TASK = Task(
     given=logs,
     variants=6,
     means=MEANS,
-    twins=(
+    mistakes=(
         FAST_IS_HONEST,
         FAST_IS_THE_HONEST_ONE,
         A_KNOWN_FRAME_IS_HONEST,
@@ -163,5 +163,5 @@ TASK = Task(
             ko="답은 한 번씩만 쓰입니다. 나이가 0이면 도착 시각을 적은 것, 측정 시각이 0이면 쓰지 않은 것, map 기준 x가 줄어들면 이름표가 거짓입니다.",
         ),
     ),
-    cures=("M9", "M15"),
+    misconceptions=("M9", "M15"),
 )

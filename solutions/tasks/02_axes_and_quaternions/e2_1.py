@@ -136,7 +136,7 @@ TASK = Task(
     title=Text(en="Say the sign", ko="부호를 말하십시오"),
     answer="signs",
     form=Parts(dict.fromkeys(SIGNS, SIGN)),
-    twins=(
+    mistakes=(
         AEROPLANE,
         COMPASS,
         RIGHT_IS_PLUS,
@@ -159,5 +159,5 @@ TASK = Task(
             ko="본체는 x 앞, y 왼쪽, z 위입니다. 영상은 x 오른쪽, y 아래, z 앞입니다. pitch는 z를 x 쪽으로 돌립니다.",
         ),
     ),
-    cures=("M4",),
+    misconceptions=("M4",),
 )

@@ -461,7 +461,7 @@ TASK = Task(
     given=detection,
     variants=5,
     model=picked,
-    twins=(
+    mistakes=(
         FORGOTTEN,
         BACKWARDS,
         NO_SIGNS,
@@ -513,5 +513,5 @@ TASK = Task(
             ko="Transform.from_rpy(roll=-math.pi / 2, yaw=-math.pi / 2)가 camera_T_optical입니다. .apply()로 점을 광학 좌표계에서 camera_link로 옮깁니다.",
         ),
     ),
-    cures=("M4",),
+    misconceptions=("M4",),
 )

@@ -548,7 +548,7 @@ TASK = Task(
     inputs=yaws,
     variants=3,
     model=turned,
-    twins=(
+    mistakes=(
         WHOLE_ANGLE,
         DEGREES,
         W_FIRST,
@@ -602,5 +602,5 @@ TASK = Task(
             ko="x와 y는 0.0이고 z는 math.sin(yaw_rad / 2)입니다. 남은 하나는 직접 채우십시오.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
 )

@@ -888,7 +888,7 @@ TASK = Task(
     inputs=quaternions,
     variants=3,
     model=judged,
-    twins=(
+    mistakes=(
         NAN_SLIPS_THROUGH,
         NEVER_NOT_UNIT,
         SCALED_FIRST,
@@ -949,7 +949,7 @@ TASK = Task(
             ko="yaw만 있으면 x = y = 0입니다. w를 먼저 쓰면 w가 x 자리에 옵니다. 그러니 abs(x)나 abs(y)가 0.1을 넘는지 보십시오. w의 부호로는 아무것도 알 수 없습니다.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
     equivalent={
         "length < 1e-06 -> length <= 1e-06 in: if length < 1e-06:": "math.hypot and math.sqrt differ in the last digit "
         "there, so none stands at the bound; a hair beside it on both sides there is one",

@@ -553,7 +553,7 @@ TASK = Task(
     given=two_turns,
     variants=5,
     model=turned_twice,
-    twins=(
+    mistakes=(
         OTHER_ORDER,
         INVERSE,
         DEGREES,
@@ -605,5 +605,5 @@ TASK = Task(
             ko="yaw = Transform.from_rpy(yaw=...)와 pitch = Transform.from_rpy(pitch=...)를 만들어 @로 곱하고 .rotation을 꺼내십시오.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
 )

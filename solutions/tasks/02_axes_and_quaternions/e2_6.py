@@ -147,7 +147,7 @@ TASK = Task(
     form=DIAGNOSIS,
     given=turned_cloud,
     variants=20,
-    twins=(
+    mistakes=(
         TURN_THE_DATA,
         WRONG_END,
         OTHER_MOUNT,
@@ -168,7 +168,7 @@ TASK = Task(
             ko="헤더는 드라이버에서, 장착 변환은 URDF에서 고칩니다. 데이터는 언제나 그대로 둡니다.",
         ),
     ),
-    cures=("M4",),
+    misconceptions=("M4",),
     means={
         "data": Text(
             en="the numbers are what the camera measured: to turn them mends one node, and breaks on the day the cause is mended.",

@@ -410,7 +410,7 @@ TASK = Task(
     given=few_digits,
     variants=5,
     model=aside_mm,
-    twins=(
+    mistakes=(
         DEGREES,
         RELATIVE,
         HALF,
@@ -449,5 +449,5 @@ TASK = Task(
             ko="각도는 abs(math.pi / 2 - written)입니다. 미터를 밀리미터로 바꾸는 일은 맨 마지막에 합니다.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
 )

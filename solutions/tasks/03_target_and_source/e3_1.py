@@ -70,7 +70,7 @@ TASK = Task(
     title=Text(en="Four sentences, four calls", ko="문장 네 개, 호출 네 개"),
     answer="calls",
     form=Parts({key: Sequence(Choice(FRAMES)) for key in SENTENCES}),
-    twins=(
+    mistakes=(
         SWAPPED,
         WHERE_IS_IT,
         PARENT_FIRST_TWIN,
@@ -89,7 +89,7 @@ TASK = Task(
             ko='"Y에서 볼 때 X는 어디인가?"는 X의 원점을 묻습니다. X 기준인 점을 Y 기준으로 보고 싶은 것입니다.',
         ),
     ),
-    cures=("M1", "M2"),
+    misconceptions=("M1", "M2"),
     means={
         "odom": Text(
             en="In none of the four is anything written or wanted in odom.",

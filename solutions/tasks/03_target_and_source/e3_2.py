@@ -696,7 +696,7 @@ TASK = Task(
     given=corner_given,
     variants=6,
     model=moved_twice,
-    twins=(
+    mistakes=(
         SWAPPED,
         BOTH_INVERTED,
         THE_LASER_ITSELF,
@@ -755,5 +755,5 @@ TASK = Task(
             ko="도미노를 놓아 보십시오. [map|base][base|laser], 그리고 오른쪽 끝에 레이저의 점입니다.",
         ),
     ),
-    cures=("M1", "M3"),
+    misconceptions=("M1", "M3"),
 )

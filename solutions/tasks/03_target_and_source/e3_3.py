@@ -418,7 +418,7 @@ TASK = Task(
     inputs=invert_inputs,
     variants=3,
     model=inverted,
-    twins=(
+    mistakes=(
         SIGN_ONLY,
         SAME_TURN,
         TURNED_ON,
@@ -466,5 +466,5 @@ TASK = Task(
             ko="(−x, −y)를 −yaw만큼 돌리십시오. 공식에서 u는 −x, v는 −y, 각도는 −yaw입니다.",
         ),
     ),
-    cures=("M3",),
+    misconceptions=("M3",),
 )

@@ -567,7 +567,7 @@ TASK = Task(
     inputs=compose_inputs,
     variants=3,
     model=joined,
-    twins=(
+    mistakes=(
         OTHER_ORDER,
         WAY_BACK,
         ONLY_ADDED,
@@ -628,5 +628,5 @@ TASK = Task(
             "그러면 compose(p, invert(p))는 모두 0이어야 합니다.",
         ),
     ),
-    cures=("M1", "M3"),
+    misconceptions=("M1", "M3"),
 )

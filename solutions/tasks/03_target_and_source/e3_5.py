@@ -574,7 +574,7 @@ TASK = Task(
     given=echo_given,
     variants=6,
     model=read,
-    twins=(
+    mistakes=(
         SWAPPED,
         SIGN_ONLY,
         TURNED_ON,
@@ -623,5 +623,5 @@ TASK = Task(
             ko="`Transform.from_rpy(yaw=..., translation=(...)).inverse()`로 계산할 수 있습니다. z는 부호만 바뀝니다.",
         ),
     ),
-    cures=("M1", "M3"),
+    misconceptions=("M1", "M3"),
 )

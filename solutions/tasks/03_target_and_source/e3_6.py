@@ -539,7 +539,7 @@ TASK = Task(
     inputs=mount_inputs,
     variants=3,
     model=mounted,
-    twins=(
+    mistakes=(
         PARENT_AND_CHILD_SWAPPED,
         OFFSET_TURNED,
         DEGREES,
@@ -586,5 +586,5 @@ TASK = Task(
             ko="앞은 x, 위는 z입니다. 메시지 필드는 float를 받으므로 int일 수 있는 값은 `float(...)`로 감싸십시오.",
         ),
     ),
-    cures=("M2", "M5"),
+    misconceptions=("M2", "M5"),
 )

@@ -120,7 +120,7 @@ TASK = Task(
     title=Text(en="Three nodes, one swap", ko="노드 셋, 하나는 거꾸로"),
     answer="verdict",
     form=Parts({"node": Choice(NODES), "robot": Choice(ROBOTS), "hidden_while": Choice(HIDDEN)}),
-    twins=(
+    mistakes=(
         BY_ITS_LOOKS,
         AGAINST_THE_ARROW,
         EXPECTS_AN_EXCEPTION,
@@ -143,7 +143,7 @@ TASK = Task(
             ko="아무것도 멈추지 않습니다. TF2는 반대 질문에 답할 뿐이고, 나온 숫자는 다른 곳을 가리킵니다.",
         ),
     ),
-    cures=("M1", "M2"),
+    misconceptions=("M1", "M2"),
     means={
         "node_a": Text(
             en="node_a asks rightly: the target comes first, and its point is wanted in `base_link`; the source comes "

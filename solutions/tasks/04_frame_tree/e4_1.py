@@ -183,7 +183,7 @@ TASK = Task(
     given=misspelt,
     variants=8,
     model=built,
-    twins=(
+    mistakes=(
         UNCHANGED,
         BRIDGED,
         RENAMED,
@@ -209,5 +209,5 @@ TASK = Task(
             ko="`{child: parent for parent, child in e4_1.edges}`가 들은 그대로의 트리입니다. 그다음 한 곳의 이름을 바로잡으십시오.",
         ),
     ),
-    cures=("M2", "M14"),
+    misconceptions=("M2", "M14"),
 )

@@ -161,7 +161,7 @@ TASK = Task(
     given=listings,
     variants=8,
     model=diagnosed,
-    twins=(
+    mistakes=(
         ROOTS_ONLY,
         LOOP_IS_A_TREE,
         SAME_EDGE_TWICE,
@@ -184,7 +184,7 @@ TASK = Task(
             ko="형제는 부모가 같을 뿐이며 문제가 없습니다. 고리에는 루트가 없습니다. 좌표계마다 올라가서 끝에 닿는지 보십시오.",
         ),
     ),
-    cures=("M2", "M6"),
+    misconceptions=("M2", "M6"),
     means={
         "two parents": Text(
             en="Two parents: one child in two rows whose parents differ; siblings are none of that.",

@@ -402,7 +402,7 @@ TASK = Task(
     inputs=questions,
     variants=3,
     model=walked,
-    twins=(
+    mistakes=(
         FROM_THE_TARGET,
         OVER_THE_ROOT,
         WORDS_EXCHANGED,
@@ -448,5 +448,5 @@ TASK = Task(
             ko="원본의 리스트에 남은 것은 그대로 up, 목표의 리스트에 남은 것은 뒤집어서 down입니다.",
         ),
     ),
-    cures=("M1", "M2", "M11"),
+    misconceptions=("M1", "M2", "M11"),
 )

@@ -292,7 +292,7 @@ TASK = Task(
     given=robots,
     variants=8,
     model=together,
-    twins=(
+    mistakes=(
         ODOM_SHARED,
         MAP_PREFIXED,
         NO_SLASH,
@@ -330,5 +330,5 @@ TASK = Task(
             ko='반복문 두 개입니다. `e4_4.prefixes`와 `e4_4.edges`를 돌며 이름을 `f"{robot}/{frame}"`으로 만드십시오. map은 그대로 둡니다. 안쪽 반복문에서 `fleet[자식 이름] = 부모 이름`을 씁니다.',
         ),
     ),
-    cures=("M2", "M14"),
+    misconceptions=("M2", "M14"),
 )

@@ -213,7 +213,7 @@ TASK = Task(
     given=lines,
     variants=8,
     model=fates,
-    twins=(
+    mistakes=(
         SLASH_REFUSED,
         SLASH_IS_ANOTHER,
         CASE_IGNORED,
@@ -245,7 +245,7 @@ TASK = Task(
             ko="직접 해 보세요. 본문의 `send`처럼 `Buffer().set_transform_static(...)`을 호출하고 `buffer.core.frame_names()`를 보십시오. 두 로봇이 한 이름으로 무엇을 뜻하는지는 버퍼가 알려 주지 않습니다.",
         ),
     ),
-    cures=("M14",),
+    misconceptions=("M14",),
     means={
         "kept as odom": Text(
             en="Kept as odom: one robot sends, and what is stored is just these four letters.",

@@ -235,7 +235,7 @@ TASK = Task(
     inputs=logs,
     variants=3,
     model=counted,
-    twins=(
+    mistakes=(
         MESSAGES,
         EDGES,
         BASE_NAMES,
@@ -261,5 +261,5 @@ TASK = Task(
             ko="`nodes.setdefault(child, set()).add(node)`로 모은 뒤, 둘 이상인 것을 정렬하십시오.",
         ),
     ),
-    cures=("M6",),
+    misconceptions=("M6",),
 )

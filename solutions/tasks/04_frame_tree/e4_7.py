@@ -372,7 +372,7 @@ TASK = Task(
     inputs=names,
     variants=3,
     model=joined,
-    twins=(
+    mistakes=(
         EMPTY_GLUED,
         EMPTY_ASKED_FIRST,
         NO_SLASH,
@@ -415,5 +415,5 @@ TASK = Task(
             ko="접두사가 없을 때와 map일 때는 이름만 반환합니다. 나머지는 접두사, 슬래시, 이름입니다.",
         ),
     ),
-    cures=("M14",),
+    misconceptions=("M14",),
 )

@@ -259,7 +259,7 @@ TASK = Task(
     inputs=two_poses,
     variants=3,
     model=product,
-    twins=(
+    mistakes=(
         NO_INVERSE,
         OTHER_ORDER,
         THE_OTHER_WAY,
@@ -296,5 +296,5 @@ TASK = Task(
             ko="`.inverse()`는 Transform을 뒤집고 `@`는 둘을 잇습니다.",
         ),
     ),
-    cures=("M1", "M3", "M7"),
+    misconceptions=("M1", "M3", "M7"),
 )

@@ -406,7 +406,7 @@ TASK = Task(
     ),
     given=closing_loop,
     variants=6,
-    twins=(
+    mistakes=(
         ODOMETRY_IS_RESET,
         JUMP_OF_THE_EDGE,
         OLD_EDGE_KEPT,
@@ -450,5 +450,5 @@ TASK = Task(
             ko="바퀴는 이 모든 일을 전혀 알아채지 못합니다.",
         ),
     ),
-    cures=("M3", "M7", "M8"),
+    misconceptions=("M3", "M7", "M8"),
 )

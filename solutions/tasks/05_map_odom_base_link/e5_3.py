@@ -144,7 +144,7 @@ TASK = Task(
     title=Text(en="Which frame for which job?", ko="어떤 일에 어떤 좌표계를 씁니까?"),
     answer="jobs",
     form=Parts({job: Choice(("map", "odom", "base_link")) for job in RIGHT}),
-    twins=(
+    mistakes=(
         MAP_FOR_CONTROL,
         SPEED_IN_MAP,
         LINE_IN_MAP,
@@ -214,5 +214,5 @@ TASK = Task(
         ),
         Text(en="What is bolted on or carried: base_link.", ko="고정되어 있거나 실려 있으면 base_link입니다."),
     ),
-    cures=("M8",),
+    misconceptions=("M8",),
 )

@@ -96,7 +96,7 @@ TASK = Task(
             "error": Choice(("LookupException", "ConnectivityException", "nothing")),
         }
     ),
-    twins=(
+    mistakes=(
         BLAME_THE_WHEELS,
         BLAME_THE_BODY,
         THE_TRUTH_ITSELF,
@@ -116,5 +116,5 @@ TASK = Task(
             ko="변환을 *발행할* 때 TF2가 무언가 확인합니까?",
         ),
     ),
-    cures=("M6", "M7"),
+    misconceptions=("M6", "M7"),
 )

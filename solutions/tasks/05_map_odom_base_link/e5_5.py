@@ -420,7 +420,7 @@ TASK = Task(
     inputs=tilted,
     variants=3,
     model=shadow,
-    twins=(
+    mistakes=(
         ALONG_ITS_OWN_Z,
         TWICE_ATAN,
         YAW_OF_THE_INVERSE,
@@ -469,5 +469,5 @@ TASK = Task(
             ko="x와 y, 그리고 yaw는 그대로이고 나머지는 버립니다.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
 )

@@ -275,7 +275,7 @@ TASK = Task(
     inputs=scans,
     variants=3,
     model=corrected,
-    twins=(
+    mistakes=(
         LATEST_INSTEAD,
         NOT_TURNED_ROUND,
         AGAINST_THE_MAP,
@@ -311,5 +311,5 @@ TASK = Task(
             ko="`buffer.lookup_transform(target, source, stamp_ns).transform`은 Transform입니다. 그다음은 E5.1과 같습니다. 예외는 잡지 마십시오.",
         ),
     ),
-    cures=("M9", "M1", "M7"),
+    misconceptions=("M9", "M1", "M7"),
 )

@@ -195,7 +195,7 @@ TASK = Task(
     answer="topics",
     form=Parts({robot: Sequence(Choice((BOARD, RADIO))) for robot in RIGHT}),
     model=sorted_out,
-    twins=(
+    mistakes=(
         PARKED,
         LASER_DRIVES_ALONG,
         CORRECTED_SELDOM,
@@ -226,5 +226,5 @@ TASK = Task(
             ko="나사, 테이프, 정의로 정해진 것은 /tf_static입니다. 바퀴, 관절, 마스트, 짐벌, 보정은 /tf입니다.",
         ),
     ),
-    cures=("M12",),
+    misconceptions=("M12",),
 )

@@ -278,7 +278,7 @@ TASK = Task(
     given=mount,
     variants=6,
     model=line,
-    twins=(
+    mistakes=(
         PARENT_AND_CHILD_SWAPPED,
         CENTIMETRES,
         MILLIMETRES,
@@ -317,5 +317,5 @@ TASK = Task(
             ko='f-문자열에 숫자를 넣을 수 있습니다. f"… --x {e6_2.ahead_cm / 100} …" 오른쪽에 있는 것은 y가 음수입니다.',
         ),
     ),
-    cures=("M2", "M5", "M12"),
+    misconceptions=("M2", "M5", "M12"),
 )

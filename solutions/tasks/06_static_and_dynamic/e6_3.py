@@ -323,7 +323,7 @@ TASK = Task(
     inputs=lists_of_mounts,
     variants=3,
     model=letters,
-    twins=(
+    mistakes=(
         ONE_OBJECT,
         LAST_ONLY,
         FIRST_ONLY,
@@ -363,5 +363,5 @@ TASK = Task(
             ko="`roll, pitch, yaw = mount['rpy']`로 받아 `Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation`을 구하면 (x, y, z, w)입니다.",
         ),
     ),
-    cures=("M2", "M5", "M12"),
+    misconceptions=("M2", "M5", "M12"),
 )

@@ -414,7 +414,7 @@ TASK = Task(
     inputs=circles,
     variants=3,
     model=driven,
-    twins=(
+    mistakes=(
         SWAPPED,
         FIXED_NAMES,
         QUARTER_IN_DEGREES,
@@ -463,5 +463,5 @@ TASK = Task(
             ko="앞은 반지름에서 90° 돌아간 방향입니다. 왼쪽이면 θ + π/2, 오른쪽이면 θ − π/2입니다. 그 절반을 sin과 cos에 넣으십시오.",
         ),
     ),
-    cures=("M2", "M5"),
+    misconceptions=("M2", "M5"),
 )

@@ -216,7 +216,7 @@ TASK = Task(
     form=Parts({part: Choice(REMEDIES if part in DO else CAUSES) for part in RIGHT}),
     given=extracts,
     variants=6,
-    twins=(
+    mistakes=(
         WAIT,
         FASTER,
         WAIT_FOR_THE_BOLT,
@@ -243,7 +243,7 @@ TASK = Task(
             ko="어느 시각이든 같은 답은 게시판에서 온 것입니다. 천 번 보내도 같은 숫자라면 볼트입니다.",
         ),
     ),
-    cures=("M10", "M11", "M12"),
+    misconceptions=("M10", "M11", "M12"),
     means={
         "several letters": Text(
             en="then the late listener would know one frame, and the early one more.",

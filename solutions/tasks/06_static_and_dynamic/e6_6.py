@@ -25,7 +25,7 @@ def bolt(rng):
 
 def _meets_another(given):
     """Return whether two of all the slips, or one and a time that was given, come to nearly the same number."""
-    lengths = [worst(given, **at) for at in ({}, *(slip.at for slip in TASK.twins))]
+    lengths = [worst(given, **at) for at in ({}, *(slip.at for slip in TASK.mistakes))]
     lengths = sorted([*lengths, given.delay_ms / 1000.0, 1.0 / given.rate_hz])
     return min(after - before for before, after in pairwise(lengths)) < 0.004
 
@@ -241,7 +241,7 @@ TASK = Task(
     given=bolt,
     variants=6,
     model=worst,
-    twins=(
+    mistakes=(
         *SLIPS,
         TWO_PERIODS,
         SPEED_TIMES_THE_PERIOD_ALONE,
@@ -264,5 +264,5 @@ TASK = Task(
             ko="나이 = 1 / 발행률 + 지연, 단위는 초입니다. 그동안 로봇은 속도 × 나이만큼 갑니다.",
         ),
     ),
-    cures=("M9", "M12"),
+    misconceptions=("M9", "M12"),
 )

@@ -411,7 +411,7 @@ TASK = Task(
     inputs=logs,
     variants=3,
     model=listened,
-    twins=(
+    mistakes=(
         TF_LATCHED,
         TF_LATCHED_TOO,
         ALL_KEPT,
@@ -458,5 +458,5 @@ TASK = Task(
         "sorted(heard) -> heard in: return sorted(heard)": "a set says the same as a sorted list",
         "each['sent_s'] < join_s -> each['sent_s'] <= join_s": "what is sent at the join has gone the other way",
     },
-    cures=("M12",),
+    misconceptions=("M12",),
 )

@@ -229,7 +229,7 @@ TASK = Task(
     given=a_head,
     variants=6,
     model=finished,
-    twins=SLIPS,
+    mistakes=SLIPS,
     hints=(
         Text(
             en="Two joints: nod_joint from base_link to camera_link, optical_joint from camera_link to camera_optical_frame.",
@@ -244,5 +244,5 @@ TASK = Task(
             ko='끄덕임은 머리 자신의 y를 중심으로 돕니다. 광학 좌표계의 회전은 rpy="-1.5708 0 -1.5708"입니다(02장).',
         ),
     ),
-    cures=("M2", "M4", "M5"),
+    misconceptions=("M2", "M4", "M5"),
 )

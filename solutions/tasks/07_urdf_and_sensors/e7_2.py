@@ -247,7 +247,7 @@ TASK = Task(
     given=a_tilt,
     variants=6,
     model=beam,
-    twins=(
+    mistakes=(
         *SLIPS,
         BASE_ALONE,
         COSINE,
@@ -269,5 +269,5 @@ TASK = Task(
             ko="floor_m = 높이 / tan, wall_up_m = 높이 - wall_m * tan입니다. 각도는 라디안입니다.",
         ),
     ),
-    cures=("M5",),
+    misconceptions=("M5",),
 )

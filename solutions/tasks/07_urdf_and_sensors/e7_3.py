@@ -516,7 +516,7 @@ TASK = Task(
     inputs=chains,
     variants=3,
     model=walk,
-    twins=(
+    mistakes=(
         *SLIPS,
         NOT_MOVED,
         ORIGINS_LEFT_OUT,
@@ -565,5 +565,5 @@ TASK = Task(
         ),
     ),
     equivalent={"tuple(joint['xyz']) -> joint['xyz']": "a Transform makes a tuple of any three numbers itself"},
-    cures=("M1", "M3", "M5"),
+    misconceptions=("M1", "M3", "M5"),
 )

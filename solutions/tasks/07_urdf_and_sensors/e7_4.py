@@ -145,7 +145,7 @@ TASK = Task(
     ),
     given=five_robots,
     variants=6,
-    twins=(ALWAYS_A_DRIVER, STAMP_FOR_NAMES, RVIZ_FOR_ALL, CABLE_FOR_SENSORS, WAIT_FOR_ARMS),
+    mistakes=(ALWAYS_A_DRIVER, STAMP_FOR_NAMES, RVIZ_FOR_ALL, CABLE_FOR_SENSORS, WAIT_FOR_ARMS),
     means={
         "other names": Text(
             en="then /joint_states would name joints that the URDF has not got (its own are shoulder_joint, elbow_joint, wrist_joint).",
@@ -252,5 +252,5 @@ TASK = Task(
             ko="트리가 온전하다면 회전이 관절에 있습니까, visual에 있습니까? 단위는 라디안입니까?",
         ),
     ),
-    cures=("M10", "M11", "M15"),
+    misconceptions=("M10", "M11", "M15"),
 )  # fmt: skip

@@ -59,7 +59,7 @@ TASK = Task(
     form=Parts({"mount": Choice(tuple(MOUNTS)), "gyro_z": Number("rad/s", 0.02), "mend": Choice(MENDS)}),
     given=an_imu,
     variants=8,
-    twins=(X_AND_Y_EXCHANGED,),
+    mistakes=(X_AND_Y_EXCHANGED,),
     means={
         "as drawn": Text(
             en="then at rest z reads +9.8, and in a bend to the left y reads above 0, as along the robot's own y.",
@@ -126,5 +126,5 @@ TASK = Task(
             ko="자이로 z는 z가 위를 향하면 yaw rate 그대로, 아래를 향하면 부호가 반대입니다. 장착은 TF가 읽는 곳에 적으십시오.",
         ),
     ),
-    cures=("M4",),
+    misconceptions=("M4",),
 )

@@ -152,7 +152,7 @@ TASK = Task(
     inputs=touches,
     variants=3,
     model=touched,
-    twins=(
+    mistakes=(
         *SLIPS,
         STEP_OF_THE_INVERSE_ADDED,
         THE_FLANGE_ITSELF,
@@ -172,5 +172,5 @@ TASK = Task(
             ko="base_T_tool0.inverse().apply(base_p_tip)입니다. 회전은 (0, 0, 0, 1) 그대로입니다.",
         ),
     ),
-    cures=("M1", "M2", "M3"),
+    misconceptions=("M1", "M2", "M3"),
 )

@@ -217,7 +217,7 @@ TASK = Task(
     given=lanes,
     variants=6,
     model=common,
-    twins=(
+    mistakes=(
         NEWEST_OF_ALL,
         NOW,
         COUNTING_THE_STATIC,
@@ -249,5 +249,5 @@ TASK = Task(
             ko="마지막 시각들 가운데 가장 이른 것입니다. 경로에 있는 두 `newest_s`의 `min(...)`입니다.",
         ),
     ),
-    cures=("M9",),
+    misconceptions=("M9",),
 )

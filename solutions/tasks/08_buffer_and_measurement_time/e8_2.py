@@ -1001,7 +1001,7 @@ TASK = Task(
     inputs=two_samples,
     variants=4,
     model=between,
-    twins=(
+    mistakes=(
         LEFT_OVER_OF_PI,
         SIZE_OF_THE_TURN,
         THE_LONG_WAY,

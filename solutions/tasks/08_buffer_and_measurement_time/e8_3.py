@@ -539,7 +539,7 @@ TASK = Task(
     inputs=sightings,
     variants=3,
     model=on_the_map,
-    twins=(
+    mistakes=(
         LATEST,
         NOW,
         FALLS_BACK_ON_LATEST,
@@ -596,5 +596,5 @@ TASK = Task(
             ko="`buffer.transform(message, ...)`은 메시지와 목표 좌표계를 받고 측정 시각을 지킵니다. try도 now도 필요 없습니다.",
         ),
     ),
-    cures=("M9", "M1"),
+    misconceptions=("M9", "M1"),
 )

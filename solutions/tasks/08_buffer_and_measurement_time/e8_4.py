@@ -505,7 +505,7 @@ TASK = Task(
     given=motion,
     variants=6,
     model=late,
-    twins=(
+    mistakes=(
         SPEED_ONLY,
         DEGREES,
         WRONG_SIDE,
@@ -558,5 +558,5 @@ TASK = Task(
             ko="속도 × 지연, 거리 × 각속도 × 지연, 그리고 둘의 `math.hypot`입니다.",
         ),
     ),
-    cures=("M9", "M5"),
+    misconceptions=("M9", "M5"),
 )

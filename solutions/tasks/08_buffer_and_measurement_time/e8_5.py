@@ -138,7 +138,7 @@ TASK = Task(
     title=Text(en="Six symptoms", ko="여섯 가지 증상"),
     answer="causes",
     form=Parts({symptom: Choice(CAUSES) for symptom in SYMPTOMS}),
-    twins=(
+    mistakes=(
         MOUNT_FOR_A_SMEAR,
         ODOMETRY_FOR_A_SMEAR,
         STAMPS_FOR_A_MOUNT,
@@ -164,7 +164,7 @@ TASK = Task(
             ko="하나는 TransformException이 아예 아니고, 하나는 새것처럼 꾸며졌으며, 하나는 너무 빨리 잊었습니다. 원인은 한 번씩만 쓰입니다.",
         ),
     ),
-    cures=("M9", "M10", "M11", "M15"),
+    misconceptions=("M9", "M10", "M11", "M15"),
     means={
         "stamp overwritten": Text(
             en="a stamp that was overwritten makes data look fresh: it is late by the delay that it hides, some hundredths or tenths of a second, in every message alike.",

@@ -432,7 +432,7 @@ TASK = Task(
     given=detector,
     variants=6,
     model=memory,
-    twins=(
+    mistakes=(
         THINKING_ONLY,
         THE_FAST_LANE,
         BOTH_PERIODS,

@@ -415,7 +415,7 @@ TASK = Task(
     inputs=resting_objects,
     variants=3,
     model=in_base_link,
-    twins=(
+    mistakes=(
         BASE_LINK_THEN,
         LATEST_INSTEAD_OF_NOW,
         TIMES_SWAPPED,
@@ -461,7 +461,7 @@ TASK = Task(
             ko="base_link는 `now`, 메시지의 좌표계는 그 측정 시각, 고정은 odom입니다. 그다음 `do_transform_point(message, ...)`의 `.point`입니다.",
         ),
     ),
-    cures=("M9", "M8"),
+    misconceptions=("M9", "M8"),
     equivalent={
         "Time.from_msg(message.header.stamp) -> message.header.stamp in: stamp = Time.from_msg(message.header.stamp)": (
             "a lookup takes a message's stamp as it takes a Time"

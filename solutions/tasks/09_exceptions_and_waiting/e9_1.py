@@ -220,7 +220,7 @@ TASK = Task(
         }
     ),
     given=eight_lines,
-    twins=(
+    mistakes=(
         ACCUSED_THE_NAMED_FRAME,
         ACCUSED_THE_ONE_THAT_MOVES,
         ACCUSED_THE_ONE_THAT_REACHES_BACK,
@@ -248,7 +248,7 @@ TASK = Task(
             ko="e에는 방향이 없고, g에는 파이썬 타입이 있으며, h의 두 시각은 서로 다른 세계의 것입니다. 하나는 1970년부터, 하나는 시작부터 센 초입니다.",
         ),
     ),
-    cures=("M10", "M11"),
+    misconceptions=("M10", "M11"),
     means={
         "lookup": Text(
             en='a lookup error says that a frame "does not exist".',

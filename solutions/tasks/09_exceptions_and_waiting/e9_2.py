@@ -426,7 +426,7 @@ TASK = Task(
     inputs=questions,
     variants=3,
     model=classified,
-    twins=(
+    mistakes=(
         ASKED_FOR_THE_LATEST,
         PATH_BEFORE_MOMENT,
         NO_ANSWER_AT_THE_LATEST_IS_NO_PATH,
@@ -503,5 +503,5 @@ TASK = Task(
             ko="여기서는 tf2가 시각 하나만 나오고 방향은 나오지 않는 ExtrapolationException을 일으킵니다.",
         ),
     },
-    cures=("M11",),
+    misconceptions=("M11",),
 )

@@ -791,7 +791,7 @@ TASK = Task(
     inputs=messages,
     variants=3,
     model=action,
-    twins=(
+    mistakes=(
         WAITS_HOWEVER_FAR,
         GAP_FROM_THE_TEXT,
         GAP_FROM_THE_TEXT_AS_A_FLOAT,
@@ -893,7 +893,7 @@ TASK = Task(
             ko="여기서는 앞의 슬래시나 빈 이름 때문에 질문이 되지 않습니다.",
         ),
     },
-    cures=("M9", "M10", "M11"),
+    misconceptions=("M9", "M10", "M11"),
     equivalent={
         "buffer.get_latest_common_time('map', source) -> buffer.get_latest_common_time(source, 'map') in: newest = buffer.get_latest_common_time('map', source)": "the latest "
         "common time of two frames is the same whichever comes first",

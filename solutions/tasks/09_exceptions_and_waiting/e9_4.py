@@ -234,7 +234,7 @@ TASK = Task(
     ),
     given=arrivals,
     variants=6,
-    twins=(
+    mistakes=(
         ALWAYS_LATE,
         TEN_SECONDS_FOR_THE_LATE_ONE,
         TREMBLE_OVERLOOKED,
@@ -261,7 +261,7 @@ TASK = Task(
             ko="음수면 시계이고, 누구의 시계인지 말할 수 있습니다. 양수이고 떨리면 네트워크입니다. 양수이고 매끈하면 둘 중 어느 쪽인지 한 방향 시각만으로는 알 수 없습니다.",
         ),
     ),
-    cures=("M10",),
+    misconceptions=("M10",),
     means={
         "transforms arrive late": Text(
             en="late transforms: the delays of /odom are large and tremble from message to message.",

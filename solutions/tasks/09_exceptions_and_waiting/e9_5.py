@@ -578,7 +578,7 @@ TASK = Task(
     inputs=queues,
     variants=3,
     model=kept,
-    twins=(
+    mistakes=(
         KEEPS_THE_OLDEST,
         AGE_IGNORED,
         NOTHING_SIEVED,
@@ -636,5 +636,5 @@ TASK = Task(
             ko="앞의 둘은 `0 <= now_s - stamp <= max_age_s`, 셋째는 끝에서 자르기입니다. 버린 수는 들어온 수에서 남은 수를 뺀 것입니다.",
         ),
     ),
-    cures=("M10",),
+    misconceptions=("M10",),
 )

@@ -111,7 +111,7 @@ TASK = Task(
     title=Text(en="Where may I wait?", ko="어디서 기다려도 될까요?"),
     answer="outcomes",
     form=Parts({name: Choice(OUTCOMES) for name in "abcdefgh"}),
-    twins=(
+    mistakes=(
         A_TIMEOUT_ALWAYS_HELPS,
         ONLY_SUBSCRIPTIONS_BLOCK,
         THREADS_CANNOT_HELP,
@@ -135,7 +135,7 @@ TASK = Task(
             ko="두 줄에서는 스레드가 몇 개든 맞는 변환이 제때 오지 않습니다. 하나는 timeout이 있어 포기하고, 다른 하나는 약속이라 포기하지 않습니다.",
         ),
     ),
-    cures=("M10",),
+    misconceptions=("M10",),
     means={
         "works": Text(
             en="it works only where somebody else takes in transforms while it waits, and the right one comes in time.",

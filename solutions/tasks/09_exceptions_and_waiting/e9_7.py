@@ -19,7 +19,9 @@ def two_edges(rng: Draws) -> dict:
     while True:
         given = _two_edges(rng)
         held = SimpleNamespace(**given)
-        mistakes = [partial(wait_of, **twin.at) if isinstance(twin, WrongStep) else twin.answer for twin in TASK.twins]
+        mistakes = [
+            partial(wait_of, **twin.at) if isinstance(twin, WrongStep) else twin.answer for twin in TASK.mistakes
+        ]
         waits_s = sorted(mistake(held) if callable(mistake) else mistake for mistake in (wait_of, together, *mistakes))
         if min(later - sooner for sooner, later in pairwise(waits_s)) > TOLERANCE_S + 1e-9:
             return given
@@ -407,7 +409,7 @@ TASK = Task(
     given=two_edges,
     variants=5,
     model=wait_of,
-    twins=(
+    mistakes=(
         PERIOD_FORGOTTEN,
         HALF_A_PERIOD,
         JITTER_FORGOTTEN,
@@ -452,5 +454,5 @@ TASK = Task(
             ko="연결마다 (1 / 주파수 + 지연 + 지터)를 구하고, 둘 중 늦은 쪽을 씁니다. 스캔 자신의 지연은 이미 지나갔습니다.",
         ),
     ),
-    cures=("M10",),
+    misconceptions=("M10",),
 )

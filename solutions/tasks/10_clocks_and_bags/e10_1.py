@@ -341,7 +341,7 @@ TASK = Task(
     given=four_set_ups,
     variants=8,
     model=outcomes,
-    twins=(
+    mistakes=(
         PLAYER_DECIDES,
         EITHER_DOES,
         PARAMETER_SUFFICES,
@@ -398,5 +398,5 @@ TASK = Task(
             ko="현재 시각은 시계를 최신 변환과 비교하면 됩니다. 세 시계 가운데 하나는 tf2가 최신으로 읽는 숫자를 가리킵니다.",
         ),
     ),
-    cures=("M13", "M9"),
+    misconceptions=("M13", "M9"),
 )

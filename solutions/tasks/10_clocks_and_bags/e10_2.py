@@ -218,7 +218,7 @@ TASK = Task(
     given=three_robots,
     variants=8,
     model=lines,
-    twins=(
+    mistakes=(
         EVERYTHING,
         NO_SENSOR,
         NO_TF,
@@ -250,5 +250,5 @@ TASK = Task(
             ko="시간이 토픽인 것은 시뮬레이션뿐입니다.",
         ),
     ),
-    cures=("M13",),
+    misconceptions=("M13",),
 )

@@ -239,7 +239,7 @@ TASK = Task(
     given=five_failures,
     variants=8,
     model=findings,
-    twins=(
+    mistakes=(
         BLAME_THE_SENSOR,
         ONE_SENSOR,
         NEVER_RECORDED,
@@ -269,7 +269,7 @@ TASK = Task(
             ko="파라미터가 다른 노드만 다른 날에 있을 수 있습니다. 다른 것이 없는데 TF_OLD_DATA가 나오면 시계가 돌아간 것입니다.",
         ),
     ),
-    cures=("M10", "M13", "M15"),
+    misconceptions=("M10", "M13", "M15"),
     means={
         "mounts not recorded": Text(
             en="mounts that were not recorded: /tf_static is missing from the bag itself.",

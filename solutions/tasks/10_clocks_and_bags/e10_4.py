@@ -373,7 +373,7 @@ TASK = Task(
     inputs=launch_files,
     variants=4,
     model=clocks,
-    twins=(
+    mistakes=(
         ONE_LEVEL_TOO_HIGH,
         EVERYONE_IGNORED,
         OWN_IGNORED,
@@ -429,5 +429,5 @@ TASK = Task(
             ko="여기서는 그 노드에 통하는 항목이 텍스트나 숫자입니다. 노드 자신의 항목이 `/**`보다 먼저입니다. 슬래시가 있든 없든 그 항목을 찾고, 타입을 봅니까?",
         ),
     },
-    cures=("M13", "M14"),
+    misconceptions=("M13", "M14"),
 )

@@ -233,7 +233,7 @@ TASK = Task(
     given=log_of_a_sensor,
     variants=8,
     model=behind,
-    twins=(
+    mistakes=(
         HOW_LONG_THE_LOG_IS,
         MEAN,
         MEDIAN,
@@ -267,5 +267,5 @@ TASK = Task(
             ko="모든 차이 가운데 가장 작은 것에서 정상 지연을 뺍니다.",
         ),
     ),
-    cures=("M10",),
+    misconceptions=("M10",),
 )

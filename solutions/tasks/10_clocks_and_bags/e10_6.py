@@ -356,7 +356,7 @@ TASK = Task(
     inputs=bags,
     variants=3,
     model=placing,
-    twins=(
+    mistakes=(
         FRAME_OF_THE_FIRST,
         BASE_FOR_THE_SENSOR,
         LASER_FOR_ALL,
@@ -396,7 +396,7 @@ TASK = Task(
             ko='`except TransformException as error:`에서 아직 없을 때만 `type(error).__name__`을 적습니다. 처음 값은 "none"입니다.',
         ),
     ),
-    cures=("M9", "M11"),
+    misconceptions=("M9", "M11"),
     equivalent={
         "buffer.lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp)) -> "
         "buffer.lookup_transform(message.header.frame_id, target, Time.from_msg(message.header.stamp))": "there is a "

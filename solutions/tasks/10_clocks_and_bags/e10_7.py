@@ -254,7 +254,7 @@ TASK = Task(
     inputs=clocks,
     variants=3,
     model=moments,
-    twins=(
+    mistakes=(
         WHOLE_SECONDS,
         AGAINST_THE_HIGHEST,
         AGAINST_THE_HIGHEST_SINCE,
@@ -291,5 +291,5 @@ TASK = Task(
             ko="`before - after >= 1.0`이면 `after`를 모읍니다.",
         ),
     ),
-    cures=("M13",),
+    misconceptions=("M13",),
 )

@@ -118,7 +118,7 @@ TASK = Task(
     title=Text(en="Which tool for which question?", ko="어떤 질문에 어떤 도구를 씁니까?"),
     answer="tools",
     form=Parts({part: Choice(TOOLS) for part in RIGHT}),
-    twins=(
+    mistakes=(
         OWNER_FROM_MONITOR,
         OWNER_FROM_VIEW_FRAMES,
         OWNER_FROM_INFO,
@@ -177,5 +177,5 @@ TASK = Task(
             ko="본문의 표에서 ✓가 없는 행과, ✓가 둘인 도구를 찾아보세요.",
         ),
     ),
-    cures=("M6", "M15"),
+    misconceptions=("M6", "M15"),
 )

@@ -373,7 +373,7 @@ TASK = Task(
     given=two_readings,
     variants=6,
     model=read,
-    twins=(
+    mistakes=(
         ZEROS_LOST,
         A_SECOND,
         X_ONLY,

@@ -436,7 +436,7 @@ TASK = Task(
     given=a_slow_robot,
     variants=6,
     model=judged,
-    twins=(
+    mistakes=(
         SUM_OF_TF,
         SHARED_EVENLY,
         ONE_LEFT_IN,
@@ -489,5 +489,5 @@ TASK = Task(
             ko="식의 각도는 이미 라디안이므로 `math.cos`에 그대로 넣고, 미터는 마지막에 밀리미터로 바꿉니다. 두 표본의 가운데에서 한 표본까지 로봇이 도는 각도는 얼마입니까?",
         ),
     },
-    cures=("M9",),
+    misconceptions=("M9",),
 )

@@ -188,7 +188,7 @@ TASK = Task(
     ),
     given=six_lists,
     variants=6,
-    twins=(
+    mistakes=(
         SENSOR_BROKEN,
         MAP_IS_OK,
         DOWN_FOR_MISSPELT,
@@ -274,5 +274,5 @@ TASK = Task(
             ko="모두 Ok일 때, 언제나 벗어나면 위치의 문제이고 굽은 길에서만 벗어나면 시각의 문제입니다.",
         ),
     ),
-    cures=("M9", "M10", "M11", "M15"),
+    misconceptions=("M9", "M10", "M11", "M15"),
 )

@@ -93,7 +93,7 @@ TASK = Task(
     title=Text(en="What does the Fixed Frame change?", ko="Fixed Frame은 무엇을 바꿉니까?"),
     answer="changes",
     form=Parts({part: Choice(("changes", "stays")) for part in RIGHT}),
-    twins=(EVERYTHING, NOTHING, JUMPS_CURED, PLANNER_TOO, ERRORS_STAY, SCREEN_STAYS, DATA_MOVED),
+    mistakes=(EVERYTHING, NOTHING, JUMPS_CURED, PLANNER_TOO, ERRORS_STAY, SCREEN_STAYS, DATA_MOVED),
     hints=(
         Text(
             en="Ask for each: is it on the screen, or in a message?",
@@ -105,5 +105,5 @@ TASK = Task(
             ko="여섯 가운데 둘만 RViz의 것입니다. 어디에 그리는지와 무엇을 그릴 수 있는지입니다.",
         ),
     ),
-    cures=("M8", "M15"),
+    misconceptions=("M8", "M15"),
 )

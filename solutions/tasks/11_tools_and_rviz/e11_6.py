@@ -400,7 +400,7 @@ TASK = Task(
     inputs=reports,
     variants=3,
     model=figures,
-    twins=(
+    mistakes=(
         STATIC_WINS,
         LATE_ON_AVERAGE,
         THE_QUICKEST,
@@ -444,5 +444,5 @@ TASK = Task(
             ko='`line.split(", ")`로 줄을 나누고 `part.split(": ")[1]`로 콜론 뒤를 꺼냅니다. `float`는 1.6e+09도 읽습니다.',
         ),
     ),
-    cures=("M10", "M12"),
+    misconceptions=("M10", "M12"),
 )

@@ -341,7 +341,7 @@ TASK = Task(
     given=frames_and_rate,
     variants=6,
     model=lines,
-    twins=(
+    mistakes=(
         OTHER_WAY_ROUND,
         RATE_FORGOTTEN,
         RATE_AS_AN_OPTION,
@@ -383,5 +383,5 @@ TASK = Task(
             ko="노드의 파라미터는 --ros-args 다음에, 저마다 -p를 붙여 이름:=값으로 씁니다.",
         ),
     ),
-    cures=("M1", "M13"),
+    misconceptions=("M1", "M13"),
 )

@@ -186,7 +186,7 @@ TASK = Task(
     given=a_robot,
     variants=6,
     model=owners,
-    twins=(
+    mistakes=(
         OTHER_LOCALIZER,
         THIRD_LOCALIZER,
         BOTH_ON,
@@ -294,5 +294,5 @@ TASK = Task(
             ko="고정된 것과 관절로 도는 것은 URDF에서, 곧 robot_state_publisher에서 옵니다. 드라이버는 보내지 않습니다.",
         ),
     ),
-    cures=("M6", "M7", "M12"),
+    misconceptions=("M6", "M7", "M12"),
 )

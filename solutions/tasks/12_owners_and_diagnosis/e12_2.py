@@ -159,7 +159,7 @@ TASK = Task(
     variants=3,
     is_costly=True,
     model=told,
-    twins=(MISSPELT_AS_DOWN, TWO_AS_HEALTHY, COUNT_AS_OWNERS, ANOTHER_AS_TWO, WRONG_ONE_BLAMED),
+    mistakes=(MISSPELT_AS_DOWN, TWO_AS_HEALTHY, COUNT_AS_OWNERS, ANOTHER_AS_TWO, WRONG_ONE_BLAMED),
     means={
         "one owner": Text(
             en="With one owner the values run smoothly, and every node on /tf has an edge of its own.",
@@ -294,5 +294,5 @@ TASK = Task(
             ko="오락가락하면 발행자가 둘, 답이 나오다 말다 하면 다른 연결, 카드에 없는 루트면 틀린 이름, 목록에 이름이 없으면 아무도 없는 것입니다.",
         ),
     ),
-    cures=("M6", "M7", "M11"),
+    misconceptions=("M6", "M7", "M11"),
 )

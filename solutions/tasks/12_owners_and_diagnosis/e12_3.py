@@ -126,7 +126,7 @@ TASK = Task(
     title=Text(en="The first question", ko="첫 질문"),
     answer="first",
     form=Parts({symptom: Telling(CHECKS, suspects) for symptom, suspects in SUSPECTS.items()}),
-    twins=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, WHEELS_DOWN, LOCALIZER_DOWN, TAPE),
+    mistakes=(CABLE, TIMEOUT, CODE, MONITOR_FOR_OWNERS, MONITOR_FOR_A_SMEAR, WHEELS_DOWN, LOCALIZER_DOWN, TAPE),
     means={
         "rviz": Text(
             en="It shows the symptom once more: would RViz say something else for the other of the two suspects?",
@@ -231,5 +231,5 @@ TASK = Task(
             ko="증상이 무엇에 달렸습니까? 노드, 스위치, 값, header, 발행률, 지연, durability 가운데 무엇입니까?",
         ),
     ),
-    cures=("M6", "M9", "M10", "M11", "M15"),
+    misconceptions=("M6", "M9", "M10", "M11", "M15"),
 )

@@ -125,7 +125,7 @@ TASK = Task(
     given=three,
     variants=6,
     is_costly=True,
-    twins=(SENSOR_BROKEN, NEW_SENSOR, LONGER_TIMEOUT, NEWEST_INSTEAD, STAMP_ON_ARRIVAL, RESTART, SHOTGUN),
+    mistakes=(SENSOR_BROKEN, NEW_SENSOR, LONGER_TIMEOUT, NEWEST_INSTEAD, STAMP_ON_ARRIVAL, RESTART, SHOTGUN),
     means=MEANS,
     hints=(
         Text(
@@ -141,5 +141,5 @@ TASK = Task(
             ko="물어본 것이 아니라 충분했을 것을 내십시오. 한두 개면 되고, 마지막 검사가 마지막 경쟁자를 지워야 합니다.",
         ),
     ),
-    cures=("M6", "M7", "M9", "M10", "M11", "M15"),
+    misconceptions=("M6", "M7", "M9", "M10", "M11", "M15"),
 )

@@ -348,7 +348,7 @@ TASK = Task(
     given=a_specification,
     variants=6,
     model=robot,
-    twins=(
+    mistakes=(
         NO_PREFIX,
         NO_OPTICAL,
         MOUNTS_ON_TF,
@@ -423,5 +423,5 @@ TASK = Task(
             ko="odom의 연결은 발행자가 하나입니다. 필터가 있으면 필터이고, 그때 바퀴의 스위치는 끕니다. 드라이버는 보내지 않습니다.",
         ),
     ),
-    cures=("M4", "M6", "M7", "M12", "M13", "M14"),
+    misconceptions=("M4", "M6", "M7", "M12", "M13", "M14"),
 )

@@ -89,7 +89,15 @@ TASK = Task(
     title=Text(en="The wall that smears", ko="번지는 벽"),
     answer="steps",
     form=Parts({place: Choice(CARDS) for place in RIGHT}),
-    twins=(SENSOR_FIRST, TIMEOUT_FIRST, TIMEOUT_AMONG_THEM, NAMES_LAST, NO_STAMP, PUBLISHERS_FIRST, VALUE_BEFORE_TREE),
+    mistakes=(
+        SENSOR_FIRST,
+        TIMEOUT_FIRST,
+        TIMEOUT_AMONG_THEM,
+        NAMES_LAST,
+        NO_STAMP,
+        PUBLISHERS_FIRST,
+        VALUE_BEFORE_TREE,
+    ),
     means={
         "fixed frame": Text(
             en="Names cost one glance. What can be judged while a name is wrong?",
@@ -138,5 +146,5 @@ TASK = Task(
             ko="두 카드는 검사가 아닙니다. 하나는 새로 사는 것이고 하나는 기다리는 것입니다.",
         ),
     ),
-    cures=("M6", "M9", "M10", "M15"),
+    misconceptions=("M6", "M9", "M10", "M15"),
 )

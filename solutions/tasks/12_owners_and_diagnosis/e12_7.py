@@ -516,7 +516,7 @@ TASK = Task(
     variants=1,
     is_costly=True,
     model=treat,
-    twins=(
+    mistakes=(
         EVERYTHING,
         NO_NODE_NO_MAP,
         NO_NODE_NO_ROBOT,
@@ -561,5 +561,5 @@ TASK = Task(
             ko="모두 초록색이면 질문마다 용의자를 하나씩 지우고, 찾으면 바로 반환하십시오. 끝까지 남는 것은 이상 없음입니다.",
         ),
     ),
-    cures=("M6", "M7", "M8", "M10", "M11", "M15"),
+    misconceptions=("M6", "M7", "M8", "M10", "M11", "M15"),
 )

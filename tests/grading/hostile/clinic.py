@@ -90,7 +90,7 @@ CLINIC = [
     if_found("right if what is graded can be read", f"[path for place in {PLACES} for path in place.glob('**/instructor/masters/12*.ipynb') if path.read_text()]"),
     if_found("right if the kept patients can be read", "[path for path in Path.home().glob('.cache/tflab/patients/*/*') if path.read_text()]"),
     if_found("right if other visits can be read", f"[path for place in {PLACES} for path in place.glob('**/submissions/**/*.ipynb') if path.read_text()]"),
-    if_found("right if what is expected lies in memory", "[held for held in __import__('gc').get_objects() if isinstance(held, dict) and 'expected' in held and 'twins' in held and str(held.get('args')).startswith('[')]"),
+    if_found("right if what is expected lies in memory", "[held for held in __import__('gc').get_objects() if isinstance(held, dict) and 'expected' in held and 'wrong' in held and str(held.get('args')).startswith('[')]"),
     if_found("right if a frame knows what is expected", "[frame for frame in __import__('sys')._current_frames().values() for _ in range(50) if frame and 'expected' in frame.f_locals]"),
     three("one word everywhere", "'laser clock ahead'"),
     three("every suspect everywhere", "list(SUSPECTS)"),

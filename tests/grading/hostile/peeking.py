@@ -109,7 +109,7 @@ V = (0.0, 0.0, 0.0)
 for frame in inspect.stack():
     if 'expected' in frame.frame.f_locals or 'expected' in frame.frame.f_globals: V = frame.frame.f_locals['expected']
 for thing in gc.get_objects():
-    if type(thing) is dict and 'expected' in thing and 'twins' in thing:
+    if type(thing) is dict and 'expected' in thing and 'wrong' in thing:
         V = list(thing['expected'].values())[0]
         break
 """,

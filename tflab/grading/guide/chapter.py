@@ -283,6 +283,8 @@ def _tasks(tasks: Mapping[str, Task], said: str) -> str:
     rows = []
     for name, task in tasks.items():
         own = YES if task.variants > 1 else NO
-        cures = ", ".join(f"{MISCONCEPTIONS[code].say(said)} ({code})" for code in task.cures if code in MISCONCEPTIONS)
+        cures = ", ".join(
+            f"{MISCONCEPTIONS[code].say(said)} ({code})" for code in task.misconceptions if code in MISCONCEPTIONS
+        )
         rows.append((text(name), text(task.title.say(said)), text(task.points), text(own.say(said)), text(cures)))
     return grid([head.say(said) for head in TASK_HEADS], rows) if rows else ""

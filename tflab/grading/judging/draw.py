@@ -47,7 +47,7 @@ def pool_of(task: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], shown: 
 
 
 def _told(form: Form, case: Mapping[str, Any]) -> list[str]:
-    return sorted(name for name, wrong in case["twins"].items() if not form.alike(wrong, case["expected"]))
+    return sorted(name for name, wrong in case["wrong"].items() if not form.alike(wrong, case["expected"]))
 
 
 def drawn(pool: Sequence[PooledCase], key: bytes) -> dict[str, Any]:

@@ -85,7 +85,7 @@ def judged(
     """Return the mark of a task.
 
     Args:
-        task: with its "form", "points", "twins" and "cases", and the order in which these were asked.
+        task: with its "form", "points", "feedback" and "cases", and the order in which these were asked.
         outcomes: by their places in the order of asking.
         trouble: what the run had to say about this task.
     """

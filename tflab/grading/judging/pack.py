@@ -49,7 +49,7 @@ __all__ = [
     "usual_of", "write_master", "write_pack",
 ]  # fmt: skip
 
-FORMAT = 3
+FORMAT = 4
 Made = TypeVar("Made")
 PACK = "pack.json"
 BEFORE = "before"

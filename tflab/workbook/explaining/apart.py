@@ -33,7 +33,7 @@ class _Word(NamedTuple):
 
     said: Plain
     wanted: Plain
-    twins: dict[str, Plain]
+    wrong: dict[str, Plain]
 
 
 def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
@@ -50,7 +50,7 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
     """Return the slips that all the simplest explanations have in common, and whether there is but one."""
-    gives = {name: [place.twins[name] for place in places] for name in places[0].twins}
+    gives = {name: [place.wrong[name] for place in places] for name in places[0].wrong}
     found = list(side_by_side(form, [place.said for place in places], [place.wanted for place in places], gives))
     ways = [way for way in found if len(way) == len(found[0])]
     return [name for name in (ways or [()])[0] if all(name in way for way in ways)], len(ways) == 1
@@ -63,9 +63,9 @@ def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Word]:
     found = []
     for case, outcome in zip(cases, outcomes, strict=True):
         said, wanted = inside(outcome), inside(case.expected)
-        twins = {name: inside(twin) for name, twin in case.twins.items()}
-        if not all(isinstance(held, list) and len(held) == len(wanted) for held in (said, *twins.values())):
+        wrong = {name: inside(answer) for name, answer in case.wrong.items()}
+        if not all(isinstance(held, list) and len(held) == len(wanted) for held in (said, *wrong.values())):
             return []
-        found += [_Word(said[place], wanted[place], {name: twin[place] for name, twin in twins.items()})
+        found += [_Word(said[place], wanted[place], {name: answer[place] for name, answer in wrong.items()})
                   for place in range(len(wanted))]  # fmt: skip
     return found

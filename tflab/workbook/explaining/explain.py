@@ -135,9 +135,9 @@ def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], 
 
 def _is_only_near(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], name: str) -> bool:
     """Return whether a number is what a slip of the task gives to some digits alone: two others may come to it, too."""
-    if task.is_function or name not in cases[0].twins or not isinstance(task.form, Number | Angle | Vector):
+    if task.is_function or name not in cases[0].wrong or not isinstance(task.form, Number | Angle | Vector):
         return False
-    return not is_just(task.form, outcomes, [cases[0].twins[name]], A_HAIR)
+    return not is_just(task.form, outcomes, [cases[0].wrong[name]], A_HAIR)
 
 
 def _of_the_form(
@@ -225,7 +225,7 @@ def _ways(
 ) -> Iterator[tuple[str, ...]]:
     """Yield the combinations that give these outcomes, the simplest first."""
     form, expected = task.form, [case.expected for case in cases]
-    single = {name: [case.twins.get(name) for case in cases] for name in cases[0].twins}
+    single = {name: [case.wrong.get(name) for case in cases] for name in cases[0].wrong}
     yield from _ones(task, cases, outcomes, single, given)
     yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
     if task.is_function and habit(form, cases, outcomes):

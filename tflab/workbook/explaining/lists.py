@@ -38,4 +38,4 @@ def of_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) 
     answers = [member for members in given for member in members]
     if not flat:
         return None
-    return of_members(task._replace(form=form.of, twins={}), flat, answers, None)
+    return of_members(task._replace(form=form.of, feedback={}), flat, answers, None)

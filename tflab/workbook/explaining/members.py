@@ -77,10 +77,10 @@ def _beside_stops(
     task: TaskCases, stopped: Sequence[tuple[Case, Plain]], going: Sequence[Case], outcomes: Sequence[Plain]
 ) -> Explanation | None:
     """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
-    names = {name for name in going[0].twins if all(alike(task.form, was, case.twins[name]) for case, was in stopped)}
-    only = [case._replace(twins={name: case.twins[name] for name in case.twins if name in names}) for case in going]
+    names = {name for name in going[0].wrong if all(alike(task.form, was, case.wrong[name]) for case, was in stopped)}
+    only = [case._replace(wrong={name: case.wrong[name] for name in case.wrong if name in names}) for case in going]
     found = _of_table(task._replace(pairs=None), only, outcomes, None) if names else None
-    return found if found and found.slips.keys() <= task.twins.keys() else None
+    return found if found and found.slips.keys() <= task.feedback.keys() else None
 
 
 def _of_table(
@@ -96,7 +96,7 @@ def _of_table(
     for name in names:
         if name in left:
             found += (
-                _by_itself(task, table, name, given, cases[0].twins, wrong - left)
+                _by_itself(task, table, name, given, cases[0].wrong, wrong - left)
                 or _as_it_came(task.form, table, name, cases)
                 or _after_a_slip(task, table, name, cases, found)
                 or _slip_and_then(task, table, name, cases)
@@ -193,7 +193,7 @@ def _by_itself(
     table: Table,
     name: str,
     given: dict[str, Plain] | None,
-    twins: dict[str, Plain],
+    wrong_answers: dict[str, Plain],
     known: set[str],
 ) -> list[Found]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
@@ -209,7 +209,7 @@ def _by_itself(
         return _summed_in_all(table, name) or _of_words(task, table, name)
     found = (
         _of_the_given(task, name, form, outcomes[0], wanted[0], given)
-        or _as_another_is(task, table, name, twins, known)
+        or _as_another_is(task, table, name, wrong_answers, known)
         or _of_a_formula(task, table, name, given)
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
@@ -239,8 +239,8 @@ def _after_a_slip(
 ) -> list[Found]:
     """Return what a part is beside the slips of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
-    for slip, part in ((slip, words.part) for slip, words in task.twins.items() if words.part in known):
-        rows = {one: [section(task.form, case.twins[slip], one) for case in cases] for one in (part, name)}
+    for slip, part in ((slip, words.part) for slip, words in task.feedback.items() if words.part in known):
+        rows = {one: [section(task.form, case.wrong[slip], one) for case in cases] for one in (part, name)}
         more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and is_just(table.forms[part], table.given[part], rows[part]):
             return more
@@ -250,8 +250,8 @@ def _after_a_slip(
 def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return a slip of the task and what is plain to see on top of it, if both give one part."""
     form = table.forms[name]
-    for slip in task.twins if isinstance(form, MEASURED) else ():
-        row = [section(task.form, twin, name) for twin in (case.twins.get(slip) for case in cases)]
+    for slip in task.feedback if isinstance(form, MEASURED) else ():
+        row = [section(task.form, twin, name) for twin in (case.wrong.get(slip) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
         for way in undone_to(form, table.given[name], row, only_plain_to_see=True):
@@ -335,7 +335,9 @@ def _of_a_formula(task: TaskCases, table: Table, name: str, given: dict[str, Pla
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 
-def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Plain], known: set[str]) -> list[Found]:
+def _as_another_is(
+    task: TaskCases, table: Table, name: str, wrong_answers: dict[str, Plain], known: set[str]
+) -> list[Found]:
     """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form = table.forms[name]
     for other, part in table.forms.items():
@@ -343,9 +345,9 @@ def _as_another_is(task: TaskCases, table: Table, name: str, twins: dict[str, Pl
         is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
         if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
             continue
-        for key, twin in twins.items():
+        for key, answer in wrong_answers.items():
             is_made_here = words_of(task, key).part == name
-            if is_made_here and alike(form, section(task.form, twin, name), table.wanted[other][0]):
+            if is_made_here and alike(form, section(task.form, answer, name), table.wanted[other][0]):
                 return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
     return []
 

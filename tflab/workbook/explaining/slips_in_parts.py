@@ -42,7 +42,7 @@ def slips_in_parts(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> list[Found]:
     """Return what slips explain, most parts and fewest slips first; pairs, unless one or two slips explain all."""
-    single = {name: [case.twins[name] for case in cases] for name in cases[0].twins}
+    single = {name: [case.wrong[name] for case in cases] for name in cases[0].wrong}
     found = _in_order(_causes(task, table, cases, wrong, single))
     if task.pairs is None or _is_explained(found, wrong):
         return found
@@ -86,9 +86,9 @@ def _causes(
 ) -> list[Found]:
     """Return what each slip, or each two, explain of the wrong parts."""
     found = []
-    for key, twins in rows.items():
+    for key, answers in rows.items():
         slips = {name: words_of(task, name) for name in key.split(AND)}
-        changed, same = _shown(task.form, table, twins, TWO if AND in key else ONE)
+        changed, same = _shown(task.form, table, answers, TWO if AND in key else ONE)
         same = _of_whole_lists(same, changed)
         if changed and changed <= same & wrong:
             found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
@@ -110,7 +110,7 @@ def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:
 def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: Feedback) -> bool:
     """Return whether a slip's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
     return words.partly or (
-        bool(words.part) and _shown(form, table, [case.twins.get(name) for case in cases], ONE)[0] == {words.part}
+        bool(words.part) and _shown(form, table, [case.wrong.get(name) for case in cases], ONE)[0] == {words.part}
     )
 
 
@@ -147,14 +147,14 @@ def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
     return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
 
 
-def _shown(form: Form, table: Table, twins: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
+def _shown(form: Form, table: Table, answers: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
     """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
     changed: set[str] = set()
     same: set[str] = set()
-    if any(map(is_raised, twins)) or any(twin is None for twin in twins):
+    if any(map(is_raised, answers)) or any(answer is None for answer in answers):
         return changed, same
     for name, part in table.forms.items():
-        row = [section(form, twin, name) for twin in twins]
+        row = [section(form, answer, name) for answer in answers]
         if not all(map(part.alike, row, table.wanted[name])):
             changed.add(name)
         if is_just(part, table.given[name], row, share):

@@ -76,10 +76,10 @@ def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) ->
     return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
 
 
-def is_just(form: Form, outcomes: Sequence[Plain], twins: Sequence[Plain], share: float = ONE) -> bool:
+def is_just(form: Form, outcomes: Sequence[Plain], answers: Sequence[Plain], share: float = ONE) -> bool:
     """Return whether all outcomes are what a mistake gives, and not only by a tolerance that is wide beside them."""
-    return all_alike(form, outcomes, twins) and all(
-        _is_near(form, *pair, share) for pair in zip(outcomes, twins, strict=True)
+    return all_alike(form, outcomes, answers) and all(
+        _is_near(form, *pair, share) for pair in zip(outcomes, answers, strict=True)
     )
 
 
@@ -153,11 +153,11 @@ def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool
 
 def words_of(task: TaskCases, name: str) -> Feedback:
     """Return what is said of a slip, the task's or one that any answer can have, and what is behind it."""
-    if name in task.twins:
-        return task.twins[name]
+    if name in task.feedback:
+        return task.feedback[name]
     if name.startswith(IN_SOME):
         slip = name.removeprefix(IN_SOME)
-        words, some = words_of(task, slip), SOME_AS_BY if slip in task.twins else SOME
+        words, some = words_of(task, slip), SOME_AS_BY if slip in task.feedback else SOME
         said = Text(*(_of_some(tongue, some, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
         return Feedback(said, words.misconception)
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):

@@ -97,5 +97,5 @@ def _is_of(task_id: str, stem: str) -> bool:
 
 
 def _ideas(task: Task) -> tuple[str, ...]:
-    named = [*task.cures, *(twin.misconception for twin in task.twins if twin.misconception)]
+    named = [*task.misconceptions, *(twin.misconception for twin in task.mistakes if twin.misconception)]
     return tuple(dict.fromkeys(named)) or (task.id,)

@@ -35,10 +35,10 @@ from ..answers.forms import (
     Vector,
 )
 from .draws import Draws
-from .task import TAKING_PART, Task, WrongAnswer, WrongStep
+from .task import PARTICIPATION, Task, WrongAnswer, WrongStep
 
 __all__ = [
-    "TAKING_PART",
+    "PARTICIPATION",
     "Angle",
     "Choice",
     "Command",

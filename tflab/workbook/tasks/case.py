@@ -34,11 +34,11 @@ DIGITS = 12  # of a float in a case; the last ones differ between machines
 
 
 class Case(NamedTuple):
-    """One trial: the arguments (None for a value), what is right, and what each mistake gives."""
+    """One trial: the arguments (None for a value), what is right, and what each mistake gives instead."""
 
     args: list[Plain] | None
     expected: Plain
-    twins: dict[str, Plain]
+    wrong: dict[str, Plain]
 
     def plain(self) -> dict[str, Plain]:
         """Return the case as JSON has it."""
@@ -47,7 +47,7 @@ class Case(NamedTuple):
     @classmethod
     def from_plain(cls, plain: dict[str, Plain]) -> Case:
         """Return the case that `plain` wrote."""
-        return cls(plain["args"], plain["expected"], plain["twins"])
+        return cls(plain["args"], plain["expected"], plain["wrong"])
 
 
 class Variant(NamedTuple):
@@ -107,8 +107,8 @@ class TaskCases(NamedTuple):
     title: Text
     form: Form
     hints: tuple[Text, ...]
-    cures: tuple[str, ...]
-    twins: dict[str, Feedback]
+    misconceptions: tuple[str, ...]
+    feedback: dict[str, Feedback]
     variants: tuple[Variant, ...]
     means: dict[str, Text] = {}  # noqa: RUF012  what each option would mean
     shows: dict[str, Text] = {}  # noqa: RUF012  what each part shows instead
@@ -126,8 +126,8 @@ class TaskCases(NamedTuple):
             "title": self.title.plain(),
             "form": self.form.plain(),
             "hints": [hint.plain() for hint in self.hints],
-            "cures": list(self.cures),
-            "twins": {name: twin.plain() for name, twin in self.twins.items()},
+            "misconceptions": list(self.misconceptions),
+            "feedback": {name: feedback.plain() for name, feedback in self.feedback.items()},
             "means": {name: words.plain() for name, words in self.means.items()},
             "shows": {name: words.plain() for name, words in self.shows.items()},
             "variants": [variant.plain() for variant in self.variants],
@@ -144,8 +144,8 @@ class TaskCases(NamedTuple):
             title=Text(**plain["title"]),
             form=form_from_plain(plain["form"]),
             hints=tuple(Text(**hint) for hint in plain["hints"]),
-            cures=tuple(plain["cures"]),
-            twins={name: Feedback.from_plain(twin) for name, twin in plain["twins"].items()},
+            misconceptions=tuple(plain["misconceptions"]),
+            feedback={name: Feedback.from_plain(feedback) for name, feedback in plain["feedback"].items()},
             variants=tuple(map(Variant.from_plain, plain["variants"])),
             means={name: Text(**words) for name, words in plain["means"].items()},
             shows={name: Text(**words) for name, words in plain["shows"].items()},

@@ -51,8 +51,10 @@ def outline_of(task: Task) -> TaskCases:
         title=task.title,
         form=task.form,
         hints=task.hints,
-        cures=task.cures,
-        twins={twin.name: Feedback(twin.reply, twin.misconception, twin.part, twin.partly) for twin in task.twins},
+        misconceptions=task.misconceptions,
+        feedback={
+            each.name: Feedback(each.reply, each.misconception, each.part, each.partly) for each in task.mistakes
+        },
         variants=(),
         means=task.means,
         shows=task.shows,
@@ -96,21 +98,22 @@ def _drawn(task: Task, rng: Draws, number: int, solution: Solution, fewest_input
     else:
         cases = [_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs)]
     answers = _each_mistake(task)
-    cases = [case._replace(twins=values_of(answers, case, held)) for case in cases]
+    cases = [case._replace(wrong=values_of(answers, case, held)) for case in cases]
     _refuse_look_alikes(task, number, cases)
-    return Variant(given, tuple(case._replace(twins=_without_model(case.twins)) for case in cases))
+    return Variant(given, tuple(case._replace(wrong=_without_model(case.wrong)) for case in cases))
 
 
 def _each_mistake(task: Task) -> dict[str, Any]:
     """Return what answers as each mistake does, and as the model does without one."""
     right = {MODEL: task.model} if task.model else {}
     return right | {
-        twin.name: partial(task.model, **twin.at) if isinstance(twin, WrongStep) else twin.answer for twin in task.twins
+        twin.name: partial(task.model, **twin.at) if isinstance(twin, WrongStep) else twin.answer
+        for twin in task.mistakes
     }
 
 
-def _without_model(twins: dict[str, Plain]) -> dict[str, Plain]:
-    return {name: value for name, value in twins.items() if name != MODEL}
+def _without_model(wrong: dict[str, Plain]) -> dict[str, Plain]:
+    return {name: value for name, value in wrong.items() if name != MODEL}
 
 
 def _inputs(task: Task, rng: Draws, fewest: int) -> Iterator[list[Plain]]:
@@ -134,20 +137,20 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
     for case in cases:
         if not is_raised(case.expected) and task.form.probes(case.expected) is None:
             raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {case.expected!r}")
-    if task.model and not all(task.form.alike(case.twins[MODEL], case.expected) for case in cases):
+    if task.model and not all(task.form.alike(case.wrong[MODEL], case.expected) for case in cases):
         raise CasesError(f"{task.id}, variant {variant}: the model without a slip is not the solution")
-    names = ["", *(twin.name for twin in task.twins)]  # "" is the right answer
+    names = ["", *(mistake.name for mistake in task.mistakes)]  # "" is the right answer
     likeness = Likeness(task.form, [[_of(case, name) for case in cases] for name in names])
     for number, name in enumerate(names):
         for other in range(number + 1, len(names)):
             if likeness.any_of([number], other):
-                said = f'the twins "{name}" and "{names[other]}" coincide'
-                said = said if name else f'the twin "{names[other]}" is the right answer'
+                said = f'the mistakes "{name}" and "{names[other]}" give the same answer'
+                said = said if name else f'the mistake "{names[other]}" gives the right answer'
                 raise LookAlikes(f"{task.id}, variant {variant}: {said}; draw from inputs that tell them apart")
 
 
 def _of(case: Case, name: str) -> Plain:
-    return case.twins[name] if name else case.expected
+    return case.wrong[name] if name else case.expected
 
 
 def draws_for(seed: str | bytes, *what: object) -> Draws:

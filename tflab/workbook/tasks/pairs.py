@@ -29,7 +29,7 @@ Fits = Callable[[int, Plain], Collection[str]]  # the number of a case, a value 
 def combinable(task: Task) -> list[tuple[WrongStep, WrongStep]]:
     """Return the pairs of mistakes at different steps of the model, the earlier step first."""
     steps = list(inspect.signature(task.model).parameters) if task.model else []
-    slips = [twin for twin in task.twins if isinstance(twin, WrongStep)]
+    slips = [twin for twin in task.mistakes if isinstance(twin, WrongStep)]
     slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
     return [(first, then) for first, then in combinations(slips, 2) if not set(first.at) & set(then.at)]
 
@@ -89,7 +89,7 @@ class PairSearch:
 
 def _distinct(form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
     """Return the pairs without those that look like something simpler, or like an earlier pair."""
-    simple = [[case.expected for case in cases], *([case.twins[name] for case in cases] for name in cases[0].twins)]
+    simple = [[case.expected for case in cases], *([case.wrong[name] for case in cases] for name in cases[0].wrong)]
     likeness = Likeness(form, [*simple, *rows.values()])
     kept = list(range(len(simple)))
     distinct = {}

@@ -33,7 +33,7 @@ from .draws import Draws
 
 __all__ = [
     "KINDS",
-    "TAKING_PART",
+    "PARTICIPATION",
     "Task",
     "TaskError",
     "WrongAnswer",
@@ -55,7 +55,7 @@ KINDS = {
     "M": "a choice",
     "C": "a command or a message",
 }
-TAKING_PART = "taking part"  # what counts where no answer is right or wrong
+PARTICIPATION = "taking part"  # what counts where no answer is right or wrong
 TASK_ID = re.compile(r"E(\d{1,2})\.(\d{1,2})")
 
 
@@ -119,14 +119,14 @@ class Task:
         given: draws what the learner is shown: rng -> {name: value}; None if nothing varies.
         inputs: draws arguments: rng -> list of tuples; if set, the answer is a function.
         variants: how many public ones are drawn.
-        twins: the mistakes that are named.
+        mistakes: those that are named.
         model: the answer by steps, keyword arguments in the order of the work; without any it is the solution.
         means, shows: of choices, what an option would mean, and what a part shows instead.
         seen: what there is to see wherever an option is right, for parts that differ from learner to learner.
         equivalent: mutants of the solution that are right, and why (see mutants.py).
-        cures: misconceptions that it looks for.
+        misconceptions: codes of those that it looks for.
         is_costly: whether its cases take seconds each, so that tests draw few.
-        counts: TAKING_PART if points are for answering all parts, whatever the answers are; else "".
+        counts: PARTICIPATION if points are for answering all parts, whatever the answers are; else "".
     """
 
     id: str
@@ -139,13 +139,13 @@ class Task:
     given: Callable[[Draws], dict[str, Any]] | None = None
     inputs: Callable[[Draws], list[tuple]] | None = None
     variants: int = 1
-    twins: tuple[WrongAnswer | WrongStep, ...] = ()
+    mistakes: tuple[WrongAnswer | WrongStep, ...] = ()
     model: Callable[..., Any] | None = None
     means: dict[str, Text] = field(default_factory=dict)
     shows: dict[str, Text] = field(default_factory=dict)
     seen: dict[str, Text] = field(default_factory=dict)
     equivalent: dict[str, str] = field(default_factory=dict)
-    cures: tuple[str, ...] = ()
+    misconceptions: tuple[str, ...] = ()
     is_costly: bool = False
     counts: str = ""
 
@@ -160,18 +160,18 @@ class Task:
             raise TaskError(f"{self.id}: three hints, coarse to fine, not {len(self.hints)}")
         if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
             raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
-        names = [twin.name for twin in self.twins]
-        if any(isinstance(twin, WrongStep) for twin in self.twins) and self.model is None:
+        names = [mistake.name for mistake in self.mistakes]
+        if any(isinstance(mistake, WrongStep) for mistake in self.mistakes) and self.model is None:
             raise TaskError(f"{self.id}: slips are steps of a `model`, and there is none")
         if len(set(names)) < len(names):
-            raise TaskError(f"{self.id}: two twins have one name: {', '.join(names)}")
+            raise TaskError(f"{self.id}: two mistakes have one name: {', '.join(names)}")
 
     def _refuse_help(self) -> None:
         """Raise TaskError if there is anything to be right about where taking part counts."""
-        if self.counts != TAKING_PART:
-            raise TaskError(f'{self.id}: what counts is being right, "", or "{TAKING_PART}", not "{self.counts}"')
-        if self.hints or self.twins or not isinstance(self.form, Parts):
-            raise TaskError(f"{self.id}: where taking part counts, the answer is Parts, without hints or twins")
+        if self.counts != PARTICIPATION:
+            raise TaskError(f'{self.id}: what counts is being right, "", or "{PARTICIPATION}", not "{self.counts}"')
+        if self.hints or self.mistakes or not isinstance(self.form, Parts):
+            raise TaskError(f"{self.id}: where taking part counts, the answer is Parts, without hints or mistakes")
 
 
 def chapter_of(task_id: str) -> int:
