@@ -34,9 +34,9 @@ from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
 from tflab.workbook.answers.values import Plain, is_raised
 from tflab.workbook.places import Workbook, chapters, workbook_data
-from tflab.workbook.tasks.case import TaskCases
-from tflab.workbook.tasks.evidence import asked_alike, credited, guessed_of, negated, probes_of, share_beyond
-from tflab.workbook.tasks.library import assigned_cases
+from tflab.workbook.tasks.case_types import TaskCases
+from tflab.workbook.tasks.catalog import assigned_cases
+from tflab.workbook.tasks.credit import asked_alike, credited, guessed_of, negated, probes_of, share_beyond
 
 MOST = 0.05  # of a function's points
 TIMES = 40  # that an answer is drawn by chance

@@ -17,8 +17,8 @@ from tflab.clinic.patient import SickRobot, rows_of
 from tflab.clinic.table import SUSPECTS
 from tflab.workbook.places import TASKS, workbook_data
 from tflab.workbook.tasks import Draws
-from tflab.workbook.tasks.cases import PUBLIC_SEED, draws_for
-from tflab.workbook.tasks.library import tasks_of
+from tflab.workbook.tasks.catalog import tasks_of
+from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, draws_for
 
 STEM = "12_owners_and_diagnosis"
 OF_EACH_CAUSE = 4

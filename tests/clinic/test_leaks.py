@@ -14,7 +14,7 @@ from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import SUSPECTS
 from tflab.clinic.visit import admit
 from tflab.workbook.places import Workbook, workbook_data
-from tflab.workbook.tasks.library import assigned_cases
+from tflab.workbook.tasks.catalog import assigned_cases
 
 
 @pytest.fixture(scope="module")

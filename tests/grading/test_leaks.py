@@ -21,8 +21,8 @@ from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.places import Workbook, chapters, read_workbook, workbook_data
-from tflab.workbook.tasks.blank import BEGIN, regions
-from tflab.workbook.tasks.library import assigned_cases, outlines, task_ids
+from tflab.workbook.tasks.catalog import assigned_cases, outlines, task_ids
+from tflab.workbook.tasks.strip_solution import BEGIN, regions
 
 DATA = workbook_data()
 NUMBERS, PATIENTS = "03_target_and_source", "12_owners_and_diagnosis"

@@ -12,7 +12,7 @@ from tflab.grading.judging.marks import judged
 from tflab.grading.judging.pack import Pack, read_pack
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
-from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
 

@@ -25,8 +25,8 @@ from tflab.grading.judging.pack import (
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.places import Workbook, read_workbook
-from tflab.workbook.tasks import library
-from tflab.workbook.tasks.cases import task_cases
+from tflab.workbook.tasks import catalog
+from tflab.workbook.tasks.generate_cases import task_cases
 
 
 def texts_below(folder: Path) -> str:
@@ -120,13 +120,13 @@ def test_a_learner_has_one_variant_and_is_graded_on_it(course: tiny.Course) -> N
 
 def test_learners_have_different_variants(course: tiny.Course) -> None:
     workbooks = [Workbook(learner=f"s{number}", seed="ab" * 32) for number in range(30)]
-    tasks = [library.assigned_cases(course.workbook, tiny.STEM, "E3.1", workbook) for workbook in workbooks]
+    tasks = [catalog.assigned_cases(course.workbook, tiny.STEM, "E3.1", workbook) for workbook in workbooks]
     assert len({task.variants[0].given["a"] for task in tasks}) == 5
 
 
 def test_classes_have_different_numbers(course: tiny.Course) -> None:
     one, other, public = (
-        library.assigned_cases(course.workbook, tiny.STEM, "E3.1", Workbook(seed=seed)).variants[0].given
+        catalog.assigned_cases(course.workbook, tiny.STEM, "E3.1", Workbook(seed=seed)).variants[0].given
         for seed in ("ab" * 32, "cd" * 32, "")
     )
     assert len({one["a"], other["a"], public["a"]}) == 3
@@ -143,8 +143,8 @@ def test_the_seed_in_a_copy_does_not_give_the_hidden_cases(course: tiny.Course) 
     seed = read_workbook(course.copy_of("s102")).seed
     hidden = asked_in(graded_cases(course.workbook, tiny.STEM, read_pack(course.pack).seed)[0]["E3.2"])
     task, solution = (
-        library.tasks_of(course.workbook, tiny.STEM)["E3.2"],
-        library.solution_of(course.workbook, tiny.STEM),
+        catalog.tasks_of(course.workbook, tiny.STEM)["E3.2"],
+        catalog.solution_of(course.workbook, tiny.STEM),
     )
     tried = asked_in(graded_cases(course.workbook, tiny.STEM, seed)[0]["E3.2"])
     for guess in (seed, bytes.fromhex(seed), learners_seed(seed), packing._derived(seed, "hidden")):
@@ -166,12 +166,12 @@ def test_a_question_is_the_same_with_another_text_or_tolerance_and_another_with_
 ) -> None:
     task = course.assigned("s102", "E3.1")
     (variant,) = task.variants
-    asked = library.question_digest(task, variant)
+    asked = catalog.question_digest(task, variant)
     for same in (task._replace(hints=(), feedback={}), task._replace(form=Number(unit="m", tolerance=0.5))):
-        assert library.question_digest(same, variant) == asked
+        assert catalog.question_digest(same, variant) == asked
     for other in (task._replace(points=3), task._replace(answer="sum"), task._replace(form=Number(unit="deg"))):
-        assert library.question_digest(other, variant) != asked
-    assert library.question_digest(task, variant._replace(given={"a": 1.0, "b": 7.0})) != asked
+        assert catalog.question_digest(other, variant) != asked
+    assert catalog.question_digest(task, variant._replace(given={"a": 1.0, "b": 7.0})) != asked
 
 
 def test_two_releases_have_nothing_in_common(course: tiny.Course, tmp_path: Path) -> None:
@@ -247,7 +247,7 @@ def test_adding_a_learner_computes_nothing(course: tiny.Course, tmp_path: Path, 
         raise AssertionError("a case was computed")
 
     monkeypatch.setattr(packing, "task_cases", computed)
-    monkeypatch.setattr(library, "make_variant", computed)
+    monkeypatch.setattr(catalog, "make_variant", computed)
     both = releasing.release(tmp_path / "r", [tiny.STEM], [Learner("b")], add=True)
     assert both.questions == first.questions
     assert read_workbook(tmp_path / "r" / "learners" / "b").questions

@@ -231,7 +231,7 @@ def test_solutions_tasks_and_the_history_of_the_repository_cannot_be_seen(inside
                                   "assigned_cases(data, stem, 'E3.2', places.Workbook())"])  # fmt: skip
 def test_no_case_can_be_computed(inside: Inside, call: str) -> None:
     before = (
-        "from tflab.workbook import places\nfrom tflab.workbook.tasks.library import *\n"
+        "from tflab.workbook import places\nfrom tflab.workbook.tasks.catalog import *\n"
         "data, stem = places.workbook_data(), '03_target_and_source'"
     )
     assert inside(f"attempt(lambda: {call})", before) in ("TaskError", "PermissionError")

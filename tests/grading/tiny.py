@@ -12,9 +12,9 @@ from pathlib import Path
 from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import read_workbook
-from tflab.workbook.tasks.case import TaskCases
-from tflab.workbook.tasks.cases import outline_of
-from tflab.workbook.tasks.library import assigned_cases
+from tflab.workbook.tasks.case_types import TaskCases
+from tflab.workbook.tasks.catalog import assigned_cases
+from tflab.workbook.tasks.generate_cases import outline_of
 from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_tiny"

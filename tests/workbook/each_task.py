@@ -13,8 +13,8 @@ from functools import lru_cache
 import pytest
 
 from tflab.workbook.places import workbook_data
-from tflab.workbook.tasks.case import AND, TaskCases, Variant
-from tflab.workbook.tasks.cases import PUBLIC_SEED, task_cases
+from tflab.workbook.tasks.case_types import AND, TaskCases, Variant
+from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import Solution, in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import Task, read_tasks
 

@@ -15,9 +15,9 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from tflab.workbook.answers.values import from_plain, outcome_of
-from tflab.workbook.tasks.case import Variant
+from tflab.workbook.tasks.ast_locations import EDGES, OPPOSITES, SIDES, SIGNS, locations_in, replaced_field
+from tflab.workbook.tasks.case_types import Variant
 from tflab.workbook.tasks.reference import Solution, answer_cell_name
-from tflab.workbook.tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, held_in, spots_of
 from tflab.workbook.tasks.task import Task, TaskError
 
 __all__ = ["mutants_of", "survivors"]
@@ -39,12 +39,12 @@ def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
     tree = ast.parse(source)
     whole = ast.unparse(tree)
     made: dict[str, Mutant] = {}
-    for spot in spots_of(tree):
-        for new in _changes(spot.node, hair):
-            with held_in(spot.owner, spot.field, spot.with_(*(() if new is None else (new,)))):
+    for location in locations_in(tree):
+        for new in _changes(location.node, hair):
+            with replaced_field(location.owner, location.field, location.with_(*(() if new is None else (new,)))):
                 after = ast.unparse(ast.fix_missing_locations(tree))
             if after != whole:
-                made.setdefault(after, Mutant(_name(tree, spot.node, new), after))
+                made.setdefault(after, Mutant(_name(tree, location.node, new), after))
     return list(made.values())
 
 

@@ -11,9 +11,9 @@ from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.places import Workbook, write_workbook
-from tflab.workbook.tasks import Text, cases
-from tflab.workbook.tasks.case import Case, TaskCases, Variant
-from tflab.workbook.tasks.library import assigned_cases, question_digest, task_ids
+from tflab.workbook.tasks import Text, generate_cases
+from tflab.workbook.tasks.case_types import Case, TaskCases, Variant
+from tflab.workbook.tasks.catalog import assigned_cases, question_digest, task_ids
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
 
@@ -85,7 +85,7 @@ def make_cases(seed, solutions, stem=STEM, **options):
     solution = solution_in_notebook(solutions / "en" / f"{stem}.ipynb")
     with in_process_ros():
         tasks = read_tasks(solutions / "tasks" / stem)
-        return {task.id: cases.task_cases(task, seed, solution, **options) for task in tasks}
+        return {task.id: generate_cases.task_cases(task, seed, solution, **options) for task in tasks}
 
 
 class StoredPairs:

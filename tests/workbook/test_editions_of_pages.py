@@ -12,7 +12,7 @@ from tflab.workbook.pages.build import build_pages, sources
 from tflab.workbook.pages.editions import with_figures
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.places import chapters, workbook_data
-from tflab.workbook.tasks.library import tasks_of
+from tflab.workbook.tasks.catalog import tasks_of
 from tflab.workbook.tasks.task import slug
 
 ROOT = workbook_data()

@@ -26,7 +26,7 @@ from tflab.workbook.answers.forms import (
 )
 from tflab.workbook.answers.values import outcome_of, raised, to_plain
 from tflab.workbook.tasks import Text
-from tflab.workbook.tasks.case import Case, Feedback
+from tflab.workbook.tasks.case_types import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 

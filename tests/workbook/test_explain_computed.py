@@ -11,7 +11,7 @@ from tflab.core import Transform
 from tflab.workbook.answers.forms import Angle, Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.mistakes.stumbles import tip_for
-from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare

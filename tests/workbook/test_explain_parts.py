@@ -11,7 +11,7 @@ from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks import Text
-from tflab.workbook.tasks.case import Case, Feedback
+from tflab.workbook.tasks.case_types import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 

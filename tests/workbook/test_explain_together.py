@@ -12,7 +12,7 @@ from tflab.workbook.explaining.common import in_common
 from tflab.workbook.explaining.together import Found, together
 from tflab.workbook.mistakes.fitting import words_of
 from tflab.workbook.tasks import Text
-from tflab.workbook.tasks.case import Case, Feedback
+from tflab.workbook.tasks.case_types import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 

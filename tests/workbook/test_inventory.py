@@ -29,7 +29,7 @@ from tflab.workbook.pages.source import read_page
 from tflab.workbook.places import Workbook, workbook_data
 from tflab.workbook.progress import read_progress
 from tflab.workbook.tasks import PARTICIPATION, Task, Text
-from tflab.workbook.tasks.library import assigned_cases
+from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.task import TaskError, read_tasks
 
 KEY = {"A": "badccdbacdbacdd", "B": "ddbadbccbbcdbca"}

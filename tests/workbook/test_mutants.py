@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.tasks.cases import task_cases
+from tflab.workbook.tasks.generate_cases import task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 
 from .each_task import READS, each_task, solution_of, task_in

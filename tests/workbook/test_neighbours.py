@@ -6,7 +6,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import is_raised
-from tflab.workbook.tasks.case import TaskCases
+from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 

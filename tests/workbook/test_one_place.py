@@ -13,7 +13,7 @@ from tflab.workbook.answers.values import outcome_of, to_plain
 from tflab.workbook.places import workbook_data
 from tflab.workbook.repairing import edits
 from tflab.workbook.repairing.one_place import LOOK, said_of_one_place
-from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.tasks.reference import in_process_ros
 
 COUNT = iter(range(1_000_000))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tflab.workbook.tasks.cases import PUBLIC_SEED, task_cases
+from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes

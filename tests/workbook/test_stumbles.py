@@ -16,7 +16,7 @@ from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
 from tflab.workbook.mistakes.stumbles import TIPS, tip_for
-from tflab.workbook.tasks.case import Case
+from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
 

@@ -25,7 +25,7 @@ from tflab.text import Text
 from tflab.workbook import places
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.tasks.library import assigned_cases, task_ids
+from tflab.workbook.tasks.catalog import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
 
 from .judging.cells import master_of

@@ -27,10 +27,10 @@ from .answers.values import Plain, from_plain
 from .inventory.taking_part import NO_HELP, say_taken_part
 from .places import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
 from .reply import show_reply
-from .tasks.blank import without_marks
-from .tasks.evidence import beyond_one_word
-from .tasks.library import OtherQuestionError, assigned_cases, task_ids
+from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
+from .tasks.credit import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
+from .tasks.strip_solution import without_marks
 from .tasks.task import TaskError
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
 from .verdicts.mistake import Mistake

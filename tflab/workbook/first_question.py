@@ -14,7 +14,7 @@ from ..text import Text
 from .answers.forms import Vector
 from .places import read_workbook, workbook_root
 from .reply import show_reply
-from .tasks.case import Case, Feedback, TaskCases, Variant
+from .tasks.case_types import Case, Feedback, TaskCases, Variant
 from .trying import AssignedTask, say_verdict, tried_on
 
 __all__ = ["ask_first"]

@@ -25,7 +25,7 @@ from .places import Workbook
 from .repairing.lint import said_of_its_text
 from .repairing.one_place import said_of_one_place
 from .reply import in_notebook, shell, show_caption, show_reply
-from .tasks.case import TaskCases, Variant
+from .tasks.case_types import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
 from .verdicts.replies import PHRASES
 from .verdicts.verdict import Verdict, judge_outcomes, kind_of

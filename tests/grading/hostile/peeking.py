@@ -48,15 +48,15 @@ V = from_plain(cases_of('E3.2')[0].expected)
         + """
 import hashlib, hmac, json
 from tflab.workbook.answers.values import from_plain
-from tflab.workbook.tasks import cases, library, reference
+from tflab.workbook.tasks import catalog, generate_cases, reference
 known, seed = {}, bytes.fromhex(SEED)
 seeds = [SEED, seed, '', *(hmac.new(seed, word, 'sha256').digest() for word in (b'hidden', b'learners', b'asked'))]
 try:
-    task, solution = library.tasks_of(workbook_data(), '03_target_and_source')['E3.3'], library.solution_of(workbook_data(), '03_target_and_source')
+    task, solution = catalog.tasks_of(workbook_data(), '03_target_and_source')['E3.3'], catalog.solution_of(workbook_data(), '03_target_and_source')
     with reference.in_process_ros():
         F = solution.answer(task, None)
         for one in seeds:
-            for case in cases.make_variant(task, one, 0, solution, 24).cases: known[json.dumps(case.args)] = case.expected
+            for case in generate_cases.make_variant(task, one, 0, solution, 24).cases: known[json.dumps(case.args)] = case.expected
 except Exception:
     def F(transform):
         return from_plain(known.get(json.dumps([{'dict': transform}])))
@@ -135,10 +135,10 @@ def F(transform):
 V = (0.0, 0.0, 0.0)
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.places import workbook_data
-from tflab.workbook.tasks import cases, library
+from tflab.workbook.tasks import catalog, generate_cases
 data, stem = workbook_data(), '03_target_and_source'
 for seed in ('public', 'secret', '', 'hidden', SEED):
-    made = cases.task_cases(library.task_in(data, stem, 'E3.2'), seed, library.solution_of(data, stem), 1)
+    made = generate_cases.task_cases(catalog.task_in(data, stem, 'E3.2'), seed, catalog.solution_of(data, stem), 1)
     V = from_plain(made.variants[0].cases[0].expected)
 """,
     ),
@@ -192,12 +192,12 @@ def F(transform):
     return RIGHT if solution else None
 """),
     function("asks the reference module for the answer", "peeking", """
-from tflab.workbook.tasks import cases, library
+from tflab.workbook.tasks import catalog, generate_cases
 from tflab.workbook.places import workbook_data
 made = None
 try:
     data, stem = workbook_data(), '03_target_and_source'
-    made = cases.task_cases(library.task_in(data, stem, 'E3.3'), cases.PUBLIC_SEED, library.solution_of(data, stem), 1)
+    made = generate_cases.task_cases(catalog.task_in(data, stem, 'E3.3'), generate_cases.PUBLIC_SEED, catalog.solution_of(data, stem), 1)
 except Exception: pass
 def F(transform):
     return RIGHT if made else None

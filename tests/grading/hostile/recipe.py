@@ -137,7 +137,7 @@ def edited(
 # Computes the cases of a task, with the numbers that this class was given.
 CASES = """
 from tflab.workbook.places import Workbook, chapters, workbook_data
-from tflab.workbook.tasks.library import assigned_cases
+from tflab.workbook.tasks.catalog import assigned_cases
 def cases_of(task, seed=SEED):
     stem = next(stem for stem in chapters() if task.startswith(f'E{int(stem[:2])}.'))
     return assigned_cases(workbook_data(), stem, task, Workbook(seed=seed)).variants[0].cases

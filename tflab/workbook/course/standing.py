@@ -16,7 +16,7 @@ from typing import NamedTuple
 from ...text import Text
 from ..places import chapters, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
-from ..tasks.library import task_ids, tasks_of
+from ..tasks.catalog import task_ids, tasks_of
 from ..tasks.task import TaskError
 from .course import Chapter, Goal, read_course
 

@@ -19,7 +19,7 @@ from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Number
 from ..answers.values import Plain
 from ..mistakes.fitting import MEASURED, is_just, undone_to, words_of
-from ..tasks.case import TaskCases
+from ..tasks.case_types import TaskCases
 from .together import Found
 
 __all__ = ["after_a_slip", "followers", "only_follows"]

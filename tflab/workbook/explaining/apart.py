@@ -19,7 +19,7 @@ from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import words_of
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .beside import side_by_side
 from .explanation import Explanation, said_of
 

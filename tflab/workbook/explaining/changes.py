@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from ...text import Text
 from ..answers.values import Plain
 from ..mistakes.fitting import all_alike
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["gave", "of_changes"]

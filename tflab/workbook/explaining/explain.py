@@ -23,8 +23,8 @@ from ..mistakes.fields import sections
 from ..mistakes.fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
 from ..mistakes.losses import MARGINS, TOLD, by_comparison
 from ..mistakes.names import of_names, unfilled
-from ..tasks.case import AND, Case, TaskCases
-from ..tasks.evidence import habit
+from ..tasks.case_types import AND, Case, TaskCases
+from ..tasks.credit import habit
 from .apart import of_words_apart
 from .arithmetic import computed, computed_in_all
 from .beside import side_by_side

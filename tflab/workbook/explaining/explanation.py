@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ...text import Text, begun
 from ..answers.values import Plain
 from ..mistakes.fitting import words_of
-from ..tasks.case import Case, Feedback, TaskCases
+from ..tasks.case_types import Case, Feedback, TaskCases
 
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 

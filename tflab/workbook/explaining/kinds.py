@@ -23,7 +23,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain
 from ..mistakes.fitting import all_alike
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["kind_said", "kinds_said", "of_times"]

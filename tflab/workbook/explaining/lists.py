@@ -15,7 +15,7 @@ from ..answers.form import inside
 from ..answers.forms import Message
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .explanation import Explanation
 from .members import of_members
 

@@ -22,7 +22,7 @@ from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section, sections, split
 from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, undone_to, words_of
 from ..mistakes.losses import TOLD, stamp_of, time_of
-from ..tasks.case import Case, Feedback, TaskCases
+from ..tasks.case_types import Case, Feedback, TaskCases
 from .after import after_a_slip, followers, only_follows
 from .arithmetic import computed, computed_in_all
 from .bearings import bearing_in_all

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from ...text import Text
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import alike
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_refusals"]

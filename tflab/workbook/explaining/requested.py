@@ -17,7 +17,7 @@ from ...text import Text
 from ..answers.form import member
 from ..answers.values import Plain, is_raised
 from ..mistakes.losses import stamp_of, time_of
-from ..tasks.case import Case
+from ..tasks.case_types import Case
 from .explanation import Explanation
 
 __all__ = ["of_requests"]

@@ -19,7 +19,7 @@ from ..answers.form import Row
 from ..answers.forms import Form, Quaternion, Urdf, Vector
 from ..answers.values import Plain
 from ..mistakes.fitting import undone_to, words_of
-from ..tasks.case import Feedback, TaskCases
+from ..tasks.case_types import Feedback, TaskCases
 from .certain import certain
 from .explanation import Explanation
 

@@ -16,7 +16,7 @@ from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import section
 from ..mistakes.fitting import MEASURED, ONE, TWO, alike, is_just, words_of
-from ..tasks.case import AND, Case, Feedback, TaskCases
+from ..tasks.case_types import AND, Case, Feedback, TaskCases
 from .explanation import said_of
 from .together import Found, each_part_once
 

@@ -16,7 +16,7 @@ from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import ANY_BUG, alike
 from ..mistakes.stumbles import tip_for
-from ..tasks.case import Case, TaskCases
+from ..tasks.case_types import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_stops"]

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ...text import Text, begun
-from ..tasks.case import Feedback
+from ..tasks.case_types import Feedback
 from .explanation import Explanation
 
 __all__ = ["Found", "each_part_once", "together"]

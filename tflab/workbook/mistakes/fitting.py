@@ -17,7 +17,7 @@ from ...text import Text
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
-from ..tasks.case import Feedback, TaskCases
+from ..tasks.case_types import Feedback, TaskCases
 from .by_place import said_of_letters
 from .fields import section
 from .losses import TOLD, by_comparison, words_of_loss

@@ -16,7 +16,7 @@ from typing import Any
 
 from ...text import LANGUAGES
 from ..course.glossary import MARKED, UnknownTerm, expand
-from ..tasks.blank import blank
+from ..tasks.strip_solution import blank
 from ..tasks.task import slug
 from .source import Page, SourceCell
 

@@ -22,7 +22,7 @@ from ...text import LANGUAGES
 from ..inventory.balance import imbalances
 from ..inventory.items import FORMS, parsed
 from ..inventory.questions import with_questions
-from ..tasks.blank import BlankError, blank, regions
+from ..tasks.strip_solution import BlankError, blank, regions
 from ..tasks.task import Task, slug
 from .editions import Outputs, task_of
 from .source import Page, PageFault, SourceCell

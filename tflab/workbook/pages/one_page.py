@@ -18,10 +18,10 @@ from typing import NamedTuple
 from ...text import LANGUAGES
 from ..course.glossary import read_glossary
 from ..places import MARK, Workbook, exercise_file
-from ..tasks.blank import BlankError
-from ..tasks.case import TaskCases
-from ..tasks.cases import outline_of
+from ..tasks.case_types import TaskCases
+from ..tasks.generate_cases import outline_of
 from ..tasks.reference import in_process_ros
+from ..tasks.strip_solution import BlankError
 from ..tasks.task import TaskError, read_tasks
 from .editions import exercise_notebook, lecture_notebook, text_of
 from .execute import Outputs, run_page

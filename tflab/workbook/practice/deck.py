@@ -20,9 +20,9 @@ from typing import NamedTuple
 from ..mistakes.fitting import words_of
 from ..places import chapters, workbook_data
 from ..progress import Attempts, read_progress
-from ..tasks.case import TaskCases
-from ..tasks.cases import PUBLIC_SEED, CasesError, task_cases
-from ..tasks.library import outlines, solution_of, tasks_of
+from ..tasks.case_types import TaskCases
+from ..tasks.catalog import outlines, solution_of, tasks_of
+from ..tasks.generate_cases import PUBLIC_SEED, CasesError, task_cases
 from ..tasks.reference import in_process_ros
 from ..tasks.task import Task, TaskError
 

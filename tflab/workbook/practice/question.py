@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 from ..answers.values import from_plain
 from ..places import exercise_file, workbook_data
-from ..tasks.case import TaskCases, Variant
+from ..tasks.case_types import TaskCases, Variant
 from ..tasks.reference import given_name
 from ..tasks.task import slug
 from .deck import Askable, drawn

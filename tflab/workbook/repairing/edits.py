@@ -2,7 +2,7 @@
 
     if age < max_age_s:    edge  <=      side  >      sign  -age      name  now_s
 
-An edit is something else at one spot of the tree (`tasks/spots.py`).  What people mean to
+An edit is something else at one spot of the tree (`tasks/ast_locations.py`).  What people mean to
 write and do not is what mutation testing does to a right program, backwards (Debroy and
 Wong, "Using mutation to automatically suggest fixes for faulty programs", 2010).
 """
@@ -15,7 +15,7 @@ from contextlib import AbstractContextManager
 from itertools import permutations
 from typing import Any, NamedTuple
 
-from ..tasks.spots import EDGES, OPPOSITES, SIDES, SIGNS, Spot, held_in, spots_of
+from ..tasks.ast_locations import EDGES, OPPOSITES, SIDES, SIGNS, Location, locations_in, replaced_field
 from .sums import bracketed, of_others
 
 __all__ = ["KINDS", "Edit", "edits_of"]
@@ -56,7 +56,7 @@ class Edit(NamedTuple):
 
     def made(self) -> AbstractContextManager[None]:
         """Make the edit in its tree, for as long as this lasts."""
-        return held_in(self.owner, self.field, self.value)
+        return replaced_field(self.owner, self.field, self.value)
 
 
 def edits_of(tree: ast.Module) -> list[Edit]:
@@ -77,7 +77,7 @@ class _Used:
 
 
 def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
-    for spot in spots_of(tree):
+    for spot in locations_in(tree):
         node, owner, field = spot.node, spot.owner, spot.field
         if field in ("annotation", "returns", "decorator_list"):
             continue
@@ -87,7 +87,7 @@ def _edits(tree: ast.Module, used: _Used) -> Iterator[Edit]:
             yield from _edits_of_lines(spot, node)
 
 
-def _edits_of_lines(spot: Spot, node: ast.stmt | ast.ExceptHandler) -> Iterator[Edit]:
+def _edits_of_lines(spot: Location, node: ast.stmt | ast.ExceptHandler) -> Iterator[Edit]:
     """Yield a statement left out, one way alone, a `return` after its loop, this and the next the other way round."""
     owner, field = spot.owner, spot.field
     if isinstance(node, ast.stmt):

@@ -22,7 +22,7 @@ from typing import Any
 from ...text import Text
 from ..answers.form import Form
 from ..answers.values import Plain, outcome_of, outcomes_of
-from ..tasks.case import Case
+from ..tasks.case_types import Case
 from .calling import edited_as, written_by
 from .edits import Edit, edits_of
 

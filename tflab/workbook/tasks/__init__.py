@@ -1,15 +1,15 @@
 """Tasks: what they ask, their known mistakes, and the cases that answers are tried on.
 
-    task      a task, as its file defines it
-    draws     the seeded source of a task's numbers
-    reference the right answer, which the solution's own cell gives
-    case      the cases of a task, as values
-    cases     compute the cases of a task for a seed
-    pairs     search two mistakes that together give an answer
-    library   a learner's tasks, computed on demand
-    evidence  which right results earn points, beyond guessing
-    spots     where in a piece of Python something else can stand
-    blank     turn a solution into an exercise
+    task            a task, as its file defines it
+    draws           the seeded source of a task's numbers
+    reference       the right answer, which the solution's own cell gives
+    case_types      the cases of a task, as values
+    generate_cases  compute the cases of a task for a seed
+    pairs           search two mistakes that together give an answer
+    catalog         a learner's tasks, computed on demand
+    credit          which right results earn points, beyond guessing
+    ast_locations   the nodes of a syntax tree that can be replaced
+    strip_solution  turn a solution into an exercise
 
 What a task file imports is here.
 """

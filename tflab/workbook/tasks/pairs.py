@@ -17,7 +17,7 @@ from typing import Any
 from ..answers.alike import Likeness
 from ..answers.forms import Form
 from ..answers.values import Plain, from_plain
-from .case import AND, Case, values_of
+from .case_types import AND, Case, values_of
 from .reference import in_process_ros
 from .task import Task, WrongStep
 

@@ -30,8 +30,8 @@ from ..explaining.kinds import kind_said
 from ..mistakes.fitting import ANY_BUG
 from ..mistakes.stumbles import tip_for
 from ..mistakes.units import unit_of
-from ..tasks import evidence
-from ..tasks.case import Case, Feedback, TaskCases, Variant
+from ..tasks import credit
+from ..tasks.case_types import Case, Feedback, TaskCases, Variant
 from .mistake import Mistake
 from .options import near_an_option, no_options_either, one_part_alone, option_of_another, raised_option
 
@@ -50,7 +50,7 @@ class Verdict:
     """What became of an answer.
 
     Attributes:
-        passed: probes that earn credit; of a function's, those that show something (see evidence.py).
+        passed: probes that earn credit; of a function's, those that show something (see credit.py).
         of: how many there are.
         mistake: what is wrong with it; None if all of it is right.
         slips: those that it comes of, the first in the work first, and what is said of each.
@@ -76,7 +76,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     """Return what became of an answer.
 
     Args:
-        task: one task of the cases (see case.py).
+        task: one task of the cases (see case_types.py).
         variant: the learner's.
         outcomes: for each case what came out, as `to_plain` writes it; of a value task, the one value.
     """
@@ -85,10 +85,10 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         return _taking_part(form, outcomes[0])
     rights = [form.judge(outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
     if task.is_function:
-        counted = evidence.credited(form, cases, outcomes, rights)
+        counted = credit.credited(form, cases, outcomes, rights)
     else:
-        beyond = evidence.beyond_the_given(form, variant.given, cases[0].expected, rights[0])
-        counted = [evidence.beyond_one_word(form, outcomes[0], cases[0].expected, beyond)]
+        beyond = credit.beyond_the_given(form, variant.given, cases[0].expected, rights[0])
+        counted = [credit.beyond_one_word(form, outcomes[0], cases[0].expected, beyond)]
     right = tuple(probe for row in counted for probe in row)
     if all(right):
         return Verdict(len(right), len(right), right=right)
@@ -203,7 +203,7 @@ def _unexplained(
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
-    if task.is_function and (habit := evidence.habit(form, cases, outcomes)):
+    if task.is_function and (habit := credit.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
     if task.is_function and (

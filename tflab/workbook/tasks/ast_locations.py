@@ -1,10 +1,10 @@
-"""Where in a piece of Python can something else stand?  At each node of its tree, put there for a while.
+"""Find the nodes of a syntax tree that can be replaced, and replace one for a while.
 
-    if age < limit:         spots   `age < limit`, `age`, `<`, `limit`, the `if` itself
-    with held_in(owner, field, spot.with_(new)):   the tree has the other one, and then it is as it was
+    if age < limit:      locations   `age < limit`, `age`, `<`, `limit`, the `if` itself
+    with replaced_field(owner, field, location.with_(new)):   the tree holds `new` in this block
 
-What is often written for what is in the tables, in both directions: who spoils a
-solution asks for it, and who looks for the one wrong place in an answer, too.
+The tables name what is often written for what, in both directions.  Tests corrupt solutions by
+them, and the search for the one wrong token of an answer uses them, too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
-__all__ = ["EDGES", "OPPOSITES", "SIDES", "SIGNS", "Spot", "held_in", "spots_of"]
+__all__ = ["EDGES", "OPPOSITES", "SIDES", "SIGNS", "Location", "locations_in", "replaced_field"]
 
 EDGES = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
 SIDES = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
@@ -22,7 +22,7 @@ OPPOSITES = {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn:
 SIGNS = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 
 
-class Spot(NamedTuple):
+class Location(NamedTuple):
     """A node, and where it stands: in a field of its owner, or at a place of the list that the field holds."""
 
     owner: ast.AST
@@ -38,24 +38,24 @@ class Spot(NamedTuple):
         return [*held[: self.place], *new, *held[self.place + 1 :]] or [ast.Pass()]
 
 
-def spots_of(tree: ast.AST) -> list[Spot]:
-    """Return the spots below a node, level by level."""
-    return list(_spots(tree))
+def locations_in(tree: ast.AST) -> list[Location]:
+    """Return the locations below a node, level by level."""
+    return list(_locations(tree))
 
 
-def _spots(tree: ast.AST) -> Iterator[Spot]:
+def _locations(tree: ast.AST) -> Iterator[Location]:
     for owner in ast.walk(tree):
         for field, held in ast.iter_fields(owner):
             if isinstance(held, ast.AST):
-                yield Spot(owner, field, None, held)
+                yield Location(owner, field, None, held)
             elif isinstance(held, list):
                 yield from (
-                    Spot(owner, field, place, node) for place, node in enumerate(held) if isinstance(node, ast.AST)
+                    Location(owner, field, place, node) for place, node in enumerate(held) if isinstance(node, ast.AST)
                 )
 
 
 @contextmanager
-def held_in(owner: ast.AST, field: str, value: Any) -> Iterator[None]:
+def replaced_field(owner: ast.AST, field: str, value: Any) -> Iterator[None]:
     """Let a node's field hold something else, for as long as this lasts."""
     before = getattr(owner, field)
     setattr(owner, field, value)

@@ -6,7 +6,7 @@ import ast
 
 import pytest
 
-from tflab.workbook.tasks.blank import BlankError, blank
+from tflab.workbook.tasks.strip_solution import BlankError, blank
 
 CASES = {
     "a value": ("# BEGIN SOLUTION\nx = 2 * 3  # [m]\n# END SOLUTION", "x = ...  # [m]"),

@@ -22,8 +22,8 @@ from tflab import __version__
 from ...text import Text
 from ..answers.values import Plain
 from ..places import Workbook, chapters, workbook_data
-from .case import TaskCases, Variant, rounded
-from .cases import PUBLIC_SEED, CasesError, make_variant, outline_of
+from .case_types import TaskCases, Variant, rounded
+from .generate_cases import PUBLIC_SEED, CasesError, make_variant, outline_of
 from .pairs import PairSearch
 from .reference import Solution, in_process_ros, solution_in_notebook
 from .task import Task, TaskError, read_task, read_tasks, variant_of

@@ -20,7 +20,7 @@ from typing import Any
 
 from ..answers.alike import Likeness
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
-from .case import Case, Feedback, TaskCases, Variant, as_kept, rounded, values_of
+from .case_types import Case, Feedback, TaskCases, Variant, as_kept, rounded, values_of
 from .draws import Draws
 from .pairs import PairSearch
 from .reference import Solution

@@ -33,7 +33,7 @@ from itertools import combinations
 from ..answers.form import inside
 from ..answers.forms import Choice, Form, Parts
 from ..answers.values import Plain, is_raised
-from .case import Case
+from .case_types import Case
 
 __all__ = [
     "asked_alike", "beyond_guessing", "beyond_one_word", "beyond_the_given", "beyond_the_usual", "credited",

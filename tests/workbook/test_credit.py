@@ -8,8 +8,8 @@ from tflab.core import LookupException
 from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
 from tflab.workbook.answers.values import raised, to_plain
-from tflab.workbook.tasks.case import Case
-from tflab.workbook.tasks.evidence import (
+from tflab.workbook.tasks.case_types import Case
+from tflab.workbook.tasks.credit import (
     asked_alike,
     beyond_guessing,
     beyond_one_word,

@@ -17,8 +17,8 @@ from tflab.ros.process import process_here
 from tflab.workbook import check
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.places import Workbook, workbook_data
-from tflab.workbook.tasks import library
-from tflab.workbook.tasks.library import (
+from tflab.workbook.tasks import catalog
+from tflab.workbook.tasks.catalog import (
     assigned_cases,
     outlines,
     question_digest,
@@ -43,7 +43,7 @@ TASKS = {  # that use ROS 2: what they give, their solutions or their mistakes
 def nothing_computed(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     """Nothing was computed before in this process, so it happens in the test."""
     monkeypatch.delenv("NBGRADER_EXECUTION", raising=False)
-    for cache in (library._tasks, library._solution, library._assigned):
+    for cache in (catalog._tasks, catalog._solution, catalog._assigned):
         cache.cache_clear()
     yield
 
@@ -55,7 +55,7 @@ def right_answer(task_id: str) -> Any:
     given = None if variant.given is None else {name: from_plain(value) for name, value in variant.given.items()}
     with in_process_ros():
         answer = solution_of(data, stem).answer(tasks_of(data, stem)[task_id], given)
-    library._assigned.cache_clear()
+    catalog._assigned.cache_clear()
     return answer
 
 
@@ -110,7 +110,7 @@ def test_check_works_beside_an_rclpy_that_is_not_ours(monkeypatch, capsys, task_
     for name, module in theirs.items():
         module.__file__ = f"/opt/ros/jazzy/{name}/__init__.py"
         monkeypatch.setitem(sys.modules, name, module)
-    assert library._assigned.cache_info().currsize == 0
+    assert catalog._assigned.cache_info().currsize == 0
     check(task_id, answer)
     assert capsys.readouterr().out.startswith(f"{task_id} ✓")
     assert ros_modules() == theirs and not ros.activation.is_active()
@@ -131,7 +131,7 @@ def test_a_task_is_computed_once_for_all_who_have_the_same_variant(tmp_path, mon
         assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook(seed=seed)) for seed in ("", "", "of a class")
     )
     assert one is again and one.variants != other.variants
-    assert library._assigned.cache_info()[:2] == (1, 2)
+    assert catalog._assigned.cache_info()[:2] == (1, 2)
 
 
 def test_a_digest_names_what_is_asked_and_not_how_it_is_said(tmp_path, monkeypatch) -> None:
