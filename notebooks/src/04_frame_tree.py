@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 04 · One parent each, and nobody checks
+# # 04 · The tree of frames
 #
-# **The tree of frames** · about 50 minutes · builds on 03
+# **One parent each, and nobody checks** · about 50 minutes · builds on 03
 #
 # After this chapter you can
 #
-# - walk from any frame to any other by hand: up to where the ways meet, and down;
-# - tell at a glance, or with one line of Python, a healthy [[tf tree]] from two trees and from a loop;
-# - say what tf2 checks when a transform is sent (almost nothing), and what it says when somebody asks;
-# - name frames so that two robots share one map and nothing else.
+# - find the path between any two frames by hand: up to their common ancestor, then down,
+# - tell at a glance, or with one line of Python, a healthy [[tf tree]] from two trees and from a loop,
+# - say what tf2 checks when a transform is sent (almost nothing), and what a lookup reports,
+# - name frames so that two robots share `map` and nothing else.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다
@@ -23,7 +23,7 @@
 # - 로봇 두 대가 지도만 함께 쓰도록 좌표계 이름을 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask before the first slide: who makes sure that the frames of a robot form a tree? Collect names of programs. The answer of the hour: nobody.
+# Ask before the first slide: which program makes sure that the frames of a robot form a tree? Collect names. The answer of this chapter: none.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 첫 슬라이드 전에 묻습니다. 로봇의 좌표계가 트리를 이루도록 누가 보장할까요? 프로그램 이름들이 나올 것입니다. 오늘의 답은 "아무도"입니다.
@@ -33,7 +33,7 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## The dog that hung below itself
+# ## The dog that was its own ancestor
 #
 # A four-legged robot gets a new driver. It worked yesterday; today its log fills with
 #
@@ -41,8 +41,8 @@ from tflab.workbook import lesson
 # The tf tree is invalid because it contains a loop.
 # ```
 #
-# Its body hangs below `odom`, as ever. But now `odom` hangs below the body as well: each is the other's [[parent frame|parent]].
-# The cause was one string. The driver glued the robot's name, a slash and `odom` together; this robot had no name, so it looked for `/odom`, and `/odom` is not `odom` (rai-opensource/spot_ros2, 2024).
+# Its body is a child of `odom`, as ever. But now `odom` is a child of the body as well: each is the other's [[parent frame|parent]].
+# The cause was one string. The driver joined the robot's name, a slash and `odom`. This robot had no name, so the driver looked for `/odom`, and `/odom` is not `odom` (rai-opensource/spot_ros2, 2024).
 # A year later the same slash stopped the mapper of one of the most sold teaching robots, at `/base_footprint` (ROBOTIS-GIT/turtlebot3, 2025).
 
 # %% [markdown] lang="ko" name="story" slide="slide"
@@ -59,7 +59,7 @@ from tflab.workbook import lesson
 # 1년 뒤에는 같은 슬래시가 널리 쓰이는 교육용 로봇의 지도 작성 노드를 `/base_footprint`에서 멈춰 세웠습니다(ROBOTIS-GIT/turtlebot3, 2025년).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304); turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
+# *Read the reports:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304); turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304), turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
@@ -80,14 +80,14 @@ print(driver("spot"))
 print(driver(""))
 
 # %% [markdown] lang="en" name="the-driver-seen"
-# With a name, all is well. Without one, the comparison fails, and nobody says a word.
+# With a name, the result is right. Without one, the comparison fails, and nothing reports an error.
 
 # %% [markdown] lang="ko" name="the-driver-seen"
 # 이름이 있으면 괜찮습니다. 이름이 없으면 비교가 어긋나고, 아무 오류도 나지 않습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Let the room find the fault in the six lines before you say it.
-# Somebody will; then ask which test would have caught it.
+# Let the class find the fault in the six lines before you say it.
+# Then ask which test would have caught it.
 # The answer is a robot without a name, and nobody has one on the desk.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
@@ -99,8 +99,8 @@ print(driver(""))
 # %% [markdown] lang="en" name="a-dict" slide="slide"
 # ## TF is a dict
 #
-# Forget rotations for a moment. What TF knows of a robot's shape is this: for each child, its one parent.
-# One key has one value, so a [[frame]] has one parent. A frame that is nobody's child is a [[root]]. One entry is an [[edge]].
+# Forget rotations for a moment. What TF knows about a robot's tree is this: for each child, its one parent.
+# One key has one value, so a [[frame]] has one parent. A frame without a parent is a [[root]]. One entry is an [[edge]].
 
 # %% [markdown] lang="ko" name="a-dict" slide="slide"
 # ## TF는 dict입니다
@@ -132,9 +132,9 @@ print(way_up("camera_optical_frame"))
 # %% [markdown] lang="en" name="up-and-down" slide="slide"
 # ## Up, then down
 #
-# Both ways end at `map`. From where they meet on, they are the same, so nobody has to climb that far: go up from the source until you stand on the target's way, then down.
+# Both paths end at `map`. They are the same from their first common frame on, so a lookup need not climb further: it goes up from the source until it reaches the target's path, then down.
 #
-# The cell fills a `Buffer` by hand, without any node: `send` stores one edge in it, one metre along x unless told otherwise, static (it holds for all times). `"page"` is the name of the sender.
+# The cell fills a `Buffer` by hand, without any node: `send` stores one edge in it, one metre along x by default, static (valid at all times). `"page"` is the name of the sender.
 
 # %% [markdown] lang="ko" name="up-and-down" slide="slide"
 # ## 올라갔다가 내려갑니다
@@ -164,16 +164,16 @@ for child, parent in parent_of.items():
 lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
-# Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks where the ways meet.
-# This is the product of chapter 03, read off the tree: each step up is an edge as it was sent, each step down an inverse. The walk reads from source to target, the product from its right end to its left.
+# Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks the common frame.
+# This is the product of chapter 03, read off the tree: each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target, the product from its right end to its left.
 
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 걸음의 순서, 둥근 테 = 두 길이 만나는 곳입니다.
 # 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다. 걸음은 원본에서 목표로 읽고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
 
 # %% [markdown] lang="en" name="walk-notes" slide="notes"
-# Have one person be the laser and one the camera, and let them walk to each other by naming parents only.
-# They meet at the base and not at the map: say that aloud, it saves half of the steps in every lookup.
+# One person is the laser and one the camera. They walk to each other by naming parents only.
+# They meet at the base and not at the map. Say that aloud: it saves half of the steps in every lookup.
 
 # %% [markdown] lang="ko" name="walk-notes" slide="notes"
 # 한 사람은 레이저, 한 사람은 카메라가 되어 부모 이름만 부르며 서로에게 갑니다.
@@ -187,9 +187,9 @@ lesson.draw_dominoes(
 )
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Now you walk
+# ### Now you write
 #
-# Without running anything: which steps, up and down, lead from `camera_optical_frame` to `odom`? And from `map` to `camera_link`? Fill the blanks.
+# Without running anything: which steps, up and down, lead from `camera_optical_frame` to `odom`? And from `map` to `camera_link`? Fill in the blanks.
 #
 # ```
 # camera_optical_frame -> odom      up ____________, up ____________, up ____________
@@ -221,8 +221,8 @@ lesson.draw_dominoes(
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. Somebody sends `camera_link` once more, now as a child of the gripper `tool0`. How many cameras does tf2 know afterwards: one, two, or is it an error?
-# 2. Another robot's tree is `map → odom` and `odm → base_link → laser_frame`. Somebody typed `odm`. Which of these answer: `laser_frame` in `odm`, `odom` in `map`, `base_link` in `map`? And does the error name the typo?
+# 1. A node sends `camera_link` once more, now as a child of the gripper `tool0`. How many cameras does tf2 know afterwards: one, two, or is it an error?
+# 2. Another robot's tree is `map → odom` and `odm → base_link → laser_frame`. Somebody typed `odm`. Which of these lookups succeed: `laser_frame` in `odm`, `odom` in `map`, `base_link` in `map`? And does the error name the typo?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -231,7 +231,7 @@ lesson.draw_dominoes(
 # 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 무엇이 답할까요? 오류 메시지에 오타가 나올까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Hands for each. For the first, wait for "two". For the second, wait for "all dead", and for "the error will say odm".
+# Hands for each. For the first, the common wrong answer is "two". For the second, it is "none", and "the error names odm".
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 하나씩 손을 들게 합니다. 1번은 "두 대", 2번은 "모두 안 된다"와 "오류가 odm을 알려 준다"가 기다리는 답입니다.
@@ -245,8 +245,8 @@ send(buffer, "tool0", "camera_link", x=0.1)
 lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 
 # %% [markdown] lang="en" name="moved-seen" tags=["predicted"]
-# One camera. A key that is set again gets a new value: the camera moved, with all that hangs below it. Nobody was asked, and nobody was told.
-# If two nodes set it by turns, it moves back and forth, as you will see.
+# One camera. A key that is set again gets a new value: the camera moved, with all its children. No node was asked, and no node was notified.
+# If two nodes set it alternately, it moves back and forth, as you will see.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
 # 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라와 그 아래의 것이 모두 옮겨 갔습니다. 아무도 묻지 않았고, 알려 주지도 않았습니다.
@@ -264,7 +264,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
         print(f"{source} in {target}: {type(error).__name__}: {error}")
 
 # %% [markdown] lang="en" name="typo-seen" tags=["predicted"]
-# Yes, yes, no. Each island works by itself; only what crosses the water fails. And the error names the two ends of the *question*, not the place where the bridge is missing.
+# Yes, yes, no. Each part works by itself; only a lookup between the parts fails. And the error names the two frames of the *lookup*, not the place of the gap.
 # "Tf has two or more unconnected trees": so look at the roots.
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
@@ -273,9 +273,9 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 
 # %% [markdown] lang="en" name="typo-notes" slide="notes"
 # Look at the counts on the board.
-# Two of three answers work on a broken robot: that is why nobody notices.
-# Read the error aloud and ask where in it the typo stands.
-# It stands nowhere.
+# Two of three lookups succeed on a broken robot: that is why nobody notices.
+# Read the error aloud and ask where in it the typo is.
+# It is not in it.
 
 # %% [markdown] lang="ko" name="typo-notes" slide="notes"
 # 칠판의 숫자를 봅니다.
@@ -285,9 +285,9 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # 어디에도 없습니다.
 
 # %% [markdown] lang="en" name="one-line" slide="slide"
-# ## A doctor in one line
+# ## A diagnosis in one line
 #
-# Who is somebody's parent, and nobody's child? Python's sets know.
+# Which frames are parents, and no child? Python's sets tell you.
 
 # %% [markdown] lang="ko" name="one-line" slide="slide"
 # ## 한 줄짜리 의사
@@ -305,17 +305,17 @@ print("typo     ", roots({"odom": "map", "base_link": "odm", "laser_frame": "bas
 print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 
 # %% [markdown] lang="en" name="roots-seen"
-# One name: a tree. Two names: there is a gap somewhere, and the name that you did not expect is a typo, or a frame whose own edge nobody sends. No name at all: a loop.
-# One catch: a loop *beside* a sound tree hides from this line. Then somebody's `way_up` never ends.
+# One name: a tree. Two names: there is a gap, and the unexpected name is a typo, or a frame whose own edge no node sends. No name at all: a loop.
+# One exception: a loop *beside* a healthy tree does not show in this line. Then `way_up` never ends for a frame in the loop.
 
 # %% [markdown] lang="ko" name="roots-seen"
 # 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼고, 예상하지 못한 이름이 오타이거나, 아무도 그 위의 연결을 보내지 않는 좌표계입니다. 하나도 없으면 고리입니다.
 # 한 가지 조심할 것이 있습니다. 멀쩡한 트리 *옆에* 따로 생긴 고리는 이 한 줄로 찾지 못합니다. 그때는 어떤 좌표계의 `way_up`이 끝나지 않습니다.
 
 # %% [markdown] lang="en" name="plaster" slide="subslide"
-# ### The plaster
+# ### The workaround
 #
-# The forums know a quick cure for the typo: one more static edge, `odom → odm`, with zeros. It works, and you should see why it is a plaster.
+# Forums suggest a quick workaround for the typo: one more static edge, `odom → odm`, with zeros. It works. See why it is not a fix.
 
 # %% [markdown] lang="ko" name="plaster" slide="subslide"
 # ### 반창고
@@ -327,14 +327,14 @@ send(island, "odom", "odm", x=0.0)
 lesson.draw_walk(island, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="plastered-seen"
-# One place has two names now, for ever: the next program will publish `odom → base_link`, spelt right, and take the base away from `odm`. Mend the name where it is written.
+# One pose has two names now. The next program will publish `odom → base_link`, spelt correctly, and `base_link` will no longer be a child of `odm`. Fix the name where it is written.
 
 # %% [markdown] lang="ko" name="plastered-seen"
 # 이제 한 자리에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
-# Who has shipped such a plaster?
-# Do not blame; ask what would have to happen for it to come off.
+# Who has used such a workaround?
+# Do not blame anybody; ask what would have to happen for it to fail.
 # One correct line in another program is enough.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
@@ -344,15 +344,15 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
 
 # %% [markdown] lang="en" name="five-rules" slide="slide"
-# ## Five rules, and who enforces them
+# ## Five rules, and what enforces them
 #
 # 1. Each child has one parent.
-# 2. Between any two frames there is one way.
+# 2. Between any two frames there is one path.
 # 3. Each edge has one [[authority|owner]]: one node that sends it.
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It refuses only what it cannot store: an empty name, a frame that is its own parent, a value that is no number (NaN). It then writes one line into the log, and the program goes on. Break the rest yourself: give a frame another parent, then ask.
+# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is no number (NaN). It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
@@ -369,7 +369,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="panel-tasks"
-# Try: hang `odom` below `laser_frame`. Below `odm`. Below itself. Then ask from `camera_link` to `laser_frame` each time: which faults does that question not even notice?
+# Try: make `odom` a child of `laser_frame`. Of `odm`. Of itself. Then look up target `laser_frame`, source `camera_link` each time: which faults does that lookup not notice?
 
 # %% [markdown] lang="ko" name="panel-tasks"
 # `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 `camera_link`에서 `laser_frame`으로도 물어보세요. 이 질문이 알아채지 못하는 고장은 무엇일까요?
@@ -381,15 +381,15 @@ for child, parent in {**parent_of, "odom": "odm"}.items():
 lesson.draw_walk(broken, "camera_link", "laser_frame")
 
 # %% [markdown] lang="en" name="tree-still-seen"
-# With `odom` below `odm`, the way between two sensors is as short as ever. That is why a broken tree can work for weeks: only questions fail, and only those that meet the fault.
+# With `odom` as a child of `odm`, the path between two sensors is as short as before. That is why a broken tree can work for weeks: only lookups fail, and only those whose path contains the fault.
 
 # %% [markdown] lang="ko" name="tree-still-seen"
 # `odom`이 `odm` 아래에 있어도 두 센서 사이의 길은 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 질문뿐이고, 그것도 고장 난 곳을 지나는 질문뿐입니다.
 
 # %% [markdown] lang="en" name="rules-notes" slide="notes"
-# In the panel, let the room give the orders: hang odom below the laser, below itself.
-# Before each lookup, hands: will it answer?
-# The log line for the last one is the only refusal of the hour.
+# In the panel, let the class give the orders: odom below the laser, below itself.
+# Before each lookup, hands: will it succeed?
+# The log line for the last one is the only rejection in this chapter.
 
 # %% [markdown] lang="ko" name="rules-notes" slide="notes"
 # 패널은 청중이 시키는 대로 움직입니다. odom을 레이저 아래에, 자기 자신 아래에 매답니다.
@@ -400,7 +400,7 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 # %% [markdown] lang="en" name="names" slide="slide"
 # ## Names are strings
 #
-# `odom`, `Odom` and `odom` with a space behind it are three frames. And a slash in front?
+# `odom`, `Odom` and `odom` followed by a space are three frames. And a slash in front?
 
 # %% [markdown] lang="ko" name="names" slide="slide"
 # ## 이름은 문자열입니다
@@ -420,8 +420,8 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
         print(f"{type(error).__name__}: {error}")
 
 # %% [markdown] lang="en" name="spellings-seen"
-# One slash is forgiven when you *send*: it is kept as `odom`. It is refused when you *ask*. And `//odom` is kept as `/odom`, a frame that nobody can ever ask for.
-# Other programs forgive nothing: the mapper of the story stops at the first slash. Write names without one.
+# One leading slash is accepted when you *send*: the name is stored as `odom`. It is rejected in a *lookup*. And `//odom` is stored as `/odom`, a frame that no lookup can name.
+# Other programs accept no slash: the mapper of the story stops at the first one. Write names without it.
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *보낼 때* 슬래시 하나는 눈감아 줍니다. `odom`으로 저장합니다. *물을 때는* 거부합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
@@ -430,7 +430,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the dog's loop
 #
-# Body below odom, odom below body, and on the body a head and a back. **Predict** for each: does it answer?
+# The body is a child of odom, odom is a child of the body, and the body has the children head and back. **Predict** for each: does the lookup succeed?
 #
 # - the body in `odom` · the head in `odom` · `odom` in the head · the back in the head
 
@@ -456,8 +456,8 @@ for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("h
 lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
-# Yes, yes, no, no. Two parts bolted to one body cannot find each other, and a head in `odom` can. tf2 climbs from the source; if it meets the target on the way, it stops and answers. Else it goes round and round, and after a thousand steps it gives up with the sentence of the story.
-# So a loop, too, works for some. In a pull request that removed one it says that most ROS code ignores loops, "but some nodes get very upset" (mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
+# Yes, yes, no, no. No transform can be found between two parts of one body, and yet the head in `odom` can be. tf2 climbs from the source. If it reaches the target, it stops and answers. Otherwise it goes round the loop, and after a thousand steps it raises the exception of the story.
+# So a tree with a loop also works for some lookups. A pull request that removed such a loop notes that most ROS code ignores loops, "but some nodes get very upset" (mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
 # *그림 읽기:* again = 이미 나온 좌표계로 되돌아온 곳입니다.
@@ -465,9 +465,9 @@ lesson.draw_walk(dog, "head", "back")
 # 그래서 고리가 있어도 되는 것은 됩니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드는 신경 쓰지 않지만 몇몇 노드는 크게 탈이 난다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
-# Two parts on one body cannot find each other.
-# Let that sink in, then ask why the head in odom works: tf2 stops at the first frame that is the target.
-# A thousand steps are its patience.
+# There is no transform between two parts of one body.
+# Pause, then ask why the head in odom works: tf2 stops at the first frame that is the target.
+# After a thousand steps it gives up.
 
 # %% [markdown] lang="ko" name="loop-notes" slide="notes"
 # 한 몸의 두 부품이 서로를 찾지 못합니다.
@@ -476,11 +476,12 @@ lesson.draw_walk(dog, "head", "back")
 # 참는 것은 천 걸음까지입니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="slide"
-# ## Break it: two owners of one edge
+# ## Break it: two publishers of one edge
 #
-# The node `wheel_odometry` counts the turns of the wheels and publishes `odom → base_footprint`, where the robot is by its wheels. Now a filter is started that reckons with an IMU as well (an EKF, extended Kalman filter), and publishes the same edge. The errors of both grow, each its own way.
-# The cell after the question starts the nodes by name, in a ROS whose time goes on only with `graph.run(seconds=…)`; `place` says where `source` is in `target`.
-# **Predict:** what does a test of five seconds on the bench show?
+# The node `wheel_odometry` calculates the robot's pose from the wheels and publishes it as `odom → base_footprint`. Now a filter is started that also uses an IMU (an EKF, extended Kalman filter), and publishes the same edge. The errors of both grow independently.
+#
+# The cell after the question starts the nodes by name, in a simulation whose time advances only during `graph.run(seconds=…)`. `place` returns the position of `source` in `target`.
+# **Predict:** what does a test of five seconds show?
 
 # %% [markdown] lang="ko" name="two-owners" slide="slide"
 # ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
@@ -523,7 +524,7 @@ for until in (5, 10, 20, 30):
     print(f"after {until:>2} s: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="steps-of-both-seen" tags=["predicted"]
-# At half a metre a second, and with 20 or 30 messages a second, one owner alone would step by about two centimetres. After five seconds the largest step is four: nobody sees that. After half a minute the robot leaps by half a metre. The bench test passes; the drive through the hall does not.
+# At half a metre per second, and with 20 or 30 messages a second, one publisher alone would move the robot by about two centimetres per message. After five seconds the largest step is four: nobody sees that. After half a minute the robot jumps by half a metre. The short test passes; the drive through the hall does not.
 
 # %% [markdown] lang="ko" name="steps-of-both-seen" tags=["predicted"]
 # 0.5 m/s로 달리고 메시지가 1초에 20~30번 오므로, 한 노드만 발행하면 한 번에 2센티미터쯤 움직입니다. 5초까지 가장 큰 변화는 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대에서 한 시험은 통과하지만, 복도를 달리면 드러납니다.
@@ -532,16 +533,16 @@ for until in (5, 10, 20, 30):
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="owners-seen"
-# The *shape* of this tree is flawless: one parent each. What gives it away is the rate, 50 Hz = 20 + 30, and, here, two names. The cure is to choose: let the wheels keep their edge to themselves.
+# The *shape* of this tree is correct: one parent each. What reveals the fault is the rate, 50 Hz = 20 + 30, and, here, two names. The fix is to choose one: only the wheel odometry publishes the edge.
 
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
 # 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 발행률입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
 
 # %% [markdown] lang="en" name="owners-notes" slide="notes"
-# Cover the last column with your hand: with the shape alone nobody could tell.
+# Cover the last column with your hand: from the shape alone nobody could tell.
 # Then the rate: who knows from memory how often their own odometry publishes?
-# Without that number, 50 Hz says nothing.
+# Without that number, 50 Hz tells you nothing.
 
 # %% [markdown] lang="ko" name="owners-notes" slide="notes"
 # 맨 오른쪽 열을 손으로 가립니다.
@@ -563,7 +564,7 @@ for _ in range(250):
 print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="cured-seen"
-# Two centimetres, as driven between two of the filter's thirty messages a second. Then look again, and do not trust the switch alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree alternated still.
+# Two centimetres, the distance driven between two of the filter's thirty messages a second. Check it again afterwards, and do not trust the parameter alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree still alternated.
 
 # %% [markdown] lang="ko" name="cured-seen"
 # 필터가 1초에 서른 번 발행하므로, 한 번에 실제로 달린 만큼인 2센티미터입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 껐는데도 트리가 계속 번갈아 바뀌었습니다.
@@ -571,7 +572,7 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # %% [markdown] lang="en" name="two-robots" slide="slide"
 # ## Two robots, one map
 #
-# A second robot is put beside the first, each in its own [[namespace]] (a word before the names of its nodes and topics), and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
+# A second robot is placed beside the first. Each has its own [[namespace]] (a prefix of the names of its nodes and topics), and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
 # Namespaces do not prefix frames: a frame is a string in a message, and `/tf` is one topic for all.
 
 # %% [markdown] lang="ko" name="two-robots" slide="slide"
@@ -599,7 +600,7 @@ def start_two(shared, apart_s):
 
 
 # %% [markdown] lang="en" name="one-odom-predict"
-# The two stand three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what does somebody see who asks fifty times a second where `robot2/base_footprint` is in `map`? And what if both were started in the same instant?
+# The two robots are three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what do you see if you look up `robot2/base_footprint` in `map` fifty times a second? And if both were started at the same time?
 
 # %% [markdown] lang="ko" name="one-odom-predict"
 # 두 로봇은 3미터 떨어져 서 있고, 같은 길을 달립니다. 두 번째는 30 ms 늦게 시작했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 시작했다면 어떨까요?
@@ -622,16 +623,16 @@ for apart_s in (0.03, 0.0):
     look()
 
 # %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
-# Started apart, `odom` has two owners, and robot2 leaps by more than two metres, again and again. Started together, nothing leaps: the two messages for `odom` bear the same stamp; a buffer keeps both, and answers with the one that came last. But both robots hang below *one* odom, and the wheels of each count from zero there. TF puts robot2 inside robot1, without a word; whoever checks for collisions sees a crash that never happened.
+# Started 30 ms apart, `odom` has two publishers, and robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
 # 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값으로 답하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
 
 # %% [markdown] lang="en" name="fleet-notes" slide="notes"
-# The second run is the worse one, because nothing moves.
+# The second run is the worse one, because nothing jumps.
 # Ask which alarm would go off.
 # None.
-# Then let somebody say what belongs to both robots: the room answers map, and the chapter is done.
+# Then ask which frame belongs to both robots: map, and only map.
 
 # %% [markdown] lang="ko" name="fleet-notes" slide="notes"
 # 더 나쁜 것은 둘째 경우입니다.
@@ -643,7 +644,7 @@ for apart_s in (0.03, 0.0):
 # %% [markdown] lang="en" name="view-frames" slide="slide"
 # ## What view_frames shows, and what it cannot
 #
-# [[view_frames]] listens for five seconds and writes a picture and a text: each edge with its rate, its oldest and newest stamp. Without `-o` the files are dated; with it they have your name.
+# [[view_frames]] receives transforms for five seconds and writes a picture and a text: each edge with its rate, its oldest and newest stamp. Without `-o` the files are named after the date; with it they have the name that you give.
 
 # %% [markdown] lang="ko" name="view-frames" slide="slide"
 # ## view_frames가 보여 주는 것과 보여 주지 못하는 것
@@ -658,7 +659,7 @@ folder = lesson.fresh_folder()
 lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
 
 # %% [markdown] lang="en" name="between-robots-seen"
-# The shape is a fine tree, and from one robot to the other it is two steps, by way of the `odom` that is nobody's.
+# The shape is a correct tree, and the path from one robot to the other has two steps, through the `odom` that belongs to neither.
 
 # %% [markdown] lang="ko" name="between-robots-seen"
 # 모양은 멀쩡한 트리이고, 한 로봇에서 다른 로봇까지는 두 걸음입니다. 누구의 것도 아닌 `odom`을 지나갑니다.
@@ -667,15 +668,15 @@ lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="who-is-it-seen"
-# `view_frames` says `Broadcaster: default_authority` for every edge: a message on `/tf` does not say who sent it. Two owners show only in the sum, 20 Hz where 10 were meant.
-# Our `frame_tree` names the nodes, because here all of them live in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that send on `/tf`, though not which edge each of them sends.
+# `view_frames` prints `Broadcaster: default_authority` for every edge: a message on `/tf` does not contain the name of its sender. Two publishers show only in the rate, 20 Hz where 10 were meant.
+# Our `frame_tree` names the nodes, because here all of them are in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
 
 # %% [markdown] lang="ko" name="who-is-it-seen"
 # `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 보낸 노드의 이름이 없기 때문입니다. 둘이 보내는 것은 합친 발행률로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
 # `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 보내는 노드들을 알 수 있지만, 어느 연결을 보내는지는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="prefixed" slide="subslide"
-# The cure: everything that belongs to one robot carries its prefix, `odom` too. Only what both mean, `map`, stays bare.
+# The fix: every frame of one robot carries its prefix, `odom` too. Only the frame that both share, `map`, has none.
 
 # %% [markdown] lang="ko" name="prefixed" slide="subslide"
 # 고치는 방법은 이렇습니다. 한 로봇에 속한 것에는 `odom`까지 모두 접두사를 붙입니다. 둘이 같은 것을 뜻하는 `map`만 그대로 둡니다.
@@ -691,8 +692,10 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="two-odoms-seen"
-# The robots are where they are, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → odom` with its 10 Hz.
-# In a real launch this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localiser, of each sensor driver, and RViz's Fixed Frame. Forget one, and you have seen what happens.
+# The robots are in their true positions, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → odom` with its 10 Hz.
+# In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, you get the fault above.
+#
+# Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
 # 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 가장 최근의 답도 가장 느린 연결인 10 Hz의 `map → odom`만큼만 새롭기 때문입니다.
@@ -701,31 +704,31 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# A robot's tree has two roots, `map` and `odm`. A colleague asks where the laser is in `base_link`, both below `odm`. What does tf2 say?
+# A robot's tree has two roots, `map` and `odm`. A colleague looks up the laser in `base_link`, both below `odm`. What does tf2 return?
 #
-# 1. An error: a broken tree answers nothing.
-# 2. An error that names `odm`.
+# 1. An exception: no lookup works in a broken tree.
+# 2. An exception that names `odm`.
 # 3. The right answer.
 # 4. The right answer, and a warning in the log.
 #
 # <details><summary>I chose 1</summary>
 #
-# Each island works by itself. That is why such robots pass so many tests.
+# Each part works by itself. That is why such robots pass so many tests.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The error names the two ends of a question that fails, and this one does not fail. Even the one that does never mentions `odm`.
+# The exception names the two frames of a lookup that fails, and this one does not fail. Even the one that does never mentions `odm`.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: up from laser to base_link, one step, and no fault on the way.
+# Yes: up from laser to base_link, one step, and no fault on the path.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# Nobody warns: for tf2 two trees are as good as one. You notice when somebody asks across.
+# There is no warning: tf2 accepts two trees. You notice when a lookup crosses the gap.
 #
 # </details>
 
@@ -769,7 +772,7 @@ rclpy.shutdown()
 # ros2 param get /robot_state_publisher frame_prefix
 # ```
 #
-# `view_frames` sees only its five seconds: what quarrels now and then needs more than one look.
+# `view_frames` sees only its five seconds. A fault that comes and goes needs more than one look.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -785,11 +788,11 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - TF is a dict, child → parent. A question goes up from its source until the ways meet, and down to its target: a [[path]].
+# - TF is a dict, child → parent. A lookup goes up from its source to the first common frame, and down to its target: a [[path]].
 # - One [[root]] is a tree, two are a gap, none is a loop; `set(parents) - set(children)` tells.
-# - tf2 checks no rule when a transform is sent. Only questions fail, and only those that meet the fault; the error names the ends of the question.
-# - A child that is sent with another parent moves. An edge with two owners keeps its shape, and its value goes to and fro: look at the rate.
-# - Names are strings. No slash in front; and all that belongs to one robot carries its [[frame prefix]].
+# - tf2 checks no rule when a transform is sent. Only lookups fail, and only those whose path contains the fault. The error names the frames of the lookup.
+# - A child that is sent with another parent moves. An edge with two publishers keeps its shape, and its value alternates: look at the rate.
+# - Names are strings. Use no slash in front, and give every frame of one robot its [[frame prefix]].
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -803,14 +806,14 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. What are the three parts of a place, and which one does this chapter leave out?
-# 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was sent as it stands, and which was turned round?
-# 3. In the message of an edge, which field holds the parent?
+# 1. What are the three parts of a usable measurement, and which one does this chapter leave out?
+# 2. `camera_T_laser` is `camera_T_base @ base_T_laser`. Which of the two was published as it is, and which is an inverse?
+# 3. In the message of an edge, which field names the parent?
 #
 # <details><summary>Answers</summary>
 #
 # 1. Value, frame, stamp. The stamp: chapter 08 brings it back, and an edge then has a history.
-# 2. `base_T_laser` was sent; `camera_T_base` is the inverse of the edge that was sent, base → camera.
+# 2. `base_T_laser` was published; `camera_T_base` is the inverse of the published edge, base → camera.
 # 3. `header.frame_id`; the child is in `child_frame_id`.
 #
 # </details>
@@ -835,13 +838,13 @@ rclpy.shutdown()
 #
 # What symptoms may appear when two nodes publish the same child in a TF tree? Write three or four sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] tf2 raises no error when a transform is sent: both are stored.
-# - [ ] With one parent, values alternate: the robot trembles or leaps in RViz, more the farther both have drifted apart.
-# - [ ] With two parents, the child moves to and fro between two places in the tree, and questions fail by turns.
+# - [ ] With one parent, values alternate: the robot trembles or jumps in RViz, more the farther both have drifted apart.
+# - [ ] With two parents, the child alternates between two places in the tree, and lookups fail now and then.
 # - [ ] It shows in a rate that is the sum of both, and in the list of publishers, not in the shape of the tree.
-# - [ ] The cure is to choose one owner, and to switch the other off.
+# - [ ] The fix is to choose one publisher, and to switch the other off.
 #
 # </details>
 
@@ -867,7 +870,7 @@ rclpy.shutdown()
 #
 # <details><summary>Compare</summary>
 #
-# The roots: `view_frames`, or one line of Python. Two names; the unexpected one is the misspelt parent, or the edge above it has lost its publisher.
+# The roots: `view_frames`, or one line of Python. There are two names. The unexpected one is the misspelt parent, or a frame whose own edge is no longer published.
 #
 # </details>
 
@@ -884,8 +887,8 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Two minutes on paper.
-# Three piles: roots, the error text, restart.
-# The third pile begins the next lecture.
+# Sort the answers: roots, the error text, restart.
+# Begin the next lecture with the third kind.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 종이에 2분 동안 씁니다.
@@ -893,7 +896,7 @@ rclpy.shutdown()
 # 셋째 더미로 다음 강의를 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides who may say where the robot is.
+# **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
 # After a pass, or three tries, `solution("E4.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 # On a robot this chapter begins two lines of your checklist: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 

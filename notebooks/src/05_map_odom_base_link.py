@@ -1,13 +1,13 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 05 · One may jump, one may drift
+# # 05 · map, odom, base_link
 #
-# **map, odom, base_link** · about 50 minutes · builds on 03 and 04
+# **One may jump, one may drift** · about 50 minutes · builds on 03 and 04
 #
 # After this chapter you can
 #
-# - say which pose is smooth and slowly wrong, which is right and jumps, and use each where it belongs;
-# - compute what a localiser (a node that does [[localisation|localization]]) publishes: `map → odom`, from two poses of one moment;
-# - explain why nobody publishes `map → base_link`, and recognise a robot on which somebody does;
+# - say which pose is smooth but drifts, which is accurate but jumps, and use each where it belongs,
+# - compute what a localiser (a node that does [[localisation|localization]]) publishes: `map → odom`, from two poses of the same time,
+# - explain why no node publishes `map → base_link`, and recognise a robot on which one does,
 # - project a tilted robot onto the floor: `base_footprint`.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -23,7 +23,7 @@
 # - 기울어진 로봇을 바닥으로 투영할 수 있습니다. 그것이 `base_footprint`입니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# One edge carries the chapter: map to odom. Ask now: if the robot knows where it is on the map, why not simply publish that? Collect answers, promise to come back.
+# This chapter is about one edge: map to odom. Ask now: if the robot knows its pose on the map, why not simply publish that? Collect answers, and promise to come back to them.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 이 장의 주인공은 연결 하나, map에서 odom입니다. 먼저 묻습니다. 지도 위의 위치를 안다면 왜 그대로 발행하지 않을까요? 답을 모아 두고 나중에 다시 봅니다.
@@ -34,15 +34,15 @@ from tflab.core import StampedTransform, Transform, seconds
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## The robot that was in two places by turns
+# ## The robot that was in two places
 #
-# A new program matches laser scans to a map, and finds the robot on it, well. So it says what it found: *base_link is here in map*.
-# The wheels have always said: *base_link is there in odom*.
-# In the video the robot flickers between two places, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
+# A new program matches laser scans to a map, and finds the robot on it. So it publishes what it found: *base_link is here in map*.
+# The wheel odometry has always published: *base_link is there in odom*.
+# In the video the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
 #
-# Both told the truth. But a [[frame]] has one parent, and they gave it two; whoever spoke last was right for a moment.
-# Its author was in good company: the same was proposed for two of the most used localisers before (2014, 2021), and cured the same way.
-# The cure is this chapter's one edge, `map → odom`.
+# Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided, until the next one came.
+# Its author was in good company: the same was proposed for two of the most used localisers before (2014, 2021), and fixed in the same way.
+# The fix is the one edge of this chapter, `map → odom`.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 번갈아 두 곳에 있던 로봇
@@ -56,8 +56,8 @@ from tflab.workbook import lesson
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Both nodes told the truth: repeat that until it hurts.
-# Then ask for a way out, and take every proposal seriously: average them, let the better one win, switch by turns.
+# Both nodes published correct values. Say that twice.
+# Then ask for a solution, and take every proposal seriously: average them, prefer the better one, alternate.
 # The last is what tf2 does by itself.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
@@ -68,7 +68,7 @@ from tflab.workbook import lesson
 # 마지막 것은 tf2에서 저절로 일어나는 일입니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
+# *Read the reports:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87), robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23), hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67), [REP-105](https://ros.org/reps/rep-0105.html).
@@ -76,10 +76,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# A robot drives laps for a minute, half a metre a second. One of its wheels is 1 % larger than it thinks. Every five seconds a localiser looks at the walls and corrects the pose on the map.
+# A robot drives laps for a minute, at half a metre per second. One of its wheels is 1 % larger than the odometry assumes. Every five seconds a localiser matches a scan to the map and corrects the pose.
 #
 # 1. Which pose is **farther off** at worst: the one in `odom`, or the one in `map`?
-# 2. Which pose takes the **larger steps**?
+# 2. Which pose has the **larger steps**?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -90,7 +90,7 @@ from tflab.workbook import lesson
 # 2. 어느 포즈가 한 번에 **더 크게** 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Hands for both questions. "map is better in both" is the answer to wait for: it is half right.
+# Hands for both questions. The common answer is "map is better in both". It is half right.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 두 질문 모두 손을 들게 합니다. "둘 다 map이 낫다"가 기다리는 답입니다. 반만 맞습니다.
@@ -118,13 +118,13 @@ truth = np.array([robot.truth_at(seconds(t))['base_footprint'].translation for t
 lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 
 # %% [markdown] lang="en" name="three-pens-seen" tags=["predicted"]
-# Left, from above: the broad grey way is the truth. Right: how far from one sample to the next, and how far from the truth.
+# On the left, from above: the broad grey line is the true path. The right-hand plots show the distance between consecutive samples, and the error.
 #
 # - The pose in [[odom]] never takes a step that the robot did not drive, and after a minute it is three metres off. It **drifts**.
-# - The pose in [[map]] is never more than a quarter of a metre off, and it leaps each time it is corrected. It **jumps**.
+# - The pose in [[map]] is never more than a quarter of a metre off, and it jumps each time it is corrected. It **jumps**.
 #
-# Neither is wrong. [[rep-105]], the agreement on these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
-# The first half is a promise of whoever publishes it: an odometry that is corrected in one step jumps in `odom`, too.
+# Neither is wrong. [[rep-105]], the convention for these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
+# The publisher has to keep this promise: an odometry that is corrected in one step jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
@@ -138,7 +138,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="en" name="three-pens-notes" slide="notes"
 # Point at one jump in the left picture and find it in both curves on the right.
 # Then ask the two questions again, as they were predicted.
-# Nobody is right with the same answer twice.
+# The two answers are different frames.
 
 # %% [markdown] lang="ko" name="three-pens-notes" slide="notes"
 # 왼쪽 그림에서 튀는 곳 하나를 짚고, 오른쪽 두 곡선에서 찾게 합니다.
@@ -146,7 +146,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # 같은 답을 두 번 써서 맞힌 사람은 없습니다.
 
 # %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
-# What would a controller see that takes the pose in `map` and works out its speed from it?
+# Suppose a controller estimates the speed from the pose in `map`. What would it see?
 
 # %% [markdown] lang="ko" name="speed-of-a-jump" slide="subslide"
 # 제어기가 `map` 기준 포즈로 속도를 계산한다면 무엇을 보게 될까요?
@@ -157,7 +157,7 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
     print(f'{name:<5} fastest {speed.max():.2f} m/s')
 
 # %% [markdown] lang="en" name="speeds-notes" slide="notes"
-# Ask somebody who has tuned a controller what it would do at 2.4 m/s on a robot that drives half a metre a second.
+# Ask somebody who has tuned a controller what it would do at 2.4 m/s on a robot that drives half a metre per second.
 # It brakes.
 # That is the jerk in the corridor that everybody has seen.
 
@@ -168,15 +168,15 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # 복도에서 로봇이 움찔하는 까닭입니다.
 
 # %% [markdown] lang="en" name="speeds-seen"
-# A robot that does half a metre a second seems to do almost two and a half. Brake on that, and you know where the jerks come from.
+# A robot that drives half a metre per second seems to drive almost two and a half. A controller that brakes because of that makes the robot jerk.
 
 # %% [markdown] lang="ko" name="speeds-seen"
 # 0.5 m/s로 달리는 로봇이 순간 2.4 m/s로 달리는 것처럼 보입니다. 이 값으로 제동하면 로봇이 덜컥거립니다.
 
 # %% [markdown] lang="en" name="who-moves" slide="slide"
-# ## Who moves when it jumps?
+# ## What moves when it jumps?
 #
-# Between 26.0 and 26.1 s the localiser corrects the pose. **Predict** for each: does it leap, or not?
+# Between 26.0 and 26.1 s the localiser corrects the pose. **Predict** for each: does it jump, or not?
 #
 # - the robot in `odom` · `odom` in `map` · the robot in `map`
 
@@ -195,9 +195,9 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
     print(f'{child:<15} in {parent:<5} slides {step:.2f} m, turns {turn:+.2f} rad')
 
 # %% [markdown] lang="en" name="around-the-jump-seen" tags=["predicted"]
-# In `odom` the robot moved five centimetres, as driven: a correction never touches [[odometry]].
-# What leapt is **`odom` itself, in `map`**, and with it everything that hangs below: the robot too.
-# Note the turn: two tenths of a radian. The correction is no "shift by the drift". It moves and turns the whole of odom, about odom's own origin.
+# In `odom` the robot moved five centimetres, as driven: a correction never changes [[odometry]].
+# What jumped is **`odom` itself, in `map`**, and with it all its descendants, the robot too.
+# Note the rotation: 0.2 rad. The correction is not just a shift by the drift. It moves and rotates the whole of odom, about odom's own origin.
 
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
 # `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 건드리지 않습니다.
@@ -205,7 +205,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # 회전을 보세요. 0.2 rad입니다. 보정은 "틀어진 만큼 밀기"가 아닙니다. odom 전체를, odom의 원점을 중심으로 옮기고 돌립니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
-# In 3D, seen from the map: move the scrubber, and watch the frame `odom`. It stands still, and then leaps.
+# In 3D, seen from the map: move the slider, and watch the frame `odom`. It stands still, and then jumps.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 지도에서 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 보세요. 가만히 있다가 갑자기 튑니다.
@@ -233,8 +233,8 @@ lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye
 # %% [markdown] lang="en" name="the-sum" slide="slide"
 # ## What a localiser publishes
 #
-# It measures `map_T_base`, where the robot is on the map. TF knows `odom_T_base`, from the wheels.
-# The localiser wants the tile that is missing between them. Lay the dominoes: [map | base] [base | odom] = [map | odom].
+# It measures `map_T_base`, the robot's pose on the map. TF has `odom_T_base`, from the wheel odometry.
+# The localiser needs the transform between the two: `map_T_odom`. Lay the dominoes: [map | base] [base | odom] = [map | odom].
 
 # %% [markdown] lang="ko" name="the-sum" slide="slide"
 # ## 위치 추정 노드가 발행하는 것
@@ -256,7 +256,7 @@ print('computed ', lesson.fmt_all(computed.translation), f'yaw {computed.rpy()[2
 print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {pose("map", "odom", t).rpy()[2]:+.3f} rad')
 
 # %% [markdown] lang="en" name="same-moment" slide="subslide"
-# Both poses must be of **one moment**: the stamp of the scan that was matched. **Predict:** the wheels' pose is a tenth of a second older, in a bend. How far off is `map → odom`?
+# Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the odometry's pose is a tenth of a second older, in a curve. How far off is `map → odom`?
 
 # %% [markdown] lang="ko" name="same-moment" slide="subslide"
 # 두 포즈는 **같은 시각**의 것이어야 합니다. 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 굽은 길에서 바퀴의 포즈가 0.1초 오래되었다면 `map → odom`은 얼마나 틀릴까요?
@@ -268,8 +268,8 @@ off = right.inverse() @ late
 print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} rad')
 
 # %% [markdown] lang="en" name="another-moment-seen" tags=["predicted"]
-# A third of a metre, from a tenth of a second: the turn that lies between the two poses goes into the edge and swings odom about the robot. Its origin, three and a half metres away, slides by that much.
-# A famous estimator mended just this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
+# A third of a metre, from a tenth of a second. The rotation between the two poses ends up in `map → odom` and swings `odom` around the robot. Its origin, three and a half metres away, moves by that much.
+# A well-known estimator fixed exactly this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
 # 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 돌아갑니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
@@ -277,8 +277,8 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 
 # %% [markdown] lang="en" name="same-moment-notes" slide="notes"
 # A tenth of a second, a third of a metre.
-# Before you say why, let them draw it: turn the robot by three degrees and look at what happens to a point three metres away.
-# The stamp is part of the sum.
+# Before you say why, let them draw it: rotate the robot by three degrees and look at what happens to a point three metres away.
+# The stamp is part of the calculation.
 
 # %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
 # 0.1초에 0.33 m입니다.
@@ -289,8 +289,8 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="en" name="what-where" slide="slide"
 # ## What to keep in which frame
 #
-# An obstacle stands one metre ahead. You remember it for a tenth of a second, once by its numbers in `map`, once by its numbers in `odom`. Meanwhile the correction comes.
-# And a goal is kept for a while, by its numbers in `odom`.
+# An obstacle is one metre ahead. You remember it for a tenth of a second, once by its coordinates in `map`, once in `odom`. Meanwhile the correction comes.
+# And a goal is kept for longer, by its coordinates in `odom`.
 
 # %% [markdown] lang="ko" name="what-where" slide="slide"
 # ## 무엇을 어느 좌표계에 둘까요?
@@ -314,11 +314,11 @@ for later in (20.0, 50.0):
 # %% [markdown] lang="en" name="what-where-seen" tags=["predicted"]
 # | keep in | what | because |
 # |---|---|---|
-# | `odom` | what I just saw, the next half metre, speeds | it is smooth, and young numbers have not drifted |
+# | `odom` | recent obstacles, the next half metre, speeds | it is smooth, and recent coordinates have not drifted |
 # | `map` | goals, rooms, the dock for tomorrow | it does not drift |
-# | `base_link` | what is bolted on | it drives along |
+# | `base_link` | what is mounted on the robot | it moves with the robot |
 #
-# "Odom is wrong because it drifts" costs you the smooth one; "map is better" costs you the jerks.
+# If you avoid `odom` because it drifts, you lose the smooth pose. If you use `map` for everything, you get the jumps.
 
 # %% [markdown] lang="ko" name="what-where-seen" tags=["predicted"]
 # | 두는 곳 | 무엇을 | 이유 |
@@ -330,8 +330,8 @@ for later in (20.0, 50.0):
 # "odom은 흐르니까 틀렸다"고 하면 매끄러운 쪽을 잃고, "map이 더 낫다"고 하면 덜컥거립니다.
 
 # %% [markdown] lang="en" name="what-where-notes" slide="notes"
-# Let the room fill the table before you scroll to it: call out jobs, they call back a frame.
-# Dock, next half metre, bolt of the laser, goal.
+# Let the class fill the table before you scroll to it: call out an item, and they call back a frame.
+# Dock, next half metre, mount of the laser, goal.
 # Stop at every disagreement; there will be one about obstacles.
 
 # %% [markdown] lang="ko" name="what-where-notes" slide="notes"
@@ -342,10 +342,10 @@ for later in (20.0, 50.0):
 # 장애물에서 한 번 갈립니다.
 
 # %% [markdown] lang="en" name="footprint" slide="slide"
-# ## base_footprint: the robot's shadow on the floor
+# ## base_footprint: the robot's projection onto the floor
 #
-# `base_link` rides on the body: it has height, and it tilts on a ramp. [[base_footprint]] is its shadow on the floor: x, y and yaw only.
-# The nose goes up by 10°. What the laser sees at (2.2, 0, 0.15) in `base_link`, where is it above the floor?
+# `base_link` is fixed to the body: it has height, and it tilts on a ramp. [[base_footprint]] is its projection onto the floor: x, y and yaw only.
+# The nose goes up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
 
 # %% [markdown] lang="ko" name="footprint" slide="slide"
 # ## base_footprint: 바닥에 비친 로봇
@@ -363,8 +363,8 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
            fixed_frame='base_footprint', length_m=0.5)
 
 # %% [markdown] lang="en" name="nose-up-seen"
-# 0.63 m above the floor. A robot that takes itself for level says 0.25 m, and takes the middle of a wall for a step.
-# On our robot the wheels publish `odom → base_footprint`, and `base_link` hangs below it. On others it is the other way round. Read what your robot says, and never publish both.
+# 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake the wall for a low step.
+# On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have no `base_footprint`, or have it as a child of `base_link`. Check which edge your robot publishes, and never publish both.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* seen = 레이저가 본 점입니다.
@@ -372,8 +372,8 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
-# Tilt a book with a pen on it: where is the pen's tip above the table?
-# Then the question of the chapter for a real robot: which of the two frames do your wheels publish?
+# Tilt a book with a pen on it: how high is the pen's tip above the table?
+# Then the question for a real robot: which of the two frames does your odometry publish?
 
 # %% [markdown] lang="ko" name="footprint-notes" slide="notes"
 # 책 위에 펜을 올리고 기울입니다.
@@ -384,7 +384,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# A scan matcher (a program that fits a scan to the map) returns `map_T_laser` for the scan's stamp; TF has `odom_T_base` and `base_T_laser` for the same moment. Fill the two blanks.
+# A scan matcher (a program that fits a scan to the map) returns `map_T_laser` for the scan's stamp. TF has `odom_T_base` and `base_T_laser` for the same time. Fill in the two blanks.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
@@ -414,12 +414,12 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # </details>
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: the truth, published
+# ## Break it: publish the pose in map
 #
-# Now do what the program of the story did. The localiser is told to keep its edge to itself, and a node says where the robot is in `map`, ten times a second.
-# A listener asks a thousand times in ten seconds, for the robot in `map` and in `odom`.
+# Now do what the program of the story did. The localiser stops publishing its edge, and another node publishes the robot's pose in `map`, ten times a second.
+# A listener looks up the robot a thousand times in ten seconds, in `map` and in `odom`.
 #
-# **Predict:** how often do *both* answer? Always, half the time, never?
+# **Predict:** how often do *both* lookups succeed? Always, half the time, never?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 사실을 그대로 발행하기
@@ -481,17 +481,17 @@ for _ in range(1000):
 print(answered)
 
 # %% [markdown] lang="en" name="counted" tags=["predicted"]
-# Half the time the robot is on the map, half the time on its wheels, and never on both. Nobody raises an error for that: two truths take turns.
-# Who asks at the wrong half hears this:
+# Half the time the robot is in `map`, half the time in `odom`, and never in both. No node raises an error: two correct values alternate.
+# If you look up at the wrong time, you get:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
 # 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 이어져 있고, 둘 다에 이어진 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
 # 하필 다른 쪽에 이어져 있을 때 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
-# Read the three numbers slowly: half, half, nought.
-# The proposals of the first slide are on the table again; this is what switching by turns costs.
-# Nobody raised an error.
+# Read the three numbers slowly: half, half, zero.
+# Remember the proposals of the first slide: this is what alternating costs.
+# There was no error.
 
 # %% [markdown] lang="ko" name="counted-notes" slide="notes"
 # 세 숫자를 천천히 읽습니다.
@@ -510,7 +510,7 @@ for _ in range(10):
         break
 
 # %% [markdown] lang="en" name="tree-of-it"
-# And the tree says it plainly, if one asks for owners and not only for shapes:
+# The tree shows it clearly once it lists the publisher of each transform:
 
 # %% [markdown] lang="ko" name="tree-of-it"
 # 트리에서 모양뿐 아니라 발행 책임까지 보면 분명해집니다.
@@ -519,7 +519,9 @@ for _ in range(10):
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="cure"
-# The cure costs one line: publish `map_to_odom(map_T_base, odom_T_base)` under the stamp of the scan, and leave `base_footprint` to the wheels.
+# The figure counts 32.1 Hz beside one node. A child has one cache in the buffer, so the rate counts both publishers, and the name is that of the last one. ROS 2's `view_frames` counts in the same way.
+#
+# The fix is one line: publish `map_to_odom(map_T_base, odom_T_base)` with the stamp of the scan, and leave `base_footprint` to the wheel odometry.
 
 # %% [markdown] lang="ko" name="cure"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 두 줄은 트리가 둘로 나뉘었고 base_footprint의 부모가 둘이라는 경고입니다.
@@ -538,22 +540,22 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # <details><summary>I chose 1</summary>
 #
-# Accurate on average, and with a leap at each correction, which the controller takes for a push. The next half metre does not care where the room is.
+# It is accurate on average, but it jumps at each correction, and the controller reacts to the jump. The next half metre does not depend on the map.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# Yes: each step in odom is one that the robot drove. Over half a metre nothing drifts enough to matter.
+# Yes: each step in odom is one that the robot drove. Over half a metre the drift is too small to matter.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# True, and of no use: in base_link the robot never moves, so there is nothing to control by.
+# True, but useless: in base_link the robot never moves, so there is nothing to control.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# Then it changes frames in mid-drive, with a jump each time: the flicker of the story, by your own hand.
+# Then the controller changes frames while it drives, with a jump each time. That is the flicker of the story.
 #
 # </details>
 
@@ -592,12 +594,12 @@ lesson.frame_tree(graph, seconds=1.0)
 # ## On a real robot
 #
 # ```
-# ros2 run tf2_ros tf2_echo map odom               # stands still, then steps
-# ros2 run tf2_ros tf2_echo odom base_footprint    # runs smoothly, and slowly away
+# ros2 run tf2_ros tf2_echo map odom               # constant, then a jump
+# ros2 run tf2_ros tf2_echo odom base_footprint    # smooth, and slowly drifting
 # ros2 param get /amcl tf_broadcast                # who publishes map -> odom
 # ```
 #
-# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap, its map of obstacles nearby, has `global_frame: odom`, the global one `map`; robot_localization calls its choice `world_frame`.
+# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap, its map of obstacles nearby, has `global_frame: odom`, the global one `map`. robot_localization calls its choice `world_frame`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -619,10 +621,10 @@ rclpy.shutdown()
 # ## What to keep
 #
 # - [[odom]] is smooth and drifts. [[map]] does not drift and jumps. Use each for what it is good at.
-# - A correction moves and turns `odom` in `map`; odometry itself is never touched.
-# - `map_T_odom = map_T_base @ odom_T_base.inverse()`, both of one stamp.
-# - A frame has one parent. Publishing `map → base_link` beside the wheels makes two truths take turns, without an error.
-# - [[base_footprint]] is the shadow on the floor: x, y, yaw.
+# - A correction moves and rotates `odom` in `map`; odometry itself never changes.
+# - `map_T_odom = map_T_base @ odom_T_base.inverse()`, both at one stamp.
+# - A frame has one parent. If a node publishes `map → base_link` beside the odometry, two values alternate, without an error.
+# - [[base_footprint]] is the projection onto the floor: x, y, yaw.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -636,15 +638,15 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. Why is (6.5, −1.5) in `map` good tomorrow, and 3.60 m in `base_link` not even on arrival?
-# 2. A second node hangs `base_link` below `map`. What does tf2 say to that, and what becomes of the tree?
-# 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of two published edges turned round?
+# 1. Why is (6.5, −1.5) in `map` still correct tomorrow, and 3.60 m in `base_link` wrong on arrival?
+# 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
+# 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
 #
 # <details><summary>Answers</summary>
 #
-# 1. A thing at rest keeps its numbers in the frame in which it rests; the robot drove on.
-# 2. Nothing: it checks no rule when a transform is sent. The child moves to whoever spoke last (chapter 04).
-# 3. `base_T_odom @ odom_T_map`: the order turns round too.
+# 1. An object at rest keeps its coordinates in the frame in which it rests; the robot drove on.
+# 2. Nothing: it checks no rule when a transform is sent. The child moves to the parent of the last message (chapter 04).
+# 3. `base_T_odom @ odom_T_map`: the order is reversed, too.
 #
 # </details>
 
@@ -666,26 +668,26 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice questions · Q5 and Q6
 #
-# **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that stand still? Write four or five sentences.
+# **5.** What does each of `map`, `odom` and `base_link` promise, and why are there two frames that are fixed in the world? Write four or five sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] `odom → base_link` comes from odometry: continuous, good for a short time, and it drifts without bound.
 # - [ ] `map` is fixed in the world over a long time, and the robot's pose in it may jump when it is corrected.
-# - [ ] Control and obstacles of the last seconds belong into `odom`, goals into `map`.
+# - [ ] Use `odom` for control and for recent obstacles, `map` for goals.
 # - [ ] One frame cannot be continuous and free of drift at once, so there are two.
-# - [ ] `base_link` is bolted to the robot; sensors hang below it.
+# - [ ] `base_link` is fixed to the robot; sensors are its descendants.
 #
 # </details>
 #
 # **6.** Why does a localiser publish `map → odom` and not `map → base_link`? Write three or four sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
-# - [ ] A frame has one parent; `base_link` hangs below `odom` already, by the wheels.
-# - [ ] Two parents do not raise an error: the tree changes back and forth.
-# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` holds the correction, and both chains stay.
-# - [ ] Both poses of that product belong to the same stamp.
+# - [ ] A frame has one parent; `base_link` is a child of `odom` already, by the wheel odometry.
+# - [ ] Two parents do not raise an error: the tree alternates.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and both chains remain.
+# - [ ] Both poses of that product are of the same stamp.
 #
 # </details>
 
@@ -718,11 +720,11 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > The localiser finds that the robot is 20 cm from where `map` had it. Which edge changes, whose numbers stay what they were, and who must not notice?
+# > The localiser finds that the robot is 20 cm from its pose in `map`. Which edge changes, which values stay the same, and which program must not be affected?
 #
 # <details><summary>Compare</summary>
 #
-# `map → odom` changes. `odom → base_link` and all mounts stay. Whoever steers by `odom` must not notice.
+# `map → odom` changes. `odom → base_link` and all mounts stay the same. A controller that uses `odom` must not be affected.
 #
 # </details>
 
@@ -739,7 +741,7 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Two minutes.
-# Whoever writes that odometry is corrected has not given up the first idea: pair them with somebody who has.
+# If somebody writes that odometry is corrected, they still have the first idea: pair them with somebody who has not.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분입니다.
@@ -747,7 +749,7 @@ rclpy.shutdown()
 # 버린 사람과 짝을 지어 줍니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), which asks who says where things are, and how often.
+# **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
 # After a pass, or three tries, `solution("E5.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
