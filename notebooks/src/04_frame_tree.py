@@ -698,8 +698,10 @@ rclpy.shutdown()
 # Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
-# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 가장 최근의 답도 가장 느린 연결인 10 Hz의 `map → odom`만큼만 새롭기 때문입니다.
+# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 조회의 값도 가장 느린 연결인 10 Hz의 `map → odom`만큼만 새롭기 때문입니다.
 # 실제 launch 파일에서는 여러 곳의 파라미터입니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 Fixed Frame입니다. 하나를 잊으면 방금 본 일이 일어납니다.
+#
+# 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정이 `map`을 두고 어긋날 일이 없습니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint

@@ -369,7 +369,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* seen = 레이저가 본 점입니다.
 # 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽 한가운데를 낮은 턱으로 착각합니다.
-# 우리 로봇에서는 바퀴가 `odom → base_footprint`를 발행하고 `base_link`가 그 아래에 있습니다. 반대인 로봇도 있습니다. 내 로봇이 무엇을 발행하는지 읽고, 둘 다 발행하지는 마십시오.
+# 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 아예 없거나 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 어느 연결을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
 # Tilt a book with a pen on it: how high is the pen's tip above the table?
@@ -524,9 +524,11 @@ lesson.frame_tree(graph, seconds=1.0)
 # The fix is one line: publish `map_to_odom(map_T_base, odom_T_base)` with the stamp of the scan, and leave `base_footprint` to the wheel odometry.
 
 # %% [markdown] lang="ko" name="cure"
-# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 두 줄은 트리가 둘로 나뉘었고 base_footprint의 부모가 둘이라는 경고입니다.
+# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
 #
-# 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴에 맡기십시오.
+# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
+#
+# 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴 오도메트리 노드에 맡기십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint

@@ -1,13 +1,13 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 06 · Say it once, or say it all the time?
+# # 06 · Static and dynamic
 #
-# **Static and dynamic** · about 60 minutes · builds on 03 and 04
+# **Publish it once, or all the time?** · about 60 minutes · builds on 03 and 04
 #
 # After this chapter you can
 #
-# - decide for each edge whether it belongs on `/tf_static` or on `/tf`, and say what the wrong choice costs;
-# - say what a listener knows that joins late, and what is left when a publisher stops;
-# - publish a [[static transform]] from the command line, and both kinds from Python;
+# - decide for each edge whether it belongs on `/tf_static` or on `/tf`, and say what the wrong choice costs,
+# - say what a listener receives that joins late, and what remains when a publisher stops,
+# - publish a [[static transform]] from the command line, and both kinds from Python,
 # - find out that a robot slides sideways although RViz shows a perfect circle.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -23,7 +23,7 @@
 # - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Two pictures carry the hour: a notice board and a radio. Ask: how do you tell a room something that never changes, if people come in late? And something that changes all the time?
+# Two pictures are enough for this chapter: a notice board and a radio. Ask: how do you tell a class something that never changes, if people come in late? And something that changes all the time?
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 이 시간은 그림 두 개로 끌고 갑니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 늦게 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
@@ -35,13 +35,12 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Four cameras, and one that was left
 #
-# A program finds out where the cameras of a room are bolted, one after the other, and publishes each when it is done. RViz shows them all.
+# A program calibrates the mounts of four cameras in a room, one after the other, and publishes each when it is done. RViz shows them all.
 # Then somebody closes RViz and opens it again: **one** camera is left (Ikerlan-KER/extrinsic_calibrator, 2025).
+# A hundred frames that were sent in a loop had the same problem, and the library itself was changed because of it (ros2/geometry2, 2023).
 #
-# A hundred frames sent in a loop went the same way, and the library itself was changed because of it (ros2/geometry2, 2023).
-# Another driver took no chances. It sent where its laser is bolted about 110 times a second, lest RViz call it old (ouster-ros, 2023).
-#
-# One said too little, the other said it all the time. This chapter is about what lies between.
+# Another driver did the opposite. It published its laser's mount about 110 times a second, so that RViz would not call it old (ouster-ros, 2023).
+# The first published too little, the second too much. This chapter shows what is right.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 카메라 네 대, 그리고 남은 한 대
@@ -57,7 +56,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask who has closed RViz and opened it again because something was missing.
 # Here that made it worse.
-# Collect guesses: where are the other three cameras kept?
+# Collect guesses: where are the other three cameras stored?
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 무언가 보이지 않아 RViz를 껐다 켜 본 사람이 있는지 묻습니다.
@@ -66,7 +65,7 @@ from tflab.workbook import lesson
 # 추측을 모읍니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
+# *Read the reports:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2), geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634), ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
@@ -74,10 +73,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** does an RViz know that is opened afterwards: none, one or all four?
-# 2. The program is stopped with Ctrl-C. **Who** still knows the cameras: everybody, nobody, or those who heard them before?
-# 3. A lift rises for two seconds to 0.5 m and says so, and at 3 s it falls silent. It stays where it is. Somebody asks for its height at 5 s. **What** is the answer?
-# 4. The lecture's robot drives a circle. **Which way** does it drive, as seen from its own seat: forward, backward, left or right?
+# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** of them does an RViz receive that is opened afterwards: none, one or all four?
+# 2. The program is stopped with Ctrl-C. **Which listeners** still have the cameras: all, none, or those that received them before?
+# 3. A lift rises for two seconds to 0.5 m and publishes its height. At 3 s it stops publishing. It stays where it is. A node looks up its height at 5 s. **What** is the answer?
+# 4. The lecture's robot drives a circle. **In which direction** does it drive in its own frame: forward, backward, left or right?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -88,7 +87,7 @@ from tflab.workbook import lesson
 # 4. 강의 자료의 로봇이 원을 그리며 달립니다. 로봇에 앉은 사람이 보기에 **어느 쪽**으로 갈까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Four shows of hands. Write the numbers on the board and leave them there: each comes back. To 4 nearly everybody says forward.
+# Four shows of hands. Write the numbers on the board and leave them there: you need each of them again. To 4 nearly everybody says forward.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 네 번 손을 들게 하고 숫자를 칠판에 남겨 둡니다. 하나씩 다시 나옵니다. 4번에는 거의 모두가 앞이라고 합니다.
@@ -97,14 +96,14 @@ from tflab.workbook import lesson
 cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 
 # %% [markdown] lang="en" name="board" slide="slide"
-# ## The board
+# ## The notice board
 #
-# What is bolted on does not move, so one message is enough, if it is kept for those who come later.
-# That is what `/tf_static` is for: each publisher has a **notice board**, and its message hangs there. Whoever joins reads it first.
+# A mount does not change, so one message is enough, if it is kept for listeners that join later.
+# That is what `/tf_static` is for. Think of a **notice board**: each publisher has one, and its last message hangs there. A listener that joins reads the board first.
 #
-# The board is a promise about delivery, a part of the [[qos|quality of service]]. Its name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. How many messages hang there is the `depth`. On `/tf_static` it is **one**.
+# The board is a part of the [[qos|quality of service]] of a topic. Its ROS name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. The `depth` is the number of messages that it keeps. On `/tf_static` it is **one**.
 #
-# Here is the program of the story, and a function that joins as a listener.
+# Here is the program of the story, and a function that creates a listener.
 
 # %% [markdown] lang="ko" name="board" slide="slide"
 # ## 게시판
@@ -160,8 +159,8 @@ def listen(name):
     return buffer
 
 # %% [markdown] lang="en" name="early-and-late"
-# `early` is there before the program starts, `late` joins when all four have been sent.
-# (`graph` is this page's little ROS 2 world; `graph.run` lets virtual time pass.)
+# `early` exists before the program starts, `late` joins when all four have been sent.
+# (`graph` is this page's simulation; `graph.run` lets simulated time pass.)
 
 # %% [markdown] lang="ko" name="early-and-late"
 # `early`는 프로그램보다 먼저 와 있고, `late`는 네 개를 모두 보낸 뒤에 옵니다.
@@ -179,9 +178,9 @@ print('early:', *early.all_frames_as_string().splitlines(), sep='\n')
 print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 
 # %% [markdown] lang="en" name="two-listeners-seen" tags=["predicted"]
-# `early` knows four cameras, `late` knows **one**. Not nought: there is a board. Not four: it holds the last message only.
+# `early` has four cameras, `late` has **one**. Not zero, because there is a board. Not four, because the board keeps only the last message.
 #
-# The same as a picture. A circle is a message, and it is filled if the listener heard it. The strip is the board, and what hangs on it.
+# The same as a picture. A circle is a message; it is filled if the listener received it. The strip is the board, and what it holds.
 
 # %% [markdown] lang="ko" name="two-listeners-seen" tags=["predicted"]
 # `early`는 카메라 네 대를, `late`는 **한 대**를 압니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
@@ -190,9 +189,9 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 
 # %% [markdown] lang="en" name="two-listeners-notes" slide="notes"
 # Do it with paper: four notes, one nail.
-# Each new note goes over the last.
+# Each new note covers the last.
 # Somebody who comes in now reads one.
-# Not nought, and not four: both halves of the class were wrong in their own way.
+# Not zero, and not four: both halves of the class were wrong in their own way.
 
 # %% [markdown] lang="ko" name="two-listeners-notes" slide="notes"
 # 종이로 해 봅니다.
@@ -208,9 +207,9 @@ one_by_one = lesson.Sender('calibrator', letters)
 lesson.draw_joins([one_by_one], join_s=3.0, until_s=6.0)
 
 # %% [markdown] lang="en" name="all-at-once" slide="subslide"
-# ### The cure: all in one message
+# ### The fix: all in one message
 #
-# `StaticTransformBroadcaster` is the [[broadcaster]] that brings such a board along, and `sendTransform` takes a list. So collect first, and send once.
+# `StaticTransformBroadcaster` is the [[broadcaster]] that has such a board, and `sendTransform` takes a list. So collect first, and send once.
 
 # %% [markdown] lang="ko" name="all-at-once" slide="subslide"
 # ### 고치는 방법: 한 메시지에 모두
@@ -234,15 +233,15 @@ print(later.all_frames_as_string())
 # %% [markdown] lang="en" name="in-a-loop"
 # <details><summary>Deeper: and sendTransform in a loop?</summary>
 #
-# Then it depends. One broadcaster that sends `camera_1`, `camera_2` … one at a time:
+# Then it depends on the release. One broadcaster sends `camera_1`, `camera_2` … one at a time:
 #
-# | ROS 2, Python | a late listener knows | a child that is sent again |
+# | ROS 2, Python | a late listener receives | a child that is sent again |
 # |---|---|---|
-# | Humble | the last one | hangs alone on the board |
+# | Humble | the last one | is the only one on the board |
 # | Jazzy | all | is **ignored**: the old value stays |
 # | Rolling, and C++ everywhere | all | replaces the old value |
 #
-# One list in one call is right on all of them. On Jazzy, a mount that was measured anew needs a new broadcaster.
+# One list in one call is right on all of them. On Jazzy, a mount that was measured again needs a new broadcaster.
 #
 # </details>
 
@@ -262,9 +261,9 @@ print(later.all_frames_as_string())
 # </details>
 
 # %% [markdown] lang="en" name="who-holds-it" slide="slide"
-# ## The board hangs on its publisher
+# ## The board belongs to its publisher
 #
-# Now the program is stopped, as by Ctrl-C. `later` has heard the cameras. `newcomer` joins after the end.
+# Now the program is stopped, as by Ctrl-C. `later` has received the cameras. `newcomer` joins after the end.
 
 # %% [markdown] lang="ko" name="who-holds-it" slide="slide"
 # ## 게시판은 발행자에게 달려 있습니다
@@ -283,12 +282,12 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="ctrl-c-seen" tags=["predicted"]
-# Nothing "in ROS" stores a static transform. The board hangs in the publisher's process and goes with it: `Publisher count: 0`.
-# Whoever heard the message keeps it, for any time, even for second 1000. Whoever comes later hears nothing.
+# Nothing "in ROS" stores a static transform. The board is in the publisher's process and ends with it: `Publisher count: 0`.
+# A listener that received the message keeps it, for all times, even for 1000 s. A listener that joins later receives nothing.
 #
-# So a static publisher has to stay alive. That is why the lecture's node does nothing but `spin` after it has sent its one message. "Late listeners receive it" holds while the publisher lives.
+# So a static publisher has to stay alive. That is why the lecture's node only calls `spin` after it has sent its one message. "Late listeners receive it" is true while the publisher lives.
 #
-# And this is what `newcomer` says when somebody asks it for a camera:
+# And this is what `newcomer` raises if you look up a camera:
 
 # %% [markdown] lang="ko" name="ctrl-c-seen" tags=["predicted"]
 # 정적 변환을 "ROS가" 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
@@ -300,7 +299,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="en" name="ctrl-c-notes" slide="notes"
 # Take the board off the wall and carry it out with you.
-# Who read it still knows; who comes in now finds an empty wall.
+# Those who read it still know; those who come in now find an empty wall.
 # Ask what that means for a launch file whose static publisher has crashed.
 
 # %% [markdown] lang="ko" name="ctrl-c-notes" slide="notes"
@@ -314,12 +313,12 @@ except TransformException as error:
     print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="volatile" slide="slide"
-# ## Both have to want the board
+# ## Sender and listener both need the board
 #
 # A driver publishes its mount on `/tf_static`, with a plain publisher: `create_publisher(TFMessage, '/tf_static', 1)`.
-# Its durability is the default, VOLATILE: no board. tf2's listener asks for the board.
+# Its durability is the default, VOLATILE: no board. tf2's listener requests the board.
 #
-# **Predict:** the listener is there *before* the driver sends. Does it hear the message?
+# **Predict:** the listener exists *before* the driver sends. Does it receive the message?
 
 # %% [markdown] lang="ko" name="volatile" slide="slide"
 # ## 양쪽 모두 게시판을 원해야 합니다
@@ -347,13 +346,13 @@ graph.run(seconds=1.0)
 print('early knows:', early.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="en" name="volatile-seen" tags=["predicted"]
-# Not a single frame. What is offered is less than what is requested, so the two are never connected. Both say so, once, in a warning that scrolls by: `DURABILITY`.
-# The error that you meet later says only that a frame does not exist. Look for this warning first.
+# No frame at all. The publisher offers less than the listener requests, so the two are never connected. Both print it once, in a warning that contains `DURABILITY`.
+# The error that you meet later reports only that a frame does not exist. Look for this warning first.
 #
-# Now you. Drag `join` from left to right, and read what the listener knows. Then let it ask for VOLATILE.
+# Now it is your turn. Drag `join` from left to right, and watch what the listener receives. Then let it request VOLATILE.
 #
-# - When do all four cameras of the first row disappear, one after the other?
-# - Which row does not care when you come? Which one does not care what hung on a board?
+# - When do the four cameras of the first timeline disappear, one after the other?
+# - For which timeline does it not matter when you join? For which one does the board not matter?
 
 # %% [markdown] lang="ko" name="volatile-seen" tags=["predicted"]
 # 좌표계를 하나도 받지 못했습니다. 제공하는 것이 요구하는 것보다 적어서 둘은 아예 연결되지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 경고는 화면 위로 지나갑니다.
@@ -367,9 +366,9 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, join = 참여 시각, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
 
 # %% [markdown] lang="en" name="volatile-notes" slide="notes"
-# The warning is the only clue, and it goes by once.
-# Show where it stands, then ask for the error that somebody will send you a week later.
-# It says that a frame does not exist.
+# The warning is the only hint, and it is printed once.
+# Show where it is, then ask for the error that somebody will send you a week later.
+# It reports that a frame does not exist.
 
 # %% [markdown] lang="ko" name="volatile-notes" slide="notes"
 # 단서는 경고뿐이고 한 번만 지나갑니다.
@@ -392,9 +391,9 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="en" name="come-later-answers" slide="fragment"
 # <details><summary>Answers</summary>
 #
-# Each camera goes as soon as you join after the *next* message: 1.75, 2.0, 2.25 s; the last one when the process ends, at 4.5 s.
-# `all_in_one` does not care when you come, as long as you ask for the board. `wheels` has no board: you hear what is sent from now on, and that is enough, because it is sent again and again.
-# With VOLATILE the driver is heard, by those who came before it spoke.
+# Each camera disappears as soon as you join after the *next* message: 1.75, 2.0, 2.25 s; the last one when the process ends, at 4.5 s.
+# For `all_in_one` it does not matter when you join, as long as you request the board. `wheels` has no board: you receive what is sent from now on, and that is enough, because it is sent again and again.
+# With VOLATILE the driver's message is received by listeners that joined before it was sent.
 #
 # </details>
 
@@ -410,7 +409,7 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="en" name="command-line" slide="slide"
 # ## The board from the command line
 #
-# For one mount nobody has to write a program. This is the lecture's command: 0.20 m forward of `base_link`, 0.15 m up.
+# For one mount you do not need a program. This is the lecture's command: 0.20 m in front of `base_link`, 0.15 m up.
 
 # %% [markdown] lang="ko" name="command-line" slide="slide"
 # ## 명령줄에서 게시판 만들기
@@ -428,7 +427,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="break-command" slide="slide"
 # ## Break it: the command line
 #
-# Two ways to mean a camera that is turned by 30°, 0.2 m ahead. **Predict** for each: an error, or something else?
+# Two attempts to publish a camera that is rotated by 30°, 0.2 m ahead. **Predict** for each: an error, or something else?
 
 # %% [markdown] lang="ko" name="break-command" slide="slide"
 # ## 일부러 고장 내기: 명령줄
@@ -443,13 +442,13 @@ graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
 
 # %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
-# - `--yaw 30` is taken without a word: 30 **radians**, four turns and a bit. tf2_echo says −81°. The one without an error is the one that does harm.
-# - `--x=0.2` looks right in any other program. Here an option and its value are two words.
-# - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool says `Cannot specify both quaternion and Euler rotations`.
+# - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The one without an error is the one that does harm.
+# - `--x=0.2` is right in any other program. Here an option and its value are two words.
+# - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
 #
-# <details><summary>Deeper: the order of old</summary>
+# <details><summary>Deeper: the old order</summary>
 #
-# Old tutorials write eight numbers and names without options: `x y z yaw pitch roll parent child`. Mind: **yaw** comes first. It still works, with a warning, and one day it will not.
+# Old tutorials write eight numbers and names without options: `x y z yaw pitch roll parent child`. Note that **yaw** comes first. It still works, with a warning, and one day it will not.
 #
 # </details>
 
@@ -466,8 +465,8 @@ graph = lesson.new_graph()
 
 # %% [markdown] lang="en" name="break-command-notes" slide="notes"
 # Hands before each: error or not?
-# The one that stays silent turned the camera by four turns and a bit.
-# Degrees are the dearest habit in the room; say radians aloud with every yaw today.
+# The one without an error rotated the camera by more than four full rotations.
+# Degrees are a strong habit; say radians aloud with every yaw today.
 
 # %% [markdown] lang="ko" name="break-command-notes" slide="notes"
 # 하나씩 손을 들게 합니다.
@@ -477,7 +476,7 @@ graph = lesson.new_graph()
 # 오늘은 yaw를 말할 때마다 라디안을 붙입니다.
 
 # %% [markdown] lang="en" name="echo-once" slide="subslide"
-# A second publisher is at work now, and you want to see both. The first thing that everybody types is the lecture's `topic echo --once`. Try it, and then give it a second.
+# A second publisher is active now, and you want to see both. The first command that everybody types is the lecture's `topic echo --once`. Try it, and then let it run for a second.
 
 # %% [markdown] lang="ko" name="echo-once" slide="subslide"
 # 지금 발행자는 둘이고, 둘 다 보고 싶습니다. 누구나 강의 자료의 `topic echo --once`부터 칩니다. 먼저 해 보고, 그다음에는 1초 동안 들어 보세요.
@@ -495,7 +494,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="static-node" slide="slide"
 # ### The same from Python
 #
-# <details><summary>The lecture's node, whole: save it as <code>static_sensor_broadcaster.py</code></summary>
+# <details><summary>The lecture's node, complete: save it as <code>static_sensor_broadcaster.py</code></summary>
 #
 # ```python
 # # tf_lab_py/static_sensor_broadcaster.py
@@ -509,7 +508,6 @@ graph = lesson.new_graph()
 #     def __init__(self):
 #         super().__init__('static_sensor_broadcaster')
 #         self.broadcaster = StaticTransformBroadcaster(self)
-#
 #         transform = TransformStamped()
 #         transform.header.stamp = self.get_clock().now().to_msg()
 #         transform.header.frame_id = 'base_link'
@@ -521,7 +519,6 @@ graph = lesson.new_graph()
 #         transform.transform.rotation.y = 0.0
 #         transform.transform.rotation.z = 0.0
 #         transform.transform.rotation.w = 1.0
-#
 #         self.broadcaster.sendTransform(transform)
 #         self.get_logger().info('sent: base_link → laser_frame')
 #
@@ -544,7 +541,7 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# Its heart is three lines: make a `TransformStamped`, fill parent, child and numbers, send it once. Mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
+# Its main part is three lines: create a `TransformStamped`, fill in parent, child and numbers, send it once. The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
 
 # %% [markdown] lang="ko" name="static-node" slide="slide"
 # ### 파이썬으로 하는 같은 일
@@ -603,9 +600,8 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
 #
-# What moves is told on `/tf`, again and again, each time with the moment it is true for: a [[dynamic transform]]. There is no board. A latecomer waits for the next message, a twentieth of a second.
-#
-# Here is the lecture's robot on its circle, 20 times a second. (The whole file stands below, folded.)
+# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, a twentieth of a second.
+# Here is the lecture's robot on its circle, 20 times a second. (The complete file is below, folded.)
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
 # ## 라디오
@@ -643,9 +639,9 @@ graph.run(seconds=5.0)
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="radio-seen"
-# **S** is static, with a board and no rate; **D** is dynamic, with a rate and an age. On the right is who publishes it: each edge has one owner.
+# **S** is static, with a board and no rate; **D** is dynamic, with a rate and an age. On the right is the publisher: each edge has one owner.
 #
-# And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, good for any time.
+# And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, valid at all times.
 
 # %% [markdown] lang="ko" name="radio-seen"
 # *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
@@ -656,9 +652,9 @@ lesson.frame_tree(graph, seconds=1.0)
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
 
 # %% [markdown] lang="en" name="lift" slide="slide"
-# ## Silence is not standing still
+# ## No message does not mean no motion
 #
-# A lift rises from 1 s to 3 s, up to 0.5 m, and tells its height 20 times a second. Then it stops, and its program thinks: nothing new, nothing to say.
+# A lift rises from 1 s to 3 s, up to 0.5 m, and publishes its height 20 times a second. Then it stops. Its program publishes nothing more, because nothing changes.
 # (`BufferCore` is what a listener fills; here we fill it ourselves.)
 
 # %% [markdown] lang="ko" name="lift" slide="slide"
@@ -687,10 +683,10 @@ except TransformException as error:
     print(f'{type(error).__name__}: {error}')
 
 # %% [markdown] lang="en" name="lift-seen" tags=["predicted"]
-# For "the latest" 0.5 m, of second 3. For second 5 a refusal: `into the future`. tf2 does not know whether the lift stands still, or moves and nobody says so; and it never guesses.
-# A newcomer fares worse: nobody has told it that there is a lift.
+# For "the latest" you get 0.5 m, with the stamp 3 s. For 5 s you get an exception: `into the future`. tf2 does not know whether the lift stands still, or moves without publishing; and it never guesses.
+# A listener that joins late is worse off: it does not even know that there is a lift.
 #
-# "No news" is no news. What can move is told again and again, also while it stands.
+# What can move is published again and again, also while it stands still.
 
 # %% [markdown] lang="ko" name="lift-seen" tags=["predicted"]
 # "최신"을 조회하면 3초의 값 0.5 m가 돌아옵니다. 5초를 조회하면 거절합니다. `into the future`입니다. 리프트가 멈춰 있는지, 움직이는데 알리지 않는지 tf2는 알 수 없고, 짐작하지도 않습니다.
@@ -702,12 +698,12 @@ except TransformException as error:
 lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 
 # %% [markdown] lang="en" name="bolt" slide="slide"
-# ## A bolt on the radio
+# ## A mount on the radio
 #
-# Then everything onto the radio, to be safe? A camera is bolted to a robot that drives at 0.5 m/s. Its mount goes out on `/tf`, once a second; the laser's mount hangs on a board.
-# A hundred times in three seconds we ask for "the latest" place of each in `odom`.
+# Then publish everything on `/tf`, to be safe? A camera is fixed to a robot that drives at 0.5 m/s. Its mount is published on `/tf`, once a second; the laser's mount is on a board.
+# A hundred times in three seconds we look up "the latest" pose of each in `odom`.
 #
-# **Predict:** the camera stands still on the robot. How old is the answer at worst? And what does its track look like?
+# **Predict:** the camera does not move on the robot. How old is the answer at worst? And what does its track look like?
 
 # %% [markdown] lang="ko" name="bolt" slide="slide"
 # ## 라디오에 올린 볼트
@@ -769,10 +765,10 @@ print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refu
 lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
 
 # %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
-# Up to a second old, and the laser at most a twentieth. The wheels are as quick as ever; but "the latest" is the newest moment that **every** edge of the chain knows, and the bolt knows it once a second.
-# So the camera, which is screwed to the robot, hops by half a metre each second, and nine of ten questions about a moment a tenth of a second ago are refused.
+# Up to a second old, and for the laser at most a twentieth. The odometry is as fast as before; but "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data once a second.
+# So the camera, which is screwed to the robot, jumps by half a metre each second, and nine of ten lookups for a tenth of a second ago raise an exception.
 #
-# A bolt on `/tf` wastes more than bandwidth: it makes everything behind it old. Sending it 110 times a second hides that, at a price. One message on a board cures it.
+# A mount on `/tf` costs more than bandwidth: it makes every path that contains it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
 
 # %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
 # *그림 읽기:* age of the answer = 돌아온 답의 나이, time = 조회한 시각.
@@ -787,9 +783,9 @@ graph.run(seconds=0.6)
 lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1))
 
 # %% [markdown] lang="en" name="mover" slide="slide"
-# ## A mover on the board
+# ## A moving frame on the board
 #
-# And the other way round: the lift of before, each height sent as static. **Predict** what the buffer says of second 1, 3 and 6.
+# And the other way round: the lift of before, each height sent as static. **Predict** what the buffer returns for 1, 3 and 6 s.
 
 # %% [markdown] lang="ko" name="mover" slide="slide"
 # ## 게시판에 붙인 움직이는 것
@@ -804,13 +800,13 @@ for t in (1.0, 3.0, 6.0):
     print(t, 's:', lesson.fmt(static_lift.lookup_transform('base_link', 'lift', seconds(t)).transform.translation[2]))
 
 # %% [markdown] lang="en" name="static-lift-seen" tags=["predicted"]
-# 0.5 m, for any time, also for second 1, when it was on the floor. A board has no past and no future: its last word holds for ever, before and after.
-# No error will ever tell you. A link that is sent once and then moves stays frozen in RViz where it was at first.
+# 0.5 m, for all times, also for 1 s, when it was on the floor. A board has no past and no future: its last message is used for all times.
+# There is no error message for that. A link that is sent once and then moves stays in RViz where it was at first.
 #
 # | the link | on the board `/tf_static` | on the radio `/tf` |
 # |---|---|---|
-# | is bolted on | **right** | the chain grows old |
-# | moves | no past, or frozen | **right**, if it never falls silent |
+# | is fixed | **right** | the path becomes old |
+# | moves | no past, or frozen | **right**, if it never stops publishing |
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
 # 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m라고 합니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
@@ -822,7 +818,7 @@ for t in (1.0, 3.0, 6.0):
 # | 움직이는 것 | 과거가 없거나 얼어붙습니다 | 멈춰도 계속 알리면 **맞습니다** |
 
 # %% [markdown] lang="en" name="static-lift-notes" slide="notes"
-# Fill the two by two table with the room, one cell at a time, each with the picture that showed it.
+# Fill the two by two table with the class, one cell at a time, each with the picture that showed it.
 # The lower left one has no error message at all: ask how one would ever find it.
 
 # %% [markdown] lang="ko" name="static-lift-notes" slide="notes"
@@ -834,7 +830,7 @@ for t in (1.0, 3.0, 6.0):
 # %% [markdown] lang="en" name="crab" slide="slide"
 # ## The crab
 #
-# Back to the lecture's robot. In RViz its circle is splendid. But where does it go, in its own eyes?
+# Back to the lecture's robot. In RViz its circle looks perfect. But in which direction does it move in its own frame?
 # Take the robot at 4 s, and express in *its* `base_link` where it is one second later.
 
 # %% [markdown] lang="ko" name="crab" slide="slide"
@@ -864,12 +860,11 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
            arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
 
 # %% [markdown] lang="en" name="crab-seen" tags=["predicted"]
-# Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and looks outwards all the way. On wheels that cannot be done.
+# Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and faces outwards all the time. A robot on wheels cannot do that.
+# The code sets `yaw = θ`. But θ is the angle of the *position* on the circle, seen from its centre. On a circle, forward is at right angles to that: `θ + π/2`.
 #
-# The code says `yaw = θ`. But θ is the angle of the *place* on the circle, seen from the middle. On a circle the way forward is square to that: `θ + π/2`.
-# No tool complains, since each message is a valid pose. Only one question finds it: where does the robot go *in its own axes*?
-#
-# This is the arrow to remember. x is drawn solid, y dashed: the robot should go along the solid one.
+# No tool reports an error, since each message is a valid pose. Only one question finds it: in which direction does the robot move *along its own axes*?
+# Remember this arrow. x is drawn solid, y dashed: the robot should move along the solid one.
 
 # %% [markdown] lang="ko" name="crab-seen" tags=["predicted"]
 # *그림 읽기:* goes = 1초 동안 가는 방향, 1 s later = 1초 뒤의 로봇. 실선이 x(앞), 파선이 y(왼쪽)입니다.
@@ -881,8 +876,8 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 
 # %% [markdown] lang="en" name="crab-notes" slide="notes"
 # Before the numbers, show only the circle and ask what is wrong with it.
-# Nothing is, in RViz.
-# Then the one question that finds it: in its own axes, where does it go?
+# In RViz, nothing.
+# Then ask the one question that finds it: along its own axes, in which direction does it move?
 # It is the lecture's own code; say so with a smile.
 
 # %% [markdown] lang="ko" name="crab-notes" slide="notes"
@@ -894,7 +889,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 웃으며 말합니다.
 
 # %% [markdown] lang="en" name="forward" slide="subslide"
-# The cure is one number. In 3D: turn the place on the circle, and compare the robot as written (grey) with the robot that drives forward.
+# The fix is one number. In 3D: change the position on the circle, and compare the robot as written (grey) with the robot that drives forward.
 
 # %% [markdown] lang="ko" name="forward" slide="subslide"
 # 숫자 하나만 고치면 됩니다. 3D 장면에서 theta를 바꾸며 적힌 대로의 로봇(회색)과 앞으로 달리는 로봇을 비교해 보세요.
@@ -931,7 +926,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
            arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
 
 # %% [markdown] lang="en" name="forward-notes" slide="notes"
-# Let one person walk the circle, once looking outwards, once looking where they go. The room laughs at the first, and nobody forgets it.
+# Let one person walk the circle, once facing outwards, once facing where they go. The class laughs at the first, and nobody forgets it.
 
 # %% [markdown] lang="ko" name="forward-notes" slide="notes"
 # 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다. 첫 번째에 모두 웃고, 아무도 잊지 않습니다.
@@ -1049,7 +1044,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# A robot has three cameras, all bolted on, and a pan head that turns. Fill the two blanks.
+# A robot has three cameras with fixed mounts, and a pan head that rotates. Fill in the two blanks.
 #
 # ```python
 # mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
@@ -1059,7 +1054,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # <details><summary>Compare</summary>
 #
-# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is told by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
+# `StaticTransformBroadcaster(node).sendTransform(mounts)`: the whole list, once. The pan head is published by a `TransformBroadcaster` in `tell_the_pan_head`, also while it stands still.
 #
 # </details>
 
@@ -1083,7 +1078,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# A lidar sits on a mast that moves up and down only while the robot is parked. Where does `base_link → laser_frame` belong?
+# A lidar is mounted on a mast that moves up and down only while the robot is parked. Where does `base_link → laser_frame` belong?
 #
 # 1. On `/tf_static`: while the robot drives, it does not move.
 # 2. On `/tf`, all the time.
@@ -1092,22 +1087,22 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # <details><summary>I chose 1</summary>
 #
-# "Not now" is not "never". Once the mast has moved, the board's single value is used for every scan, also for those of before.
+# "Not now" is not "never". Once the mast has moved, the board's single value is used for every scan, also for earlier ones.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# Yes. It can move, so it is told, also while it stands.
+# Yes. It can move, so it is published, also while it stands still.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Then the chain ends when the mast falls silent: scans of later moments are refused, `into the future`, and newcomers know no laser at all.
+# Then the path has no data once the mast stops publishing: later scans are rejected, `into the future`, and listeners that join late have no laser at all.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# Then a scan from before the move is placed with the mount from after it: a board has no past. And on Jazzy a Python broadcaster ignores the second value.
+# Then a scan from before the move is transformed with the mount from after it: a board has no past. And on Jazzy a Python broadcaster ignores the second value.
 #
 # </details>
 
@@ -1145,7 +1140,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# Save the two nodes of the lecture and start them: `python3 static_sensor_broadcaster.py`, `python3 moving_robot_broadcaster.py`. Here, in a terminal of this workbook, `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py` does it. Then look:
+# Save the two nodes of the lecture and start them: `python3 static_sensor_broadcaster.py`, `python3 moving_robot_broadcaster.py`. Without ROS, in a terminal of this workbook, type `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`. Then look:
 #
 # ```
 # ros2 topic info /tf_static --verbose      # who has a board, and which durability
@@ -1154,9 +1149,8 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then ends in an `RCLError`. Today one writes `rclpy.try_shutdown()`, or `with rclpy.init():`.
-#
-# The interesting lines of the first command, for a driver with a board and one without:
+# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then raises an `RCLError`. Use `rclpy.try_shutdown()`, or `with rclpy.init():`.
+# The important lines of the first command, for a driver with a board and one without:
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -1187,11 +1181,11 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - [[static transform|Static]]: bolted on, one message on `/tf_static`. [[dynamic transform|Dynamic]]: can move, told on `/tf` again and again, each time with its stamp.
-# - A board keeps the **last message** of its publisher (`depth` 1, [[transient local|TRANSIENT_LOCAL]]), and goes when the publisher goes. So: one list, one call, and stay alive.
-# - Sender and listener both have to want the board. A `DURABILITY` warning means: not connected at all.
-# - Silence is not standing still, a bolt on the radio makes the chain old, a mover on the board has no past.
-# - Each message can be right and the motion wrong. Ask where the robot goes in its own axes.
+# - [[static transform|Static]]: a fixed mount, one message on `/tf_static`. [[dynamic transform|Dynamic]]: it can move, so it is published on `/tf` again and again, each time with its stamp.
+# - A board keeps the **last message** of its publisher (`depth` 1, [[transient local|TRANSIENT_LOCAL]]), and ends with the publisher. So: one list, one call, and stay alive.
+# - Sender and listener both need the board. A `DURABILITY` warning means: not connected at all.
+# - No message does not mean no motion. A mount on `/tf` makes the path old, a moving frame on `/tf_static` has no past.
+# - Each message can be right and the motion wrong. Check in which direction the robot moves along its own axes.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1205,13 +1199,13 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. `laser_frame` sits 0.20 m ahead of `base_link`. Which frame is parent, and in whose axes are the 0.20 m counted?
-# 2. You look up target `odom`, source `laser_frame`. Which edges are walked, and which of them is static?
-# 3. The crab was found with `then.inverse().apply(later.translation)`. Which frame's coordinates go in, and which come out?
+# 1. `laser_frame` is 0.20 m in front of `base_link`. Which frame is the parent, and along whose axes are the 0.20 m measured?
+# 2. You look up target `odom`, source `laser_frame`. Which edges are on the path, and which of them is static?
+# 3. The crab was found with `then.inverse().apply(later.translation)`. In which frame are the coordinates that go in, and those that come out?
 #
 # <details><summary>Answers</summary>
 #
-# 1. Parent `base_link`, and in its axes.
+# 1. Parent `base_link`, and along its axes.
 # 2. `odom → base_link`, dynamic, and `base_link → laser_frame`, static.
 # 3. `odom` goes in, `base_link` of 4 s comes out: `base_T_odom` applied to a point in `odom`.
 #
@@ -1237,13 +1231,13 @@ rclpy.try_shutdown()
 #
 # **7.** What is the difference between a static and a dynamic transform, and what happens if each is published as the other? Write five sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
 # - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
-# - [ ] A bolt on `/tf` costs bandwidth and, worse, holds the latest common time of its chain back.
-# - [ ] A mover on `/tf_static` has one value for all times, or stays frozen where it was first.
-# - [ ] A dynamic transform that falls silent is refused for later times; it does not "stand still".
+# - [ ] A mount on `/tf` costs bandwidth and, worse, holds the latest common time of its path back.
+# - [ ] A moving frame on `/tf_static` has one value for all times, or stays where it was first.
+# - [ ] A lookup for a time after the last message of a dynamic transform raises an exception; the frame is not assumed to stand still.
 #
 # </details>
 
@@ -1265,11 +1259,11 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command tells them apart first?
+# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command distinguishes them first?
 #
 # <details><summary>Compare</summary>
 #
-# Several messages on one board, a publisher that has ended, a publisher without a board. `ros2 topic info /tf_static --verbose`: is the publisher there, and what is its durability? If both are well, `ros2 topic echo /tf_static` shows what hangs there.
+# Several messages on one board, a publisher that has ended, a publisher without a board. `ros2 topic info /tf_static --verbose`: is the publisher there, and what is its durability? If both are right, `ros2 topic echo /tf_static` shows what is on the boards.
 #
 # </details>
 
@@ -1286,7 +1280,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Three causes, one command.
-# Whoever writes 'restart' gets the paper back with one word: which process?
+# If somebody writes 'restart', return the paper with one question: which process?
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 원인 셋에 명령 하나입니다.
@@ -1294,7 +1288,7 @@ rclpy.try_shutdown()
 # 어느 프로세스를?
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), which asks where the robot's own parts are.
+# **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts.
 # After a pass, or three tries, `solution("E6.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
