@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 07 · The drawing and the screws
+# # 07 · URDF and sensors
 #
-# **URDF and sensors** · about 60 minutes · builds on 02 and 06
+# **The description and the real mount** · about 60 minutes · builds on 02 and 06
 #
 # After this chapter you can
 #
-# - read a joint of a [[urdf|URDF]]: its origin, its axis, and what neither of them says;
-# - work out where an arm's tip is, domino by domino;
-# - say which frames `robot_state_publisher` publishes, on which topic, and why some are missing;
-# - recognise a sensor that is screwed on otherwise than it is drawn: turned, tilted, on its back.
+# - read a joint of a [[urdf|URDF]]: its origin, its axis, and what neither of them means,
+# - calculate the position of an arm's tip, transform by transform,
+# - say which frames `robot_state_publisher` publishes, on which topic, and why some are missing,
+# - recognise a sensor that is mounted otherwise than the URDF says: rotated, tilted, upside down.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 07 · 도면과 나사
@@ -23,7 +23,7 @@
 # - 도면과 다르게 달린 센서(돌아간 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# One sentence carries the chapter: a URDF is a promise about screws, and TF repeats it without looking. Ask: how would you notice that a laser is turned by 90 degrees? Collect answers; somebody will say "RViz shows an error".
+# One sentence for this chapter: a URDF is a claim about the mounts, and TF repeats it without checking. Ask: how would you notice that a laser is rotated by 90 degrees? Collect answers; somebody will say "RViz shows an error".
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 이 장의 핵심은 한 문장입니다. URDF는 나사에 대한 약속이고, TF는 확인하지 않고 그대로 전합니다. 먼저 묻습니다. 레이저가 90도 돌아가 있다면 어떻게 알아챌까요? "RViz에 오류가 납니다"라는 답이 나올 것입니다.
@@ -36,14 +36,13 @@ from tflab.core import Transform, seconds
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## The line that turned nothing
+# ## The line that rotated nothing
 #
-# A new lidar sits on its robot at another angle than the old one. Somebody opens the robot's URDF, the file that says where its parts are, and writes `rpy="0 0 1.57"`: a quarter turn.
-# Nothing happens. They ask for help; two years later the question is closed, unanswered (cartographer_ros #1017).
+# A new lidar is mounted on its robot at another angle than the old one. Somebody opens the robot's URDF, the file that describes where its parts are, and writes `rpy="0 0 1.57"`: 90°.
+# Nothing happens. They ask for help. Two years later the question is closed, unanswered (cartographer_ros #1017).
+# The line was in the `<visual>`, which only describes how a part looks. And the shape was a cylinder, rotated about its own axis: not even the picture could change.
 #
-# The line stood in the `<visual>`. That is the paint. And the paint was a cylinder, turned about its own axis: not even the picture could change.
-#
-# Another robot published turns with the wrong sign *on every run it had ever done*. Its wheels said left, its gyro said right. The wheels were blamed, twice (fusioncore #88).
+# Another robot published its yaw rate with the wrong sign *on every run it had ever done*. Its wheels reported left, its gyro reported right. The wheels were blamed, twice (fusioncore #88).
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 아무것도 돌리지 못한 한 줄
@@ -56,7 +55,7 @@ from tflab.workbook import lesson
 # 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 바퀴는 왼쪽이라 하고 자이로는 오른쪽이라 했습니다. 사람들은 두 번이나 바퀴를 탓했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted like a compass, clockwise; an IMU on its back does the same to you.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
+# *Read the reports:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted clockwise, like a compass; an IMU mounted upside down has the same effect.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향으로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
@@ -64,10 +63,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. Our robot's laser is truly turned to the left by 90°, and that line stands in its `<visual>`. **How far off** does the map put the walls: centimetres, or metres?
-# 2. `robot_state_publisher` runs, and nobody says where the joints are. **Which frames are missing?** None, all, or some?
+# 1. Our robot's laser is really rotated to the left by 90°, and that line is in its `<visual>`. **How far off** are the walls on the map: centimetres, or metres?
+# 2. `robot_state_publisher` runs, and no node publishes joint positions. **Which frames are missing?** None, all, or some?
 # 3. A laser looks down by 3° in a room of 10 m. **What does the map show?**
-# 4. An IMU is screwed on upside down, and the robot turns **left**. Which sign has its gyro's z?
+# 4. An IMU is mounted upside down, and the robot turns **left**. Which sign has the z of its gyro?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -78,7 +77,7 @@ from tflab.workbook import lesson
 # 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 돕니다. 자이로 z의 부호는 무엇일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Hands for each. For 1, "at least the picture turns" is the answer to wait for. For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % short. All three are good mistakes.
+# Hands for each. For 1, the common answer is "at least the picture rotates". For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % short. All three are good mistakes.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 하나씩 손을 들게 합니다. 1번에서는 "그림은 돌겠지요", 2번에서는 "모두 0의 자리에 나옵니다", 3번에서는 코사인을 계산한 "벽이 0.14 % 가까워집니다"를 기다립니다. 모두 좋은 실수입니다.
@@ -89,7 +88,7 @@ walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
 # %% [markdown] lang="en" name="two-origins" slide="slide"
 # ## Two origins
 #
-# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which say how one link hangs on another. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot. (`parse_urdf` reads it, and `link_poses` says where each link is, seen from the root.)
+# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which connect a link to its parent. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot. (`parse_urdf` reads it, and `link_poses` returns the pose of each link in the root.)
 
 # %% [markdown] lang="ko" name="two-origins" slide="slide"
 # ## 두 가지 origin
@@ -110,11 +109,11 @@ base_T_laser = lesson.link_poses(lesson.parse_urdf(LECTURE))['laser_frame']
 print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fmt_all(base_T_laser.rpy(), 'rad'))
 
 # %% [markdown] lang="en" name="two-origins-why"
-# Read it aloud: *the laser hangs on `base_link`, 0.20 ahead and 0.15 up, not turned.* That is `base_T_laser`, in metres and radians, translation first.
+# Read it aloud: *the laser is a child of `base_link`, 0.20 ahead and 0.15 up, not rotated.* That is `base_T_laser`, in metres and radians, translation first.
 # Our own robot's URDF has these lines among others.
 #
-# A link can have a `<visual>` with an `<origin>` of its own. That one says where the *paint* is on the link. TF never reads it.
-# Now the laser is really turned, by a screwdriver: `screws` says how it is truly bolted on. TF does not know.
+# A link can have a `<visual>` with an `<origin>` of its own. It describes the position of the *shape* on the link. TF never reads it.
+# Now the laser is really rotated: `screws` contains its true mount. TF does not have it.
 
 # %% [markdown] lang="ko" name="two-origins-why"
 # 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 돌아가지 않았다.* 이것이 `base_T_laser`이고, 단위는 미터와 라디안이며 이동이 먼저입니다.
@@ -139,10 +138,9 @@ for name, urdf in {'nothing written': URDF, 'in <visual>': in_visual, 'in <joint
 lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="walls-seen" tags=["predicted"]
-# From above: grey are the walls, dots are where the robot's TF puts what its laser measured. One and a half metres off on average, almost five at worst, and the line in `<visual>` changes not one dot.
-# In the joint it cures everything, down to the laser's own noise of millimetres.
-#
-# Nobody complained: no tool compares the drawing with the screws. *You* do, with something that you know to be straight ahead.
+# From above: the walls are grey, and the dots are where the robot's TF places what its laser measured. They are one and a half metres off on average, almost five at worst, and the line in `<visual>` changes not one dot.
+# In the joint it fixes everything, except for the laser's own noise of millimetres.
+# No tool compares the description with the real mount. *You* have to, with an object that you know to be straight ahead.
 
 # %% [markdown] lang="ko" name="walls-seen" tags=["predicted"]
 # *그림 읽기:* 위에서 본 모습입니다. 회색은 벽, 점은 TF가 레이저의 측정값을 놓은 자리입니다. nothing written = 아무것도 쓰지 않음, off by = 어긋난 거리, on average = 평균, at worst = 최대.
@@ -152,7 +150,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 # 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
 
 # %% [markdown] lang="en" name="walls-notes" slide="notes"
-# Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the room has a URDF with a sensor that was moved since.
+# Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the class has a URDF with a sensor that was moved since.
 
 # %% [markdown] lang="ko" name="walls-notes" slide="notes"
 # 가운데 그림이 왼쪽 그림보다 나을 것이 없는 이유가 나올 때까지 기다립니다. 그다음 묻습니다. 센서를 옮긴 뒤 URDF를 고치지 않은 로봇이 있습니까?
@@ -164,7 +162,7 @@ truth = {'laser, truly': poses['base_link'] @ truly['laser_frame']}
 lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.08)
 
 # %% [markdown] lang="en" name="small-mistakes"
-# Smaller lies are harder to see: a laser that is drawn 0.20 m behind its place puts the walls 0.08 m off. `1.57` for a quarter turn is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
+# Smaller errors are harder to see. A laser that is described 0.20 m behind its true position puts the walls 0.08 m off. `1.57` for 90° is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
 
 # %% [markdown] lang="ko" name="small-mistakes"
 # *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF가 아는 좌표계입니다.
@@ -174,9 +172,8 @@ lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.0
 # %% [markdown] lang="en" name="axis" slide="slide"
 # ## A joint: an origin, then a movement
 #
-# A joint that moves has an `<axis>`. It is written in the **child's** axes, as they stand after the origin: `parent_T_child = origin @ movement`.
-#
-# A camera head is bolted on facing left, `rpy="0 0 1.5708"`, and its axis is `0 1 0`. The motor turns by +0.5 rad. **Predict:** does the head nod or does it roll?
+# A joint that moves has an `<axis>`. It is given in the **child's** axes, after the origin: `parent_T_child = origin @ movement`.
+# A camera head is mounted facing left, `rpy="0 0 1.5708"`, and its axis is `0 1 0`. The motor rotates by +0.5 rad. **Predict:** does the head nod or does it roll?
 
 # %% [markdown] lang="ko" name="axis" slide="slide"
 # ## 관절: origin 다음에 움직임
@@ -205,10 +202,11 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
                   ghost_points={'nose, misread': misread.apply(nose)}, fixed_frame='body', length_m=0.4)
 
 # %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
-# It nods: the nose goes down to z = −0.479, to the left of the body, where the head faces. Who reads the axis in the parent's axes sees the head roll onto its side, its nose where it was.
-# A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` tips the axes over, and then `axis="0 0 1"` points sideways.
+# It nods: the nose goes down to z = −0.479, to the left of the body, where the head faces. If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
 #
-# Two more readings of the same lines. There is no degree in a URDF: `rpy="0 0 90"` is 90 rad, fourteen full turns and 116.62°. And rpy turns about the fixed axes of the parent, roll first, as in chapter 02.
+# A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` rotates the axes, and then `axis="0 0 1"` points sideways.
+#
+# Two more facts about the same lines. A URDF has no degrees: `rpy="0 0 90"` is 90 rad, fourteen full rotations and 116.62°. And rpy rotates about the fixed axes of the parent, roll first, as in chapter 02.
 
 # %% [markdown] lang="ko" name="axis-seen" tags=["predicted"]
 # *그림 읽기:* head = 머리, nose = 코, misread = 잘못 읽은 경우(회색 기울임꼴).
@@ -219,9 +217,9 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # 두 가지를 더 조심하세요. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 바퀴를 돌고도 116.62°를 더 돕니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 돕니다.
 
 # %% [markdown] lang="en" name="chain" slide="slide"
-# ## A chain: dominoes with hinges
+# ## A chain of joints
 #
-# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one domino, and the tip is their product. (The field says [[forward kinematics]].) Move a slider: which dominoes change their numbers?
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`: each joint is one transform, and the pose of the tip is their product. (This is called [[forward kinematics]].) Move a slider: which transforms change?
 
 # %% [markdown] lang="ko" name="chain" slide="slide"
 # ## 사슬: 경첩이 달린 도미노
@@ -239,9 +237,9 @@ x, y, z = base_T_tool0.translation
 lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, z + 0.12)})
 
 # %% [markdown] lang="en" name="chain-seen" slide="subslide"
-# - A joint changes one domino, its own. The tip moves because the product does.
-# - The fixed joints have numbers, too, and no hinge.
-# - [[tcp|`tcp`]] (tool centre point) is where the tool works, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, along the tool's z, so that another tool changes one domino. Who adds 0.12 to the z of `base_link` lands at the grey ring, 15 cm beside it.
+# - A joint changes one transform, its own. The tip moves because the product changes.
+# - The fixed joints are transforms, too, without a slider.
+# - [[tcp|`tcp`]] (tool centre point) is the working point of the tool, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, along the tool's z, so that another tool changes one transform. If you add 0.12 to the z in `base_link` instead, you get the grey ring, 15 cm off.
 #
 # Zero is a position like any other: at zero the tip is at (0.470, 0, 0.150).
 
@@ -255,13 +253,13 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # 0도 다른 값과 다를 바 없는 위치입니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
 
 # %% [markdown] lang="en" name="chain-notes" slide="notes"
-# Let somebody call out a joint and everybody say which dominoes will change, before you move the slider. It is always one.
+# Let somebody call out a joint and everybody say which transforms will change, before you move the slider. It is always one.
 
 # %% [markdown] lang="ko" name="chain-notes" slide="notes"
 # 누군가 관절 이름을 부르게 하고, 슬라이더를 움직이기 전에 어느 도미노가 바뀔지 모두 말하게 합니다. 언제나 하나입니다.
 
 # %% [markdown] lang="en" name="touch" slide="subslide"
-# How does one find a tcp? Touch a mark whose place is known, `base_p_tip`, and ask where it is for the tool: `tool0_p_tip = tool0_T_base @ base_p_tip`.
+# How do you find a tcp? Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`.
 
 # %% [markdown] lang="ko" name="touch" slide="subslide"
 # tcp는 어떻게 알아낼까요? 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 공구에서 보면 어디인지 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다.
@@ -274,7 +272,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# A camera hangs on `base_link`, 10 cm ahead, 12 cm to its right, 30 cm up, and looks 20° to the left. Fill the four blanks. Then its optical frame, which turns as in chapter 02.
+# A camera is a child of `base_link`, 10 cm ahead, 12 cm to its right, 30 cm up, and faces 20° to the left. Fill in the four blanks. Then its optical frame, rotated as in chapter 02.
 #
 # ```xml
 # <joint name="base_to_camera" type="fixed">
@@ -290,7 +288,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # <details><summary>Compare</summary>
 #
 # `base_link` · `0.10 -0.12 0.30` (right is −y) · `0 0 0.3491` (left is positive, 20° in radians) · `-1.5708 0 -1.5708`.
-# The camera's own turn stands in the first joint, the turn of the axes in the second, each once.
+# The camera's own rotation is in the first joint, the rotation of the axes in the second, each once.
 #
 # </details>
 
@@ -318,12 +316,12 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # </details>
 
 # %% [markdown] lang="en" name="publisher" slide="slide"
-# ## Who tells TF
+# ## Which node publishes the frames
 #
-# [[robot_state_publisher]] reads the URDF. Fixed joints go to `/tf_static`, once, for whoever comes later, too (chapter 06).
-# For a joint that moves it needs its position: it waits for messages on `/joint_states`, which a joint driver publishes, and sends on `/tf` the joints that a message **names**. Those, and no others.
+# [[robot_state_publisher]] reads the URDF. It publishes fixed joints on `/tf_static`, once, also for listeners that join later (chapter 06).
+# For a joint that moves it needs a position. It waits for messages on `/joint_states`, which a joint driver publishes, and publishes on `/tf` the joints that a message **names**, and no others.
 #
-# Here it runs alone. Nobody says where the joints are. What do you expect of the arm?
+# Here it runs alone. No node publishes joint positions. What do you expect of the arm?
 
 # %% [markdown] lang="ko" name="publisher" slide="slide"
 # ## 누가 TF에 알릴까요?
@@ -349,8 +347,8 @@ nodes = lesson.launch(graph, robot, only=['robot_state_publisher'])
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="the-tree-alone-seen" tags=["predicted"]
-# A hand without an arm: `tool0` and `tcp` are bolted to the wrist, and the wrist to nothing. The wheels, `shoulder` and `elbow` are not there at all.
-# The publisher does not guess zero. In RViz the RobotModel says `left_wheel: No transform from [left_wheel] to [odom]`, and who asks for the hand hears:
+# A hand without an arm: `tool0` and `tcp` are connected to the wrist, and the wrist to nothing. The wheels, `shoulder` and `elbow` are missing.
+# The publisher does not assume zero. In RViz the RobotModel prints `left_wheel: No transform from [left_wheel] to [odom]`, and a lookup of the hand raises:
 
 # %% [markdown] lang="ko" name="the-tree-alone-seen" tags=["predicted"]
 # *그림 읽기:* published by = 발행 책임, S(static) = 정적. 맨 아래 줄은 트리가 둘로 나뉘었다는 경고입니다.
@@ -359,7 +357,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
-# The hand without an arm gets a laugh; let it. Then: who publishes wrist? Nobody, and nobody complains. The four drivers after this take five minutes; let each be voted on.
+# The hand without an arm gets a laugh; let it. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
 # 팔 없는 손에서 웃음이 나옵니다. 잠시 둡니다. 그다음 묻습니다. wrist는 누가 발행합니까? 아무도 하지 않는데 오류도 나지 않습니다. 이어지는 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
@@ -376,7 +374,7 @@ except TransformException as error:
     print(type(error).__name__, error, sep='\n')
 
 # %% [markdown] lang="en" name="play-driver" slide="subslide"
-# Now play the joint driver, four times. Three of them are mistakes that real drivers make. **Predict:** which of them give the hand its arm, and which say why not?
+# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** with which of them is the arm there, and which ones cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
 # 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 이어 줄까요? 이유를 알려 주는 것은 어느 것일까요?
@@ -400,11 +398,11 @@ print('velocity only ', drive(JOINTS, velocity=[0.1, 0.1, 0.1]))
 print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 
 # %% [markdown] lang="en" name="drivers-seen" tags=["predicted"]
-# - **Other names:** silence. Nobody checks that the names are those of the URDF.
-# - **Stamp zero:** silence. A message that is not newer than the last one is passed over, and zero never is.
-# - **Velocity only:** the one that is told, with a WARN. It names the first joint, in the real node's words.
+# - **Other names:** no message at all. No node checks that the names are those of the URDF.
+# - **Stamp zero:** no message. A JointState that is not newer than the last one is ignored, and zero never is newer.
+# - **Velocity only:** this is the one with a WARN. It names the first joint, in the words of the real node.
 #
-# So when an arm is missing: `ros2 topic echo /joint_states`, and read name, stamp, position beside the URDF.
+# So when an arm is missing: `ros2 topic echo /joint_states`, and compare name, stamp and position with the URDF.
 
 # %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
 # - **이름이 다를 때**(other names): 아무 말이 없습니다. URDF의 이름과 같은지 아무도 확인하지 않습니다.
@@ -424,7 +422,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="tilt" slide="slide"
 # ## A laser that looks down
 #
-# The laser sits 0.15 m above `base_link`, and `base_link` 0.10 m above the floor: **0.25 m**. Looking down by a small angle, a level ray meets the floor at 0.25 / tan(angle):
+# The laser is 0.15 m above `base_link`, and `base_link` 0.10 m above the floor: **0.25 m**. If it looks down by a small angle, a ray meets the floor at 0.25 / tan(angle):
 
 # %% [markdown] lang="ko" name="tilt" slide="slide"
 # ## 아래를 보는 레이저
@@ -467,7 +465,7 @@ scene.sweep('tilt', [0.5 * i for i in range(11)], at_tilt, unit='deg', start=6)
 scene
 
 # %% [markdown] lang="en" name="tilt-map" slide="subslide"
-# And the map, seen from above? First with a URDF that calls the laser level, then with one that says the truth. **Predict:** does the true URDF put the dots back on the walls?
+# And the map, seen from above? First with a URDF that describes the laser as level, then with a correct one. **Predict:** does the correct URDF put the dots back on the walls?
 
 # %% [markdown] lang="ko" name="tilt-map" slide="subslide"
 # 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 벽으로 돌아갈까요?
@@ -480,11 +478,11 @@ above = true[true[:, 2] > 0.05]
 lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.05': above}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="tilt-seen" tags=["predicted"]
-# A **phantom wall** across the room, five metres ahead, where there is only floor. It retreats as you drive towards it, and a planner will not go through.
-# The 0.14 % by which the walls come nearer is there, too; nobody sees it.
+# There is a **phantom wall** across the room, five metres ahead, where there is only floor. It retreats as you drive towards it, and a planner does not drive through it.
+# The walls are also 0.14 % nearer; nobody sees that.
 #
-# The true URDF does not put the dots back: these rays *did* end there, on the floor. What it gives them is their z, and then they can be dropped.
-# So if a planar scan is all that a program takes, level the laser with a screwdriver. The lecture says that obstacles are misplaced when a tilted laser is taken for level; the honest URDF is where the repair begins, not where it ends.
+# The correct URDF does not put the dots back: these rays *did* end there, on the floor. But now they have the correct z, so you can drop them.
+# If a program takes only a planar scan, level the laser with a screwdriver. The lecture says that obstacles are misplaced if a tilted laser is described as level. A correct URDF is where the repair begins, not where it ends.
 
 # %% [markdown] lang="ko" name="tilt-seen" tags=["predicted"]
 # *그림 읽기:* level = 수평이라고 적힘, 3° = 기울기를 적음, z > 0.05 = 높이 5 cm가 넘는 점만.
@@ -502,9 +500,11 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # 놀라운 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF가 준 것은 무엇일까요? 답은 숫자 하나, z입니다.
 
 # %% [markdown] lang="en" name="imu" slide="slide"
-# ## An IMU on its back
+# ## An IMU upside down
 #
-# An IMU measures turns (gyro) and what holds it up against gravity (accelerometer), each in its own axes. Ours is screwed on upside down. The robot stands, and then drives a bend to the left, 0.5 m/s and 0.5 rad/s.
+# An IMU measures rotation (gyro) and the force that holds it up against gravity (accelerometer), each along its own axes. Ours is mounted upside down. The robot stands still, and then drives a curve to the left, 0.5 m/s and 0.5 rad/s.
+#
+# Two fields of an `Imu` message are easy to miss. The driver must not remove gravity: at rest a correct IMU reads +9.81 on the axis that points up. And each of its three measurements has a covariance. A first entry of −1 means that the IMU does not measure it, as a gyro without a compass has no `orientation`.
 
 # %% [markdown] lang="ko" name="imu" slide="slide"
 # ## 뒤집힌 IMU
@@ -524,8 +524,8 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
     print(f'{"":<12} gyro z in imu_link {in_imu}, in base_link {in_base}')
 
 # %% [markdown] lang="en" name="imu-seen" tags=["predicted"]
-# At rest z reads **−9.8** instead of +9.8, and a turn to the left reads **−0.50**. Left is still positive; the IMU's z just points down.
-# It is not broken. Say in the URDF how it is screwed on, `rpy="3.1416 0 0"`, and TF turns each vector back. A minus sign in a node of your own would cure the one number, and break y, and meet the next person as a surprise.
+# At rest z reads **−9.8** instead of +9.8, and a rotation to the left reads **−0.50**. Left is still positive; the IMU's z points down.
+# It is not broken. Describe its mount in the URDF, `rpy="3.1416 0 0"`, and TF transforms each vector correctly. A minus sign in your own node would fix this one number, break y, and surprise the next person.
 
 # %% [markdown] lang="ko" name="imu-seen" tags=["predicted"]
 # *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
@@ -539,7 +539,7 @@ up = (0.0, 0.0, rest.linear_acceleration[2])
 lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, fixed_frame='base_link', length_m=0.2)
 
 # %% [markdown] lang="en" name="gravity" slide="subslide"
-# On its back by roll π, or by pitch π? Or only turned to the left? **Predict:** which of these does the reading at rest tell apart?
+# Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** which of these can you tell apart from the reading at rest?
 
 # %% [markdown] lang="ko" name="gravity" slide="subslide"
 # *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
@@ -554,8 +554,8 @@ for name, rpy in mounts.items():
     print(f'{name:<9} at rest {lesson.fmt_all(at_rest, "", 2)}   in the bend {lesson.fmt_all(in_bend, "m/s²", 2)}')
 
 # %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
-# Gravity points along one line. It tells that the IMU lies on its back, not how it got there, and of a turn about the vertical it tells nothing.
-# A bend to the left pulls to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector settles the rest. In the clinic one turns the robot by hand: `angular_velocity.z`, left is positive.
+# Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated, and a rotation about the vertical does not show at all.
+# A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate it by hand: `angular_velocity.z`, left is positive.
 
 # %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
 # *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 돌림.
@@ -564,15 +564,15 @@ for name, rpy in mounts.items():
 # 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 돌려 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
 
 # %% [markdown] lang="en" name="gravity-notes" slide="notes"
-# Take a phone, lay it on its face, turn it about the vertical: gravity reads the same. That is why a bend is needed. Leave the last ten minutes for breaking files and the checkpoint.
+# Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
 
 # %% [markdown] lang="ko" name="gravity-notes" slide="notes"
 # 휴대전화를 엎어 놓고 수직축을 중심으로 돌려 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: a URDF that is no robot
+# ## Break it: files that are no robot
 #
-# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the reader can name.
+# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the reader reports.
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 로봇이 아닌 URDF
@@ -595,8 +595,8 @@ for what, text in broken.items():
         print(f'{what}: {error}')
 
 # %% [markdown] lang="en" name="broken-seen" tags=["predicted"]
-# What breaks the *tree* is named, with its line: a [[frame]] has one parent, and every link exists. (Our reader says more than the real one; the real one stops, too.)
-# **Degrees** are fine: 90 is a number. The file cannot know what you measured.
+# What breaks the *tree* is reported, with its line: a [[frame]] has one parent, and every link exists. (Our reader reports more than the real one; the real one stops, too.)
+# **Degrees** are accepted: 90 is a number. The file cannot contain what you measured.
 
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
@@ -608,10 +608,10 @@ for what, text in broken.items():
 # <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
 #
 # - A joint with `<mimic>` follows another one; a driver need not name it.
-# - `publish_frequency` (20 Hz) passes over joint messages that come sooner; the transforms carry the **stamp of the message**, not of now.
-# - `frame_prefix` goes before every frame: one URDF, two robots (chapter 04).
+# - `publish_frequency` (20 Hz) ignores joint messages that come sooner. The transforms have the **stamp of the message**, not of now.
+# - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
 # - `floating` joints are not published at all, and `planar` ones count as fixed.
-# - The root link with an inertia: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; `base_footprint` above `base_link` is the usual cure.
+# - The root link with an inertia: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
 #
 # </details>
 
@@ -629,31 +629,31 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# In RViz everything is green. Yet the walls of the scan stand 90° beside the walls of the map. Where do you look first?
+# In RViz everything is green. Yet the walls of the scan are rotated by 90° against the walls of the map. Where do you look first?
 #
 # 1. At the laser: it is broken.
 # 2. At the quaternion that the laser driver publishes.
-# 3. At `<joint><origin>` of the laser in the URDF, beside the real robot.
+# 3. At `<joint><origin>` of the laser in the URDF, compared with the real robot.
 # 4. At `<visual><origin>` of the laser.
 #
 # <details><summary>I chose 1</summary>
 #
-# Its ranges are right: the walls have the right shape, only turned. A broken laser does not measure a tidy room.
+# Its ranges are right: the walls have the right shape, only rotated. A broken laser does not measure a tidy room.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# A scan carries no pose at all, only ranges and a frame's name. Where that frame is, TF says.
+# A scan contains no pose at all, only ranges and a frame's name. The pose of that frame comes from TF.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: the promise and the screws. `tf2_echo base_link laser_frame` prints the promise; the screws you look at yourself.
+# Yes: compare the description with the real mount. `tf2_echo base_link laser_frame` prints the description; the mount you look at yourself.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# That turns the paint. The dots would not move.
+# That rotates only the shape in the picture. The dots would not move.
 #
 # </details>
 
@@ -692,14 +692,14 @@ for what, text in broken.items():
 # ## On a real robot
 #
 # ```
-# ros2 topic echo /robot_description --once        # the drawing, as everybody has it
+# ros2 topic echo /robot_description --once        # the URDF that all nodes use
 # ros2 topic echo /joint_states                    # names, stamp, position
 # ros2 node info /robot_state_publisher
-# ros2 run tf2_ros tf2_echo base_link laser_frame  # the promise
-# ros2 topic echo /imu --field angular_velocity.z  # turn the robot to the left by hand: positive?
+# ros2 run tf2_ros tf2_echo base_link laser_frame  # the mount, as described
+# ros2 topic echo /imu --field angular_velocity.z  # rotate the robot to the left by hand: positive?
 # ```
 #
-# For a laser: put a box straight ahead of the robot and look where RViz shows it. Thirty seconds, on the day on which it is screwed on.
+# For a laser: put a box straight ahead of the robot and look where RViz shows it. It takes thirty seconds. Do it on the day on which the laser is mounted.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -717,12 +717,12 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - A [[urdf|URDF]] is a promise about screws. TF repeats it to everybody and never looks.
-# - `<joint><origin>` moves the frame, `<visual><origin>` only the paint. Metres, radians, parent to child.
-# - `parent_T_child = origin @ movement`; the axis is written in the child's axes.
+# - A [[urdf|URDF]] is a claim about the mounts. TF repeats it and never checks it.
+# - `<joint><origin>` moves the frame, `<visual><origin>` only the shape. Metres, radians, parent to child.
+# - `parent_T_child = origin @ movement`; the axis is given in the child's axes.
 # - [[robot_state_publisher]]: fixed joints on `/tf_static`, once; moving ones on `/tf`, and only those that a JointState names, with a stamp and a position.
-# - A laser that looks down by 3° sees a wall of floor, five metres ahead. An IMU on its back turns the sign of left. Both are mended at the joint or with a screwdriver, not in a node.
-# - `tcp` is a frame of its own below `tool0`.
+# - A laser that looks down by 3° sees the floor as a wall, five metres ahead. An IMU upside down reverses the sign of left. Fix both at the joint or with a screwdriver, not in a node.
+# - `tcp` is a frame of its own, a child of `tool0`.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -737,15 +737,15 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. A detector sees a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
-# 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later know of it?
-# 3. Which of `base_T_laser` and `laser_T_base` moves a point that the laser saw into `base_link`?
+# 1. A detector detects a cup at (0, 0, 2) in `camera_optical_frame`. Where is it in `camera_link`?
+# 2. A laser's mount was sent once, on `/tf` instead of `/tf_static`. What does a listener that joins later receive?
+# 3. Which of `base_T_laser` and `laser_T_base` transforms a point that the laser measured into `base_link`?
 #
 # <details><summary>Answers</summary>
 #
 # 1. At (2, 0, 0): optical z is forward.
-# 2. Nothing: `/tf` keeps no letters for newcomers.
-# 3. `base_T_laser`: what stands left is what one wants.
+# 2. Nothing: `/tf` keeps no messages for listeners that join later.
+# 3. `base_T_laser`: the frame on the left is the one that you want.
 #
 # </details>
 
@@ -767,14 +767,14 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q14
 #
-# **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks the rest.)
+# **14.** How can the work of publishing transforms be divided between the URDF, odometry, an EKF and a localiser? Write what the URDF's part is, and where it ends. (Chapter 12 asks for the rest.)
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] Everything below `base_link` (or `base_footprint`) comes from the URDF, through `robot_state_publisher`.
 # - [ ] Fixed joints on `/tf_static`, moving ones on `/tf` from `/joint_states`.
-# - [ ] `odom → base` belongs to wheels or EKF, one of them; `map → odom` to the localiser. The URDF has neither.
-# - [ ] A mount that stands in the URDF is not published by a second, static publisher as well.
+# - [ ] `odom → base` belongs to the wheel odometry or the EKF, one of them; `map → odom` to the localiser. The URDF has neither.
+# - [ ] A mount in the URDF is not also published by a second, static publisher.
 #
 # </details>
 
@@ -795,11 +795,11 @@ for what, text in broken.items():
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > On Monday somebody turns the laser by 180° so that its cable fits, and tells nobody. On Friday the robot brakes before walls that are behind it. Which line of which file is wrong, and which tool would have said so on Monday?
+# > On Monday somebody rotates the laser by 180° so that its cable fits, and tells nobody. On Friday the robot brakes for walls that are behind it. Which line of which file is wrong, and which tool would have reported it on Monday?
 #
 # <details><summary>Compare</summary>
 #
-# The `rpy` of the laser's **joint** origin. No tool: RViz, view_frames and tf2_echo all repeat the drawing. A box straight ahead of the robot would have.
+# The `rpy` of the laser's **joint** origin. No tool: RViz, view_frames and tf2_echo all repeat the description. A box straight ahead of the robot would have shown it.
 #
 # </details>
 
@@ -815,7 +815,7 @@ for what, text in broken.items():
 # </details>
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), which asks which moment each answer belongs to.
+# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time to which each answer belongs.
 # After a pass, or three tries, `solution("E7.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
