@@ -510,6 +510,8 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # ## 뒤집힌 IMU
 #
 # IMU는 회전(자이로)과, 중력에 맞서 자신을 떠받치는 힘(가속도계)을 각각 자기 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
+#
+# `Imu` 메시지에는 놓치기 쉬운 것이 두 가지 있습니다. 드라이버는 중력을 빼면 안 됩니다. 정지 상태에서 올바른 IMU는 위를 향한 축에 +9.81을 보입니다. 그리고 세 측정값마다 공분산이 있습니다. 첫 원소가 −1이면 그 값을 측정하지 않는다는 뜻입니다. 나침반이 없는 자이로의 `orientation`이 그렇습니다.
 
 # %% name="imu-reads" tags=["predicted"] slide="fragment"
 bend = lesson.Drive(legs=[lesson.Leg(2.0), lesson.Leg(6.0, 0.5, 0.5)])

@@ -1,15 +1,15 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 09 · Four ways to not get an answer
+# # 09 · Exceptions and waiting
 #
-# **Exceptions and waiting** · about 90 minutes, in two sittings of 45 with a rest between them · builds on 03 and 08
+# **Four ways to not get an answer** · about 90 minutes, in two sittings of 45 with a rest between them · builds on 03 and 08
 #
-# When you have worked through this page, you can
+# After this chapter you can
 #
-# - tell tf2's exceptions apart by meaning, and say what to look at first for each,
-# - read an extrapolation text: which moment was asked for, which edge stopped the walk, how far outside it was,
-# - tell data that is late from a clock that is wrong,
-# - wait without stopping the very thread that would bring the answer,
-# - write down a policy: how long to wait, how many to keep, how old is too old to move a robot.
+# - tell tf2's exceptions apart by their meaning, and say what to look at first for each,
+# - read the text of an extrapolation exception: the requested time, the edge that limits the lookup, how far outside it is,
+# - tell delayed data from a wrong clock,
+# - wait without blocking the thread that would bring the transform,
+# - write down a policy: how long to wait, how many messages to keep, how old is too old to move a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 답을 얻지 못하는 네 가지 경우
@@ -25,8 +25,8 @@
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask for a show of hands: who has cured a TF warning by raising a timeout?
-# Keep that question open; it is answered in the second half, and some of those hands will want to come down.
+# Ask for a show of hands: who has fixed a TF warning by raising a timeout?
+# Keep that question open. It is answered in the second half.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 합니다.
@@ -35,13 +35,13 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message comes or a timer rings. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
+# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message or a timer event arrives. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
 #
-# <details><summary>And what the page uses of 04, 05 and 06, if they are long ago</summary>
+# <details><summary>What the page uses of 04, 05 and 06, if you have forgotten it</summary>
 #
-# - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the way up from both ends at the same root.
-# - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheels' odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs news from *two* nodes.
-# - **Static and dynamic (06).** What is bolted on is sent once on `/tf_static` and is good for any time. What moves is sent again and again on `/tf`, each time with a stamp.
+# - **The tree (04).** Every frame has at most one parent. A frame without a parent is a root. Two frames are connected if the paths up from both end at the same root.
+# - **The usual chain (05).** `map → odom → base_footprint → base_link → laser_frame`. A localiser publishes `map → odom`, the wheel odometry publishes `odom → base_footprint`. So every lookup from `map` to a sensor needs data from *two* nodes.
+# - **Static and dynamic (06).** A mount is sent once on `/tf_static` and is valid at all times. What moves is sent again and again on `/tf`, each time with a stamp.
 #
 # </details>
 
@@ -69,15 +69,16 @@ from tflab.workbook import lesson
 # ## 43 milliseconds into the future
 #
 # A small robot, a fresh install, the first drive.
-# It moved in jerks, and RViz complained in its log: *extrapolation into the future*.
-# RViz had asked for a moment 43 ms later than the newest transform it had ([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
-# The makers of the robot asked back: are its clock and the desktop's in step? There were two computers, and each had a clock.
+# It moved in jerks, and RViz printed in its log: *extrapolation into the future*.
+# RViz had looked up a time 43 ms newer than the newest transform that it had ([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
+# The makers of the robot asked back: are its clock and the desktop's synchronised? There were two computers, and each had a clock.
 #
-# Others had the same sentence in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros, issue 21; perception_pcl, issue 416).
-# For some of them that was the cure. For others it was a plaster over a wound.
+# Other users had the same message in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros, issue 21; perception_pcl, issue 416).
+# For some of them that was the fix. For others it only hid the fault.
+#
 # **How can you tell which?** That is what this chapter is about.
 #
-# Here is how two clocks look from the outside. The three scans are stamped and sent by the robot's clock, and received by the desktop's. (The numbers are ours. "62 ms, dropped": received 62 ms after its stamp, and the desktop found no transform for that scan.)
+# Here is what two clocks look like. The three scans are stamped and sent by the robot's clock, and received by the desktop's clock. (The numbers are ours. "62 ms, dropped" means: received 62 ms after its stamp, and the desktop found no transform for that scan.)
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 43밀리초 뒤의 미래
@@ -101,8 +102,8 @@ lesson.draw_journeys([
 ])
 
 # %% [markdown] lang="en" name="story-read" slide="fragment"
-# A message cannot arrive before it leaves.
-# If it seems to, you are not looking at a network. You are looking at two clocks.
+# A message cannot arrive before it is sent.
+# If it seems to, the cause is not the network. There are two clocks.
 
 # %% [markdown] lang="ko" name="story-read" slide="fragment"
 # 메시지는 떠나기 전에 도착할 수 없습니다.
@@ -110,19 +111,19 @@ lesson.draw_journeys([
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Let somebody read the picture aloud, row by row: stamped, sent, received.
-# Wait for the moment when they stop and say: that cannot be.
+# Wait until they stop and say: that cannot be.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 한 사람에게 그림을 한 줄씩 소리 내어 읽게 합니다. 측정, 송신, 수신 순서입니다.
 # 읽다가 멈추고 "이럴 수는 없는데요"라고 말하는 순간을 기다립니다.
 
 # %% [markdown] lang="en" name="predict-windows" slide="slide"
-# ## Predict: which question gets an answer?
+# ## Predict: which lookup succeeds?
 #
-# This [[buffer]] holds the chain from `map` to `laser_frame`.
-# `map → odom` comes twice a second, and its last sample is from 14.0 s.
-# `odom → base_footprint` comes five times a second; the odometry node was started late, at 11.0 s, and its last sample is from 14.6 s.
-# The other two edges are bolted on.
+# This [[buffer]] has data for the path from `map` to `laser_frame`.
+# `map → odom` is published twice a second, and its last sample is from 14.0 s.
+# `odom → base_footprint` is published five times a second. The odometry node was started late, at 11.0 s, and its last sample is from 14.6 s.
+# The other two edges are mounts.
 
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
 # ## 예측해 봅시다: 어느 조회에서 값이 나올까요?
@@ -152,15 +153,15 @@ for parent, child, step in (
 lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
-# At 12.3 s there is an answer, and it even lies between two samples.
+# At 12.3 s there is an answer; it is even between two samples.
 #
-# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow is the way of the data.)
-# Somebody asks for the transform `map ← laser_frame` **of 14.3 s**, and then for the one **of 10.6 s**.
+# **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow shows the direction of the data.)
+# You look up the transform `map ← laser_frame` **at 14.3 s**, and then **at 10.6 s**.
 # For each: an answer or an exception? Which exception? Because of which edge?
 #
 # <details><summary>A hint, if you need one</summary>
 #
-# The rows do not end together. A walk needs a value of every row for the same moment.
+# The timelines do not end together. A lookup needs a value of every timeline at the same time.
 #
 # </details>
 
@@ -190,13 +191,12 @@ for second in (12.3, 14.3, 10.6):
 
 # %% [markdown] lang="en" name="compare-three" tags=["predicted"] slide="-"
 # Compare with what you wrote.
-#
-# Both are an [[extrapolation exception|ExtrapolationException]]: the path is there, but not for that moment, and tf2 never guesses beyond its samples.
-# At 14.3 s it was `map → odom` that ended too early: the *localiser*, although the odometry had news until 14.6 s.
+# Both are an [[extrapolation exception|ExtrapolationException]]: there is a path, but not at that time, and tf2 never guesses beyond its samples.
+# At 14.3 s it was `map → odom` that ended too early: the *localiser*, although the odometry had data until 14.6 s.
 # At 10.6 s it was `odom → base_footprint` that began too late.
 #
 # Now look at the text again. It names `laser_frame` and `map`. It names neither `odom` nor `base_footprint`.
-# **The text names the two ends of the question. It does not name the edge that failed.**
+# **The text names the two frames of the lookup. It does not name the edge that limits it.**
 # On a robot, people read "laser_frame", and replace the laser's cable.
 
 # %% [markdown] lang="ko" name="compare-three" tags=["predicted"] slide="-"
@@ -211,27 +211,27 @@ for second in (12.3, 14.3, 10.6):
 # 그래서 현장에서는 "laser_frame"을 읽고 레이저 케이블부터 바꿉니다.
 
 # %% [markdown] lang="en" name="compare-three-notes" slide="notes"
-# Ask who blamed the odometry for 14.3 s. That is the common guess: it is the one that moves.
-# The window of a chain ends where its laziest publisher ends.
+# Ask who blamed the odometry for 14.3 s. That is the common guess, because it is the one that moves.
+# The data of a path ends where its slowest publisher ends.
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
 # 14.3초에서 오도메트리를 탓한 사람이 있는지 묻습니다. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
 # 사슬의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
-# ## The idea in a sentence: name, path, moment
+# ## The idea in a sentence: name, path, time
 #
-# First tf2 looks whether your question makes sense; then it asks three things. The first "no" becomes the exception.
+# First tf2 checks the arguments; then it needs three things. The first that is missing becomes the exception.
 #
-# | tf2 asks | "no" is called | what it means | look first at |
+# | tf2 checks | the exception | what it means | look first at |
 # | --- | --- | --- | --- |
-# | Is this a question at all? | [[invalid argument exception|InvalidArgumentException]] | a frame name is empty, or begins with `/` | the line that asks, `header.frame_id` |
-# | Have I heard of both **names**? | [[lookup exception|LookupException]] | a name is unknown to this buffer | spelling; is its publisher running? |
+# | Are the arguments valid? | [[invalid argument exception|InvalidArgumentException]] | a frame name is empty, or begins with `/` | the line of the lookup, `header.frame_id` |
+# | Are both **names** known? | [[lookup exception|LookupException]] | a name is unknown to this buffer | spelling; is its publisher running? |
 # | Is there a **path**? | [[connectivity exception|ConnectivityException]] | both names are known, in separate trees | `view_frames`: two roots |
-# | Is there a value for that **moment**? | [[extrapolation exception|ExtrapolationException]] | there is a path, but one edge on it has no data then | stamps and clocks |
+# | Is there data for that **time**? | [[extrapolation exception|ExtrapolationException]] | there is a path, but one edge on it has no data at that time | stamps and clocks |
 #
 # All of them are a [[transform exception|TransformException]], which is their common base class.
-# Name, path, moment: if you can say which of the three is missing, you are half done.
+# Name, path, time: if you can say which of the three is missing, you are half done.
 
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
@@ -249,11 +249,12 @@ for second in (12.3, 14.3, 10.6):
 # 이름, 경로, 시각. 셋 중에서 무엇이 빠졌는지 말할 수 있으면 절반은 끝난 것입니다.
 
 # %% [markdown] lang="en" name="numbers" slide="subslide"
-# <details><summary>Deeper: the same in numbers, and one member more</summary>
+# <details><summary>Deeper: the same in numbers, and one more exception</summary>
 #
-# In tflab an extrapolation carries the numbers beside the text, and the edge that stopped the walk: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
-# On a robot you get only the text, so you take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
-# The family has one more member, TimeoutException: a buffer in *another* process did not answer. You will not meet it here.
+# In tflab an extrapolation exception has the numbers as attributes, and the edge that limits the lookup: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
+# On a robot you get only the text. Take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
+#
+# There is one more exception, TimeoutException: a buffer in *another* process did not answer. It does not occur on this page.
 #
 # </details>
 
@@ -275,18 +276,18 @@ for second in (12.3, 14.3, 10.6):
 # when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
-# 1. **Which kind?** "into the future": the moment asked for is newer than everything that one of the edges has.
-# 2. **Whose moment?** "Requested time 14.300000" is the stamp that the *asker* brought: usually `header.stamp` of a message.
+# 1. **Which kind?** "into the future": the requested time is newer than all data of one of the edges.
+# 2. **Whose time?** "Requested time 14.300000" was the time argument of the lookup, usually `header.stamp` of a message.
 # 3. **How far outside?** 14.3 − 14.0 = 0.3 s.
-# 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither name is accused.
-# 5. **Which edge?** The one on the way whose *newest* sample is from 14.000000. Look for that number: `map → odom`.
+# 4. **Which data, wanted where?** "from frame [laser_frame] to frame [map]": data expressed in `laser_frame`, wanted in `map`. That is the sentence of chapter 03, and neither frame is the cause.
+# 5. **Which edge?** The one on the path whose *newest* sample is from 14.000000. Look for that number: `map → odom`.
 #
 # Five questions, one line. With a little practice it takes ten seconds.
 #
-# <details><summary>Deeper: two cautions</summary>
+# <details><summary>Deeper: two warnings</summary>
 #
-# If several edges end too early, the text tells of only one: in a question to the root, such as `map`, the one met first on the way up from the source. There may be a lazier one behind it.
-# In a question below the root, such as `odom ← base_footprint`, tf2 may even climb past the goal, and give the time of `map → odom`, which is not on the way at all. The releases of March 2026 mend that (ros2/geometry2 #832); tflab answers as those before.
+# If several edges end too early, the text reports only one. In a lookup with the root as its target, such as `map`, it is the first one on the way up from the source. There may be a slower one after it.
+# In a lookup below the root, such as `odom ← base_footprint`, tf2 may even climb past the target and report the time of `map → odom`, which is not on the path at all. The releases of March 2026 fix that (ros2/geometry2 #832). tflab behaves as the releases before.
 #
 # </details>
 
@@ -337,9 +338,9 @@ else:
     print('where:', 'yes' if stopped_at == 'base_footprint' else 'not yet: which lane begins at 11.0?')
 
 # %% [markdown] lang="en" name="slider" slide="slide"
-# ## Drag the query out of the buffer
+# ## Drag the lookup out of the buffer
 #
-# Move the query past either end, slowly. Watch three things: where it begins to fail, which number in the text stays the same, and what LATEST means. The boundary is sharp: 14.000000000 s has an answer, a nanosecond later has none.
+# Move the requested time past either end, slowly. Watch three things: where the lookup begins to fail, which number in the text stays the same, and what LATEST means. The boundary is sharp: at 14.000000000 s there is an answer, a nanosecond later there is none.
 
 # %% [markdown] lang="ko" name="slider" slide="slide"
 # ## 요청 시각을 버퍼 밖으로 끌어 봅시다
@@ -356,8 +357,8 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it, one by one
 #
-# Now meet each "no" on purpose, while nothing is at stake. The red texts are those of a robot, to the letter.
-# (On a robot a traceback stands above them. `%xmode Minimal` leaves it out: what counts is the **last** line. `%xmode Context` brings it back.)
+# Now cause each exception on purpose. The red texts are those of a robot, to the letter.
+# (On a robot a traceback is printed above them. `%xmode Minimal` leaves it out: the **last** line is the one to read. `%xmode Context` shows it again.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 하나씩
@@ -366,7 +367,7 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 # (로봇에서는 그 위에 traceback이 길게 나옵니다. `%xmode Minimal`은 그 부분을 생략합니다. 중요한 것은 **마지막** 줄입니다. `%xmode Context`라고 쓰면 다시 나옵니다.)
 
 # %% [markdown] lang="en" name="break-lookup-why" slide="subslide"
-# ### A name that nobody has said
+# ### A name that no node has published
 
 # %% [markdown] lang="ko" name="break-lookup-why" slide="subslide"
 # ### 아무도 말한 적 없는 이름
@@ -376,10 +377,9 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 buffer.lookup_transform('map', 'laser_fame', Time())
 
 # %% [markdown] lang="en" name="lookup-read" slide="-"
-# It says which argument, and which name. Read the name letter by letter, as the buffer does. (Here the r of frame is missing.)
-#
-# The same exception comes in the first second after every start: the name is right, and its publisher has not spoken yet.
-# So a [[lookup exception|LookupException]] is a typo *or* a question that came too early.
+# It names the argument and the frame. Read the name letter by letter. (Here the r of frame is missing.)
+# The same exception comes in the first second after every start: the name is right, and its publisher has not published yet.
+# So a [[lookup exception|LookupException]] is a typo *or* a lookup that came too early.
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
 # 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽어 보세요. (여기서는 frame의 r이 빠졌습니다.)
@@ -403,8 +403,8 @@ corner.header.stamp = Time(seconds=12.3).to_msg()
 buffer.transform(corner, 'map')
 
 # %% [markdown] lang="en" name="header-read" slide="-"
-# You typed `map` only. The other name came with the message: `transform()` takes source and stamp from its header.
-# **An exception may name a frame that you never asked about, because something asked for you**: a header, RViz's Fixed Frame, a costmap's parameter.
+# You typed only `map`. The other name came with the message: `transform()` takes source and stamp from its header.
+# **An exception may name a frame that you never typed, because another source supplied it**: a header, RViz's Fixed Frame, a costmap's parameter.
 # Names are compared letter by letter, so there is no `Laser_frame`.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
@@ -427,8 +427,8 @@ store(StampedTransform('base_lnk', 'camera_link', 0, Transform((0.10, 0.0, 0.30)
 buffer.lookup_transform('map', 'camera_link', Time())
 
 # %% [markdown] lang="en" name="connectivity-read" slide="-"
-# Both names are known, and they are spelt right. The text does not contain the typo at all.
-# So do not stare at the names in a [[connectivity exception|ConnectivityException]]: look at the **roots**. There are two, and one of them has a funny name.
+# Both names are known, and they are spelt correctly. The text does not contain the typo at all.
+# So do not search the names of a [[connectivity exception|ConnectivityException]]. Look at the **roots**. There are two, and one of them is misspelt.
 
 # %% [markdown] lang="ko" name="connectivity-read" slide="-"
 # 두 이름 모두 알려져 있고 철자도 맞습니다. 오류 메시지 어디에도 오타가 없습니다.
@@ -440,8 +440,8 @@ print('roots:', *buffer.core.snapshot().roots)
 # %% [markdown] lang="en" name="one-sample" slide="subslide"
 # ### One sample is not enough
 #
-# An [[extrapolation exception|ExtrapolationException]] has three texts. You know "future" and "past". Here is the third: an edge that has been heard exactly once.
-# It comes after a restart, for a joint that was published once, or for a static edge that went to `/tf` by mistake.
+# An [[extrapolation exception|ExtrapolationException]] has three texts. You know "future" and "past". Here is the third: an edge with exactly one sample.
+# It happens after a restart, for a joint that was published once, or for a static edge that was published on `/tf` by mistake.
 
 # %% [markdown] lang="ko" name="one-sample" slide="subslide"
 # ### 표본 하나로는 부족합니다
@@ -454,9 +454,9 @@ store(StampedTransform('base_link', 'tool0', seconds(12.0), Transform((0.3, 0.0,
 buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 
 # %% [markdown] lang="en" name="statics" slide="-"
-# For `Time()`, and for its very own stamp, one sample is enough. So `tf2_echo`, which asks with `Time()`, shows it as if all were well, and your node fails.
+# For `Time()`, and for its own stamp, one sample is enough. So `tf2_echo`, which uses `Time()`, shows it, and your node fails.
 #
-# And `base_link → laser_frame`, whose stamp is 0? It answers for any time. **An old stamp on a static edge is not a fault**, and people have hunted it for days.
+# And `base_link → laser_frame`, whose stamp is 0? It is valid at all times. **An old stamp on a static edge is not a fault**, and people have searched for one for days.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
 # `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 답이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
@@ -464,7 +464,7 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 # 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 며칠씩 이 시각만 쫓은 사람도 있습니다.
 
 # %% [markdown] lang="en" name="argument-why" slide="subslide"
-# ### A question that is none
+# ### An invalid argument
 
 # %% [markdown] lang="ko" name="argument-why" slide="subslide"
 # ### 질문이 아닌 질문
@@ -473,8 +473,8 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 buffer.lookup_transform('/map', 'laser_frame', Time())
 
 # %% [markdown] lang="en" name="argument-read" slide="-"
-# ROS 1 wrote `/map`. ROS 2 writes `map`. An empty `header.frame_id` ends here as well.
-# This one is not about the robot's state: it fails today, tomorrow and with any timeout. Fix the line.
+# ROS 1 wrote `/map`. ROS 2 writes `map`. An empty `header.frame_id` raises this exception as well.
+# It does not depend on the robot's state: it fails today, tomorrow and with any timeout. Fix the line.
 
 # %% [markdown] lang="ko" name="argument-read" slide="-"
 # ROS 1에서는 `/map`, ROS 2에서는 `map`이라고 씁니다. 비어 있는 `header.frame_id`도 여기서 걸립니다.
@@ -483,8 +483,8 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # %% [markdown] lang="en" name="order" slide="subslide"
 # ### Predict: two faults at once
 #
-# `camera_link` hangs in a tree of its own (the typo is still there). Now ask for `camera_link ← odom` of 99 s, long after the newest sample.
-# No path *and* no data. Which exception do you expect?
+# `camera_link` is in a tree of its own (the typo is still there). Now look up `camera_link ← odom` at 99 s, long after the newest sample.
+# There is no path *and* no data. Which exception do you expect?
 
 # %% [markdown] lang="ko" name="order" slide="subslide"
 # ### 예측해 봅시다: 두 결함이 한꺼번에
@@ -500,11 +500,11 @@ for when in (Time(seconds=99), Time()):
         print(f'{when.nanoseconds / 1e9:.0f} s: {type(error).__name__}\n      {error}')
 
 # %% [markdown] lang="en" name="order-read" tags=["predicted"] slide="fragment"
-# The table was a little too tidy. tf2 checks the names first, but path and moment are checked **while walking**:
-# it climbs from the source, meets `map → odom`, which has nothing for 99 s, and remembers that. Only then does it notice that the other side ends elsewhere.
-# The time fault, found first, is the one it reports.
+# The table was a little too simple. tf2 checks the names first, but it checks path and time **while it walks the tree**.
+# It climbs from the source, finds no data for 99 s on `map → odom`, and remembers that. Only then does it notice that the other side ends elsewhere.
+# It reports the time, which it found first.
 #
-# So when an extrapolation puzzles you, ask once more with `Time()`, the latest. If *that* says "not part of the same tree", you have been chasing the wrong fault.
+# So when an extrapolation exception puzzles you, look up once more with `Time()`, the latest. If *that* says "not part of the same tree", the time was not the cause.
 
 # %% [markdown] lang="ko" name="order-read" tags=["predicted"] slide="fragment"
 # 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
@@ -514,7 +514,7 @@ for when in (Time(seconds=99), Time()):
 # 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 조회해 보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
-# This is the one subtle point of the first half. If time is short, say only the last sentence: ask once more with Time().
+# This is the one difficult point of the first half. If time is short, say only the last sentence: look up once more with Time().
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
 # 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말합니다. Time()으로 한 번 더 조회합니다.
@@ -522,7 +522,7 @@ for when in (Time(seconds=99), Time()):
 # %% [markdown] lang="en" name="handler" slide="slide"
 # ## Four exceptions, four actions
 #
-# An exception is no log line to be passed by, but a decision: a different kind of "no" wants a different action.
+# An exception is more than a log line. It is a decision: a different exception needs a different action.
 
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
@@ -555,12 +555,12 @@ for target, source, second in (
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
 # %% [markdown] lang="en" name="handler-traps" slide="-"
-# `map ← camera_link` has *no path*, and was asked of 12.3 s, where there is data: so here the path is what is reported.
+# `map ← camera_link` has *no path*, and was looked up at 12.3 s, where there is data. So here the path is reported.
 #
 # Two traps:
 #
 # - **The base class first.** Put `except TransformException` at the top, and the others are never reached. Python takes the first branch that fits.
-# - **Not everything is a `TransformException`.** Forget `import tf2_geometry_msgs`, and `transform()` raises a `TypeException`, which walks past every branch above (chapter 08). That is right: it is a fault of the program, not of the robot.
+# - **Not everything is a `TransformException`.** Without `import tf2_geometry_msgs`, `transform()` raises a `TypeException`, which none of the branches above catches (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
 # `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초의 것을 조회했으므로 이번에는 경로 문제가 보고됩니다. (출력 읽기: use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
@@ -571,24 +571,24 @@ for target, source, second in (
 # - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그래야 합니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
 
 # %% [markdown] lang="en" name="future-past" slide="slide"
-# ## Future and past: what is behind them
+# ## Future and past: the causes
 #
 # ```text
-#        [--------------]        what the buffer holds
-#   x    [--------------]        past extrapolation
+#        [--------------]        the data in the buffer
+#   x    [--------------]        extrapolation into the past
 #        [------x-------]        an answer
-#        [--------------]   x    future extrapolation
+#        [--------------]   x    extrapolation into the future
 # ```
 #
-# | x: the moment asked for | ordinary causes | causes that no waiting cures |
+# | x: the requested time | ordinary causes | causes for which waiting is no fix |
 # | --- | --- | --- |
-# | **future**: newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is fast; the publisher's clock is slow; the publisher has died |
-# | **past**: older than the oldest sample | the message comes from before the start of TF; processing took longer than the cache remembers | the sensor's clock is slow; a bag's old stamps against today's TF |
+# | **future**: newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is ahead; the publisher's clock is behind; the publisher has died |
+# | **past**: older than the oldest sample | the message is from before the start of TF; processing took longer than the cache time | the sensor's clock is behind; a bag's old stamps with today's TF |
 #
 # Before you think about networks, subtract the two times of the text.
-# If 1763690412 s stands against 30 s, nothing is slow: one node counts from 1970, the other from the start of a simulation or a bag. The parameter `use_sim_time` decides which, and it must be the same for all nodes.
+# If they are 1763690412 s and 30 s, nothing is slow: one node counts from 1970, the other from the start of a simulation or a bag. The parameter `use_sim_time` decides which, and it must be the same for all nodes.
 #
-# For the past, waiting is useless by definition: old data does not come back.
+# For the past, waiting is useless: old data does not come back.
 # For the future, waiting *may* help. The rest of this page is about that "may".
 
 # %% [markdown] lang="ko" name="future-past" slide="slide"
@@ -613,11 +613,11 @@ for target, source, second in (
 # 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
 
 # %% [markdown] lang="en" name="short-memory" slide="subslide"
-# <details><summary>Deeper: a past that was there, and is gone</summary>
+# <details><summary>Deeper: data that was there, and is gone</summary>
 #
-# You met it in chapter 08: a detector thinks for four seconds, its buffer remembers two. The transform it asks for *was* there, when the picture was taken.
-# The cure is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is what you get if you say nothing.
-# But ask first whether a robot should act on a picture that is four seconds old. We come back to that.
+# You saw it in chapter 08: a detector needs four seconds, its buffer keeps two. The transform that it needs *was* there, when the image was taken.
+# The fix is in the constructor: `Buffer(cache_time=Duration(seconds=20))`. Ten seconds is the default.
+# But ask first whether a robot should act on an image that is four seconds old. A later section returns to that.
 #
 # </details>
 
@@ -632,9 +632,8 @@ for target, source, second in (
 
 # %% [markdown] lang="en" name="rest" slide="slide"
 # ---
-#
-# **A rest.** Here ends the first sitting: you can read what tf2 says. Do E9.1 to E9.3 of the [exercises](../../exercises/en/E09_exceptions_and_waiting.ipynb) now, if you like.
-# The second sitting takes 45 minutes and needs nothing of the first but what you know: coming back another day, run the cell at the top of this page, and go on here.
+# **A rest.** Here the first sitting ends: you can read what tf2 reports. Do E9.1 to E9.3 of the [exercises](../../exercises/en/E09_exceptions_and_waiting.ipynb) now, if you like.
+# The second sitting takes 45 minutes. If you continue on another day, run the cell at the top of this page, and go on here.
 
 # %% [markdown] lang="ko" name="rest" slide="slide"
 # ---
@@ -645,9 +644,9 @@ for target, source, second in (
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
 # ## Late, or wrong?
 #
-# Two robots. On robot A, the Wi-Fi hiccups at 3 s, and every transform takes 0.2 to 0.4 s to arrive. On robot B, at 3 s the laser's computer sets its clock 0.3 s too fast.
+# Two robots. On robot A, the Wi-Fi slows down at 3 s, and every transform takes 0.2 to 0.4 s to arrive. On robot B, at 3 s the clock of the laser's computer is set 0.3 s ahead.
 #
-# A node watches one number: the **gap**, which is the stamp of a scan minus the newest moment that TF can answer (`buffer.get_latest_common_time`).
+# A node measures one number: the **gap**, which is the stamp of a scan minus the latest common time (`buffer.get_latest_common_time`).
 # A positive gap is an extrapolation into the future.
 
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
@@ -679,9 +678,9 @@ graph.set_clock_offset('laser_driver', 0.3)  # somebody "sets the clock"
 graph.run(seconds=4)
 
 # %% [markdown] lang="en" name="first-second" slide="subslide"
-# Here are both, but only up to one second after the trouble began.
+# Here are both, but only up to one second after the fault began.
 #
-# **Predict.** Your node waits at most 0.1 s. Which of the two robots gets better by itself? Could you tell, if this was all you had?
+# **Predict.** Your node waits at most 0.1 s. Which of the two robots recovers by itself? Could you tell, if this was all you had?
 
 # %% [markdown] lang="ko" name="first-second" slide="subslide"
 # 두 로봇을 나란히 그렸습니다. 다만 문제가 생긴 뒤 1초까지만입니다.
@@ -698,7 +697,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # 처음 1초만 보여 주고 토론하게 합니다. 아직 정답이 없다는 것이 요점입니다.
 
 # %% [markdown] lang="en" name="whole-story" slide="subslide"
-# For a second they look alike: both ask for a moment about 0.3 s later than what TF knows. Now the whole story.
+# For a second they look alike: both look up a time about 0.3 s newer than the data in TF. Now the whole recording.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
 # 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 늦은(미래의) 시각의 변환을 조회합니다. 이제 전체를 봅시다.
@@ -707,13 +706,13 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
 
 # %% [markdown] lang="en" name="two-gaps-read" tags=["predicted"] slide="subslide"
-# A comes back. B never does: a clock that is wrong stays wrong, and each new scan brings the same gap along.
-# (The small hook in B's line at 3.1 s is real, too: when a clock jumps ahead, its timer rings early.)
+# A recovers. B never does: a clock that is wrong stays wrong, and each new scan has the same gap.
+# (The small hook in B's line at 3.1 s is real, too: when a clock jumps ahead, its timer fires early.)
 #
-# - **Lateness passes, and it trembles** (look at A's wobble). Waiting bridges it.
-# - **A [[clock offset]] stays, and it is smooth.** Waiting does not shrink it.
+# - **A delay passes, and it varies** (look at A's curve). Waiting bridges it.
+# - **A [[clock offset]] stays, and it is constant.** Waiting does not reduce it.
 #
-# But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *when I heard it* minus *the stamp in it*. This is robot B, still running:
+# But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *the time of arrival* minus *the stamp*. This is robot B, still running:
 
 # %% [markdown] lang="ko" name="two-gaps-read" tags=["predicted"] slide="subslide"
 # A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
@@ -728,10 +727,10 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %ros2 --for 1.5 topic delay /scan
 
 # %% [markdown] lang="en" name="delay-read" slide="-"
-# A negative delay: the scan was heard 0.195 s *before it was measured*. Messages cannot do that; clocks can.
+# A negative delay: the scan arrived 0.195 s *before it was measured*. Messages cannot do that; clocks can.
 # (A healthy laser here would show +0.105 s: a sweep takes a tenth of a second, so 0.105 − 0.3 = −0.195.)
 #
-# What about the transforms? `/tf` has no header of its own, and the tool would say so: *msg does not have header*. But the odometry node also sends `/odom`, stamped by the same clock.
+# What about the transforms? `/tf` has no header of its own, and the tool would print *msg does not have header*. But the odometry node also publishes `/odom`, stamped by the same clock.
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
 # 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195초 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
@@ -743,7 +742,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %ros2 --for 1.5 topic delay /odom
 
 # %% [markdown] lang="en" name="delay-odom-read" slide="-"
-# 0.004 s: the transform's side is prompt, and by the same clock as ours. So it is the laser's clock.
+# 0.004 s: the transforms arrive without delay, and their clock is the same as ours. So the fault is in the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
 # 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 레이저의 시계입니다.
@@ -751,9 +750,9 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
 #
-# A delay of +0.3 s that never trembles may be a slow network, or a publisher whose clock is 0.3 s *slow*.
+# A constant delay of +0.3 s may be a slow network, or a publisher whose clock is 0.3 s *behind*.
 # From one-way times alone, **nobody** can separate the two: both add the same number to every message.
-# It takes a message that goes there *and back*. That is what `chrony` and NTP do for a living, so on two computers ask them. For example:
+# You need a message that goes there *and back*. `chrony` and NTP use such messages, so on two computers ask them. For example:
 #
 # ```text
 # $ chronyc tracking
@@ -761,7 +760,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # System time     : 0.300184021 seconds fast of NTP time      <- this line
 # ```
 #
-# And mind the quiet case. A sensor clock that is *slow* asks for the past. The buffer is happy to answer, for as long as its cache reaches: no exception, no warning, a robot that is wrong all day.
+# And there is a case without an error. A sensor clock that is *behind* leads to lookups in the past. The buffer answers, as far back as its cache time: no exception, no warning, and a robot that is wrong all day.
 
 # %% [markdown] lang="ko" name="honest-limit" slide="subslide"
 # ### 이것으로 알 수 없는 것
@@ -779,11 +778,11 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # 그리고 조용한 경우를 조심하십시오. 시계가 *느린* 센서의 데이터는 과거의 변환으로 조회됩니다. 버퍼는 기억이 닿는 한 기꺼이 답합니다. 예외도 경고도 없이, 로봇은 온종일 틀립니다.
 
 # %% [markdown] lang="en" name="plaster" slide="slide"
-# ## Break it: the plaster
+# ## Break it: the workaround
 #
-# Robot B again, with a clock 0.3 s fast. Somebody sets `timeout=Duration(seconds=1)`, as the forum said.
-# (And spins with several threads, so that waiting works at all. Why, you will see in a minute.)
-# The robot drives its first bend, at half a metre a second.
+# Robot B again, with a clock 0.3 s ahead. Somebody sets `timeout=Duration(seconds=1)`, as the forum suggested.
+# (And spins with several threads, so that waiting works at all. The reason follows soon.)
+# The robot drives its first curve, at half a metre per second.
 #
 # **Predict.** Will the warnings go away? Will the walls stay where they are?
 
@@ -816,8 +815,8 @@ placer = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)  # 6 s straight
 print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
-# Not one warning. The log is green, and the forum was right.
-# Now draw where the points of the bend went, beside where they belong.
+# Not one warning. The log is green, and the forum seems to be right.
+# Now draw the points of the curve, beside their true positions.
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
 # 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
@@ -839,13 +838,13 @@ lesson.draw_placed({
 }, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="plaster-read" tags=["predicted"] slide="subslide"
-# The wait ended each time, because after a while TF caught up with the *wrong* stamp.
-# Then the lookup gave a perfectly good answer to a perfectly wrong question: where was the laser 0.3 s **after** it measured?
+# The wait ended each time, because after a while TF had data for the *wrong* stamp.
+# Then the lookup gave a correct answer to a wrong question: where was the laser 0.3 s **after** its measurement?
 #
-# A timeout asks "is it there yet?". It never asks "is it true?".
-# **Waiting cures lateness. It does not cure a clock: it hides it.** (And each scan is now used 0.2 s later than it need be.)
+# A timeout checks whether the transform is there. It cannot check whether the stamp is true.
+# **Waiting fixes a delay. It does not fix a clock: it hides the fault.** (And each scan is now used 0.2 s later than necessary.)
 #
-# And what if the clock is 2 s fast? Then even the plaster falls off.
+# And if the clock is 2 s ahead? Then even the workaround fails.
 
 # %% [markdown] lang="ko" name="plaster-read" tags=["predicted"] slide="subslide"
 # 그림 읽기: as measured = 측정한 그대로, with the wait that "works" = "통한다는" 기다림으로.
@@ -866,7 +865,7 @@ hopeless = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)
 print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-off-read" slide="-"
-# Every single wait expires, after its full second, for as long as the robot runs. Nothing that is on its way takes that long *every* time. (Of the 86 scans the node got round to 8, one a second; the queue of its subscription is short, and dropped the others.)
+# Every wait expires after its full second, as long as the robot runs. No message takes that long *every* time. (The node processed 8 of the 86 scans, one a second. The queue of its subscription is short, and dropped the others.)
 
 # %% [markdown] lang="ko" name="plaster-off-read" slide="-"
 # 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다. (스캔 86개 중에서 노드가 처리한 것은 1초에 하나씩 8개뿐입니다. 구독의 큐는 짧아서 나머지를 버렸습니다.)
@@ -874,7 +873,7 @@ print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 # %% [markdown] lang="en" name="plaster-3d" slide="subslide"
 # ### The same in 3D
 #
-# One scan, taken in the middle of the bend. Drag the scrubber: it is the error of the laser's clock. The grey lines are the real walls.
+# One scan, taken in the middle of the curve. Drag the slider: it is the error of the laser's clock. The grey lines are the real walls.
 
 # %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
 # ### 3D로
@@ -893,10 +892,10 @@ lesson.draw_placed({
 # %% [markdown] lang="en" name="lanes" slide="slide"
 # ## Where may I wait?
 #
-# Late data, then, is worth a short wait. Robot C has honest clocks and a prompt network: nothing is wrong with it at all.
-# Still, a careful programmer gives the lookup half a second. One never knows.
+# So for delayed data a short wait is right. Robot C has correct clocks and a fast network: it has no fault at all.
+# Still, a careful programmer gives the lookup a timeout of half a second, just in case.
 #
-# The node notes when `/tf` messages are stored, and from when until when its callback is busy.
+# The node records when `/tf` messages are stored, and when its callback is busy.
 #
 # **Predict.** The robot runs for three seconds, ten scans a second. How many scans get their transform?
 
@@ -927,9 +926,9 @@ print(*patient.answers, sep='\n')
 # %% [markdown] lang="en" name="lanes-read" tags=["predicted"] slide="-"
 # None. Not one.
 #
-# It begins with bad luck: the first scan is 51 ms older than the first transform, so it can never be answered, and the callback waits its half second for nothing.
-# But why does it not recover? Look at the numbers: at the end it asks for 2.595 s, and the newest transform that it knows is from 1.146 s, although twenty a second have arrived.
-# The longer it waits, the less it knows. Here is why.
+# It begins with bad luck: the first scan is 51 ms older than the first transform, so there can be no answer, and the callback waits its half second for nothing.
+# But why does it not recover? Look at the numbers: at the end it looks up 2.595 s, and the newest transform that it has is from 1.146 s, although twenty a second have been sent.
+# The longer it waits, the older its data is. Here is why.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
 # 하나도 없습니다. 단 하나도 얻지 못했습니다.
@@ -942,12 +941,12 @@ print(*patient.answers, sep='\n')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"
-# `rclpy.spin(node)` has one thread, and between two callbacks it gets round to a single message. While `on_scan` waits *in* it, nobody calls the listener, and the transform lies at the door, unread.
+# `rclpy.spin(node)` has one thread, and between two callbacks it processes a single message. While `on_scan` waits *in* it, nothing calls the listener, and the transform stays in the queue.
 # The callback waits for the mail, and it is also the postman.
 #
 # <details><summary>Deeper: in C++</summary>
 #
-# A public report of just this is ros2/geometry2, issue 327. In C++ tf2 refuses such a wait at once, with a long sentence that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
+# A public report of this is ros2/geometry2, issue 327. In C++ tf2 rejects such a wait at once, with a long message that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
 #
 # </details>
 
@@ -962,15 +961,15 @@ lesson.draw_lanes(patient)
 # </details>
 
 # %% [markdown] lang="en" name="lanes-notes" slide="notes"
-# Play it: one student is the executor, a second one hands over mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
+# Play it: one student is the executor, a second one brings mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
 
 # %% [markdown] lang="ko" name="lanes-notes" slide="notes"
 # 연극으로 해 봅니다. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 "로봇이 어디 있습니까?"에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
 
 # %% [markdown] lang="en" name="cure-threads" slide="subslide"
-# ### Cure one: somebody else fetches the mail
+# ### Fix one: several threads
 #
-# The listener's subscriptions are in a *reentrant* callback group of their own. So an executor with several threads may call them while your callback waits. One word changes.
+# The listener's subscriptions are in a *reentrant* callback group of their own. So an executor with several threads may call them while your callback waits. You change one word.
 # To make it harder, every transform now takes 0.15 s to arrive.
 
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
@@ -985,18 +984,17 @@ print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="cure-threads-read" slide="-"
-# 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another takes in the mail: `/tf stored` keeps pace with `/tf sent`.
+# 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
 
 # %% [markdown] lang="ko" name="cure-threads-read" slide="-"
 # 28개 가운데 27개입니다. 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 편지를 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
 
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
-# ### Cure two: do not wait, be called
+# ### Fix two: do not wait, be called
 #
-# `wait_for_transform_async` gives you a [[future]] at once: a promise that is kept when the transform comes. Your callback is over in no time, and one thread is enough.
-#
-# Mind two things. It **never gives up**: whatever is never answered waits for ever. So keep the futures, and cancel the old ones.
-# And a promise must be looked at: `future.result()` gives the transform, or raises what went wrong.
+# `wait_for_transform_async` returns a [[future]] at once. The future is completed when the transform arrives. Your callback returns immediately, and one thread is enough.
+# Two things are up to you. The future has **no timeout**: if the transform never comes, it waits for ever. So keep the futures, and cancel the old ones.
+# And check the result: `future.result()` returns the transform, or raises the exception.
 
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
 # ### 해결책 둘: 기다리지 말고, 오면 호출하게 합니다
@@ -1030,21 +1028,21 @@ print(len(called.busy), 'scans,', len(called.answers), 'answered')
 lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="cures-compared" slide="subslide"
-# 27 of 30: the first scan can never be answered, and was let go when three younger ones were waiting; the last two are still on their way.
-# And look at the row of the callback: it is touched ten times a second, and never busy. With threads it was busy all the time.
+# 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. The last two are still on their way.
+# And look at the timeline of the callback: it runs ten times a second, and is never busy. With threads it was busy all the time.
 #
 # | where you wait | when it is right |
 # | --- | --- |
-# | nowhere: ask, and drop on failure | fast sensors: the next scan comes in 0.1 s anyway |
+# | nowhere: look up, and drop on failure | fast sensors: the next scan comes in 0.1 s anyway |
 # | in the callback, *with* a `MultiThreadedExecutor` | a few messages a second, a short timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
-# | a future (`wait_for_transform_async`) | many messages, one thread; keep the promises bounded |
+# | a future (`wait_for_transform_async`) | many messages, one thread; keep the number of futures bounded |
 # | in a plain callback with one thread | **never** |
 #
 # <details><summary>Deeper: two more ways</summary>
 #
-# - `await buffer.lookup_transform_async(...)` does the same in an `async` callback of a [[reentrant]] group; in any other group a promise that is never kept would block the group for good.
-# - A [[message filter]] (`tf2_ros::MessageFilter`, C++) is the same, ready made: your callback runs only when the transform is there, and its queue has a size.
+# - `await buffer.lookup_transform_async(...)` does the same in an `async` callback of a [[reentrant]] group. In any other group a future that is never completed would block the group for good.
+# - A [[message filter]] (`tf2_ros::MessageFilter`, C++) does the same ready made: your callback runs only when the transform is there, and its queue has a size.
 #
 # </details>
 
@@ -1070,16 +1068,16 @@ lesson.draw_lanes(called)
 # %% [markdown] lang="en" name="policy" slide="slide"
 # ## How long, how many, how old?
 #
-# Waiting has a price: whoever waits, queues. A robot needs four answers *before* it drives, and they are yours to give, not tf2's:
+# Waiting costs something: messages queue up. A robot needs four decisions *before* it drives, and tf2 does not make them for you:
 #
 # 1. If TF is late, how long do I wait?
-# 2. What did not make it: drop it, or keep it?
-# 3. How many may queue, and which one goes when the queue is full?
+# 2. A message that got no transform in time: drop it, or keep it?
+# 3. How many may queue, and which one is dropped when the queue is full?
 # 4. How old may data be when it moves the robot?
 #
-# Here is what happens without answers. Scans come every 100 ms. Each decision takes 150 ms. The queue is endless, and nobody has set a limit.
+# Here is what happens without these decisions. Scans come every 100 ms. Processing takes 150 ms each. The queue is unbounded, and there is no limit of age.
 #
-# **Predict.** After 12 seconds: how old is the data that the robot is deciding on?
+# **Predict.** After 12 seconds: how old is the data that the robot is using?
 
 # %% [markdown] lang="ko" name="policy" slide="slide"
 # ## 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지?
@@ -1101,13 +1099,13 @@ bounded = lesson.ages_of_decisions('two at most', deque(maxlen=2))  # a full deq
 lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 
 # %% [markdown] lang="en" name="queues-read" tags=["predicted"] slide="subslide"
-# Four seconds. At half a metre a second, the robot brakes for what it saw two metres ago, and nothing in the log is red.
-# It *lost no message at all*. That is the trouble.
+# Four seconds. At half a metre per second, the robot brakes for what it detected two metres ago, and nothing in the log is red.
+# It *lost no message at all*. That is the problem.
 #
-# With room for two, a third of the scans is dropped, and no decision is made on data older than 0.3 s.
-# **For moving a robot, new beats complete.** (For building a map afterwards, it may be the other way round.)
+# With room for two, a third of the scans is dropped, and no decision uses data older than 0.3 s.
+# **For moving a robot, new is better than complete.** (For building a map afterwards, it may be the other way round.)
 #
-# A policy for a robot like this, in one line: wait at most 0.2 s (where such a number comes from, you see next); then drop; keep two, the oldest goes; nothing older than 0.5 s moves a wheel.
+# A policy for a robot like this, in one line: wait at most 0.2 s (the next section shows how to calculate it); then drop; keep two, drop the oldest; data older than 0.5 s moves no wheel.
 
 # %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
 # 그림 읽기: age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
@@ -1131,14 +1129,14 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="en" name="how-long" slide="subslide"
 # ### How long is "a little"?
 #
-# Not a matter of taste: it can be worked out. A scan waits for the first transform that is stamped *at or after* it.
+# You can calculate it. A scan waits for the first transform that is stamped *at or after* it.
 #
 # - In the worst case that transform is stamped one whole **period** later (10 Hz: 0.1 s),
 # - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
-# - The scan was itself under way for a while: that time has already passed.
+# - The scan itself took some time to arrive: that time has already passed.
 #
-# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the way. For robot C, with its 0.15 s on the way: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
-# If you find that a longer wait helps, do not be glad: look at the clocks.
+# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
+# If only a longer wait helps, check the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
 # ### "조금"은 얼마일까요?
@@ -1159,25 +1157,25 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code></summary>
 #
-# The warnings will go away, and each scan will be placed where the laser was 0.4 s after it measured. You have seen that picture. The wait asks "is it there?", not "is it true?".
+# The warnings will go away, and each scan will be transformed with the laser's pose of 0.4 s after the measurement. You have seen that picture. A timeout checks whether the transform is there, not whether the stamp is true.
 #
 # </details>
 #
-# <details><summary>2. Ask with <code>Time()</code>, the latest, instead of the stamp</summary>
+# <details><summary>2. Look up with <code>Time()</code>, the latest, instead of the stamp</summary>
 #
-# `Time()` always gets an answer, and throws away the only thing that the stamp is for: when it was measured. While the robot stands still nobody notices. When it turns, the walls smear (chapter 08).
+# `Time()` always gets an answer, and ignores the time of the measurement. While the robot stands still nobody notices. When it turns, the walls smear (chapter 08).
 #
 # </details>
 #
 # <details><summary>3. Write the time of arrival into <code>header.stamp</code></summary>
 #
-# Then the stamp says when the message was *heard*. The exception is gone, the sweep time and the transport are hidden in the stamp, and nobody downstream can ever find out.
+# Then the stamp is the time at which the message *arrived*. The exception is gone, and no node after yours can find out the time of the measurement.
 #
 # </details>
 #
 # <details><summary>4. <code>chronyc tracking</code> on both computers, and set the clock right</summary>
 #
-# Yes. Constant for an hour, hardly any tremble, and a negative delay: that is a clock, and a clock is set right where it is wrong.
+# Yes. Constant for an hour, hardly any variation, and a negative delay: that is a clock. Set it right on the computer where it is wrong.
 #
 # </details>
 
@@ -1219,7 +1217,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## The same on a real robot
 #
-# A handler and an asynchronous wait, in one node. This file runs unchanged on ROS 2: on a robot you add the usual `main()`.
+# A handler and an asynchronous wait, in one node. This file runs unchanged on ROS 2. On a robot you add the usual `main()`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서도 똑같이
@@ -1309,14 +1307,14 @@ careful = lesson.run_node(OnRobot, 4.0)
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - **Name, path, moment.** Lookup, connectivity, extrapolation: which of the three is missing? (And InvalidArgument: it was no question.)
-# - The text names the ends of the question, not the edge that failed. Find that edge by the time in the text.
-# - Past: waiting is useless. Future: wait a little if it is *late*; set the clock if it is *wrong*. A negative delay is a clock.
-# - A timeout asks "is it there?", never "is it true?".
-# - Never wait in the only thread. Use several threads, or a promise.
+# - **Name, path, time.** Lookup, connectivity, extrapolation: which of the three is missing? (InvalidArgument: the arguments were wrong.)
+# - The text names the frames of the lookup, not the edge that limits it. Find that edge by the time in the text.
+# - Past: waiting is useless. Future: wait a little if the transform is *late*; set the clock if it is *wrong*. A negative delay is a clock.
+# - A timeout checks whether the transform is there, never whether the stamp is true.
+# - Never wait in the only thread. Use several threads, or a future.
 # - How long, how many, how old: decide before you drive.
 #
-# Text of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
+# Terms of this chapter: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset]], [[jitter]], [[message filter]].
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1335,19 +1333,19 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>From 03. The text says <em>from frame [laser_frame] to frame [map]</em>. Write the call that was made.</summary>
 #
-# `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`; the frame in which you want it comes first.
+# `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`. The frame in which you want it comes first.
 #
 # </details>
 #
-# <details><summary>From 08. What does <code>Time()</code> ask for, and why is its answer in this page's buffer one for 14.0 s, although the odometry had news until 14.6 s?</summary>
+# <details><summary>From 08. What does <code>Time()</code> ask for, and why is its answer in this page's buffer from 14.0 s, although the odometry had data until 14.6 s?</summary>
 #
-# The latest *common* time: the earliest of the newest samples of all dynamic edges on the way. Statics do not count.
+# The latest *common* time: the earliest of the newest samples of all dynamic edges on the path. Static edges do not count.
 #
 # </details>
 #
-# <details><summary>From 02. Somebody publishes a transform whose quaternion is (0, 0, 0, 0). Which exception will <em>you</em> get, and where?</summary>
+# <details><summary>From 02. A node publishes a transform whose quaternion is (0, 0, 0, 0). Which exception will <em>you</em> get, and where?</summary>
 #
-# A LookupException, at your own lookup, far away from the culprit: the listener refuses the transform and says so in its log, so the frame is never heard of.
+# A LookupException, at your own lookup, far away from the cause. The listener rejects the transform and logs it, so the frame stays unknown.
 #
 # </details>
 
@@ -1379,25 +1377,25 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # **Q11.** What is the difference between LookupException, ConnectivityException and ExtrapolationException?
 #
-# <details><summary>Ideas that a full answer has</summary>
+# <details><summary>Ideas of a full answer</summary>
 #
-# - Lookup: the buffer does not know a *name* (typo, publisher not running, not heard *yet*).
-# - Connectivity: both names are known, but no *path*: the tree is in pieces, two roots.
-# - Extrapolation: there is a path, but an edge on it has no value for that *moment*, and tf2 does not guess.
-# - Each wants another first check: the name; the tree; stamps and clocks.
-# - For a fourth star: with two faults at once, the time fault may be reported first.
+# - Lookup: the buffer does not know a *name* (typo, publisher not running, nothing received *yet*).
+# - Connectivity: both names are known, but there is no *path*: the tree is in pieces, two roots.
+# - Extrapolation: there is a path, but an edge on it has no data at that *time*, and tf2 does not guess.
+# - Each needs another first check: the name; the tree; stamps and clocks.
+# - For a fourth star: with two faults at once, the time may be reported first.
 #
 # </details>
 #
 # **Q12.** Give two causes each of future and of past extrapolation.
 #
-# <details><summary>Ideas that a full answer has</summary>
+# <details><summary>Ideas of a full answer</summary>
 #
 # - Future: the transform is still on its way, or its publisher is slow or has died.
-# - Future: the sensor's clock is fast, or the clock of the transform's publisher is slow.
-# - Past: the message was processed for longer than the cache reaches, or comes from before TF began.
-# - Past: stamps from another clock: a slow sensor clock, a bag's old stamps.
-# - A waiting time helps in the first case only.
+# - Future: the sensor's clock is ahead, or the clock of the transform's publisher is behind.
+# - Past: processing the message took longer than the cache time, or the message is from before TF began.
+# - Past: stamps of another clock: a sensor clock that is behind, a bag's old stamps.
+# - Waiting helps in the first case only.
 #
 # </details>
 
@@ -1433,18 +1431,19 @@ careful = lesson.run_node(OnRobot, 4.0)
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# Without looking: your log says *extrapolation into the future*. Name the **two** things it can mean, and the **one** command that tells them apart.
+# Without looking: your log contains *extrapolation into the future*. Name the **two** things it can mean, and the **one** command that tells them apart.
 # Write one sentence for the colleague who wants to raise the timeout.
 #
 # <details><summary>One good ending</summary>
 #
-# The transform is late, or a clock is wrong. `ros2 topic delay`: data that is late shows a delay above the healthy one, and it trembles; below zero it is a clock.
-# "If it is late, a short wait is enough; if it is a clock, a long one only hides it: let us look at the delay first."
+# The transform is late, or a clock is wrong. `ros2 topic delay`: delayed data shows a delay above the normal one, and it varies; below zero it is a clock.
+# "If it is late, a short wait is enough. If it is a clock, a long wait only hides it. Let us look at the delay first."
 #
 # </details>
 #
-# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 two times are subtracted, and the buffer gives one of them: subtract their `.nanoseconds`, for times of different clocks do not mix.
-# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb): whose time is it, when a recording is played?
+# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, and the buffer returns one of them. Subtract their `.nanoseconds`, because times of different clocks cannot be subtracted.
+# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about the time that counts when a recording is played.
+#
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
