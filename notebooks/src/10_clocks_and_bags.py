@@ -1,13 +1,13 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 10 · Whose time is it?
+# # 10 · Clocks and bags
 #
-# **Clocks and bags** · about 55 minutes · builds on 06, 08 and 09
+# **Whose time is it?** · about 55 minutes · builds on 06, 08 and 09
 #
 # After this chapter you can
 #
-# - record a [[bag]] that can place its own messages, and say in one number whether it can;
-# - say in whose time a node lives: in the machine's, in the bag's, or in none ([[simulation time]]);
-# - recognise a forgotten `--clock`, a node that lives in another day, and a bag that plays in a loop;
+# - record a [[bag]] that contains the transforms for its own messages, and check it with one number,
+# - say which time a node uses: the machine's, the bag's, or none ([[simulation time]]),
+# - recognise a forgotten `--clock`, a node that uses another day, and a bag that plays in a loop,
 # - examine a bag of your own.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -23,7 +23,7 @@
 # - 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 to the offset, 9 for one number, 15 for the two clocks and the innocent, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 답은 둘 다 맞고, 로봇은 하나로 통일해야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 잘못 없는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
@@ -31,9 +31,9 @@
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
 #
-# - **Static transforms** (06) are said once, on `/tf_static`. Their publisher keeps the message for whoever comes later.
-# - **The stamp** (08) says when a thing was measured. The [[buffer]] answers between its oldest and its newest sample; `Time()` asks for the latest.
-# - **Three refusals** (09): an unknown name, no path, a moment outside (into the past, into the future). With a single sample in the buffer there is a third text about moments.
+# - **Static transforms** (06) are sent once, on `/tf_static`. Their publisher keeps the message for listeners that join later.
+# - **The stamp** (08) is the time of the measurement. The [[buffer]] answers between its oldest and its newest sample; `Time()` asks for the latest.
+# - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). With a single sample in the buffer there is a third text about times.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
@@ -43,7 +43,7 @@
 # - **세 가지 거절**(09): 모르는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% [markdown] lang="en" name="needed-notes" slide="notes"
-# A minute of the four. Read one line, ask which chapter it comes from, go on. Whoever hesitates writes the number down for tonight.
+# Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the number down for tonight.
 
 # %% [markdown] lang="ko" name="needed-notes" slide="notes"
 # 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
@@ -60,10 +60,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Skip the boring first second
 #
-# A recording begins with a robot that stands still. So somebody played it with `--start-offset`, a little later than the start, and the sensors fell off the robot: no laser, no camera, no model. Reported in 2026, and closed as working as designed ([ros2/rosbag2, issue 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# A recording begins with a robot that stands still. So somebody played it with `--start-offset`, a little later than the start, and there were no sensors: no laser, no camera, no model. Reported in 2026, and closed as working as designed ([ros2/rosbag2, issue 2333](https://github.com/ros2/rosbag2/issues/2333)).
 # Others began to record while paused, and got a bag without any mounts ([issue 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
-# What lay in that first moment? Let us record a lap of our robot and look.
+# What was in that first second? Record a drive of our robot and look.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 지루한 처음 1초 건너뛰기
@@ -74,7 +74,7 @@ from tflab.workbook import lesson
 # 그 첫 순간에 무엇이 있었을까요? 우리 로봇의 한 바퀴를 기록해 봅시다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Stop after the first paragraph: what may have been in that second? Collect guesses on the board, and tell nothing yet.
+# Stop after the first paragraph: what may have been in that second? Collect guesses on the board, and explain nothing yet.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 첫 문단에서 멈추고 묻습니다. 그 1초에 무엇이 있었을까요? 추측을 칠판에 모으고 답은 아직 말하지 않습니다.
@@ -86,7 +86,7 @@ nodes = lesson.launch(graph, robot)
 bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
 
 # %% [markdown] lang="en" name="record-intro" slide="subslide"
-# The lecture's line, and an IMU. On a robot you would end it with Ctrl-C; here `--for` does.
+# The lecture's command, with an IMU. On a robot you end it with Ctrl-C; here `--for` does.
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
 # 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`가 끝냅니다.
@@ -95,9 +95,8 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # %ros2 --for 15.03 bag record -o {bags}/lap /scan /odom /tf /tf_static /imu /clock
 
 # %% [markdown] lang="en" name="record-read" slide="-"
-# Five subscriptions for six topics: there is no `/clock`, and nobody complains. A recorder waits for what may still come.
-#
-# A real robot has no `/clock`. Only a simulation publishes one, and only then it belongs into the bag; the lecture's line asks for it to be on the safe side.
+# Five subscriptions for six topics: there is no `/clock`, and the recorder reports no error. It waits for topics that may still appear.
+# A real robot has no `/clock`. Only a simulation publishes one, and then it belongs in the bag. The lecture's command includes it to be safe.
 
 # %% [markdown] lang="ko" name="record-read" slide="-"
 # 토픽은 여섯인데 구독은 다섯입니다. `/clock`이 없지만 아무 오류도 나지 않습니다. 기록기는 나중에 나타날지도 모르는 토픽을 기다릴 뿐입니다.
@@ -108,7 +107,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # %ros2 bag info {bags}/lap
 
 # %% [markdown] lang="en" name="info-read" slide="-"
-# Read the counts. `/tf` 750, `/tf_static` **1**. One message carries every mount, and here is when it was heard:
+# Read the counts. `/tf` 750, `/tf_static` **1**. One message contains every mount, and here is when it was received:
 
 # %% [markdown] lang="ko" name="info-read" slide="-"
 # 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 수신 시각은 다음과 같습니다.
@@ -124,12 +123,12 @@ lap = lesson.read_bag(bags / "lap", show_progress=False)
 lesson.draw_heard(lap, for_s=2.0)
 
 # %% [markdown] lang="en" name="heard-read"
-# Each circle is a message, at the moment at which the recorder *heard* it. That is one of its two times; the other, its stamp, says when it was measured. A scan is heard 0.105 s after its stamp.
-# `ros2 bag play` goes by the first, TF by the second.
+# Each circle is a message, at the time at which the recorder *received* it. That is one of its two times. The other, its stamp, is the time of the measurement. A scan is received 0.105 s after its stamp.
+# `ros2 bag play` uses the first, TF uses the second.
 #
 # ### Predict
 #
-# Of the 150 scans the bag's own transforms can place 149 on the map: at each scan's own stamp, `map ← laser_frame`. (The first scan is older than all of TF.)
+# Of the 150 scans the bag's own transforms can place 149 on the map: at each scan's own stamp, `map ← laser_frame`. (The first scan is older than all transforms.)
 # How many can be placed if you play with `--start-offset 0.001`, one millisecond later?
 
 # %% [markdown] lang="ko" name="heard-read"
@@ -144,13 +143,13 @@ lesson.draw_heard(lap, for_s=2.0)
 # `--start-offset 0.001`로 기록의 처음 1밀리초를 건너뛰고 재생하면 몇 개를 옮길 수 있을까요?
 
 # %% [markdown] lang="en" name="heard-notes" slide="notes"
-# Cover the last row with your hand and ask how often each of the others speaks. Uncover it. Then everybody writes a number for one millisecond.
+# Cover the last row with your hand and ask how often each of the other topics is published. Uncover it. Then everybody writes a number for one millisecond.
 
 # %% [markdown] lang="ko" name="heard-notes" slide="notes"
 # 마지막 줄을 손으로 가리고 나머지 줄의 빈도를 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
-# To find out we need a node that listens while the bag plays. It asks for each scan three times: at the scan's stamp, at its own now, and with `Time()`. It also counts how often its timer rings, and how old a scan seems to it.
+# To find out you need a node that listens while the bag plays. For each scan it looks up three times: the scan's stamp, its own now, and `Time()`. It also counts its timer callbacks, and the age of a scan by its own clock.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
 # 알아보려면 재생하는 동안 듣는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔이 얼마나 오래되어 보이는지도 적습니다.
@@ -176,7 +175,7 @@ def ask(node, question, frame, moment):
 
 
 # %% [markdown] lang="en" name="asker-intro-notes" slide="notes"
-# Nobody has to read the code. Say what the node will do: three moments for each scan, a timer, an age.
+# Nobody has to read the code. Say what the node will do: three lookups for each scan, a timer, an age.
 
 # %% [markdown] lang="ko" name="asker-intro-notes" slide="notes"
 # 코드를 다 읽지 않아도 됩니다. 노드가 하는 일만 말합니다. 스캔마다 시각 셋, 타이머 하나, 나이 하나입니다.
@@ -207,10 +206,10 @@ for options in ("--clock", "--clock --start-offset 0.001"):
 print(asker.first_no)
 
 # %% [markdown] lang="en" name="offset-read" tags=["predicted"]
-# None. The one message with the mounts stood at 0.000 s, and the player passed over it. From then on nobody knows a `laser_frame`.
+# None. The one message with the mounts was at 0.000 s, and the player skipped it. From then on no listener knows a `laser_frame`.
+# On the robot its publisher would send it again to each listener that joins later; that is how `/tf_static` works. A player sends only what it has played.
 #
-# On the robot its publisher would say it again to whoever comes later; that is how `/tf_static` works. A player has only said what it has played.
-# If you must begin later, let `robot_state_publisher` say the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are listening already: when that player ends, what it kept for late comers goes with it.
+# If you must begin later, let `robot_state_publisher` publish the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are already listening. When that player ends, the message that it kept for late listeners is gone.
 
 # %% [markdown] lang="ko" name="offset-read" tags=["predicted"]
 # 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 지나쳤습니다. 그 뒤로 `laser_frame`을 아는 노드가 없습니다.
@@ -219,7 +218,7 @@ print(asker.first_no)
 # 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 띄우면 됩니다. 또는 노드를 모두 띄운 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 간직하던 메시지도 함께 사라지므로, 그 뒤에 뜬 노드는 받지 못합니다.
 
 # %% [markdown] lang="en" name="offset-notes" slide="notes"
-# Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player says only what it has played.
+# Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player sends only what it has played.
 
 # %% [markdown] lang="ko" name="offset-notes" slide="notes"
 # 149개, 몇 개만 빼고 모두, 하나도 없음에 손을 들게 한 다음 실행합니다. 한 문장이면 됩니다. 재생기는 재생한 것만 보냅니다.
@@ -227,9 +226,9 @@ print(asker.first_no)
 # %% [markdown] lang="en" name="one-number" slide="slide"
 # ## One number for any bag
 #
-# *Can this bag place its own messages?* You need not play it to know. Fill a buffer with its transforms, and ask for each message at its stamp.
+# *Can the transforms in this bag place its own messages?* You need not play it to know. Fill a buffer with its transforms, and look up each message at its stamp.
 #
-# **Predict** for the scans: all recorded; without `/tf_static`; without `/tf`.
+# **Predict** for the scans: all topics; without `/tf_static`; without `/tf`.
 
 # %% [markdown] lang="ko" name="one-number" slide="slide"
 # ## 어떤 bag에나 통하는 숫자 하나
@@ -244,16 +243,16 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
     print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
 
 # %% [markdown] lang="en" name="place-all-read" tags=["predicted"]
-# Three bags of almost the same size, 149, 0 and 0, and the two noes name different frames: without `/tf_static` nobody knows the sensor, without `/tf` nobody knows the map.
+# Three bags of almost the same size, 149, 0 and 0, and the two errors name different frames: without `/tf_static` the sensor's frame is unknown, without `/tf` the map is.
 # The first error tells you which topic is missing. The sensor itself was never broken.
 #
-# So what is the smallest recording? It depends on the question that you will ask of it tomorrow:
+# So what is the smallest recording? It depends on what you want to do with it tomorrow:
 #
 # | tomorrow you want | record besides the sensor |
 # |---|---|
-# | the sensor on the map, as the robot saw it | `/tf` `/tf_static` |
-# | to localise anew, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
-# | the same from a simulation | the same, and `/clock`, which keeps how fast it ran; play that bag without `--clock`, for older players would say the time twice |
+# | the sensor on the map, as the robot placed it | `/tf` `/tf_static` |
+# | to run the localisation again, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
+# | the same from a simulation | the same, and `/clock`, which contains how fast it ran; play that bag without `--clock`, because older players would publish the time twice |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
@@ -268,7 +267,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션이 얼마나 빨랐는지 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
-# Let them guess the errors before the numbers. M13 lives here: "I recorded the sensor, so I have the data." And the wall behind it: "laser_frame does not exist" makes people take the laser apart (M15).
+# Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." And the one behind it: "laser_frame does not exist" makes people take the laser apart (M15).
 
 # %% [markdown] lang="ko" name="place-all-notes" slide="notes"
 # 숫자보다 오류 메시지를 먼저 예측하게 합니다. "센서를 기록했으니 데이터는 있다"는 오개념(M13)이 여기서 나옵니다. "laser_frame does not exist"를 보고 레이저를 뜯는 사람도 있습니다(M15).
@@ -276,14 +275,13 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # %% [markdown] lang="en" name="two-clocks" slide="slide"
 # ## Two clocks
 #
-# It is the next day. The bag's stamps are of yesterday; the computer's clock is 86 400 s on.
-# A node's parameter `use_sim_time` says which of the two it lives in: `false`, the machine's; `true`, whatever `/clock` says. And a player says something on `/clock` only with `--clock`.
+# It is the next day. The bag's stamps are from yesterday; the computer's clock is 86 400 s ahead of them.
+# A node's parameter `use_sim_time` decides which of the two it uses: `false`, the machine's time; `true`, the time on `/clock`. And a player publishes `/clock` only with `--clock`.
 #
 # ### Predict
 #
-# Sixty scans are played. For each of the four set-ups: how many are answered at the scan's **stamp**, how many at the node's **now**, and does the timer ring?
-#
-# Begin with this one: `use_sim_time` is false, no `--clock`, and the node asks at `header.stamp`. Does it work at all?
+# Sixty scans are played. For each of the four set-ups: how many lookups succeed at the scan's **stamp**, how many at the node's **now**, and does the timer run?
+# Begin with this one: `use_sim_time` is false, no `--clock`, and the node looks up at `header.stamp`. Does it work at all?
 
 # %% [markdown] lang="ko" name="two-clocks" slide="slide"
 # ## 두 시계
@@ -308,10 +306,10 @@ for use_sim_time in (False, True):
         )
 
 # %% [markdown] lang="en" name="four-set-ups-read" tags=["predicted"]
-# - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and agree whatever any clock says. Another reason to ask at the stamp (08).
-# - **On the machine's time** everything else is a day off: now lies 86 400 s in the future of all data, a scan seems a day old, and whatever the node stamps freshly comes from tomorrow.
-# - **With both** the node lives in the bag's time. A scan is 0.105 s old, as on the robot. Asking for *now* fails honestly, a hundredth of a second short: transforms take a moment, too.
-# - **And the third line?** `use_sim_time`, without `--clock`. The timer never rings, the age is minus seven seconds, and *now* is answered 59 times out of 60. The only set-up in which it is!
+# - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and they agree whatever a clock shows. That is another reason to look up at the stamp (08).
+# - **With the machine's time** everything else is a day off: now is 86 400 s in the future of all data, a scan seems a day old, and a new stamp of this node is from tomorrow.
+# - **With both** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup of *now* fails by a hundredth of a second: transforms take time to arrive, too.
+# - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and *now* succeeds 59 times out of 60. It is the only set-up in which it does!
 
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
 # - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
@@ -320,7 +318,7 @@ for use_sim_time in (False, True):
 # - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*의 조회는 60번 가운데 59번 성공합니다. 이 조회가 성공하는 설정은 이것뿐입니다!
 
 # %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
-# Fifteen minutes from here to the innocent. Four rows and three columns on the board; the room fills each before it is run. Most leave the first cell empty, and it is 59.
+# Fifteen minutes from here to the wrong suspect. Four rows and three columns on the board; the class fills in each before it is run. Most leave the first cell empty, and it is 59.
 
 # %% [markdown] lang="ko" name="two-clocks-notes" slide="notes"
 # 여기서 잘못 없는 노드까지 15분입니다. 칠판에 네 줄 세 칸을 그리고, 실행하기 전에 함께 채웁니다. 대부분 첫 칸을 비워 두지만 답은 59입니다.
@@ -328,8 +326,8 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="en" name="stopped" slide="subslide"
 # ### The stopped clock
 #
-# A node with `use_sim_time` that hears no `/clock` has a clock that stands at **0**. Nothing that waits for time ever happens.
-# And `Time(0)` is how tf2 writes *the latest*. So a node that asks for *now* gets the latest transform, silently, while its clock stands still. The broken set-up is the one that looks best.
+# A node with `use_sim_time` that receives no `/clock` has a clock that stays at **0**. Nothing that waits for a time ever happens.
+# And `Time(0)` is how tf2 writes *the latest*. So a node that looks up *now* gets the latest transform, without an error, while its clock stands still. The broken set-up is the one that looks best.
 #
 # A user once reported that a transform library failed with `use_sim_time`, and withdrew it the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
 
@@ -348,7 +346,7 @@ for use_sim_time in (False, True):
 # 셋째 줄을 오래 봅니다. 왜 고장 난 설정이 가장 멀쩡해 보입니까? 0이 최신을 뜻한다는 말이 나올 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="panel-intro" slide="subslide"
-# Set the clocks yourself. `--clock` off: whose line falls to zero? Then drag the moment, change `--rate`, switch the loop off.
+# Set the clocks yourself. Switch `--clock` off: which line falls to zero? Then drag the time, change `--rate`, switch the loop off.
 
 # %% [markdown] lang="ko" name="panel-intro" slide="subslide"
 # 시계를 직접 바꿔 보세요. `--clock`을 끄면 누구의 선이 0으로 떨어질까요? 그다음 재생 시간을 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
@@ -360,7 +358,7 @@ lesson.clocks_panel()
 lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), played_s=9.0)
 
 # %% [markdown] lang="en" name="clocks-read"
-# Below, the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis, the machine's. The table says what each node's *now* would get.
+# Below is the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis is the machine's time. The table shows the result of a lookup of *now* in each node.
 
 # %% [markdown] lang="ko" name="clocks-read"
 # *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
@@ -368,7 +366,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 돌아갑니다. 끊어진 축의 위는 컴퓨터의 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
 
 # %% [markdown] lang="en" name="clocks-notes" slide="notes"
-# Somebody from the room has the mouse: two switches, four pictures. Before each, ask whose line will move.
+# A student has the mouse: two switches, four pictures. Before each, ask which line will move.
 
 # %% [markdown] lang="ko" name="clocks-notes" slide="notes"
 # 한 사람에게 마우스를 맡깁니다. 스위치 둘, 그림 넷입니다. 바꾸기 전에 누구의 선이 움직일지 묻습니다.
@@ -376,7 +374,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
 # ### By hand
 #
-# The lecture's two questions. The `&` leaves the player running, as a second terminal would; `param set` at a running node works, too. Read what it costs.
+# The lecture's two questions. The `&` keeps the player running, as a second terminal would. `param set` on a running node works, too. Read what it costs.
 
 # %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
 # ### 직접 확인하기
@@ -392,7 +390,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %ros2 param get /asker use_sim_time
 
 # %% [markdown] lang="en" name="by-hand-notes" slide="notes"
-# The first to fall out when time is short. Otherwise ask what `&` stands for on a robot: a second terminal.
+# The first part to leave out when time is short. Otherwise ask what `&` stands for on a robot: a second terminal.
 
 # %% [markdown] lang="ko" name="by-hand-notes" slide="notes"
 # 시간이 모자라면 가장 먼저 건너뜁니다. 아니라면 `&`가 로봇에서 무엇에 해당하는지 묻습니다. 두 번째 터미널입니다.
@@ -401,7 +399,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %ros2 param set /asker use_sim_time false
 
 # %% [markdown] lang="en" name="by-hand-read"
-# *Clearing tf buffer*: when a node changes its clock, what it has heard is of another time, and it forgets every edge that moves. Only the mounts stay: a static transform holds at any time. Until `/tf` has come again nothing can be placed; what was measured before the switch, never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every one), in the launch file:
+# *Clearing tf buffer*: when a node changes its clock, the data in its buffer belongs to another time, so it deletes every dynamic edge. Only the mounts stay, because a static transform is valid at all times. Until `/tf` has arrived again nothing can be placed; what was measured before the switch, never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every node), in the launch file:
 #
 # ```yaml
 # /**:
@@ -419,13 +417,13 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="en" name="by-hand-set-notes" slide="notes"
-# Ask what the change has cost: every edge that moves is forgotten, and what was measured before the switch is never placed. The mounts stay. Hence at the start, and for all nodes.
+# Ask what the change has cost: every dynamic edge is deleted, and what was measured before the switch is never placed. The mounts stay. Hence at the start, and for all nodes.
 
 # %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
 # 바꾸면서 무엇을 잃었는지 묻습니다. 움직이는 연결이 모두 지워졌고, 바꾸기 전에 측정한 것은 영영 옮길 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
 # %% [markdown] lang="en" name="quotes" slide="subslide"
-# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's, or no node at all?
+# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's time, or no node at all?
 
 # %% [markdown] lang="ko" name="quotes" slide="subslide"
 # **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 컴퓨터의 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
@@ -440,23 +438,23 @@ print("follows /clock:", mapper.get_clock().ros_time_is_active)
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
-# A text is no truth value. One line in the log, and the node goes on, in the machine's time. (A node in C++ is stricter: it does not start.)
+# A string is not a boolean. There is one line in the log, and the node goes on with the machine's time. (A node in C++ is stricter: it does not start.)
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
 # 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간을 따르며 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
 
 # %% [markdown] lang="en" name="quotes-notes" slide="notes"
-# Hands: simulation time, the machine's, or no node at all? Read the line of the log aloud; the node goes on.
+# Hands: simulation time, the machine's time, or no node at all? Read the line of the log aloud; the node goes on.
 
 # %% [markdown] lang="ko" name="quotes-notes" slide="notes"
 # 손을 들게 합니다. 시뮬레이션 시간, 컴퓨터의 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 돕니다.
 
 # %% [markdown] lang="en" name="innocent" slide="slide"
-# ## The innocent complains
+# ## The node that reports the error is not the cause
 #
-# You want to localise anew: the bag brings laser, wheels and mounts, a localiser of today brings `map → odom`. Every node has `use_sim_time`, but one was forgotten: the localiser.
+# You want to run the localisation again: the bag contains laser, wheel odometry and mounts, a new localiser publishes `map → odom`. Every node has `use_sim_time`, except one that was forgotten: the localiser.
 #
-# **Predict:** who reports an error, and what does it say?
+# **Predict:** which node reports an error, and what does it say?
 
 # %% [markdown] lang="ko" name="innocent" slide="slide"
 # ## 잘못 없는 노드가 오류를 냅니다
@@ -480,9 +478,10 @@ except TransformException as error:
     print(error)
 
 # %% [markdown] lang="en" name="innocent-read" tags=["predicted"]
-# Every node that asks gets the error; the one at fault has none. It publishes, contentedly, in tomorrow's time, for this one stamps its transform with its own now. (AMCL stamps by the scan it has used, plus a tolerance, and would be spared here. What a node stamps with is worth a look into its manual.)
-# *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path no moment is common to both days.
-# Whose stamps are they? Ask somebody who sees all nodes at once. (The player may keep the machine's time: it only repeats what was said.)
+# Every node that looks up a transform gets the error; the one at fault has none. It publishes with tomorrow's time, because this localiser stamps its transform with its own now. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
+#
+# *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path the two days have no common time.
+# Whose stamps are they? Use a tool that sees all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
 # 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못한 노드에서는 나지 않습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다. 이 노드는 변환에 자신의 현재 시각을 찍기 때문입니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 찍으므로 여기서는 무사합니다. 노드가 어떤 시각을 찍는지는 설명서에서 확인해 두세요.)
@@ -493,7 +492,7 @@ except TransformException as error:
 print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 
 # %% [markdown] lang="en" name="innocent-notes" slide="notes"
-# Who complains is not who is at fault. Let them name the guilty node from the two times, before the doctor does.
+# The node that reports the error is not at fault. Let them name the cause from the two times, before the doctor does.
 
 # %% [markdown] lang="ko" name="innocent-notes" slide="notes"
 # 오류를 내는 노드와 잘못한 노드는 다릅니다. doctor를 실행하기 전에 두 시각만 보고 잘못한 노드를 대게 합니다.
@@ -501,10 +500,10 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # %% [markdown] lang="en" name="loop" slide="slide"
 # ## Back in time
 #
-# `ros2 bag play lap --clock --loop`: fifteen seconds, again and again. At the seam the clock goes back from 16 to 1.
-# The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. It is in the second lap, its clock says 11.9 s.
+# `ros2 bag play lap --clock --loop`: fifteen seconds, again and again. At the end of each pass the clock goes back from 16 to 1.
+# The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. It is in the second pass, its clock is at 11.9 s.
 #
-# **Predict:** where is the robot, says `Time()`?
+# **Predict:** where is the robot by `Time()`?
 
 # %% [markdown] lang="ko" name="loop" slide="slide"
 # ## 과거로 돌아가기
@@ -548,7 +547,8 @@ long = lesson.replay(lambda: Looped(lecture), bags / "lap", "--clock --loop", fo
 show(long)
 
 # %% [markdown] lang="en" name="twenty-seconds-read" tags=["predicted"]
-# At the end of the *last* lap, almost two metres from where it is. No error, no warning, and every scan placed: a buffer of 20 s has room for both laps, and "the latest" is the sample with the largest stamp.
+# At the end of the *last* pass, almost two metres from its true position. No error, no warning, and every scan placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
+#
 # With the usual ten seconds there is a warning. Many:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
@@ -556,7 +556,7 @@ show(long)
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
-# Eight minutes for the loop. Write the clock on the board: 15, 16, 1, 2. Where is the robot, says the latest? Wait for the one who says: where it stopped.
+# Eight minutes for the loop. Write the clock on the board: 15, 16, 1, 2. Where is the robot by the latest? Wait for the answer: where it stopped.
 
 # %% [markdown] lang="ko" name="loop-notes" slide="notes"
 # 반복 재생은 8분입니다. 칠판에 시계를 적습니다. 15, 16, 1, 2. 최신을 조회하면 로봇은 어디에 있습니까? 멈췄던 자리라는 답을 기다립니다.
@@ -570,15 +570,15 @@ print(len(warnings), "warnings, such as")
 print(warnings[0])
 
 # %% [markdown] lang="en" name="ten-seconds-read"
-# Fifty scans lost: the buffer believes that it has heard all this, and throws the new lap away until the clock has caught up.
-# A `Buffer()` without a node has no clock, so it cannot see that time went back. Give it one:
+# Fifty scans lost. The new stamps are older than the data in the buffer, so the buffer rejects the new pass until the clock has caught up.
+# A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
 # 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 받은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시간이 돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
-# 643 warnings and fifty scans lost. Ask which is worse: this one, that shouts, or the one before, that was silent.
+# 643 warnings and fifty scans lost. Ask which is worse: this one with its warnings, or the one before without any.
 
 # %% [markdown] lang="ko" name="ten-seconds-notes" slide="notes"
 # 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 시끄러운 이쪽입니까, 조용하던 앞의 것입니까?
@@ -588,8 +588,8 @@ sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "la
 show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
-# One line, once a lap, and all is right: it forgets what moves, keeps the mounts, and fills up with the new lap.
-# In C++ the buffer always has a clock. In Python it was missing until somebody reported just this ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)); since then there is `node=`, and one has to write it.
+# One line for each pass, and everything is right: it deletes the dynamic edges, keeps the mounts, and fills up with the new pass.
+# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then there is `node=`, and you have to write it.
 #
 # How old is the newest transform, for each of the three?
 
@@ -606,7 +606,7 @@ named = {"cache 20 s": long, "Buffer()": warned, "node=self": sound}
 lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, node in named.items()])
 
 # %% [markdown] lang="en" name="loop-ages-read"
-# Below zero: the newest transform lies in the node's future. After the seam two of the buffers answer with fifteen seconds from now.
+# Below zero, the newest transform is in the node's future. After the clock went back, two of the buffers answer with data from fifteen seconds ahead.
 
 # %% [markdown] lang="ko" name="loop-ages-read"
 # *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
@@ -614,7 +614,7 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 두 버퍼가 현재 시각보다 15초 늦은(미래의) 변환으로 답합니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
-# One word: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
+# One argument: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
 
 # %% [markdown] lang="ko" name="node-self-notes" slide="notes"
 # 한 단어입니다. `node=self`. 그림에서 두 선은 15초만큼 내려가고 하나는 그대로인 것을 짚어 줍니다.
@@ -622,7 +622,7 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # %% [markdown] lang="en" name="your-bag" slide="slide"
 # ## Your own bag
 #
-# Now a real recording: ten seconds of our robot, recorded in real time on a machine that had other work, too. Have you a bag of your own? Write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below once more. ROS 1's `.bag` will do.
+# Now a real recording: ten seconds of our robot, recorded in real time on a machine that was also busy with other work. If you have a bag of your own, write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below again. ROS 1's `.bag` files work, too.
 
 # %% [markdown] lang="ko" name="your-bag" slide="slide"
 # ## 여러분의 bag
@@ -636,7 +636,7 @@ BAG = lesson.example_bag()  # or the path of yours
 # %ros2 bag info {BAG}
 
 # %% [markdown] lang="en" name="your-bag-notes" slide="notes"
-# Six minutes, at their own machines. Who has a bag writes its path; the others keep ours. What do you expect of it?
+# Six minutes, at their own machines. Those who have a bag write its path; the others keep ours. What do you expect of it?
 
 # %% [markdown] lang="ko" name="your-bag-notes" slide="notes"
 # 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
@@ -665,7 +665,7 @@ for record in [record for record in recording.records() if record.is_static][:2]
 print(lesson.doctor(recording))
 
 # %% [markdown] lang="en" name="bag-read"
-# The static transforms are older than the whole recording, for the robot had been switched on before. That is no fault: a static transform holds for any moment, and its stamp only says when it was sent. It has been taken for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only says when it was sent. It has been mistaken for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
 #
 # Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
 
@@ -701,7 +701,7 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node says
+# You play yesterday's bag with `--clock`. RViz shows the robot. Your own node prints
 #
 # ```
 # Lookup would require extrapolation into the future.  Requested time 1795460830.512000
@@ -711,28 +711,28 @@ print(lesson.doctor(recording))
 # What do you do first?
 #
 # 1. Raise the timeout.
-# 2. Ask for `Time()` instead.
+# 2. Use `Time()` instead.
 # 3. `ros2 param get /my_node use_sim_time`
 # 4. Record the bag once more.
 #
 # <details><summary>I chose 1</summary>
 #
-# The two times are 86 399 s apart. No timeout bridges a day; compare the times before you wait.
+# The two times are 86 399 s apart. No timeout bridges a day. Compare the times before you wait.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# Then the error is gone, and the node still lives in another day: its stamps, its ages and its timers are wrong, only silently.
+# Then the error is gone, and the node still uses another day: its stamps, its ages and its timers are wrong, without an error.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. The requested time is of today, the data of yesterday: the node that asked does not live in the bag's time.
+# Yes. The requested time is today's, the data is yesterday's: the node that looked it up does not use the bag's time.
 #
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# RViz places everything, so the bag is whole. What differs is the node.
+# RViz places everything, so the bag is complete. The difference is in your node.
 #
 # </details>
 
@@ -783,7 +783,7 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# Fill the two blanks: a bag in a loop, and a node that is ready for it.
+# Fill in the two blanks: a bag in a loop, and a node that handles it.
 #
 # ```python
 # # $ ros2 bag play lap ____________ --loop
@@ -792,7 +792,7 @@ print(lesson.doctor(recording))
 #
 # <details><summary>Compare</summary>
 #
-# `--clock`, and `node=self`. Besides, the node needs `use_sim_time: true`; without it there is no jump that it could see.
+# `--clock`, and `node=self`. The node also needs `use_sim_time: true`; without it, its clock does not go back.
 #
 # </details>
 
@@ -813,7 +813,7 @@ print(lesson.doctor(recording))
 # </details>
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
-# For whoever is quick; the others do it at home. Two blanks, and the third thing that is needed is in the answer.
+# For those who are quick; the others do it at home. There are two blanks, and the third thing that is needed is in the answer.
 
 # %% [markdown] lang="ko" name="faded-notes" slide="notes"
 # 빠른 사람이 풀고 나머지는 집에서 합니다. 빈칸은 둘이고, 하나 더 필요한 것은 답에 있습니다.
@@ -861,13 +861,13 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
 #
-# - A message in a [[bag]] has two times: when it was heard, by which it is played, and its stamp, by which TF answers.
-# - `/tf_static` is said once, in the first moment. Leave that moment out, and no sensor has a place.
-# - *Can the bag place its own messages?* One number, without playing it.
-# - `use_sim_time` on every node, `--clock` at the player: both, or neither. One without the other is a stopped clock, or a node in another day ([[simulation time]]).
-# - A clock at 0 asks for the latest, and so looks best when it is broken. Who asks at the stamp is always right.
-# - The node that complains about clocks is seldom the one at fault.
-# - `Buffer(node=self)`, or a loop plays tricks on you.
+# - A message in a [[bag]] has two times: the time of its arrival, by which it is played, and its stamp, which TF uses.
+# - `/tf_static` is sent once, at the beginning. If you skip that, no sensor can be placed.
+# - *Can the transforms in the bag place its own messages?* One number, without playing it.
+# - `use_sim_time` on every node, `--clock` at the player: both, or neither. With only one of them there is a stopped clock, or a node that uses another day ([[simulation time]]).
+# - A clock at 0 asks for the latest, so the broken set-up looks best. A lookup at the stamp is always right.
+# - The node that reports an error about times is seldom the one at fault.
+# - `Buffer(node=self)`, or a loop leads to wrong transforms.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -889,14 +889,14 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. 06: why is `/tf_static` heard by a node that starts late on a robot?
+# 1. 06: why does a node that starts late on a robot receive `/tf_static`?
 # 2. 08: what does `Time()` ask for, and why is it not now?
-# 3. 09: two texts speak of the future, one of 0.05 s and one of a day. For which does waiting help?
+# 3. 09: two texts mention the future, one by 0.05 s and one by a day. For which does waiting help?
 #
 # <details><summary>Answers</summary>
 #
-# 1. Its publisher keeps the last message for late comers (transient local).
-# 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as fresh as now.
+# 1. Its publisher keeps the last message for listeners that join later (transient local).
+# 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as new as now.
 # 3. For the first, perhaps. The second is a clock.
 #
 # </details>
@@ -927,13 +927,13 @@ rclpy.try_shutdown()
 #
 # **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
-# - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's; a node with `use_sim_time` takes its now from `/clock`.
-# - [ ] All nodes must agree: one on the machine's time stamps and asks in another day, and others get the errors.
-# - [ ] With `use_sim_time` and without `/clock` time stands at 0: no timer, no age, and asking for now silently gives the latest.
-# - [ ] `/tf_static` is said once; without it, or if the playing begins after it, no sensor is connected to the robot.
-# - [ ] In a loop time goes back, and what was heard before has to be forgotten.
+# - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's. A node with `use_sim_time` takes its now from `/clock`.
+# - [ ] All nodes must agree: one with the machine's time stamps and looks up in another day, and other nodes get the errors.
+# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: no timer, no age, and a lookup of now gives the latest without an error.
+# - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
+# - [ ] In a loop time goes back, and earlier data has to be deleted.
 #
 # </details>
 
@@ -953,7 +953,7 @@ rclpy.try_shutdown()
 # </details>
 
 # %% [markdown] lang="en" name="practice-notes" slide="notes"
-# Written at home. Five points make a full answer; the clock that stands at 0 is the one that is forgotten.
+# Written at home. Five points make a full answer; the clock that stays at 0 is the one that is forgotten.
 
 # %% [markdown] lang="ko" name="practice-notes" slide="notes"
 # 집에서 씁니다. 완전한 답에는 다섯 가지가 있고, 0에 멈춘 시계를 가장 많이 빠뜨립니다.
@@ -961,7 +961,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > A colleague sends you a bag and writes: "your detector is broken, it says that laser_frame does not exist". Which two things do you look at before you open the detector's code?
+# > A colleague sends you a bag and writes: "your detector is broken, it says that laser_frame does not exist". Which two things do you check before you open the detector's code?
 #
 # <details><summary>Compare</summary>
 #
