@@ -1,13 +1,13 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 11 · Ok means computed, not true
+# # 11 · Tools and RViz
 #
-# **Tools and RViz** · about 60 minutes, 50 as a talk · builds on 04, 05 and 08
+# **Ok means computed, not true** · about 60 minutes, 50 as a talk · builds on 04, 05 and 08
 #
 # After this chapter you can
 #
-# - choose the tool by the question, and say what that tool cannot see;
-# - read `view_frames`, `tf2_echo` and `tf2_monitor`, their traps included;
-# - say how often a transform has to come for a given speed, and what it costs if it comes less often;
+# - choose the tool by the question, and say what that tool cannot show,
+# - read `view_frames`, `tf2_echo` and `tf2_monitor`, including their traps,
+# - say how often a transform has to be published at a given speed, and what a lower rate costs,
 # - read RViz's list of displays, and tell "could be computed" from "is right".
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -23,7 +23,7 @@
 # - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask: who has seen a green Ok beside a picture that was wrong? Collect one story. The chapter gives three that look alike.
+# Ask: who has seen a green Ok beside a picture that was wrong? Collect one story. The chapter shows three that look alike.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 묻습니다. 목록은 모두 Ok인데 그림이 틀렸던 적이 있습니까? 하나만 들어 봅니다. 이 장에는 똑같이 보이는 세 가지가 나옵니다.
@@ -42,7 +42,7 @@ from tflab.workbook import lesson
 # Frame: base_footprint, published by <no authority available>, Average Delay: 1.6318e+09, Max Delay: 1.6318e+09
 # ```
 #
-# How slow is that? And why is the average so much smaller than the maximum, if every single message was late by the same?
+# How slow is that? And why is the average so much smaller than the maximum, if every message was late by the same amount?
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 반세기나 느린 변환
@@ -62,9 +62,9 @@ print(f'avg / max = {3.10486e8 / 1.6318e9:.6f}')
 print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 
 # %% [markdown] lang="en" name="half-a-century-seen"
-# Not slow: **51.7 years**. That is the computer's time now, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*; how often something comes is another question, and this line does not speak of it.
-# And the average is no average yet: it begins at 0 and walks one hundredth of the way that is left each time the tool looks. It had looked 21 times.
-# The tool was the right one. Its reading was not.
+# It is not slow: it is **51.7 years**. That is the computer's time now, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
+# And the average is not an average yet: it begins at 0 and moves by one hundredth of the remaining difference with each sample. The tool had taken 21 samples.
+# The tool was the right one. It was read wrongly.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
 # 느린 것이 아니라 **51.7년**입니다. 컴퓨터의 시스템 시각에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 얼마나 자주 오는지는 다른 질문이고, 이 줄에는 답이 없습니다.
@@ -72,13 +72,13 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Six minutes with the title. A minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. Why avg is a fifth of max is told at tf2_monitor.
+# Six minutes with the title. A minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 제목까지 6분입니다. 1.6318e9초를 1년으로 나누게 하고 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), open to this day; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
+# *Read the reports:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), still open; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* 지금도 열려 있는 [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), 아래에 나오는 [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
@@ -91,12 +91,13 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # ```
 # Net delay     avg = 0.0209299: max = 0.11
 # Frame: laser_frame, ... Average Delay: 9.6, Max Delay: 9.6
+#
 # average rate: 50.000
 # ```
 #
-# 1. How late is the chain from `map` to `laser_frame`: 0.021, 0.11 or 9.6 s?
-# 2. How often does the wheels' node speak: 10, 20 or 50 times a second?
-# 3. The drawing says that the laser sits 0.20 m *behind* the middle; it is bolted on 0.20 m *ahead* of it. Which line of RViz's list turns red?
+# 1. How late is the path from `map` to `laser_frame`: 0.021, 0.11 or 9.6 s?
+# 2. How often does the wheel odometry publish: 10, 20 or 50 times a second?
+# 3. The URDF says that the laser is 0.20 m *behind* `base_link`; it is mounted 0.20 m *in front of* it. Which line of RViz's list turns red?
 # 4. You change RViz's Fixed Frame from `map` to `odom`. Does the robot's pose in `odom` change?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
@@ -116,7 +117,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # 4. RViz의 Fixed Frame을 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# On paper, four lines, no talking. Do not give answers now: each comes back at its section.
+# On paper, four lines, no talking. Do not give answers now: each is answered in its section.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 말없이 종이에 네 줄을 적게 합니다. 답은 지금 알려 주지 않습니다. 각 절에서 하나씩 다시 나옵니다.
@@ -127,8 +128,8 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # %% [markdown] lang="en" name="ask-first" slide="slide"
 # ## Ask first, then type
 #
-# A tool that does not answer your question prints something all the same. So say the question first.
-# Below, put seven questions to seven tools, on a robot that is driving. What they print is real, a little shortened; the line above it says whether that is an answer.
+# A tool that cannot answer your question still prints something. So say the question first.
+# Below, try seven tools on seven questions, on a driving robot. The output is real, slightly shortened. The line above it says whether it answers the question.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
@@ -141,7 +142,7 @@ lesson.start_robot()
 lesson.tools_panel()
 
 # %% [markdown] lang="en" name="ask-first-notes" slide="notes"
-# Four minutes with the table. Put two questions to the wrong tool first, then to the right one: a wrong tool prints, too.
+# Four minutes with the table. Try the wrong tool first on two questions, then the right one: a wrong tool prints, too.
 
 # %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
 # 표까지 4분입니다. 질문 둘을 먼저 틀린 도구에, 이어서 맞는 도구에 던집니다. 틀린 도구도 무언가를 출력합니다.
@@ -150,8 +151,8 @@ lesson.tools_panel()
 lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
-# Every column has its blind spots, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that sends it. `topic info --verbose` names the nodes that publish on `/tf`; which of them sends which edge stands nowhere in the messages.
-# Where the lecture lets `tf2_monitor` show the broadcaster's name, ROS 1 did so; in ROS 2 everybody is `<no authority available>`.
+# Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not contain which of them publishes which edge.
+# In ROS 1 `tf2_monitor` showed the broadcaster's name, as the lecture has it; in ROS 2 every line has `<no authority available>`.
 
 # %% [markdown] lang="ko" name="ask-first-seen"
 # *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 사슬의 지연, age = 메시지의 나이, owner = 발행 책임, look = 보이는 모습. ✓ answers = 답함, ~ half = 반만 답함, ✗ cannot = 답하지 못함.
@@ -168,7 +169,7 @@ lesson.draw_toolbox()
 # %% [markdown] lang="en" name="monitor" slide="slide"
 # ## tf2_monitor: how late?
 #
-# The robot drives for nine seconds. Then we listen, and the first report comes after 10.5 s.
+# The robot drives for nine seconds. Then the tool starts, and its first report comes after 10.5 s.
 
 # %% [markdown] lang="ko" name="monitor" slide="slide"
 # ## tf2_monitor: 얼마나 늦을까요?
@@ -183,13 +184,13 @@ graph.run(seconds=9.1)
 # %% [markdown] lang="en" name="monitor-seen"
 # Line by line:
 #
-# - `Waiting for …`: the tool asks before it has heard anything. That is no fault of your robot; it has been reported as a bug more than once.
+# - `Waiting for …`: the tool looks up the transform before it has received any. That is no fault of your robot; it has been reported as a bug more than once.
 # - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
-# - `avg = 0.0209299`: 19 % of 0.11, because the tool has looked 21 times.
-# - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s ago, and is good for ever. Its age means nothing.
-# - `50.3349 Hz`: of everybody together.
+# - `avg = 0.0209299`: 19 % of 0.11, because the tool has taken 21 samples.
+# - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s ago, and is valid at all times. Its age means nothing.
+# - `50.3349 Hz`: the messages of all nodes together.
 #
-# What `avg` does, if you let it run:
+# What `avg` does if you let the tool run:
 
 # %% [markdown] lang="ko" name="monitor-seen"
 # 한 줄씩 읽습니다.
@@ -215,9 +216,10 @@ avg = lesson.Curve('avg', times, [0.11 * (1 - 0.99**n) for n in looks])
 lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net delay')
 
 # %% [markdown] lang="en" name="monitor-average-seen"
-# 19 % at the first report, half after 34 s, 91 % after two minutes. (What the field calls a low-pass filter.)
-# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is below zero: look there. (One negative delay is meant so: AMCL dates `map → odom` ahead by its `transform_tolerance`, so that nobody has to wait for it.)
-# And where a chain comes and goes, the tool gives no report at all: it ends at the first look that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`. That is a reading, too.
+# 19 % at the first report, half after 34 s, 91 % after two minutes. (This is a low-pass filter.)
+# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
+#
+# And if a path is sometimes missing, the tool gives no report at all. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
@@ -233,7 +235,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 한 사람에게 첫 보고를 읽게 하고 "0.02초 늦네요"라는 말을 기다립니다. 그런 다음 0.0209를 0.11로 나누면 얼마인지 묻습니다.
 
 # %% [markdown] lang="en" name="rates" slide="slide"
-# ## view_frames: how often does one edge come?
+# ## view_frames: how often is one edge published?
 #
 # `topic hz` counts the messages of a topic. Three nodes share `/tf`.
 
@@ -247,7 +249,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %ros2 topic info /tf
 
 # %% [markdown] lang="en" name="rates-notes" slide="notes"
-# Eight minutes from here to tf2_echo. 50: whose? Three nodes share the topic, 20 and 20 and 10.
+# Eight minutes from here to tf2_echo. 50: of which node? Three nodes share the topic, 20 and 20 and 10.
 
 # %% [markdown] lang="ko" name="rates-notes" slide="notes"
 # 여기서 tf2_echo까지 8분입니다. 50은 누구의 것입니까? 세 노드가 토픽을 함께 씁니다. 20, 20, 10입니다.
@@ -256,13 +258,13 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="rates-seen" slide="subslide"
-# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names hold date and time). In it, each edge has its own `Average rate`:
+# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In it, each edge has its own `Average rate`:
 #
-# - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**; the 50 of `topic hz` is 20 + 20 + 10. (It divides n samples by the time from the first to the last; with n − 1 it would be 20.0.)
-# - static edges say 10000.0: not a rate, a mark.
-# - `default_authority` for everybody: no owner here either.
+# - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (It divides n samples by the time from the first to the last; with n − 1 it would be 20.0.)
+# - static edges have 10000.0: not a rate, but a mark.
+# - `default_authority` everywhere: no owner here either.
 #
-# It is a **[[snapshot]]** of five seconds: what happens once a minute it most likely misses.
+# It is a **[[snapshot]]** of five seconds: what happens once a minute it probably misses.
 
 # %% [markdown] lang="ko" name="rates-seen" slide="subslide"
 # 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
@@ -280,7 +282,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 연결 하나(`odom → base_footprint`)를 함께 찾아 발행률을 읽습니다. 10000은 정적이라는 표시이지 발행률이 아닙니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="subslide"
-# Still, it gives two owners away. **Predict:** a second node, the EKF, sends `odom → base_footprint` too, 30 times a second. What does the edge's rate say?
+# Still, it reveals two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
 
 # %% [markdown] lang="ko" name="two-owners" slide="subslide"
 # 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 보냅니다. 이 연결의 발행률은 얼마로 나올까요?
@@ -290,7 +292,7 @@ graph = lesson.start_robot(also=['ekf_filter_node'])
 lesson.frame_tree()
 
 # %% [markdown] lang="en" name="two-owners-seen" tags=["predicted"]
-# `frame_tree()` is ours, not ROS's: in one process we do know who sent what, so it names the owners. What you would have on a robot is the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
+# `frame_tree()` is ours, not ROS's. In one process we know which node sent what, so it names the owners. On a robot you have the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
 # *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, rate = 발행률, age = 나이, published by = 발행자. 아래의 색 있는 줄은 이 연결의 발행자가 둘이며 조회한 값이 그 사이에 떨어진다는 뜻입니다.
@@ -306,7 +308,7 @@ lesson.frame_tree()
 # %% [markdown] lang="en" name="echo" slide="slide"
 # ## tf2_echo: which value?
 #
-# [[tf2_echo]] prints the pose of its second frame in its first, once a second unless you say otherwise.
+# [[tf2_echo]] prints the pose of its second frame in its first, by default once a second.
 
 # %% [markdown] lang="ko" name="echo" slide="slide"
 # ## tf2_echo: 값은 얼마일까요?
@@ -319,7 +321,7 @@ graph.run(seconds=20.15)
 # %ros2 --for 2.5 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-predict"
-# **Predict:** `At time 22.90000000`. At which second was that?
+# **Predict:** `At time 22.90000000`. Which time is that?
 
 # %% [markdown] lang="ko" name="echo-predict"
 # **예측해 봅시다.** `At time 22.90000000`은 몇 초일까요?
@@ -329,12 +331,11 @@ sec, nanosec = ['22', '90000000']
 print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 
 # %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
-# **22.090 s**: what stands behind the point is a number of nanoseconds, printed without its leading zeros. Nine digits are tenths first; eight digits begin at hundredths.
+# **22.090 s**: the part after the point is a number of nanoseconds, printed without its leading zeros. Nine digits begin with tenths; eight digits begin with hundredths.
+# Two more facts about the tool:
 #
-# Two more things to know about it:
-#
-# - a static pair prints `At time 0.0`: it holds for any time;
-# - it *samples*. What goes wrong between two prints you do not see. Ask for more, `tf2_echo map base_link 20`, where something flickers.
+# - for a static pair it prints `At time 0.0`: it is valid at all times;
+# - it *samples*. What goes wrong between two prints you do not see. Ask for a higher rate, `tf2_echo map base_link 20`, if something flickers.
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # **22.090초**입니다. 점 뒤는 나노초이고, 첫머리의 0은 출력되지 않습니다. 아홉 자리면 0.1초 자리부터, 여덟 자리면 0.01초 자리부터입니다.
@@ -345,7 +346,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # - *가끔만 봅니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
 
 # %% [markdown] lang="en" name="echo-notes" slide="notes"
-# One sentence: what stands behind the point is nanoseconds without their leading zeros. E11.2 asks it again.
+# One sentence: the part after the point is nanoseconds without their leading zeros. E11.2 asks for it again.
 
 # %% [markdown] lang="ko" name="echo-notes" slide="notes"
 # 한 문장입니다. 소수점 오른쪽은 앞자리 0이 빠진 나노초입니다. E11.2에서 다시 묻습니다.
@@ -353,8 +354,9 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # %% [markdown] lang="en" name="often-enough" slide="slide"
 # ## Often enough?
 #
-# Between two samples TF joins them by a straight line (and a steady turn). How much does that cost at half a metre a second?
-# **Predict:** odometry comes once a second instead of twenty times. How far off is the robot, at worst, on the straight? And in a bend of 1 rad/s?
+# Between two samples TF interpolates along a straight line, with a constant rotation. How large is the error at half a metre per second?
+#
+# **Predict:** odometry is published once a second instead of twenty times. How far off is the robot, at worst, on a straight line? And in a curve of 1 rad/s?
 
 # %% [markdown] lang="ko" name="often-enough" slide="slide"
 # ## 충분히 자주 올까요?
@@ -373,11 +375,11 @@ for f in (1, 2, 10, 20):
     print(f'{f:>2} Hz    {0.0:.1f} mm     {1000 * gap:5.2f} mm    {max(0.0, wait):.3f} s')
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
-# On the straight: **nothing**, at any rate. Halfway between two points of a straight line lies on the line.
-# In a bend TF cuts the corner: the way is an arc, the line its chord, and the gap between them is (v/ω)(1 − cos(ω/2f)), with v the speed, ω the yaw rate [rad/s] and f the rate [Hz]: 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the gap.
+# On a straight line: **nothing**, at any rate. The midpoint between two points of a straight line is on the line.
+# In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)), with v the speed, ω the yaw rate [rad/s] and f the rate [Hz]: 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the error.
 #
-# What a slow edge costs everywhere is **waiting**: a scan can be placed only when the next sample has come. Our scan has been under way for 0.105 s, so at 10 and 20 Hz nobody waits; at 1 Hz up to 0.9 s.
-# The lecture warns of a slow `odom → base_link` rightly. Its formula v · Δt is how far the robot drives *while you wait*, or if somebody takes the newest pose instead of waiting; it is not how far off TF puts things.
+# What a slow edge always costs is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
+# The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
@@ -387,7 +389,7 @@ for f in (1, 2, 10, 20):
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="often-enough-try"
-# Try it: at which rate does the gap fall below a millimetre, at 1 m/s and 1 rad/s? And what must you do to the yaw rate to see no gap at all?
+# Try it: at which rate is the error below a millimetre, at 1 m/s and 1 rad/s? And which yaw rate gives no error at all?
 #
 # <details><summary>Answers</summary>
 #
@@ -410,7 +412,7 @@ for f in (1, 2, 10, 20):
 lesson.rate_panel()
 
 # %% [markdown] lang="en" name="often-enough-notes" slide="notes"
-# Two minutes, the answer only: nothing on the straight, 61 mm at 1 Hz in a bend, up to 0.9 s of waiting. The panel is for reading.
+# Two minutes, the answer only: nothing on a straight line, 61 mm at 1 Hz in a curve, up to 0.9 s of waiting. The panel is for reading.
 
 # %% [markdown] lang="ko" name="often-enough-notes" slide="notes"
 # 2분 동안 답만 봅니다. 곧은 길에서는 0, 굽은 길에서는 1 Hz일 때 61 mm, 기다림은 최대 0.9초입니다. 패널은 읽을 때 씁니다.
@@ -427,8 +429,8 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
 #
-# [[rviz]] takes each message, turns it **at its own stamp** into one frame, the [[fixed frame]], and draws it. What it cannot turn it leaves out, and says so in its list: the [[display status]].
-# Choose another Fixed Frame in the picker, turn the scene with the mouse, open a line of the list.
+# [[rviz]] transforms each message **at its own stamp** into one frame, the [[fixed frame]], and draws it. What it cannot transform it leaves out, and reports it in its list: the [[display status]].
+# Choose another Fixed Frame in the menu, rotate the scene with the mouse, open a line of the list.
 
 # %% [markdown] lang="ko" name="rviz" slide="slide"
 # ## RViz: 모든 데이터를 한 좌표계로
@@ -452,9 +454,9 @@ graph = lesson.start_robot()
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-seen"
-# Left from above: grey the walls, coloured what the laser saw in the last second (the [[decay time]] is 1 s here). Right the list. The scans lie on the walls, but for some centimetres: the robot is in a bend, and a sweep takes 0.1 s.
+# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls, except for some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
-# **Question 4.** The same moment, once in each Fixed Frame, and beside it what TF says of the robot in `odom`:
+# **Question 4.** The same time, once in each Fixed Frame, and the robot's pose in `odom` for comparison:
 
 # %% [markdown] lang="ko" name="rviz-seen"
 # *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 도는 중이고 레이저가 한 바퀴 도는 데 0.1초가 걸리기 때문입니다.
@@ -469,15 +471,15 @@ for fixed_frame in ('map', 'odom', 'base_link'):
     print(f'{fixed_frame:<10} laser drawn at {lesson.fmt_all(laser[:2])}   odom_T_base {lesson.fmt_all(robot[:2])}')
 
 # %% [markdown] lang="en" name="fixed-frame-seen" tags=["predicted"]
-# The picture moves, the data do not. A Fixed Frame is a point of view; nothing is published, nothing is stored, no other node learns of it.
-# Use `map` to see whether scans lie on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see what the robot sees. To choose `odom` because "there it does not jump" cures nothing.
+# The picture changes, the data does not. A Fixed Frame is a point of view. Nothing is published, nothing is stored, no other node is affected.
+# Use `map` to see whether scans are on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see the data relative to the robot. Choosing `odom` because "it does not jump there" fixes nothing.
 
 # %% [markdown] lang="ko" name="fixed-frame-seen" tags=["predicted"]
 # 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 바라보는 자리일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드는 알지도 못합니다.
 # 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정 때문에 튀는 일 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" `odom`을 고른다고 해서 고쳐지는 것은 없습니다.
 
 # %% [markdown] lang="en" name="fixed-frame-notes" slide="notes"
-# Say it with your head: turn it to the left. Did the room turn?
+# Show it with your head: turn it to the left. Did the room rotate?
 
 # %% [markdown] lang="ko" name="fixed-frame-notes" slide="notes"
 # 고개를 왼쪽으로 돌려 보입니다. 방이 돌았습니까?
@@ -485,13 +487,13 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # %% [markdown] lang="en" name="ok-is-not-true" slide="slide"
 # ## Ok is not true
 #
-# A team's scan moved along with the robot. Their report had four ticks: the scan is published ✔, it is there in RViz ✔, the static transform is set correctly ✔, odometry is dynamic ✔. Every tick was honest. The lidar's orientation in the URDF was off by 180° (ros2/ros2 1655).
+# A team's scan moved along with the robot. Their report had four ticks: the scan is published ✔, it is there in RViz ✔, the static transform is set correctly ✔, odometry is dynamic ✔. Every tick was true. The lidar's orientation in the URDF was off by 180° (ros2/ros2 1655).
 #
 # Here are three robots, each with one mistake. **Predict** for each: which line of the list turns red?
 #
-# - **mount**: the URDF says −0.20 m for 0.20 (question 3);
+# - **mount**: the URDF has −0.20 m instead of 0.20 (question 3);
 # - **header**: the laser's driver writes `base_link` into its header;
-# - **clock**: the laser's computer is 0.3 s slow.
+# - **clock**: the laser's computer is 0.3 s behind.
 
 # %% [markdown] lang="ko" name="ok-is-not-true" slide="slide"
 # ## Ok는 맞다는 뜻이 아닙니다
@@ -505,7 +507,7 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # - **clock**: 레이저를 읽는 컴퓨터의 시계가 0.3초 느립니다.
 
 # %% [markdown] lang="en" name="ok-is-not-true-notes" slide="notes"
-# Five minutes for the three robots. Stop at the four ticks: which was a lie? None. Then let them vote on paper, once for each robot.
+# Five minutes for the three robots. Stop at the four ticks: which one was false? None. Then let them vote on paper, once for each robot.
 
 # %% [markdown] lang="ko" name="ok-is-not-true-notes" slide="notes"
 # 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 거짓은 어느 것입니까? 없습니다. 이어서 로봇마다 하나씩 종이에 적게 합니다.
@@ -515,7 +517,7 @@ lesson.start_robot('mount')
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="three-robots-mount-notes" slide="notes"
-# Who has a red line on paper? Let the room find the wall that does not fit. With what would you compare: the drawing.
+# Who has a red line on paper? Let the class find the wall that does not fit. What would you compare it with: the drawing.
 
 # %% [markdown] lang="ko" name="three-robots-mount-notes" slide="notes"
 # 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 견줄까요? 도면입니다.
@@ -525,7 +527,7 @@ lesson.start_robot('header')
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="three-robots-header-notes" slide="notes"
-# The same list again. With what would you compare the header: the driver's manual. The first to fall out when time is short.
+# The same list again. What would you compare the header with: the driver's manual. The first part to leave out when time is short.
 
 # %% [markdown] lang="ko" name="three-robots-header-notes" slide="notes"
 # 또 같은 목록입니다. 헤더는 무엇과 견줄까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
@@ -535,15 +537,15 @@ lesson.start_robot('clock')
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="three-robots-seen" tags=["predicted"]
-# **None.** All three lists are, letter for letter, that of the healthy robot. The points lie 0.20, 0.12 and 0.30 m off the walls on average (healthy 0.05), and only your eye, or the map beneath, says so.
-# *Ok* says: I could compute where to draw it. Whether the numbers, the name or the stamp that went in are true, no tool can know; it has nothing to compare them with. You have: the drawing, the driver's manual, the clock.
+# **None.** All three lists are identical to that of the healthy robot. The points are 0.20, 0.12 and 0.30 m off the walls on average (healthy 0.05), and only your eye, or the map, shows it.
+# *Ok* means: RViz could compute where to draw it. No tool can check whether the numbers, the frame name or the stamp are true; it has nothing to compare them with. You have: the drawing, the driver's manual, the clock.
 
 # %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
 # **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 한 글자도 다르지 않습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있지만(건강한 로봇은 0.05 m), 지도를 깔고 눈으로 보아야만 알 수 있습니다.
 # *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 견줄 것이 있습니다. 도면, 드라이버 설명서, 시계입니다.
 
 # %% [markdown] lang="en" name="three-robots-notes" slide="notes"
-# Vote before each picture: LaserScan, RobotModel, TF, none. By the third robot the room has learnt it; then ask what would have to be compared with what.
+# Vote before each picture: LaserScan, RobotModel, TF, none. By the third robot the class has learned it; then ask what would have to be compared with what.
 
 # %% [markdown] lang="ko" name="three-robots-notes" slide="notes"
 # 그림마다 먼저 손을 들게 합니다. LaserScan, RobotModel, TF, 없음 가운데 하나입니다. 세 번째 로봇쯤이면 모두 압니다. 그때 무엇을 무엇과 견주어야 하는지 묻습니다.
@@ -551,8 +553,8 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="en" name="one-minute" slide="slide"
 # ### One minute each
 #
-# Three commands, each with something to compare with: the mount with the drawing or a ruler, the header's `frame_id` with the frame of the sensor, the age with the time that a sweep takes.
-# Try them on the robots in turn: change the name in the first line.
+# Three commands, each with something to compare: the mount with the drawing or a ruler, the header's `frame_id` with the frame of the sensor, the age with the duration of a sweep.
+# Try them on each of the robots: change the name in the first line.
 
 # %% [markdown] lang="ko" name="one-minute" slide="slide"
 # ### 1분이면 됩니다
@@ -573,13 +575,13 @@ lesson.start_robot('clock').run(seconds=5)
 # %ros2 --for 1.2 topic delay /scan
 
 # %% [markdown] lang="en" name="one-minute-seen"
-# −0.200 where the ruler says +0.20. `base_link` where the laser is `laser_frame`. 0.405 s where a sweep and its way take 0.105.
+# −0.200 where the ruler shows +0.20. `base_link` where the laser's frame is `laser_frame`. 0.405 s where a sweep and its transport take 0.105.
 
 # %% [markdown] lang="ko" name="one-minute-seen"
 # 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 바퀴와 전송에 0.105초면 되는데 0.405초입니다.
 
 # %% [markdown] lang="en" name="one-minute-notes" slide="notes"
-# In pairs, a minute each. Before typing they say what the healthy value is.
+# In pairs, a minute each. Before typing they say the correct value.
 
 # %% [markdown] lang="ko" name="one-minute-notes" slide="notes"
 # 둘씩 1분마다 하나씩 합니다. 입력하기 전에 정상인 값을 먼저 말합니다.
@@ -587,7 +589,7 @@ lesson.start_robot('clock').run(seconds=5)
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
 #
-# Four ways to get red lines, and one to get none. **Predict** before each: which displays fail? First: the localiser dies, and RViz is opened a while later.
+# Four faults with red lines, and one without. **Predict** before each: which displays fail? First: the localiser stops, and RViz is opened a while later.
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
@@ -600,7 +602,7 @@ lesson.stop_node('localization')
 lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-localization-seen" tags=["predicted"]
-# `Frame [map] does not exist`: the localiser was the only one who ever spoke of `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is written in `map`, and from `map` to `map` nobody needs TF. Map Ok does not mean that the localiser runs.
+# `Frame [map] does not exist`: only the localiser published `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is in `map`, and from `map` to `map` no transform is needed. Map Ok does not mean that the localiser runs.
 
 # %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
 # `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
@@ -616,13 +618,13 @@ lesson.start_robot().run(seconds=5)
 lesson.draw_rviz(fixed_frame='Map')
 
 # %% [markdown] lang="en" name="break-capital-seen" tags=["predicted"]
-# The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. A name that does not exist beside one that looks like it: typed wrongly. A name that is nowhere: its node is down.
+# The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. If a name does not exist and a similar one does, it is misspelt. If there is no similar one, its node is not running.
 
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
 # 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
 
 # %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
-# Next, nobody says any more where the joints are.
+# Next, no node publishes the joint positions any more.
 
 # %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
 # 다음은 관절 위치를 아무도 알려 주지 않을 때입니다.
@@ -633,13 +635,13 @@ lesson.stop_node('joint_driver')
 lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-joints-seen" tags=["predicted"]
-# RobotModel counts 7 errors, TF only 3 warnings. TF lists whom it has *heard of*; RobotModel lists who is *in the URDF*. The scan does not care: no joint that moves lies between `map` and `laser_frame`.
+# RobotModel counts 7 errors, TF only 3 warnings. TF lists the frames that it has *received*; RobotModel lists the links *in the URDF*. The scan is not affected: no joint that moves is between `map` and `laser_frame`.
 
 # %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
 # RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *들어 본* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 멀쩡합니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
 
 # %% [markdown] lang="en" name="break-odometry-predict"
-# Last, the wheels' node dies.
+# Last, the wheel odometry stops.
 
 # %% [markdown] lang="ko" name="break-odometry-predict"
 # 마지막으로 바퀴 노드가 멈춥니다.
@@ -650,13 +652,13 @@ lesson.stop_node('wheel_odometry')
 lesson.draw_rviz()
 
 # %% [markdown] lang="en" name="break-odometry-seen" tags=["predicted"]
-# The one that names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its owner.
+# This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
 # 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
 
 # %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
-# And the one without a red line: the EKF sends `odom → base_footprint`, too. RViz draws the robot here, then there; every single answer is Ok. What the list cannot say, several looks in a row can:
+# And the one without a red line: the EKF publishes `odom → base_footprint`, too. RViz draws the robot here, then there; every single lookup is Ok. The list cannot show it, but several lookups in a row can:
 
 # %% [markdown] lang="ko" name="break-ekf-predict" slide="subslide"
 # 그리고 빨간 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 보냅니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 답은 하나하나 Ok입니다. 목록이 알려 주지 못하는 것도 잇달아 여러 번 보면 드러납니다.
@@ -670,32 +672,32 @@ for _ in range(6):
     print(f'{graph.now_ns / 1e9:.2f} s   odom_T_base x {x:.3f} m, y {y:.3f} m')
 
 # %% [markdown] lang="en" name="break-ekf-seen" tags=["predicted"]
-# To and fro, by up to 0.3 m, and x does not even grow evenly: the wheels drift to one side, the EKF does not. Each answer alone is a proper one.
+# It alternates by up to 0.3 m, and x does not even grow evenly: the wheel odometry drifts to one side, the EKF does not. Each value alone is valid.
 
 # %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
 # 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 바퀴의 포즈는 한쪽으로 흐르고 EKF의 포즈는 그렇지 않습니다. 답은 하나하나 멀쩡합니다.
 
 # %% [markdown] lang="en" name="break-notes" slide="notes"
-# One shout for each symptom before the table is shown: who would you ask first? Sensor shouts are welcome, and answered with "its messages came".
+# One shout for each symptom before the table is shown: which node would you check first? If they shout "the sensor", answer "its messages arrived".
 
 # %% [markdown] lang="ko" name="break-notes" slide="notes"
 # 표를 보이기 전에 증상마다 외치게 합니다. 누구에게 먼저 묻겠습니까? "센서"라는 답에는 "메시지는 왔습니다"라고 답합니다.
 
 # %% [markdown] lang="en" name="symptoms" slide="slide"
-# ### What the list says, and where to look first
+# ### What the list shows, and where to look first
 #
 # | you see | likely | first check |
 # |---|---|---|
-# | `Frame [x] does not exist`, and no name like it in TF | its publisher is down, or waits (AMCL: for an initial pose) | `ros2 node list`, its log |
-# | the same, and a name like it | typed wrongly | the spelling in RViz, and in the node |
+# | `Frame [x] does not exist`, and no name like it in TF | its publisher is not running, or waits (AMCL: for an initial pose) | `ros2 node list`, its log |
+# | the same, and a name like it | misspelt | the spelling in RViz, and in the node |
 # | RobotModel: some links | URDF, joint states | `ros2 topic hz /joint_states` |
-# | `not part of the same tree` | an edge without an owner | `view_frames`: the two roots |
-# | all Ok, beside the walls even when it stands still | a mount, or the header's frame | `tf2_echo base_link laser_frame`, `--field header` |
-# | all Ok, right when it stands still, smeared in bends | stamps, clocks | `topic delay /scan` |
-# | all Ok, in two places by turns | two owners | the edge's rate in `view_frames`; `topic info --verbose` |
-# | nothing at all: `No messages received` | no publisher, or a QoS that does not fit: most lasers offer `BEST_EFFORT`, RViz asks for `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
+# | `not part of the same tree` | an edge without a publisher | `view_frames`: the two roots |
+# | all Ok, off the walls even when it stands still | a mount, or the header's frame | `tf2_echo base_link laser_frame`, `--field header` |
+# | all Ok, right when it stands still, smeared in curves | stamps, clocks | `topic delay /scan` |
+# | all Ok, alternating between two positions | two publishers | the edge's rate in `view_frames`; `topic info --verbose` |
+# | nothing at all: `No messages received` | no publisher, or an incompatible QoS: most lasers offer `BEST_EFFORT`, RViz requests `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
 #
-# "Not in RViz, so the sensor is broken" stands in no row: the sensor comes last, when its message has been seen.
+# "Not in RViz, so the sensor is broken" is in no row: suspect the sensor last, when you have seen its messages.
 
 # %% [markdown] lang="ko" name="symptoms" slide="slide"
 # ### 목록이 알려 주는 것과 먼저 확인할 것
@@ -722,7 +724,7 @@ for _ in range(6):
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
 #
-# RViz: everything Ok. In bends the scan smears along the wall; when the robot stands still it lies right. What do you do first?
+# RViz: everything Ok. In curves the scan smears along the wall; when the robot stands still it is right. What do you do first?
 #
 # 1. Replace the laser.
 # 2. `tf2_echo base_link laser_frame`
@@ -731,17 +733,17 @@ for _ in range(6):
 #
 # <details><summary>I chose 1</summary>
 #
-# A laser that measures the wall right while the robot stands still is no broken laser. Every first check that costs a purchase is a bad one.
+# A laser that measures the wall correctly while the robot stands still is not broken. A first check should not cost a new laser.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# A wrong mount would show standing still, too: always off by the same, seen from the robot.
+# A wrong mount would show when the robot stands still, too: always off by the same, relative to the robot.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. What is right at rest and wrong on the move has to do with *when*: a stamp that is 0.3 s off turns the scan by 0.3 s of yaw. On the straight it only slides it along the way: the walls beside look right, the one ahead is 15 cm off at half a metre a second.
+# Yes. If it is right at rest and wrong in motion, the cause has to do with *time*: a stamp that is off by 0.3 s rotates the scan by 0.3 s of yaw. On a straight line it only shifts it along the path: the walls beside look right, the one ahead is 15 cm off at half a metre per second.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -802,7 +804,8 @@ for _ in range(6):
 # ```
 #
 # In RViz set the Fixed Frame to `map` or `odom`, and add TF (tick *Show Names* and *Show Axes*), RobotModel, LaserScan, PointCloud2 and Map.
-# In simulation, or while a bag is played, the tools need the simulated clock as your nodes do. That was the cure of the story:
+#
+# In simulation, or while a bag is played, the tools need the simulated clock as your nodes do. That was the fix for the story:
 #
 # ```
 # ros2 run tf2_ros tf2_monitor odom base_footprint --ros-args -p use_sim_time:=true
@@ -832,7 +835,7 @@ for _ in range(6):
 # ```
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
-# To look up. One sentence: with a simulation or a bag the tools need `use_sim_time`, too; that was the cure of the first story.
+# For reference. One sentence: with a simulation or a bag the tools need `use_sim_time`, too; that was the fix for the first story.
 
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
 # 찾아보는 슬라이드입니다. 한 문장만 말합니다. 시뮬레이션이나 bag에서는 도구에도 `use_sim_time`이 필요합니다. 첫머리 이야기의 해결책이었습니다.
@@ -843,12 +846,12 @@ graph.stop()
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
 #
-# - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the look. The [[owner]]: no tool.
-# - Delay is not rate. `hz /tf` and the monitor's Hz are everybody's.
-# - `tf2_monitor`: `max`, not `avg`; not the statics; a negative average is the future.
-# - A slow edge costs nothing on the straight, (v/ω)(1 − cos(ω/2f)) in a bend, and waiting everywhere.
-# - [[fixed frame|Fixed Frame]] moves the picture, never the data.
-# - **Ok means computed, not true.** Value, name and stamp you compare yourself.
+# - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the picture. The [[owner]]: no tool.
+# - Delay is not rate. `hz /tf` and the monitor's Hz count all nodes.
+# - `tf2_monitor`: `max`, not `avg`; ignore static edges; a negative average is the future.
+# - A slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and waiting everywhere.
+# - [[fixed frame|Fixed Frame]] changes the picture, never the data.
+# - **Ok means computed, not true.** Compare value, frame name and stamp yourself.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -877,7 +880,7 @@ graph.stop()
 #
 # 1. A root; one.
 # 2. `map → odom`, and no other.
-# 3. The scan's own: the robot has moved since it was measured.
+# 3. The scan's own, because the robot has moved since the measurement.
 #
 # </details>
 
@@ -905,15 +908,15 @@ graph.stop()
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q9
 #
-# What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot see.
+# What is each of `view_frames`, `tf2_echo` and `tf2_monitor` for? Write four or five sentences, and say of each what it cannot show.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] `view_frames` draws the tree of the last five seconds: parents, the rate and the ages of each edge.
-# - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, newest first, again and again.
-# - [ ] `tf2_monitor` measures how late a chain and its frames are (`max`, not the first `avg`).
-# - [ ] None of them names the owner of an edge; `topic info --verbose` names who is on the topic.
-# - [ ] Each is a sample: what happens between two looks is not seen. For a star: a value that is printed need not be true.
+# - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, the latest one, again and again.
+# - [ ] `tf2_monitor` measures how late a path and its frames are (`max`, not the first `avg`).
+# - [ ] None of them names the owner of an edge; `topic info --verbose` names the nodes on the topic.
+# - [ ] Each is a sample: what happens between two samples is not shown. For a star: a value that is printed need not be true.
 #
 # </details>
 
@@ -933,7 +936,7 @@ graph.stop()
 # </details>
 
 # %% [markdown] lang="en" name="practice-notes" slide="notes"
-# Written at home. What each tool cannot see is worth as much as what it shows.
+# Written at home. What each tool cannot show is worth as much as what it shows.
 
 # %% [markdown] lang="ko" name="practice-notes" slide="notes"
 # 집에서 씁니다. 도구가 보여 주는 것만큼 보지 못하는 것도 중요합니다.
@@ -941,7 +944,7 @@ graph.stop()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > RViz shows everything Ok, and the scan lies 20 cm beside the wall, standing still and driving alike. Write down two commands, and what you compare their output with.
+# > RViz shows everything Ok, and the scan is 20 cm off the wall, at rest and in motion. Write down two commands, and what you compare their output with.
 #
 # <details><summary>Compare</summary>
 #
@@ -967,7 +970,7 @@ graph.stop()
 # 2분 동안 말없이 적습니다. 명령 두 개와 저마다 견줄 것입니다. 실습 전에 걷습니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), which asks who says so, and what is broken.
+# **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), about which node owns an edge, and what is broken.
 # After a pass, or three tries, `solution("E11.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
