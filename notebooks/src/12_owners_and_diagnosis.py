@@ -1,14 +1,14 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # 12 · Who says so?
+# # 12 · Owners and diagnosis
 #
-# **Owners and diagnosis** · about 60 minutes, and the clinic as long as you like · builds on 05, 06, 07, 09, 10 and 11
+# **Which node publishes what?** · about 60 minutes, and the clinic as long as you like · builds on 05, 06, 07, 09, 10 and 11
 #
 # After this chapter you can
 #
-# - write down who owns each edge: which node, from which data, by which switch;
-# - read the four states of an edge from a terminal: one [[owner]], none, two, another edge;
-# - choose the question that splits your [[suspect|suspects]] for the fewest minutes, and stop when it is proved;
-# - tell a cure from a plaster.
+# - write down the owner of each edge: the node, its data, and its switch,
+# - read the four states of an edge from a terminal: one [[owner]], none, two, another edge,
+# - choose the check that rules out most [[suspect|suspects]] for the fewest minutes, and stop when one is left,
+# - tell a fix from a workaround.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 12 · 누가 한 말일까요?
@@ -23,7 +23,7 @@
 # - 치료와 반창고를 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect, and come back to it at the end.
+# Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect the answers, and come back to them at the end.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 앞부분은 발행 책임, 뒷부분은 진단입니다. 먼저 묻습니다. 로봇이 이상할 때 처음 1분 동안 무엇을 합니까? 답을 모아 두고 끝에 다시 봅니다.
@@ -33,12 +33,12 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## Three who published one tree
+# ## Three publishers of one tree
 #
-# A robot with two cameras jumped to and fro while it was mapping. Its owner changed cameras, frames and settings. In the end he counted who published the tree: the mapper with its visual odometry (odometry from pictures), a filter, and … the recording that was being played, which had the old `/tf` in it (introlab/rtabmap_ros, 2021).
-# His cure: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
+# A robot with two cameras jumped back and forth while it was mapping. Its owner changed cameras, frames and settings. In the end he counted the publishers of the tree: the mapper with its visual odometry (odometry from images), a filter, and the recording that was being played, which contained the old `/tf` (introlab/rtabmap_ros, 2021).
+# His fix: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
 #
-# None of the three was broken. None of them raised an error. And the tree looked whole: a frame stands under its newest parent only, so the drawing shows one, however many there are.
+# None of the three was broken. None of them raised an error. And the tree looked complete: a frame has only its newest parent, so the drawing shows one, however many publishers there are.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
@@ -49,13 +49,13 @@ from tflab.workbook import lesson
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Ask who of the three was broken. Nobody. Ask what the tree tool showed. One parent. Write both answers on the board; they come back in ten minutes. Do not tell yet how one would have seen it.
+# Ask which of the three was broken. None. Ask what the tree tool showed. One parent. Write both answers on the board; you need them again in ten minutes. Do not say yet how one would have seen it.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 셋 가운데 누가 고장이었는지 묻습니다. 아무도 아닙니다. 트리 도구에는 무엇이 보였는지 묻습니다. 부모 하나입니다. 두 답을 칠판에 적어 두면 10분 뒤에 다시 씁니다. 어떻게 알아낼 수 있었는지는 아직 말하지 않습니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
-# *Read them:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), and the like in [760](https://github.com/introlab/rtabmap_ros/issues/760); why `tf2_monitor` names nobody: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
+# *Read the reports:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), and a similar one in [760](https://github.com/introlab/rtabmap_ros/issues/760); why `tf2_monitor` names no node: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *직접 읽어 보기:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), 비슷한 경우 [760](https://github.com/introlab/rtabmap_ros/issues/760), `tf2_monitor`가 이름을 대지 못하는 이유: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
@@ -63,10 +63,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# Wheels and a filter (`ekf_filter_node`) both own `odom → base_footprint`.
+# The wheel odometry and a filter (`ekf_filter_node`) both publish `odom → base_footprint`.
 #
 # 1. How many publishers does `ros2 topic info /tf` count? And after you set `publish_tf` to false in the filter: one fewer, or as many as before?
-# 2. What does a lookup give for a moment **between** a pose of the wheels and a pose of the filter: the one, the other, or something else?
+# 2. What does a lookup return for a time **between** a pose of the wheel odometry and a pose of the filter: the one, the other, or something else?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -101,15 +101,15 @@ graph.run(seconds=20.0)
 # %ros2 topic info /tf
 
 # %% [markdown] lang="en" name="count-seen" tags=["predicted"]
-# Four before, four after. `topic info` counts who **may** speak on `/tf`, over all edges together; the filter keeps its line and is silent on it. So a count of four is no proof of a second owner, and a count of four after the cure no proof against it.
-# What proves it is the edge: how often does it come, and does it run smoothly?
+# Four before, four after. `topic info` counts the nodes that **may** publish on `/tf`, over all edges together. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
+# The edge itself proves it: its rate, and whether it changes smoothly.
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
 # 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 보낼 준비를 갖춘 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
 # 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
-# Let those who said “one fewer” say why. Their picture is a telephone list; this one counts telephones, not calls. Then ask: what would show the calls? Wait for “the rate of the edge”.
+# Let those who said “one fewer” explain why. They think of a list of calls; this is a list of telephones. Then ask: what would show the calls? Wait for “the rate of the edge”.
 
 # %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
 # “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 통화 기록을 떠올렸겠지만, 이 도구는 전화기의 수를 셉니다. 그럼 통화를 보려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답을 기다립니다.
@@ -152,7 +152,7 @@ for name, (x, y, *_) in places:
     print(f"{name:<11} x {x:.3f}  y {y:.3f}")
 
 # %% [markdown] lang="en" name="between-seen" tags=["predicted"]
-# Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a place that nobody ever said**. TF2 has no memory of owners; to it both are one edge.
+# Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a position that no node ever published**. TF2 does not store owners; it sees one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
 # 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 알린 적 없는 위치**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2는 둘을 구별하지 않고 한 연결로 봅니다.
@@ -160,7 +160,7 @@ for name, (x, y, *_) in places:
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
 #
-# For each edge three things: **which node** says it, **from which data**, and **which switch** turns it off. With two owners one switch has to be off; on these robots they are called
+# For each edge write down three things: **which node** publishes it, **from which data**, and **which switch** turns it off. With two owners one switch has to be off. On common robots the switches are called
 #
 # | package | switch |
 # |---|---|
@@ -196,8 +196,9 @@ lesson.draw_owners(
 )
 
 # %% [markdown] lang="en" name="owner-seen"
-# `! 2` marks an edge with two owners, `! 0` one that nobody says. The lecture's §24 asks you to fill such a table for your own robot before anything is wrong: without a normal, nothing is abnormal.
-# A kind correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line says `<no authority available>`. The nodes are named by `ros2 topic info /tf --verbose`, and their edges by nobody but you.
+# `! 2` marks an edge with two owners, `! 0` one without any. The lecture's §24 asks you to fill in such a table for your own robot before anything is wrong: you need to know the normal state to notice a fault.
+#
+# One correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes; no tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
 # *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
@@ -232,7 +233,7 @@ lesson.draw_owners(
 # </details>
 
 # %% [markdown] lang="en" name="owner-notes" slide="notes"
-# Fourteen minutes, most of them at the board: an empty table, one sheet for two. They shout, you write node, data and switch. Leave a wrong line standing until somebody objects; only then the figure.
+# Fourteen minutes, most of them at the board: an empty table, one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
 # 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 그리고 두 사람에 한 장씩 나눕니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보입니다.
@@ -240,14 +241,14 @@ lesson.draw_owners(
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
 #
-# Between a parent and a child there is **one owner**, or **nobody**, or **two**, or somebody sends **another edge** to the same child. They look different, if one asks rightly:
+# Between a parent and a child there is **one owner**, or **none**, or **two**, or a node publishes **another edge** to the same child. You can tell them apart:
 #
 # | state | `tf2_echo odom base_footprint 20` | the tree |
 # |---|---|---|
-# | one | runs smoothly | whole |
-# | nobody | never answers | a loose root `base_footprint` |
-# | two | goes to and fro | whole, and the edge too often |
-# | another edge | answers by turns | whole and torn, by turns |
+# | one | changes smoothly | complete |
+# | none | never succeeds | an extra root `base_footprint` |
+# | two | alternates | complete, and the rate is too high |
+# | another edge | succeeds now and then | alternates between complete and torn |
 
 # %% [markdown] lang="ko" name="four-states" slide="slide"
 # ## 연결의 네 가지 상태
@@ -262,7 +263,7 @@ lesson.draw_owners(
 # | 다른 연결 | 답이 나오다 말다 합니다 | 온전했다 끊어졌다 합니다 |
 
 # %% [markdown] lang="en" name="four-states-notes" slide="notes"
-# Cover the second column and let the room fill it in, row by row. Most miss “answers by turns”: two owners of one edge never tear the tree, another edge does.
+# Cover the second column and let the class fill it in, row by row. Most miss “succeeds now and then”: two owners of one edge never tear the tree, another edge does.
 
 # %% [markdown] lang="ko" name="four-states-notes" slide="notes"
 # 둘째 열을 가리고 한 줄씩 채우게 합니다. 많은 사람이 “답이 나오다 말다”를 놓칩니다. 한 연결의 발행자가 둘이면 트리가 끊어지지 않지만, 다른 연결이 오면 끊어집니다.
@@ -276,7 +277,7 @@ for _ in range(6):
     print(f"{stamp.nanoseconds / 1e9:.3f}  x {at.x:.3f}  y {at.y:.3f}")
 
 # %% [markdown] lang="en" name="to-and-fro-seen"
-# Asked twenty times a second, the two take turns. Asked once a second, as `tf2_echo` does by itself, it can look calm for minutes: hence the `20`.
+# At twenty lookups a second you see both in turn. At one a second, the default of `tf2_echo`, it can look constant for minutes: hence the `20`.
 
 # %% [markdown] lang="ko" name="to-and-fro-seen"
 # 20 Hz로 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
@@ -284,7 +285,7 @@ for _ in range(6):
 # %% [markdown] lang="en" name="stop-one" slide="slide"
 # ## Stop one node and look
 #
-# No tool told you which node sends which edge. But a node that is stopped sends nothing: stop one, and see whether the edge goes on. **Predict:** how often does `odom → base_footprint` come without the filter, and how often without the wheels?
+# No tool told you which node publishes which edge. But a stopped node publishes nothing. Stop one, and see whether the edge continues. **Predict:** what is the rate of `odom → base_footprint` without the filter, and without the wheel odometry?
 
 # %% [markdown] lang="ko" name="stop-one" slide="slide"
 # ## 노드를 하나 멈추고 보기
@@ -292,7 +293,7 @@ for _ in range(6):
 # 어느 노드가 어느 연결을 보내는지 알려 준 도구는 없습니다. 하지만 멈춘 노드는 아무것도 보내지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 노드를 멈추면 몇 번 올까요?
 
 # %% [markdown] lang="en" name="stop-one-notes" slide="notes"
-# Three numbers before running: without the filter, without the wheels, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
+# Three numbers before running: without the filter, without the wheel odometry, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
 
 # %% [markdown] lang="ko" name="stop-one-notes" slide="notes"
 # 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 노드 없이, 위치 추정 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
@@ -305,7 +306,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
     lesson.launch(graph, robot, only=[name])
 
 # %% [markdown] lang="en" name="stop-one-seen" tags=["predicted"]
-# Without the filter 20 a second are left, without the wheels 30, and without the localiser all 50: it has no part in this edge. Whoever takes some of the edge away with it is an owner of it. On a real robot: wheels off the ground, and the emergency stop in your hand.
+# Without the filter 20 a second are left, without the wheel odometry 30, and without the localiser all 50: it does not publish this edge. If the rate drops when a node stops, that node is an owner. On a real robot: wheels off the ground, and the emergency stop in your hand.
 
 # %% [markdown] lang="ko" name="stop-one-seen" tags=["predicted"]
 # 필터를 멈추면 1초에 스무 번, 바퀴 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
@@ -313,7 +314,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # %% [markdown] lang="en" name="another-edge" slide="subslide"
 # ### The fourth state
 #
-# A localiser knows where the robot is on the map, and sends just that: `map → base_footprint`. The wheels go on as before. **Predict:** of forty looks, how many find `odom → base_footprint`?
+# A localiser knows the robot's pose on the map, and publishes it directly: `map → base_footprint`. The wheel odometry continues as before. **Predict:** of forty lookups, how many find `odom → base_footprint`?
 
 # %% [markdown] lang="ko" name="another-edge" slide="subslide"
 # ### 네 번째 상태
@@ -321,7 +322,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # 위치 추정 노드가 지도에서 로봇의 위치를 찾아 `map → base_footprint`를 그대로 보냅니다. 바퀴 노드는 그대로입니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
 
 # %% [markdown] lang="en" name="another-edge-notes" slide="notes"
-# Draw the tree on the board and let somebody add the new arrow. Whose child is the robot then? Wait for "of both, by turns".
+# Draw the tree on the board and let somebody add the new arrow. Whose child is the robot then? Wait for "of both, in turn".
 
 # %% [markdown] lang="ko" name="another-edge-notes" slide="notes"
 # 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 누구입니까? "번갈아 둘"이라는 답을 기다립니다.
@@ -339,7 +340,7 @@ for _ in range(40):
 print(looks)
 
 # %% [markdown] lang="en" name="another-edge-seen" tags=["predicted"]
-# Each `.` is a look at which the newest word came from the localiser: then the robot hangs below `map`, `odom` is loose, and `tf2_echo` says *not part of the same tree*. A child has one parent, the newest (04). So a localiser sends `map → odom` and leaves the base to the wheels.
+# Each `.` is a lookup after a message of the localiser: then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
 
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
 # `.`은 가장 새로운 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 새로운 하나뿐입니다(04). 그래서 위치 추정 노드는 `map → odom`만 보내고 base는 바퀴 노드에 맡깁니다.
@@ -353,7 +354,7 @@ rclpy.shutdown()
 # ## Experiments A, B, C of the lecture
 #
 # §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
-# Do them in simulation only, and stop every process afterwards: on a robot somebody drives by what they say.
+# Do them in simulation only, and stop every process afterwards: a robot moves by what they publish.
 
 # %% [markdown] lang="ko" name="experiments" slide="slide"
 # ## 강의의 실험 A, B, C
@@ -362,7 +363,7 @@ rclpy.shutdown()
 # 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환을 믿고 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
-# A takes a minute; who calls 2e+08 Hz a fault? Before B ask: what does the first line of the tool say, and what the second? Before C: 1.000, 2.000, or an error?
+# A takes a minute; who calls 2e+08 Hz a fault? Before B ask: what is the first line of the tool about, and what is the second about? Before C: 1.000, 2.000, or an error?
 
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
 # A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
@@ -376,7 +377,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # %ros2 --for 11 run tf2_ros tf2_monitor map base_link
 
 # %% [markdown] lang="en" name="experiment-a-seen"
-# A: 1.000, `At time 0.0`. And a monitor that looks ill: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are what statics look like: sent once, good for ever (11). Know the healthy picture first.
+# A: 1.000, `At time 0.0`. And a monitor output that looks wrong: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
 # A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
@@ -388,7 +389,7 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: `odm`. The first line speaks of the very first moment; the second is the fact: **not part of the same tree**. A believer in dead nodes restarts one now. But the node runs, and says just what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
+# B: `odm`. The first line is about the very first lookup; the second is the fact: **not part of the same tree**. If you suspect a dead node, you restart one now. But the node runs, and publishes what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
@@ -404,7 +405,8 @@ graph = lesson.new_graph()
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="experiment-c-seen"
-# C: 2.000, from whoever was heard last, and not a word about the other. A listener that joins in another order gets the other number. Only the count on `/tf_static` hints at it, and it hints at every honest second publisher, too.
+# C: 2.000, from the publisher that was received last, and no message about the other. A listener that joins in another order gets the other number. Only the count on `/tf_static` is a hint, and it also rises with every correct second publisher.
+# The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
 # C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 한마디도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행기가 있어도 개수는 늘어납니다.
@@ -412,8 +414,8 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
 #
-# The lecture's six steps (§27): names, tree, values, delays, message and clock, publishers. They are an order, from cheap and coarse to dear and fine. But an order without a question is slow.
-# Take the complaint “the scan flickers, something about the future”. Three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: which check would they answer differently?
+# The lecture has six steps (§27): names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But an order without a question is slow.
+# Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would they give different results?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 검사의 값어치는 무엇을 지우느냐에 있습니다
@@ -422,7 +424,7 @@ graph = lesson.new_graph()
 # “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 빠르거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
-# Ask for a check and write it down only if somebody can say what each of the three suspects would answer. Checks that all three answer alike are crossed out aloud. After five minutes one is left that costs a minute.
+# Ask for a check and write it down only if somebody can say the result for each of the three suspects. Cross out checks with the same result for all three. After five minutes one is left that costs a minute.
 
 # %% [markdown] lang="ko" name="stop-guessing-notes" slide="notes"
 # 검사를 제안받되, 세 용의자가 저마다 무엇이라 답할지 말할 수 있을 때만 적습니다. 셋의 답이 같은 검사는 소리 내어 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
@@ -431,19 +433,19 @@ graph = lesson.new_graph()
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
-# Rows are suspects, columns are checks that can tell them apart; hatched is what nobody has asked yet. `topic delay /scan` said “ahead”: two rows struck, for one minute. Each struck row is an argument; what is left is what you have proved, and what nobody would have said otherwise is no [[evidence]].
+# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it rules out two rows, for one minute. Each row that is ruled out is an argument; what is left is what you have proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
 # *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. laser clock ahead = 레이저의 시계가 빠름, transforms late = 변환이 늦음, odometry slow = 오도메트리가 느림. `topic delay /scan`이 “ahead”(시계가 빠름)라고 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now treat the eighteen sick robots of the clinic below, each with another cause, and no complaint is told. One follows the six steps, one always asks what splits most for a minute.
+# Two people now diagnose the eighteen faulty robots of the clinic below, each with another cause, without a complaint. One follows the six steps, one always chooses the check that rules out most per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
 # 이제 두 사람이 아래 진료실의 고장 난 로봇 열여덟 대를 증상도 듣지 않은 채 진찰합니다. 원인은 저마다 다릅니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 가르는 검사를 고릅니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
-# Let them guess both averages first. The point is not that the order is wrong: it is safe, it teaches, and it finds everything. It just does not know what you already know.
+# Let them guess both averages first. The order is not wrong: it is safe, it teaches, and it finds everything. It just does not use what you already know.
 
 # %% [markdown] lang="ko" name="two-ways-notes" slide="notes"
 # 먼저 두 평균을 짐작하게 합니다. 순서가 틀렸다는 이야기가 아닙니다. 순서는 안전하고, 배우기 좋고, 모두 찾아냅니다. 다만 이미 아는 것을 쓰지 않을 뿐입니다.
@@ -452,7 +454,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# By the six steps 6.1 minutes on average, 14 at worst, and three of the eighteen come too late; by the best question next 2.3, and 5 at worst. Order without a question is slow; a question for a minute is not. Both are right in the end, and both beat the one who asks everything: 72 minutes for every check there is.
+# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen are found too late; with the best check next it takes 2.3, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 걸음, best next = 가장 잘 가르는 질문부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
@@ -460,9 +462,9 @@ lesson.draw_both_ways()
 # 여섯 걸음은 평균 6.1분, 가장 길 때 14분이고 열여덟 가운데 셋은 시간을 넘깁니다. 가장 잘 가르는 질문부터 하면 평균 2.3분, 가장 길 때 5분입니다. 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 검사를 몽땅 하는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
-# ## The clinic: how it is done
+# ## The clinic: how it works
 #
-# A patient is a robot that somebody made ill, and everything that every tool printed of it. You get the complaint, RViz's screen and the card of the healthy robot for nothing. Each question costs minutes, and you have twelve.
+# A patient is a simulated robot with one fault, and everything that every tool printed about it. You get the complaint, RViz's screen and the card of the healthy robot for free. Each check costs minutes, and you have twelve.
 
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
@@ -470,7 +472,7 @@ lesson.draw_both_ways()
 # 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 그냥 받습니다. 질문마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
 
 # %% [markdown] lang="en" name="clinic-notes" slide="notes"
-# One patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. Whoever proposes a fix is asked which reading would change after it.
+# Diagnose one patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. If somebody proposes a fix, ask which result would change after it.
 
 # %% [markdown] lang="ko" name="clinic-notes" slide="notes"
 # 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 입력하지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
@@ -479,8 +481,8 @@ lesson.draw_both_ways()
 lesson.show_trolley()
 
 # %% [markdown] lang="en" name="trolley-seen"
-# On the left the short name, which will do instead of the command. A screwdriver costs more than a question: that is why questions come first.
-# `lesson.admit` lets a patient in. With `helped=True` it strikes the suspects that a reading does not fit; without, you strike them yourself. `because=` notes whom you suspect; nobody marks it.
+# On the left is the short name, which you can use instead of the command. Checks with a screwdriver cost more than commands: that is why commands come first.
+# `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect you mean; it is not marked.
 
 # %% [markdown] lang="ko" name="trolley-seen"
 # 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
@@ -490,7 +492,7 @@ lesson.show_trolley()
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 
 # %% [markdown] lang="en" name="hasty"
-# Everybody wants to mend it now. Try it, without a question:
+# Most people want to fix it now. Try it, without a check:
 
 # %% [markdown] lang="ko" name="hasty"
 # 누구나 바로 고치고 싶어 합니다. 아무것도 묻지 않고 해 봅시다.
@@ -499,8 +501,9 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
 
 # %% [markdown] lang="en" name="worked-think"
-# Refused: no fix on a suspicion. It names a check that all three would answer differently. But were it the clock, `hz /odom` would be as on the card, and a proof shows something sick, too. Where would that be?
-# “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. One minute each way: `delay /scan` looks at the stamp.
+# It is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
+#
+# “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
 # 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
@@ -510,8 +513,8 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
-# A negative delay: heard before it was measured. No late transform, and no slow odometry, could do that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a slow clock, or a slow way. Then look at the walls: a late scan with a true stamp lies on them, one with a false stamp beside them.)
-# Now, and not before, a fix. First the one that everybody tries, a plaster: it covers the symptom.
+# A negative delay: it arrived before it was measured. A late transform or a slow odometry cannot cause that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a clock that is behind, or a slow network. Then look at the walls: a late scan with a true stamp is on them, one with a wrong stamp is beside them.)
+# Now comes the fix. First the one that everybody tries, a workaround that hides the symptom.
 
 # %% [markdown] lang="ko" name="worked-say"
 # 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 시계가 늦을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 늦게 온 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
@@ -526,13 +529,13 @@ visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", 
 visit.try_fix()
 
 # %% [markdown] lang="en" name="cure-seen"
-# Both times RViz is all Ok. But with the longer timeout the points lie up to half a metre beside the walls, and the delay that found the fault is as it was. **A fix is proved by the check that found the fault**, not by the symptom that is gone.
+# Both times RViz is all Ok. But with the longer timeout the points are up to half a metre off the walls, and the delay that found the fault is as before. **A fix is proved by the check that found the fault**, not by the missing symptom.
 
 # %% [markdown] lang="ko" name="cure-seen"
 # 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라졌다고 고친 것은 아닙니다.
 
 # %% [markdown] lang="en" name="film-intro" slide="subslide"
-# The whole visit once more, step by step. Choose a step, or go on with the arrow keys; your own visits can be played in the same way.
+# The whole visit once more, step by step. Choose a step, or use the arrow keys. You can replay your own visits in the same way.
 
 # %% [markdown] lang="ko" name="film-intro" slide="subslide"
 # 진료 전체를 한 단계씩 다시 봅시다. 단계를 고르거나 화살표 키로 넘겨 보세요. 여러분의 진료도 이렇게 볼 수 있습니다.
@@ -544,7 +547,7 @@ lesson.visit_panel(visit)
 lesson.draw_visit(visit)
 
 # %% [markdown] lang="en" name="film-seen"
-# On the left the clock: a filled bar for a question, a hatched one for a fix, and the dashed line for your twelve minutes. On the right each suspect, until a reading strikes it. Compare the last two rows: both are all Ok, and only one has the reading of the card.
+# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are all Ok, and only one has the result of the card.
 
 # %% [markdown] lang="ko" name="film-seen"
 # *그림 읽기:* 왼쪽은 시계입니다. 색칠한 막대는 질문, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
@@ -552,7 +555,7 @@ lesson.draw_visit(visit)
 # 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
 
 # %% [markdown] lang="en" name="film-notes" slide="notes"
-# Play it with the arrow keys. Stop at the second step: who is still a suspect? Stop at the third: it is green; is it cured? Only then the last.
+# Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
 
 # %% [markdown] lang="ko" name="film-notes" slide="notes"
 # 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색인데 나았습니까? 그런 다음 마지막을 보입니다.
@@ -560,7 +563,7 @@ lesson.draw_visit(visit)
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
 #
-# Two checks are given (`take` is `ask` without the clock); you name the cause. Fill in `my_cause`, then ask the ward for a fix: it refuses as long as your readings fit another suspect.
+# Two checks are given (`take` is `ask` without the costs); you name the cause. Fill in `my_cause`, then try a fix: it is refused as long as your results fit another suspect.
 
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
@@ -568,7 +571,7 @@ lesson.draw_visit(visit)
 # 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
-# Five minutes in pairs. One asks, one keeps the list of suspects and strikes. Then change places for the next patient.
+# Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
 
 # %% [markdown] lang="ko" name="faded-notes" slide="notes"
 # 둘씩 5분 동안 합니다. 한 사람은 묻고, 한 사람은 용의자 목록을 들고 지웁니다. 다음 환자에서는 역할을 바꿉니다.
@@ -590,7 +593,7 @@ if my_cause is not ...:
 # %% [markdown] lang="en" name="alone" slide="slide"
 # ## Alone
 #
-# `lesson.practice_patient(7)` makes a patient in some seconds, another number another patient, without end. The panel does what the calls do: choose a check, say whom you suspect, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` tells what it was; look there last.
+# `lesson.practice_patient(7)` makes a patient in some seconds; each number makes another patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
 
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
@@ -604,13 +607,13 @@ lesson.clinic_panel(lesson.practice_patient(7))
 lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
 
 # %% [markdown] lang="en" name="panel-seen" slide="skip"
-# Standing still, four questions to the same patient: what each cost, and who was left. `★` marks where one suspect was left; what comes after it is hatched, and told nothing.
+# The static version: four checks of the same patient, what each cost, and which suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, and added nothing.
 
 # %% [markdown] lang="ko" name="panel-seen" slide="skip"
 # *그림 읽기:* 같은 환자에게 한 질문 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
 
 # %% [markdown] lang="en" name="second" slide="subslide"
-# And what does a machine say? `second_opinion` starts that robot once more and lets the doctor listen to it, as soon as you have named a suspect.
+# And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it, as soon as you have named a suspect.
 
 # %% [markdown] lang="ko" name="second" slide="subslide"
 # 기계는 무엇이라고 할까요? 용의자를 대면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
@@ -620,19 +623,19 @@ my_suspect = ...  # one of the three
 lesson.second_opinion(7, my_suspect)
 
 # %% [markdown] lang="en" name="second-seen"
-# Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your readings, and which check of yours did it not need?
+# Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your results, and which of your checks did it not need?
 
 # %% [markdown] lang="ko" name="second-seen"
 # 비교해 보세요. 의사도 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? 그 문장 가운데 여러분이 읽은 값으로 쓸 수 있었던 것은 무엇이고, 의사에게는 필요 없었던 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
-# In pairs, 45 minutes together with E12.4. One types; the other says why before each check. Change places with each patient.
+# In pairs, 45 minutes together with E12.4. One types; the other gives the reason before each check. Change roles with each patient.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
 # 둘씩, E12.4까지 45분입니다. 한 사람은 입력하고 한 사람은 검사마다 까닭을 먼저 말합니다. 환자가 바뀌면 역할도 바꿉니다.
 
 # %% [markdown] lang="en" name="suspects" slide="skip"
-# To look things up, without a panel: the six complaints with their suspects, and of one complaint what each check would say. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
+# For reference, without a panel: the six complaints with their suspects, and for one complaint the result of each check. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
 
 # %% [markdown] lang="ko" name="suspects" slide="skip"
 # 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 검사마다 나올 소견입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
@@ -646,7 +649,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: two causes
 #
-# On the night shift there are two. **Predict:** the localiser is not running, and behind that the laser's mount is wrong. You start the localiser. What does RViz say, and where is the scan?
+# The night shift has a robot with two faults. **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
@@ -669,19 +672,19 @@ night.say(cause="localizer not running", frame="odom", owner="localization", fix
 night.try_fix()
 
 # %% [markdown] lang="en" name="night-seen" tags=["predicted"]
-# The first cause is gone, RViz is all Ok, and the scan is beside the walls: the second was there all along, and could not be seen. Cure one, and examine again from the start.
+# The first cause is gone, RViz is all Ok, and the scan is off the walls. The second fault was there all along, and could not be seen. Fix one, and examine again from the beginning.
 
 # %% [markdown] lang="ko" name="night-seen" tags=["predicted"]
 # 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
 
 # %% [markdown] lang="en" name="doctor" slide="subslide"
-# A machine helps, and does not know what you meant. The doctor, shown all eighteen robots, has a word on fourteen, rightly leaves one in peace, and is silent about three: a Fixed Frame that somebody typed, a mount that is merely elsewhere, a header that names a real frame. Those look like a robot that somebody wanted so. Only the card knows.
+# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Those look like a robot that somebody built so. Only the card shows the difference.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
 # 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
 
 # %% [markdown] lang="en" name="doctor-notes" slide="notes"
-# Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the machine not be?
+# Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
 
 # %% [markdown] lang="ko" name="doctor-notes" slide="notes"
 # 둘이 스스로 진단한 다음에 보입니다. 장착을 맞힌 사람은 누구입니까? 기계는 왜 맞힐 수 없었습니까?
@@ -693,17 +696,17 @@ night.try_fix()
 #
 # 1. Swap the laser's cable.
 # 2. Restart everything.
-# 3. Read RViz's own list: what does it say it could not do?
+# 3. Read RViz's own list: what could it not do?
 # 4. Give the lookup a longer timeout.
 #
 # <details><summary>I chose 1</summary>
 #
-# Half an hour, and the list in RViz may well say that messages arrive. It counts them.
+# That takes half an hour, and the list in RViz may well show that messages arrive. It counts them.
 #
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The same nodes come back with the same settings, and what you could have read is gone. Where the order of starting was the fault, it may even help, and be back tomorrow.
+# The same nodes come back with the same settings, and the outputs are lost. If the order of starting was the fault, it may even help, and come back tomorrow.
 #
 # </details>
 # <details><summary>I chose 3</summary>
@@ -713,7 +716,7 @@ night.try_fix()
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# That is a fix, and there is no diagnosis yet. If the clock is wrong, the scan will be back, in the wrong place.
+# That is a fix, and there is no diagnosis yet. If the clock is wrong, the scan will be back, in the wrong position.
 #
 # </details>
 
@@ -762,13 +765,13 @@ night.try_fix()
 # ros2 run tf2_tools view_frames
 # ros2 run tf2_ros tf2_echo map base_link
 # ros2 run tf2_ros tf2_monitor map base_link
-# ros2 topic info /tf --verbose                # who may speak
+# ros2 topic info /tf --verbose                # which nodes may publish
 # ros2 topic info /tf_static --verbose         # and VOLATILE?
 # ros2 topic echo /tf_static --once            # of two publishers only one
 # ros2 param get /problem_node use_sim_time    # whatever its name
 # ```
 #
-# These are the lecture's eight (§27). What they cannot see:
+# These are the lecture's eight (§27). What they cannot show:
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # smooth?
@@ -778,8 +781,9 @@ night.try_fix()
 # chronyc tracking                                   # on each computer
 # ```
 #
-# To see who owns an edge, stop one node at a time and look whether the edge goes on: wheels off the ground, and the emergency stop in your hand.
-# A robot knows more than eighteen causes. Three that everybody meets are not in the clinic: a localiser that waits for its initial pose or was never activated, a reader that asks for `RELIABLE` where the driver offers `BEST_EFFORT`, a neighbour's robot on the same `ROS_DOMAIN_ID`. The way is the same: which question would they answer differently?
+# To find the owner of an edge, stop one node at a time and look whether the edge continues: wheels off the ground, and the emergency stop in your hand.
+#
+# A robot can have more than eighteen faults. Three common ones are not in the clinic: a localiser that waits for its initial pose or was never activated, a subscriber that requests `RELIABLE` where the driver offers `BEST_EFFORT`, a neighbour's robot on the same `ROS_DOMAIN_ID`. The method is the same: which check has different results for them?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -815,17 +819,17 @@ night.try_fix()
 # 사진으로 찍게 합니다. 마지막 줄은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고, 비상 정지 버튼은 손에 쥡니다.
 
 # %% [markdown] lang="en" name="ten" slide="skip"
-# <details><summary>To look up: the lecture's ten symptoms (§28), and the first check of each</summary>
+# <details><summary>For reference: the lecture's ten symptoms (§28), and the first check of each</summary>
 #
 # | you see | likely | first check | chapter |
 # |---|---|---|---|
-# | no Fixed Frame | misspelt, or nobody sends it | RViz's own list, `view_frames` | 11 |
+# | no Fixed Frame | misspelt, or no node publishes it | RViz's own list, `view_frames` | 11 |
 # | two frames not connected | an edge in between is missing | `view_frames`: the two roots | 04, 09 |
 # | the robot trembles | two owners | the edge's rate and `tf2_echo … 20`, then `topic info /tf --verbose` | 12 |
-# | the sensor stands off the body | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
-# | its traces smear along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
+# | the sensor is off the body | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
+# | the scan smears along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
 # | future extrapolation | late transforms, or a clock ahead | `topic delay`: its sign; `/clock` | 09, 12 |
-# | past extrapolation | processed too slowly, or a short buffer | the message's age beside the cache time | 08, 09 |
+# | past extrapolation | slow processing, or a short buffer | the message's age compared with the cache time | 08, 09 |
 # | it fails with a bag only | `/tf`, `/tf_static` or `/clock` missing | `ros2 bag info`, and `--clock` | 10 |
 # | several robots' frames mixed up | prefix and namespace disagree | the whole tree in `view_frames` | 04 |
 # | off by 90° or 180° | axes, rpy, the order of a quaternion | the URDF's rpy, the axes in RViz | 02, 07 |
@@ -851,22 +855,22 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="en" name="twelve" slide="skip"
-# <details><summary>Deeper: the lecture's twelve mistakes (§29), and the patient that has each</summary>
+# <details><summary>Deeper: the lecture's twelve mistakes (§29), the patient that has each, and the remedy</summary>
 #
-# | the mistake | who has it |
-# |---|---|
-# | numbers without a frame | header says another frame; header says base_link |
-# | the sensor's stamp overwritten on arrival | the plaster “stamp on arrival” |
-# | target and source swapped | chapter 03 |
-# | a quaternion of zeros | quaternion of zeros |
-# | what is bolted on, sent on /tf for ever | chapter 06, and E12.5 |
-# | what moves, sent as static, or too seldom | odometry slow |
-# | one child published by several nodes | two owners of one edge; localizer owns the base |
-# | a longer timeout hides a clock | laser clock ahead, with the plaster “timeout of 1 s” |
-# | the pose in map used for control | nothing is wrong: it corrects |
-# | a bag with sensors only | chapter 10, and E12.5 |
-# | prefix and namespace taken for one | parent misspelt, and E12.5 |
-# | “RViz shows nothing, so the sensor is broken” | every patient with “sensor broken” on the lips |
+# | the mistake | patient or chapter | remedy |
+# |---|---|---|
+# | numbers without a frame | header says another frame; header says base_link | fill in `header.frame_id` where the data is measured |
+# | the sensor's stamp overwritten on arrival | the workaround “stamp on arrival” | keep the stamp of the measurement |
+# | target and source swapped | chapter 03 | say "expressed in, wanted in" |
+# | a quaternion of zeros | quaternion of zeros | w = 1, or normalise |
+# | a mount published on /tf for ever | chapter 06, and E12.5 | `/tf_static`, once |
+# | a moving frame published as static, or too seldom | odometry slow | `/tf`, at the rate of its motion |
+# | one child published by several nodes | two owners of one edge; localizer owns the base | one owner, switch the others off |
+# | a longer timeout hides a clock | laser clock ahead, with the workaround “timeout of 1 s” | set the clock |
+# | the pose in map used for control | nothing is wrong: it corrects | `odom` for control |
+# | a bag with sensors only | chapter 10, and E12.5 | record `/tf` and `/tf_static` |
+# | prefix and namespace mixed up | parent misspelt, and E12.5 | set both, and check the tree |
+# | “RViz shows nothing, so the sensor is broken” | every patient with “sensor broken” in the complaint | read RViz's list first |
 #
 # </details>
 
@@ -894,10 +898,10 @@ night.try_fix()
 # ## What to keep
 #
 # - An [[owner]] is a node, a source of data and a switch. Each edge has one: not two, and not none.
-# - A [[second-owner|second owner]] raises no error. Ask twenty times a second, and count how often the edge comes.
-# - A complaint is not a cause. A check is worth what it rules out; ask what your [[suspect|suspects]] would answer differently.
+# - A [[second-owner|second owner]] raises no error. Look up twenty times a second, and look at the rate of the edge.
+# - A complaint is not a cause. A check is worth what it rules out: choose one with different results for your [[suspect|suspects]].
 # - Stop when one is left. A fix is proved by the check that found the fault.
-# - And of all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` runs smoothly, `base_link` is the robot. What is bolted on is said once on `/tf_static`, what moves again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
+# - And of all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` is smooth, `base_link` is the robot. A mount is published once on `/tf_static`, a moving frame again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -917,15 +921,15 @@ night.try_fix()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. A localiser finds the robot on the map. Which edge does it send, and from which two poses?
-# 2. Why can a volatile publisher's mount be right for one listener and missing for the next?
-# 3. “Extrapolation into the future”: what do you compare, and with which two numbers?
+# 1. A localiser finds the robot on the map. Which edge does it publish, and from which two poses?
+# 2. Why can a volatile publisher's mount be there for one listener and missing for the next?
+# 3. “Extrapolation into the future”: which two times do you compare?
 #
 # <details><summary>Answers</summary>
 #
-# 1. `map → odom`, from `map_T_base` and the wheels' `odom_T_base` of the same stamp.
-# 2. Volatile is heard by whoever is there already; latched (transient local) also by whoever comes later.
-# 3. The stamp asked for with the newest stamp in the buffer.
+# 1. `map → odom`, from `map_T_base` and the wheel odometry's `odom_T_base` at the same stamp.
+# 2. A volatile message is received by listeners that already exist; a latched one (transient local) also by those that join later.
+# 3. The requested time and the newest stamp in the buffer.
 #
 # </details>
 
@@ -955,21 +959,21 @@ night.try_fix()
 #
 # **4.** Two nodes publish the same child. What can be seen? Write three or four sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
-# - [ ] No error: TF2 takes every sample, whoever sends it.
-# - [ ] With the same parent the pose goes to and fro, and a lookup in between gives a place that nobody said.
-# - [ ] With different parents the tree itself changes, and a part of it is unreachable by turns.
+# - [ ] No error: TF2 stores every sample, whichever node sends it.
+# - [ ] With the same parent the pose alternates, and a lookup in between gives a position that no node published.
+# - [ ] With different parents the tree itself changes, and a part of it is unreachable now and then.
 # - [ ] `view_frames` shows one parent; the edge's rate and values at 20 Hz show the second owner.
 #
 # </details>
 #
 # **14.** How are the transforms divided between URDF, odometry, EKF and localisation? Write three or four sentences.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
-# - [ ] URDF, through robot_state_publisher: everything bolted on and every joint, and no driver repeats it.
-# - [ ] Odometry *or* the EKF: `odom → base_footprint`; where the EKF fuses, the wheels' switch is off, and /odom goes on as data.
+# - [ ] URDF, through robot_state_publisher: every mount and every joint, and no driver repeats it.
+# - [ ] Odometry *or* the EKF: `odom → base_footprint`; with the EKF, the switch of the wheel odometry is off, and /odom continues as data.
 # - [ ] Localisation: `map → odom`, and never the base.
 # - [ ] One owner for each edge, written down as node, source and switch.
 #
@@ -977,10 +981,10 @@ night.try_fix()
 #
 # **15.** A wall smears while the robot drives. In which order do you look? Name at least five steps.
 #
-# <details><summary>What a full answer holds</summary>
+# <details><summary>What a full answer contains</summary>
 #
 # - [ ] Fixed Frame and names, then the tree.
-# - [ ] The mount's value, standing still.
+# - [ ] The mount's value, at rest.
 # - [ ] Delays and rates of the edges, and the scan's own frame, stamp and clock.
 # - [ ] Publishers and their switches last.
 # - [ ] No new sensor and no longer timeout among them: they show no fact.
@@ -1033,11 +1037,11 @@ night.try_fix()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > A colleague says: “I set a timeout of one second, and now RViz is green. Fixed.” Which check do you ask him to repeat, and what would it have to say?
+# > A colleague says: “I set a timeout of one second, and now RViz is green. Fixed.” Which check do you ask him to repeat, and what would the result have to be?
 #
 # <details><summary>Compare</summary>
 #
-# The one that found the fault. If it was `delay /scan`, it has to say what the card says; as long as it is negative, the points lie beside the walls, in green.
+# The one that found the fault. If it was `delay /scan`, the result has to be that of the card. As long as it is negative, the points are off the walls, although RViz is green.
 #
 # </details>
 
