@@ -409,7 +409,8 @@ graph = lesson.new_graph()
 # The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 한마디도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행기가 있어도 개수는 늘어납니다.
+# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행자가 있어도 개수는 늘어납니다.
+# 강의의 로봇은 `odom → base_link`를 두 노드가 *동적으로* 발행해서 떨립니다. 앞에서 바퀴 오도메트리와 필터로 본 것과 같습니다. 정적 변환 둘은 떨리지 않아서 찾기가 더 어렵습니다.
 
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
@@ -875,22 +876,22 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="ko" name="twelve" slide="skip"
-# <details><summary>더 깊이: 강의의 열두 가지 실수(29절)와 그 환자</summary>
+# <details><summary>더 깊이: 강의의 열두 가지 실수(29절), 그 환자와 해결책</summary>
 #
-# | 실수 | 그 환자 |
-# |---|---|
-# | 좌표계 없는 숫자 | header says another frame, header says base_link |
-# | 수신 시각으로 측정 시각을 덮음 | 반창고 “stamp on arrival” |
-# | 목표와 원본이 뒤바뀜 | 03장 |
-# | 모두 0인 쿼터니언 | quaternion of zeros |
-# | 고정된 것을 /tf로 계속 보냄 | 06장, E12.5 |
-# | 움직이는 것을 정적으로, 또는 너무 드물게 보냄 | odometry slow |
-# | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base |
-# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 반창고 “timeout of 1 s” |
-# | map 기준 포즈로 제어 | nothing is wrong(보정일 뿐) |
-# | 센서만 기록한 bag | 10장, E12.5 |
-# | prefix와 네임스페이스를 같게 여김 | parent misspelt, E12.5 |
-# | RViz에 안 보이면 센서 고장 | “sensor broken”부터 떠올린 모든 환자 |
+# | 실수 | 환자 또는 장 | 해결책 |
+# |---|---|---|
+# | 좌표계 없는 숫자 | header says another frame, header says base_link | 측정한 곳에서 `header.frame_id`를 채웁니다 |
+# | 수신 시각으로 측정 시각을 덮음 | 반창고 “stamp on arrival” | 측정 시각을 그대로 둡니다 |
+# | 목표와 원본이 뒤바뀜 | 03장 | 원본과 목표를 문장으로 말해 봅니다 |
+# | 모두 0인 쿼터니언 | quaternion of zeros | w를 1로 두거나 정규화합니다 |
+# | 고정된 것을 /tf로 계속 보냄 | 06장, E12.5 | `/tf_static`으로 한 번 보냅니다 |
+# | 움직이는 것을 정적으로, 또는 너무 드물게 보냄 | odometry slow | 움직임에 맞는 발행률로 `/tf`에 보냅니다 |
+# | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base | 하나만 남기고 나머지는 끕니다 |
+# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 반창고 “timeout of 1 s” | 시계를 맞춥니다 |
+# | map 기준 포즈로 제어 | nothing is wrong(보정일 뿐) | 제어에는 `odom`을 씁니다 |
+# | 센서만 기록한 bag | 10장, E12.5 | `/tf`와 `/tf_static`도 기록합니다 |
+# | prefix와 네임스페이스를 같게 여김 | parent misspelt, E12.5 | 둘 다 정하고 트리를 확인합니다 |
+# | RViz에 안 보이면 센서 고장 | “sensor broken”부터 떠올린 모든 환자 | 먼저 RViz의 목록을 읽습니다 |
 #
 # </details>
 
