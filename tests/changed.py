@@ -18,13 +18,15 @@ import sys
 from functools import cache
 from pathlib import Path
 
+import yaml
+
 ROOT = Path(__file__).parents[1]
 MODULES = {
     path.relative_to(ROOT).with_suffix("").as_posix().removesuffix("/__init__").replace("/", "."): path
     for folder in ("tflab", "tests")
     for path in sorted((ROOT / folder).rglob("*.py"))
 }
-LIKE_ROS = "tflab.ros.packages."  # `import rclpy` finds a module there
+IN_PROCESS = yaml.safe_load((ROOT / "tflab/ros/packages.yaml").read_text(encoding="utf-8"))  # what `import rclpy` finds
 READ_PAGES = {"tests.workbook.each_task", "tests.workbook.test_editions_of_pages", "tests.workbook.whole_answers"}
 PAGES = ("solutions/", "exercises/", "notebooks/")
 EVERYTHING = {"conftest.py", "tests/conftest.py", "constraints.txt", "pyproject.toml"}
@@ -55,8 +57,16 @@ def imported_by(module: str) -> frozenset[str]:
             names |= {found, *(f"{found}.{alias.name}" for alias in node.names)}
         elif isinstance(node, ast.Constant) and isinstance(node.value, str):
             names.add(node.value)  # `import_module("tflab.doctor.command")`
-    names |= {LIKE_ROS + name for name in names}
+    for package in {name.partition(".")[0] for name in names}:
+        names |= served_by(package)
     return frozenset(name for name in names if name in MODULES)
+
+
+@cache
+def served_by(package: str) -> frozenset[str]:
+    """Return the modules of tflab that serve a package of ROS."""
+    rows = [row for name, row in IN_PROCESS.items() if name.partition(".")[0] == package]
+    return frozenset({f"tflab.ros.messages.{package}", *(source for row in rows for source in row)})
 
 
 def reached_from(module: str) -> set[str]:

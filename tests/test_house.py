@@ -99,8 +99,7 @@ def name_of(path: Path) -> str:
     return ".".join(path.relative_to(PROJECT).with_suffix("").parts).removesuffix(".__init__")
 
 
-# What stands in `packages` is laid out as ROS's own, and goes by ROS's names: see test_transform_faces.py.
-PAGES = {name_of(path): path for path in sorted(ROOT.rglob("*.py")) if "packages" not in path.parts}
+PAGES = {name_of(path): path for path in sorted(ROOT.rglob("*.py"))}
 ALL_FILES = sorted(ROOT.rglob("*.py"))
 
 
@@ -216,7 +215,7 @@ def test_a_class_name_stands_for_one_thing() -> None:
 def test_the_face_of_a_folder_names_each_of_its_pages(folder: str) -> None:
     named = set(re.findall(r"\w+", docstring_of(ROOT / folder / "__init__.py")))
     pages = {path.stem for path in (ROOT / folder).glob("*.py")} - {"__init__"}
-    folders = {path.parent.name for path in (ROOT / folder).glob("*/__init__.py")} - {"packages"}
+    folders = {path.parent.name for path in (ROOT / folder).glob("*/__init__.py")}
     assert pages | folders <= named, (pages | folders) - named
 
 

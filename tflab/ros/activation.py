@@ -1,13 +1,13 @@
-"""How does `import rclpy` find us?  Modules put in place of a ROS 2 that is not there.
+"""Let `import rclpy` find the in-process ROS 2.
 
-    import rclpy  -->  sys.meta_path: [our finder, ...]  -->  tflab/ros/packages/rclpy/
+    import rclpy  -->  sys.meta_path: [our finder, ...]  -->  the row `rclpy` of packages.yaml
 
-Without ROS 2 the names of its packages belong to nobody, so `activate()` serves
-those that have a folder in `packages`.  Beside a real ROS 2 it stands aside, unless it is told
-otherwise; the choice is one environment variable:
+Without ROS 2 the names of its packages are free, so `activate()` serves those of
+`packages.yaml` and of `messages`. Beside a real ROS 2 it steps aside, unless an
+environment variable decides:
 
-    TFLAB_ROS=in-process    always ours
-    TFLAB_ROS=real          always the real one, an error if there is none
+    TFLAB_ROS=in-process    always the in-process modules
+    TFLAB_ROS=real          always the real ones, an error if there are none
 
 ROS 1 also has a `tf2_ros`, but no `rclpy`, so only `rclpy` tells that ROS 2 is here.
 """
@@ -16,38 +16,109 @@ from __future__ import annotations
 
 import os
 import sys
-from importlib.machinery import ModuleSpec, PathFinder
+from collections.abc import Iterable, Sequence
+from functools import cache
+from importlib import import_module
+from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
 from pathlib import Path
-from pkgutil import iter_modules
+from types import ModuleType
 
 from . import threads
 
 __all__ = ["PACKAGES", "activate", "deactivate", "is_active"]
 
-FOLDER = Path(__file__).parent / "packages"
-PACKAGES = tuple(sorted(face.parent.name for face in FOLDER.glob("*/__init__.py")))
+FOLDER = Path(__file__).parent
+MESSAGES = f"{__package__}.messages"
+KINDS = ("action", "msg", "srv")
+MESSAGE_FILES = (FOLDER / "messages").glob("*_*.py")
+MESSAGE_PACKAGES = {path.stem for path in MESSAGE_FILES if path.stem.endswith(("_msgs", "_interfaces", "_srvs"))}
 VARIABLE = "TFLAB_ROS"
 
 
+@cache
+def _table() -> dict[str, dict[str, list[str]]]:
+    """Return the names in each module, but those of message packages."""
+    import yaml
+
+    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+    return yaml.load((FOLDER / "packages.yaml").read_text(encoding="utf-8"), Loader=loader)
+
+
+@cache
+def _types_of(package: str) -> dict[str, dict[str, type]]:
+    """Return the types of a message package by their kind: {"msg": {"Point": ...}}."""
+    from .messages.base import types_of
+
+    import_module(f"{MESSAGES}.{package}")
+    found: dict[str, dict[str, type]] = {}
+    for name, cls in types_of(package).items():
+        found.setdefault(name.split("/")[1], {})[cls.__name__] = cls
+    return found
+
+
+def _modules_in(name: str) -> list[str]:
+    """Return the names of the modules in a package, sorted; none in a module."""
+    if name in MESSAGE_PACKAGES:
+        return sorted(_types_of(name))
+    return sorted(row.rpartition(".")[2] for row in _table() if row.rpartition(".")[0] == name)
+
+
 class _Finder:
-    """Finds exactly the packages that have a face in our folder, and says what they have instead of what they lack."""
+    """Find and make the modules of the in-process ROS 2; for one that is missing, name those that there are."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        if path is None and name in PACKAGES:
-            return PathFinder.find_spec(name, [str(FOLDER)])
-        parent = name.rpartition(".")[0]
-        if parent.partition(".")[0] in PACKAGES and parent in sys.modules and _is_ours(parent):
-            there = sorted(module.name for module in iter_modules(sys.modules[parent].__path__))
-            if name.rpartition(".")[2] not in there:
-                raise ModuleNotFoundError(
-                    f"No module named {name!r} in the in-process ROS 2 of tflab; {parent} has "
-                    f"{', '.join(there) or 'no modules'}.",
-                    name=name,
-                )
-        return None
+        parent, _, last = name.rpartition(".")
+        if name.partition(".")[0] not in PACKAGES or (parent and not (parent in sys.modules and _is_ours(parent))):
+            return None
+        if parent and last not in _modules_in(parent):
+            raise ModuleNotFoundError(
+                f"No module named {name!r} in the in-process ROS 2 of tflab; {parent} has "
+                f"{', '.join(_modules_in(parent)) or 'no modules'}.",
+                name=name,
+            )
+        is_package = not parent or last in KINDS or bool(_modules_in(name))
+        return ModuleSpec(name, self, origin="tflab.ros", is_package=is_package)
+
+    def create_module(self, spec: ModuleSpec) -> None:
+        """Leave it to Python to make the module."""
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Put the names into a module."""
+        name = module.__name__
+        module.__doc__ = f"{name} in one process, served by tflab.ros."
+        package, _, kind = name.partition(".")
+        if package in MESSAGE_PACKAGES:
+            module.__dict__.update(_types_of(package)[kind] if kind else {})
+            return
+        for source, names in _table()[name].items():
+            if source == "call":
+                function_module, _, function = names.rpartition(".")
+                getattr(import_module(function_module), function)()
+            elif source == ".":
+                for each in names:
+                    import_module(f"{name}.{each}")
+            elif source == "modules":
+                for other, each in names.items():
+                    setattr(module, other, import_module(each))
+            else:
+                _copy(import_module(source, name), module, names)
 
 
+def _copy(source: ModuleType, target: ModuleType, names: Iterable[str]) -> None:
+    """Copy names, each "name" or "name as other_name", from one module to another."""
+    for row in names:
+        name, _, other = row.partition(" as ")
+        setattr(target, other or name, getattr(source, name))
+
+
+def _top_packages() -> Sequence[str]:
+    lines = (FOLDER / "packages.yaml").read_text(encoding="utf-8").splitlines()
+    listed = {line.partition(":")[0] for line in lines if line[:1].isalpha()}
+    return sorted({name for name in listed if "." not in name} | MESSAGE_PACKAGES)
+
+
+PACKAGES = tuple(_top_packages())
 _finder = _Finder()
 
 
@@ -108,5 +179,5 @@ def _refuse_strangers() -> None:
 
 
 def _is_ours(name: str) -> bool:
-    file = getattr(sys.modules[name], "__file__", None)
-    return file is not None and Path(file).is_relative_to(FOLDER)
+    spec = getattr(sys.modules[name], "__spec__", None)
+    return spec is not None and spec.loader is _finder

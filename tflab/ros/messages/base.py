@@ -268,6 +268,13 @@ def all_types() -> dict[str, type]:
     return {name: cls for name, cls in sorted(_types.items()) if "_" not in name.rpartition("/")[2]}
 
 
+def types_of(package: str) -> dict[str, type]:
+    """Return the types of one package whose tables are imported, without what services and actions are made of."""
+    return {
+        name: cls for name, cls in sorted(_types.items()) if name.split("/")[0] == package and "_" not in cls.__name__
+    }
+
+
 def _named_class(ros_type: str, base: type, **members: object) -> type:
     """Make a class that is named, and says where it comes from, as rosidl's does."""
     package, kind, name = ros_type.split("/")

@@ -1,13 +1,14 @@
-"""tf2_ros, tf2_py and tf2_geometry_msgs, in one process: what a node needs to publish and to ask.
+"""Serve tf2_ros, tf2_py, tf2_geometry_msgs and message_filters in one process.
 
-    core            tf2_py: the engine behind its ROS face
-    interface       what can be asked of any buffer
-    buffer          a Buffer, and waiting for a transform
+    core            tf2_py.BufferCore: the engine with ROS messages
+    interface       BufferInterface: transform() and the registration of types
+    buffer          Buffer, and waiting for a transform
     listener        /tf and /tf_static -> a buffer
     broadcaster     transforms -> /tf and /tf_static
-    client          asking somebody else's buffer
-    geometry        points, poses, vectors, wrenches: moved to another frame
-    clouds          the same for a PointCloud2
+    client          BufferClient: lookups in the buffer of another node
+    geometry        transform points, poses, vectors and wrenches
+    clouds          transform a PointCloud2
+    conversions     register these types, as `import tf2_geometry_msgs` does
     filters         message_filters
     message_filter  hold a message until its transform is there
 

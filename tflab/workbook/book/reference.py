@@ -3,8 +3,7 @@
     tflab/core/*.py --pdoc--> reference/tflab/core.html
 
 An API reference: nothing of it is written twice.  Of a room there is what its face
-names, of the engine every page, for they are its textbook.  Modules laid out as ROS's
-own packages only hand on names, so they are left out.
+names, of the engine every page, for they are its textbook.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from tflab import core
 
 __all__ = ["HIDDEN", "sentences_kept", "write_reference"]
 
-HIDDEN = ("tflab.ros.packages", "tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
+HIDDEN = ("tflab.__main__", "tflab.grading.kernels", "tflab.grading.plugin")
 SECTIONS = ("Args", "Attributes", "Returns", "Raises", "Yields")
 OF_NO_FIELD = re.compile(r"Alias for field number \d+")  # what Python says of a tuple's field if nobody else does
 OUR_STYLE = Path(__file__).with_name("static") / "reference"

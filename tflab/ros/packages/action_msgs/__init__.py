@@ -1,1 +1,0 @@
-"""action_msgs, in process: see tflab.ros.messages.action_msgs."""

@@ -1,1 +1,0 @@
-"""builtin_interfaces, in process: see tflab.ros.messages.builtin_interfaces."""

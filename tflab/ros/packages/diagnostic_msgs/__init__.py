@@ -1,1 +1,0 @@
-"""diagnostic_msgs, in process: see tflab.ros.messages.diagnostic_msgs."""

@@ -1,1 +1,0 @@
-"""example_interfaces, in process: see tflab.ros.messages.example_interfaces."""

@@ -1,1 +1,0 @@
-"""geometry_msgs, in process: see tflab.ros.messages.geometry_msgs."""

@@ -1,1 +1,0 @@
-"""lifecycle_msgs, in process: see tflab.ros.messages.lifecycle_msgs."""

@@ -1,1 +1,0 @@
-"""nav_msgs, in process: see tflab.ros.messages.nav_msgs."""

@@ -1,1 +1,0 @@
-"""rcl_interfaces, in process: see tflab.ros.messages.rcl_interfaces."""

@@ -1,3 +1,0 @@
-"""rclpy.client"""
-
-from tflab.ros.service import Client as Client

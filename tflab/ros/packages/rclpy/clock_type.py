@@ -1,3 +1,0 @@
-"""rclpy.clock_type"""
-
-from tflab.ros.clock_type import ClockType as ClockType

@@ -1,3 +1,0 @@
-"""rclpy.context"""
-
-from tflab.ros.context import Context as Context

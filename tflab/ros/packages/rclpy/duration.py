@@ -1,6 +1,0 @@
-"""rclpy.duration"""
-
-from tflab.ros.duration import (
-    Duration as Duration,
-    Infinite as Infinite,
-)

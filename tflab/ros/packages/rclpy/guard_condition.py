@@ -1,3 +1,0 @@
-"""rclpy.guard_condition"""
-
-from tflab.ros.guard_condition import GuardCondition as GuardCondition

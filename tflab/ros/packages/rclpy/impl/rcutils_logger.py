@@ -1,3 +1,0 @@
-"""rclpy.impl.rcutils_logger"""
-
-from tflab.ros.logging import RcutilsLogger as RcutilsLogger

@@ -1,3 +1,0 @@
-"""rclpy.lifecycle.publisher"""
-
-from tflab.ros.lifecycle import LifecyclePublisher as LifecyclePublisher

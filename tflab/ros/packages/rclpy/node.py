@@ -1,4 +1,0 @@
-"""rclpy.node"""
-
-from tflab.ros.node import Node as Node
-from tflab.ros.parameter import Parameter as Parameter

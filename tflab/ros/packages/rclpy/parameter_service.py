@@ -1,3 +1,0 @@
-"""rclpy.parameter_service"""
-
-from tflab.ros.parameter_service import ParameterService as ParameterService

@@ -1,3 +1,0 @@
-"""rclpy.publisher"""
-
-from tflab.ros.publisher import Publisher as Publisher

@@ -1,3 +1,0 @@
-"""rclpy.service"""
-
-from tflab.ros.service import Service as Service

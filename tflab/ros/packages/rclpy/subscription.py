@@ -1,3 +1,0 @@
-"""rclpy.subscription"""
-
-from tflab.ros.subscription import Subscription as Subscription

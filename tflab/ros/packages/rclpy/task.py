@@ -1,6 +1,0 @@
-"""rclpy.task"""
-
-from tflab.ros.task import (
-    Future as Future,
-    Task as Task,
-)

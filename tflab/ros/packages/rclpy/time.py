@@ -1,6 +1,0 @@
-"""rclpy.time"""
-
-from tflab.ros.time import (
-    Duration as Duration,
-    Time as Time,
-)

@@ -1,1 +1,0 @@
-"""rosgraph_msgs, in process: see tflab.ros.messages.rosgraph_msgs."""

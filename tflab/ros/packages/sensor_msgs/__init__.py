@@ -1,1 +1,0 @@
-"""sensor_msgs, in process: see tflab.ros.messages.sensor_msgs."""

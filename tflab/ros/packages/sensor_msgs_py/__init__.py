@@ -1,1 +1,0 @@
-"""sensor_msgs_py, in process: only its module point_cloud2."""

@@ -1,1 +1,0 @@
-"""std_msgs, in process: see tflab.ros.messages.std_msgs."""

@@ -1,1 +1,0 @@
-"""std_srvs, in process: see tflab.ros.messages.std_srvs."""

@@ -1,1 +1,0 @@
-"""tf2_msgs, in process: see tflab.ros.messages.tf2_msgs."""

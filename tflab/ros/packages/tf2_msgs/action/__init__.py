@@ -1,3 +1,0 @@
-"""Actions of tf2_msgs, in process."""
-
-from tflab.ros.messages.tf2_msgs import LookupTransform as LookupTransform

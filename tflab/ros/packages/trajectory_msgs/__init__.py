@@ -1,1 +1,0 @@
-"""trajectory_msgs, in process: see tflab.ros.messages.trajectory_msgs."""

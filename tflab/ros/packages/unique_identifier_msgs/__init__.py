@@ -1,1 +1,0 @@
-"""unique_identifier_msgs, in process: see tflab.ros.messages.unique_identifier_msgs."""

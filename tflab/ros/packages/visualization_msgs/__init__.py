@@ -1,1 +1,0 @@
-"""visualization_msgs, in process: see tflab.ros.messages.visualization_msgs."""
