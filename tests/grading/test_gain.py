@@ -27,10 +27,10 @@ from tflab.grading.submissions.remarks import Remark
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import FORMS, RIGHT, read_inventory
 from tflab.workbook.places import Workbook, exercise_file, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 ITEMS = read_inventory()
 STEMS = {"A": "00_start", "B": "12_owners_and_diagnosis"}

@@ -19,7 +19,7 @@ from tflab.grading.reports.html import prose, text
 from tflab.grading.submissions.reasons import REASONS
 from tflab.grading.submissions.remarks import Remark
 from tflab.text import Text
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 
 @pytest.fixture(scope="module")

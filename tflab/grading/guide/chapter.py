@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from tflab.text import Text
 from tflab.workbook.course.course import Chapter, Course
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 from tflab.workbook.tasks.task import Task
 
 from ..reports.html import text

@@ -16,7 +16,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from tflab.workbook.course.course import Chapter, Course
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 from .lecture import LecturedPage
 from .teaching import Marking, Teaching

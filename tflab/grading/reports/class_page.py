@@ -16,8 +16,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from tflab.text import Text
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import read_inventory
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 from ..submissions.remarks import Remark
 from .class_figures import bars, histogram

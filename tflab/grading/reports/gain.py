@@ -16,9 +16,9 @@ from statistics import mean
 from typing import Any, NamedTuple
 
 from tflab.text import Text
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import FORMS, Item
 from tflab.workbook.inventory.replies import Reply, replies_to
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 from ..submissions.remarks import Remark
 

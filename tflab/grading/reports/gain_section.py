@@ -14,8 +14,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from tflab.text import Text
-from tflab.workbook.course.misconceptions import MISCONCEPTIONS
 from tflab.workbook.inventory.items import Item
+from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 from .class_figures import scores
 from .gain import BY_GUESSING, Believed, ClassGain, band, believed, normalised_gain, out_of_reach, unused_options

@@ -1,7 +1,6 @@
 """The course as a whole: chapters, objectives, checklist, terms, and where a learner stands.
 
     course          the chapters, as course.yaml has them
-    misconceptions  what the mistakes have in common
     standing        what a learner has shown of them
     glossary        the terms, as glossary.yaml has them
     contents        what of the pages is made from these files

@@ -12,7 +12,7 @@ import time
 from collections.abc import Iterator
 
 from ...text import Text
-from ..course.misconceptions import MISCONCEPTIONS
+from ..tasks.misconceptions import MISCONCEPTIONS
 from .kept import Kept, Open, Practised
 from .spacing import AGAIN, AHEAD, DUE, GAPS, LAST_BOX, NEW, Idea, is_due
 

@@ -1,6 +1,7 @@
 """Tasks: what they ask, their known mistakes, and the cases that answers are tried on.
 
     task            a task, as its file defines it
+    misconceptions  the fifteen of the course, behind the mistakes of many tasks
     draws           the seeded source of a task's numbers
     reference       the right answer, which the solution's own cell gives
     case_types      the cases of a task, as values

@@ -1,6 +1,6 @@
-"""What does "M3" stand for?  The fifteen misconceptions that the course looks for, each in a few words.
+"""Name the fifteen misconceptions that the course looks for.
 
-A wrong answer is one task's; behind several of them may stand one thought.
+A mistake belongs to one task.  A misconception is behind mistakes of several tasks.
 """
 
 from __future__ import annotations
