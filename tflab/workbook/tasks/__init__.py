@@ -1,6 +1,7 @@
 """Tasks: what they ask, their known mistakes, and the cases that answers are tried on.
 
-    task            a task, as its file defines it
+    task            a task: what it asks, and its known mistakes
+    definition      read a task from its Python and its YAML file
     misconceptions  the fifteen of the course, behind the mistakes of many tasks
     draws           the seeded source of a task's numbers
     reference       the right answer, which the solution's own cell gives
@@ -35,6 +36,7 @@ from ..answers.forms import (
     Urdf,
     Vector,
 )
+from .definition import define_task
 from .draws import Draws
 from .task import PARTICIPATION, Task, WrongAnswer, WrongStep
 
@@ -62,4 +64,5 @@ __all__ = [
     "Vector",
     "WrongAnswer",
     "WrongStep",
+    "define_task",
 ]

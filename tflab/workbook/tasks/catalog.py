@@ -148,7 +148,8 @@ def pair_search(task_id: str) -> PairSearch:
 
 def _stamp(data: Path, stem: str) -> int:
     """Return when one of a chapter's files was changed last [ns]."""
-    files = [*(data / "solutions" / "tasks" / stem).glob("*.py"), data / "solutions" / "en" / f"{stem}.ipynb"]
+    tasks = (data / "solutions" / "tasks" / stem).glob("*.[py]*")
+    files = [*tasks, data / "solutions" / "en" / f"{stem}.ipynb"]
     return max((path.stat().st_mtime_ns for path in files if path.exists()), default=0)
 
 
