@@ -3,15 +3,6 @@
 from __future__ import annotations
 
 from tflab.workbook.inventory.replies import FORM
-from tflab.workbook.tasks import PARTICIPATION, Task, Text
+from tflab.workbook.tasks import PARTICIPATION, define_task
 
-TASK = Task(
-    id="E0.1",
-    kind="M",
-    points=1,
-    title=Text(en="Fifteen questions, before", ko="열다섯 문제, 처음"),
-    answer="before",
-    form=FORM,
-    hints=(),
-    counts=PARTICIPATION,
-)
+TASK = define_task(__file__, kind="M", points=1, answer="before", form=FORM, counts=PARTICIPATION)

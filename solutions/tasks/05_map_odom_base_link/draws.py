@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from tflab.core import Transform
-from tflab.workbook.tasks import Text, WrongStep
 
 
 def on_the_floor(rng, reach_m=4.0):
@@ -40,14 +39,3 @@ def turned_round(pose, way):
         "step negated": Transform(negated, pose.rotation),
         "turned back, step negated": Transform(negated, pose.inverse().rotation),
     }.get(way, pose)
-
-
-STEP_NEGATED = WrongStep(
-    "step negated",
-    {"wheels": "step negated"},
-    Text(
-        en="To turn the wheels' pose round you negated its step alone. An inverse turns the other way, too, and the step along with it.",
-        ko="바퀴의 포즈를 뒤집으려고 이동의 부호만 바꾸었습니다. 역변환은 회전도 반대이고, 이동도 그만큼 돌아갑니다.",
-    ),
-    "M3",
-)
