@@ -115,6 +115,14 @@ def reasons() -> set[str]:
     return sentences(text for option in options if isinstance(option, dict) for text in texts_in(option.get("why")))
 
 
+def replies() -> set[str]:
+    """Return what the task files say of mistakes, options and parts, and neither a page nor a question does."""
+    files = [yaml.safe_load(path.read_text(encoding="utf-8")) for path in (DATA / "solutions").glob("tasks/*/*.yaml")]
+    questions = "\n".join(path.read_text(encoding="utf-8") for path in (DATA / "solutions" / "src").glob("*.py"))
+    printed = plain("\n".join([*texts_in(list(cells_of_pages()), *PICTURES), re.sub("^# ", "", questions, flags=re.M)]))
+    return {line for line in sentences(texts_in(files, "title", "hints", "equivalent")) if line not in printed}
+
+
 def marked_regions() -> set[str]:
     """Return what is taken out of the solutions, of more than a line or a long one, and is on no page."""
     pages = plain("\n".join(path.read_text(encoding="utf-8") for path in (DATA / "notebooks" / "src").glob("*.py")))
@@ -188,6 +196,14 @@ def test_no_copy_says_why_an_option_of_the_test_is_right_or_wrong(copy: str, req
     said = reasons()
     assert len(said) > 100
     assert [line for line in sorted(said) if line in request.getfixturevalue(copy)] == []
+
+
+@pytest.mark.parametrize("copy", ["of_a_class", "own"])
+def test_no_copy_holds_the_reply_to_a_mistake(copy: str, request: pytest.FixtureRequest) -> None:
+    text = request.getfixturevalue(copy)
+    said = replies()
+    assert len(said) > 5000
+    assert [line for line in sorted(said) if line in text] == []
 
 
 @pytest.mark.parametrize("copy", ["of_a_class", "own"])

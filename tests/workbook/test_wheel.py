@@ -63,7 +63,9 @@ def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(insta
     inside = installed / "tflab" / "_workbook"
     for stem in chapters():
         assert (inside / "solutions" / "en" / f"{stem}.ipynb").is_file()  # its code serves every language
-        assert len(list((inside / "solutions" / "tasks" / stem).glob("e*_*.py"))) >= (1 if stem == "00_start" else 5)
+        tasks = sorted((inside / "solutions" / "tasks" / stem).glob("e*_*.py"))
+        assert len(tasks) >= (1 if stem == "00_start" else 5)
+        assert all(path.with_suffix(".yaml").is_file() for path in tasks)
     assert not any((inside / folder / "src").exists() for folder in ("notebooks", "solutions"))
     assert not list(installed.rglob("__pycache__"))
 
