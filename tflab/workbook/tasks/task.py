@@ -1,17 +1,15 @@
-"""What is a task?  A question, how its answer is judged, and the mistakes that people make in it.
+"""Describe a task: what it asks, how its answer is judged, and the known mistakes.
 
     Task(id="E3.2", kind="N", points=3, answer="base_p_corner", form=Vector(3, frame="base_link"), ...)
 
-The right answer is not in here: it is what the solution's own answer cell gives,
-so the two cannot disagree.  What is in here is the wrong ones, on purpose: each
-*twin* is the answer that one misconception would give, with what to say about it;
-a *slip* is an alternative at one step of the work, and two of them compose.
-What varies comes from `given` (values that the learner is shown) and `inputs`
-(arguments for a function), both drawn with a random generator: the same draw
-makes the public variants, and with a secret seed the hidden ones.
+The right answer is what the solution's own answer cell gives, so it is not stored here.
+A WrongAnswer is the answer that one mistake gives.  A WrongStep is an alternative at one
+step of the work; two at different steps combine.  What varies comes from `given` (values
+that the learner is shown) and `inputs` (arguments for a function).  Both are drawn with a
+seed: a public one for the variants, a secret one for hidden cases.
 
-A chapter is a folder in `solutions/tasks/`: `e3_2.py` holds one TASK, each mistake
-beside its function and its reply; what several of them draw is in `draws.py`.
+A chapter is a folder in `solutions/tasks/`.  `e3_2.py` and `e3_2.yaml` define one TASK
+(`definition.py`); `draws.py` holds what several tasks draw.
 """
 
 from __future__ import annotations
