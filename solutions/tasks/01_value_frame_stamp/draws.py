@@ -1,4 +1,4 @@
-"""What several tasks of this chapter draw: points with two labels, at moments whose digits matter."""
+"""Draw what several tasks of chapter 01 need: points with two labels, at times whose digits matter."""
 
 from __future__ import annotations
 
@@ -8,16 +8,16 @@ from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
 
 
-def time(stamp_s):
-    return clock(seconds(stamp_s))
+def ros_time(stamp_s):
+    return time_from_ns(seconds(stamp_s))
 
 
-def clock(stamp_ns):
-    """Return a moment as a node's own clock tells it: its kind is that of `Time.from_msg`, so the two compare."""
+def time_from_ns(stamp_ns):
+    """Return a time on a node's clock, so that it compares with `Time.from_msg`."""
     return Time(nanoseconds=stamp_ns, clock_type=ClockType.ROS_TIME)
 
 
-def point(frame_id, stamp_ns, x):
+def make_point(frame_id, stamp_ns, x):
     sec, nanosec = sec_nanosec_from_stamp(stamp_ns)
     stamp = builtin_interfaces.Time(sec=sec, nanosec=nanosec)
     header = std_msgs.Header(stamp=stamp, frame_id=frame_id)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.workbook.tasks import Parts, Vector, define_task
 
 
-def robot_and_post(rng):
+def draw_robot_and_post(rng):
     return {
         "map_p_base": [round(float(rng.uniform(low, high)), 2) for low, high in ((3, 8), (-3, -1), (0.05, 0.12))],
         "base_p_laser": [
@@ -26,8 +26,10 @@ def answer(base, map_):
 SIGN = {"added": 1.0, "taken away": -1.0, "skipped": 0.0, "turned round": 1.0, "twice": 2.0}
 
 
-def both(g, *, side="left", mount="added", way="laser to post", height="added", start="base_link", robot="added"):
-    """Return where the post is, step by step; other steps are the slips."""
+def locate_post(
+    g, *, side="left", mount="added", way="laser to post", height="added", start="base_link", robot="added"
+):
+    """Return the position of the post, step by step; other arguments are mistakes."""
     x, y, z = g.laser_p_post
     seen = [x, -y if side == "right" else y, z]
     kept = {"x alone": "x", "without y": "xz"}.get(mount, "xyz")
@@ -60,8 +62,8 @@ TASK = define_task(
     points=4,
     answer="post",
     form=Parts({frame: Vector(3, unit="m", frame=frame, tolerance=0.003) for frame in ("base_link", "map")}),
-    given=robot_and_post,
+    given=draw_robot_and_post,
     variants=6,
-    model=both,
+    model=locate_post,
     answers=ANSWERS,
 )

@@ -6,13 +6,13 @@ from tflab.core import seconds
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Choice, define_task
 
-from .draws import clock, point
+from .draws import make_point, time_from_ns
 
 OPTIONS = ("use it", "no frame", "no stamp", "too old", "from the future")
 
 
-def messages(rng):
-    """Each verdict twice or more; ages across a full second, a nanosec below 0.1 s, both bounds and a hair beside."""
+def draw_messages(rng):
+    """Draw each verdict twice or more: ages across a full second, a nanosec below 0.1 s, both bounds."""
     second = int(rng.integers(20, 90))
     limit = float(rng.choice([1.2, 1.5, 1.8]))
     hair = 200_000
@@ -20,9 +20,9 @@ def messages(rng):
 
     def row(frame, now_s, age_ns, x=2.0):
         now_ns = seconds(second) + seconds(now_s)
-        return point(frame, now_ns - age_ns, x), clock(now_ns), limit
+        return make_point(frame, now_ns - age_ns, x), time_from_ns(now_ns), limit
 
-    nothing = point("", 0, 1.0)
+    nothing = make_point("", 0, 1.0)
     return [
         row("laser_frame", 0.35, seconds(0.3)),  # nanosec below 0.1 s: 0.05
         row("camera_link", 0.15, seconds(0.2)),  # across a full second
@@ -40,17 +40,17 @@ def messages(rng):
         row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
         (*row("laser_frame", 0.5, seconds(1.0))[:2], 1.0),  # a limit of whole seconds, and just that old
-        (point("laser_frame", 0, 1.0), clock(seconds(second)), limit),
-        (point("base_link", 0, 3.0), clock(seconds(0.3)), limit),
-        (point("base_link", 1, 3.0), clock(seconds(0.3)), limit),  # a nanosecond is a stamp
-        (nothing, clock(seconds(second)), limit),
+        (make_point("laser_frame", 0, 1.0), time_from_ns(seconds(second)), limit),
+        (make_point("base_link", 0, 3.0), time_from_ns(seconds(0.3)), limit),
+        (make_point("base_link", 1, 3.0), time_from_ns(seconds(0.3)), limit),  # a nanosecond is a stamp
+        (nothing, time_from_ns(seconds(second)), limit),
         row("", 0.4, seconds(0.1)),
         row("", 0.4, limit_ns + seconds(3.0)),
     ]
 
 
 def age_s(message, now, age):
-    """Return the age [s], or what becomes of it."""
+    """Return the age [s], computed in one of several ways."""
     stamp = message.header.stamp
     right = (now.nanoseconds - Time.from_msg(stamp).nanoseconds) / 1e9
     return {
@@ -74,7 +74,7 @@ def age_s(message, now, age):
     }[age]
 
 
-def verdict(
+def judge_age(
     message,
     now,
     max_age_s,
@@ -87,12 +87,12 @@ def verdict(
     bound="older",
     limit="as given",
 ):
-    """Return what a reader says, step by step; other steps are the slips."""
+    """Return the reader's verdict, step by step; other arguments are mistakes."""
     stamp = message.header.stamp
     old_s = age_s(message, now, age)
     apart_s = old_s if old_by == "right" else age_s(message, now, old_by)
     max_age_s = {"as given": max_age_s, "whole": float(int(max_age_s))}[limit]
-    early_s = round(apart_s - max_age_s, 10)  # what floats make of it is no slip
+    early_s = round(apart_s - max_age_s, 10)  # rounding of floats is no mistake
     says = {
         "frame": (not message.header.frame_id, "no frame"),
         "stamp": (
@@ -113,5 +113,12 @@ def verdict(
 
 
 TASK = define_task(
-    __file__, kind="F", points=4, answer="judge", form=Choice(OPTIONS), inputs=messages, variants=3, model=verdict
+    __file__,
+    kind="F",
+    points=4,
+    answer="judge",
+    form=Choice(OPTIONS),
+    inputs=draw_messages,
+    variants=3,
+    model=judge_age,
 )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from tflab.workbook.tasks import Number, Parts, define_task
 
 
-def a_late_message(rng):
-    """A second begins between stamp and arrival, and the arrival's nanosec is below 0.1 s."""
+def draw_late_message(rng):
+    """Draw a message that arrives in the next second, with a nanosec below 0.1 s."""
     sec = int(rng.integers(11, 95))
     stamp_ms = int(rng.integers(560, 880))
     arrived_ms = 1000 + int(rng.integers(12, 96)) + (1000 if rng.random() < 0.3 else 0)
@@ -26,8 +26,8 @@ def as_digits(stamp):
     return float(f"{stamp[0]}.{stamp[1]}")
 
 
-def by_arrival(given, *, age="all", way="arrival minus stamp", unit="s", drive="closer", written="s"):
-    """Return age and distance, step by step; other steps are the slips."""
+def age_and_distance(given, *, age="all", way="arrival minus stamp", unit="s", drive="closer", written="s"):
+    """Return age and distance, step by step; other arguments are mistakes."""
     (sec, nanosec), (arrived_sec, arrived_nanosec) = given.stamp, given.arrived
     age_s = {
         "all": seconds_of(given.arrived) - seconds_of(given.stamp),
@@ -81,7 +81,7 @@ TASK = define_task(
     points=3,
     answer="on_arrival",
     form=Parts({"age_s": Number(unit="s", tolerance=0.0005), "ahead_m": Number(unit="m", tolerance=0.003)}),
-    given=a_late_message,
+    given=draw_late_message,
     variants=6,
-    model=by_arrival,
+    model=age_and_distance,
 )

@@ -5,22 +5,24 @@ from __future__ import annotations
 from tflab.ros.messages import builtin_interfaces
 from tflab.workbook.tasks import Message, define_task
 
-from .draws import point, time
+from .draws import make_point, ros_time
 
 
-def measurements(rng):
+def draw_measurements(rng):
     rows = []
     for number in range(5):
         late_s = 0.6 if number == 3 else 0.0  # in its second, where who rounds has the next one
         measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)) + late_s, 3)
         later_s = round(measured_s + float(rng.uniform(0.04, 0.5)), 3)
         hair_m = 0.004 if number == 2 else 0.0  # what a range to centimetres has lost
-        rows.append((round(round(float(rng.uniform(0.4, 6.0)), 2) + hair_m, 3), time(measured_s), time(later_s)))
+        rows.append(
+            (round(round(float(rng.uniform(0.4, 6.0)), 2) + hair_m, 3), ros_time(measured_s), ros_time(later_s))
+        )
     return rows
 
 
-def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", sight="range", axis="x"):
-    """Return the message, step by step; other steps are the slips."""
+def label_measurement(range_m, measured, now, *, frame="laser_frame", moment="measured", sight="range", axis="x"):
+    """Return the message, step by step; other arguments are mistakes."""
     measured_ns, now_ns = measured.nanoseconds, now.nanoseconds
     stamps_ns = {
         "measured": measured_ns,
@@ -33,7 +35,7 @@ def honest(range_m, measured, now, *, frame="laser_frame", moment="measured", si
     age_s = (now_ns - measured_ns) / 1e9
     value = {"range": range_m, "none": 0.0, "age taken off": range_m - age_s, "age added": range_m + age_s,
              "centimetres": round(range_m, 2)}[sight]  # fmt: skip
-    message = point(frame, stamps_ns.get(moment, 0), 0.0)
+    message = make_point(frame, stamps_ns.get(moment, 0), 0.0)
     if moment == "all in nanosec":
         message.header.stamp = builtin_interfaces.Time(sec=0, nanosec=measured_ns % 2**32)
     if moment == "milliseconds in nanosec":
@@ -51,7 +53,7 @@ TASK = define_task(
     points=3,
     answer="as_message",
     form=Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "header.stamp", "point")),
-    inputs=measurements,
+    inputs=draw_measurements,
     variants=3,
-    model=honest,
+    model=label_measurement,
 )

@@ -10,7 +10,7 @@ FINDINGS = (HONEST, ARRIVAL, NONE, LABEL)
 THINKING_S = 0.2
 
 
-def logs(rng):
+def draw_logs(rng):
     speed = round(float(rng.uniform(0.4, 1.2)), 2)
     ball_m = round(float(rng.uniform(7.0, 9.0)), 2)
     start_m = round(float(rng.uniform(0.5, 2.0)), 2)
@@ -32,8 +32,8 @@ def logs(rng):
     return {"speed_mps": speed, "heard": heard}
 
 
-def found(given):
-    """Return the right findings, as the clues give them."""
+def find_faults(given):
+    """Return the right findings for the clues."""
     return {name: _finding(lines) for name, lines in given.heard.items()}
 
 
@@ -46,20 +46,20 @@ def _finding(lines):
     return LABEL if frame == "map" and first - last > 0.1 else HONEST
 
 
-def instead(**said):
-    """Return the findings of somebody who says otherwise of these kinds, such as ARRIVAL."""
+def findings_with(**said):
+    """Return the findings with other values for some kinds of clues."""
     swaps = {ARRIVAL: said.get("arrival", ARRIVAL), LABEL: said.get("label", LABEL), HONEST: said.get("honest", HONEST)}
     swaps[NONE] = said.get("none", NONE)
-    return lambda given: {name: swaps[finding] for name, finding in found(given).items()}
+    return lambda given: {name: swaps[finding] for name, finding in find_faults(given).items()}
 
 
 ANSWERS = {
-    "fast is honest": instead(arrival=HONEST),
-    "fast is the honest one": instead(arrival=HONEST, honest=ARRIVAL),
-    "a known frame is honest": instead(label=HONEST),
-    "shrinking is a lie": instead(none=LABEL),
-    "zero is fine": instead(none=HONEST),
-    "late is a fault": instead(honest=LABEL, label=HONEST),
+    "fast is honest": findings_with(arrival=HONEST),
+    "fast is the honest one": findings_with(arrival=HONEST, honest=ARRIVAL),
+    "a known frame is honest": findings_with(label=HONEST),
+    "shrinking is a lie": findings_with(none=LABEL),
+    "zero is fine": findings_with(none=HONEST),
+    "late is a fault": findings_with(honest=LABEL, label=HONEST),
 }
 
 TASK = define_task(
@@ -68,7 +68,7 @@ TASK = define_task(
     points=3,
     answer="findings",
     form=Parts({name: Choice(FINDINGS) for name in NAMES}),
-    given=logs,
+    given=draw_logs,
     variants=6,
     answers=ANSWERS,
 )

@@ -8,8 +8,8 @@ from tflab.core import Transform
 from tflab.workbook.tasks import Draws, Vector, define_task
 
 
-def detection(rng: Draws) -> dict:
-    """Draw a detection whose three numbers cannot be mistaken for one another."""
+def draw_detection(rng: Draws) -> dict:
+    """Draw a detection with three clearly different numbers."""
     right = rng.choice((-1, 1)) * rng.uniform(0.25, 0.45)
     down = rng.choice((-1, 1)) * rng.uniform(0.55, 0.80)
     return {"optical_p_part": (round(float(right), 2), round(float(down), 2), round(float(rng.uniform(1.2, 3.0)), 2))}
@@ -18,9 +18,9 @@ def detection(rng: Draws) -> dict:
 MUG = (0.40, -0.20, 1.50)  # the page's example
 
 
-def picked(given, *, part="given", turns="both", side="left", height="up", depth="ahead", places="own", origin="camera",
+def convert_to_camera_link(given, *, part="given", turns="both", side="left", height="up", depth="ahead", places="own", origin="camera",
            length="kept"):  # fmt: skip
-    """Return the part in camera_link, step by step; other steps are the slips."""
+    """Return the point in camera_link, step by step; other arguments are mistakes."""
     x, y, z = MUG if part == "the page's" else given.optical_p_part
     x, y, z = {
         "times the depth": (x * z, y * z, z),
@@ -79,8 +79,8 @@ TASK = define_task(
     points=3,
     answer="camera_p_part",
     form=Vector(3, unit="m", frame="camera_link", tolerance=0.005),
-    given=detection,
+    given=draw_detection,
     variants=5,
-    model=picked,
+    model=convert_to_camera_link,
     answers=ANSWERS,
 )

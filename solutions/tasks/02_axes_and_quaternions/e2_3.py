@@ -7,14 +7,14 @@ import math
 from tflab.workbook.tasks import Draws, Quaternion, define_task
 
 
-def yaws(rng: Draws) -> list[tuple[float]]:
-    """Draw turns to the left and to the right, small and large, and the two that are easy to get right by chance."""
+def draw_yaws(rng: Draws) -> list[tuple[float]]:
+    """Draw left and right rotations, small and large, and two that are easy to get right by chance."""
     drawn = (rng.uniform(0.3, 1.4), -rng.uniform(0.3, 1.4), rng.uniform(1.8, 2.9), -rng.uniform(1.8, 2.9))
     return [(0.0,), (math.pi / 2,), (4.0,), (-5.5,), *((round(float(yaw), 3),) for yaw in drawn)]
 
 
-def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z", order="w last"):
-    """Return the quaternion, step by step; other steps are the slips."""
+def quaternion_from_yaw(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z", order="w last"):
+    """Return the quaternion, step by step; other arguments are mistakes."""
     yaw = {"radians": yaw, "degrees": math.radians(yaw), "to degrees": math.degrees(yaw)}[unit]
     angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "sine outside": yaw, "cosine outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
              "of the sine alone": yaw / 2, "of the cosine alone": yaw, "modulo pi": yaw % math.pi / 2}[half]  # fmt: skip
@@ -54,9 +54,9 @@ def turned(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z"
     return (cosine, *row) if order == "w first" else (*row, cosine)
 
 
-def held_within(yaw: float, bound: float) -> tuple[float, float, float, float]:
-    """Return the quaternion of a yaw that is cut off at a bound to either side."""
-    return turned(max(-bound, min(bound, yaw)))
+def quaternion_of_clamped_yaw(yaw: float, bound: float) -> tuple[float, float, float, float]:
+    """Return the quaternion of a yaw that is clamped to a bound on either side."""
+    return quaternion_from_yaw(max(-bound, min(bound, yaw)))
 
 
 ANSWERS = {
@@ -67,12 +67,12 @@ ANSWERS = {
     "a direction": lambda yaw: (math.cos(yaw), math.sin(yaw), 0.0, 0.0),
     "a direction and a one": lambda yaw: (math.cos(yaw), math.sin(yaw), 0.0, 1.0),
     "halves in x and y": lambda yaw: (math.cos(yaw / 2), math.sin(yaw / 2), 0.0, 1.0),
-    "zeros for no turn": lambda yaw: turned(yaw) if yaw else (0.0, 0.0, 0.0, 0.0),
-    "by atan": lambda yaw: turned(math.atan(math.tan(yaw))),
-    "by asin": lambda yaw: turned(math.asin(math.sin(yaw))),
-    "times pi": lambda yaw: turned(math.pi * yaw),
-    "no more than half a turn": lambda yaw: held_within(yaw, math.pi),
-    "no more than a quarter turn": lambda yaw: held_within(yaw, math.pi / 2),
+    "zeros for no turn": lambda yaw: quaternion_from_yaw(yaw) if yaw else (0.0, 0.0, 0.0, 0.0),
+    "by atan": lambda yaw: quaternion_from_yaw(math.atan(math.tan(yaw))),
+    "by asin": lambda yaw: quaternion_from_yaw(math.asin(math.sin(yaw))),
+    "times pi": lambda yaw: quaternion_from_yaw(math.pi * yaw),
+    "no more than half a turn": lambda yaw: quaternion_of_clamped_yaw(yaw, math.pi),
+    "no more than a quarter turn": lambda yaw: quaternion_of_clamped_yaw(yaw, math.pi / 2),
 }
 
 TASK = define_task(
@@ -81,8 +81,8 @@ TASK = define_task(
     points=3,
     answer="quaternion_from_yaw",
     form=Quaternion(tolerance=1e-3),
-    inputs=yaws,
+    inputs=draw_yaws,
     variants=3,
-    model=turned,
+    model=quaternion_from_yaw,
     answers=ANSWERS,
 )

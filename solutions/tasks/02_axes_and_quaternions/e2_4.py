@@ -13,8 +13,8 @@ VERDICTS = ("ok", "nan", "zero", "not unit", "w first")
 PARTLY = ["".join(some) for size in (1, 2, 3) for some in combinations("xyzw", size)]  # which are asked for NaN
 
 
-def quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]]]:
-    """Draw good ones, in every dress that a good one may wear, and one of each bad kind."""
+def draw_quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]]]:
+    """Draw valid quaternions of every kind, and one of each invalid kind."""
 
     def yawed(low: float, high: float) -> tuple[float, float, float, float]:
         return Transform.from_rpy(yaw=float(rng.uniform(low, high))).rotation
@@ -45,12 +45,12 @@ def quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]]]:
         Transform.from_rpy(pitch=float(rng.uniform(1.9, 2.4))).rotation,
         *(
             (0.0, 0.0, 0.0, w) for w in (1.0005, 1.003, 1.004995, 1.009995, 1.010005, 0.990005, 0.989995)
-        ),  # a hair beside the tolerance
-        *((0.0, 0.0, 0.0, w) for w in (9.995e-7, 1.0005e-6, 5e-3)),  # a hair beside zero
-        *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound, and beside it
+        ),  # just past the tolerance
+        *((0.0, 0.0, 0.0, w) for w in (9.995e-7, 1.0005e-6, 5e-3)),  # close to zero
+        *((x, 0.0, math.sqrt(1.0 - x * x), 0.0) for x in (0.1, 0.09995, 0.10005)),  # at the bound and next to it
         (0.0, 0.10005, 0.0, math.sqrt(1.0 - 0.10005**2)),
         (0.08, 0.08, 0.0, math.sqrt(1.0 - 2 * 0.08**2)),  # each below the bound, their sum not
-        (-0.4, 0.0, 0.0, math.sqrt(1.0 - 0.4**2)),  # negative, beside a w that is not
+        (-0.4, 0.0, 0.0, math.sqrt(1.0 - 0.4**2)),  # negative, with a positive w
         (0.3, -0.3, 0.0, math.sqrt(1.0 - 2 * 0.3**2)),  # each above it, their sum not
         (0.0, 0.08, 0.0, math.sqrt(1.0 - 0.08**2)),  # y alone is not 0
         (0.05, 0.3, math.sqrt(1.0 - 0.05**2 - 0.3**2), 0.0),  # the first is not 0, and below it
@@ -63,9 +63,9 @@ def quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]]]:
     return [(q,) for q in drawn]
 
 
-def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", tolerance=0.01, sides="both",
+def judge(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", tolerance=0.01, sides="both",
            looks="xy", size="abs", above=0.1, w="any sign", first="length") -> str:  # fmt: skip
-    """Judge a quaternion as the task asks, step by step; other steps are the slips."""
+    """Judge a quaternion as the task asks, step by step; other arguments are mistakes."""
     finites = {
         "all": math.isfinite,
         "infinity": lambda part: not math.isinf(part),
@@ -141,8 +141,8 @@ def judged(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", 
     return "nan" if finite == "last" and not all(map(math.isfinite, q)) else "ok"
 
 
-def the_last_that_fits(q: tuple) -> str:
-    """Judge a quaternion by every question of the task, and keep the last verdict."""
+def last_fitting_verdict(q: tuple) -> str:
+    """Return the last verdict that fits, where the task asks for the first."""
     length = math.hypot(*q)
     verdicts = {
         "nan": not all(map(math.isfinite, q)),
@@ -154,7 +154,7 @@ def the_last_that_fits(q: tuple) -> str:
 
 
 ANSWERS = {
-    "the last that fits": the_last_that_fits,
+    "the last that fits": last_fitting_verdict,
 }
 
 TASK = define_task(
@@ -163,8 +163,8 @@ TASK = define_task(
     points=4,
     answer="judge_quaternion",
     form=Choice(VERDICTS),
-    inputs=quaternions,
+    inputs=draw_quaternions,
     variants=3,
-    model=judged,
+    model=judge,
     answers=ANSWERS,
 )

@@ -27,8 +27,8 @@ DIAGNOSIS = Parts(
 )
 
 
-def turned_cloud(rng: Draws) -> dict:
-    """Draw one of five ways to turn a cloud by ninety degrees: the evidence, as one would read it off."""
+def draw_rotated_cloud(rng: Draws) -> dict:
+    """Draw one of five ways to rotate a cloud by 90 degrees, as the readings show it."""
     frame_id, body_deg, optical_deg = ODD[int(rng.integers(len(ODD)))]
     return {
         "header_frame_id": frame_id,
@@ -38,8 +38,8 @@ def turned_cloud(rng: Draws) -> dict:
     }
 
 
-def wall_appears(given) -> str:
-    """Return where in base_link the cloud's depth points, its z."""
+def wall_direction(given) -> str:
+    """Return the direction of the cloud's depth axis z in base_link."""
     mounts = [given.rpy_of_camera_link_in_base_link_deg]
     if given.header_frame_id == OPTICAL:
         mounts.append(given.rpy_of_camera_optical_frame_in_camera_link_deg)
@@ -50,42 +50,49 @@ def wall_appears(given) -> str:
     return {(1, 0, 0): "ahead", (0, 0, 1): "above", (0, 1, 0): "left", (0, -1, 0): "right"}[x, y, z]
 
 
-def named(given) -> dict:
-    """Return what is wrong, and where it is mended."""
+def diagnose(given) -> dict:
+    """Return what is wrong, and where it is fixed."""
     if given.header_frame_id == "camera_link":
         return {"fault": "header", "change": "driver"}
     mount = OPTICAL if tuple(given.rpy_of_camera_link_in_base_link_deg) == STRAIGHT_DEG else LINK
     return {"fault": f"mount of {mount}", "change": "URDF"}
 
 
-def at_the_wrong_end(given) -> dict:
+def blame_other_end(given) -> dict:
     """Blame the mount for a wrong header, and the header for a wrong mount."""
     if given.header_frame_id == "camera_link":
-        return {"wall_appears": wall_appears(given), "fault": "mount of camera_optical_frame", "change": "URDF"}
-    return {"wall_appears": wall_appears(given), "fault": "header", "change": "driver"}
+        return {"wall_appears": wall_direction(given), "fault": "mount of camera_optical_frame", "change": "URDF"}
+    return {"wall_appears": wall_direction(given), "fault": "header", "change": "driver"}
 
 
-def mended_elsewhere(given) -> dict:
-    """Find the fault, and mend a header in the URDF or a mount in the driver."""
-    found = named(given)
+def fix_elsewhere(given) -> dict:
+    """Find the fault, but fix a header in the URDF and a mount in the driver."""
+    found = diagnose(given)
     change = "URDF" if found["change"] == "driver" else "driver"
-    return {"wall_appears": wall_appears(given), "fault": found["fault"], "change": change}
+    return {"wall_appears": wall_direction(given), "fault": found["fault"], "change": change}
 
 
-def the_other_mount(given) -> dict:
-    """Blame camera_link whatever the evidence, or the optical frame if camera_link it is."""
-    blamed = OPTICAL if named(given)["fault"] == f"mount of {LINK}" else LINK
-    return {"wall_appears": wall_appears(given), "fault": f"mount of {blamed}", "change": "URDF"}
+def blame_other_mount(given) -> dict:
+    """Blame camera_link in every case, or the optical frame where it is camera_link."""
+    blamed = OPTICAL if diagnose(given)["fault"] == f"mount of {LINK}" else LINK
+    return {"wall_appears": wall_direction(given), "fault": f"mount of {blamed}", "change": "URDF"}
 
 
 ANSWERS = {
-    "turn the data": lambda given: {"wall_appears": wall_appears(given), "fault": "data", "change": "my node"},
-    "wrong end": at_the_wrong_end,
-    "other mount": the_other_mount,
-    "mended elsewhere": mended_elsewhere,
-    "quaternion": lambda given: {"wall_appears": wall_appears(given), "fault": "quaternion", "change": "URDF"},
+    "turn the data": lambda given: {"wall_appears": wall_direction(given), "fault": "data", "change": "my node"},
+    "wrong end": blame_other_end,
+    "other mount": blame_other_mount,
+    "mended elsewhere": fix_elsewhere,
+    "quaternion": lambda given: {"wall_appears": wall_direction(given), "fault": "quaternion", "change": "URDF"},
 }
 
 TASK = define_task(
-    __file__, kind="D", points=3, answer="diagnosis", form=DIAGNOSIS, given=turned_cloud, variants=20, answers=ANSWERS
+    __file__,
+    kind="D",
+    points=3,
+    answer="diagnosis",
+    form=DIAGNOSIS,
+    given=draw_rotated_cloud,
+    variants=20,
+    answers=ANSWERS,
 )

@@ -7,8 +7,8 @@ import math
 from tflab.workbook.tasks import Draws, Number, define_task
 
 
-def few_digits(rng: Draws) -> dict:
-    """Draw how pi/2 was written in a URDF, and how far away one looks, until rounding is told from other mistakes."""
+def draw_truncated_pi(rng: Draws) -> dict:
+    """Draw the digits of pi/2 in a URDF and a distance at which rounding differs from other mistakes."""
     while True:
         written, range_m = float(rng.choice((1.54, 1.55, 1.61, 1.62))), round(float(rng.uniform(8.0, 30.0)), 1)
         quarters = (math.pi / 2, 11 / 7, 1.571, 3.141 / 2)
@@ -17,8 +17,10 @@ def few_digits(rng: Draws) -> dict:
             return {"written_yaw_rad": written, "range_m": range_m}
 
 
-def aside_mm(given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"):
-    """Return how far off, step by step; other steps are the slips."""
+def lateral_error_mm(
+    given, *, quarter="pi / 2", unit="radians", part="whole", reach="range", length="aside", sign="dropped"
+):
+    """Return the lateral error [mm], step by step; other arguments are mistakes."""
     quarters = {
         "pi / 2": math.pi / 2,
         "3.14 / 2": 3.14 / 2,
@@ -75,7 +77,7 @@ TASK = define_task(
     points=2,
     answer="off_mm",
     form=Number(unit="mm", tolerance=0.5),
-    given=few_digits,
+    given=draw_truncated_pi,
     variants=5,
-    model=aside_mm,
+    model=lateral_error_mm,
 )

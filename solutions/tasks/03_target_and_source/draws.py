@@ -1,4 +1,4 @@
-"""What several tasks of chapter 03 draw, and what they share."""
+"""Draw what several tasks of chapter 03 need, and rotate points in right and wrong ways."""
 
 from __future__ import annotations
 
@@ -11,41 +11,41 @@ from tflab.workbook.tasks import Angle, Draws, Number, Parts
 PLANAR = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
 
 
-def some_yaw_degrees(rng: Draws) -> int:
-    """Return a turn that nobody can overlook: 20 to 70 or 110 to 160 degrees, to either side."""
+def draw_yaw_degrees(rng: Draws) -> int:
+    """Draw a yaw of 20 to 70 or 110 to 160 degrees, to either side."""
     size = rng.choice([rng.integers(20, 71), rng.integers(110, 161)])
     return int(size * rng.choice([-1, 1]))
 
 
-def some_mount(rng: Draws) -> Transform:
-    """Return where a sensor is bolted on: ahead, aside, above, and turned."""
+def draw_mount(rng: Draws) -> Transform:
+    """Draw the pose of a sensor on the robot."""
     ahead, aside, above = rng.integers(15, 60) / 100, rng.choice([-1, 1]) * rng.integers(8, 30) / 100, 0.15
-    return Transform.from_rpy(yaw=math.radians(some_yaw_degrees(rng)), translation=(ahead, aside, above))
+    return Transform.from_rpy(yaw=math.radians(draw_yaw_degrees(rng)), translation=(ahead, aside, above))
 
 
-def some_planar(rng: Draws) -> dict[str, float]:
-    """Return a pose in the plane."""
+def draw_planar_pose(rng: Draws) -> dict[str, float]:
+    """Draw a pose in the plane."""
     x, y = (float(rng.choice([-1, 1]) * rng.integers(50, 400) / 100) for _ in range(2))
-    return {"x": x, "y": y, "yaw": round(math.radians(some_yaw_degrees(rng)), 4)}
+    return {"x": x, "y": y, "yaw": round(math.radians(draw_yaw_degrees(rng)), 4)}
 
 
-def turned(transform: Transform, point) -> tuple[float, ...]:
-    """Return a point turned by a transform's rotation alone."""
+def rotate(transform: Transform, point) -> tuple[float, ...]:
+    """Return a point rotated by a transform's rotation, without its translation."""
     return Transform(rotation=transform.rotation).apply(point)
 
 
-def moved(pose: dict, x: float, y: float, yaw: float) -> dict[str, float]:
-    """Return where a pose lies after a turn about the origin by its yaw."""
+def rotate_pose(pose: dict, x: float, y: float, yaw: float) -> dict[str, float]:
+    """Return a pose after a rotation about the origin; its own yaw stays."""
     c, s = math.cos(yaw), math.sin(yaw)
     return {"x": c * x - s * y, "y": s * x + c * y, "yaw": pose["yaw"]}
 
 
-def by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float]:
-    """Return a point rotated in the plane by the formula, or by one of the wrong formulas `BY_HAND`."""
-    return _by_formulas(x, y, angle)[way]
+def rotate_by_formula(x: float, y: float, angle: float, way: str) -> tuple[float, float]:
+    """Return a point rotated in the plane by the formula, or by one of the wrong formulas `WRONG_FORMULAS`."""
+    return _rotate_by_formulas(x, y, angle)[way]
 
 
-def _by_formulas(x: float, y: float, angle: float) -> dict[str, tuple[float, float]]:
+def _rotate_by_formulas(x: float, y: float, angle: float) -> dict[str, tuple[float, float]]:
     c, s = math.cos(angle), math.sin(angle)
     right = (c * x - s * y, s * x + c * y)
     return {
@@ -69,12 +69,12 @@ def _by_formulas(x: float, y: float, angle: float) -> dict[str, tuple[float, flo
     }
 
 
-BY_HAND = tuple(_by_formulas(1.0, 0.0, 0.0))[1:]  # the wrong formulas
+WRONG_FORMULAS = tuple(_rotate_by_formulas(1.0, 0.0, 0.0))[1:]  # the wrong formulas
 
 
-def tells_ways_apart(x: float, y: float, angle: float, *others: tuple[float, float]) -> bool:
-    """Return whether a rotated point, what each way in `BY_HAND` gives, and `others` lie 8 mm from one another."""
-    places = [*others, *(by_formula(x, y, angle, way) for way in ("right", *BY_HAND))]
+def are_distinct(x: float, y: float, angle: float, *others: tuple[float, float]) -> bool:
+    """Return whether the right point, each of `WRONG_FORMULAS` and `others` are 8 mm or more from one another."""
+    places = [*others, *(rotate_by_formula(x, y, angle, way) for way in ("right", *WRONG_FORMULAS))]
     return all(math.dist(one, other) > 0.008 for one, other in combinations(places, 2))
 
 

@@ -9,21 +9,21 @@ from tflab.workbook.tasks import Draws, define_task
 from .draws import (
     PLANAR,
     WRONG_TERMS,
-    by_formula,
-    some_planar,
+    draw_planar_pose,
+    rotate_by_formula,
 )
 
 
-def invert_inputs(rng: Draws) -> list[tuple]:
-    quarters = [some_planar(rng) | {"yaw": round(float(way * rng.uniform(low, low + 1.0)), 4)}
+def draw_poses(rng: Draws) -> list[tuple]:
+    quarters = [draw_planar_pose(rng) | {"yaw": round(float(way * rng.uniform(low, low + 1.0)), 4)}
                 for way in (1, -1) for low in (0.4, 1.9)]  # fmt: skip
     straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}
     on_the_spot = {"x": 0.0, "y": 0.0, "yaw": round(float(rng.uniform(0.4, 1.2)), 4)}
     return [*((pose,) for pose in quarters), (straight,), (on_the_spot,)]
 
 
-def yaws(yaw: float) -> dict[str, float]:
-    """Return what people make of the yaw on the way back."""
+def wrong_yaws(yaw: float) -> dict[str, float]:
+    """Return wrong values for the yaw of the inverse."""
     return {
         "back": -yaw,
         "kept": yaw,
@@ -41,10 +41,10 @@ def yaws(yaw: float) -> dict[str, float]:
     }
 
 
-def inverted(
+def invert_pose(
     a_pose_b, *, unit="radians", turn="back", step="off", angle="back", y="old", sine="sin"
 ) -> dict[str, float]:
-    """Return b_pose_a, step by step; other steps are the slips."""
+    """Return b_pose_a, step by step; other arguments are mistakes."""
     yaw = a_pose_b["yaw"]
     angles = {"back": -yaw, "on": yaw, "none": 0.0, "half": -yaw / 2, "twice": -2 * yaw,
               "asin": -math.asin(math.sin(yaw))}  # fmt: skip
@@ -60,16 +60,16 @@ def inverted(
     to_y = -s if sine == "sign in y" else s
     by_hand = sine in WRONG_TERMS
     if step == "a quarter":
-        return {"x": -a_pose_b["y"], "y": a_pose_b["x"], "yaw": yaws(yaw)[turn]}
+        return {"x": -a_pose_b["y"], "y": a_pose_b["x"], "yaw": wrong_yaws(yaw)[turn]}
     if step == "one over":
         u, v = (1.0 / number if number else 0.0 for number in (a_pose_b["x"], a_pose_b["y"]))
     if by_hand or step == "one over":
-        x, straight_y = by_formula(u, v, by, sine) if by_hand else (u, v)
-        return {"x": x, "y": straight_y, "yaw": yaws(yaw)[turn]}
+        x, straight_y = rotate_by_formula(u, v, by, sine) if by_hand else (u, v)
+        return {"x": x, "y": straight_y, "yaw": wrong_yaws(yaw)[turn]}
     return {
         "x": x,
         "y": to_y * {"old": u, "new": x, "new, taken off": -x}[y] + c * v,
-        "yaw": yaws(yaw)[turn],
+        "yaw": wrong_yaws(yaw)[turn],
     }
 
 
@@ -87,8 +87,8 @@ TASK = define_task(
     points=4,
     answer="invert",
     form=PLANAR,
-    inputs=invert_inputs,
+    inputs=draw_poses,
     variants=3,
-    model=inverted,
+    model=invert_pose,
     answers=ANSWERS,
 )

@@ -9,30 +9,35 @@ from tflab.workbook.tasks import Draws, define_task
 from .draws import (
     PLANAR,
     WRONG_TERMS,
-    by_formula,
-    moved,
-    some_planar,
+    draw_planar_pose,
+    rotate_by_formula,
+    rotate_pose,
 )
 
 
-def compose_inputs(rng: Draws) -> list[tuple]:
-    """Draw pairs, in one of which the yaws add up to more than half a turn, and in one of which they differ by more."""
+def draw_pose_pairs(rng: Draws) -> list[tuple]:
+    """Draw pairs of poses, in some of which the sum or the difference of the yaws passes half a turn."""
     nothing = {"x": 0.0, "y": 0.0, "yaw": 0.0}
     sums = differences = [0.0]
     while max(sums) <= math.pi or max(differences) <= math.pi:
-        pairs = [(some_planar(rng), some_planar(rng)) for _ in range(4)]
+        pairs = [(draw_planar_pose(rng), draw_planar_pose(rng)) for _ in range(4)]
         sums = [abs(one["yaw"] + two["yaw"]) for one, two in pairs]
         differences = [abs(one["yaw"] - two["yaw"]) for one, two in pairs]
     straight = {"x": 1.5, "y": -2.0, "yaw": 0.0}  # not turned, and not at the origin either
-    return [*pairs, (some_planar(rng), nothing), (nothing, some_planar(rng)), (straight, some_planar(rng))]
+    return [
+        *pairs,
+        (draw_planar_pose(rng), nothing),
+        (nothing, draw_planar_pose(rng)),
+        (straight, draw_planar_pose(rng)),
+    ]
 
 
-def turned_round(pose):
-    """Return the pose of a in b of that of b in a."""
-    return moved({"yaw": -pose["yaw"]}, -pose["x"], -pose["y"], -pose["yaw"])
+def invert(pose):
+    """Return the pose of a in b from that of b in a."""
+    return rotate_pose({"yaw": -pose["yaw"]}, -pose["x"], -pose["y"], -pose["yaw"])
 
 
-def joined(
+def compose(
     a_pose_b,
     b_pose_c,
     *,
@@ -46,9 +51,9 @@ def joined(
     yaw="sum",
     end="as it is",
 ):
-    """Return a_pose_c, step by step; other steps are the slips."""
-    a_pose_b = turned_round(a_pose_b) if first == "inverted" else a_pose_b
-    b_pose_c = turned_round(b_pose_c) if second == "inverted" else b_pose_c
+    """Return a_pose_c, step by step; other arguments are mistakes."""
+    a_pose_b = invert(a_pose_b) if first == "inverted" else a_pose_b
+    b_pose_c = invert(b_pose_c) if second == "inverted" else b_pose_c
     outer, inner = (b_pose_c, a_pose_b) if order == "exchanged" else (a_pose_b, b_pose_c)
     one, two = outer["yaw"], inner["yaw"]
     angle = {"first": one, "back": -one, "second": two, "both": one + two, "none": 0.0,
@@ -61,14 +66,14 @@ def joined(
         x, y = x + outer["x"], y + outer["y"]
     if turned == "difference":
         x, y = x - outer["x"], y - outer["y"]
-    pose = moved(inner, x, y, angle)
+    pose = rotate_pose(inner, x, y, angle)
     if step == "x alone turned":
         pose |= {"y": y}
     if step in ("one sign in x", "one sign in y"):
         c, s = math.cos(angle), math.sin(angle)
         pose |= {"x": c * x + s * y} if step == "one sign in x" else {"y": c * y - s * x}
     if step in WRONG_TERMS:
-        pose |= dict(zip("xy", by_formula(x, y, angle, step), strict=True))
+        pose |= dict(zip("xy", rotate_by_formula(x, y, angle, step), strict=True))
     if step == "exchanged":
         pose |= {"x": math.sin(angle) * x - math.cos(angle) * y, "y": math.cos(angle) * x + math.sin(angle) * y}
     if step == "new x":
@@ -106,13 +111,13 @@ def joined(
             "clamped": max(-math.pi, min(math.pi, one + two)),
         }[yaw]
     }
-    return turned_round(pose) if end == "inverted" else pose
+    return invert(pose) if end == "inverted" else pose
 
 
 ANSWERS = {
     "each by its own yaw": lambda one, two: {
         **{
-            name: sum(moved(pose, pose["x"], pose["y"], pose["yaw"])[name] for pose in (one, two))
+            name: sum(rotate_pose(pose, pose["x"], pose["y"], pose["yaw"])[name] for pose in (one, two))
             for name in ("x", "y")
         },
         "yaw": one["yaw"] + two["yaw"],
@@ -125,8 +130,8 @@ TASK = define_task(
     points=4,
     answer="compose",
     form=PLANAR,
-    inputs=compose_inputs,
+    inputs=draw_pose_pairs,
     variants=3,
-    model=joined,
+    model=compose,
     answers=ANSWERS,
 )

@@ -8,38 +8,38 @@ from tflab.core import LATEST, StampedTransform, Transform
 from tflab.views.sentence import echo_text
 from tflab.workbook.tasks import Angle, Draws, Parts, Vector, define_task
 
-from .draws import BY_HAND, by_formula, some_mount, tells_ways_apart, turned
+from .draws import WRONG_FORMULAS, are_distinct, draw_mount, rotate, rotate_by_formula
 
 AMBIGUOUS_DEG = {  # yaws of which two mistakes give the same angle, modulo a turn: 1 / yaw is cos(yaw / 2) at 70
     44, 45, 56, 70, 113, 118, 119, 125, 126, 135, -25, -44, -45, -70, -117, -125, -126, -127, -129, -135, -149,
 }  # fmt: skip
 
 
-def echo_given(rng: Draws) -> dict[str, str]:
+def draw_printed_transform(rng: Draws) -> dict[str, str]:
     """Draw until no two mistakes give the same position or the same yaw."""
     while True:
-        mount = some_mount(rng)
+        mount = draw_mount(rng)
         (x, y, _), yaw = mount.translation, mount.rpy()[2]
         inverse, half, converted = (
-            by_formula(-x, -y, angle, "right") for angle in (-yaw, -yaw / 2, -math.radians(yaw))
+            rotate_by_formula(-x, -y, angle, "right") for angle in (-yaw, -yaw / 2, -math.radians(yaw))
         )
         others = (inverse[::-1], half, converted, (-x, -y), (-x, y), (-y, -x))
         is_rounded = abs(math.degrees(round(yaw, 3) - yaw)) > 0.006
         is_clear = is_rounded and round(math.degrees(yaw)) not in AMBIGUOUS_DEG
-        if is_clear and tells_ways_apart(-x, -y, -yaw, *others):
+        if is_clear and are_distinct(-x, -y, -yaw, *others):
             return {"echo": echo_text(StampedTransform("base_link", "laser_frame", LATEST, mount))}
 
 
-def echoed(given) -> tuple[Transform, float]:
+def printed_transform(given) -> tuple[Transform, float]:
     """Return the transform that was printed, and its yaw [rad]."""
     rows = [line.split("[")[1].rstrip("]").split(", ") for line in given.echo.splitlines()[1:4]]
     yaw = float(rows[2][2])
     return Transform.from_rpy(yaw=yaw, translation=tuple(map(float, rows[0]))), yaw
 
 
-def read(given, *, laser="as printed", back="inverse", height="turned with it", yaw="minus"):
-    """Return both places and the yaw, step by step; other steps are the slips."""
-    mount, printed = echoed(given)
+def read_printed_transform(given, *, laser="as printed", back="inverse", height="turned with it", yaw="minus"):
+    """Return both positions and the yaw, step by step; other arguments are mistakes."""
+    mount, printed = printed_transform(given)
     there, inverse = mount.translation, mount.inverse()
     away = tuple(-value for value in there)
     c, s = math.cos(printed), math.sin(printed)
@@ -47,9 +47,9 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "inverse": inverse.translation,
         "swapped": there,
         "sign only": away,
-        "turned on": turned(mount, away),
-        "not taken off": turned(inverse, there),
-        "turned on, not taken off": turned(mount, there),
+        "turned on": rotate(mount, away),
+        "not taken off": rotate(inverse, there),
+        "turned on, not taken off": rotate(mount, there),
         "by degrees": Transform.from_rpy(yaw=-math.degrees(printed)).apply(away),
         "sine for cosine": (-(there[0] * s + there[1] * c), there[0] * c - there[1] * s, -there[2]),
         "exchanged": (inverse.translation[1], inverse.translation[0], inverse.translation[2]),
@@ -62,7 +62,7 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "minus in z": (there[0], there[1], away[2]),
         "minus in x and z": (away[0], there[1], away[2]),
         "minus in y and z": (there[0], away[1], away[2]),
-        "not taken off in the plane": (*turned(inverse, there)[:2], away[2]),
+        "not taken off in the plane": (*rotate(inverse, there)[:2], away[2]),
         "inverse of minus": inverse.apply(away),
         "quarter to the left": (there[1], away[0], away[2]),
         "quarter to the right": (away[1], there[0], away[2]),
@@ -73,10 +73,10 @@ def read(given, *, laser="as printed", back="inverse", height="turned with it", 
         "mount applied twice": mount.apply(there),
         "its distance": (math.hypot(*there), 0.0, 0.0),
         "behind, at its distance": (-math.hypot(*there), 0.0, 0.0),
-    } | {way: (*by_formula(*away[:2], -printed, way), away[2]) for way in BY_HAND}  # fmt: skip
+    } | {way: (*rotate_by_formula(*away[:2], -printed, way), away[2]) for way in WRONG_FORMULAS}  # fmt: skip
     returned = returned[back]
-    seen = {"as printed": there, "swapped": inverse.translation, "negative": away, "turned": turned(mount, there),
-            "turned back": turned(inverse, there), "row of the matrix": (c, -s, 0.0),
+    seen = {"as printed": there, "swapped": inverse.translation, "negative": away, "turned": rotate(mount, there),
+            "turned back": rotate(inverse, there), "row of the matrix": (c, -s, 0.0),
             "Rotation line": (0.0, 0.0, math.sin(printed / 2)), "RPY line": (0.0, 0.0, printed)}[laser]  # fmt: skip
     returned = {"kept": (*returned[:2], there[2]), "left out": (*returned[:2], 0.0)}.get(height, returned)
     return {
@@ -105,7 +105,7 @@ TASK = define_task(
             "yaw_back": Angle(0.005),
         }
     ),
-    given=echo_given,
+    given=draw_printed_transform,
     variants=6,
-    model=read,
+    model=read_printed_transform,
 )

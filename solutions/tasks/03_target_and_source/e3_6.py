@@ -8,11 +8,11 @@ from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.tasks import Draws, Message, define_task
 
-from .draws import some_yaw_degrees
+from .draws import draw_yaw_degrees
 
 
-def mount_inputs(rng: Draws) -> list[tuple]:
-    cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, some_yaw_degrees(rng)) for _ in range(4)]
+def draw_mounts(rng: Draws) -> list[tuple]:
+    cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, draw_yaw_degrees(rng)) for _ in range(4)]
     return [*cases, (0.10, 0.30, 0), (0.10, 0.30, 90), (1, 2, 30), (0.25, 0.40, 22.5)]
 
 
@@ -32,9 +32,9 @@ def half_turn(yaw: float) -> tuple[float, float]:
     return math.sin(yaw / 2), math.cos(yaw / 2)
 
 
-def mounted(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", axes="x and z", length="m",
+def mount_camera(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as given", axes="x and z", length="m",
             angle="radians", side="left", half="halved", quaternion="sine", stamp="kept"):  # fmt: skip
-    """Return the message, step by step; other steps are the slips."""
+    """Return the message, step by step; other arguments are mistakes."""
     parent, child = ("camera_link", "base_link") if ends == "child first" else ("base_link", "camera_link")
     child = "camera_optical_frame" if ends == "optical" else child
     child = {"camera": "camera", "laser": "laser_frame"}.get(ends, child)
@@ -81,7 +81,7 @@ TASK = define_task(
         "geometry_msgs/msg/TransformStamped",
         ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation", "header.stamp"),
     ),
-    inputs=mount_inputs,
+    inputs=draw_mounts,
     variants=3,
-    model=mounted,
+    model=mount_camera,
 )

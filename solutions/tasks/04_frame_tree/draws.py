@@ -1,4 +1,4 @@
-"""What several tasks of this chapter draw: robots of six to nine frames."""
+"""Draw robots of six to nine frames for several tasks of chapter 04."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ PARTS = {
 NODES = {"odom": "/localization", "base_link": "/wheel_odometry", "base_footprint": "/wheel_odometry"}
 
 
-def robot(rng, parts=3):
-    """Return a healthy tree, child -> parent, in an order of its own."""
+def draw_tree(rng, parts=3):
+    """Draw a healthy tree, child -> parent, in any order."""
     base = ["odom", "base_footprint", "base_link"] if rng.random() < 0.5 else ["odom", "base_link"]
     tree = dict(zip(base, ["map", *base], strict=False))
     for part in rng.permutation(list(PARTS))[:parts]:
@@ -23,19 +23,19 @@ def robot(rng, parts=3):
     return {str(child): tree[str(child)] for child in rng.permutation(list(tree))}
 
 
-def typo(rng, name):
-    """Return a name with one letter too few."""
+def draw_typo(rng, name):
+    """Return a name without one of its letters."""
     letters = [place for place, letter in enumerate(name) if letter.isalpha() and place]
     place = int(rng.choice(letters))
     return name[:place] + name[place + 1 :]
 
 
-def sender(child):
-    """Return the node that sends a child of a healthy robot."""
+def node_of(child):
+    """Return the node that publishes a child of a healthy robot."""
     return NODES.get(child, "/robot_state_publisher")
 
 
-def climbed(parent_of, frame):
+def path_to_root(parent_of, frame):
     """Return the frames from one up to its root."""
     way = [frame]
     while way[-1] in parent_of:

@@ -6,16 +6,16 @@ from difflib import get_close_matches
 
 from tflab.workbook.tasks import Tree, define_task
 
-from .draws import robot, typo
+from .draws import draw_tree, draw_typo
 
 
-def misspelt(rng):
-    """One edge whose parent lacks a letter; the parent has other edges under its right name, one above it at least."""
-    tree = robot(rng)
+def draw_misspelt_tree(rng):
+    """Draw an edge whose parent lacks a letter, where other edges use the right name of the parent."""
+    tree = draw_tree(rng)
     child = str(rng.choice([child for child, parent in tree.items() if parent != "map"]))
-    wrong = typo(rng, tree[child])
+    wrong = draw_typo(rng, tree[child])
     while wrong in tree:
-        wrong = typo(rng, tree[child])
+        wrong = draw_typo(rng, tree[child])
     return {"edges": [(wrong if each == child else parent, each) for each, parent in tree.items()]}
 
 
@@ -25,8 +25,8 @@ def names(given):
     return tree, wrong, get_close_matches(wrong, tree, n=1)[0]
 
 
-def built(given, *, fault="mended", way="child -> parent"):
-    """Return the tree, step by step; other steps are the slips."""
+def build_tree(given, *, fault="mended", way="child -> parent"):
+    """Return the tree, step by step; other arguments are mistakes."""
     tree, wrong, meant = names(given)
     swap = {"mended": (wrong, meant), "at the top": (wrong, "map")}.get(fault)
     if swap:
@@ -44,12 +44,20 @@ def built(given, *, fault="mended", way="child -> parent"):
 
 ANSWERS = {
     "only the edge": lambda given: dict([next((c, names(given)[2]) for p, c in given.edges if p == names(given)[1])]),
-    "a parent for map": lambda given: {**built(given), "map": "world"},
-    "all below one": lambda given: dict.fromkeys(built(given), names(given)[2]),
+    "a parent for map": lambda given: {**build_tree(given), "map": "world"},
+    "all below one": lambda given: dict.fromkeys(build_tree(given), names(given)[2]),
     "the mending alone": lambda given: {names(given)[1]: names(given)[2]},
     "the mending turned round": lambda given: {names(given)[2]: names(given)[1]},
 }
 
 TASK = define_task(
-    __file__, kind="T", points=3, answer="mended", form=Tree(), given=misspelt, variants=8, model=built, answers=ANSWERS
+    __file__,
+    kind="T",
+    points=3,
+    answer="mended",
+    form=Tree(),
+    given=draw_misspelt_tree,
+    variants=8,
+    model=build_tree,
+    answers=ANSWERS,
 )

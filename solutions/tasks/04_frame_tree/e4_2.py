@@ -4,28 +4,28 @@ from __future__ import annotations
 
 from tflab.workbook.tasks import Choice, Name, Parts, define_task
 
-from .draws import robot, sender, typo
+from .draws import draw_tree, draw_typo, node_of
 
 KINDS = ("healthy", "two trees", "loop", "two parents", "two owners")
 LETTERS = "abcde"
 BESIDE = (("door_frame", "door_handle"), ("turntable", "workpiece"), ("lift_base", "lift_plate"))
 
 
-def listings(rng):
-    """Draw five robots, one of each kind, in an order of their own."""
+def draw_listings(rng):
+    """Draw five robots, one of each kind, in any order."""
     kinds = [str(kind) for kind in rng.permutation(KINDS)]
     return {letter: _listing(rng, kind) for letter, kind in zip(LETTERS, kinds, strict=True)}
 
 
 def _listing(rng, kind):
-    tree = robot(rng)
-    rows = [(parent, child, sender(child)) for child, parent in tree.items()]
+    tree = draw_tree(rng)
+    rows = [(parent, child, node_of(child)) for child, parent in tree.items()]
     # A sensor that carries nothing, so that who names its parent instead names another frame.
     leaf = str(rng.choice([child for child in tree if child not in tree.values()]))
     place = next(number for number, row in enumerate(rows) if row[1] == leaf)
     parent = rows[place][0]
     if kind == "two trees":
-        rows[place] = (typo(rng, parent), leaf, rows[place][2])
+        rows[place] = (draw_typo(rng, parent), leaf, rows[place][2])
     elif kind == "two parents":
         rows.append(("odom", leaf, "/calibration"))
     elif kind == "two owners":
@@ -36,8 +36,8 @@ def _listing(rng, kind):
     return [rows[int(number)] for number in rng.permutation(len(rows))]
 
 
-def diagnosed(given, *, loops="looked for", owners="counted", parents="counted", named="child"):
-    """Return all five findings, step by step; other steps are the slips."""
+def diagnose(given, *, loops="looked for", owners="counted", parents="counted", named="child"):
+    """Return all five findings, step by step; other arguments are mistakes."""
     finding = {}
     for letter in LETTERS:
         rows = getattr(given, letter)
@@ -78,7 +78,7 @@ TASK = define_task(
     form=Parts(
         {key: form for letter in LETTERS for key, form in ((letter, Choice(KINDS)), (f"{letter} child", Name()))}
     ),
-    given=listings,
+    given=draw_listings,
     variants=8,
-    model=diagnosed,
+    model=diagnose,
 )

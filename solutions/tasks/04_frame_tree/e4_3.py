@@ -5,14 +5,14 @@ from __future__ import annotations
 from tflab.core import ConnectivityException
 from tflab.workbook.tasks import Choice, Name, Pair, Sequence, define_task
 
-from .draws import climbed, robot
+from .draws import draw_tree, path_to_root
 
 
-def questions(rng):
-    """Siblings, cousins, ancestors, descendants, a frame and itself, two trees: each of some robot."""
+def draw_queries(rng):
+    """Draw siblings, cousins, ancestors, descendants, a frame and itself, and frames of two trees."""
     rows = []
     for _ in range(2):
-        tree = robot(rng, parts=4) | {"camera_link": "base_link", "camera_optical_frame": "camera_link"}
+        tree = draw_tree(rng, parts=4) | {"camera_link": "base_link", "camera_optical_frame": "camera_link"}
         tree |= {"imu_link": "base_link", "laser_frame": "base_link", "lens": "camera_optical_frame"}
         rows += [
             (tree, "imu_link", "laser_frame"),
@@ -29,11 +29,11 @@ def questions(rng):
     return rows
 
 
-def walked(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", named="child", pairs="child first", lost="raises"):  # fmt: skip
-    """Return the steps, one decision after the other; other steps are the slips."""
+def walk_path(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", named="child", pairs="child first", lost="raises"):  # fmt: skip
+    """Return the path, decision by decision; other arguments are mistakes."""
     if ends == "exchanged":
         target, source = source, target
-    up, down = climbed(parent_of, source), climbed(parent_of, target)
+    up, down = path_to_root(parent_of, source), path_to_root(parent_of, target)
     if up[-1] != down[-1]:
         if lost == "raises":
             raise ConnectivityException("not part of the same tree")
@@ -53,7 +53,7 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
             down.pop()
     elif climb == "to the root":
         up, down = up[:-1], down[:-1]
-    whole = climbed(parent_of, source)[:-1]
+    whole = path_to_root(parent_of, source)[:-1]
     up = whole if climb == "up to the root" and target != source else up
     meeting = parent_of.get(up[-1], up[-1]) if up else source
     first, then = {"exchanged": ("down", "up"), "all up": ("up", "up"), "all down": ("down", "down")}.get(
@@ -83,7 +83,7 @@ def walked(parent_of, target, source, *, ends="as asked", climb="until they meet
     return descending + climbing if both == "down, then up" else descending
 
 
-def climbs_alone(parent_of, target, source):
+def count_climbs(parent_of, target, source):
     way = []
     while source in parent_of and source != target:
         way.append((source, "up"))
@@ -92,7 +92,7 @@ def climbs_alone(parent_of, target, source):
 
 
 ANSWERS = {
-    "climbs alone": climbs_alone,
+    "climbs alone": count_climbs,
 }
 
 TASK = define_task(
@@ -101,8 +101,8 @@ TASK = define_task(
     points=5,
     answer="path",
     form=Sequence(Pair(Name(), Choice(("up", "down")))),
-    inputs=questions,
+    inputs=draw_queries,
     variants=3,
-    model=walked,
+    model=walk_path,
     answers=ANSWERS,
 )

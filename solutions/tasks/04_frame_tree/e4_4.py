@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from tflab.workbook.tasks import Tree, define_task
 
-from .draws import robot
+from .draws import draw_tree
 
 TEAMS = (("left", "right"), ("red", "blue"), ("tb3_0", "tb3_1"), ("alpha", "beta"), ("north", "south"))
 
 
 def robots(rng):
-    tree = robot(rng, parts=2)
+    tree = draw_tree(rng, parts=2)
     first, second = TEAMS[int(rng.integers(len(TEAMS)))]
     return {"edges": [(parent, child) for child, parent in tree.items()], "prefixes": [first, second]}
 
 
-def together(
+def merge_trees(
     given,
     *,
     robots="beside each other",
@@ -28,7 +28,7 @@ def together(
     whose="all frames",
     way="child -> parent",
 ):
-    """Return the tree of both robots, step by step; other steps are the slips."""
+    """Return the tree of both robots, step by step; other arguments are mistakes."""
     fleet = {}
     first, second = prefixes = ["robot1", "robot2"] if named == "numbered" else given.prefixes
     for prefix in {"the first": prefixes[:1], "the last": prefixes[1:]}.get(who, prefixes):
@@ -56,10 +56,18 @@ def together(
 
 ANSWERS = {
     "slash in front of all": lambda given: {
-        child: "/map" if parent == "map" else parent for child, parent in together(given, glue="/{}/{}").items()
+        child: "/map" if parent == "map" else parent for child, parent in merge_trees(given, glue="/{}/{}").items()
     },
 }
 
 TASK = define_task(
-    __file__, kind="T", points=3, answer="fleet", form=Tree(), given=robots, variants=8, model=together, answers=ANSWERS
+    __file__,
+    kind="T",
+    points=3,
+    answer="fleet",
+    form=Tree(),
+    given=robots,
+    variants=8,
+    model=merge_trees,
+    answers=ANSWERS,
 )

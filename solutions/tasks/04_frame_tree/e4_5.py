@@ -18,13 +18,13 @@ LINES = {
 LETTERS = "abcdefgh"
 
 
-def lines(rng):
+def draw_lines(rng):
     order = [list(LINES)[int(number)] for number in rng.permutation(len(LINES))]
     return {"lines": dict(zip(LETTERS, order, strict=True))}
 
 
-def fates(given, *, slash="forgiven", case="told apart", double="told apart", senseless="refused", asked="refused", namespace="no prefix", shared="told"):  # fmt: skip
-    """Return what becomes of each line, one belief after the other; other beliefs are the slips."""
+def judge_lines(given, *, slash="forgiven", case="told apart", double="told apart", senseless="refused", asked="refused", namespace="no prefix", shared="told"):  # fmt: skip
+    """Return what happens to each line, one belief after the other; other arguments are mistakes."""
     beliefs = {
         "send '/odom' -> 'base_link'": {"forgiven": "kept as odom"}.get(slash, slash),
         "send 'Odom' -> 'base_link'": {"told apart": "another frame", "ignored": "kept as odom"}.get(case, case),
@@ -48,7 +48,7 @@ TASK = define_task(
     points=3,
     answer="fates",
     form=Parts({letter: Choice(OPTIONS) for letter in LETTERS}),
-    given=lines,
+    given=draw_lines,
     variants=8,
-    model=fates,
+    model=judge_lines,
 )

@@ -6,15 +6,15 @@ from itertools import pairwise
 
 from tflab.workbook.tasks import Name, Sequence, define_task
 
-from .draws import robot, sender
+from .draws import draw_tree, node_of
 
 
-def logs(rng):
-    """Healthy logs, repeats, two owners, two parents, one base name in two namespaces, three owners."""
+def draw_logs(rng):
+    """Draw healthy logs, repeats, two and three owners, two parents, one base name in two namespaces."""
     rows = []
     for _ in range(2):
-        tree = robot(rng)
-        healthy = [(sender(child), parent, child) for child, parent in tree.items()]
+        tree = draw_tree(rng)
+        healthy = [(node_of(child), parent, child) for child, parent in tree.items()]
         names = [str(name) for name in rng.permutation([child for child in tree if child != "odom"])]
         twice = [("/ekf_filter_node", tree[names[0]], names[0])]
         moved = [("/calibration", "odom" if tree[names[1]] != "odom" else "map", names[1])]
@@ -35,14 +35,14 @@ def logs(rng):
     return [(row,) for row in rows]
 
 
-def neighbours(log):
-    """Return the children of which two rows that follow one another have different nodes."""
+def changing_children(log):
+    """Return the children of which two consecutive rows have different nodes."""
     rows = pairwise(log)
     return sorted({child for (node, _, child), (other, _, same) in rows if child == same and node != other})
 
 
-def counted(log, *, names="whole", key="child", what="nodes", least=2, order="sorted"):
-    """Return the children with several owners, step by step; other steps are the slips."""
+def count_owners(log, *, names="whole", key="child", what="nodes", least=2, order="sorted"):
+    """Return the children with several owners, step by step; other arguments are mistakes."""
     seen = {}
     for node, parent, child in log:
         who = node.rpartition("/")[2] if names == "base" else node
@@ -59,7 +59,7 @@ def counted(log, *, names="whole", key="child", what="nodes", least=2, order="so
 
 
 def _earliest(log, many):
-    """Return of these children the one of which a second node is heard first."""
+    """Return the child of which a second node is received first."""
     nodes = {}
     for node, _, child in log:
         nodes.setdefault(child, set()).add(node)
@@ -76,7 +76,7 @@ ANSWERS = {
     "parents": lambda log: sorted(
         {parent for _, parent, child in log if len({n for n, _, c in log if c == child}) > 1}
     ),
-    "neighbours alone": neighbours,
+    "neighbours alone": changing_children,
 }
 
 TASK = define_task(
@@ -85,8 +85,8 @@ TASK = define_task(
     points=3,
     answer="several_owners",
     form=Sequence(Name()),
-    inputs=logs,
+    inputs=draw_logs,
     variants=3,
-    model=counted,
+    model=count_owners,
     answers=ANSWERS,
 )

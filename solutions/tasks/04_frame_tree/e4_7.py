@@ -8,8 +8,8 @@ FRAMES = ("base_link", "laser_frame", "camera_link", "tool0", "imu_link")
 ROBOTS = ("robot1", "spot", "tb3_0", "red", "alpha")
 
 
-def names(rng):
-    """Every way to write a prefix with every way to write a frame, map and odom among them."""
+def draw_names(rng):
+    """Draw every spelling of a prefix with every spelling of a frame, map and odom among them."""
     rows = []
     for first in ("odom", FRAMES[int(rng.integers(len(FRAMES)))]):
         robot = ROBOTS[int(rng.integers(len(ROBOTS)))]
@@ -21,9 +21,9 @@ def names(rng):
     return rows
 
 
-def joined(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
+def join_name(prefix, name, *, ends="stripped", inner="stripped", glue="/", empty="bare", shared="map alone",
            first="the prefix", slash="between", letters="as they are"):  # fmt: skip
-    """Return the full name, step by step; other steps are the slips."""
+    """Return the full name, step by step; other arguments are mistakes."""
     came, was_empty = name, not prefix
     if ends == "all removed":
         prefix = prefix.replace("/", "")
@@ -76,8 +76,8 @@ TASK = define_task(
     points=2,
     answer="frame_name",
     form=Name(),
-    inputs=names,
+    inputs=draw_names,
     variants=3,
-    model=joined,
+    model=join_name,
     answers=ANSWERS,
 )

@@ -5,41 +5,47 @@ from __future__ import annotations
 from tflab.core import Transform
 from tflab.workbook.tasks import Pose, define_task
 
-from .draws import by_parts, on_a_slope, on_the_floor, turned_round
+from .draws import draw_planar_pose, draw_sloped_pose, invert, subtract_by_component
 
 
-def two_poses(rng):
-    """Both turned; the wheels without a fault; odom's origin under the robot; a ramp that either knows, or both."""
-    same = on_the_floor(rng)
-    pairs = [(on_the_floor(rng), on_the_floor(rng)) for _ in range(4)]
-    ramps = [(on_a_slope(rng), on_the_floor(rng)), (on_the_floor(rng), on_a_slope(rng))]
-    return [*pairs, (same, same), (on_the_floor(rng), Transform()), *ramps, (on_a_slope(rng), on_a_slope(rng))]
+def draw_two_poses(rng):
+    """Draw two rotated poses: odometry without error, odom's origin below the robot, ramps."""
+    same = draw_planar_pose(rng)
+    pairs = [(draw_planar_pose(rng), draw_planar_pose(rng)) for _ in range(4)]
+    ramps = [(draw_sloped_pose(rng), draw_planar_pose(rng)), (draw_planar_pose(rng), draw_sloped_pose(rng))]
+    return [
+        *pairs,
+        (same, same),
+        (draw_planar_pose(rng), Transform()),
+        *ramps,
+        (draw_sloped_pose(rng), draw_sloped_pose(rng)),
+    ]
 
 
-def product(map_T_base, odom_T_base, *, poses="as given", found="as given", wheels="turned round",
+def correct_odometry(map_T_base, odom_T_base, *, poses="as given", found="as given", wheels="turned round",
             order="found first", way="as asked", edge="whole"):  # fmt: skip
-    """Return map_T_odom, step by step; other steps are the slips."""
+    """Return map_T_odom, step by step; other arguments are mistakes."""
     if poses == "flat":
-        map_T_base, odom_T_base = flat(map_T_base), flat(odom_T_base)
+        map_T_base, odom_T_base = flatten(map_T_base), flatten(odom_T_base)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
-    right = turned_round(odom_T_base, wheels)
+    right = invert(odom_T_base, wheels)
     joined = left @ right if order == "found first" else right @ left
     joined = joined.inverse() if way == "turned round" else joined
-    return flat(joined) if edge == "flat" else joined
+    return flatten(joined) if edge == "flat" else joined
 
 
 def right_edge(map_T_base, odom_T_base):
     return map_T_base @ odom_T_base.inverse()
 
 
-def flat(pose):
-    """Return a pose as a map of the floor has it: x, y and yaw."""
+def flatten(pose):
+    """Return x, y and yaw of a pose, as a planar map stores it."""
     x, y, _ = pose.translation
     return Transform.from_rpy(yaw=pose.rpy()[2], translation=(x, y, 0.0))
 
 
 ANSWERS = {
-    "subtracted": by_parts,
+    "subtracted": subtract_by_component,
     "where the robot is": lambda map_T_base, odom_T_base: map_T_base,
     "what the wheels say": lambda map_T_base, odom_T_base: odom_T_base,
     "turn back alone": lambda map_T_base, odom_T_base: (
@@ -55,8 +61,10 @@ ANSWERS = {
     "x and y subtracted, no turn": lambda map_T_base, odom_T_base: Transform(
         [*(a - b for a, b in zip(map_T_base.translation[:2], odom_T_base.translation[:2], strict=True)), 0.0]
     ),
-    "x, y and yaw subtracted": lambda map_T_base, odom_T_base: by_parts(flat(map_T_base), flat(odom_T_base)),
-    "subtracted the other way": lambda map_T_base, odom_T_base: by_parts(odom_T_base, map_T_base),
+    "x, y and yaw subtracted": lambda map_T_base, odom_T_base: subtract_by_component(
+        flatten(map_T_base), flatten(odom_T_base)
+    ),
+    "subtracted the other way": lambda map_T_base, odom_T_base: subtract_by_component(odom_T_base, map_T_base),
     "the robot's turn kept": lambda map_T_base, odom_T_base: Transform(
         right_edge(map_T_base, odom_T_base).translation, map_T_base.rotation
     ),
@@ -68,8 +76,8 @@ TASK = define_task(
     points=4,
     answer="map_to_odom",
     form=Pose(),
-    inputs=two_poses,
+    inputs=draw_two_poses,
     variants=3,
-    model=product,
+    model=correct_odometry,
     answers=ANSWERS,
 )

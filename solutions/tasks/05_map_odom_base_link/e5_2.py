@@ -7,11 +7,11 @@ import math
 from tflab.core import Transform
 from tflab.workbook.tasks import Number, Parts, Pose, Vector, define_task
 
-from .draws import by_parts, on_the_floor
+from .draws import draw_planar_pose, subtract_by_component
 
 
-def closing_loop(rng):
-    """The robot is found some way beside where it was believed, and turned; odom's origin slides another way."""
+def draw_loop(rng):
+    """Draw a loop closure that moves and rotates the robot, and with it odom's origin."""
     while True:
         given = _one_loop(rng)
         new_edge = given["found_T_base"] @ given["odom_T_base"].inverse()
@@ -27,7 +27,7 @@ def closing_loop(rng):
 
 
 def _one_loop(rng):
-    map_T_odom, odom_T_base = on_the_floor(rng, 2.0), on_the_floor(rng, 4.0)
+    map_T_odom, odom_T_base = draw_planar_pose(rng, 2.0), draw_planar_pose(rng, 4.0)
     way = float(rng.choice([-1.0, 1.0]))
     aside = Transform.from_rpy(
         yaw=way * float(rng.uniform(0.1, 0.3)),
@@ -64,7 +64,7 @@ def before(g):
 
 
 def step(g):
-    """Return how far the robot leaps along x and y."""
+    """Return the jump of the robot along x and y."""
     return [a - b for a, b in zip(g.found_T_base.translation, before(g).translation, strict=True)]
 
 
@@ -72,7 +72,7 @@ ANSWERS = {
     "odometry is reset": odometry_is_reset,
     "jump of the edge": jump_of_the_edge,
     "old edge kept": lambda g: closure(g, edge=g.map_T_odom),
-    "subtracted": lambda g: closure(g, edge=by_parts(g.found_T_base, g.odom_T_base)),
+    "subtracted": lambda g: closure(g, edge=subtract_by_component(g.found_T_base, g.odom_T_base)),
     "robot published": lambda g: closure(g, edge=g.found_T_base),
     "believed in odom": lambda g: closure(g, believed=g.odom_T_base.translation[:2]),
     "believed added": lambda g: closure(
@@ -125,7 +125,7 @@ TASK = define_task(
             "step_in_odom_m": Number(unit="m", tolerance=0.005),
         }
     ),
-    given=closing_loop,
+    given=draw_loop,
     variants=6,
     answers=ANSWERS,
 )

@@ -8,8 +8,8 @@ from tflab.core import Transform
 from tflab.workbook.tasks import Angle, Number, Parts, define_task
 
 
-def tilted(rng):
-    """Bodies 0.3 to 0.8 m high, rolled and pitched together, looking every way."""
+def draw_tilted_bodies(rng):
+    """Draw bodies 0.3 to 0.8 m high with roll and pitch, in all directions."""
     rows = []
     for way in (1, -1, 1, -1, 1):
         x, y = (float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.5, 4.0)) for _ in range(2))
@@ -20,8 +20,8 @@ def tilted(rng):
     return rows
 
 
-def shadow(odom_T_base, *, foot="straight down", yaw="rpy"):
-    """Return the footprint, step by step; other steps are the slips."""
+def project_footprint(odom_T_base, *, foot="straight down", yaw="rpy"):
+    """Return the footprint, step by step; other arguments are mistakes."""
     x, y, height = odom_T_base.translation
     roll, pitch, right = odom_T_base.rpy()
     back = odom_T_base.inverse()
@@ -61,7 +61,7 @@ TASK = define_task(
     points=3,
     answer="footprint",
     form=Parts({"x": Number(unit="m"), "y": Number(unit="m"), "yaw": Angle()}, alone=True),
-    inputs=tilted,
+    inputs=draw_tilted_bodies,
     variants=3,
-    model=shadow,
+    model=project_footprint,
 )

@@ -5,40 +5,37 @@ from __future__ import annotations
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException, seconds
 from tflab.workbook.tasks import Pose, define_task
 
-from .draws import by_parts, on_the_floor, turned_round
+from .draws import draw_planar_pose, invert, subtract_by_component
 
 STEP_S = 0.2  # between two poses of the wheels
 HAIR_NS = 400_000  # less than half a millisecond
 
 
-def scans(rng):
-    """Scans between two poses of the wheels, one when the map's edge was silent already, one too new, one too old.
-
-    Then at the newest pose and the oldest, and a hair beyond: there a stamp that was rounded asks for another moment.
-    """
+def draw_scans(rng):
+    """Draw scans between two odometry poses, after the last map edge, too new, too old, and at the bounds."""
     rows = []
     for share in (0.15, 0.35, 0.55, 0.95, 1.25, -0.25):
-        buffer, start_s, newest_s = in_a_bend(rng)
+        buffer, start_s, newest_s = fill_buffer(rng)
         stamp_s = start_s + share * (newest_s - start_s)
-        rows.append((buffer, on_the_floor(rng), seconds(round(stamp_s, 3))))
+        rows.append((buffer, draw_planar_pose(rng), seconds(round(stamp_s, 3))))
     for end, beyond_ns in (("newest", 0), ("newest", HAIR_NS), ("oldest", 0), ("oldest", -HAIR_NS)):
-        buffer, start_s, newest_s = in_a_bend(rng)
+        buffer, start_s, newest_s = fill_buffer(rng)
         stamp_s = newest_s if end == "newest" else start_s
-        rows.append((buffer, on_the_floor(rng), seconds(stamp_s) + beyond_ns))
+        rows.append((buffer, draw_planar_pose(rng), seconds(stamp_s) + beyond_ns))
     return rows
 
 
-def in_a_bend(rng):
-    """Return a buffer of a robot that drives a bend, and the wheels' first and newest stamp [s]."""
+def fill_buffer(rng):
+    """Return a buffer of a robot that drives a curve, and the first and newest stamp of its odometry [s]."""
     buffer = BufferCore()
     start_s = float(rng.integers(5, 40))
-    here = on_the_floor(rng)
+    here = draw_planar_pose(rng)
     speed_mps, yaw_rate_radps = (
         float(rng.uniform(0.4, 0.8)),
         float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.5, 0.9)),
     )
     step = Transform.from_rpy(yaw=yaw_rate_radps * STEP_S, translation=(speed_mps * STEP_S, 0.0, 0.0))
-    edge = on_the_floor(rng, 2.0)
+    edge = draw_planar_pose(rng, 2.0)
     for tick in range(11):
         stamp_ns = seconds(start_s + STEP_S * tick)
         buffer.set_transform(StampedTransform("odom", "base_footprint", stamp_ns, here), "/wheel_odometry")
@@ -48,9 +45,9 @@ def in_a_bend(rng):
     return buffer, start_s, start_s + 10 * STEP_S
 
 
-def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
+def correct_odometry(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
               wheels="turned round", found="as given", order="found first", way="as asked"):  # fmt: skip
-    """Return map_T_odom, step by step; other steps are the slips."""
+    """Return map_T_odom, step by step; other arguments are mistakes."""
     asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns),
                 "milliseconds": round(stamp_ns / 1e6) * 10**6, "whole seconds": stamp_ns // 10**9 * 10**9}[moment]  # fmt: skip
     try:
@@ -64,8 +61,8 @@ def corrected(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", ref
             return buffer.lookup_transform("map", "odom", LATEST).transform
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", LATEST).transform
     if wheels == "parts":
-        return by_parts(map_T_base, odom_T_base)
-    right = turned_round(odom_T_base, wheels)
+        return subtract_by_component(map_T_base, odom_T_base)
+    right = invert(odom_T_base, wheels)
     left = map_T_base.inverse() if found == "turned round" else map_T_base
     edge = left @ right if order == "found first" else right @ left
     return edge.inverse() if way == "turned round" else edge
@@ -88,8 +85,8 @@ TASK = define_task(
     points=4,
     answer="correction",
     form=Pose(),
-    inputs=scans,
+    inputs=draw_scans,
     variants=3,
-    model=corrected,
+    model=correct_odometry,
     answers=ANSWERS,
 )

@@ -13,9 +13,9 @@ RIGHT = {
 }
 
 
-def sorted_out(_given, *, wheels=RADIO, laser=BOARD, corrections=RADIO, imu=BOARD, mast=RADIO, optical=BOARD,
+def assign_topics(_given, *, wheels=RADIO, laser=BOARD, corrections=RADIO, imu=BOARD, mast=RADIO, optical=BOARD,
                shoulder=RADIO, flange=BOARD, tcp=BOARD, flight=RADIO, gimbal=RADIO, camera=BOARD):  # fmt: skip
-    """Return each robot's topics, edge by edge; another topic is a slip."""
+    """Return each robot's topics, edge by edge; another topic is a mistake."""
     return {
         "cart": [wheels, laser, corrections],
         "scout": [imu, mast, optical],
@@ -30,5 +30,5 @@ TASK = define_task(
     points=4,
     answer="topics",
     form=Parts({robot: Sequence(Choice((BOARD, RADIO))) for robot in RIGHT}),
-    model=sorted_out,
+    model=assign_topics,
 )

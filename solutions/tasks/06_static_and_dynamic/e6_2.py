@@ -9,17 +9,17 @@ from tflab.workbook.tasks import Command, define_task
 TOOL = "ros2 run tf2_ros static_transform_publisher"
 
 
-def mount(rng):
-    """A sensor some centimetres ahead, to the right and up, turned to the left."""
+def draw_mount(rng):
+    """Draw a sensor mounted some centimetres ahead, to the right and up, rotated to the left."""
     ahead, right, up = (int(n) for n in rng.choice([7, 12, 15, 18, 22, 26, 31, 35], 3, replace=False))
     child = str(rng.choice(["camera_link", "laser_frame", "lidar_link", "radar_link", "imu_link", "sonar_link"]))
     return {"child": child, "ahead_cm": ahead, "right_cm": right, "up_cm": up,
             "turn_left_deg": int(rng.choice([25, 35, 50, 70, 110, 130]))}  # fmt: skip
 
 
-def line(g, *, ends="parent first", length="m", side="right", places="as given", turn="left", angle="radians",
+def command_line(g, *, ends="parent first", length="m", side="right", places="as given", turn="left", angle="radians",
          about="yaw", style="options"):  # fmt: skip
-    """Return the command line, step by step; other steps are the slips."""
+    """Return the command line, step by step; other arguments are mistakes."""
     names = {"child first": (g.child, "base_link"), "map": ("map", g.child)}
     parent, child = names.get(ends, ("base_link", g.child))
     scale = {"m": 0.01, "cm": 1.0, "mm": 0.001}[length]
@@ -47,4 +47,6 @@ def line(g, *, ends="parent first", length="m", side="right", places="as given",
     return styles.get(style, words)
 
 
-TASK = define_task(__file__, kind="C", points=3, answer="command", form=Command(), given=mount, variants=6, model=line)
+TASK = define_task(
+    __file__, kind="C", points=3, answer="command", form=Command(), given=draw_mount, variants=6, model=command_line
+)

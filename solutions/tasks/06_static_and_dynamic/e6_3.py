@@ -11,8 +11,8 @@ from tflab.workbook.tasks import Message, Sequence, define_task
 NAMES = ("camera_left", "camera_right", "laser_frame", "imu_link", "sonar_link", "gps_link")
 
 
-def lists_of_mounts(rng):
-    """One to four mounts, turned about all three axes, of several parents; stamps with a part of a second."""
+def draw_mount_lists(rng):
+    """Draw one to four mounts of several parents, rotated about all axes, with fractional stamps."""
     return [(_mounts(rng, count), _stamp(rng)) for count in (4, 1, 3, 2, 3)]
 
 
@@ -53,9 +53,9 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     return t
 
 
-def letters(mounts, stamp, *, which="all", objects="each its own", ends="parent first", moment="given",
+def make_transforms(mounts, stamp, *, which="all", objects="each its own", ends="parent first", moment="given",
             place="given", order="roll first", angle="radians", quaternion="xyzw"):  # fmt: skip
-    """Return the list for one sendTransform, step by step; other steps are the slips."""
+    """Return the list for one sendTransform, step by step; other arguments are mistakes."""
     rows = {
         "all": mounts,
         "last": mounts[-1:],
@@ -82,7 +82,7 @@ TASK = define_task(
             ("header.stamp", "header.frame_id", "child_frame_id", "transform.translation", "transform.rotation"),
         )
     ),
-    inputs=lists_of_mounts,
+    inputs=draw_mount_lists,
     variants=3,
-    model=letters,
+    model=make_transforms,
 )

@@ -8,8 +8,8 @@ from tflab.ros.messages import geometry_msgs
 from tflab.workbook.tasks import Message, define_task
 
 
-def circles(rng):
-    """Both ways round, radii other than 1, the start among them, names of several robots."""
+def draw_circles(rng):
+    """Draw circles in both directions with radii other than 1, their starts, and names of several robots."""
     rows = []
     for place, is_left in enumerate((True, False, True, False, True, False)):
         radius = float(rng.choice([0.5, 0.8, 1.5, 2.0, 2.5]))
@@ -30,10 +30,10 @@ def message(odom, base, x, y, xyzw):
     return t
 
 
-def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent first", rate="by radius",
+def drive_circle(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent first", rate="by radius",
            side="as asked", circle="by radius", heading="forward", angle="radians", half="halved",
            quaternion="z and w", stamp="kept"):  # fmt: skip
-    """Return odom -> base on the circle, step by step; other steps are the slips."""
+    """Return odom -> base on the circle, step by step; other arguments are mistakes."""
     theta = (
         elapsed_s
         * {
@@ -80,7 +80,7 @@ def driven(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="parent 
 
 
 ANSWERS = {
-    "as in the lecture": lambda elapsed_s, radius_m, speed_mps, is_left, odom, base: driven(
+    "as in the lecture": lambda elapsed_s, radius_m, speed_mps, is_left, odom, base: drive_circle(
         elapsed_s, radius_m, speed_mps, True, "odom", "base_link", rate="speed", circle="of one metre", heading="crab"
     ),
 }
@@ -94,8 +94,8 @@ TASK = define_task(
         "geometry_msgs/msg/TransformStamped",
         ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation", "header.stamp"),
     ),
-    inputs=circles,
+    inputs=draw_circles,
     variants=3,
-    model=driven,
+    model=drive_circle,
     answers=ANSWERS,
 )

@@ -41,8 +41,8 @@ def future(asked_s, newest_s, target, source):
     )
 
 
-def extracts(rng):
-    """Return six extracts, each of another robot; names and numbers are drawn, and so is nothing that tells."""
+def draw_extracts(rng):
+    """Return six extracts, each of another robot; names and numbers are drawn."""
     sensors = [str(name) for name in rng.permutation(["camera", "radar", "sonar", "thermal", "stereo", "depth"])]
     mover, lift = (str(name) for name in rng.permutation(["lift_link", "mast_link", "fork_link", "gripper_link"])[:2])
     now = round(float(rng.uniform(40.0, 90.0)), 1)
@@ -88,6 +88,6 @@ TASK = define_task(
     points=5,
     answer="diagnosis",
     form=Parts({part: Choice(REMEDIES if part in DO else CAUSES) for part in RIGHT}),
-    given=extracts,
+    given=draw_extracts,
     variants=6,
 )

@@ -13,8 +13,8 @@ COMMON = (
 )  # fmt: skip  # the common mistakes
 
 
-def bolt(rng):
-    """A bolt that is sent on /tf; drawn again where two mistakes would come to the same length."""
+def draw_mount(rng):
+    """Draw a mount that is sent on /tf, until no two mistakes give the same length."""
     while True:
         drawn = {
             "rate_hz": float(rng.choice([2.0, 3.0, 4.0, 5.0, 8.0, 10.0])),
@@ -22,28 +22,28 @@ def bolt(rng):
             "speed_mps": float(rng.choice([0.4, 0.6, 0.8, 1.2, 1.5])),
         }
         given = SimpleNamespace(**drawn)
-        lengths = sorted(worst(given, **at) for at in ({}, *COMMON))
+        lengths = sorted(worst_error(given, **at) for at in ({}, *COMMON))
         apart = min(after - before for before, after in pairwise(lengths))
         if apart > 0.008 and not _another_unit(given) and not _meets_another(given):
             return drawn
 
 
 def _meets_another(given):
-    """Return whether two of all the slips, or one and a time that was given, come to nearly the same number."""
-    lengths = [worst(given, **at) for at in ({}, *(mistake.at for mistake in TASK.mistakes))]
+    """Return whether two mistakes, or a mistake and one of the inputs, give nearly the same number."""
+    lengths = [worst_error(given, **at) for at in ({}, *(mistake.at for mistake in TASK.mistakes))]
     lengths = sorted([*lengths, given.delay_ms / 1000.0, 1.0 / given.rate_hz])
     return min(after - before for before, after in pairwise(lengths)) < 0.004
 
 
 def _another_unit(given):
-    """Return whether two slips together come to the right number, as if it were in cm or mm."""
+    """Return whether two mistakes together give the right number in cm or mm."""
     pairs = ((one, other) for one, other in combinations(COMMON, 2) if not one.keys() & other.keys())
-    wrong = [worst(given, **one, **other) for one, other in pairs]
-    return any(abs(length / unit - worst(given)) < 0.005 for length in wrong for unit in (100.0, 1000.0))
+    wrong = [worst_error(given, **one, **other) for one, other in pairs]
+    return any(abs(length / unit - worst_error(given)) < 0.005 for length in wrong for unit in (100.0, 1000.0))
 
 
-def worst(g, *, period="whole", delay="as seconds", together="added", speed="times"):
-    """Return how far off the latest is at worst [m], step by step; other steps are the slips."""
+def worst_error(g, *, period="whole", delay="as seconds", together="added", speed="times"):
+    """Return the largest error of the latest transform [m], step by step; other arguments are mistakes."""
     between = {
         "whole": 1.0 / g.rate_hz,
         "half": 0.5 / g.rate_hz,
@@ -76,7 +76,7 @@ TASK = define_task(
     points=2,
     answer="worst_error_m",
     form=Number(unit="m", tolerance=0.002),
-    given=bolt,
+    given=draw_mount,
     variants=6,
-    model=worst,
+    model=worst_error,
 )

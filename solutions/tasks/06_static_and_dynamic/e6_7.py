@@ -10,12 +10,8 @@ NODES = ("calibrator", "driver", "wheels", "arm", "lift")
 PARTS = ("camera", "laser", "radar", "sonar", "imu", "gps")
 
 
-def logs(rng):
-    """Logs in which each rule decides somewhere; joins and ends at the very moment, and a hair to either side.
-
-    In the last ones the listener is asked as it joins, and a hair later: it has read the boards, and heard next to
-    nothing.
-    """
+def draw_logs(rng):
+    """Draw logs in which each rule decides somewhere; some joins and ends coincide or nearly do."""
     rows = []
     for place, stay in enumerate((2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.01)):
         join = round(10.0 + float(rng.uniform(0.0, 4.0)), 2)
@@ -24,7 +20,7 @@ def logs(rng):
 
 
 def _log(rng, join, place, stay):
-    """Several letters before and after the join, on both topics; one board ends before, one at it, one after."""
+    """Draw messages before and after the join on both topics; publishers end before, at and after it."""
     names = [str(name) for name in rng.permutation(PARTS)]
     nodes = [str(node) for node in rng.permutation(NODES)]
     end = {0: join, 1: join + 0.01, 2: join - 0.01}[place % 3]
@@ -56,9 +52,9 @@ def _log(rng, join, place, stay):
     return letters, ends, join, round(last, 3)
 
 
-def listened(letters, ends, join_s, now_s, *, past="board", edge="heard", live="both ends", topics="static", boards="own",
+def known_children(letters, ends, join_s, now_s, *, past="board", edge="heard", live="both ends", topics="static", boards="own",
              board="last", dead="gone"):  # fmt: skip
-    """Return the children that a listener knows, step by step; other steps are the slips."""
+    """Return the children that a listener knows, step by step; other arguments are mistakes."""
     held, heard = {}, set()
     is_over = {node for node, ends_s in ends.items() if ends_s <= join_s}
     for letter in letters:
@@ -100,7 +96,7 @@ def listened(letters, ends, join_s, now_s, *, past="board", edge="heard", live="
     return sorted(heard)
 
 
-def as_the_boards_hang_now(letters, ends, join_s, now_s, topics=("/tf", "/tf_static")):
+def latest_static(letters, ends, join_s, now_s, topics=("/tf", "/tf_static")):
     heard, boards = set(), {}
     for letter in letters:
         if letter["topic"] == "/tf_static" and letter["sent_s"] <= now_s:
@@ -111,8 +107,8 @@ def as_the_boards_hang_now(letters, ends, join_s, now_s, topics=("/tf", "/tf_sta
     return sorted(heard | lasting)
 
 
-def one_letter_of_each(letters, ends, join_s, now_s):
-    """Return what is known if one keeps a single letter of each node: the board in place of what was heard."""
+def last_message_of_each(letters, ends, join_s, now_s):
+    """Return what is known if a listener keeps one message of each node, the static one first."""
     kept, boards = {}, {}
     for letter in letters:
         if join_s <= letter["sent_s"] <= now_s:
@@ -127,11 +123,9 @@ ANSWERS = {
     "names of nodes": lambda letters, ends, join_s, now_s: sorted(
         {each["node"] for each in letters if join_s <= each["sent_s"] <= now_s}
     ),
-    "boards of now": as_the_boards_hang_now,
-    "boards of now alone": lambda letters, ends, join_s, now_s: as_the_boards_hang_now(
-        letters, ends, join_s, now_s, topics=()
-    ),
-    "one letter of each": one_letter_of_each,
+    "boards of now": latest_static,
+    "boards of now alone": lambda letters, ends, join_s, now_s: latest_static(letters, ends, join_s, now_s, topics=()),
+    "one letter of each": last_message_of_each,
 }
 
 TASK = define_task(
@@ -140,8 +134,8 @@ TASK = define_task(
     points=5,
     answer="known",
     form=Set(Name(), once=True),
-    inputs=logs,
+    inputs=draw_logs,
     variants=3,
-    model=listened,
+    model=known_children,
     answers=ANSWERS,
 )

@@ -6,22 +6,22 @@ import math
 
 from tflab.workbook.tasks import Urdf, define_task
 
-from .draws import centimetres
+from .draws import draw_centimetres
 
 OPTICAL = (-math.pi / 2, 0.0, -math.pi / 2)
 
 
-def a_head(rng):
-    """All measures differ, and none is a round turn."""
-    ahead = centimetres(rng, 8, 25)
-    right = centimetres(rng, 4, 15, (ahead,))
-    up = centimetres(rng, 30, 60, (ahead, right))
+def draw_head(rng):
+    """Draw a head whose lengths all differ, with no round angle."""
+    ahead = draw_centimetres(rng, 8, 25)
+    right = draw_centimetres(rng, 4, 15, (ahead,))
+    up = draw_centimetres(rng, 30, 60, (ahead, right))
     return {
         "ahead_cm": ahead,
         "to_its_right_cm": right,
         "up_cm": up,
         "turned_to_the_right_deg": int(rng.integers(20, 70)),
-        "lens_ahead_cm": centimetres(rng, 1, 4),
+        "lens_ahead_cm": draw_centimetres(rng, 1, 4),
     }
 
 
@@ -29,10 +29,10 @@ def origin(xyz, rpy):
     return f'<origin xyz="{" ".join(map(repr, xyz))}" rpy="{" ".join(map(repr, rpy))}"/>'
 
 
-def finished(g, *, place="joint", ends="parent first", name="nod_joint", kind="revolute", length="m", side="right", order="x y z",
+def make_joints(g, *, place="joint", ends="parent first", name="nod_joint", kind="revolute", length="m", side="right", order="x y z",
              angle="rad", way="right", about="its own", turns="once", hangs="camera_link", lens_length="m", lens="ahead",
              optical="turned"):  # fmt: skip
-    """Return the two joints, step by step; other steps are the slips."""
+    """Return the two joints, step by step; other arguments are mistakes."""
     scale = {"m": 0.01, "cm": 1.0, "mm": 10.0}[length]
     ahead, left, up = g.ahead_cm, -g.to_its_right_cm if side == "right" else g.to_its_right_cm, g.up_cm
     xyz = {"x y z": (ahead, left, up), "y first": (left, ahead, up), "z first": (up, left, ahead)}.get(order)
@@ -94,7 +94,7 @@ TASK = define_task(
     points=5,
     answer="joints",
     form=Urdf(links=("camera_link", "camera_optical_frame"), joint="nod_joint", settings=(0.0, 0.4)),
-    given=a_head,
+    given=draw_head,
     variants=6,
-    model=finished,
+    model=make_joints,
 )

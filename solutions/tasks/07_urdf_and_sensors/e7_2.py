@@ -9,14 +9,14 @@ from tflab.workbook.tasks import Number, Parts, define_task
 BASE_UP_M = 0.10
 
 
-def a_tilt(rng):
-    """The floor is met beyond the wall, so the beam does end on the wall."""
+def draw_tilt(rng):
+    """Draw a tilt at which the beam meets the wall before the floor."""
     while True:
         tilt_deg = round(float(rng.uniform(8.0, 14.0)), 1)
         up = int(rng.integers(20, 60)) / 100
         wall = round(float(rng.uniform(0.8, 2.2)), 2)
         left = up + BASE_UP_M - wall * math.tan(math.radians(tilt_deg))
-        apart = abs(left - up) > 0.01 and abs(left - (up - BASE_UP_M)) > 0.02  # heights that slips give
+        apart = abs(left - up) > 0.01 and abs(left - (up - BASE_UP_M)) > 0.02  # heights that mistakes give
         if left > 0.12 and apart and abs(up + BASE_UP_M - 2 * left) > 0.02:
             return {
                 "tilt_deg": tilt_deg,
@@ -26,8 +26,10 @@ def a_tilt(rng):
             }
 
 
-def beam(g, *, height="both", angle="rad", way="down", ratio="tan", floor="along the floor", wall="what is left"):
-    """Return both, step by step; other steps are the slips."""
+def intersect_wall(
+    g, *, height="both", angle="rad", way="down", ratio="tan", floor="along the floor", wall="what is left"
+):
+    """Return both points, step by step; other arguments are mistakes."""
     up = {"both": g.laser_above_base_link_m + g.base_link_above_floor_m, "laser": g.laser_above_base_link_m,
           "base": g.base_link_above_floor_m, "minus": g.laser_above_base_link_m - g.base_link_above_floor_m}[height]  # fmt: skip
     turn = g.tilt_deg if angle == "deg" else math.radians(g.tilt_deg)
@@ -61,7 +63,7 @@ TASK = define_task(
     points=3,
     answer="beam",
     form=Parts({"floor_m": Number("m", 0.0006), "wall_up_m": Number("m", 0.0006)}),
-    given=a_tilt,
+    given=draw_tilt,
     variants=6,
-    model=beam,
+    model=intersect_wall,
 )

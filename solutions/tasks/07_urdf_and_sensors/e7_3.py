@@ -7,24 +7,24 @@ import math
 from tflab.core import Transform
 from tflab.workbook.tasks import Pose, define_task
 
-from .draws import either, turned_about
+from .draws import draw_sign, rotation_about
 
 
 def joint(name, kind, xyz, rpy, axis):
     return {"name": name, "type": kind, "xyz": list(xyz), "rpy": list(rpy), "axis": axis}
 
 
-def some(rng, low=0.1, high=0.6):
-    return round(float(either(rng) * rng.uniform(low, high)), 2)
+def draw_positions(rng, low=0.1, high=0.6):
+    return round(float(draw_sign(rng) * rng.uniform(low, high)), 2)
 
 
-def a_joint(rng, name, kind, axis):
-    xyz, rpy = [some(rng) for _ in range(3)], [some(rng, 0.3, 1.2) for _ in range(3)]
+def draw_joint(rng, name, kind, axis):
+    xyz, rpy = [draw_positions(rng) for _ in range(3)], [draw_positions(rng, 0.3, 1.2) for _ in range(3)]
     return joint(name, kind, xyz, rpy, axis)
 
 
-def chains(rng):
-    """Arms of up to four joints, all types and axes; positions in another order, one that is not named, one too many."""
+def draw_chains(rng):
+    """Draw arms of up to four joints of all types and axes; positions in another order, one missing, one too many."""
     cases = []
     for kinds in (
         ("revolute", "fixed", "revolute"),
@@ -34,20 +34,20 @@ def chains(rng):
     ):
         names = [f"joint_{letter}" for letter in "dbca"[: len(kinds)]]
         axes = list(rng.permutation(["x", "y", "z", "y"]))
-        chain = [a_joint(rng, *each) for each in zip(names, kinds, map(str, axes), strict=False)]
+        chain = [draw_joint(rng, *each) for each in zip(names, kinds, map(str, axes), strict=False)]
         moving = [each["name"] for each in chain if each["type"] != "fixed"]
-        positions = {name: some(rng, 0.2, 1.1) for name in reversed(moving)}
+        positions = {name: draw_positions(rng, 0.2, 1.1) for name in reversed(moving)}
         cases.append((chain, positions))
     chain, positions = cases[0]
     cases.append((chain, {name: positions[name] for name in list(positions)[:1]}))  # one stands at zero
     cases.append((cases[3][0], {}))
     cases.append((chain[:1], {chain[0]["name"]: 0.7, "somebody_else": 1.0}))
-    fixed = a_joint(rng, "weld", "fixed", "z")
+    fixed = draw_joint(rng, "weld", "fixed", "z")
     cases.append(([fixed, *cases[2][0]], {**cases[2][1], "weld": 0.5}))  # a fixed joint has no position
     return cases
 
 
-def walk(chain, positions, *, names="by name", order="origin first", product="onwards", turn="rad", kinds="by type",
+def walk_chain(chain, positions, *, names="by name", order="origin first", product="onwards", turn="rad", kinds="by type",
          rotation="rpy", frames="each in its parent", fixed="stays", axis="its own"):  # fmt: skip
     """Return base_T_tip, joint by joint; other steps are the slips."""
     pose, moved = Transform(), 0
@@ -102,14 +102,14 @@ def _is_left_out(each, positions, names):
 
 
 def _added(each, at, order):
-    """Return a joint whose position was added to the numbers of its origin, number by number."""
+    """Return a joint whose position is added to the numbers of its origin."""
     more = [at if letter == each["axis"] else 0.0 for letter in "xyz"]
     xyz, rpy = each["xyz"], each["rpy"]
     if each["type"] == "prismatic":
         return Transform.from_rpy(*rpy, translation=tuple(a + b for a, b in zip(xyz, more, strict=True)))
     if order == "added to both":
         return Transform.from_rpy(*(a + b for a, b in zip(rpy, more, strict=True)), translation=tuple(xyz))
-    return Transform.from_rpy(*rpy, translation=tuple(xyz)) @ turned_about(each["axis"], at)
+    return Transform.from_rpy(*rpy, translation=tuple(xyz)) @ rotation_about(each["axis"], at)
 
 
 def _movement(each, at, turn, kinds, fixed, axis):
@@ -123,7 +123,7 @@ def _movement(each, at, turn, kinds, fixed, axis):
     if kinds == "all slide":
         return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
     if axis == "turned round" and each["type"] == "revolute":
-        return turned_about({"x": "z", "y": "y", "z": "x"}[each["axis"]], at)
+        return rotation_about({"x": "z", "y": "y", "z": "x"}[each["axis"]], at)
     if each["type"] == "fixed" and fixed == "slides":
         return Transform(tuple(at if letter == each["axis"] else 0.0 for letter in "xyz"))
     about = (
@@ -138,11 +138,11 @@ def _movement(each, at, turn, kinds, fixed, axis):
         return Transform(tuple(at if letter == about else 0.0 for letter in "xyz"))
     if kinds == "never slides" and each["type"] == "prismatic":
         return Transform()
-    return turned_about(about, math.radians(at) if turn == "deg" else at)
+    return rotation_about(about, math.radians(at) if turn == "deg" else at)
 
 
-def numbers_added(chain, positions):
-    """Return the sum of all offsets and angles, as if a chain were one joint."""
+def add_numbers(chain, positions):
+    """Return the sum of all offsets and angles, as if the chain were one joint."""
     place, angles = [0.0] * 3, [0.0] * 3
     for each in chain:
         at = positions.get(each["name"], 0.0)
@@ -154,21 +154,31 @@ def numbers_added(chain, positions):
 
 
 ANSWERS = {
-    "not moved": lambda chain, positions: walk(chain, {}),
-    "origins left out": lambda chain, positions: walk(
+    "not moved": lambda chain, positions: walk_chain(chain, {}),
+    "origins left out": lambda chain, positions: walk_chain(
         [{**each, "xyz": [0.0, 0.0, 0.0], "rpy": [0.0, 0.0, 0.0]} for each in chain], positions
     ),
-    "last joint": lambda chain, positions: walk(chain[-1:], positions),
-    "first joint left out": lambda chain, positions: walk(chain[1:] or chain[:0], positions),
-    "first joint alone": lambda chain, positions: walk(chain[:1], positions),
-    "last joint dropped": lambda chain, positions: walk(chain[:-1], positions),
-    "ends with the positions": lambda chain, positions: walk(chain[: len(positions)], positions, names="by place"),
-    "last movement left out": lambda chain, positions: walk(
+    "last joint": lambda chain, positions: walk_chain(chain[-1:], positions),
+    "first joint left out": lambda chain, positions: walk_chain(chain[1:] or chain[:0], positions),
+    "first joint alone": lambda chain, positions: walk_chain(chain[:1], positions),
+    "last joint dropped": lambda chain, positions: walk_chain(chain[:-1], positions),
+    "ends with the positions": lambda chain, positions: walk_chain(
+        chain[: len(positions)], positions, names="by place"
+    ),
+    "last movement left out": lambda chain, positions: walk_chain(
         chain, {name: at for name, at in positions.items() if not chain or name != chain[-1]["name"]}
     ),
-    "numbers added": numbers_added,
+    "numbers added": add_numbers,
 }
 
 TASK = define_task(
-    __file__, kind="F", points=5, answer="fk", form=Pose(), inputs=chains, variants=3, model=walk, answers=ANSWERS
+    __file__,
+    kind="F",
+    points=5,
+    answer="fk",
+    form=Pose(),
+    inputs=draw_chains,
+    variants=3,
+    model=walk_chain,
+    answers=ANSWERS,
 )

@@ -38,8 +38,8 @@ def echoed(xyz, yaw_rad):
     ))  # fmt: skip
 
 
-def five_robots(rng):
-    """Each has one cause; which letter has which is drawn, and so are names, stamps and turns."""
+def draw_robots(rng):
+    """Draw one robot for each cause, with names, stamps and angles."""
     short = [name.removesuffix("_joint") for name in NAMES]
     odd = [short, [f"arm_{name}" for name in NAMES], [name.title().replace("_", "") for name in NAMES]][
         int(rng.integers(3))
@@ -73,7 +73,7 @@ def cause_of(report):
 
 
 def answers(g, say=lambda cause: cause, do=MENDS.get):
-    """Return what is said and done of each robot."""
+    """Return the diagnosis and the fix of each robot."""
     causes = {letter: cause_of(getattr(g, letter)) for letter in ROBOTS}
     return {**{r: say(cause) for r, cause in causes.items()}, **{f"{r} do": do(cause) for r, cause in causes.items()}}
 
@@ -102,7 +102,7 @@ TASK = define_task(
             **{f"{robot} do": Choice((*MENDS.values(), *OTHERS)) for robot in ROBOTS},
         }
     ),
-    given=five_robots,
+    given=draw_robots,
     variants=6,
     answers=ANSWERS,
 )

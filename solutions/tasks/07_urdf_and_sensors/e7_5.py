@@ -20,8 +20,8 @@ MOUNTS = {
 MENDS = ("rpy in the joint", "rpy in the visual", "minus in my node", "leave it")
 
 
-def an_imu(rng):
-    """Means of some seconds, with the sensor's noise; never as drawn, for then there is nothing to find."""
+def draw_imu(rng):
+    """Draw means over some seconds with the sensor's noise."""
     mount = str(rng.choice([name for name in MOUNTS if name != "as drawn"]))
     speed, rate = round(float(rng.uniform(0.5, 1.0)), 2), round(float(rng.uniform(0.5, 0.9)), 2)
     imu_R_base = Transform.from_rpy(**MOUNTS[mount]).inverse()
@@ -30,8 +30,8 @@ def an_imu(rng):
     return {"at_rest": at_rest, "in_left_bend": in_bend, "speed_mps": speed, "yaw_rate_radps": rate}
 
 
-def with_x_and_y_exchanged(given) -> dict:
-    """Return the answers of one who reads the accelerometer as (y, x, z)."""
+def exchange_x_and_y(given) -> dict:
+    """Return the answers for an accelerometer that is read as (y, x, z)."""
     x, y, z = given.in_left_bend
     pull = (0.0, given.speed_mps * given.yaw_rate_radps, 9.81)
     mount = min(MOUNTS, key=lambda each: math.dist((y, x, z), Transform.from_rpy(**MOUNTS[each]).inverse().apply(pull)))
@@ -40,7 +40,7 @@ def with_x_and_y_exchanged(given) -> dict:
 
 
 ANSWERS = {
-    "x and y exchanged": with_x_and_y_exchanged,
+    "x and y exchanged": exchange_x_and_y,
 }
 
 TASK = define_task(
@@ -49,7 +49,7 @@ TASK = define_task(
     points=4,
     answer="imu",
     form=Parts({"mount": Choice(tuple(MOUNTS)), "gyro_z": Number("rad/s", 0.02), "mend": Choice(MENDS)}),
-    given=an_imu,
+    given=draw_imu,
     variants=8,
     answers=ANSWERS,
 )

@@ -8,14 +8,14 @@ from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.tasks import Message, define_task
 
-from .draws import tool_pose
+from .draws import draw_tool_pose
 
 
-def touches(rng):
-    """Tips beyond the flange and beside it; flanges that are turned, and one that is not."""
+def draw_touches(rng):
+    """Draw tips in front of and next to the flange; most flanges are rotated, one is not."""
     cases = []
     for _ in range(4):
-        base_T_tool0 = tool_pose(rng)
+        base_T_tool0 = draw_tool_pose(rng)
         tip = [
             round(float(each), 3)
             for each in (rng.uniform(-0.05, 0.05), rng.uniform(0.02, 0.06), rng.uniform(0.08, 0.25))
@@ -25,9 +25,9 @@ def touches(rng):
     return cases
 
 
-def touched(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", sign="plus", ends="parent first", parent="tool0",
+def make_message(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", sign="plus", ends="parent first", parent="tool0",
             rotation="none", stamp="kept"):  # fmt: skip
-    """Return the message, step by step; other steps are the slips."""
+    """Return the message, step by step; other arguments are mistakes."""
     pose = base_T_tool0.inverse() if inverse == "turned round" else base_T_tool0
     place = pose.apply(base_p_tip)
     if inverse in ("translation negated", "step not turned back"):
@@ -69,7 +69,7 @@ TASK = define_task(
         "geometry_msgs/msg/TransformStamped",
         ("header.frame_id", "child_frame_id", "transform.translation", "transform.rotation", "header.stamp"),
     ),
-    inputs=touches,
+    inputs=draw_touches,
     variants=3,
-    model=touched,
+    model=make_message,
 )

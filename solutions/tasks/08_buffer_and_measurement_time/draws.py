@@ -1,4 +1,4 @@
-"""What several tasks of chapter 08 draw, and what they share."""
+"""Draw a driving robot for several tasks of chapter 08."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
 
 
-def drive(rng):
+def draw_drive(rng):
     """Return a filled buffer, its first and newest common stamp [s], and the sensor's frame."""
     buffer = Buffer()
     start_s = float(rng.integers(2, 20))

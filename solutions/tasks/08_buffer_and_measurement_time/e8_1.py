@@ -10,7 +10,7 @@ PATH = ("map -> odom", "odom -> base_link")
 def lanes(rng):
     """Draw until the age of the answer, and the span of the first lane, are near no other time or span."""
     while True:
-        given = _lanes(rng)
+        given = _draw_edges(rng)
         newest = [given["newest_s"][edge] for edge in PATH]
         oldest = [given["oldest_s"][edge] for edge in PATH]
         first_s = min(given["oldest_s"].values())
@@ -21,7 +21,7 @@ def lanes(rng):
             return given
 
 
-def _lanes(rng):
+def _draw_edges(rng):
     map_s, odom_s = sorted(rng.uniform(6.0, 9.0, 2).round(2).tolist(), key=lambda _: rng.random())
     if abs(map_s - odom_s) < 0.2:
         odom_s = round(odom_s + 0.3, 2)
@@ -36,8 +36,8 @@ def _lanes(rng):
     }
 
 
-def common(g, *, lanes="the path", end="newest", which="common", told="time"):
-    """Return the time, step by step; other steps are the slips."""
+def latest_common_time(g, *, lanes="the path", end="newest", which="common", told="time"):
+    """Return the time, step by step; other arguments are mistakes."""
     edges = {"the path": PATH, "all": list(g.newest_s), "and the static one": PATH, "map alone": PATH[:1]}[lanes]
     rows = [(g.newest_s if end == "newest" else g.oldest_s)[edge] for edge in edges]
     rows += [0.12] if lanes == "and the static one" else []
@@ -69,6 +69,6 @@ TASK = define_task(
     form=Number(unit="s", tolerance=0.005),
     given=lanes,
     variants=6,
-    model=common,
+    model=latest_common_time,
     answers=ANSWERS,
 )

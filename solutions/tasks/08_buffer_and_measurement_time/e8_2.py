@@ -8,8 +8,8 @@ from tflab.core import ExtrapolationException
 from tflab.workbook.tasks import Angle, Parts, Vector, define_task
 
 
-def two_samples(rng):
-    """Turns to the left, to the right, both across the back; a moment at each sample, and one outside on either side."""
+def draw_samples(rng):
+    """Draw left and right rotations, some across ±180 degrees; times at each sample and outside on either side."""
     rows = []
     for way, share in (
         (1, 0.25),
@@ -40,10 +40,10 @@ def two_samples(rng):
 ORDERS = {"yaw before y": (0, 1, 3, 2), "yaw before x": (0, 2, 3, 1)}  # in which x, y and yaw stand in what was read
 
 
-def between(
+def interpolate(
     stamp_s, before, after, *, early="refused", late="refused", ratio="from the first", position="line", turn="short"
 ) -> dict:
-    """Return what the buffer does, step by step; other steps are the slips."""
+    """Return what the buffer does, step by step; other arguments are mistakes."""
     if turn in ORDERS:
         before, after = ([row[place] for place in ORDERS[turn]] for row in (before, after))
     (t0, x0, y0, yaw0), (t1, x1, y1, yaw1) = before, after
@@ -72,7 +72,7 @@ def _is_answered(stamp_s, t0, t1, outside):
 
 
 def _share(asked, t0, t1, ratio):
-    """Return how far along the answer is taken from."""
+    """Return the fraction of the interval at which the answer is interpolated."""
     share = (asked - t0) / (t1 - t0)
     return {
         "from the first": share,
@@ -97,7 +97,7 @@ def _share(asked, t0, t1, ratio):
 
 
 def _place(at, first, second, position, yaw0, turn):
-    """Return the position; `turn` is how far the heading has turned at the end."""
+    """Return the position; `turn` is the change of the heading at the end."""
     steps = [b - a for a, b in zip(first, second, strict=True)]
     if position in ("arc", "heading first"):
         way, heading = at * math.hypot(*steps), yaw0 + at * turn
@@ -179,7 +179,7 @@ TASK = define_task(
     points=4,
     answer="interpolate",
     form=Parts({"position": Vector(2, unit="m"), "yaw": Angle()}),
-    inputs=two_samples,
+    inputs=draw_samples,
     variants=4,
-    model=between,
+    model=interpolate,
 )

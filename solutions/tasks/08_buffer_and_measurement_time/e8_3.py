@@ -9,14 +9,14 @@ from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Message, define_task
 
-from .draws import _moved, _time, drive, seen
+from .draws import _moved, _time, draw_drive, seen
 
 
-def sightings(rng):
-    """Points from within the buffer, one from before it, and one whose transform has not come yet."""
+def draw_detections(rng):
+    """Draw points within the buffer, one before it, and one whose transform has not arrived."""
     rows = []
     for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15, -0.15):
-        buffer, start_s, end_s, sensor = drive(rng)
+        buffer, start_s, end_s, sensor = draw_drive(rng)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
         if share == 0.1:  # its nanosec starts with a zero, and without that zero there is a transform, too
             stamp_s = round(math.floor(start_s) + 0.045, 3)
@@ -31,8 +31,8 @@ def sightings(rng):
     return rows
 
 
-def asked_at(moment, stamp, now):
-    """Return for which time the buffer is asked."""
+def lookup_time(moment, stamp, now):
+    """Return the time of the lookup."""
     right = Time.from_msg(stamp)
     return {
         "stamp": right,
@@ -45,18 +45,18 @@ def asked_at(moment, stamp, now):
     }[moment]
 
 
-def looked_up(buffer, names, moment, stamp, now):
-    """Return the transform for one moment, or for two: that of map, and that of the sensor."""
+def look_up(buffer, names, moment, stamp, now):
+    """Return the transform for one time, or for two: that of map and that of the sensor."""
     one, _, other = moment.partition(" and ")
-    target_time, source_time = (asked_at(each, stamp, now) for each in (one, other or one))
+    target_time, source_time = (lookup_time(each, stamp, now) for each in (one, other or one))
     if not other:
         return buffer.lookup_transform(*names, target_time)
     return buffer.lookup_transform_full(names[0], target_time, names[1], source_time, "odom")
 
 
-def on_the_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
+def transform_to_map(buffer, message, now, *, ends="wanted first", target="map", source="the message's", moment="stamp",
                refusal="let through", move="all", stamp="kept", asks="nothing", label="true"):  # fmt: skip
-    """Return the point, step by step; other steps are the slips."""
+    """Return the point, step by step; other arguments are mistakes."""
     if move == "label":
         return geometry_msgs.PointStamped(
             header=std_msgs.Header(stamp=message.header.stamp, frame_id=target), point=message.point
@@ -70,7 +70,7 @@ def on_the_map(buffer, message, now, *, ends="wanted first", target="map", sourc
     names = (target, message.header.frame_id if source == "the message's" else source)
     names = names[::-1] if ends == "swapped" else names
     try:
-        transform = looked_up(buffer, names, moment, message.header.stamp, now)
+        transform = look_up(buffer, names, moment, message.header.stamp, now)
     except TransformException:
         if refusal == "let through":
             raise
@@ -110,7 +110,7 @@ TASK = define_task(
     points=4,
     answer="point_to_map",
     form=Message("geometry_msgs/msg/PointStamped", ("point", "header.frame_id", "header.stamp"), tolerance=0.002),
-    inputs=sightings,
+    inputs=draw_detections,
     variants=3,
-    model=on_the_map,
+    model=transform_to_map,
 )

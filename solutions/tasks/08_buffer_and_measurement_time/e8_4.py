@@ -8,10 +8,10 @@ from itertools import combinations
 from tflab.workbook.tasks import Number, Parts, define_task
 
 
-def motion(rng):
+def draw_motion(rng):
     """Draw until no two mistakes give the same lengths."""
     while True:
-        given = _motion(rng)
+        given = _draw_motion(rng)
         delay_s, range_m = given["delay_ms"] / 1000.0, given["range_m"]
         angle = math.radians(abs(given["yaw_rate_degps"])) * delay_s
         ahead, aside = given["speed_mps"] * delay_s, range_m * math.radians(given["yaw_rate_degps"]) * delay_s
@@ -23,7 +23,7 @@ def motion(rng):
             return given
 
 
-def _motion(rng):
+def _draw_motion(rng):
     way = float(rng.choice([-1.0, 1.0]))
     speed_mps = float(rng.uniform(0.6, 1.8))
     yaw_rate_degps = way * float(rng.uniform(15.0, 40.0))
@@ -38,7 +38,7 @@ def _motion(rng):
     }
 
 
-def late(
+def estimate(
     given,
     *,
     delay=1e-3,
@@ -50,7 +50,7 @@ def late(
     together="hypot",
     way="speed",
 ):
-    """Return the estimate, step by step; other steps are the slips."""
+    """Return the estimate, step by step; other arguments are mistakes."""
     delay_s = given.delay_ms * delay if delay else 1.0
     yaw_rate = given.yaw_rate_degps if angle == "degrees" else math.radians(given.yaw_rate_degps)
     yaw_rate = {
@@ -99,7 +99,7 @@ TASK = define_task(
     form=Parts(
         {name: Number(unit="m", tolerance=0.003) for name in ("forwards_m", "left_m", "together_m")},
     ),
-    given=motion,
+    given=draw_motion,
     variants=6,
-    model=late,
+    model=estimate,
 )

@@ -7,12 +7,12 @@ from itertools import pairwise
 
 from tflab.workbook.tasks import Number, define_task
 
-AMOUNTS_S = (0.05, 0.1, 0.2, 0.3, 0.5, 2.0)  # that one adds to be safe, beside 1.0
+AMOUNTS_S = (0.05, 0.1, 0.2, 0.3, 0.5, 2.0)  # common safety margins besides 1.0
 SHARES = (1.1, 1.2, 1.25, 1.3, 1.5)
 
 
-def detector(rng):
-    """Draw until no two of the times that one may come to are near one another."""
+def draw_detector(rng):
+    """Draw until no two of the possible wrong times are close to each other."""
     while True:
         slow, fast = float(rng.choice([0.35, 0.7, 1.4, 3.5])), float(rng.choice([22.0, 24.0, 45.0]))  # no round periods
         thinking_s, period_s, short_s = round(float(rng.uniform(1.5, 6.0)), 2), 1.0 / slow, 1.0 / fast
@@ -31,7 +31,7 @@ def detector(rng):
 
 
 def _in_whole(thinking_s, slow, fast):
-    """Return the whole numbers that one may come to: of seconds, and of samples."""
+    """Return the possible whole numbers: of seconds and of samples."""
     counts = [math.ceil(thinking_s * rate) for rate in (slow, fast)]
     return (math.ceil(thinking_s), math.ceil(thinking_s + 1.0 / slow), *counts, *(count + 1 for count in counts))
 
@@ -41,8 +41,8 @@ def _in_whole_periods(thinking_s, slow):
     return (count / slow, (count + 1) / slow, math.ceil(thinking_s) + 1.0 / slow)
 
 
-def memory(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
-    """Return how long it must remember, step by step; other steps are the slips."""
+def cache_time(g, *, thinking=1.0, lane="slow", times=1.0, joined="added"):
+    """Return the cache time, step by step; other arguments are mistakes."""
     periods = [1.0 / rate for rate in g.rate_hz.values()]
     more = {"slow": max(periods), "fast": min(periods), "both": sum(periods), "rate": min(g.rate_hz.values())}
     more = (more | {"fast rate": max(g.rate_hz.values())})[lane]
@@ -87,8 +87,8 @@ TASK = define_task(
     points=2,
     answer="cache_time_s",
     form=Number(unit="s", tolerance=0.002),
-    given=detector,
+    given=draw_detector,
     variants=6,
-    model=memory,
+    model=cache_time,
     answers=ANSWERS,
 )

@@ -9,11 +9,11 @@ from tflab.ros.messages import geometry_msgs
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Vector, define_task
 
-from .draws import _moved, _time, drive, seen
+from .draws import _moved, _time, draw_drive, seen
 
 
-def resting_objects(rng):
-    """The robot drives on between the sighting and now, and the localiser corrects itself in between; twice the buffer cannot tell."""
+def draw_resting_objects(rng):
+    """Draw objects while the robot drives on and the localiser corrects itself; two have no transform."""
     rows = []
     for share, later in (
         (0.05, 0.9),
@@ -25,15 +25,15 @@ def resting_objects(rng):
         (0.4, 1.9),
         (-0.2, 0.8),
     ):
-        buffer, start_s, end_s, sensor = drive(rng)
+        buffer, start_s, end_s, sensor = draw_drive(rng)
         stamp_s, now_s = (round(start_s + part * (end_s - start_s), 3) for part in (share, later))
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows
 
 
-def in_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom", target="base_link",
+def transform_to_base_link(buffer, message, now, *, sight="stamp", base="now", fixed="odom", target="base_link",
                  ends="wanted first", refusal="let through", move="all", source="the message's"):  # fmt: skip
-    """Return the coordinates, step by step; other steps are the slips."""
+    """Return the coordinates, step by step; other arguments are mistakes."""
     if move == "not":
         return (message.point.x, message.point.y, message.point.z)
     if move in ("at one moment", "mount"):  # which never changes, so no moment is refused
@@ -97,7 +97,7 @@ TASK = define_task(
     points=4,
     answer="object_now",
     form=Vector(3, unit="m", frame="base_link", tolerance=0.002),
-    inputs=resting_objects,
+    inputs=draw_resting_objects,
     variants=3,
-    model=in_base_link,
+    model=transform_to_base_link,
 )

@@ -1,4 +1,4 @@
-"""What several tasks of chapter 09 draw, and what they share."""
+"""Fill buffers and name exceptions for several tasks of chapter 09."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ def edge(parent: str, child: str, *times_s: float, x: float = 0.1) -> list[Stamp
     return [StampedTransform(parent, child, seconds(t), Transform((x, 0.0, 0.0))) for t in times_s or (0.0,)]
 
 
-def filled(buffer: BufferCore | Buffer, *edges: list[StampedTransform]):
-    """Put edges into a buffer, and return it; those at 0 s are static."""
+def fill(buffer: BufferCore | Buffer, *edges: list[StampedTransform]):
+    """Put edges into a buffer and return it; those at 0 s are static."""
     store = buffer.core if isinstance(buffer, Buffer) else buffer
     for stamped in (one for each in edges for one in each):
         store.set_transform(stamped, "robot", is_static=stamped.stamp_ns == 0)
     return buffer
 
 
-def robot_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5) -> Buffer:
-    """Return a buffer that is good for map <- laser_frame from `t` + 1 to `t` + 4 [s], or has never heard of map."""
-    return filled(
+def make_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5) -> Buffer:
+    """Return a buffer with map <- laser_frame from `t` + 1 to `t` + 4 [s], or without map."""
+    return fill(
         Buffer(Duration(seconds=20)),
         edge("map", "odom", t, t + 2.0, t + 4.0) if is_localized else [],
         edge("odom", "base_footprint", t + 1.0, t + 2.5, t + wheels_s),
@@ -35,8 +35,8 @@ def robot_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5) 
     )
 
 
-def refusal(buffer: Buffer, target: str, source: str, stamp: Time) -> TransformException | None:
-    """Return why there is no answer, or None if there is one."""
+def refusal_of(buffer: Buffer, target: str, source: str, stamp: Time) -> TransformException | None:
+    """Return the exception of a lookup, or None if it succeeds."""
     try:
         buffer.lookup_transform(target, source, stamp)
     except TransformException as error:
@@ -45,7 +45,7 @@ def refusal(buffer: Buffer, target: str, source: str, stamp: Time) -> TransformE
 
 
 def kind_of(error: TransformException | None) -> str:
-    """Return the kind of a refusal, as the task names them."""
+    """Return the kind of an exception, as the task names them."""
     if error is None:
         return "ok"
     directions = {"future": "future", "past": "past", "no_data": "one sample"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.core import BufferCore, TransformException, seconds
 from tflab.workbook.tasks import Choice, Draws, Parts, define_task
 
-from .draws import edge, filled
+from .draws import edge, fill
 
 KINDS = ("lookup", "connectivity", "future", "past", "one sample", "invalid argument", "not a TransformException")
 
@@ -14,9 +14,9 @@ CHECKS = ("spelling and publisher", "roots of the tree", "use_sim_time", "the li
 EDGES = Choice(("odom", "base_footprint", "base_link", "laser_frame", "arm_link", "tool0"))
 
 
-def robot_of_the_lines() -> BufferCore:
+def make_buffer_of_lines() -> BufferCore:
     """Return the buffer that gave the eight lines."""
-    return filled(
+    return fill(
         BufferCore(seconds(20.0)),
         edge("map", "odom", 20.5, 25.3, 30.1),
         edge("odom", "base_footprint", 21.0, 25.7, 30.4),
@@ -29,7 +29,7 @@ def robot_of_the_lines() -> BufferCore:
 
 
 def line_of(buffer: BufferCore, target: str, source: str, time_s: float) -> str:
-    """Return what tf2 says to a question that has no answer."""
+    """Return tf2's message for a lookup that fails."""
     try:
         buffer.lookup_transform(target, source, seconds(time_s))
     except TransformException as error:
@@ -38,8 +38,8 @@ def line_of(buffer: BufferCore, target: str, source: str, time_s: float) -> str:
 
 
 def eight_lines(_rng: Draws) -> dict:
-    """Return the lines; they are the same for everybody."""
-    buffer = robot_of_the_lines()
+    """Return the lines; they are the same for every learner."""
+    buffer = make_buffer_of_lines()
     lines = {
         "a": line_of(buffer, "map", "lazer_frame", 25.0),
         "b": line_of(buffer, "map", "camera_link", 25.0),

@@ -6,11 +6,11 @@ from tflab.core import seconds
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Choice, Draws, define_task
 
-from .draws import kind_of, refusal, robot_buffer
+from .draws import kind_of, make_buffer, refusal_of
 
 
-def questions(rng: Draws) -> list[tuple]:
-    """Draw one question of each kind, and three that have several faults at once."""
+def draw_queries(rng: Draws) -> list[tuple]:
+    """Draw one lookup of each kind, and three that have several faults at once."""
     t = round(float(rng.uniform(20.0, 60.0)), 1)
 
     def at(low: float, high: float) -> Time:
@@ -31,27 +31,27 @@ def questions(rng: Draws) -> list[tuple]:
         ("gripper", "/laser_frame", at(1.1, 3.9)),  # two names that are wrong, each in its way
         ("map", "", at(1.1, 3.9)),
     ]
-    return [(robot_buffer(t), *question) for question in drawn]
+    return [(make_buffer(t), *question) for question in drawn]
 
 
-def classified(
+def classify(
     buffer, target, source, stamp, *, ends="as given", moment="stamp", texts="three", classes="each its own",
     let_through="none",
 ):  # fmt: skip
-    """Return the kind of a refusal, step by step; other steps are the slips."""
+    """Return the kind of an exception, step by step; other arguments are mistakes."""
     target, source = (source, target) if ends == "swapped" else (target, source)
     written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(ends, str)
     target, source = written(target), written(source)
     moments = {"latest": Time(), "whole seconds": Time(nanoseconds=stamp.nanoseconds // 10**9 * 10**9)}
-    refused = refusal(buffer, target, source, moments.get(moment, stamp))
+    refused = refusal_of(buffer, target, source, moments.get(moment, stamp))
     kind = kind_of(refused)
     extrapolations = ("future", "past", "one sample")
     if refused is not None and let_through in (kind, "extrapolation" if kind in extrapolations else kind, "any"):
         raise refused
-    if moment == "no path at the latest" and refusal(buffer, target, source, Time()) is not None:
+    if moment == "no path at the latest" and refusal_of(buffer, target, source, Time()) is not None:
         return "connectivity"
     if moment == "path first":
-        first = kind_of(refusal(buffer, target, source, Time()))
+        first = kind_of(refusal_of(buffer, target, source, Time()))
         kind = first if first in ("connectivity", "lookup") else kind
     if texts == "by the newest" and kind in extrapolations:
         newest = buffer.get_latest_common_time(target, source).nanoseconds
@@ -90,7 +90,7 @@ TASK = define_task(
     points=4,
     answer="classify",
     form=Choice(("ok", "invalid argument", "lookup", "connectivity", "future", "past", "one sample")),
-    inputs=questions,
+    inputs=draw_queries,
     variants=3,
-    model=classified,
+    model=classify,
 )

@@ -12,7 +12,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
 from tflab.workbook.tasks import Choice, Draws, define_task
 
-from .draws import kind_of, refusal, robot_buffer
+from .draws import kind_of, make_buffer, refusal_of
 
 LIMIT_S = 0.2
 
@@ -28,10 +28,8 @@ def point_in(frame: str, time_s: float) -> geometry_msgs.PointStamped:
     return point
 
 
-def messages(rng: Draws) -> list[tuple]:
-    """Draw messages for each action, gaps on both sides of the limit, one gap longer than its text says, a frame on
-    a slower edge than the robot's own, and one that is no name where there is no map yet: tf2 speaks of its target first.
-    """
+def draw_messages(rng: Draws) -> list[tuple]:
+    """Draw messages for each action: gaps around the limit, a misleading text, a slow edge, a missing map."""
     t = 0.0
     while round(t + 4.2, 1) - round(t + 4.0, 1) <= LIMIT_S:  # until floats miss the limit
         t = round(float(rng.uniform(20.0, 60.0)), 1)
@@ -50,27 +48,27 @@ def messages(rng: Draws) -> list[tuple]:
         ("/laser_frame", rng.uniform(1.2, 3.8)),
         ("", rng.uniform(1.2, 3.8)),
     ]
-    rows = [(robot_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
-    for beside_ns in (0, -1, 1, -1_000_000, 1_000_000):  # at the limit of 0.2 s, a hair beside it, and a little
+    rows = [(make_buffer(t), point_in(frame, round(t + float(later), 3))) for frame, later in drawn]
+    for beside_ns in (0, -1, 1, -1_000_000, 1_000_000):  # at the limit of 0.2 s, just past it, and a little further
         at_the_limit = point_in("laser_frame", t + 4.0)
         stamp = Time(nanoseconds=seconds(t + 4.0) + 200_000_000 + beside_ns)
         at_the_limit.header.stamp = stamp.to_msg()
-        rows.append((robot_buffer(t), at_the_limit))
-    rows += [(robot_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
+        rows.append((make_buffer(t), at_the_limit))
+    rows += [(make_buffer(t), point_in(frame, t + 30.0)) for frame in ("camera_link", "Laser_frame")]  # two faults
     start = math.floor(t) + 0.9  # a second begins between the newest transform and this message
-    rows.append((robot_buffer(start), point_in("laser_frame", start + 4.0 + round(float(rng.uniform(0.17, 0.195)), 3))))
+    rows.append((make_buffer(start), point_in("laser_frame", start + 4.0 + round(float(rng.uniform(0.17, 0.195)), 3))))
     slow = point_in("laser_frame", t + 4.0 + round(float(rng.uniform(0.02, 0.1)), 3))
-    rows.append((robot_buffer(t, wheels_s=3.4), slow))
+    rows.append((make_buffer(t, wheels_s=3.4), slow))
     lost = point_in("/laser_frame", round(t + float(rng.uniform(1.2, 3.8)), 3))
-    rows.append((robot_buffer(t, is_localized=False), lost))
+    rows.append((make_buffer(t, is_localized=False), lost))
     for gap_ns in (100, 100_000, 100_000_000_000):  # what a bound in another unit lets wait
         point = point_in("laser_frame", t + 4.0)
         point.header.stamp = Time(nanoseconds=seconds(t + 4.0) + gap_ns).to_msg()
-        rows.append((robot_buffer(t), point))
+        rows.append((make_buffer(t), point))
     return rows
 
 
-def action(
+def decide(
     buffer: Buffer,
     message: geometry_msgs.PointStamped,
     *,
@@ -87,12 +85,12 @@ def action(
     classes: str = "each its own",
     let_through: str = "none",
 ) -> str:
-    """Decide as the task asks; the options are the mistakes."""
+    """Return the action, step by step; other arguments are mistakes."""
     stamp = Time() if latest else Time.from_msg(message.header.stamp)
     written = {"without slashes": lambda name: name.lstrip("/"), "in small letters": str.lower}.get(spelt, str)
     frame = written(message.header.frame_id)
     ends = (target, frame)
-    error = refusal(buffer, *(reversed(ends) if swapped else ends), stamp)
+    error = refusal_of(buffer, *(reversed(ends) if swapped else ends), stamp)
     kind = kind_of(error)
     if error is not None and kind == let_through:
         raise error
@@ -137,16 +135,16 @@ def action(
     return words.get(kind, "fix message")
 
 
-def one_word(buffer: Buffer, message: geometry_msgs.PointStamped, *, word: str) -> str:
-    return "use" if action(buffer, message) == "use" else word
+def always(buffer: Buffer, message: geometry_msgs.PointStamped, *, word: str) -> str:
+    return "use" if decide(buffer, message) == "use" else word
 
 
-def no_path_at_the_latest(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
-    at_the_latest = refusal(buffer, "map", message.header.frame_id, Time())
-    return action(buffer, message) if at_the_latest is None else "check tree"
+def report_no_path(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    at_the_latest = refusal_of(buffer, "map", message.header.frame_id, Time())
+    return decide(buffer, message) if at_the_latest is None else "check tree"
 
 
-def gap_first(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+def compare_gap_first(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
     stamp = Time.from_msg(message.header.stamp)
     try:
         newest = buffer.get_latest_common_time("map", message.header.frame_id)
@@ -157,23 +155,23 @@ def gap_first(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
     gap_ns = stamp.nanoseconds - newest.nanoseconds
     if gap_ns > 0:
         return "wait" if gap_ns <= seconds(LIMIT_S) else "check clocks"
-    return action(buffer, message)
+    return decide(buffer, message)
 
 
-def by_the_text_alone(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
-    word = action(buffer, message)
+def decide_by_text(buffer: Buffer, message: geometry_msgs.PointStamped) -> str:
+    word = decide(buffer, message)
     return "drop" if word in ("check names", "check tree", "fix message") else word
 
 
 ANSWERS = {
-    "texts alone": by_the_text_alone,
-    "one action for every no": partial(one_word, word="drop"),
-    "a wait for every no": partial(one_word, word="wait"),
-    "every no: check names": partial(one_word, word="check names"),
-    "every no: check tree": partial(one_word, word="check tree"),
-    "every no: check clocks": partial(one_word, word="check clocks"),
-    "gap before the lookup": gap_first,
-    "no answer at the latest is no path": no_path_at_the_latest,
+    "texts alone": decide_by_text,
+    "one action for every no": partial(always, word="drop"),
+    "a wait for every no": partial(always, word="wait"),
+    "every no: check names": partial(always, word="check names"),
+    "every no: check tree": partial(always, word="check tree"),
+    "every no: check clocks": partial(always, word="check clocks"),
+    "gap before the lookup": compare_gap_first,
+    "no answer at the latest is no path": report_no_path,
 }
 
 TASK = define_task(
@@ -182,8 +180,8 @@ TASK = define_task(
     points=4,
     answer="decide",
     form=Choice(ACTIONS),
-    inputs=messages,
+    inputs=draw_messages,
     variants=3,
-    model=action,
+    model=decide,
     answers=ANSWERS,
 )

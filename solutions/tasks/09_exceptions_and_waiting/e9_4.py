@@ -13,13 +13,13 @@ REMEDIES = ("wait a little", "set the laser's clock", "ask chrony on both comput
 LATE, FAST, UNKNOWN = CAUSES
 
 
-def arrivals(rng: Draws) -> dict:
-    """Draw six seconds of three robots, each with another trouble; rows are (stamp, heard) [s]."""
+def draw_arrivals(rng: Draws) -> dict:
+    """Draw six seconds of three robots, each with another fault; rows are (stamp, received) [s]."""
     troubles = [CAUSES[i] for i in rng.permutation(3)]
-    return {f"robot_{name}": one_robot(rng, trouble) for name, trouble in zip("abc", troubles, strict=True)}
+    return {f"robot_{name}": draw_robot(rng, trouble) for name, trouble in zip("abc", troubles, strict=True)}
 
 
-def one_robot(rng: Draws, trouble: str) -> dict:
+def draw_robot(rng: Draws, trouble: str) -> dict:
     stamps = round(float(rng.uniform(20.0, 60.0)), 1) + np.arange(6.0)
     scan = 0.105 + rng.uniform(0.0, 0.004, 6)
     odom = 0.004 + rng.uniform(0.0, 0.002, 6)
@@ -33,7 +33,7 @@ def one_robot(rng: Draws, trouble: str) -> dict:
     return {name: np.round(row, 3) for name, row in rows.items()}
 
 
-def guess(given, cause_of) -> dict:
+def answers_by(given, cause_of) -> dict:
     """Return an answer in which each robot's cause is `cause_of(scan delays, odom delays)`."""
     answer = {}
     for name in "abc":
@@ -45,54 +45,54 @@ def guess(given, cause_of) -> dict:
 
 
 def always_late(given) -> dict:
-    return guess(given, lambda scan, odom: LATE)
+    return answers_by(given, lambda scan, odom: LATE)
 
 
 def always_fast(given) -> dict:
-    return guess(given, lambda scan, odom: FAST)
+    return answers_by(given, lambda scan, odom: FAST)
 
 
 def no_tremble(given) -> dict:
-    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else LATE)
+    return answers_by(given, lambda scan, odom: FAST if scan.min() < 0 else LATE)
 
 
 def smooth_is_laser(given) -> dict:
-    return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else FAST)
+    return answers_by(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else FAST)
 
 
 def no_sign(given) -> dict:
-    return guess(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else UNKNOWN)
+    return answers_by(given, lambda scan, odom: LATE if np.ptp(odom) > 0.1 else UNKNOWN)
 
 
 def tremble_not_trusted(given) -> dict:
-    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN)
+    return answers_by(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN)
 
 
 def always_open(given) -> dict:
-    return guess(given, lambda scan, odom: UNKNOWN)
+    return answers_by(given, lambda scan, odom: UNKNOWN)
 
 
 def smooth_and_trembling_exchanged(given) -> dict:
-    return guess(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN if np.ptp(odom) > 0.1 else LATE)
+    return answers_by(given, lambda scan, odom: FAST if scan.min() < 0 else UNKNOWN if np.ptp(odom) > 0.1 else LATE)
 
 
 def long_timeout(given) -> dict:
     def cause_of(scan, odom) -> str:
         return FAST if scan.min() < 0 else LATE if np.ptp(odom) > 0.1 else UNKNOWN
 
-    answer = guess(given, cause_of)
+    answer = answers_by(given, cause_of)
     late = next(name for name in "abc" if answer[name] == LATE)
     return {**answer, f"{late} do": "set a timeout of 10 s"}
 
 
-def turned_around(fast: str):
-    """Return the answers of one who takes heard from stamp, and finds this for the laser that is fast."""
+def subtract_the_other_way(fast: str):
+    """Return the answers for delays with the wrong sign."""
 
     def answer(given) -> dict:
         def cause_of(scan, odom) -> str:
             return FAST if max(scan) > 0 else fast
 
-        return guess(given, cause_of)
+        return answers_by(given, cause_of)
 
     return answer
 
@@ -107,8 +107,8 @@ ANSWERS = {
     "tremble not trusted": tremble_not_trusted,
     "always open": always_open,
     "smooth and trembling exchanged": smooth_and_trembling_exchanged,
-    "stamp minus heard": turned_around(UNKNOWN),
-    "stamp minus heard, and late": turned_around(LATE),
+    "stamp minus heard": subtract_the_other_way(UNKNOWN),
+    "stamp minus heard, and late": subtract_the_other_way(LATE),
 }
 
 TASK = define_task(
@@ -122,7 +122,7 @@ TASK = define_task(
             **{f"{name} do": Choice((*REMEDIES, "set a timeout of 10 s")) for name in "abc"},
         }
     ),
-    given=arrivals,
+    given=draw_arrivals,
     variants=6,
     answers=ANSWERS,
 )

@@ -5,8 +5,8 @@ from __future__ import annotations
 from tflab.workbook.tasks import Draws, Number, Parts, Sequence, define_task
 
 
-def queues(rng: Draws) -> list[tuple]:
-    """Draw queues with room and without, old messages, one from the future, and one out of order."""
+def draw_queues(rng: Draws) -> list[tuple]:
+    """Draw queues with and without free capacity, old messages, one from the future, and one out of order."""
     now = round(float(rng.uniform(20.0, 60.0)), 1)
 
     def before(*ages_s: float) -> list[float]:
@@ -18,29 +18,39 @@ def queues(rng: Draws) -> list[tuple]:
         (before(0.95, 0.75, 0.35, 0.15), now, 0.5, 3),
         (before(2.4, 1.7, 0.9), now, 0.5, 3),
         (before(0.3, 0.2, 0.1), now, 0.5, 5),
-        (before(0.4, 0.3, 0.2, -0.4), now, 0.5, 1),  # in rising order, and room for one: no third mistake shows
+        (before(0.4, 0.3, 0.2, -0.4), now, 0.5, 1),  # in rising order, capacity 1: no third mistake shows
         (before(0.15, 0.45, 0.25), now, 1.0, 2),
         ([], now, 0.5, 2),
-        (before(0.3, 0.2, 0.1), now, 0.5, 0),  # room for none
+        (before(0.3, 0.2, 0.1), now, 0.5, 0),  # capacity 0
         ([float(int(now) - 1), int(now) - 0.5, float(int(now))], float(int(now)), 0.5, 5),  # at both limits
         ([int(now) - 0.501, int(now) - 0.4995, int(now) + 5e-4, int(now) - 5e-4], float(int(now)), 0.5, 5),
-        ([int(now) - 0.5005, int(now) + 0.005, int(now) - 0.005], float(int(now)), 0.5, 5),  # a hair beside them
+        ([int(now) - 0.5005, int(now) + 0.005, int(now) - 0.005], float(int(now)), 0.5, 5),  # just past the bounds
         ([int(now) - 0.25, int(now) - 0.25, int(now) + 0.05], float(int(now)), 0.5, 5),  # two at once
         (before(0.3, -0.9, 0.2), now, 0.5, 5),  # further ahead than the limit
-        ([int(now) - 0.25, int(now) - 0.25, int(now) - 0.05], float(int(now)), 0.5, 2),  # one of two twins has to go
+        (
+            [int(now) - 0.25, int(now) - 0.25, int(now) - 0.05],
+            float(int(now)),
+            0.5,
+            2,
+        ),  # one of two equal stamps has to go
         (before(0.3, 0.9, 0.2, 0.1), now, 0.5, 5),  # one that is too old came late
         ([int(now) - 0.5, int(now) - 0.25], float(int(now)), 0.5, 5),  # at one limit alone
         ([int(now) - 0.25, float(int(now))], float(int(now)), 0.5, 5),  # at the other
         *(([int(now) - age], float(int(now)), 0.5, 5) for age in (0.9, 0.5, 0.0, -0.4)),  # one alone, of each sort
-        (before(0.3, 0.1), now, 1.0, 1),  # room for one
-        (before(0.25, 0.05, 0.15), now, 1.0, 5),  # out of order, and room for all
-        ([int(now) - 0.25, int(now) - 0.25, int(now) - 0.05], float(int(now)), 0.5, 5),  # room for both twins
+        (before(0.3, 0.1), now, 1.0, 1),  # capacity 1
+        (before(0.25, 0.05, 0.15), now, 1.0, 5),  # out of order, capacity for all
+        (
+            [int(now) - 0.25, int(now) - 0.25, int(now) - 0.05],
+            float(int(now)),
+            0.5,
+            5,
+        ),  # capacity for both equal stamps
     ]
 
 
 def kept(stamps_s, now_s, max_age_s, max_size, *, first="sieve", old="dropped", ahead="dropped", order="by stamp",
          size="newest", out="oldest first", lost="went", loop="a new list", age="now minus stamp") -> dict:  # fmt: skip
-    """Return what a policy keeps, step by step; other steps are the slips."""
+    """Return what a policy keeps, step by step; other arguments are mistakes."""
     all_s, came = stamps_s, len(stamps_s)
 
     def cut_to_size(stamps_s: list[float]) -> list[float]:
@@ -134,7 +144,7 @@ TASK = define_task(
     points=3,
     answer="keep",
     form=Parts({"kept": Sequence(Number("s", 1e-6)), "lost": Number("", 1e-6)}),
-    inputs=queues,
+    inputs=draw_queues,
     variants=3,
     model=kept,
     answers=ANSWERS,

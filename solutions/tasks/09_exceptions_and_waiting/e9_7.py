@@ -13,25 +13,24 @@ from tflab.workbook.tasks import Draws, Number, WrongStep, define_task
 TOLERANCE_S = 0.0005
 
 
-def two_edges(rng: Draws) -> dict:
-    """Draw until no two mistakes give the same wait; two that are easily made together count as one more."""
-    together = partial(wait_of, periods=0.0, scan=-1.0)
+def draw_edges(rng: Draws) -> dict:
+    """Draw until no two mistakes give the same wait; a common pair of mistakes counts as one more."""
+    together = partial(compute_wait, periods=0.0, scan=-1.0)
     while True:
-        given = _two_edges(rng)
+        given = _draw_edges(rng)
         held = SimpleNamespace(**given)
         mistakes = [
-            partial(wait_of, **each.at) if isinstance(each, WrongStep) else each.answer for each in TASK.mistakes
+            partial(compute_wait, **each.at) if isinstance(each, WrongStep) else each.answer for each in TASK.mistakes
         ]
-        waits_s = sorted(mistake(held) if callable(mistake) else mistake for mistake in (wait_of, together, *mistakes))
+        waits_s = sorted(
+            mistake(held) if callable(mistake) else mistake for mistake in (compute_wait, together, *mistakes)
+        )
         if min(later - sooner for sooner, later in pairwise(waits_s)) > TOLERANCE_S + 1e-9:
             return given
 
 
-def _two_edges(rng: Draws) -> dict:
-    """Draw two edges of which the slow one decides, and a scan that has been under way for a while.
-
-    Each ends in another tenth of a millisecond: two mistakes do not come to the same number by chance.
-    """
+def _draw_edges(rng: Draws) -> dict:
+    """Draw two edges of which the slow one decides, with distinct tenths of a millisecond, and an older scan."""
 
     def drawn(low_s: float, high_s: float, rest_ms: float) -> float:
         return round(round(float(rng.uniform(low_s, high_s)), 3) + rest_ms / 1000.0, 4)
@@ -54,10 +53,10 @@ def _two_edges(rng: Draws) -> dict:
 COMBINE = {"max": max, "min": min, "sum": sum, "mean": mean}
 
 
-def wait_of(
+def compute_wait(
     given, *, periods=1.0, delay=1.0, jitter=1.0, scan=1.0, combine="max", rate="one over it", edges="by edge"
 ) -> float:
-    """Return the wait; the options are the mistakes."""
+    """Return the wait [s], step by step; other arguments are mistakes."""
     sources = (given.localization, given.wheel_odometry)
     every = {name: [one[name] for one in sources] for name in ("rate_hz", "delay_s", "jitter_s")}
     period_of = {
@@ -89,14 +88,14 @@ def wait_of(
     return COMBINE[combine](each) - scan * given.scan_delay_s
 
 
-def delay_taken_off(given) -> float:
-    """Return the wait for the edge that decides, its delay with the wrong sign."""
+def subtract_delay(given) -> float:
+    """Return the wait for the deciding edge with its delay subtracted."""
     later = max((given.localization, given.wheel_odometry), key=lambda one: 1.0 / one["rate_hz"] + one["delay_s"])
     return 1.0 / later["rate_hz"] - later["delay_s"] + later["jitter_s"] - given.scan_delay_s
 
 
 ANSWERS = {
-    "delay taken off": delay_taken_off,
+    "delay taken off": subtract_delay,
 }
 
 TASK = define_task(
@@ -105,8 +104,8 @@ TASK = define_task(
     points=2,
     answer="wait_s",
     form=Number("s", tolerance=TOLERANCE_S),
-    given=two_edges,
+    given=draw_edges,
     variants=5,
-    model=wait_of,
+    model=compute_wait,
     answers=ANSWERS,
 )

@@ -15,8 +15,8 @@ ORDERS = {
 }
 
 
-def four_set_ups(rng):
-    """Draw the four ways to set use_sim_time and --clock, in an order of their own."""
+def draw_setups(rng):
+    """Draw the four ways to set use_sim_time and --clock, in any order."""
     ways = [(sim, clock) for sim in (False, True) for clock in (False, True)]
     order = rng.permutation(len(ways))
     chosen = [ways[i] for i in order]
@@ -28,11 +28,11 @@ def four_set_ups(rng):
     }
 
 
-def outcomes(
+def judge_setups(
     g, who="the parameter", stamp="the bag's", machine="years off", stopped="silently latest", running="just short",
     stopped_timer="never", machine_timer="works", order="as asked",
 ):  # fmt: skip
-    """Return for each set-up what becomes of the three, step by step."""
+    """Return the three outcomes of each setup, step by step; other arguments are mistakes."""
     answers = {}
     for letter, way in g.setups.items():
         sim, clock = way["use_sim_time"], way["--clock"]
@@ -68,7 +68,7 @@ TASK = define_task(
     points=4,
     answer="outcomes",
     form=Parts({letter: Sequence(Choice(KINDS)) for letter in LETTERS}),
-    given=four_set_ups,
+    given=draw_setups,
     variants=8,
-    model=outcomes,
+    model=judge_setups,
 )

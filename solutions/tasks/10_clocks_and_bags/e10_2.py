@@ -8,8 +8,8 @@ SENSORS = ("/scan", "/front/scan", "/rear/scan", "/lidar/points", "/depth/points
 ODOMETRY = ("/wheel/odom", "/base/odometry", "/encoders/odom", "/drive/odom")
 
 
-def three_robots(rng):
-    """Draw a sensor for each robot, and where the third one's wheels speak."""
+def draw_robots(rng):
+    """Draw a sensor for each robot, and the topic of the third one's odometry."""
     sensors = [SENSORS[i] for i in rng.permutation(len(SENSORS))[:3]]
     return {
         "sensor": dict(zip("abc", sensors, strict=True)),
@@ -17,11 +17,11 @@ def three_robots(rng):
     }
 
 
-def lines(
+def write_lines(
     g, sensor=True, mounts=True, moving="/tf", sim_clock=True, real_clock=False, wheels="message", everything=False,
     map_too=False,
 ):  # fmt: skip
-    """Return the three lines, step by step."""
+    """Return the three lines, step by step; other arguments are mistakes."""
     speaks = g.wheels["c"]
     for_c = {"message": [speaks], "none": [], "transform": ["/tf"], "by habit": ["/odom"], "both": [speaks, "/tf"]}[
         wheels
@@ -51,8 +51,8 @@ TASK = define_task(
     points=4,
     answer="recordings",
     form=Parts({letter: Command() for letter in "abc"}),
-    given=three_robots,
+    given=draw_robots,
     variants=8,
-    model=lines,
+    model=write_lines,
     answers=ANSWERS,
 )

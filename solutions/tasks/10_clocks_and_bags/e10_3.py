@@ -17,8 +17,8 @@ ALL = {"/scan": 300, "/tf": 900, "/tf_static": 1}
 GONE = '"laser_frame" passed to lookupTransform argument source_frame does not exist. '
 
 
-def five_failures(rng):
-    """Draw the five, in an order of their own, with numbers of their own."""
+def draw_failures(rng):
+    """Draw the five failures with numbers, in any order."""
     start_s = round(float(rng.uniform(1.70e9, 1.79e9)), 1)
     offset_s = round(float(rng.uniform(0.5, 4.0)), 1)
     asked_s, later_s = round(start_s + float(rng.uniform(3.0, 9.0)), 3), round(float(rng.uniform(2e5, 9e6)), 1)
@@ -51,7 +51,7 @@ def five_failures(rng):
     }
 
 
-def findings(
+def diagnose(
     g,
     gone=("mounts not recorded", "mounts skipped"),
     gone_do=("record again, with /tf_static", "play from the start"),
@@ -59,7 +59,7 @@ def findings(
     apart=("one node in another time", "set use_sim_time on that node"),
     back=("time went back", "Buffer(node=self)"),
 ):
-    """Return cause and cure of each, step by step."""
+    """Return cause and fix of each, step by step; other arguments are mistakes."""
     answers = {}
     for letter, failure in g.failures.items():
         if "/tf_static" not in failure["info"]:
@@ -88,7 +88,7 @@ TASK = define_task(
             for name, choice in ((f"{letter} cause", Choice(CAUSES)), (f"{letter} do", Choice(CURES)))
         }
     ),
-    given=five_failures,
+    given=draw_failures,
     variants=8,
-    model=findings,
+    model=diagnose,
 )

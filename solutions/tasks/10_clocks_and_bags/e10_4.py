@@ -8,8 +8,8 @@ NAMES = ("mapper", "detector", "planner", "camera", "localizer", "recorder", "dr
 ABSENT = object()
 
 
-def launch_files(rng):
-    """Draw parameter files: for all, for one, both, as text, as a number, with and without a slash."""
+def draw_launch_files(rng):
+    """Draw parameter files for all nodes, for one, or both; as text, as a number, with and without a slash."""
     a, b, c = (NAMES[i] for i in rng.permutation(len(NAMES))[:3])
     nodes = [f"/{name}" for name in (a, b, c)]
 
@@ -36,9 +36,9 @@ def launch_files(rng):
     ]
 
 
-def clocks(params, nodes, everyone=True, own="its own", slash="either", text="refused", order="own last",
+def find_clocks(params, nodes, everyone=True, own="its own", slash="either", text="refused", order="own last",
            unset="wall", lacking="everyone's", level="parameters"):  # fmt: skip
-    """Return what each node's clock is, step by step."""
+    """Return each node's clock, step by step; other arguments are mistakes."""
     if level == "too high":
         return [unset for _ in nodes]
     return [_clock(params, node, everyone, own, slash, text, order, unset, lacking) for node in nodes]
@@ -62,7 +62,7 @@ def _clock(params, node, everyone, own, slash, text, order, unset, lacking):
 
 
 def _keys(params, node, everyone, own, slash, order):
-    """Return the entries that count for a node, the one that counts most last."""
+    """Return the entries that apply to a node, the strongest last."""
     bare = node.split("/")[-1] if slash == "last part" else node[1:]
     names = {"with": (f"/{bare}",), "without": (bare,)}.get(slash, (node, node[1:], bare))
     mine = {"its own": lambda key: key in names, "nobody's": lambda key: False, "everybody's": lambda key: key != "/**"}
@@ -77,7 +77,7 @@ def _keys(params, node, everyone, own, slash, order):
 
 
 def _held(keys, params, order, lacking, text):
-    """Return what is set last; ABSENT if nothing is."""
+    """Return the last value that is set, or ABSENT."""
     value = ABSENT
     for key in keys:
         held = params[key]["ros__parameters"]
@@ -91,8 +91,8 @@ def _held(keys, params, order, lacking, text):
     return value
 
 
-def handed_on(params, nodes):
-    """Return what comes out if what one node was told is where the next one begins."""
+def hand_on(params, nodes):
+    """Return the clocks if each node starts with the settings of the one before."""
     value = params.get("/**", {}).get("ros__parameters", {}).get("use_sim_time", False)
     found = []
     for node in nodes:
@@ -102,15 +102,15 @@ def handed_on(params, nodes):
     return found
 
 
-def refused_for_all(params, nodes):
-    """Return what comes out if a value that nobody takes ends it for the nodes that have one of their own, too."""
+def refuse_for_all(params, nodes):
+    """Return the clocks if one invalid value stops every node."""
     general = params.get("/**", {}).get("ros__parameters", {}).get("use_sim_time", False)
-    return clocks(params, nodes) if isinstance(general, bool) else ["refused" for _ in nodes]
+    return find_clocks(params, nodes) if isinstance(general, bool) else ["refused" for _ in nodes]
 
 
 ANSWERS = {
-    "handed on": handed_on,
-    "refused for all": refused_for_all,
+    "handed on": hand_on,
+    "refused for all": refuse_for_all,
 }
 
 TASK = define_task(
@@ -119,8 +119,8 @@ TASK = define_task(
     points=4,
     answer="clock_of",
     form=Sequence(Choice(("sim", "wall", "refused"))),
-    inputs=launch_files,
+    inputs=draw_launch_files,
     variants=4,
-    model=clocks,
+    model=find_clocks,
     answers=ANSWERS,
 )

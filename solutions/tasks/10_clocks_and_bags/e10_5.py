@@ -19,18 +19,18 @@ PICKS = {
 }
 
 
-def log_of_a_sensor(rng):
-    """Draw messages in which first, last, middle, mean, largest and smallest delay are told apart, whatever is done."""
+def draw_log(rng):
+    """Draw messages whose first, last, middle, mean, largest and smallest delay differ."""
     while True:
-        given = _one_log(rng)
+        given = _draw_log(rng)
         gaps = [heard - stamp for stamp, heard in given["log"]]
         told = sorted(pick(gaps) + k * given["shortest_delay_s"] for pick in PICKS.values() for k in (-1, -0.5, 0, 1))
         if min(after - before for before, after in pairwise(told)) > 0.004:
             return given
 
 
-def _one_log(rng):
-    """Draw thirteen messages: delays that only add to the healthiest one, and a clock that is off."""
+def _draw_log(rng):
+    """Draw thirteen messages with delays of at least the smallest one, and a clock offset."""
     shortest_s = round(float(rng.uniform(0.03, 0.12)), 3)
     behind_s = round(float(rng.choice([-1.0, 1.0])) * float(rng.uniform(0.25, 0.9)), 3)
     begin_s = round(float(rng.uniform(20.0, 60.0)), 1)
@@ -43,8 +43,8 @@ def _one_log(rng):
     return {"log": log, "shortest_delay_s": shortest_s}
 
 
-def behind(g, pick="smallest", delay="taken off", way="heard - stamp", sign="behind"):
-    """Return by how much the sensor's clock is behind, step by step."""
+def clock_offset(g, pick="smallest", delay="taken off", way="heard - stamp", sign="behind"):
+    """Return how far the sensor's clock is behind, step by step; other arguments are mistakes."""
     gaps = [heard - stamp if way == "heard - stamp" else stamp - heard for stamp, heard in g.log]
     healthy = {"taken off": -1, "taken off twice": -2, "halved": -0.5, "forgotten": 0, "added": 1}[delay]
     found = PICKS[pick](gaps) + healthy * g.shortest_delay_s
@@ -65,8 +65,8 @@ TASK = define_task(
     points=3,
     answer="behind_s",
     form=Number(unit="s", tolerance=0.002),
-    given=log_of_a_sensor,
+    given=draw_log,
     variants=8,
-    model=behind,
+    model=clock_offset,
     answers=ANSWERS,
 )

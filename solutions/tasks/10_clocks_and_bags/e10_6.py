@@ -17,7 +17,7 @@ def edge(parent, child, *times_s):
     return [StampedTransform(parent, child, seconds(t), Transform((0.1, 0.0, 0.0))) for t in times_s or (0.0,)]
 
 
-def filled(*edges):
+def fill(*edges):
     buffer = Buffer(Duration(seconds=60))
     for stamped in (one for each in edges for one in each):
         buffer.core.set_transform(stamped, "bag", is_static=stamped.stamp_ns == 0)
@@ -29,8 +29,8 @@ def message(frame, time_s):
     return geometry_msgs.PointStamped(header=header)
 
 
-def bags(rng):
-    """Draw what bags hold: whole, begun late, without mounts, with two trees, with a lost frame, and in another order."""
+def draw_bags(rng):
+    """Draw bags that are whole, begun late, without mounts, with two trees, with a lost frame, and in another order."""
     t = int(rng.integers(20, 40)) + 0.2
 
     def at(share):
@@ -48,20 +48,20 @@ def bags(rng):
     )
     lost = message("lazer_frame", at(0.2))
     return [
-        (filled(*drive, laser), [*scans, soon], "map"),
-        (filled(*drive, laser), [early, *scans, late], "map"),
-        (filled(*drive), scans[:3], "map"),
-        (filled(*drive, laser, camera), [scans[0], seen, scans[1], barely, late, lost, scans[2]], "map"),
-        (filled(*drive, laser), [lost, early, *scans[:2]], "odom"),
-        (filled(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
-        (filled(*drive, laser, camera), [scans[0], seen, lost, scans[3], late], "map"),  # by stamp it is the second
-        (filled(*drive, laser), [], "map"),
+        (fill(*drive, laser), [*scans, soon], "map"),
+        (fill(*drive, laser), [early, *scans, late], "map"),
+        (fill(*drive), scans[:3], "map"),
+        (fill(*drive, laser, camera), [scans[0], seen, scans[1], barely, late, lost, scans[2]], "map"),
+        (fill(*drive, laser), [lost, early, *scans[:2]], "odom"),
+        (fill(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
+        (fill(*drive, laser, camera), [scans[0], seen, lost, scans[3], late], "map"),  # by stamp it is the second
+        (fill(*drive, laser), [], "map"),
     ]
 
 
-def placing(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
+def place_messages(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
             frame="each", into="target", count="placed"):  # fmt: skip
-    """Return what the bag can place, step by step."""
+    """Return what the bag can transform, step by step; other arguments are mistakes."""
     placed, noes, frames = 0, [], set()
     in_order = sorted(messages, key=lambda each: (each.header.stamp.sec, each.header.stamp.nanosec))
     for each in in_order if which == "by stamp" else messages:
@@ -71,10 +71,10 @@ def placing(buffer, messages, target, ask="the stamp", stops=False, which="first
             "laser_frame": "laser_frame",
         }.get(frame, each.header.frame_id)
         try:
-            when = _asked(ask, messages[0].header.stamp if ask == "the first's" else each.header.stamp)
+            when = _lookup_time(ask, messages[0].header.stamp if ask == "the first's" else each.header.stamp)
             buffer.lookup_transform("map" if into == "map" else target, source, when)
         except Exception as error:
-            noes.append(_named(type(error).__name__, kind))
+            noes.append(_name_of(type(error).__name__, kind))
             placed += count == "or the latest" and buffer.can_transform(target, source, Time())
             if stops:
                 break
@@ -90,8 +90,8 @@ def placing(buffer, messages, target, ask="the stamp", stops=False, which="first
     return {"placed": counted, "first_no": no}
 
 
-def _asked(ask, stamp):
-    """Return the moment that is asked for."""
+def _lookup_time(ask, stamp):
+    """Return the time of the lookup."""
     return {
         "the latest": lambda: Time(),
         "whole seconds": lambda: Time(seconds=stamp.sec),
@@ -100,8 +100,8 @@ def _asked(ask, stamp):
     }.get(ask, lambda: Time.from_msg(stamp))()
 
 
-def _named(name, kind):
-    """Return what a refusal is called."""
+def _name_of(name, kind):
+    """Return the name of an exception."""
     as_another = {
         "its own": {},
         "lookup as connectivity": {"LookupException": "ConnectivityException"},
@@ -116,7 +116,7 @@ TASK = define_task(
     points=4,
     answer="placeable",
     form=Parts({"placed": Number(tolerance=0.0), "first_no": Choice(KINDS)}),
-    inputs=bags,
+    inputs=draw_bags,
     variants=3,
-    model=placing,
+    model=place_messages,
 )

@@ -7,8 +7,8 @@ from itertools import pairwise
 from tflab.workbook.tasks import Number, Sequence, define_task
 
 
-def clocks(rng):
-    """Draw what /clock said: steps back by 1 s and a hair to either side, leaps ahead, loops, and nothing at all."""
+def draw_clocks(rng):
+    """Draw values of /clock: jumps back by about 1 s, jumps ahead, loops, and no value."""
     t = float(rng.integers(20, 60))
     lap = [t + 0.25 * step for step in range(int(rng.integers(6, 10)))]
     end = lap[-1]
@@ -28,8 +28,10 @@ def clocks(rng):
     ]
 
 
-def moments(clock_s, back="a second", against="the one before", which="all", tell="after", ahead=False, upto="the end"):
-    """Return when to forget, step by step."""
+def find_resets(
+    clock_s, back="a second", against="the one before", which="all", tell="after", ahead=False, upto="the end"
+):
+    """Return when to clear the buffer, step by step; other arguments are mistakes."""
     found = []
     highest = clock_s[0] if clock_s else 0.0
     if tell == "after" and which == "and the first":
@@ -64,8 +66,8 @@ TASK = define_task(
     points=3,
     answer="jumps",
     form=Sequence(Number(unit="s")),
-    inputs=clocks,
+    inputs=draw_clocks,
     variants=3,
-    model=moments,
+    model=find_resets,
     answers=ANSWERS,
 )

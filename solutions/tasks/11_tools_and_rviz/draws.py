@@ -1,4 +1,4 @@
-"""What several tasks of this chapter draw: RViz's list of a robot with one thing wrong."""
+"""Draw RViz's display list of a robot with one fault for several tasks of chapter 11."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from tflab.views.rviz_status import Display, LaserScan, MapCells, RobotModel, lo
 CHAIN = (("map", "odom"), ("odom", "base_link"))
 
 
-def list_of(fixed_frame="map", without=(), links=("shoulder", "gripper"), moving=()):
-    """Return RViz's list, as text, for a robot of which some frames are not published."""
+def make_list(fixed_frame="map", without=(), links=("shoulder", "gripper"), moving=()):
+    """Return RViz's list as text, for a robot of which some frames are not published."""
     buffer, parents = BufferCore(), {}
     edges = [*CHAIN, *(("base_link", link) for link in (*links, *moving)), ("base_link", "laser_frame")]
     for parent, child in edges:

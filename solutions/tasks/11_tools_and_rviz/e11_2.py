@@ -13,8 +13,8 @@ from tflab.workbook.tasks import Number, Parts, define_task
 NUMBER = re.compile(r"-?\d+\.\d+")
 
 
-def two_readings(rng):
-    """A robot in a bend; the second stamp has lost a zero, the first has not; the pose turns past no half turn."""
+def draw_readings(rng):
+    """Draw two poses in a curve; the second stamp lost a zero."""
     sec = int(rng.integers(20, 60))
     first_s = sec + round(float(rng.uniform(0.80, 0.95)), 2)
     second_s = sec + 2 + round(float(rng.uniform(0.02, 0.09)), 2)
@@ -32,7 +32,7 @@ def two_readings(rng):
 
 
 class Reading(NamedTuple):
-    """What one block says: the stamp's two texts, the place, the turn as radians, degrees and quaternion."""
+    """One printed block: the stamp's two texts, the position, the rotation in three forms."""
 
     sec: str
     nanosec: str
@@ -56,9 +56,9 @@ def stamp_of(block):
     return int(one.sec) + int(one.nanosec) / 1e9
 
 
-def read(given, *, zeros="nanoseconds", period="of the stamps", time="divided", which="distance", angle="radians",
+def compute_numbers(given, *, zeros="nanoseconds", period="of the stamps", time="divided", which="distance", angle="radians",
          turned="later"):  # fmt: skip
-    """Return the three numbers, step by step; other steps are the slips."""
+    """Return the three numbers, step by step; other arguments are mistakes."""
     a, b = parts_of(given.first), parts_of(given.second)
 
     def stamp(one):
@@ -90,10 +90,10 @@ def read(given, *, zeros="nanoseconds", period="of the stamps", time="divided", 
 
 
 ANSWERS = {
-    "time between for the stamp": lambda g: {**read(g), "stamp_s": stamp_of(g.second) - stamp_of(g.first)},
-    "yaw itself": lambda g: {**read(g), "yaw_rate_radps": parts_of(g.second).radians},
-    "stamp as decimals": lambda g: {**read(g), "stamp_s": float(".".join(parts_of(g.second)[:2]))},
-    "stamp of the first": lambda g: {**read(g), "stamp_s": stamp_of(g.first)},
+    "time between for the stamp": lambda g: {**compute_numbers(g), "stamp_s": stamp_of(g.second) - stamp_of(g.first)},
+    "yaw itself": lambda g: {**compute_numbers(g), "yaw_rate_radps": parts_of(g.second).radians},
+    "stamp as decimals": lambda g: {**compute_numbers(g), "stamp_s": float(".".join(parts_of(g.second)[:2]))},
+    "stamp of the first": lambda g: {**compute_numbers(g), "stamp_s": stamp_of(g.first)},
 }
 
 TASK = define_task(
@@ -108,8 +108,8 @@ TASK = define_task(
             "stamp_s": Number("s", tolerance=0.0005),
         }
     ),
-    given=two_readings,
+    given=draw_readings,
     variants=6,
-    model=read,
+    model=compute_numbers,
     answers=ANSWERS,
 )

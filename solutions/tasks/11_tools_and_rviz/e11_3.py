@@ -11,8 +11,8 @@ from tflab.workbook.tasks import Choice, Number, Parts, define_task
 LOOKS = 21
 
 
-def a_slow_robot(rng):
-    """Other nodes' rates, everybody's together, a first report, a bend, and what is allowed: enough or not, by turns."""
+def draw_report(rng):
+    """Draw a report with rates of other nodes, a curve and a limit, which is met or not."""
     others = {"robot_state_publisher": float(rng.choice((15.0, 20.0, 25.0))), "localization": 10.0}
     rate = float(rng.choice((2.0, 2.5, 3.0, 4.0)))
     v = w = 0.0
@@ -48,8 +48,8 @@ def report_of(late_s, travel_s, static_s):
     return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)])
 
 
-def judged(given, *, rate="the rest", late="max", curve="chord", period="whole", travel="with the scan"):
-    """Return the five answers, step by step; other steps are the slips."""
+def judge_rates(given, *, rate="the rest", late="max", curve="chord", period="whole", travel="with the scan"):
+    """Return the five answers, step by step; other arguments are mistakes."""
     f = {
         "the rest": given.hz_of_tf - sum(given.sends_hz.values()),
         "everybody": given.hz_of_tf,
@@ -104,7 +104,7 @@ def judged(given, *, rate="the rest", late="max", curve="chord", period="whole",
 
 
 ANSWERS = {
-    "other verdict": lambda g: {**judged(g), "enough": "no" if judged(g)["enough"] == "yes" else "yes"},
+    "other verdict": lambda g: {**judge_rates(g), "enough": "no" if judge_rates(g)["enough"] == "yes" else "yes"},
 }
 
 TASK = define_task(
@@ -121,8 +121,8 @@ TASK = define_task(
             "enough": Choice(("yes", "no")),
         }
     ),
-    given=a_slow_robot,
+    given=draw_report,
     variants=6,
-    model=judged,
+    model=judge_rates,
     answers=ANSWERS,
 )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from tflab.workbook.tasks import Choice, Parts, define_task
 
-from .draws import list_of
+from .draws import make_list
 
 CAUSES = (
     "localiser down", "Fixed Frame misspelt", "joint states missing", "odometry down", "stamps late", "mount wrong",
@@ -26,15 +26,15 @@ JOINTS = (("shoulder_link", "elbow_link"), ("left_wheel", "right_wheel"), ("pan_
 TYPED = ("Map", "maps", "/map", "mpa")
 
 
-def six_lists(rng):
-    """One robot of each kind, in any order; the joints and the name that was typed vary."""
+def draw_lists(rng):
+    """Draw one robot of each kind, in any order, with its joints and a typed name."""
     joints, typed = JOINTS[int(rng.integers(len(JOINTS)))], TYPED[int(rng.integers(len(TYPED)))]
     off = round(float(rng.uniform(0.15, 0.40)), 2)
-    healthy = list_of(moving=joints)
+    healthy = make_list(moving=joints)
     lists = {
-        "localiser down": list_of(without=("odom",), moving=joints),
-        "Fixed Frame misspelt": list_of(fixed_frame=typed, moving=joints),
-        "joint states missing": list_of(without=joints, moving=joints),
+        "localiser down": make_list(without=("odom",), moving=joints),
+        "Fixed Frame misspelt": make_list(fixed_frame=typed, moving=joints),
+        "joint states missing": make_list(without=joints, moving=joints),
         "odometry down": _two_trees(joints),
         "stamps late": f"{healthy}\n\nstanding still the scan lies on the walls; in bends it smears",
         "mount wrong": f"{healthy}\n\nstanding still and in bends the scan lies {off} m beside the walls, "
@@ -44,11 +44,11 @@ def six_lists(rng):
 
 
 def _two_trees(joints):
-    return list_of(without=("base_link",), moving=joints)
+    return make_list(without=("base_link",), moving=joints)
 
 
 def cause_of(text):
-    """Return the cause from what the list says, in the order in which one rules out."""
+    """Return the cause from the list, in the order in which causes are ruled out."""
     if "does not exist" in text.splitlines()[1]:
         return "localiser down" if "map: No transform" not in text else "Fixed Frame misspelt"
     if "not part of the same tree" in text:
@@ -59,7 +59,7 @@ def cause_of(text):
 
 
 def answer(given, instead=None, checks=None):
-    """Return causes and checks; `instead` and `checks` take some of them for others."""
+    """Return causes and checks; `instead` and `checks` replace some of them."""
     instead, checks = instead or {}, {**CHECKS, **(checks or {})}
     row = {}
     for name in NAMES:
@@ -99,7 +99,7 @@ TASK = define_task(
             **{f"{name} check": Choice((*dict.fromkeys(CHECKS.values()), *FURTHER_CHECKS)) for name in NAMES},
         }
     ),
-    given=six_lists,
+    given=draw_lists,
     variants=6,
     answers=ANSWERS,
 )

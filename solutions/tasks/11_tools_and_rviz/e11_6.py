@@ -12,23 +12,23 @@ MOVING = ("odom", "base_footprint", "arm_link", "pan_link", "left_wheel")
 ON_THE_MAST = "mast_top"  # it moves, and the name of a frame that does not stands in its name
 
 
-def reports(rng):
-    """Robots with one late frame: some with stamps from the future, one on the wrong clock, one long running."""
-    usual = [one_report(rng, future=number) for number in (0, 1, 2)]
-    usual.append(one_report(rng, future=0, only="laser_frame"))  # elsewhere another may be as old
-    far_ahead = one_report(rng, future=1, early_s=1.2)  # earlier than anybody is late
-    wrong_clock = one_report(rng, future=0, late_s=1.6e9 + float(rng.uniform(0.0, 9e7)))
-    long_running = one_report(rng, future=1, looks=2000)
-    spiky = one_report(rng, future=0, spike=True)
-    at_once = one_report(rng, future=1, second_s=0.0)  # neither late nor early
-    ahead = one_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
-    slow = one_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
-    restless = one_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
-    alike = one_report(rng, future=1, is_alike=True)
+def draw_reports(rng):
+    """Draw robots with one late frame: stamps from the future, a wrong clock, a long run."""
+    usual = [make_report(rng, future=number) for number in (0, 1, 2)]
+    usual.append(make_report(rng, future=0, only="laser_frame"))  # elsewhere another may be as old
+    far_ahead = make_report(rng, future=1, early_s=1.2)  # earlier than anybody is late
+    wrong_clock = make_report(rng, future=0, late_s=1.6e9 + float(rng.uniform(0.0, 9e7)))
+    long_running = make_report(rng, future=1, looks=2000)
+    spiky = make_report(rng, future=0, spike=True)
+    at_once = make_report(rng, future=1, second_s=0.0)  # neither late nor early
+    ahead = make_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
+    slow = make_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
+    restless = make_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
+    alike = make_report(rng, future=1, is_alike=True)
     return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike]
 
 
-def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None, only="", is_alike=False):  # fmt: skip
+def make_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None, only="", is_alike=False):  # fmt: skip
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
@@ -57,10 +57,10 @@ def one_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, s
     return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)]), sorted(statics)
 
 
-def figures(
+def read_figures(
     report, static_frames, *, keep="moving", late="largest max", ahead="moving", sign="average", net="max",
 ):  # fmt: skip
-    """Return the three figures, step by step; other steps are the slips."""
+    """Return the three figures, step by step; other arguments are mistakes."""
     rows = re.findall(r"Frame: (\S+), .*Average Delay: (\S+), Max Delay: (\S+)", report)
     texts = {frame: largest for frame, _, largest in rows}
     rows = every = [(frame, float(average), float(largest)) for frame, average, largest in rows]
@@ -106,7 +106,7 @@ TASK = define_task(
     points=4,
     answer="read_monitor",
     form=Parts({"late": Name(), "future": Set(Name()), "delay_s": Number("s", tolerance=1e-4)}),
-    inputs=reports,
+    inputs=draw_reports,
     variants=3,
-    model=figures,
+    model=read_figures,
 )

@@ -10,7 +10,7 @@ PAIRS = (
 )  # fmt: skip
 
 
-def frames_and_rate(rng):
+def draw_frames_and_rate(rng):
     first, second = (PAIRS[i] for i in rng.permutation(len(PAIRS))[:2])
     return {
         "echo_of": first[1],
@@ -28,9 +28,9 @@ ECHO = {
 }
 
 
-def lines(given, *, order="in first", rate="given", chain="given", clock="simulated", who="--verbose",
+def write_lines(given, *, order="in first", rate="given", chain="given", clock="simulated", who="--verbose",
           package="tf2_ros", tool="tf2_monitor"):  # fmt: skip
-    """Return the three lines, step by step; other steps are the slips."""
+    """Return the three lines, step by step; other arguments are mistakes."""
     frames = (given.echo_in, given.echo_of) if order == "in first" else (given.echo_of, given.echo_in)
     hz = {
         "given": f" {given.echo_hz}",
@@ -78,7 +78,7 @@ TASK = define_task(
     points=2,
     answer="commands",
     form=Parts({"value": Command(), "late": Command(), "who": Command()}),
-    given=frames_and_rate,
+    given=draw_frames_and_rate,
     variants=6,
-    model=lines,
+    model=write_lines,
 )

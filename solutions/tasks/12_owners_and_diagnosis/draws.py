@@ -1,4 +1,4 @@
-"""What several tasks of this chapter draw: patients, and what belongs to each cause."""
+"""Draw patients and the values of each cause for several tasks of chapter 12."""
 
 from __future__ import annotations
 
@@ -34,28 +34,28 @@ TRIES = 8  # of drawing a patient again
 STORED = Path(__file__).with_name("patients.json.xz")  # `make patients` writes it
 
 
-def admitted(rng, groups):
-    """Return a stored patient of one of the complaints in each group: to simulate one takes seconds."""
+def draw_patients(rng, groups):
+    """Draw a stored patient of one of the complaints in each group."""
     drawn = []
     for complaints in groups:
         suspects = COMPLAINTS[complaints[int(rng.integers(len(complaints)))]].suspects
-        drawn.append(stored_patient(rng, suspects[int(rng.integers(len(suspects)))]))
+        drawn.append(draw_stored_patient(rng, suspects[int(rng.integers(len(suspects)))]))
     return drawn
 
 
-def stored_patient(rng, cause):
-    """Return one of the stored patients that have a cause."""
+def draw_stored_patient(rng, cause):
+    """Draw one of the stored patients with a cause."""
     rows = _stored()["by cause"][cause]
     return SickRobot(*rows[int(rng.integers(len(rows)))])
 
 
-def one_of_each(rng, made=None):
+def draw_one_of_each(rng, made=None):
     """Return a patient of each cause, in any order, who all say the same.
 
     Args:
         made: returns the patients of some admissions; those of the public seed are stored, others are simulated.
     """
-    made = made or made_or_stored
+    made = made or load_or_simulate
     causes = [SUSPECTS[place] for place in rng.permutation(len(SUSPECTS))]
     found = made([Admission((cause,), draw_numbers(rng), "") for cause in causes])
     for _ in range(TRIES):
@@ -69,8 +69,8 @@ def one_of_each(rng, made=None):
     raise ValueError(f"after {TRIES} draws no patient's readings fit its cause alone: {unclear_causes}")
 
 
-def made_or_stored(admissions):
-    """Return the patients that these admissions make: stored ones, else simulated."""
+def load_or_simulate(admissions):
+    """Return the patients of some admissions from the store, or simulate them."""
     stored = _stored()["by admission"]
     names = [admission_name(admission) for admission in admissions]
     new = [admission for admission, name in zip(admissions, names, strict=True) if name not in stored]

@@ -17,17 +17,17 @@ FINDERS = (
 )  # fmt: skip
 
 
-def a_robot(rng):
-    """Draw what the robot is for, and whether wheels and imu are fused."""
+def draw_robot(rng):
+    """Draw the robot's purpose, and whether odometry and IMU are fused."""
     return {
         "map_frame": str(rng.choice(list(LOCALIZERS))),
         "odometry": str(rng.choice(["wheels alone", "wheels and imu, fused by ekf_filter_node"])),
     }
 
 
-def owners(given, *, finder="by the map", odom="one", localizer="its edge", switches="as needed", lidar="quiet",
+def assign_owners(given, *, finder="by the map", odom="one", localizer="its edge", switches="as needed", lidar="quiet",
            arm="by the drawing"):  # fmt: skip
-    """Return the owner of each edge and every switch, step by step; other steps are the slips."""
+    """Return the owner of each edge and every switch, step by step; other arguments are mistakes."""
     right = list(LOCALIZERS).index(given.map_frame)
     finder = FINDERS[right][("by the map", "the other", "the third").index(finder)]
     fused = "ekf" in given.odometry
@@ -73,7 +73,7 @@ TASK = define_task(
     form=Parts(
         {**{edge: Choice(NODES) for edge in EDGES}, **{switch: Choice(("True", "False")) for switch in SWITCHES}}
     ),
-    given=a_robot,
+    given=draw_robot,
     variants=6,
-    model=owners,
+    model=assign_owners,
 )

@@ -6,7 +6,7 @@ import re
 
 from tflab.workbook.tasks import Choice, Parts, define_task
 
-from .draws import stored_patient
+from .draws import draw_stored_patient
 
 STATES = ("one owner", "nobody", "two owners", "another edge", "a misspelt parent")
 NODES = ("wheel_odometry", "ekf_filter_node", "localization", "laser_mount", "none")
@@ -35,9 +35,9 @@ COUNT = r"^(?:Type|Publisher count|Subscription count): .*"
 MOVING = r"(?:odom|base_footprint): \\n(?:  \S+: \S+?\\n)+"
 
 
-def five(rng):
-    """Draw five robots, run their tools, and put what they print into any order."""
-    shown = [_shown(stored_patient(rng, cause)) for cause in TERMINALS.values()]
+def draw_terminals(rng):
+    """Draw five robots, run their tools, and shuffle the outputs."""
+    shown = [_shown(draw_stored_patient(rng, cause)) for cause in TERMINALS.values()]
     return {place: shown[int(number)] for place, number in zip(PLACES, rng.permutation(len(shown)), strict=True)}
 
 
@@ -61,7 +61,7 @@ def _shown(patient):
 
 
 def state_of(text):
-    """Return what a terminal shows."""
+    """Return the state that a terminal shows."""
     if "Failure at" in text:
         return "another edge"
     if "wheel_odometry" not in text:
@@ -71,8 +71,8 @@ def state_of(text):
     return "one owner" if re.search(r"base_footprint: *\n +parent: 'odom'", text) else "a misspelt parent"
 
 
-def told(given, *, odm="misspelt", calm="one", count="endpoints", another="another edge", nobody="nobody"):
-    """Return state, node and cure of each terminal, step by step; other steps are the slips."""
+def diagnose(given, *, odm="misspelt", calm="one", count="endpoints", another="another edge", nobody="nobody"):
+    """Return state, node and fix of each terminal, step by step; other arguments are mistakes."""
     answers = {}
     for place in PLACES:
         state = seen = state_of(getattr(given, place))
@@ -103,8 +103,8 @@ TASK = define_task(
             for what, options in (("state", STATES), ("node", NODES), ("cure", CURES))
         }
     ),
-    given=five,
+    given=draw_terminals,
     variants=3,
     is_costly=True,
-    model=told,
+    model=diagnose,
 )

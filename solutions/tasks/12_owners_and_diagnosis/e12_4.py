@@ -6,7 +6,7 @@ from tflab.clinic.cures import DIAGNOSES
 from tflab.clinic.proof import shortest_proof
 from tflab.workbook.tasks import Choice, Parts, Proof, define_task
 
-from .draws import CAUSES, FIXES, FRAMES, OWNERS, admitted, cause_of, everything
+from .draws import CAUSES, FIXES, FRAMES, OWNERS, cause_of, draw_patients, everything
 
 GROUPS = (("no map", "no robot", "no scan"), ("jumps", "beside the walls"), ("flickers",))
 FORMS = {
@@ -19,13 +19,13 @@ FORMS = {
 PARTS = {f"{who} {what}": form for who in "abc" for what, form in FORMS.items()}
 
 
-def three(rng):
-    """Draw one who shows too little, one who shows something wrong, and one whose time is out of joint."""
-    return dict(zip("abc", admitted(rng, GROUPS), strict=True))
+def draw_three(rng):
+    """Draw a patient that shows too little, one that shows something wrong, and one with a time fault."""
+    return dict(zip("abc", draw_patients(rng, GROUPS), strict=True))
 
 
 def right(given):
-    """Return what is right, worked out from all evidence."""
+    """Return the right answer from all evidence."""
     answers = {}
     for who in "abc":
         cause = cause_of(getattr(given, who))
@@ -35,7 +35,7 @@ def right(given):
 
 
 def but(what, value):
-    """Return the right answers, but for one kind of part another value in all three patients."""
+    """Return the right answers with another value for one part in all three patients."""
     return lambda given: right(given) | {f"{who} {what}": value for who in "abc"}
 
 
@@ -55,7 +55,7 @@ TASK = define_task(
     points=6,
     answer="patients",
     form=Parts(PARTS),
-    given=three,
+    given=draw_three,
     variants=6,
     is_costly=True,
     answers=ANSWERS,

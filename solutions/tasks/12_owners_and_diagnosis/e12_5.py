@@ -15,8 +15,8 @@ BAGS = {
 OWNERS = ("localization", "wheel_odometry", "ekf_filter_node", "robot_state_publisher", "camera_driver")
 
 
-def a_specification(rng):
-    """Draw a robot's name, its camera, and whether it fuses."""
+def draw_specification(rng):
+    """Draw a robot's name, its camera, and whether it fuses odometry."""
     return {
         "robot": str(rng.choice(["alpha", "bravo", "carrier2", "dolly"])),
         "sensor": str(rng.choice(["camera", "rgb", "depth"])),
@@ -30,7 +30,7 @@ def robot(
     more="nothing", moving="again and again", mounts="static", localizer="map to odom", fuse="as given", owner="one",
     driver="quiet", bag="all",
 ):  # fmt: skip
-    """Return the robot, step by step; other steps are the slips."""
+    """Return the robot, step by step; other arguments are mistakes."""
     odom, foot, base = "odom", "base_footprint", "base_link"
     link, seen = f"{given.sensor}_link", f"{given.sensor}_optical_frame"
     tree = {odom: "map", foot: odom, base: foot, link: {"on the base": base, "on the footprint": foot}[camera]}
@@ -66,7 +66,7 @@ def robot(
 
 
 def _called(tree, given, prefix, sensors, bare):
-    """Return a tree with the robot's name before its frames; before which of them, `prefix` says."""
+    """Return a tree with the robot's name before the frames that `prefix` selects."""
 
     def name(frame, side):
         without = {
@@ -96,7 +96,7 @@ TASK = define_task(
             "bag": Set(Name(topic=True)),
         }
     ),
-    given=a_specification,
+    given=draw_specification,
     variants=6,
     model=robot,
 )

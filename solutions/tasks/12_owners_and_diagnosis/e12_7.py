@@ -5,14 +5,14 @@ from __future__ import annotations
 from tflab.clinic.cures import DIAGNOSES
 from tflab.workbook.tasks import Choice, Parts, Proof, define_task
 
-from .draws import CAUSES, FRAMES, everything, one_of_each
+from .draws import CAUSES, FRAMES, draw_one_of_each, everything
 
 PARENTS = {"odom": "map", "base_footprint": "odom", "laser_frame": "base_link"}
 
 
-def eighteen(rng):
-    """One patient of each cause."""
-    return [(patient,) for patient in one_of_each(rng)]
+def draw_patients(rng):
+    """Draw one patient of each cause."""
+    return [(patient,) for patient in draw_one_of_each(rng)]
 
 
 def treat(
@@ -30,7 +30,7 @@ def treat(
     named="map",
     late="all that move",
 ):
-    """Return the verdict, step by step; other steps are the slips."""
+    """Return the verdict, step by step; other arguments are mistakes."""
     if asks == "everything":
         for check in everything():
             patient.ask(check)
@@ -116,7 +116,7 @@ TASK = define_task(
     points=5,
     answer="triage",
     form=Parts({"cause": Choice(CAUSES), "frame": Choice(FRAMES), "proof": Proof(whole=True)}),
-    inputs=eighteen,
+    inputs=draw_patients,
     variants=1,
     is_costly=True,
     model=treat,
