@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 01 · Three numbers are not a place yet
+# # Exercises 01 · Value, frame and stamp
 #
-# Seven tasks, 23 points, about 50 minutes. The page they belong to: [01 · Three numbers are not a place yet](../../notebooks/en/01_value_frame_stamp.ipynb)
+# Seven tasks, 23 points, about 50 minutes. The page they belong to: [01 · Value, frame and stamp](../../notebooks/en/01_value_frame_stamp.ipynb)
 #
 # Run the two cells below first. Then write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E1.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E1.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E1.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you worked out elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 01 · 숫자 세 개는 아직 위치가 아닙니다
@@ -27,11 +27,11 @@ from geometry_msgs.msg import PointStamped
 from rclpy.time import Time
 
 # %% [markdown] lang="en" name="e1-1"
-# ## E1.1 · One place, three triples (4 points)
+# ## E1.1 · One position, three sets of coordinates (4 points)
 #
-# A robot stands at `map_p_base` in `map` and looks along the map's x. Its laser sits at `base_p_laser` in `base_link` and looks the same way.
-# The laser sees a post at `laser_p_post`. Nobody is turned.
-# What is given are lists of three numbers, and `+` between two lists joins them: add x to x, y to y, z to z.
+# A robot is at `map_p_base` in `map` and faces along the map's x. Its laser is mounted at `base_p_laser` in `base_link` and faces the same way.
+# The laser detects a post at `laser_p_post`. No frame is rotated.
+# The data are lists of three numbers, and `+` between two lists joins them. So add x to x, y to y, z to z.
 #
 # Where is the post in `base_link`, and where in `map`? Give (x, y, z) for each.
 
@@ -60,14 +60,14 @@ check("E1.1", post)
 # %% [markdown] lang="en" name="e1-2"
 # ## E1.2 · Which message can be used? (3 points)
 #
-# The clock says 60.0 s. Six messages have come in; every topic's node is alive, and the robot's frames are `map`, `odom`, `base_link`, `laser_frame`, `camera_link` and `camera_optical_frame`.
-# For each, choose `"usable"`, `"no frame"`, `"no stamp"` or `"label contradicts numbers"`.
+# The time is 60.0 s. Six messages have arrived. The node of every topic is running, and the robot's frames are `map`, `odom`, `base_link`, `laser_frame`, `camera_link` and `camera_optical_frame`.
+# For each, choose `"usable"`, `"no frame"`, `"no stamp"` or `"label contradicts numbers"` (the frame name does not fit the numbers).
 #
 # - **a** `/scan` of the laser: `frame_id: laser_frame`, stamp 59.9, ranges between 0.4 and 9.8
 # - **b** `/detected_point` of the camera's detector: `frame_id: ''`, stamp 59.8, point (0.1, 0.2, 3.1)
 # - **c** `/apple` of the camera's detector: `frame_id: camera_optical_frame`, stamp 0.0, point (0.0, 0.1, 2.2)
 # - **d** `/landmark` of a node that keeps a list of lamps: `frame_id: map`, stamp 31.2, point (7.5, 2.0, 2.6)
-# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same three numbers wherever the robot stands in front of a door
+# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same coordinates wherever the robot is in front of a door
 # - **f** `/battery_tray` of a mechanic: `frame_id: base_link`, stamp 12.0, point (−0.1, 0.0, 0.2)
 
 # %% [markdown] lang="ko" name="e1-2"
@@ -99,15 +99,15 @@ verdicts = {
 check("E1.2", verdicts)
 
 # %% [markdown] lang="en" name="e1-3"
-# ## E1.3 · A reader that refuses (4 points)
+# ## E1.3 · A receiver that rejects (4 points)
 #
 # Write the first lines of a node's callback. `message` is a `PointStamped`, `now` a `Time`, `max_age_s` a number of seconds.
-# Return, and in this order of looking:
+# Check in this order, and return:
 #
 # 1. `"no frame"` if the frame is empty,
 # 2. `"no stamp"` if the stamp is zero,
 # 3. `"from the future"` if it was measured after `now`,
-# 4. `"too old"` if it is older than `max_age_s`; exactly that old is still good,
+# 4. `"too old"` if it is older than `max_age_s` (exactly `max_age_s` is still accepted),
 # 5. `"use it"` otherwise.
 
 # %% [markdown] lang="ko" name="e1-3"
@@ -143,10 +143,10 @@ def judge(message, now, max_age_s):
 check("E1.3", judge)
 
 # %% [markdown] lang="en" name="e1-4"
-# ## E1.4 · How far ahead by now? (3 points)
+# ## E1.4 · How far ahead is it now? (3 points)
 #
-# A robot drives straight towards a post that rests, at `speed_mps`. A message says that the post was `ahead_m` ahead of `base_link`.
-# Its stamp is `stamp`, it arrived at `arrived`; both are written as a message has them, (sec, nanosec).
+# A robot drives straight towards a post at rest, at `speed_mps`. A message contains the distance to the post: `ahead_m` ahead of `base_link`.
+# Its stamp is `stamp`, and it arrived at `arrived`. Both are given as in a message, (sec, nanosec).
 #
 # How old [s] was the measurement on arrival, and how far ahead [m] was the post then?
 
@@ -172,10 +172,10 @@ on_arrival = {"age_s": age_s, "ahead_m": ahead_on_arrival_m}
 check("E1.4", on_arrival)
 
 # %% [markdown] lang="en" name="e1-5"
-# ## E1.5 · Whose numbers change? (3 points)
+# ## E1.5 · Which coordinates change? (3 points)
 #
-# The robot drives straight on. A **ball** lies on the floor, a **cup** stands on the robot's tray, and the **lamp** is one that a second robot carries, which drives the other way.
-# For each thing and each frame: do its numbers stay what they are (`"stays"`), or not (`"changes"`)?
+# The robot drives straight on. A **ball** lies on the floor, a **cup** stands on the robot's tray, and a second robot, which drives the other way, carries a **lamp**.
+# For each object and each frame: do its coordinates stay the same (`"stays"`), or not (`"changes"`)?
 
 # %% [markdown] lang="ko" name="e1-5"
 # ## E1.5 · 누구의 숫자가 바뀝니까? (3점)
@@ -202,10 +202,10 @@ numbers = {
 check("E1.5", numbers)
 
 # %% [markdown] lang="en" name="e1-6"
-# ## E1.6 · Write both labels (3 points)
+# ## E1.6 · Fill in frame and stamp (3 points)
 #
-# A range finder looks along the x of `laser_frame`. It measured `range_m` [m] at the time `measured`; your function is called later, at `now`. Both are `Time`.
-# Return the `PointStamped` that an honest driver publishes.
+# A range finder points along the x of `laser_frame`. It measured `range_m` [m] at the time `measured`. Your function is called later, at `now`. Both are `Time`.
+# Return the `PointStamped` that a correct driver publishes.
 
 # %% [markdown] lang="ko" name="e1-6"
 # ## E1.6 · 이름표 두 개를 쓰십시오 (3점)
@@ -230,12 +230,11 @@ def as_message(range_m, measured, now):
 check("E1.6", as_message)
 
 # %% [markdown] lang="en" name="e1-7"
-# ## E1.7 · Four detectors, one honest (3 points)
+# ## E1.7 · Four detectors, one correct (3 points)
 #
-# A robot drives straight along the map's x at `speed_mps`; one ball lies at rest in front of it. Four detectors see it; each of them needs 0.2 s for a picture.
-# `heard` holds five lines of each: (arrival [s], stamp [s], frame, x [m]).
-#
-# Give each its finding: `"honest"`, `"stamp is the arrival"`, `"no stamp"` or `"wrong label"`.
+# A robot drives straight along the map's x at `speed_mps`. One ball lies at rest in front of it. Four detectors detect it; each of them takes 0.2 s for an image.
+# `heard` contains five messages of each: (arrival [s], stamp [s], frame, x [m]).
+# Give each its finding: `"honest"` (correct), `"stamp is the arrival"`, `"no stamp"` or `"wrong label"` (a wrong frame name).
 
 # %% [markdown] lang="ko" name="e1-7"
 # ## E1.7 · 검출기 넷, 정직한 것은 하나 (3점)
@@ -271,8 +270,8 @@ check("E1.7", findings)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
-# On a robot, try `ros2 topic echo --once --field header` on every topic that you mean to use: are both labels there, and are they true?
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# On a robot, try `ros2 topic echo --once --field header` on every topic that you want to use: are frame and stamp there, and are they right?
 #
 # **Next:** [02 Axes and quaternions](../../notebooks/en/02_axes_and_quaternions.ipynb).
 

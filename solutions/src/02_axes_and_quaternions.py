@@ -1,10 +1,10 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 02 · Which way is forward?
+# # Exercises 02 · Axes and quaternions
 #
 # Seven tasks, 21 points, about 40 minutes. The page of this chapter is [here](../../notebooks/en/02_axes_and_quaternions.ipynb).
 #
-# Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
-# `check` tells you which mistake it was; `hint("E2.2")` helps, one step at a time. Both may be used as often as you like.
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# The reply to a wrong answer names the mistake. `hint("E2.1")` gives the first of three hints.
 #
 # Have your right hand ready.
 # After a pass, or three tries, `solution("E2.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
@@ -67,10 +67,9 @@ signs = {
 check("E2.1", signs)
 
 # %% [markdown] lang="en" name="e2-2"
-# ## E2.2 · From the picture to the camera (3 points)
+# ## E2.2 · From the optical frame to the camera (3 points)
 #
 # A detector reports a part in `camera_optical_frame` [m]. Where is it in `camera_link`?
-#
 # Predict first: is it left or right of the camera, above or below?
 
 # %% [markdown] lang="ko" name="e2-2"
@@ -95,7 +94,7 @@ check("E2.2", camera_p_part)
 # %% [markdown] lang="en" name="e2-3"
 # ## E2.3 · The quaternion of a yaw (3 points)
 #
-# Write the function that every planar robot needs: a yaw in radians becomes a quaternion (x, y, z, w).
+# Write the function that every planar robot needs: convert a yaw in radians to a quaternion (x, y, z, w).
 # No library, only `math`.
 
 # %% [markdown] lang="ko" name="e2-3"
@@ -115,10 +114,10 @@ def quaternion_from_yaw(yaw_rad):
 check("E2.3", quaternion_from_yaw)
 
 # %% [markdown] lang="en" name="e2-4"
-# ## E2.4 · A customs officer for quaternions (4 points)
+# ## E2.4 · Check a quaternion (4 points)
 #
-# TF refuses a bad quaternion two programs away from where it was made. You do it at the border.
-# The robot drives on a flat floor, so a good quaternion turns only about z.
+# A listener rejects a bad quaternion, two programs away from its source. Your function checks it where it enters your program.
+# The robot drives on a flat floor, so a good quaternion rotates only about z.
 # Return the first verdict that fits, in this order:
 #
 # | verdict | when |
@@ -126,7 +125,7 @@ check("E2.3", quaternion_from_yaw)
 # | `"nan"` | one of the four is not finite (NaN or infinite) |
 # | `"zero"` | the length is zero (below 0.000001) |
 # | `"not unit"` | the length differs from 1 by more than 0.01 |
-# | `"w first"` | x or y is larger than 0.1 in size: on a flat floor, somebody wrote w first |
+# | `"w first"` | x or y is larger than 0.1 in size: on a flat floor, w was written first |
 # | `"ok"` | none of these |
 
 # %% [markdown] lang="ko" name="e2-4"
@@ -165,7 +164,7 @@ check("E2.4", judge_quaternion)
 # %% [markdown] lang="en" name="e2-5"
 # ## E2.5 · First the yaw, then the pitch (3 points)
 #
-# A sensor is on a bench, aligned with the robot. You turn it **first** by a yaw about the robot's z, **then** by a pitch about the robot's y. Both axes are fixed to the robot.
+# A sensor is on a bench, aligned with the robot. You rotate it **first** by a yaw about the robot's z, **then** by a pitch about the robot's y. Both axes are fixed to the robot.
 # What is the sensor's rotation in the robot's frame, as a quaternion (x, y, z, w)?
 
 # %% [markdown] lang="ko" name="e2-5"
@@ -190,12 +189,12 @@ check("E2.5", robot_q_sensor)
 # %% [markdown] lang="en" name="e2-6"
 # ## E2.6 · A cloud at ninety degrees (3 points)
 #
-# A depth camera looks straight ahead at a wall. Its cloud, right in its own optical axes, lies wrongly in RViz (Fixed Frame: `base_link`).
-# Here is the evidence: the cloud's header, and what `tf2_echo` says of the two mounts. One of the three is not as it should be.
+# A depth camera looks straight ahead at a wall. Its cloud is right in its own optical axes, but wrong in RViz (Fixed Frame: `base_link`).
+# Here is the evidence: the cloud's header, and the output of `tf2_echo` for the two mounts. One of the three is wrong.
 #
 # - `"wall_appears"`: where does the wall appear? `"ahead"`, `"above"`, `"left"` or `"right"`
 # - `"fault"`: what is wrong? `"header"`, `"mount of camera_link"`, `"mount of camera_optical_frame"`, `"data"` or `"quaternion"`
-# - `"change"`: where do you mend it? `"driver"`, `"URDF"` or `"my node"`
+# - `"change"`: where do you fix it? `"driver"`, `"URDF"` or `"my node"`
 
 # %% [markdown] lang="ko" name="e2-6"
 # ## E2.6 · 90° 돌아간 클라우드 (3점)
@@ -231,9 +230,9 @@ diagnosis = {
 check("E2.6", diagnosis)
 
 # %% [markdown] lang="en" name="e2-7"
-# ## E2.7 · A few digits too few (2 points)
+# ## E2.7 · Too few digits (2 points)
 #
-# A URDF should turn a camera's mount by π/2 of yaw, and somebody wrote it with too few digits.
+# A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote it with too few digits.
 # How far off sideways is a point at this range [mm], to the nearest millimetre or finer, as a number without a sign?
 
 # %% [markdown] lang="ko" name="e2-7"
@@ -256,8 +255,8 @@ check("E2.7", off_mm)
 # %% [markdown] lang="en" name="end"
 # ## Done
 #
-# Everything green? Then look at one more thing: run `hint("E2.2")` and ask yourself whether you could have written that hint.
-# Whoever can help others with a mistake will not make it again.
+# Everything passed? Then run `hint("E2.2")` and ask yourself whether you could have written that hint.
+# If you can help others with a mistake, you will not make it again.
 #
 # **Next:** [03 · Target and source](../../notebooks/en/03_target_and_source.ipynb).
 

@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title" slide="slide"
-# # Exercises 03 · Data in …, wanted in …
+# # Exercises 03 · Target and source
 #
 # Seven tasks, 26 points, about 45 minutes.
-# The page they belong to: [03 · Data in …, wanted in …](../../notebooks/en/03_target_and_source.ipynb).
+# The page they belong to: [03 · Target and source](../../notebooks/en/03_target_and_source.ipynb).
 #
-# Write your answer where the dots are, run the cell, then run the check below it.
-# A check never punishes: it names the mistake, and you try again.
-# Stuck? `hint("E3.1")` gives one hint at a time, three in all.
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
+# The reply to a wrong answer names the mistake, and you can try again as often as you like.
+# `hint("E3.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E3.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -33,12 +33,12 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e3-1" slide="slide"
 # ## E3.1 · Four sentences, four calls (4 points)
 #
-# Write the two frames of `lookup_transform(…, …, time)` for each, in the order of the call, as a pair of names: `['odom', 'map']`, say.
+# Write the two frames of `lookup_transform(…, …, time)` for each, in the order of the call, as a pair of names such as `['odom', 'map']`.
 #
-# - **a** Obstacles come from the laser; paint them on the map.
+# - **a** Obstacles come from the laser; draw them on the map.
 # - **b** The goal is given in the map; the controller works in `base_link`.
-# - **c** Where is `camera_link` on the robot, seen from `base_link`?
-# - **d** The robot's middle is to be marked in the picture of the laser, which is drawn in `laser_frame`.
+# - **c** Where is `camera_link` on the robot, expressed in `base_link`?
+# - **d** Draw the origin of `base_link` into the laser's picture, which is drawn in `laser_frame`.
 
 # %% [markdown] lang="ko" name="e3-1" slide="slide"
 # ## E3.1 · 문장 네 개, 호출 네 개 (4점)
@@ -64,13 +64,13 @@ calls = {
 check("E3.1", calls)
 
 # %% [markdown] lang="en" name="e3-2" slide="slide"
-# ## E3.2 · A corner seen by a turned laser (4 points)
+# ## E3.2 · A corner seen by a rotated laser (4 points)
 #
-# The laser is turned on its mount, and the robot is turned on the map.
-# It sees a corner at `laser_p_corner`.
+# The laser is mounted rotated, and the robot is rotated in the map.
+# The laser detects a corner at `laser_p_corner`.
 # Where is the corner in `base_link`, and where in `map`?
 #
-# `e3_2.base_T_laser.apply(point)` moves a point; `@` joins transforms that match.
+# `e3_2.base_T_laser.apply(point)` transforms a point. `@` chains transforms that match.
 
 # %% [markdown] lang="ko" name="e3-2" slide="slide"
 # ## E3.2 · 돌려서 장착한 레이저가 본 모서리 (4점)
@@ -96,13 +96,13 @@ corner = {
 check("E3.2", corner)
 
 # %% [markdown] lang="en" name="e3-3" slide="slide"
-# ## E3.3 · The way back (4 points)
+# ## E3.3 · The inverse (4 points)
 #
-# In the plane, a pose is three numbers: where b sits in a (`x`, `y`), and how far it is turned (`yaw`).
-# Return where **a sits in b**, in the same form.
+# In the plane, a pose has three numbers: the position of b in a (`x`, `y`), and its rotation (`yaw`).
+# Return the pose of **a in b**, in the same form.
 # Use paper, `math.cos` and `math.sin`; no library needed.
 #
-# One formula is all you need: (u, v), turned by an angle α, is (u·cos α − v·sin α, u·sin α + v·cos α).
+# One formula is all you need: (u, v), rotated by an angle α, is (u·cos α − v·sin α, u·sin α + v·cos α).
 
 # %% [markdown] lang="ko" name="e3-3" slide="slide"
 # ## E3.3 · 돌아가는 길 (4점)
@@ -130,7 +130,7 @@ check("E3.3", invert)
 # ## E3.4 · Two dominoes into one (4 points)
 #
 # `[a|b][b|c]` is `[a|c]`.
-# Given where b sits in a, and where c sits in b, return where c sits in a.
+# You get the pose of b in a, and the pose of c in b. Return the pose of c in a.
 # Poses and the formula are those of E3.3.
 
 # %% [markdown] lang="ko" name="e3-4" slide="slide"
@@ -157,14 +157,14 @@ def compose(a_pose_b, b_pose_c):
 check("E3.4", compose)
 
 # %% [markdown] lang="en" name="e3-5" slide="slide"
-# ## E3.5 · tf2_echo, both ways (3 points)
+# ## E3.5 · tf2_echo in both directions (3 points)
 #
-# This is what `ros2 run tf2_ros tf2_echo base_link laser_frame` printed on some robot.
-# Read it, and say what the other way round would print.
-# The first lines of the answer cell read the numbers for you, into `x`, `y`, `z` and `yaw`; typing them yourself is as good.
+# This is what `ros2 run tf2_ros tf2_echo base_link laser_frame` printed on a robot.
+# Read it, and say what it would print with the frames swapped.
+# The first lines of the answer cell read the numbers for you, into `x`, `y`, `z` and `yaw`. You may also type them yourself.
 #
-# - `laser_in_base`: where the laser sits in `base_link`, (x, y, z) [m]
-# - `base_in_laser`: where `base_link` sits in the laser, (x, y, z) [m]
+# - `laser_in_base`: the position of the laser in `base_link`, (x, y, z) [m]
+# - `base_in_laser`: the position of `base_link` in the laser's frame, (x, y, z) [m]
 # - `yaw_back`: the yaw [rad] that `tf2_echo laser_frame base_link` prints
 
 # %% [markdown] lang="ko" name="e3-5" slide="slide"
@@ -197,9 +197,9 @@ both_ways = {
 check("E3.5", both_ways)
 
 # %% [markdown] lang="en" name="e3-6" slide="slide"
-# ## E3.6 · Bolt the camera on (4 points)
+# ## E3.6 · Mount the camera (4 points)
 #
-# `camera_link` is to be bolted onto `base_link`: `ahead_m` in front of its middle, `up_m` above it, and turned to the left by `yaw_deg` **degrees**.
+# `camera_link` is mounted on `base_link`: `ahead_m` in front of its origin, `up_m` above it, and rotated to the left by `yaw_deg` **degrees**.
 # Fill in the message that a static broadcaster would send. Leave the stamp as it is.
 
 # %% [markdown] lang="ko" name="e3-6" slide="slide"
@@ -229,7 +229,7 @@ check("E3.6", camera_mount)
 # %% [markdown] lang="en" name="e3-7" slide="slide"
 # ## E3.7 · Three nodes, one swap (3 points)
 #
-# One of three nodes has target and source the wrong way round. No error was ever logged.
+# One of three nodes has swapped target and source. No error was ever logged.
 #
 # ```python
 # # node_a: stops for obstacles; the bumper is known in base_link
@@ -287,10 +287,10 @@ check("E3.7", verdict)
 # %% [markdown] lang="en" name="done" slide="slide"
 # ## Done?
 #
-# On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and the other way round.
+# On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and then with the frames swapped.
 # Predict the second before you look: that is line 2 of your checklist.
 #
-# **Next:** [04 · One parent each, and nobody checks](../../notebooks/en/04_frame_tree.ipynb).
+# **Next:** [04 · The tree of frames](../../notebooks/en/04_frame_tree.ipynb).
 
 # %% [markdown] lang="ko" name="done" slide="slide"
 # ## 다 했다면

@@ -1,10 +1,10 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 04 · One parent each, and nobody checks
+# # Exercises 04 · The tree of frames
 #
-# Seven tasks, 24 points, about 60 minutes. The page they belong to: [04 · One parent each, and nobody checks](../../notebooks/en/04_frame_tree.ipynb)
+# Seven tasks, 24 points, about 60 minutes. The page they belong to: [04 · The tree of frames](../../notebooks/en/04_frame_tree.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E4.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E4.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E4.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your frames come from `task(...)` and may differ from your neighbour's.
 
@@ -28,10 +28,10 @@ from difflib import get_close_matches
 from tf2_ros import ConnectivityException
 
 # %% [markdown] lang="en" name="e4-1"
-# ## E4.1 · One letter too few (3 points)
+# ## E4.1 · One missing letter (3 points)
 #
-# `e4_1.edges` are the edges of a robot as `frames.gv` has them, pairs (parent, child). One of the names is misspelt in one place, and the tree is two.
-# Give the mended tree as a dict, child → parent, with all its edges. You may read the edges and type it, or compute it: `get_close_matches(word, names, n=1)` of Python's `difflib` returns a list of the one name that is most like a word.
+# `e4_1.edges` are the edges of a robot as in `frames.gv`, pairs (parent, child). One of the names is misspelt in one place, so there are two trees.
+# Give the corrected tree as a dict, child → parent, with all its edges. You may read the edges and type it, or compute it: `get_close_matches(word, names, n=1)` of Python's `difflib` returns a list with the most similar name.
 
 # %% [markdown] lang="ko" name="e4-1"
 # ## E4.1 · 한 글자가 모자랍니다 (3점)
@@ -57,12 +57,12 @@ check("E4.1", mended)
 # %% [markdown] lang="en" name="e4-2"
 # ## E4.2 · Five listings (5 points)
 #
-# `e4_2.a` to `e4_2.e` each list what was heard on a robot: rows (parent, child, node). For each letter:
+# `e4_2.a` to `e4_2.e` each list what was received on a robot: rows (parent, child, node). For each letter:
 #
 # - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"` (two nodes send the same edge);
-# - `"a child"`: the name of the child at fault: the one that hangs below a misspelt parent, has two parents, or two owners. For a healthy robot and for a loop: `"none"`.
+# - `"a child"`: the name of the child at fault: the one that has a misspelt parent, two parents, or two owners. For a healthy robot and for a loop: `"none"`.
 #
-# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`. The cell prints the listings; reading them is enough.
+# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`. The cell prints the listings; you only need to read them.
 
 # %% [markdown] lang="ko" name="e4-2"
 # ## E4.2 · 목록 다섯 개 (5점)
@@ -107,8 +107,8 @@ check("E4.2", finding)
 # %% [markdown] lang="en" name="e4-3"
 # ## E4.3 · Up, then down (5 points)
 #
-# `parent_of` is a tree without loops, a dict child → parent. Return the steps from `source` to `target`, no step more than needed: a list of pairs (child, `"up"`) or (child, `"down"`), each step named after the child of its edge.
-# From a frame to itself there is no step: an empty list. Where no way leads across, raise `ConnectivityException`.
+# `parent_of` is a tree without loops, a dict child → parent. Return the steps from `source` to `target`, as few as possible: a list of pairs (child, `"up"`) or (child, `"down"`), each step named after the child of its edge.
+# From a frame to itself there is no step: return an empty list. If there is no path, raise `ConnectivityException`.
 
 # %% [markdown] lang="ko" name="e4-3"
 # ## E4.3 · 올라갔다가 내려갑니다 (5점)
@@ -140,8 +140,8 @@ check("E4.3", path)
 # %% [markdown] lang="en" name="e4-4"
 # ## E4.4 · Two robots, one map (3 points)
 #
-# `e4_4.edges` is the tree of one robot, pairs (parent, child), its names bare. Two such robots shall share `map`, and nothing else; `e4_4.prefixes` are their names.
-# Give the tree of both together as a dict, child → parent; a frame of the first robot is called as in `robot1/odom`.
+# `e4_4.edges` is the tree of one robot, pairs (parent, child), without prefixes. Two such robots share `map`, and no other frame; `e4_4.prefixes` are their names.
+# Give the tree of both together as a dict, child → parent. A frame of the first robot is named as in `robot1/odom`.
 
 # %% [markdown] lang="ko" name="e4-4"
 # ## E4.4 · 로봇 두 대, 지도 하나 (3점)
@@ -164,15 +164,15 @@ for robot in e4_4.prefixes:
 check("E4.4", fleet)
 
 # %% [markdown] lang="en" name="e4-5"
-# ## E4.5 · What becomes of this name? (3 points)
+# ## E4.5 · What happens to this name? (3 points)
 #
-# `e4_5.lines` has eight lines, a to h: what a node sends (parent → child), or what somebody asks. `fates` is a dict with the eight letters; for each:
+# `e4_5.lines` has eight lines, a to h: what a node sends (parent → child), or a lookup. `fates` is a dict with the eight letters; for each:
 #
 # - `"kept as odom"`: it is stored, and found as `odom`
 # - `"another frame"`: it is stored under a name that is not `odom`
 # - `"refused when sent"`: nothing is stored
-# - `"refused when asked"`: the question itself is malformed
-# - `"shared by accident"`: two robots mean two things by one name
+# - `"refused when asked"`: the lookup itself is malformed
+# - `"shared by accident"`: two robots use one name for two frames
 
 # %% [markdown] lang="ko" name="e4-5"
 # ## E4.5 · 이 이름은 어떻게 될까요? (3점)
@@ -211,9 +211,9 @@ fates = {
 check("E4.5", fates)
 
 # %% [markdown] lang="en" name="e4-6"
-# ## E4.6 · Who has several owners? (3 points)
+# ## E4.6 · Which children have several owners? (3 points)
 #
-# `log` has a row (node, parent, child) for each transform that was heard. Return the children that are sent by two nodes or more, sorted by name. A child with two parents counts too; a node that repeats itself does not.
+# `log` has a row (node, parent, child) for each transform that was received. Return the children that are sent by two nodes or more, sorted by name. A child with two parents counts too; a node that repeats itself does not.
 
 # %% [markdown] lang="ko" name="e4-6"
 # ## E4.6 · 발행하는 노드가 여럿인 것은? (3점)
@@ -238,7 +238,7 @@ check("E4.6", several_owners)
 # %% [markdown] lang="en" name="e4-7"
 # ## E4.7 · The line that the dog needed (2 points)
 #
-# Return the full name of a frame. `prefix` is a robot's name, perhaps with slashes around it, or empty; `name` is a frame, perhaps with a slash in front. The result never begins with a slash and never holds two in a row. `map` is shared: it has no prefix.
+# Return the full name of a frame. `prefix` is a robot's name, possibly with slashes around it, or empty; `name` is a frame, possibly with a slash in front. The result never begins with a slash and never contains two in a row. `map` is shared: it has no prefix.
 
 # %% [markdown] lang="ko" name="e4-7"
 # ## E4.7 · 로봇 개에게 필요했던 한 줄 (2점)
@@ -261,7 +261,8 @@ check("E4.7", frame_name)
 # %% [markdown] lang="en" name="done"
 # ## What you have shown
 #
-# You can read a tree, mend it, and say who is to blame. Grading asks the same with other robots.
+# You can read a tree, fix it, and name the cause. In a class, grading asks the same with other robots.
+#
 # **Next:** [05 · map, odom, base_link](../../notebooks/en/05_map_odom_base_link.ipynb).
 
 # %% [markdown] lang="ko" name="done"

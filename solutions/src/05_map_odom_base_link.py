@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 05 · One may jump, one may drift
+# # Exercises 05 · map, odom, base_link
 #
-# Six tasks, 22 points, about 60 minutes. The page they belong to: [05 · One may jump, one may drift](../../notebooks/en/05_map_odom_base_link.ipynb)
+# Six tasks, 22 points, about 60 minutes. The page they belong to: [05 · map, odom, base_link](../../notebooks/en/05_map_odom_base_link.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E5.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E5.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E5.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you worked out elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
@@ -30,7 +30,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e5-1"
 # ## E5.1 · What a localiser publishes (4 points)
 #
-# Both arguments are a `Transform` of one moment: where the robot was found on the map, and where its wheels believe it is.
+# Both arguments are a `Transform` at the same time: the robot's pose on the map, as the localiser found it, and its pose by the wheel odometry.
 # Return the `Transform` to publish as `map → odom`.
 
 # %% [markdown] lang="ko" name="e5-1"
@@ -52,14 +52,14 @@ def map_to_odom(map_T_base, odom_T_base):
 check("E5.1", map_to_odom)
 
 # %% [markdown] lang="en" name="e5-2"
-# ## E5.2 · A loop closes (4 points)
+# ## E5.2 · A loop closure (4 points)
 #
-# Before the correction the edge is `map_T_odom`; the wheels say `odom_T_base`. Now the robot recognises a door and is found at `found_T_base`, which is its new `map_T_base`. All are of one moment.
+# Before the correction the edge is `map_T_odom`, and the odometry gives `odom_T_base`. Now the robot recognises a door and its pose is found to be `found_T_base`, which is its new `map_T_base`. All are at the same time.
 #
 # - `"believed"`: where was the robot on the map before, (x, y) [m]?
-# - `"jump_m"`: how far does the robot leap on the map [m]?
+# - `"jump_m"`: how far does the robot jump on the map [m]?
 # - `"map_T_odom"`: the new edge.
-# - `"step_in_odom_m"`: how far does the robot leap in `odom` [m]?
+# - `"step_in_odom_m"`: how far does the robot jump in `odom` [m]?
 
 # %% [markdown] lang="ko" name="e5-2"
 # ## E5.2 · 고리가 닫힐 때 (4점)
@@ -88,18 +88,18 @@ closure = {"believed": believed, "jump_m": jump_m, "map_T_odom": new_edge, "step
 check("E5.2", closure)
 
 # %% [markdown] lang="en" name="e5-3"
-# ## E5.3 · Which frame for which job? (4 points)
+# ## E5.3 · Which frame for which purpose? (4 points)
 #
-# Eight jobs, each with `"map"`, `"odom"` or `"base_link"`:
+# Eight purposes, each with `"map"`, `"odom"` or `"base_link"`:
 #
-# - **dock** where the charging dock stands, for tomorrow
+# - **dock** the position of the charging dock, for tomorrow
 # - **line** follow the next half metre of a line on the floor
-# - **laser** where the laser is bolted on
+# - **laser** the laser's mount
 # - **kitchen** the route to the kitchen
 # - **speed** the robot's speed over the last second, from its poses
-# - **obstacles** what was seen in the last five seconds, around the robot, to keep clear of
-# - **tray** where the cup stands that the robot carries
-# - **goal** a goal that is driven to for ten minutes, while corrections come
+# - **obstacles** obstacles of the last five seconds, around the robot, to keep clear of
+# - **tray** the position of the cup that the robot carries
+# - **goal** a goal to which the robot drives for ten minutes, while corrections come
 
 # %% [markdown] lang="ko" name="e5-3"
 # ## E5.3 · 어떤 일에 어떤 좌표계를 씁니까? (4점)
@@ -135,7 +135,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="en" name="e5-4"
 # ## E5.4 · A robot that flickers (3 points)
 #
-# RViz, Fixed Frame `map`: the robot flickers between two places. Fixed Frame `odom`: every tenth of a second it is gone. One second of what is published, summed up:
+# RViz, Fixed Frame `map`: the robot flickers between two positions. Fixed Frame `odom`: every tenth of a second it is gone. This was published in one second:
 #
 # | node | edge | messages |
 # |---|---|---|
@@ -145,7 +145,7 @@ check("E5.3", jobs)
 #
 # - `"node"`: which node has to change: `"/wheels"`, `"/scan_matcher"` or `"/robot_state_publisher"`?
 # - `"edge"`: which edge should it send: `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"` or `"none"`?
-# - `"error"`: what does TF2 say to the two senders meanwhile: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
+# - `"error"`: what does TF2 report to the two senders meanwhile: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
 
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
@@ -175,9 +175,9 @@ finding = {
 check("E5.4", finding)
 
 # %% [markdown] lang="en" name="e5-5"
-# ## E5.5 · The shadow on the floor (3 points)
+# ## E5.5 · The projection onto the floor (3 points)
 #
-# `odom_T_base` is a `Transform`: where `base_link` is, at some height, and tilted by a ramp. Its yaw, pitch and roll are those of `Transform.rpy()`.
+# `odom_T_base` is a `Transform`: the pose of `base_link`, at some height, and tilted by a ramp. Its yaw, pitch and roll are those of `Transform.rpy()`.
 # Return the footprint, straight below it on the floor, level, with the same yaw: a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
 
 # %% [markdown] lang="ko" name="e5-5"
@@ -202,9 +202,9 @@ check("E5.5", footprint)
 # %% [markdown] lang="en" name="e5-6"
 # ## E5.6 · The correction, through TF (4 points)
 #
-# A scan was taken at `stamp_ns` and fitted to the map, which took a moment. The result is `map_T_base`, a `Transform`: where `base_footprint` was on the map when the scan was taken.
-# `buffer` is a buffer of this chapter's page; the wheels' edge in it is `odom → base_footprint`.
-# Return the `Transform` to publish as `map → odom`. Where the buffer knows nothing of that moment, let its exception through.
+# A scan was taken at `stamp_ns` and matched to the map, which took some time. The result is `map_T_base`, a `Transform`: the pose of `base_footprint` on the map when the scan was taken.
+# `buffer` is a buffer of this chapter's page; its edge of the wheel odometry is `odom → base_footprint`.
+# Return the `Transform` to publish as `map → odom`. If the buffer has no data for that time, let its exception through.
 
 # %% [markdown] lang="ko" name="e5-6"
 # ## E5.6 · TF로 구하는 보정 (4점)
@@ -229,8 +229,8 @@ check("E5.6", correction)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
-# On a robot, let `ros2 run tf2_ros tf2_echo map odom` run while it drives: it stands still, and then it steps.
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# On a robot, let `ros2 run tf2_ros tf2_echo map odom` run while it drives: the value is constant, and then it jumps.
 #
 # **Next:** [06 Static and dynamic](../../notebooks/en/06_static_and_dynamic.ipynb).
 

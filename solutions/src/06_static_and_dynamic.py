@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 06 · Say it once, or say it all the time?
+# # Exercises 06 · Static and dynamic
 #
-# Seven tasks, 27 points, about 70 minutes. The page they belong to: [06 · Say it once, or say it all the time?](../../notebooks/en/06_static_and_dynamic.ipynb)
+# Seven tasks, 27 points, about 70 minutes. The page they belong to: [06 · Static and dynamic](../../notebooks/en/06_static_and_dynamic.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E6.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E6.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E6.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e6_6.speed_mps * 2`, and not with a number that you worked out elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e6_6.speed_mps * 2`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 06 · 한 번만 알릴까요, 계속 알릴까요?
@@ -37,7 +37,7 @@ from tflab.core import Transform
 # - **cart**, parked since yesterday: `odom → base_link` from its wheels · `base_link → laser_frame`, screwed on · `map → odom`, corrected once in a while
 # - **scout**: `base_link → imu_link`, screwed on · `base_link → mast_link`, a mast that goes up and down only while the robot is parked · `camera_link → camera_optical_frame`
 # - **arm**: `base_link → shoulder_link`, a joint that has been held for an hour · `wrist_link → tool0`, the flange at its end · `tool0 → tcp`, a pen taped onto it, measured once
-# - **drone**: `odom → base_link` · `base_link → gimbal_link`, which keeps the picture steady · `gimbal_link → camera_link`, screwed on
+# - **drone**: `odom → base_link` · `base_link → gimbal_link`, which keeps the image steady · `gimbal_link → camera_link`, screwed on
 
 # %% [markdown] lang="ko" name="e6-1"
 # ## E6.1 · 게시판일까요, 라디오일까요? (4점)
@@ -65,7 +65,7 @@ check("E6.1", topics)
 # %% [markdown] lang="en" name="e6-2"
 # ## E6.2 · A mount on the command line (3 points)
 #
-# The sensor `e6_2.child` is bolted onto `base_link`: `ahead_cm` centimetres ahead, `right_cm` **to its right**, `up_cm` up, and turned to the left by `turn_left_deg` degrees.
+# The sensor `e6_2.child` is mounted on `base_link`: `ahead_cm` centimetres ahead, `right_cm` **to its right**, `up_cm` up, and rotated to the left by `turn_left_deg` degrees.
 # Write the line that publishes this, with `ros2 run tf2_ros static_transform_publisher`.
 
 # %% [markdown] lang="ko" name="e6-2"
@@ -90,7 +90,7 @@ command = (
 check("E6.2", command)
 
 # %% [markdown] lang="en" name="e6-3"
-# ## E6.3 · One letter for all mounts (4 points)
+# ## E6.3 · One message for all mounts (4 points)
 #
 # `mounts` is a list of one to four rows such as `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}`, in metres and radians; `stamp` is a message's time.
 # Return the list of `TransformStamped` for **one** `sendTransform`: one message a row, in their order, each with `header.stamp = stamp`.
@@ -161,9 +161,9 @@ check("E6.4", on_circle)
 # %% [markdown] lang="en" name="e6-5"
 # ## E6.5 · Six extracts from a log (5 points)
 #
-# Six robots; the next cell prints what was found of each. For each of a to f the cause, and under `"a do"` to `"f do"` what to do. Causes:
+# Six robots; the next cell prints what was found of each. For each of a to f give the cause, and under `"a do"` to `"f do"` what to do. Causes:
 #
-# `"several letters"` sent one after the other by one node · `"publisher gone"` · `"no board"`: VOLATILE · `"silent mover"` · `"bolt on /tf"` · `"mover on /tf_static"` · `"misspelt name"`
+# `"several letters"` sent one after the other by one node · `"publisher gone"` · `"no board"`: VOLATILE · `"silent mover"`: it can move and is no longer published · `"bolt on /tf"`: a fixed mount · `"mover on /tf_static"` · `"misspelt name"`
 #
 # What to do:
 #
@@ -210,10 +210,10 @@ diagnosis = {
 check("E6.5", diagnosis)
 
 # %% [markdown] lang="en" name="e6-6"
-# ## E6.6 · How far does a bolt fall behind? (2 points)
+# ## E6.6 · How far does a mount on /tf fall behind? (2 points)
 #
-# A mount is sent on `/tf`, `rate_hz` times a second, and each message takes `delay_ms` **milliseconds** to arrive. The wheels are so quick that they do not count. The robot drives straight on at `speed_mps`.
-# Somebody takes "the latest" place of the sensor in `odom` for where it is now. How far off is that at worst [m]?
+# A mount is sent on `/tf`, `rate_hz` times a second, and each message takes `delay_ms` **milliseconds** to arrive. The odometry is so fast that it does not matter. The robot drives straight on at `speed_mps`.
+# You use "the latest" position of the sensor in `odom` as its current position. How large is the error at worst [m]?
 
 # %% [markdown] lang="ko" name="e6-6"
 # ## E6.6 · 볼트는 얼마나 뒤처질까요? (2점)
@@ -233,12 +233,12 @@ worst_error_m = e6_6.speed_mps * (1 / e6_6.rate_hz + e6_6.delay_ms / 1000)
 check("E6.6", worst_error_m)
 
 # %% [markdown] lang="en" name="e6-7"
-# ## E6.7 · Who knows what? (5 points)
+# ## E6.7 · Which frames does the listener know? (5 points)
 #
-# `letters` is all that was ever sent, in order of time: dicts with `node`, `topic` (`"/tf"` or `"/tf_static"`), `sent_s` and `children`, a list of names. `ends` says when a node ended, by its name; who is not in it still runs.
+# `letters` contains all messages that were ever sent, in order of time: dicts with `node`, `topic` (`"/tf"` or `"/tf_static"`), `sent_s` and `children`, a list of names. `ends` contains the time at which a node ended, by its name; a node that is not in it still runs.
 # tf2's listener joins at `join_s`. Return the children that it knows at `now_s`, each once.
 #
-# What is sent from `join_s` to `now_s`, both included, is heard. Of what was sent *before*, it reads the boards of the nodes that end *after* `join_s`; every node on `/tf_static` has a board of depth 1.
+# It receives what is sent from `join_s` to `now_s`, both included. Of what was sent *before*, it reads the boards of the nodes that end *after* `join_s`. Every node on `/tf_static` has a board of depth 1.
 
 # %% [markdown] lang="ko" name="e6-7"
 # ## E6.7 · 누가 무엇을 알까요? (5점)
@@ -272,8 +272,8 @@ check("E6.7", known)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
-# On a robot, let `ros2 topic info /tf_static --verbose` name the boards, and stop one of their publishers: who still knows the frame?
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# On a robot, let `ros2 topic info /tf_static --verbose` list the boards, and stop one of their publishers: which listeners still have the frame?
 #
 # **Next:** [07 URDF and sensors](../../notebooks/en/07_urdf_and_sensors.ipynb).
 

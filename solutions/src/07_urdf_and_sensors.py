@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 07 · The drawing and the screws
+# # Exercises 07 · URDF and sensors
 #
-# Six tasks, 26 points, about 60 minutes. The page they belong to: [07 · The drawing and the screws](../../notebooks/en/07_urdf_and_sensors.ipynb)
+# Six tasks, 26 points, about 60 minutes. The page they belong to: [07 · URDF and sensors](../../notebooks/en/07_urdf_and_sensors.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E7.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E7.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E7.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e7_1.up_cm / 100`, and not with a number that you worked out elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e7_1.up_cm / 100`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 07 · 도면과 나사
@@ -253,7 +253,7 @@ check("E7.6", tcp_mount)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
 # On a robot, begin with a box straight ahead of the laser, and with a turn to the left by hand: two promises, looked at.
 #
 # **Next:** [08 Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb).

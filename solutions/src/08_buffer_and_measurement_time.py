@@ -1,11 +1,11 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 08 · Where was I when I saw it?
+# # Exercises 08 · Buffer and measurement time
 #
-# Seven tasks, 22 points, about an hour. The page they belong to: [08 · Where was I when I saw it?](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
+# Seven tasks, 22 points, about an hour. The page they belong to: [08 · Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E8.1")` gives the first of three hints.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you worked out elsewhere.
+# The reply to a wrong answer names the mistake. `hint("E8.1")` gives the first of three hints.
+# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e8_1.clock_s - 1.0`, and not with a number that you calculated elsewhere.
 # After a pass, or three tries, `solution("E8.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
@@ -252,7 +252,7 @@ check("E8.7", object_now)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
 # On a robot, do C8 and C9 of the lab checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor you trust.
 #
 # **Next:** [09 · Exceptions and waiting](../../notebooks/en/09_exceptions_and_waiting.ipynb).

@@ -1,9 +1,9 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 09 · Four ways to not get an answer
+# # Exercises 09 · Exceptions and waiting
 #
-# Seven tasks, 22 points, about 45 minutes. The page they belong to: [09 · Four ways to not get an answer](../../notebooks/en/09_exceptions_and_waiting.ipynb).
+# Seven tasks, 22 points, about 45 minutes. The page they belong to: [09 · Exceptions and waiting](../../notebooks/en/09_exceptions_and_waiting.ipynb).
 #
-# Write your answer where it says `...` or `your turn`, run that cell, then run the check below it.
+# Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
 #
 # The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's: in E9.7 answer with an expression.

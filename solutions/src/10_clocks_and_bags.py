@@ -1,10 +1,10 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 10 · Whose time is it?
+# # Exercises 10 · Clocks and bags
 #
-# Seven tasks, 27 points, about 60 minutes. The page they belong to: [10 · Whose time is it?](../../notebooks/en/10_clocks_and_bags.ipynb)
+# Seven tasks, 27 points, about 60 minutes. The page they belong to: [10 · Clocks and bags](../../notebooks/en/10_clocks_and_bags.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E10.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E10.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E10.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # Your numbers come from `task(...)` and may differ from your neighbour's.
 
@@ -273,7 +273,7 @@ check("E10.7", jumps)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
 # On a robot: after your next recording, type `ros2 bag info`, and look for one line before all others.
 #
 # **Next:** [11 Tools and RViz](../../notebooks/en/11_tools_and_rviz.ipynb).

@@ -1,12 +1,12 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 11 · Ok means computed, not true
+# # Exercises 11 · Tools and RViz
 #
-# Seven tasks, 22 points, about 45 minutes. The page they belong to: [11 · Ok means computed, not true](../../notebooks/en/11_tools_and_rviz.ipynb)
+# Seven tasks, 22 points, about 45 minutes. The page they belong to: [11 · Tools and RViz](../../notebooks/en/11_tools_and_rviz.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E11.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E11.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E11.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# What `task(...)` prints may differ from your neighbour's, so answer with an expression, and not with a number that you worked out elsewhere.
+# What `task(...)` prints may differ from your neighbour's, so answer with an expression, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
@@ -302,7 +302,7 @@ check("E11.7", commands)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. Grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with others.
 # On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz; and write down of each output what you compared it with.
 #
 # **Next:** [12 Owners and diagnosis](../../notebooks/en/12_owners_and_diagnosis.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.

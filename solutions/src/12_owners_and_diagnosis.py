@@ -1,10 +1,10 @@
 # %% [markdown] lang="en" name="title"
-# # Exercises 12 · Who says so?
+# # Exercises 12 · Owners and diagnosis
 #
-# Eight tasks, 31 points, about 105 minutes. The page they belong to: [12 · Who says so?](../../notebooks/en/12_owners_and_diagnosis.ipynb)
+# Eight tasks, 31 points, about 105 minutes. The page they belong to: [12 · Owners and diagnosis](../../notebooks/en/12_owners_and_diagnosis.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
-# A wrong answer is told which mistake it looks like. `hint("E12.1")` gives the first of three hints.
+# The reply to a wrong answer names the mistake. `hint("E12.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E12.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 # What `task(...)` gives may differ from your neighbour's. Your patients are your own.
 
