@@ -32,14 +32,14 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e7-1"
 # ## E7.1 · Two joints to finish (5 points)
 #
-# A camera head is screwed onto the robot, measured with a ruler and a protractor: so far ahead of `base_link`, to its right, and up; the whole head turned to the right. A motor lets it **nod**: a positive angle lowers its gaze. The lens sits a little ahead of the head's middle.
+# A camera head is mounted on the robot, measured with a ruler and a protractor: its distance ahead of `base_link`, to its right, and up; the whole head is rotated to the right. A motor lets it **nod**: a positive angle lowers its view. The lens is a little in front of the head's centre.
 #
 # Write the two joints, as a URDF has them; the links are declared for you.
 #
-# - `nod_joint`, revolute, from `base_link` to `camera_link`, which has a body's axes (x where the head looks);
+# - `nod_joint`, revolute, from `base_link` to `camera_link`, which has a body's axes (x where the head faces);
 # - `optical_joint`, fixed, from `camera_link` to `camera_optical_frame`, in the lens.
 #
-# An f-string puts numbers in: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, turn and movement count; leave `<limit>` out if you like (a real robot wants one).
+# An f-string inserts numbers: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, rotation and movement count; you may leave `<limit>` out (a real robot needs one).
 
 # %% [markdown] lang="ko" name="e7-1"
 # ## E7.1 · 관절 두 개 완성하기 (5점)
@@ -79,10 +79,10 @@ check("E7.1", joints)
 # %% [markdown] lang="en" name="e7-2"
 # ## E7.2 · Where the beam meets the floor (3 points)
 #
-# A laser looks down by `tilt_deg`. It sits `laser_above_base_link_m` above `base_link`, which is `base_link_above_floor_m` above the floor. For the beam straight ahead:
+# A laser looks down by `tilt_deg`. It is mounted `laser_above_base_link_m` above `base_link`, which is `base_link_above_floor_m` above the floor. For the beam straight ahead:
 #
-# - `"floor_m"`: how far ahead, along the floor, does it meet the floor, if nothing is in its way [m]?
-# - `"wall_up_m"`: a wall stands `wall_m` ahead. How high above the floor does the beam meet it [m]?
+# - `"floor_m"`: how far ahead, along the floor, does it meet the floor, if nothing is in between [m]?
+# - `"wall_up_m"`: a wall is `wall_m` ahead. How high above the floor does the beam meet it [m]?
 
 # %% [markdown] lang="ko" name="e7-2"
 # ## E7.2 · 빛이 바닥에 닿는 곳 (3점)
@@ -111,8 +111,8 @@ check("E7.2", beam)
 # ## E7.3 · Forward kinematics (5 points)
 #
 # `chain` is a list of joints from the base to the tip, each a dict: `"name"`, `"type"` (`"fixed"`, `"revolute"` or `"prismatic"`), `"xyz"` [m], `"rpy"` [rad] and `"axis"`, which is `"x"`, `"y"` or `"z"`.
-# `positions` is a dict: name → rad or m. It may lack a joint, which then stands at 0, and may name others. A fixed joint does not move.
-# Return the tip in the base, a `Transform`.
+# `positions` is a dict: name → rad or m. A joint that is missing in it is at 0, and it may contain other names. A fixed joint does not move.
+# Return the pose of the tip in the base, a `Transform`.
 
 # %% [markdown] lang="ko" name="e7-3"
 # ## E7.3 · 정기구학 (5점)
@@ -146,10 +146,10 @@ check("E7.3", fk)
 # %% [markdown] lang="en" name="e7-4"
 # ## E7.4 · Five robots (5 points)
 #
-# Each of `e7_4.a` to `e7_4.e` shows the tree of a robot, and what one command prints. The joints of the URDF are `shoulder_joint`, `elbow_joint` and `wrist_joint`; every laser is screwed on turned, as somebody measured it.
+# Each of `e7_4.a` to `e7_4.e` shows the tree of a robot, and the output of one command. The joints of the URDF are `shoulder_joint`, `elbow_joint` and `wrist_joint`. Every laser is mounted rotated, as somebody measured it.
 #
-# - `"a"` … `"e"`, the cause: `"other names"` (in the joint states), `"stamp zero"`, `"no driver"`, `"paint moved"` (and not the frame), `"degrees"`
-# - `"a do"` … `"e do"`, the cure: `"use the URDF's names"`, `"stamp the message"`, `"start the joint driver"`, `"write it into the joint"`, `"write radians"`, `"restart RViz"`, `"change the cable"`, `"wait longer"`
+# - `"a"` … `"e"`, the cause: `"other names"` (in the joint states), `"stamp zero"`, `"no driver"`, `"paint moved"` (the `<visual>`, and not the frame), `"degrees"`
+# - `"a do"` … `"e do"`, the fix: `"use the URDF's names"`, `"stamp the message"`, `"start the joint driver"`, `"write it into the joint"`, `"write radians"`, `"restart RViz"`, `"change the cable"`, `"wait longer"`
 
 # %% [markdown] lang="ko" name="e7-4"
 # ## E7.4 · 다섯 로봇 (5점)
@@ -183,13 +183,13 @@ for letter, report in vars(e7_4).items():
 check("E7.4", findings)
 
 # %% [markdown] lang="en" name="e7-5"
-# ## E7.5 · How is this IMU screwed on? (4 points)
+# ## E7.5 · How is this IMU mounted? (4 points)
 #
-# The URDF says that it is not turned. The accelerometer's means, in `imu_link` as it truly is [m/s²]: `at_rest`, and `in_left_bend` at `speed_mps` and `yaw_rate_radps`.
+# The URDF says that it is not rotated. The accelerometer's means, in the true `imu_link` [m/s²], are `at_rest`, and `in_left_bend` in a curve to the left at `speed_mps` and `yaw_rate_radps`.
 #
-# - `"mount"`: `"as drawn"`, `"left"` (turned to the left by 90°), `"right"`, `"backwards"` (by 180°), `"rolled over"` (roll π), `"pitched over"` (pitch π), or `"pitched over, left"` and `"pitched over, right"`: pitched over, and the whole then turned by 90°
-# - `"gyro_z"`: what does its gyro's z read in that bend [rad/s]?
-# - `"mend"`: `"rpy in the joint"`, `"rpy in the visual"`, `"minus in my node"`, `"leave it"`
+# - `"mount"`: `"as drawn"`, `"left"` (rotated to the left by 90°), `"right"`, `"backwards"` (by 180°), `"rolled over"` (roll π), `"pitched over"` (pitch π), or `"pitched over, left"` and `"pitched over, right"`: pitched over, and then rotated by 90°
+# - `"gyro_z"`: what does its gyro's z read in that curve [rad/s]?
+# - `"mend"`, how you fix it: `"rpy in the joint"`, `"rpy in the visual"`, `"minus in my node"`, `"leave it"`
 
 # %% [markdown] lang="ko" name="e7-5"
 # ## E7.5 · 이 IMU는 어떻게 달렸습니까? (4점)
@@ -223,8 +223,8 @@ check("E7.5", imu)
 # %% [markdown] lang="en" name="e7-6"
 # ## E7.6 · Find the tool's tip by touching (4 points)
 #
-# A new gripper. You let its tip touch a mark whose place in `base_link` you know: `base_p_tip`, (x, y, z) [m]. At that moment the arm says `base_T_tool0`, a `Transform`.
-# Return the message that says where the frame `tcp` is: a `TransformStamped` whose parent is `tool0`, the tip not turned in it, its stamp left as it is.
+# A new gripper. You let its tip touch a mark whose position in `base_link` you know: `base_p_tip`, (x, y, z) [m]. At that time the arm reports `base_T_tool0`, a `Transform`.
+# Return the message for the frame `tcp`: a `TransformStamped` whose parent is `tool0`, without a rotation, its stamp left as it is.
 
 # %% [markdown] lang="ko" name="e7-6"
 # ## E7.6 · 대어서 찾는 공구 끝 (4점)
@@ -254,7 +254,7 @@ check("E7.6", tcp_mount)
 # ## What you have shown
 #
 # The checks here used your own numbers. In a class, grading asks the same questions with others.
-# On a robot, begin with a box straight ahead of the laser, and with a turn to the left by hand: two promises, looked at.
+# On a robot, begin with a box straight ahead of the laser, and with a rotation to the left by hand. Then you have compared two mounts with the URDF.
 #
 # **Next:** [08 Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb).
 

@@ -32,12 +32,12 @@ from tf2_geometry_msgs import do_transform_point
 from tf2_ros import Buffer, ExtrapolationException, TransformException
 
 # %% [markdown] lang="en" name="e8-1"
-# ## E8.1 · How fresh is latest? (2 points)
+# ## E8.1 · How fresh is "latest"? (2 points)
 #
-# A buffer holds the lanes below. `oldest_s` and `newest_s` give, for each dynamic edge, the stamps of its first and its last sample; the edges in `static` were sent once, long ago.
-# The clock on the wall says `clock_s`.
+# A buffer has the timelines below. `oldest_s` and `newest_s` contain, for each dynamic edge, the stamps of its first and its last sample; the edges in `static` were sent once, long ago.
+# The current time is `clock_s`.
 #
-# Somebody calls `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
+# You call `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
 
 # %% [markdown] lang="ko" name="e8-1"
 # ## E8.1 · 최신은 얼마나 새로울까요? (2점)
@@ -61,11 +61,11 @@ check("E8.1", latest_common_s)
 # %% [markdown] lang="en" name="e8-2"
 # ## E8.2 · Between two samples (4 points)
 #
-# Write what the buffer does between two samples of one edge, on the floor.
+# Write what the buffer does between two samples of one edge, in the plane.
 # A sample is a tuple `(stamp_s, x, y, yaw)` in seconds, metres and radians.
 #
 # Return a dict: `"position"` is `(x, y)` on the straight line, `"yaw"` is on the shortest arc.
-# If `stamp_s` lies before the first sample or after the second, raise `ExtrapolationException`: a buffer never guesses.
+# If `stamp_s` is before the first sample or after the second, raise `ExtrapolationException`: a buffer never guesses.
 
 # %% [markdown] lang="ko" name="e8-2"
 # ## E8.2 · 두 표본 사이 (4점)
@@ -96,11 +96,11 @@ check("E8.2", interpolate)
 # %% [markdown] lang="en" name="e8-3"
 # ## E8.3 · PointToMap: a point onto the map (4 points)
 #
-# The heart of the lecture's node, as a function. It gets a `tf2_ros.Buffer`, a `PointStamped`, and `now`, the time at which the message arrived.
-# Return the point in `map`, as a `PointStamped` that still says when it was measured.
-# If the buffer cannot answer for that moment, let its exception through: whoever calls you decides what to do.
+# The main part of the lecture's node, as a function. It gets a `tf2_ros.Buffer`, a `PointStamped`, and `now`, the time at which the message arrived.
 #
-# One of the three arguments is there to tempt you.
+# Return the point in `map`, as a `PointStamped` that keeps the stamp of the measurement.
+# If the buffer has no answer for that time, let its exception through: the caller decides what to do.
+# You do not need all three arguments.
 
 # %% [markdown] lang="ko" name="e8-3"
 # ## E8.3 · PointToMap: 점을 지도 위로 (4점)
@@ -126,10 +126,10 @@ check("E8.3", point_to_map)
 # %% [markdown] lang="en" name="e8-4"
 # ## E8.4 · How far off? (3 points)
 #
-# A robot drives and turns as below, and sees an object straight ahead, `range_m` away.
-# `delay_ms` later somebody moves the sight with the pose of *now*. (Mind the units: the data sheets were written by different people.)
+# A robot drives and turns as below, and detects an object straight ahead, `range_m` away.
+# `delay_ms` later a node transforms the detection with the *current* pose. (Check the units: the data sheets were written by different people.)
 #
-# Estimate the error with the two products of the page, x forward and y left, seen from the robot at the stamp:
+# Estimate the error with the two products of the page, x forward and y left, relative to the robot at the stamp:
 # `"forwards_m"` and `"left_m"`, with their signs, and `"together_m"`, their length.
 
 # %% [markdown] lang="ko" name="e8-4"
@@ -162,12 +162,12 @@ check("E8.4", late_error)
 # Name the likeliest cause of each. The causes:
 # `"stamp overwritten"`, `"odometry slow"`, `"static mount wrong"`, `"two clocks"`, `"cache too short"`, `"import missing"`.
 #
-# - **a** While the robot turns, the walls swing. Standing still, all is well. `ros2 topic delay /scan` prints 0.000 s, though the filter before it needs 0.3 s.
-# - **b** The scan stands 5 cm beside the wall, driving or standing, always on the same side of the robot.
+# - **a** While the robot turns, the walls swing. When it stands still, they are right. `ros2 topic delay /scan` prints 0.000 s, although a filter before it takes 0.3 s.
+# - **b** The scan is 5 cm beside the wall, in motion or at rest, always on the same side of the robot.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
-# - **d** `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`, from a detector that thinks for 12 s.
-# - **e** About three of four points are refused: `… into the future …`, always by less than a second. `ros2 topic hz` says 1.0 for one edge's publisher, and 30 for the camera.
-# - **f** The node stops with a traceback, although every lookup stands inside `try … except TransformException`.
+# - **d** `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`, from a detector that takes 12 s.
+# - **e** About three of four points are rejected: `… into the future …`, always by less than a second. `ros2 topic hz` prints 1.0 for one edge's publisher, and 30 for the camera.
+# - **f** The node stops with a traceback, although every lookup is inside `try … except TransformException`.
 
 # %% [markdown] lang="ko" name="e8-5"
 # ## E8.5 · 여섯 가지 증상 (3점)
@@ -200,9 +200,9 @@ check("E8.5", causes)
 # %% [markdown] lang="en" name="e8-6"
 # ## E8.6 · How long must it remember? (2 points)
 #
-# A detector thinks for `thinking_s` before it asks for the transform at the picture's stamp.
-# The edges on the path speak at `rate_hz`, each as soon as it has measured.
-# By the rule of the page, which `cache_time` [s] is enough for every picture, wherever its stamp falls between two samples, and not longer than it need be?
+# A detector computes for `thinking_s` before it looks up the transform at the image's stamp.
+# Each transform on the path is published at `rate_hz`, immediately after it is measured.
+# By the rule of the page, which `cache_time` [s] is enough for every image, wherever its stamp is between two samples, and not longer than necessary?
 
 # %% [markdown] lang="ko" name="e8-6"
 # ## E8.6 · 얼마나 오래 기억해야 합니까? (2점)
@@ -225,8 +225,8 @@ check("E8.6", cache_time_s)
 # %% [markdown] lang="en" name="e8-7"
 # ## E8.7 · Where is it now? (4 points)
 #
-# The message says where an object was seen, in some sensor's frame, at its stamp. The object rests; the robot drove on.
-# Return its coordinates `(x, y, z)` in `base_link` as base_link is at `now`, with `odom` as the frame that stands still.
+# The message contains the position of an object, in some sensor's frame, at its stamp. The object is at rest; the robot drove on.
+# Return its coordinates `(x, y, z)` in `base_link` at `now`, with `odom` as the fixed frame.
 
 # %% [markdown] lang="ko" name="e8-7"
 # ## E8.7 · 지금은 어디에 있습니까? (4점)
@@ -253,7 +253,7 @@ check("E8.7", object_now)
 # ## What you have shown
 #
 # The checks here used your own numbers. In a class, grading asks the same questions with others.
-# On a robot, do C8 and C9 of the lab checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor you trust.
+# On a robot, do C8 and C9 of the lab checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor that you use.
 #
 # **Next:** [09 · Exceptions and waiting](../../notebooks/en/09_exceptions_and_waiting.ipynb).
 

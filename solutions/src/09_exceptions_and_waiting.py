@@ -37,10 +37,10 @@ from tf2_ros import LookupException, TransformException
 # %% [markdown] lang="en" name="e9-1"
 # ## E9.1 · Eight lines from a log (4 points)
 #
-# Eight lines, all from one robot, and what its buffer held at that time.
+# Eight lines, all from one robot, and what its buffer contained at that time.
 #
 # - `"a"` to `"h"`: which kind is it? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"` or `"not a TransformException"`.
-# - `"c edge"`, `"d edge"`: which edge stopped the walk? Give its child frame.
+# - `"c edge"`, `"d edge"`: which edge limits the lookup? Give its child frame.
 # - `"h check"`: what do you look at first? `"spelling and publisher"`, `"roots of the tree"`, `"use_sim_time"`, `"the line of code"` or `"a longer timeout"`.
 
 # %% [markdown] lang="ko" name="e9-1"
@@ -76,12 +76,11 @@ lines = {
 check("E9.1", lines)
 
 # %% [markdown] lang="en" name="e9-2"
-# ## E9.2 · Classify a refusal (4 points)
+# ## E9.2 · Classify an exception (4 points)
 #
-# `buffer` is a `tf2_ros.Buffer`, `stamp` an `rclpy.time.Time`. Return one word: `"ok"` if there is an answer, else
+# `buffer` is a `tf2_ros.Buffer`, `stamp` an `rclpy.time.Time`. Return `"ok"` if there is an answer, else
 # `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"` or `"one sample"`.
-#
-# Use only what a robot has: the exception's class and its text. Let tf2 decide what comes first.
+# Use only what a robot has: the exception's class and its text. If there are several faults, tf2 decides which one it reports.
 
 # %% [markdown] lang="ko" name="e9-2"
 # ## E9.2 · 거절을 분류하기 (4점)
@@ -112,9 +111,9 @@ check("E9.2", classify)
 # %% [markdown] lang="en" name="e9-3"
 # ## E9.3 · From exception to action (4 points)
 #
-# A `PointStamped` has come, and is wanted in `map`. Decide what to do with it:
+# A `PointStamped` has arrived, and is wanted in `map`. Decide what to do with it:
 #
-# | what tf2 says | action |
+# | what tf2 reports | action |
 # | --- | --- |
 # | an answer | `"use"` |
 # | future, TF is behind by 0.2 s or less | `"wait"` |
@@ -122,10 +121,10 @@ check("E9.2", classify)
 # | any other extrapolation | `"drop"` |
 # | an unknown name | `"check names"` |
 # | no path | `"check tree"` |
-# | no question at all | `"fix message"` |
+# | an invalid argument | `"fix message"` |
 #
-# "TF is behind" means: the whole chain. A wait must last until its *slowest* edge is there.
-# Where two things are wrong at once, tf2 decides which one it says.
+# "TF is behind" refers to the whole path. A wait must last until its *slowest* edge has data.
+# If there are two faults at once, tf2 decides which one it reports.
 
 # %% [markdown] lang="ko" name="e9-3"
 # ## E9.3 · 예외에서 행동으로 (4점)
@@ -169,14 +168,15 @@ check("E9.3", decide)
 # ## E9.4 · Late, or wrong? (3 points)
 #
 # Three robots have the same warning in their logs: extrapolation into the future, by about a third of a second.
-# Six messages of `/scan` and of `/odom` were noted on each; a row is (stamp, heard) in seconds, heard by the clock of the computer that listens.
-# A healthy `/scan` is heard about 0.105 s after its stamp, a healthy `/odom` about 0.005 s.
+# Six messages of `/scan` and of `/odom` were recorded on each. A row is (stamp, arrival) in seconds; the arrival is by the clock of the computer that receives.
+# A healthy `/scan` arrives about 0.105 s after its stamp, a healthy `/odom` about 0.005 s.
 #
-# - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` or `"cannot be told from this"`.
+# - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` (ahead) or `"cannot be told from this"`.
 # - `"a do"`, `"b do"`, `"c do"`: what do you do? `"wait a little"`, `"set the laser's clock"`, `"ask chrony on both computers"` or `"set a timeout of 10 s"`.
 #
-# Set a clock only where these numbers show which one is wrong; where they leave it open, ask chrony.
-# Write down what you see, or have Python find it: both count.
+# Set a clock only if these numbers show which one is wrong. If they do not, ask chrony.
+#
+# You may read the answer from the numbers, or let Python find it.
 
 # %% [markdown] lang="ko" name="e9-4"
 # ## E9.4 · 늦은 것입니까, 틀린 것입니까? (3점)
@@ -213,11 +213,11 @@ check("E9.4", causes)
 # %% [markdown] lang="en" name="e9-5"
 # ## E9.5 · A queue that stays fresh (3 points)
 #
-# Messages wait with the stamps `stamps_s` [s], in the order in which they arrived. It is `now_s`.
-# Keep only what is worth deciding on: nothing older than `max_age_s`, nothing from the future, and of what is left at most the `max_size` newest.
+# Messages wait with the stamps `stamps_s` [s], in the order in which they arrived. The time is `now_s`.
+# Keep only what is useful for a decision: nothing older than `max_age_s`, nothing from the future, and of the rest at most the `max_size` newest.
 #
-# Return `{"kept": [...], "lost": n}`: the stamps that stay, oldest first, and how many messages went.
-# You are scored on both: what you kept is your freshness, what you lost is its price.
+# Return `{"kept": [...], "lost": n}`: the stamps that stay, oldest first, and the number of messages that were dropped.
+# Both are scored: what you keep must be fresh, and the number of lost messages is its price.
 
 # %% [markdown] lang="ko" name="e9-5"
 # ## E9.5 · 늘 신선한 큐 (3점)
@@ -250,8 +250,8 @@ check("E9.5", keep)
 # - c: in a *timer's* callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - d: in a subscription's callback, `wait_for_transform_async`; the node runs in `rclpy.spin(node)`.
 # - e: as d, but the stamp is older than everything in the buffer.
-# - f: as b, but the laser's clock is 2 s fast.
-# - g: in `main()`, `timeout=0.3 s`, after the node and its listener were made and before anything spins.
+# - f: as b, but the laser's clock is 2 s ahead.
+# - g: in `main()`, `timeout=0.3 s`, after the node and its listener were created and before anything spins.
 # - h: in `main()`, `timeout=0.3 s`, with `TransformListener(buffer, node, spin_thread=True)`.
 
 # %% [markdown] lang="ko" name="e9-6"
@@ -289,9 +289,9 @@ check("E9.6", outcomes)
 # ## E9.7 · The smallest wait that always succeeds (2 points)
 #
 # `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`: each with a rate, a delay, and up to `jitter_s` more.
-# A scan reaches you `scan_delay_s` after its stamp. All clocks are right, no message is lost.
+# A scan arrives `scan_delay_s` after its stamp. All clocks are right, no message is lost.
 #
-# How long must you wait at most, reckoned from the scan's *arrival*, so that the lookup at its stamp always succeeds? [s]
+# How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? [s]
 
 # %% [markdown] lang="ko" name="e9-7"
 # ## E9.7 · 언제나 성공하는 가장 짧은 기다림 (2점)
@@ -319,8 +319,7 @@ check("E9.7", wait_s)
 # %% [markdown] lang="en" name="after"
 # ## Done?
 #
-# On a robot, do C10 of the lab checklist: meet each of the three errors once more, on purpose.
-#
+# On a robot, do C10 of the lab checklist: cause each of the three errors once more, on purpose.
 # **Next:** [10 Clocks and bags](../../notebooks/en/10_clocks_and_bags.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"

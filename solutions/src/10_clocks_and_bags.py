@@ -31,15 +31,14 @@ from tf2_ros import TransformException
 # %% [markdown] lang="en" name="e10-1"
 # ## E10.1 · Four set-ups (4 points)
 #
-# A bag of last year is played, and a node looks up `map ← laser_frame` for each scan. `e10_1.setups` has four set-ups: what the node's `use_sim_time` is, and whether the bag is played with `--clock`.
-#
-# For each, say in a list of three, in this order, what becomes of
+# A bag of last year is played, and a node looks up `map ← laser_frame` for each scan. `e10_1.setups` has four set-ups: the node's `use_sim_time`, and whether the bag is played with `--clock`.
+# For each, give a list of three, in this order, with the result of
 #
 # 1. the lookup at the scan's stamp, 2. the lookup at `self.get_clock().now()`, 3. a timer of one second:
 #
-# `"works"` · `"just short"` (refused, by less than a second) · `"years off"` (refused, by very much) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
+# `"works"` · `"just short"` (an exception, by less than a second) · `"years off"` (an exception, by very much) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
 #
-# such as `["works", "works", "never"]`. The first scan, which is older than all of TF, does not count.
+# such as `["works", "works", "never"]`. The first scan, which is older than all transforms, does not count.
 
 # %% [markdown] lang="ko" name="e10-1"
 # ## E10.1 · 네 가지 설정 (4점)
@@ -77,10 +76,10 @@ check("E10.1", outcomes)
 # %% [markdown] lang="en" name="e10-2"
 # ## E10.2 · The smallest recording (4 points)
 #
-# Three robots. Write for each the `ros2 bag record …` line with the fewest topics that will do, topics only, no options.
+# Three robots. For each write the `ros2 bag record …` line with as few topics as possible, topics only, no options.
 #
-# - **a** A real robot with localisation and wheel odometry, as ours. Tomorrow you want to see `e10_2.sensor["a"]` on the map, where the robot saw it.
-# - **b** The same in a simulation, with `e10_2.sensor["b"]`; tomorrow it should run at the simulation's own time.
+# - **a** A real robot with localisation and wheel odometry, like ours. Tomorrow you want to see `e10_2.sensor["a"]` on the map, where the robot placed it.
+# - **b** The same in a simulation, with `e10_2.sensor["b"]`; tomorrow it should use the simulation's own time.
 # - **c** A real robot without localisation. Its wheels publish odometry messages on `e10_2.wheels["c"]`, and no transforms. Tomorrow you want to localise it with `e10_2.sensor["c"]`; a node will turn the odometry into transforms then.
 
 # %% [markdown] lang="ko" name="e10-2"
@@ -109,7 +108,7 @@ check("E10.2", recordings)
 # %% [markdown] lang="en" name="e10-3"
 # ## E10.3 · Five failures (5 points)
 #
-# `e10_3.failures` has five, each with what `bag info` counts, the line that plays it, each node's `use_sim_time`, and the first line of the log. Give for each its cause and what to do first:
+# `e10_3.failures` has five, each with the counts of `bag info`, the line that plays it, each node's `use_sim_time`, and the first line of the log. For each give its cause and what to do first:
 #
 # - causes: `"mounts not recorded"`, `"mounts skipped"`, `"nobody publishes /clock"`, `"one node in another time"`, `"time went back"`, `"sensor broken"`
 # - what to do: `"record again, with /tf_static"`, `"play from the start"`, `"play with --clock"`, `"set use_sim_time on that node"`, `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`, `"raise the timeout"`, `"replace the sensor"`
@@ -150,7 +149,7 @@ check("E10.3", findings)
 #
 # `params` is a launch file's YAML as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
-# - `/**` is for all nodes. A node's own entry, written with or without its slash, replaces what it names, wherever it stands in the file. A node has one entry of its own at most: never both `mapper` and `/mapper`.
+# - `/**` applies to all nodes. A node's own entry, written with or without its slash, replaces what it names, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
 # - `True` is `"sim"`, `False` is `"wall"`, and so is a node for which it is not set.
 # - Anything else than `True` or `False` is `"refused"`: rclpy logs an error.
 #
@@ -188,8 +187,7 @@ check("E10.4", clock_of)
 # %% [markdown] lang="en" name="e10-5"
 # ## E10.5 · How wrong is the sensor's clock? (3 points)
 #
-# `e10_5.log` holds (stamp, heard) of a sensor's messages [s]: the stamp by the sensor's clock, heard by the robot's. A healthy message takes `e10_5.shortest_delay_s`, and in a log as long as this one at least one gets through without being held up.
-#
+# `e10_5.log` contains (stamp, arrival) of a sensor's messages [s]: the stamp by the sensor's clock, the arrival by the robot's. A healthy message takes `e10_5.shortest_delay_s`, and in a log as long as this one at least one message arrives without further delay.
 # By how many seconds is the sensor's clock **behind** the robot's? Negative if it is ahead.
 
 # %% [markdown] lang="ko" name="e10-5"
@@ -211,11 +209,10 @@ behind_s = min(heard - stamp for stamp, heard in e10_5.log) - e10_5.shortest_del
 check("E10.5", behind_s)
 
 # %% [markdown] lang="en" name="e10-6"
-# ## E10.6 · Can a bag place its own messages? (4 points)
+# ## E10.6 · Can a bag's transforms place its own messages? (4 points)
 #
-# `buffer` holds a bag's transforms, `messages` its stamped messages (each has a `header`), `target` is the frame in which they are wanted.
-#
-# Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first refusal's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
+# `buffer` contains a bag's transforms, `messages` its stamped messages (each has a `header`), `target` is the frame in which they are wanted.
+# Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first exception's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
 # ## E10.6 · bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까? (4점)
@@ -245,11 +242,10 @@ def placeable(buffer, messages, target):
 check("E10.6", placeable)
 
 # %% [markdown] lang="en" name="e10-7"
-# ## E10.7 · When must a buffer forget? (3 points)
+# ## E10.7 · When must a buffer be cleared? (3 points)
 #
-# `clock_s` are readings of `/clock` [s], in the order in which they were heard. A buffer must forget when the clock goes back by 1 s or more from one reading to the next; less is disorder on the network.
-#
-# Return the readings at which it must forget: for each such step the first reading after it.
+# `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; less is disorder on the network.
+# Return the values at which it must be cleared: for each such step the first value after it.
 
 # %% [markdown] lang="ko" name="e10-7"
 # ## E10.7 · 버퍼는 언제 지워야 합니까? (3점)
@@ -274,7 +270,7 @@ check("E10.7", jumps)
 # ## What you have shown
 #
 # The checks here used your own numbers. In a class, grading asks the same questions with others.
-# On a robot: after your next recording, type `ros2 bag info`, and look for one line before all others.
+# On a robot: after your next recording, type `ros2 bag info`, and look for `/tf_static` first.
 #
 # **Next:** [11 Tools and RViz](../../notebooks/en/11_tools_and_rviz.ipynb).
 
