@@ -29,16 +29,16 @@ import re
 # %% [markdown] lang="en" name="e11-1"
 # ## E11.1 · Which tool for which question? (3 points)
 #
-# Eight questions. Answer each with `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` or, where none of them answers it, `"no ROS 2 tool"`. `/tf` has several publishers.
+# Eight questions. Answer each with `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` or, if none of them answers it, `"no ROS 2 tool"`. `/tf` has several publishers.
 #
-# - **trees** Do all frames hang in one tree?
-# - **edge rate** How often does `odom → base_footprint` come?
-# - **height** At which height over `base_link` does TF have the laser?
-# - **chain** How late is what TF knows of the chain from `map` to `laser_frame`?
+# - **trees** Are all frames in one tree?
+# - **edge rate** How often is `odom → base_footprint` published?
+# - **height** How high above `base_link` is the laser in TF?
+# - **chain** How late is the data of the path from `map` to `laser_frame`?
 # - **scan** How old is a scan when it arrives?
 # - **on tf** Which nodes publish on `/tf`?
 # - **sender** Which node sends `odom → base_footprint`?
-# - **wall** Does the scan lie on the map's walls?
+# - **wall** Is the scan on the map's walls?
 
 # %% [markdown] lang="ko" name="e11-1"
 # ## E11.1 · 어떤 질문에 어떤 도구를 씁니까? (3점)
@@ -74,10 +74,10 @@ check("E11.1", tools)
 # %% [markdown] lang="en" name="e11-2"
 # ## E11.2 · Two readings of tf2_echo (3 points)
 #
-# `first` and `second` are what `tf2_echo map base_link` printed, one after the other. Of the time between the two:
+# `first` and `second` are two consecutive outputs of `tf2_echo map base_link`.
 #
 # - `"speed_mps"`: the straight distance between the two positions, divided by the time between the two stamps [m/s];
-# - `"yaw_rate_radps"`: how fast it turned, positive to the left [rad/s];
+# - `"yaw_rate_radps"`: the rotation between the two, divided by that time, positive to the left [rad/s];
 # - `"stamp_s"`: the stamp of the second reading, in seconds.
 
 # %% [markdown] lang="ko" name="e11-2"
@@ -113,12 +113,12 @@ check("E11.2", motion)
 # %% [markdown] lang="en" name="e11-3"
 # ## E11.3 · Often enough? (4 points)
 #
-# A robot's card says how often two of its nodes send on `/tf` (`sends_hz`); the third and last is the odometry's. `ros2 topic hz /tf` says `hz_of_tf`. `report` is the first report of `tf2_monitor map laser_frame`. The robot drives a bend (`speed_mps`, `yaw_rate_radps`).
+# A robot's card gives the rates at which two of its nodes publish on `/tf` (`sends_hz`); the third and last is the odometry. `ros2 topic hz /tf` prints `hz_of_tf`. `report` is the first report of `tf2_monitor map laser_frame`. The robot drives a curve (`speed_mps`, `yaw_rate_radps`).
 #
-# - `"odometry_hz"`: how often does the odometry speak [Hz]?
-# - `"late_s"`: how late is the chain at worst [s]?
+# - `"odometry_hz"`: how often does the odometry publish [Hz]?
+# - `"late_s"`: how late is the path at worst [s]?
 # - `"off_mm"`: how far is TF's straight line from the robot's arc at worst, between two samples of the odometry [mm]?
-# - `"wait_s"`: how long does a scan have to wait for the odometry at worst, after it has arrived [s]? A transform travels `transform_travels_s`, a scan `scan_travels_s`.
+# - `"wait_s"`: how long does a scan have to wait for the odometry at worst, after it has arrived [s]? A transform takes `transform_travels_s` to arrive, a scan `scan_travels_s`.
 # - `"enough"`: is `off_mm` within `allowed_mm`, `"yes"` or `"no"`?
 
 # %% [markdown] lang="ko" name="e11-3"
@@ -152,8 +152,8 @@ check("E11.3", verdict)
 # %% [markdown] lang="en" name="e11-4"
 # ## E11.4 · Six robots in RViz (4 points)
 #
-# `robot_a` to `robot_f` are what RViz's list says of six robots; where all is Ok, a sentence says what is seen. The Fixed Frame should be `map`.
-# For each robot the likeliest cause (`"a"`) and the first check (`"a check"`). Some of these fit no robot, some more than one:
+# `robot_a` to `robot_f` contain RViz's list for six robots; if all is Ok, a sentence describes the picture. The Fixed Frame should be `map`.
+# For each robot give the likeliest cause (`"a"`) and the first check (`"a check"`). Some of these fit no robot, some more than one:
 #
 # - `"localiser down"`, `"Fixed Frame misspelt"`, `"joint states missing"`, `"odometry down"`, `"stamps late"`, `"mount wrong"`, `"sensor broken"` or `"nothing wrong"`;
 # - `"ros2 node list"`, `"the name in RViz"`, `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`, `"a longer timeout"` or `"no check"`.
@@ -192,10 +192,10 @@ check("E11.4", findings)
 # %% [markdown] lang="en" name="e11-5"
 # ## E11.5 · What does the Fixed Frame change? (2 points)
 #
-# You change RViz's Fixed Frame from `map` to `odom`; or, where the tree is broken, to a frame of the other tree. `"changes"` or `"stays"`?
+# You change RViz's Fixed Frame from `map` to `odom`; or, if the tree is broken, to a frame of the other tree. `"changes"` or `"stays"`?
 #
 # - **screen** where on the screen the laser is drawn
-# - **pose in odom** what `tf2_echo odom base_link` prints
+# - **pose in odom** the output of `tf2_echo odom base_link`
 # - **ranges** the numbers in the scan's message
 # - **errors** which displays can be shown at all
 # - **localiser** by how much the localiser corrects `map → odom`
@@ -229,13 +229,13 @@ changes = {
 check("E11.5", changes)
 
 # %% [markdown] lang="en" name="e11-6"
-# ## E11.6 · Read tf2_monitor by program (4 points)
+# ## E11.6 · Parse the output of tf2_monitor (4 points)
 #
-# `report` is what `tf2_monitor A B` printed, as one text; `static_frames` are the names of the frames that hang on a static transform. Return a dict:
+# `report` is the output of `tf2_monitor A B`, as one text; `static_frames` are the names of the frames that are children of a static transform. Return a dict:
 #
-# - `"late"`: of the frames that move, the one that was latest at worst;
-# - `"future"`: a list of the frames that move and whose stamps lie in the future on average;
-# - `"delay_s"`: how late the whole chain was at worst [s].
+# - `"late"`: of the frames that move, the one with the largest delay at worst;
+# - `"future"`: a list of the frames that move and whose stamps are in the future on average;
+# - `"delay_s"`: how late the whole path was at worst [s].
 
 # %% [markdown] lang="ko" name="e11-6"
 # ## E11.6 · 프로그램으로 tf2_monitor 읽기 (4점)
@@ -272,8 +272,8 @@ check("E11.6", read_monitor)
 #
 # One line each, as you type it in a terminal:
 #
-# - `"value"`: print where `echo_of` is, as seen from `echo_in`, `echo_hz` times a second;
-# - `"late"`: measure how late the chain from `chain[0]` to `chain[1]` is, in a simulation, so that the tool uses the simulated time;
+# - `"value"`: print the pose of `echo_of` in `echo_in`, `echo_hz` times a second;
+# - `"late"`: measure how late the path from `chain[0]` to `chain[1]` is, in a simulation, so that the tool uses the simulated time;
 # - `"who"`: show which nodes publish and subscribe on `topic`.
 
 # %% [markdown] lang="ko" name="e11-7"
@@ -303,7 +303,7 @@ check("E11.7", commands)
 # ## What you have shown
 #
 # The checks here used your own numbers. In a class, grading asks the same questions with others.
-# On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz; and write down of each output what you compared it with.
+# On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz. For each output write down what you compared it with.
 #
 # **Next:** [12 Owners and diagnosis](../../notebooks/en/12_owners_and_diagnosis.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 

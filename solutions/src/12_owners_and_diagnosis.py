@@ -23,13 +23,13 @@
 from tflab.workbook import check, hint, lesson, solution, task
 
 # %% [markdown] lang="en" name="e12-1"
-# ## E12.1 · Who says what (4 points)
+# ## E12.1 · Which node publishes what (4 points)
 #
-# A robot with wheels, an imu, a lidar and an arm. Its packages hold `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". All of them send what their switch lets them.
-# What `task` gives decides two things:
+# A robot with wheels, an IMU, a lidar and an arm. Its packages contain `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". Each of them publishes what its switch allows.
+# The data of the task decide two things:
 #
-# - `map_frame`: with `"a map is there"` the robot is localised by `amcl`; while `"the map is being made"`, by `slam_toolbox`; with `"no map at all"` nobody sends `map → odom`.
-# - `odometry`: with `"wheels alone"` there is nothing to fuse, and the filter stays off; with `"wheels and imu, fused by ekf_filter_node"` the filter makes the better pose of both, and is to be believed.
+# - `map_frame`: with `"a map is there"` the robot is localised by `amcl`; while `"the map is being made"`, by `slam_toolbox`; with `"no map at all"` no node publishes `map → odom`.
+# - `odometry`: with `"wheels alone"` there is nothing to fuse, and the filter stays off; with `"wheels and imu, fused by ekf_filter_node"` the filter's pose is the better one, and is used.
 #
 # Name the owner of each edge, one of `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"`, and set each switch to `True` or `False`.
 
@@ -69,11 +69,11 @@ check("E12.1", owners)
 # %% [markdown] lang="en" name="e12-2"
 # ## E12.2 · Five terminals (4 points)
 #
-# Five terminals on five robots, `e12_2.a` to `e12_2.e`: print them. Each was asked the same four questions about `odom → base_footprint`; what they printed is shortened. The card of the healthy robot is the one from the page. For each terminal, from `"a …"` to `"e …"`:
+# Five terminals on five robots, `e12_2.a` to `e12_2.e`: print them. In each, the same four commands were typed about `odom → base_footprint`; their output is shortened. The card of the healthy robot is the one from the page. For each terminal, from `"a …"` to `"e …"`:
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"` or `"a misspelt parent"`
-# - `"… node"`: who has to change: `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"` or `"none"`
-# - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"` or `"wheel_odometry: parent odom"`
+# - `"… node"`: which node has to change: `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"` or `"none"`
+# - `"… cure"`, the fix: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"` or `"wheel_odometry: parent odom"`
 
 # %% [markdown] lang="ko" name="e12-2"
 # ## E12.2 · 터미널 다섯 개 (4점)
@@ -107,19 +107,19 @@ for place, text in vars(e12_2).items():
 check("E12.2", terminals)
 
 # %% [markdown] lang="en" name="e12-3"
-# ## E12.3 · The first question (3 points)
+# ## E12.3 · The first check (3 points)
 #
-# Ten symptoms. For each: what do you ask **first**? A check of two minutes at most that tells its two suspects apart; where there are several, any of them. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
+# Ten symptoms. For each: what do you check **first**? Choose a check of two minutes at most that has different results for its two suspects; if there are several, any of them. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
 #
-# - **no frame map** RViz knows no `map`. Is the localiser off, or does it wait?
-# - **odom stands alone** /odom comes, and no edge below `odom`. Is the switch off, or the parent misspelt?
+# - **no frame map** RViz does not know `map`. Is the localiser not running, or does it wait?
+# - **odom stands alone** /odom arrives, and `odom` has no child. Is the switch off, or the parent misspelt?
 # - **robot to and fro** the robot jumps in `odom`. Two owners, or a bad wheel?
-# - **scan beside the walls** green, and 20 cm off even standing still. A wrong mount, or a wrong map?
-# - **walls smear in bends** sharp while the robot stands. The scan's clock, or the mount?
+# - **scan beside the walls** all Ok, and 20 cm off even at rest. A wrong mount, or a wrong map?
+# - **walls smear in bends** sharp while the robot stands still, smeared in curves. The scan's clock, or the mount?
 # - **into the future** the scan flickers. The laser's clock, or late transforms?
-# - **localizer silent** the node is there and sends nothing. Does it wait for /clock, or for a scan?
+# - **localizer silent** the node is there and publishes nothing. Does it wait for /clock, or for a scan?
 # - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. Is the name in the scan's header misspelt, or is the mount missing?
-# - **static late joiner** whoever starts later never hears a mount. Is its publisher volatile, or was the mount never sent?
+# - **static late joiner** a listener that starts later never receives a mount. Is its publisher volatile, or was the mount never sent?
 # - **slow robot** scans are shown, but in steps. A slow odometry, or a slow scan?
 
 # %% [markdown] lang="ko" name="e12-3"
@@ -167,10 +167,10 @@ check("E12.3", first)
 #
 # For each patient, `"a ..."`, `"b ..."` and `"c ..."`:
 #
-# - `"a checks"`: a list of checks by their short names, such as `["hz /scan", "node list"]`, that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, something sick shown, and nothing asked after that
+# - `"a checks"`: a list of checks by their short names, such as `["hz /scan", "node list"]`, that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, one result that is not normal, and no check after that
 # - `"a cause"`: one of the eighteen suspects, as `lesson.show_suspects()` prints them, or `"sensor broken"`
-# - `"a frame"`: whose place is not right: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
-# - `"a owner"`: who has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
+# - `"a frame"`: the frame whose pose is wrong: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
+# - `"a owner"`: which node has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
 # - `"a fix"`: one of those that `visit.fixes()` prints
 
 # %% [markdown] lang="ko" name="e12-4"
@@ -209,15 +209,15 @@ check("E12.4", patients)
 # %% [markdown] lang="en" name="e12-5"
 # ## E12.5 · A robot from its specification (5 points)
 #
-# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an imu that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the sensor's two, each with the name and a slash before it; `map` is shared.
+# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an IMU that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the sensor's two, each with the name and a slash in front; `map` is shared.
 #
 # - `"tree"`: child → parent
-# - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of what moves and of what is bolted on
+# - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of the frames that move and of the fixed mounts
 # - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"` or `"camera_driver"`
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` or `False`
-# - `"bag"`: the topics to record, so that tomorrow the tree is whole; no more than these
+# - `"bag"`: the topics to record, so that tomorrow the tree is complete; no more than these
 #
-# The cell below your answer launches it beside the first robot just as you wrote it: what RViz says, who sends which edge, and what a bag would be good for. It judges nothing; what is wrong there would be wrong on the robot.
+# The cell below your answer launches it beside the first robot exactly as you wrote it: RViz's list, the publisher of each edge, and what a bag would be good for. It does not judge. What is wrong there would be wrong on the robot.
 
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
@@ -264,18 +264,18 @@ check("E12.5", robot)
 # %% [markdown] lang="en" name="e12-6"
 # ## E12.6 · The wall that smears (3 points)
 #
-# The lecture's last question: in the middle of a drive a straight wall appears two and three times over. Eight cards lie on the table:
+# The lecture's last question: in the middle of a drive a straight wall appears two and three times. There are eight possible steps:
 #
-# - **new sensor** put another laser on
-# - **mount** `tf2_echo base_link laser_frame` against the drawing
-# - **publishers** who sends which edge, and which switches are on
+# - **new sensor** install another laser
+# - **mount** compare `tf2_echo base_link laser_frame` with the drawing
+# - **publishers** which node publishes which edge, and which switches are on
 # - **fixed frame** names: the Fixed Frame, and the frames in RViz's list
 # - **longer timeout** let RViz wait longer
 # - **header** the scan's own frame and stamp, and the clock it comes from
 # - **tree** does `view_frames` show one tree?
 # - **rates** delays and rates of the edges
 #
-# Choose six, in the order in which you would look, from cheap and coarse to dear and fine: `"first"` to `"sixth"`.
+# Choose six, in the order in which you would look, from cheap and coarse to expensive and fine: `"first"` to `"sixth"`.
 
 # %% [markdown] lang="ko" name="e12-6"
 # ## E12.6 · 번지는 벽 (3점)
@@ -309,10 +309,11 @@ steps = {
 check("E12.6", steps)
 
 # %% [markdown] lang="en" name="e12-7"
-# ## E12.7 · A program that makes the rounds (5 points)
+# ## E12.7 · A program that diagnoses (5 points)
 #
-# All that is known is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`. The next cell prints for every check what it says when all is well (`card`), and what it says of whom. Names and numbers are those of one robot: a clock can be off by 0.35 s, too, and a frame be called `lidar`.
-# Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. It carries what you asked, and that has to be a proof: all seventeen others ruled out, in time, and nothing asked after that.
+# The only complaint is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`. The next cell prints for every check its normal result (`card`), and its result for each suspect. Names and numbers are those of one robot: a clock can also be off by 0.35 s, and a frame be called `lidar`.
+#
+# Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. It includes your checks, and they have to be a proof: all seventeen others ruled out, in time, and no check after that.
 
 # %% [markdown] lang="ko" name="e12-7"
 # ## E12.7 · 회진하는 프로그램 (5점)
@@ -650,10 +651,10 @@ check("E12.8", after)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# You have named owners, read terminals, proved causes with the fewest questions, and drawn up a robot. Grading asks the same with other robots; your program will meet patients that nobody has seen.
-# On a robot, take the card with you: without a normal nothing is abnormal.
+# You have named owners, read terminals, proved causes with the fewest checks, and specified a robot. In a class, grading asks the same with other robots, and your program gets other patients.
+# On a robot, take the card with you: without the normal results you cannot see a fault.
 #
-# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have learnt between the two tests, and what to read again; [practice without end](../../notebooks/en/91_practice.ipynb) asks it again.
+# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have learned between the two tests, and what to read again; [practice](../../notebooks/en/91_practice.ipynb) asks it again.
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
