@@ -985,7 +985,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # </details>
 #
-# Stamp a dynamic transform with the moment it was *measured*. The moment at which a callback happened to run hides every delay on the way.
+# Stamp a dynamic transform with the time of its *measurement*. With the time at which a callback happened to run, every delay before it is hidden.
 
 # %% [markdown] lang="ko" name="dynamic-node" slide="skip"
 # <details><summary>강의 자료의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장하세요</summary>

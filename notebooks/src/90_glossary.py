@@ -24,7 +24,7 @@
 # %% [markdown] lang="en" name="chapter-0" slide="skip"
 # ## Chapter 0 · Start here
 #
-# - **TF2 (좌표 변환 시스템)**: The part of ROS 2 that keeps, over time, where each frame sits in another one, and joins those steps into the answer you ask for.
+# - **TF2 (좌표 변환 시스템)**: The part of ROS 2 that stores the transforms between frames over time, and combines them for a lookup.
 # - **node (노드)**: One participant of a ROS 2 system: a program, or a part of one, with a name.
 # - **topic (토픽)**: A named channel on which nodes publish messages and others subscribe to them.
 # - **message (메시지)**: A value of a fixed type that travels on a topic.
@@ -44,11 +44,11 @@
 # %% [markdown] lang="en" name="chapter-1" slide="skip"
 # ## Chapter 1 · Value, frame and stamp
 #
-# - **frame (좌표계)**: An origin and three axes: what numbers for a position or a direction are counted from.
-# - **base_link (로봇 본체 좌표계)**: The frame bolted to the robot's body: it moves with it, and sensors are mounted on it.
+# - **frame (좌표계)**: An origin and three axes, with a name. Positions and directions are measured in a frame.
+# - **base_link (로봇 본체 좌표계)**: The frame that is fixed to the robot's body. Sensors are mounted on it.
 # - **pose (포즈)**: A position together with an orientation, both in one frame.
 # - **stamp (측정 시각)**: The time at which something was measured, carried in `header.stamp`; not the time it was sent or received.
-# - **header (헤더)**: The part of a message that says in which frame and at what time its values hold.
+# - **header (헤더)**: The part of a message that contains the frame and the stamp of its values.
 
 # %% [markdown] lang="ko" name="chapter-1" slide="skip"
 # ## 1장 · 값, 좌표계, 측정 시각
@@ -62,12 +62,12 @@
 # %% [markdown] lang="en" name="chapter-2" slide="skip"
 # ## Chapter 2 · Axes and quaternions
 #
-# - **rotation (회전)**: The part of a transform that says how the child's axes are turned in the parent.
-# - **roll, pitch, yaw (롤·피치·요)**: Three turns about the fixed x, y and z axes, in that order, in radians.
-# - **yaw (요)**: The turn about z, which points up: positive is to the left.
+# - **rotation (회전)**: The part of a transform that gives the orientation of the child's axes in the parent.
+# - **roll, pitch, yaw (롤·피치·요)**: Three rotations about the fixed x, y and z axes, in that order, in radians.
+# - **yaw (요)**: The rotation about z, which points up. Positive is to the left.
 # - **quaternion (쿼터니언)**: Four numbers for one rotation, in the order x, y, z, w, with length 1; (0, 0, 0, 1) is no rotation.
-# - **unit quaternion (단위 쿼터니언)**: A quaternion of length 1; only those are rotations.
-# - **REP-103**: ROS's agreement on units and axes: metres, radians, right-handed; x forward, y left, z up.
+# - **unit quaternion (단위 쿼터니언)**: A quaternion of length 1. Only unit quaternions are rotations.
+# - **REP-103**: ROS's convention for units and axes: metres, radians, right-handed; x forward, y left, z up.
 # - **body frame (본체 축 좌표계)**: A frame with REP-103's axes: x forward, y left, z up.
 # - **optical frame (광학 좌표계)**: A camera's second frame, with the axes of its image: z forward, x right, y down.
 # - **right-handed (오른손 좌표계)**: Axes such that, with the thumb along z, the fingers of a right hand curl from x to y.
@@ -94,14 +94,14 @@
 # %% [markdown] lang="en" name="chapter-3" slide="skip"
 # ## Chapter 3 · Target and source
 #
-# - **transform (좌표 변환)**: Where a child frame sits in its parent and how it is turned: a translation, then a rotation.
+# - **transform (좌표 변환)**: The pose of a child frame in its parent frame: a translation and a rotation.
 # - **parent frame (부모 좌표계)**: The frame in which a transform says where the child is; `header.frame_id` in the message.
-# - **child frame (자식 좌표계)**: The frame whose place a transform gives; it has one parent only; `child_frame_id` in the message.
+# - **child frame (자식 좌표계)**: The frame whose pose a transform gives. It has one parent only; `child_frame_id` in the message.
 # - **tf2_echo (변환 확인 도구)**: A tool that keeps printing the newest transform between two frames: `tf2_echo A B` gives the pose of B in A.
 # - **target frame (목표 좌표계)**: The frame in which you want the data: the first argument of `lookup_transform`.
 # - **source frame (원본 좌표계)**: The frame in which the data is expressed now: the second argument of `lookup_transform`.
-# - **translation (이동)**: The part of a transform that says where the child's origin is in the parent, in metres.
-# - **inverse (역변환)**: The transform that undoes another one: it turns back, and its translation is turned too.
+# - **translation (이동)**: The part of a transform that gives the position of the child's origin in the parent, in metres.
+# - **inverse (역변환)**: The transform that undoes another one. Its rotation is the inverse rotation, and its translation is −R⁻¹t.
 # - **lookup (조회)**: Asking a buffer for the transform between two frames at one moment: `lookup_transform`.
 
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
@@ -120,9 +120,9 @@
 # %% [markdown] lang="en" name="chapter-4" slide="skip"
 # ## Chapter 4 · The tree of frames
 #
-# - **view_frames (TF 트리 시각화 도구)**: A tool that listens for a few seconds and draws the tree of frames with rates and ages.
+# - **view_frames (TF 트리 시각화 도구)**: A tool that receives transforms for a few seconds and draws the tree of frames with rates and ages.
 # - **TF tree (TF 트리)**: All frames with their one parent each: no cycle, and one path between any two.
-# - **edge (연결)**: One step of the tree: a child, its parent, and the transforms between them through time.
+# - **edge (연결)**: A connection in the tree: a child, its parent, and the transforms between them over time.
 # - **authority (발행 주체)**: The node that sends a transform; each child should have one only.
 # - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
 # - **root (루트)**: A frame without a parent: a tree has one, and two roots are two trees.
@@ -147,7 +147,7 @@
 # - **map (지도 좌표계)**: The world-fixed frame that stays right over hours but may jump when localisation corrects itself.
 # - **odom (오도메트리 좌표계)**: The world-fixed frame in which the robot moves without jumps, and slowly drifts away from the truth.
 # - **base_footprint (지면 투영 좌표계)**: The robot's body projected onto the ground: x, y and yaw, without height, roll or pitch.
-# - **REP-105**: ROS's agreement on the frames of a mobile robot: map, odom, base_link, and who owns what.
+# - **REP-105**: ROS's convention for the frames of a mobile robot: map, odom, base_link, and which program publishes each.
 # - **odometry (오도메트리)**: Motion added up step by step from wheels, an IMU or a camera.
 # - **localization (위치 추정)**: Finding the robot in a map, and correcting what odometry has drifted.
 # - **drift (드리프트)**: An error that grows slowly because small errors are added up.
@@ -166,9 +166,9 @@
 # %% [markdown] lang="en" name="chapter-6" slide="skip"
 # ## Chapter 6 · Static and dynamic
 #
-# - **static transform (정적 좌표 변환)**: A transform that does not change, such as a sensor's mount; sent once on `/tf_static`, and late listeners get it too.
+# - **static transform (정적 좌표 변환)**: A transform that does not change, such as a sensor's mount; sent once on `/tf_static`. Listeners that join later receive it, too.
 # - **dynamic transform (동적 좌표 변환)**: A transform that changes, such as the robot's pose; sent again and again on `/tf`, each time with its stamp.
-# - **broadcaster (변환 발행기)**: The object by which a node tells everyone the transforms that it knows: `TransformBroadcaster`, or `StaticTransformBroadcaster`.
+# - **broadcaster (변환 발행기)**: The object with which a node publishes transforms: `TransformBroadcaster`, or `StaticTransformBroadcaster`.
 # - **QoS (서비스 품질)**: The terms on which a topic is delivered: reliability, depth of history, durability.
 # - **transient local (전송 후 보존)**: The durability by which a late subscriber still receives what was sent before; `/tf_static` uses it.
 
@@ -205,15 +205,15 @@
 # ## Chapter 8 · Buffer and measurement time
 #
 # - **listener (변환 수신기)**: The object that subscribes to `/tf` and `/tf_static` and fills a buffer: `TransformListener`.
-# - **buffer (변환 버퍼)**: The store of recent transforms, edge by edge, which answers where one frame was in another at a given time.
-# - **fixed frame (고정 좌표계)**: A frame that is taken to stand still: RViz draws everything in it.
-# - **latest common time (최신 공통 시각)**: The newest time at which every edge of a path has a value: the earliest of the edges' latest stamps; statics do not count.
+# - **buffer (변환 버퍼)**: The store of recent transforms, edge by edge. It answers lookups: the pose of one frame in another at a given time.
+# - **fixed frame (고정 좌표계)**: The frame in which RViz draws everything. In `lookup_transform_full`, a frame that does not move between the two times.
+# - **latest common time (최신 공통 시각)**: The newest time at which every edge of a path has data: the earliest of the edges' latest stamps. Static edges do not count.
 # - **interpolation (보간)**: Finding a value between two samples: a straight line for the translation, the shortest arc for the rotation.
-# - **extrapolation (외삽)**: Guessing a value outside the samples; tf2 refuses to.
-# - **cache time (보관 시간)**: How far back a buffer remembers: 10 s if you say nothing.
+# - **extrapolation (외삽)**: Guessing a value outside the samples. tf2 raises an exception instead.
+# - **cache time (보관 시간)**: How far back a buffer keeps samples: 10 s by default.
 # - **latency (지연)**: The time between measuring something and using it.
-# - **smear (번짐)**: A wall drawn thick or twice because scans were placed with the pose of another moment.
-# - **TypeException (형식 예외)**: What `transform()` raises when nobody has said how to convert that message; it is not a TransformException.
+# - **smear (번짐)**: A wall drawn thick or twice because scans were transformed with the pose of another time.
+# - **TypeException (형식 예외)**: The error of `transform()` for a message type without a registered conversion. It is not a TransformException.
 # - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep belong to different moments, and drawn with one pose they bend the walls.
 # - **sample (표본)**: One transform of an edge, at the stamp it was measured at.
 # - **timeline (시간줄)**: The samples of one edge, in the order of their stamps: the buffer keeps one for each edge.
@@ -238,11 +238,11 @@
 # %% [markdown] lang="en" name="chapter-9" slide="skip"
 # ## Chapter 9 · Exceptions and waiting
 #
-# - **LookupException (프레임 조회 예외)**: TF2's error for a frame name that the buffer has never heard of.
+# - **LookupException (프레임 조회 예외)**: TF2's error for a frame name that the buffer has never received.
 # - **ConnectivityException (연결 예외)**: TF2's error for two frames that are known but have no path between them.
-# - **ExtrapolationException (시간 외삽 예외)**: TF2's error for a path that is there but has no value at the time you asked for.
-# - **InvalidArgumentException (잘못된 인자 예외)**: TF2's error for a question that makes no sense, such as an empty name or one with a leading slash.
-# - **TimeoutException (시간 초과 예외)**: TF2's error for a question that no one answered in time.
+# - **ExtrapolationException (시간 외삽 예외)**: TF2's error for a path that exists but has no data at the requested time.
+# - **InvalidArgumentException (잘못된 인자 예외)**: TF2's error for an invalid argument, such as an empty name or one with a leading slash.
+# - **TimeoutException (시간 초과 예외)**: TF2's error for a lookup in another process that was not answered in time.
 # - **TransformException (변환 예외)**: The common parent of TF2's errors: `except TransformException` catches them all.
 # - **timeout**: How long a lookup may wait for the transform before it gives up.
 # - **callback (콜백)**: Your function that ROS 2 calls when a message arrives or a timer is due.

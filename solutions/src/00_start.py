@@ -4,11 +4,11 @@
 # One task, about 15 minutes. The page it belongs to: [Start here](../../notebooks/en/00_start.ipynb).
 #
 # These are fifteen questions about robots, in everyday words.
-# You will meet them again at the end of the last chapter, with other numbers.
-# Nothing here is marked: wrong is useful, and guessing is fine if you say so. In a class, the point is for answering.
+# You answer such questions again at the end of the last chapter, with other numbers.
+# Nothing here is marked. A wrong answer is useful, and a guess is fine if you say that it is one. In a class, the point is for answering.
 #
-# Neither `check` nor your copy tells what is right until you have answered the second form, E12.8. Then both open, with a sentence for each option, and show what you have learnt and what to read again.
-# (tflab itself is public, and whoever digs in it finds the key, as in the back of a book. You would only spoil your own before and after.)
+# Neither `check` nor your copy shows the right answers until you have answered the second form, E12.8. Then you see both forms, an explanation of each option, what you have learned, and what to read again.
+# (tflab itself is public, and you can find the key in it, as at the back of a book. But then your before and after mean nothing.)
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 00 · 배우기 전에 풀어 보는 열다섯 문제
