@@ -28,8 +28,8 @@
 # - **node (노드)**: One participant of a ROS 2 system: a program, or a part of one, with a name.
 # - **topic (토픽)**: A named channel on which nodes publish messages and others subscribe to them.
 # - **message (메시지)**: A value of a fixed type that travels on a topic.
-# - **RViz**: ROS 2's window for looking: it draws frames, scans, clouds and the robot, all in one fixed frame.
-# - **publish (발행)**: To send a message, or a transform, to everyone who listens.
+# - **RViz**: ROS 2's 3D visualiser. It draws frames, scans, clouds and the robot, all in one fixed frame.
+# - **publish (발행)**: To send a message, or a transform, to all subscribers.
 
 # %% [markdown] lang="ko" name="chapter-0" slide="skip"
 # ## 0장 · 여기서 시작합니다
@@ -71,8 +71,8 @@
 # - **body frame (본체 축 좌표계)**: A frame with REP-103's axes: x forward, y left, z up.
 # - **optical frame (광학 좌표계)**: A camera's second frame, with the axes of its image: z forward, x right, y down.
 # - **right-handed (오른손 좌표계)**: Axes such that, with the thumb along z, the fingers of a right hand curl from x to y.
-# - **gimbal lock (짐벌 락)**: What happens to roll, pitch and yaw when the nose points straight up or down: two of the three turn about the same line, and small motions make the angles leap.
-# - **detector (검출기)**: A program that finds things in a picture or a scan, and says where they are.
+# - **gimbal lock (짐벌 락)**: What happens to roll, pitch and yaw when the nose points straight up or down: two of the three rotate about the same line, and small motions make the angles jump.
+# - **detector (검출기)**: A program that finds objects in an image or a scan, and publishes their positions.
 # - **point cloud (포인트 클라우드)**: Many measured points in one message, all in one frame: what a depth camera gives.
 
 # %% [markdown] lang="ko" name="chapter-2" slide="skip"
@@ -102,7 +102,7 @@
 # - **source frame (원본 좌표계)**: The frame in which the data is expressed now: the second argument of `lookup_transform`.
 # - **translation (이동)**: The part of a transform that gives the position of the child's origin in the parent, in metres.
 # - **inverse (역변환)**: The transform that undoes another one. Its rotation is the inverse rotation, and its translation is −R⁻¹t.
-# - **lookup (조회)**: Asking a buffer for the transform between two frames at one moment: `lookup_transform`.
+# - **lookup (조회)**: A request to a buffer for the transform between two frames at one time: `lookup_transform`.
 
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
 # ## 3장 · 목표 좌표계와 원본 좌표계
@@ -126,7 +126,7 @@
 # - **authority (발행 주체)**: The node that sends a transform; each child should have one only.
 # - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
 # - **root (루트)**: A frame without a parent: a tree has one, and two roots are two trees.
-# - **namespace (네임스페이스)**: A word before the names of a node's topics and services; it is never put before the frames in its messages.
+# - **namespace (네임스페이스)**: A prefix of the names of a node's topics and services. It is never put before the frames in its messages.
 # - **frame prefix (접두사)**: A word such as robot1/ before every frame of one robot, so that two robots do not share a frame by accident.
 
 # %% [markdown] lang="ko" name="chapter-4" slide="skip"
@@ -186,8 +186,8 @@
 #
 # - **URDF (로봇 모델 파일)**: The file that describes a robot's links and joints, and so its fixed transforms.
 # - **robot_state_publisher (로봇 상태 발행자)**: The node that turns a URDF and joint states into transforms.
-# - **link (링크)**: A rigid part of a robot, and the frame that is bolted to it.
-# - **joint (관절)**: Where a child link is in its parent: an origin, and, if it moves, a movement about or along an axis.
+# - **link (링크)**: A rigid part of a robot, and the frame that is fixed to it.
+# - **joint (관절)**: The connection of a child link to its parent: an origin and, if it moves, a movement about or along an axis.
 # - **forward kinematics (정기구학)**: Joint positions in, the pose of the tip out: the product of the transforms of all joints.
 # - **tcp (공구 중심점)**: Tool centre point: the frame at which a tool works, below `tool0`, where the arm ends.
 
@@ -214,7 +214,7 @@
 # - **latency (지연)**: The time between measuring something and using it.
 # - **smear (번짐)**: A wall drawn thick or twice because scans were transformed with the pose of another time.
 # - **TypeException (형식 예외)**: The error of `transform()` for a message type without a registered conversion. It is not a TransformException.
-# - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep belong to different moments, and drawn with one pose they bend the walls.
+# - **motion distortion (움직임 왜곡)**: What a sensor's own motion does to data that takes time to measure: the rays of one sweep are measured at different times, so walls look bent if all are transformed with one pose.
 # - **sample (표본)**: One transform of an edge, at the stamp it was measured at.
 # - **timeline (시간줄)**: The samples of one edge, in the order of their stamps: the buffer keeps one for each edge.
 
@@ -246,13 +246,13 @@
 # - **TransformException (변환 예외)**: The common parent of TF2's errors: `except TransformException` catches them all.
 # - **timeout**: How long a lookup may wait for the transform before it gives up.
 # - **callback (콜백)**: Your function that ROS 2 calls when a message arrives or a timer is due.
-# - **executor (실행기)**: What takes a node's waiting callbacks and runs them, one at a time or on several threads.
+# - **executor (실행기)**: The object that runs a node's callbacks, one at a time or on several threads.
 # - **thread (스레드)**: One line of execution in a program; while it waits, it does nothing else.
 # - **clock offset (시계 차이)**: A constant difference between two computers' clocks; waiting never makes it go away.
 # - **transport delay (전송 지연)**: The time a message takes from sender to receiver; a short wait absorbs it.
 # - **jitter (지터)**: How much a delay or a period varies from one message to the next.
 # - **message filter (메시지 필터)**: A queue that holds each message until its transform is there, and drops it when that takes too long.
-# - **future (퓨처)**: A promise of a result: it is done when the result has come, and says then what came of it.
+# - **future (퓨처)**: An object for a result that is not there yet. When it is completed, `result()` returns the value or raises the exception.
 # - **reentrant (재진입)**: A group of callbacks that several threads may run at the same time.
 
 # %% [markdown] lang="ko" name="chapter-9" slide="skip"
@@ -291,10 +291,10 @@
 # ## Chapter 11 · Tools and RViz
 #
 # - **tf2_monitor (변환 지연 감시 도구)**: A tool that measures how late and how often transforms arrive.
-# - **owner (발행 책임)**: The node that sends an edge, and the only one that should; no ROS 2 tool names it.
-# - **display status (디스플레이 상태)**: What RViz says below each entry of its list: Ok, Warn or Error; Ok means that it could be computed.
+# - **owner (발행 책임)**: The node that publishes an edge, and the only one that should. No ROS 2 tool names it.
+# - **display status (디스플레이 상태)**: What RViz shows below each entry of its list: Ok, Warn or Error. Ok means that it could be computed.
 # - **decay time (표시 유지 시간)**: How long RViz leaves a message on the screen; 0 means until the next one comes.
-# - **snapshot (스냅샷)**: What a tool saw during a few seconds; what happens outside of them it does not know.
+# - **snapshot (스냅샷)**: The output of a tool that records a few seconds. What happens outside of them is not in it.
 
 # %% [markdown] lang="ko" name="chapter-11" slide="skip"
 # ## 11장 · 도구와 RViz
@@ -308,9 +308,9 @@
 # %% [markdown] lang="en" name="chapter-12" slide="skip"
 # ## Chapter 12 · Owners and diagnosis
 #
-# - **second owner (두 번째 발행자)**: Another node that says the same edge. TF2 takes both without an error, and the pose goes to and fro.
+# - **second owner (두 번째 발행자)**: Another node that publishes the same edge. TF2 accepts both without an error, and the pose alternates.
 # - **suspect (용의자)**: A cause that may be behind a complaint, as long as no check has ruled it out.
-# - **evidence (증거)**: A reading that some suspects would have given, and others not. What all would say is none.
+# - **evidence (증거)**: A result that some suspects would give, and others not. A result that all of them would give is none.
 
 # %% [markdown] lang="ko" name="chapter-12" slide="skip"
 # ## 12장 · 발행 책임과 진단
