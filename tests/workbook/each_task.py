@@ -1,4 +1,4 @@
-"""Every task of the chapters, for tests that run with each: ids come from file names, tasks are read in the test.
+"""Run a test with every task: ids come from file names, tasks are read in the test.
 
 @pytest.mark.proof(reads=READS)
 @each_task
@@ -13,7 +13,7 @@ from functools import lru_cache
 import pytest
 
 from tflab.workbook.places import workbook_data
-from tflab.workbook.tasks.case_types import AND, TaskCases, Variant
+from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import Solution, in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import Task, read_tasks
@@ -34,7 +34,6 @@ READS = (
     "solutions/en/{stem}.ipynb",
     "solutions/inventory.yaml",
 )
-PAIRS = 20  # of combined mistakes in a sample
 
 
 def task_in(stem: str, file: str) -> Task:
@@ -57,13 +56,3 @@ def cases_of(stem: str, file: str, variants: int | None = None) -> TaskCases:
     """Return the public cases of a task, as a learner's `check` sees them."""
     with in_process_ros():
         return task_cases(task_in(stem, file), PUBLIC_SEED, solution_of(stem), variants)
-
-
-def singles_of(variant: Variant) -> dict[str, list]:
-    """Return what each single mistake gives, case by case."""
-    return {name: [case.wrong[name] for case in variant.cases] for name in variant.cases[0].wrong if AND not in name}
-
-
-def pairs_of(variant: Variant) -> list[str]:
-    """Return the names of all pairs of mistakes, such as "swapped + no turn"."""
-    return [name for name in variant.cases[0].wrong if AND in name]

@@ -2,7 +2,7 @@
 
     abs(length - 1) > 0.01    -->    abs(length - 1) >= 0.01     passes?  then no input stands at the bound
                               -->    abs(length + 1) > 0.01      refused, as it should be
-                              -->    abs(length - 1) > 0.0101    passes?  then none stands just beside it
+                              -->    abs(length - 1) > 0.0101    passes?  then no input is just past it
 
 A *mutant* that passes is a *survivor*, and shows an input that is missing.  Some mean the
 same as the solution; those stand with the task as `equivalent`, each with its reason.
@@ -28,7 +28,7 @@ CALLED = {"sin": "cos", "cos": "sin", "min": "max", "max": "min", "any": "all", 
 
 
 class Mutant(NamedTuple):
-    """A solution spoilt in one place: what was written there, what is now, and the whole cell."""
+    """A solution corrupted in one place: the name of the change, and the whole cell."""
 
     name: str
     source: str

@@ -1,4 +1,4 @@
-"""A task's cases are computed beside a page that is being worked on, and nothing of the page changes."""
+"""A learner's tasks are computed on demand, and the page that asks for them does not change."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def ros_modules() -> dict[str, ModuleType]:
 
 @pytest.mark.parametrize("are_checked", [False, True])
 @pytest.mark.parametrize("task_id", TASKS)
-def test_a_check_leaves_the_page_its_graph_its_modules_and_its_field_checks(
+def test_a_check_does_not_change_the_graph_the_modules_and_the_field_checks(
     undone, capsys, task_id: str, are_checked: bool
 ) -> None:
     ros.activate("in-process")
@@ -103,7 +103,7 @@ def test_computing_a_task_prints_nothing(capfd, task_id: str) -> None:
 
 
 @pytest.mark.parametrize("task_id", TASKS)
-def test_check_works_beside_an_rclpy_that_is_not_ours(monkeypatch, capsys, task_id: str) -> None:
+def test_check_works_with_another_rclpy_imported(monkeypatch, capsys, task_id: str) -> None:
     ros.deactivate()
     answer = right_answer(task_id)
     theirs = {name: ModuleType(name) for name in ("rclpy", "rclpy.node", "tf2_ros", "std_msgs")}
@@ -116,7 +116,7 @@ def test_check_works_beside_an_rclpy_that_is_not_ours(monkeypatch, capsys, task_
     assert ros_modules() == theirs and not ros.activation.is_active()
 
 
-def test_a_chapters_tasks_stand_in_order_with_their_texts_and_without_cases() -> None:
+def test_outlines_are_in_order_and_without_cases() -> None:
     ids = [f"E8.{number}" for number in range(1, len(task_ids(workbook_data(), "08_buffer_and_measurement_time")) + 1)]
     found = outlines(workbook_data(), "08_buffer_and_measurement_time")
     assert list(found) == ids == task_ids(workbook_data(), "08_buffer_and_measurement_time")
@@ -124,7 +124,7 @@ def test_a_chapters_tasks_stand_in_order_with_their_texts_and_without_cases() ->
         assert task.variants == () and task.title.ko and len(task.hints) == 3 and task.feedback
 
 
-def test_a_task_is_computed_once_for_all_who_have_the_same_variant(tmp_path, monkeypatch) -> None:
+def test_a_variant_is_computed_once(tmp_path, monkeypatch) -> None:
     root = chapter.copy_of_workbook(tmp_path, monkeypatch)
     assert root.is_dir()
     one, again, other = (
@@ -134,7 +134,7 @@ def test_a_task_is_computed_once_for_all_who_have_the_same_variant(tmp_path, mon
     assert catalog._assigned.cache_info()[:2] == (1, 2)
 
 
-def test_a_digest_names_what_is_asked_and_not_how_it_is_said(tmp_path, monkeypatch) -> None:
+def test_a_digest_depends_on_the_question_and_not_on_its_texts(tmp_path, monkeypatch) -> None:
     chapter.copy_of_workbook(tmp_path, monkeypatch)
     task = assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook())
     (variant,) = task.variants
@@ -153,7 +153,7 @@ def test_a_digest_names_what_is_asked_and_not_how_it_is_said(tmp_path, monkeypat
     assert question_digest(task, drawn_otherwise.variants[0]) != digest
 
 
-def test_threads_that_read_the_tasks_of_one_chapter_do_not_disturb_each_other():
+def test_threads_can_read_the_tasks_of_one_chapter():
     folder = workbook_data() / "solutions" / "tasks" / "08_buffer_and_measurement_time"
 
     def read(_):

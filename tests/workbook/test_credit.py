@@ -1,4 +1,4 @@
-"""Which right results earn credit: those that show something."""
+"""Which right results earn credit: those that could not be guessed."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def planar(x, yaw):
     return to_plain({"x": x, "yaw": yaw})
 
 
-def judged(form, asked, function, twins=None):
+def judged(form, asked, function):
     """Return the verdict on a function, where `asked` is a list of (argument, expected)."""
     cases = [Case([to_plain(given)], expected, {}) for given, expected in asked]
     task, variant = bare(form, *cases, is_function=True)
@@ -73,7 +73,7 @@ def test_a_part_earns_credit_for_two_different_results(function, passed, kind):
     assert sum(verdict.right) == passed
 
 
-def test_always_yes_is_right_now_and_then_and_worth_nothing():
+def test_the_same_word_for_every_call_earns_nothing():
     asked = [(stamp, "yes" if stamp < 2 else "no") for stamp in range(5)]
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").mistake is Mistake.CONSTANT
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").passed == 0
@@ -97,7 +97,7 @@ def refuse_below_zero(stamp):
     return refuse(stamp) if stamp < 0 else 9.0
 
 
-def test_who_always_raises_has_refused_nothing():
+def test_a_function_that_always_raises_earns_nothing():
     assert judged(Number(), REFUSING, refuse).passed == 0
     assert judged(Number(), REFUSING, refuse_below_zero).passed == 1
 
@@ -130,26 +130,26 @@ ASKED = ["ok", "ok", "ok", "ok", "zero", "nan"]
         (["zero", "nan", "ok", "ok", "zero", "nan"], 0.0),
     ],
 )
-def test_only_what_is_right_beyond_the_most_frequent_answer_earns_points(said, share):
+def test_only_results_beyond_the_most_frequent_answer_earn_points(said, share):
     assert share_of(WORDS, ASKED, said) == pytest.approx(share)
 
 
-def test_numbers_that_all_differ_cannot_be_guessed_so_each_earns_its_share():
+def test_numbers_that_all_differ_earn_their_share_each():
     assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 3.0, 0.0]) == pytest.approx(0.75)
 
 
-def test_what_was_shown_can_be_looked_up_and_earns_nothing_by_itself():
+def test_known_cases_alone_earn_nothing():
     known = [True, True, False, False]
     assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 0.0, 0.0], known) == 0.0
     assert share_of(Number(), [1.0, 2.0, 3.0, 4.0], [1.0, 2.0, 3.0, 0.0], known) == pytest.approx(0.5)
 
 
-def test_handing_back_what_came_in_is_right_now_and_then_and_worth_nothing():
+def test_returning_the_argument_earns_nothing():
     echoes = [0.0, 1.0, 7.0, 8.0]
     assert share_of(Number(), echoes, [0.0, 1.0, 5.0, 5.0]) == 0.0
 
 
-def test_a_minus_before_what_came_in_is_a_guess_too_and_so_is_a_minus_now_and_then():
+def test_negating_the_argument_earns_nothing():
     pose = Parts({"x": Number(), "yaw": Number()})
     asked = [{"x": 1.0, "yaw": 0.5}, {"x": 2.0, "yaw": -1.0}, {"x": 3.0, "yaw": 2.0}]
     cases = [Case([to_plain(one)], to_plain({"x": 9.0 * one["x"], "yaw": -one["yaw"]}), {}) for one in asked]
@@ -161,13 +161,13 @@ def test_a_minus_before_what_came_in_is_a_guess_too_and_so_is_a_minus_now_and_th
         assert beyond_guessing(pose, cases, passed, [False] * 3) == 0.0
 
 
-def test_raising_always_but_once_is_a_guess():
+def test_raising_in_all_calls_but_one_earns_nothing():
     refused = raised(LookupException("no"))
     cases = [refused, refused, refused, 1.0, 2.0, 3.0]
     assert share_of(Number(), cases, [refused] * 5 + [0.0]) == 0.0
 
 
-def test_results_of_different_sizes_can_be_guessed_at_too():
+def test_sets_of_different_sizes_can_be_guessed():
     form = Set(Name())
     cases = [Case([number], to_plain(names), {}) for number, names in enumerate([{"a"}, {"a", "b"}, {"a", "b", "c"}])]
     assert beyond_guessing(form, cases, 6, [False] * 3) == 1.0
@@ -187,19 +187,19 @@ LOOP = Parts({"leap_m": Number("m"), "step_m": Number("m")})
         ((1.0, 0.0), [], []),
     ],
 )
-def test_a_part_is_usual_that_is_right_in_half_of_the_other_variants(own, others, usual):
+def test_a_part_that_is_right_in_half_of_the_other_variants_is_usual(own, others, usual):
     plain = [{"dict": dict(zip(LOOP.parts, values, strict=True))} for values in (own, *others)]
     assert usual_among(LOOP, plain[0], plain[1:]) == usual
 
 
-def test_what_is_usual_earns_nothing_by_itself_and_costs_nothing_where_all_is_right():
+def test_a_usual_part_alone_earns_nothing_and_costs_nothing_if_all_is_right():
     assert beyond_the_usual([True, True], [False, True]) == [True, True]
     assert beyond_the_usual([False, True], [False, True]) == [False, False]
     assert beyond_the_usual([True, False], [False, True]) == [True, False]
     assert beyond_the_usual([False, True], []) == [False, True]
 
 
-def test_what_follows_from_a_slip_earns_nothing_where_only_what_is_usual_is_right():
+def test_a_carried_error_earns_nothing_if_only_usual_parts_are_right():
     assert beyond_the_usual([True, True, False], [True, False, False], [False, True, False]) == [False] * 3
     assert beyond_the_usual([True, True, False], [False, False, False], [False, True, False]) == [True, True, False]
 
@@ -227,11 +227,11 @@ def passed_of(right, answer, form=YES_NO):
         ("yes", 0),
     ],
 )
-def test_a_word_said_too_often_earns_nothing_where_it_is_right_as_it_would_be_anywhere(answer, passed):
+def test_a_word_that_is_used_too_often_earns_nothing(answer, passed):
     assert passed_of(FOUR_OF_SIX, answer) == passed
 
 
-def test_one_word_for_all_is_right_where_it_is_right_for_all_and_of_two_it_is_a_slip():
+def test_one_word_for_all_parts_counts_if_it_is_right_for_all():
     assert passed_of(dict.fromkeys("abc", "yes"), dict.fromkeys("abc", "yes")) == 3
     assert passed_of(dict.fromkeys("abc", "yes"), {"a": "yes", "b": "yes", "c": "no"}) == 2
     assert passed_of({"a": "yes", "b": "no"}, {"a": "yes", "b": "yes"}) == 1
@@ -242,7 +242,7 @@ WORSE_THAN_LOTS = {("E2.1", "an aeroplane's axes")}  # three of five "negative":
 
 @pytest.mark.proof(reads=READS)
 @each_task
-def test_no_known_mistake_loses_by_it_what_it_has_right_unless_it_is_one_word_for_all(stem, file):
+def test_a_known_mistake_keeps_its_right_parts_unless_it_is_one_word_for_all(stem, file):
     form = task_in(stem, file).form
     groups = asked_alike(form.parts) if isinstance(form, Parts) and not task_in(stem, file).counts else []
     task = cases_of(stem, file) if groups else None

@@ -53,7 +53,7 @@ def test_normal_numbers_are_fixed_and_have_mean_0_and_deviation_1():
     assert fmean(drawn) == pytest.approx(0.0, abs=0.05) and stdev(drawn) == pytest.approx(1.0, abs=0.05)
 
 
-def test_integers_are_refused_where_there_are_none_or_too_many():
+def test_an_empty_or_too_large_range_of_integers_is_refused():
     for low, high in ((0, 0), (4, 4), (0, 2**32 + 1)):
         with pytest.raises(ValueError, match="integers to draw from"):
             Draws(1).integers(low, high)

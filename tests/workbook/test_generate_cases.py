@@ -66,20 +66,20 @@ def test_a_function_has_at_least_as_many_inputs_as_asked_for(tmp_path):
     assert len(made["E3.1"].variants) == 1
 
 
-def test_a_twin_that_is_right_is_no_twin(tmp_path):
+def test_a_mistake_that_gives_the_right_answer_is_refused(tmp_path):
     tasks = chapter.TASKS.replace("base_T_laser.inverse()", "base_T_laser")
     with pytest.raises(generate_cases.CasesError, match=r'E3\.1, variant 0: .* "swapped" gives the right answer'):
         make(tmp_path, tasks=tasks)
 
 
-def test_two_twins_that_look_alike_are_refused(tmp_path):
+def test_two_mistakes_that_give_the_same_answer_are_refused(tmp_path):
     one = 'WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
     tasks = chapter.TASKS.replace(one, f"{one}, {one.replace('swapped', 'again')}")
     with pytest.raises(generate_cases.CasesError, match=r'E3\.3.*"swapped" and "again" give the same answer'):
         make(tmp_path, tasks=tasks)
 
 
-def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypatch):
+def test_inputs_are_drawn_again_if_two_mistakes_give_the_same_answer(tmp_path, monkeypatch):
     usual, refused = generate_cases._refuse_look_alikes, []
 
     def refuse_the_first(task, variant, made):
@@ -97,7 +97,7 @@ def test_numbers_with_which_two_mistakes_meet_are_drawn_anew(tmp_path, monkeypat
     assert drawn_anew["E3.2"].variants == drawn_once["E3.2"].variants
 
 
-def test_no_seed_is_refused_because_its_first_draws_meet(tmp_path, monkeypatch):
+def test_every_seed_works_even_if_half_of_the_draws_are_refused(tmp_path, monkeypatch):
     usual, dice = generate_cases._refuse_look_alikes, random.Random(0)
 
     def refuse_half(task, variant, made):
@@ -111,7 +111,7 @@ def test_no_seed_is_refused_because_its_first_draws_meet(tmp_path, monkeypatch):
         assert chapter.make_cases(f"seed {number}", source)
 
 
-def test_a_solution_that_is_not_of_its_form_is_refused(tmp_path):
+def test_a_solution_of_another_form_is_refused(tmp_path):
     with pytest.raises(generate_cases.CasesError, match=r"E3\.4: the solution's answer is not one number"):
         make(tmp_path, cells=chapter.CELLS | {"e3-4-answer": "angle_rad = '90 degrees'"})
 
@@ -120,7 +120,7 @@ def test_a_solution_that_is_not_of_its_form_is_refused(tmp_path):
     ("cell", "says"),
     [("x = 1", "does not define angle_rad"), ("angle_rad = ...", "does not define"), ("1 / 0", "ZeroDivisionError")],
 )
-def test_a_solution_that_does_not_answer_is_named(tmp_path, cell, says):
+def test_a_solution_without_an_answer_is_refused(tmp_path, cell, says):
     with pytest.raises(TaskError, match=rf"e3-4-answer.*{says}"):
         make(tmp_path, cells=chapter.CELLS | {"e3-4-answer": cell})
 
@@ -135,12 +135,12 @@ def test_a_solution_that_does_not_answer_is_named(tmp_path, cell, says):
         ("import math", "import nothing_of_that_name", "cannot be run"),
     ],
 )
-def test_a_task_file_that_is_wrong_says_what(tmp_path, old, new, says):
+def test_a_faulty_task_file_is_refused_with_the_reason(tmp_path, old, new, says):
     with pytest.raises(TaskError, match=says):
         make(tmp_path, tasks=chapter.TASKS.replace(old, new))
 
 
-def test_making_cases_leaves_no_ros_behind(tmp_path):
+def test_making_cases_leaves_no_ros_modules(tmp_path):
     activation.deactivate()  # another test's, which would stay
     before = {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")}
     made = chapter.CELLS | {"imports": "import math\nfrom tf2_ros import Buffer"}
@@ -148,7 +148,7 @@ def test_making_cases_leaves_no_ros_behind(tmp_path):
     assert {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")} == before
 
 
-def test_variants_are_spread_over_learners_and_stay_theirs():
+def test_variants_are_spread_evenly_over_learners():
     ids = [f"learner{number}" for number in range(300)]
     counts = [[variant_of(one, "E3.1", 3) for one in ids].count(variant) for variant in range(3)]
     assert min(counts) > 60

@@ -1,4 +1,4 @@
-"""Solutions spoilt on purpose: which there are, and that none of a chapter's functions passes hidden cases either."""
+"""Corrupted solutions: how they are made, and that none passes the hidden cases of a task."""
 
 from __future__ import annotations
 
@@ -27,16 +27,16 @@ from .mutants import mutants_of, survivors
         ("if a:\n    b()", "if True:\n    b()"),
     ],
 )
-def test_a_solution_is_spoilt_in_one_place(source, mutant):
+def test_a_mutant_differs_in_one_place(source, mutant):
     assert mutant in [one.source for one in mutants_of(source)]
 
 
 @pytest.mark.proof(reads=READS)
 @each_task
-def test_no_spoilt_function_passes_cases_of_another_seed(stem, file):
+def test_no_mutant_passes_cases_of_another_seed(stem, file):
     task = task_in(stem, file)
     if task.inputs is None:
-        return  # only a function can be spoilt
+        return  # only a function has mutants
     with in_process_ros():
         made = task_cases(task, "hidden from mutants", solution_of(stem), 1, fewest_inputs=8)
         assert set(survivors(task, made.variants, solution_of(stem))) <= set(task.equivalent)

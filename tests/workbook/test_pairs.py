@@ -1,4 +1,4 @@
-"""Two mistakes made together are found for an answer that nothing simpler explains, and only for such an answer."""
+"""Search two mistakes made together for an answer that nothing simpler explains."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ def slips_found(task: TaskCases, **steps: float) -> list[str]:
     return list(judge_outcomes(task, variant, [to_plain(distance(given, **steps))]).slips)
 
 
-def test_mistakes_compose_at_different_steps_the_earlier_step_first():
+def test_mistakes_combine_at_different_steps():
     names = [(first.name, then.name) for first, then in combinable(task_of())]
     assert names == [
         ("mount forgotten", "doubled"),
@@ -75,14 +75,14 @@ def test_mistakes_compose_at_different_steps_the_earlier_step_first():
     assert combinable(task_of(model=None, mistakes=(WrongAnswer("swapped", 1.0, said("swapped")),))) == []
 
 
-def test_two_mistakes_that_give_the_answer_together_are_found(of_a_value):
+def test_a_pair_that_gives_the_answer_is_found(of_a_value):
     assert slips_found(of_a_value, offset=-1.0, scale=2.0) == ["mount subtracted", "doubled"]
     assert slips_found(of_a_value, offset=0.0, sign=-1.0) == ["mount forgotten", "sign turned"]
     assert slips_found(of_a_value, offset=5.0, scale=7.0) == []
 
 
 @pytest.mark.parametrize("steps", [{"offset": -1.0}, {"scale": 2.0}, {"sign": -1.0}])
-def test_no_pair_is_searched_where_one_mistake_explains_the_answer(of_a_value, monkeypatch, steps):
+def test_no_pair_is_searched_if_one_mistake_explains_the_answer(of_a_value, monkeypatch, steps):
     monkeypatch.setattr(PairSearch, "fitting", lambda *_: pytest.fail("a pair was searched"))
     assert len(slips_found(of_a_value, **steps)) == 1
     with pytest.raises(pytest.fail.Exception, match="a pair was searched"):
@@ -110,7 +110,7 @@ def of_a_function() -> TaskCases:
     return made(task, "def answer(x):\n    return min(x, 9.0)")
 
 
-def test_two_mistakes_in_a_function_are_found(of_a_function):
+def test_a_pair_in_a_function_is_found(of_a_function):
     (variant,) = of_a_function.variants
     for steps, names in (
         ({"scale": 0.5, "offset": 0.7}, ["halved", "shifted"]),
@@ -121,7 +121,7 @@ def test_two_mistakes_in_a_function_are_found(of_a_function):
         assert sorted(judge_outcomes(of_a_function, variant, outcomes).slips) == names
 
 
-def test_pairs_are_computed_case_by_case_and_only_as_long_as_they_fit(of_a_function, monkeypatch):
+def test_pairs_are_computed_only_while_they_fit(of_a_function, monkeypatch):
     (variant,) = of_a_function.variants
     computed = []
     usual = pairs.values_of
@@ -145,7 +145,7 @@ def test_pairs_are_computed_case_by_case_and_only_as_long_as_they_fit(of_a_funct
     assert computed == [([12.0], 5)]
 
 
-def test_a_pair_has_to_give_the_same_part_in_every_case(of_a_function):
+def test_a_pair_must_give_the_same_part_in_every_case(of_a_function):
     (variant,) = of_a_function.variants
     parts = ["a", "b"]
     found = of_a_function.pairs.fitting(variant.cases, range(5), lambda number, value: [parts[number % 2]], None)
@@ -154,7 +154,7 @@ def test_a_pair_has_to_give_the_same_part_in_every_case(of_a_function):
     assert "halved + shifted" in found
 
 
-def test_pairs_that_look_like_something_simpler_or_like_an_earlier_pair_are_left_out():
+def test_a_pair_that_gives_the_same_as_something_simpler_is_left_out():
     adds = {"a": 1.0, "b": -1.0, "c": 10.0, "d": 11.0, "e": 2.0}
 
     def model(given, *, a=0.0, b=0.0, c=0.0, d=0.0, e=0.0):
@@ -171,7 +171,7 @@ def test_pairs_that_look_like_something_simpler_or_like_an_earlier_pair_are_left
     assert "a + d" in found
 
 
-def test_of_an_answer_in_parts_a_pair_explains_the_part_that_it_gives():
+def test_a_pair_explains_one_part_of_an_answer():
     def model(given, *, offset=1.0, scale=1.0, sign=1.0):
         total = distance(given, offset=offset, scale=scale, sign=sign)
         return {"far": total, "near": given.measured, "mounted": given.mounted}
@@ -188,7 +188,7 @@ def test_of_an_answer_in_parts_a_pair_explains_the_part_that_it_gives():
     assert (verdict.passed, list(verdict.slips)) == (2, [])
 
 
-def test_without_its_task_a_search_finds_nothing_and_asks_for_it_once():
+def test_a_search_without_its_task_finds_nothing():
     asked = []
     search = PairSearch(lambda: asked.append("asked"))
     task, variant = bare(Number(), *[])
@@ -197,7 +197,7 @@ def test_without_its_task_a_search_finds_nothing_and_asks_for_it_once():
     assert asked == ["asked"] and task.pairs is None
 
 
-def test_a_search_leaves_no_ros_behind():
+def test_a_search_leaves_no_ros_modules():
     before = {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")}
 
     def with_ros(given, *, offset=1.0, scale=1.0, sign=1.0):
@@ -211,7 +211,7 @@ def test_a_search_leaves_no_ros_behind():
     assert {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")} == before
 
 
-def test_what_is_drawn_for_a_pair_is_what_the_learner_was_shown(of_a_value):
+def test_a_pair_is_computed_from_the_learners_inputs(of_a_value):
     (variant,) = of_a_value.variants
     other = {"measured": 1.0, "mounted": 0.5}
     found = of_a_value.pairs.fitting(variant.cases, [0], lambda number, value: ["whole"], other)

@@ -1,4 +1,4 @@
-"""From a solution to an exercise: what is taken out, what stays, and what is no region."""
+"""Turn a solution into an exercise: what is removed, what stays, and what is refused."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("solution, exercise", CASES.values(), ids=CASES.keys())
-def test_a_region_is_taken_out_and_the_rest_stays(solution: str, exercise: str) -> None:
+def test_a_region_is_removed_and_the_rest_stays(solution: str, exercise: str) -> None:
     assert blank(solution) == exercise
     ast.parse(exercise)
 
@@ -65,6 +65,6 @@ def test_a_region_is_taken_out_and_the_rest_stays(solution: str, exercise: str) 
         ("# BEGIN SOLUTION\nx = (\n# END SOLUTION", "is not Python"),
     ],
 )
-def test_what_cannot_be_blanked_says_why(source: str, wrong: str) -> None:
+def test_a_region_that_cannot_be_removed_is_refused(source: str, wrong: str) -> None:
     with pytest.raises(BlankError, match=wrong):
         blank(source)

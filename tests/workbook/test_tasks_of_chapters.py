@@ -1,4 +1,4 @@
-"""The tasks of the chapters there are: well made, and telling every mistake apart for any seed."""
+"""The tasks of all chapters: complete, in two languages, and with distinct mistakes for any seed."""
 
 from __future__ import annotations
 
@@ -15,34 +15,30 @@ from tflab.workbook.verdicts.verdict import judge_outcomes
 from .each_task import READS, SOLUTIONS, STEMS, each_task, solution_of, task_in
 from .small_chapter import make_cases
 
-SEEDS, SEEDS_OF_PAIRS, SEEDS_OF_MANY = 200, 20, 6  # where slips compose, each seed is some hundred answers
-MANY = 40  # slips: each seed is a thousand
+SEEDS, SEEDS_OF_PAIRS, SEEDS_OF_MANY = 200, 20, 6  # fewer for a task with a model, and for one with many mistakes
+MANY = 40
 
 
 def _seeds(task):
-    """Some hundred, fewer where slips compose, one where a case takes minutes to make."""
+    """Return up to 200 seeds; one for a task whose cases take minutes."""
     if task.is_costly:
         return [PUBLIC_SEED]
     count = SEEDS if task.model is None else SEEDS_OF_PAIRS if len(task.mistakes) < MANY else SEEDS_OF_MANY
     return [f"seed {number}" for number in range(count)]
 
 
-def test_the_first_four_chapters_are_there():
-    assert {"02", "03", "08", "09"} <= {stem[:2] for stem in STEMS}
-
-
 @pytest.mark.proof(reads=READS)
 @each_task
-def test_twins_stay_apart_for_any_seed(stem, file, sample):
+def test_mistakes_give_different_answers_for_any_seed(stem, file, sample):
     task = task_in(stem, file)
     with in_process_ros():
         for seed in sample(_seeds(task), 1):
-            task_cases(task, seed, solution_of(stem), variants=1)  # raises where two look alike
+            task_cases(task, seed, solution_of(stem), variants=1)  # raises where two are alike
 
 
 @pytest.mark.proof(reads=READS)
 @each_task
-def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, file):
+def test_a_function_that_ignores_its_input_earns_nothing(stem, file):
     task = task_in(stem, file)
     if task.inputs is None:
         return
@@ -56,19 +52,16 @@ def test_a_function_that_does_not_look_at_its_input_earns_nothing(stem, file):
 
 
 @each_task
-def test_a_task_says_everything_twice_and_does_not_tell_the_answer(stem, file):
+def test_the_texts_of_a_task_are_english_and_korean(stem, file):
     task = task_in(stem, file)
-    said = [task.title, *task.hints, *(twin.reply for twin in task.mistakes)]
-    for words in said:
-        assert words.en.strip() and words.ko.strip()
-        assert re.search("[가-힣]", words.ko), f"not in Korean: {words.ko}"
-        assert not re.search("[가-힣]", words.en), f"not in English: {words.en}"
-    assert len({words.en for words in task.hints}) == (0 if task.counts else 3)
-    assert len({twin.reply.en for twin in task.mistakes}) == len(task.mistakes), "two mistakes get one reply"
+    for text in [task.title, *task.hints, *(mistake.reply for mistake in task.mistakes)]:
+        assert re.search("[가-힣]", text.ko), f"not in Korean: {text.ko}"
+        assert not re.search("[가-힣]", text.en), f"not in English: {text.en}"
+    assert len({text.en for text in task.hints}) == (0 if task.counts else 3)
 
 
 @each_task
-def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, file):
+def test_a_task_has_variants_and_mistakes(stem, file):
     task = task_in(stem, file)
     if task.kind in "NFT":
         assert task.variants >= 3 or task.inputs is not None
@@ -77,7 +70,7 @@ def test_what_may_vary_has_variants_and_mistakes_are_foreseen(stem, file):
 
 
 @pytest.mark.parametrize("stem", STEMS)
-def test_a_chapter_has_five_to_seven_tasks_in_order_beside_the_test(stem):
+def test_a_chapter_has_five_to_seven_graded_tasks_in_order(stem):
     tasks = read_tasks(SOLUTIONS / "tasks" / stem)
     ids = [task.id for task in tasks]
     assert stem == "00_start" or 5 <= sum(not task.counts for task in tasks) <= 7
