@@ -59,7 +59,6 @@ FOLDERS = {
     "workbook/book": {".", "course"},
     "workbook/pages": {".", "answers", "tasks", "inventory", "course", "book"},
     "workbook/copy": {".", "answers", "tasks", "course", "pages"},
-    "workbook/practice": {".", "answers", "tasks", "mistakes", "verdicts", "course"},
     "workbook/lesson": {".", "course", "copy"},
     "grading/submissions": set(),
     "grading/kernels": {"submissions"},

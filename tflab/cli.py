@@ -44,7 +44,6 @@ SUBCOMMANDS = {
     "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
     "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.copy.lab", "lab"),
     "progress": Subcommand("say which checks you have passed", "tflab.workbook.course.progress_page", "progress"),
-    "practice": Subcommand("practise: the course's tasks, drawn anew", "tflab.workbook.practice.command", "main"),
     "check": Subcommand("see your notebook as grading will", "tflab.grading.check_command", "main"),
     "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
     "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),

@@ -32,7 +32,6 @@
     suspects   who is left, and which question would tell the most
     order      in which order was it asked, and when was it clear
     visited    how a visit went, step by step
-    boxes      in which box does each idea lie
     owners     who says each edge, from which data, by which switch
     gain       what has been learnt between two tests
     panels/    the same, with sliders
