@@ -41,7 +41,7 @@ from .tasks.task import Task, TaskError, slug
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
 from .verdicts.mistake import Mistake
 
-__all__ = ["Question", "ask", "check", "draw_question", "given", "hint", "practice_tasks", "solution"]
+__all__ = ["DrawnQuestion", "ask", "check", "draw_question", "given", "hint", "practice_tasks", "solution"]
 
 TEXTS = Texts(__file__)
 POINTS = re.compile(r" \(\d+ points?\)| \(\d+점\)")
@@ -50,7 +50,7 @@ MAX_NUMBER = 1_000_000
 
 
 @dataclass
-class Question:
+class DrawnQuestion:
     """A task with drawn numbers, and what the learner has done with it.
 
     Attributes:
@@ -79,7 +79,7 @@ class Question:
         return "\n\n".join(filter(None, [self.imports, self.starter, f"practice.check({self.assigned.cases.answer})"]))
 
 
-_question: Question | None = None
+_question: DrawnQuestion | None = None
 _asked: Counter[str] = Counter()  # how often each task was asked in this kernel
 _rng = random.Random()
 
@@ -153,7 +153,7 @@ def practice_tasks(stems: Sequence[str]) -> dict[str, str]:
     return {task.id: stem for stem, task in tasks if not task.is_costly and not task.counts}
 
 
-def draw_question(stem: str, task_id: str, number: int, root: Path) -> Question:
+def draw_question(stem: str, task_id: str, number: int, root: Path) -> DrawnQuestion:
     """Return a task with the numbers that belong to `number`; the same number gives the same question."""
     data, workbook = workbook_data(), read_workbook(root)
     task = tasks_of(data, stem)[task_id]
@@ -165,10 +165,10 @@ def draw_question(stem: str, task_id: str, number: int, root: Path) -> Question:
     inputs = cells.get(f"{name}-given", "").replace(f'task("{task_id}")', "practice.given()")
     starter = "\n".join(filter(None, [inputs, cells.get(f"{name}-answer", f"{task.answer} = ...")]))
     imports = _import_lines(cells) if cases.is_function or task.given is not None else ""
-    return Question(assigned, text, imports, starter)
+    return DrawnQuestion(assigned, text, imports, starter)
 
 
-def _asked_question() -> Question | None:
+def _asked_question() -> DrawnQuestion | None:
     """Return the question that was asked last. If there is none, say how to get one."""
     if _question is None:
         show_reply("practice", TEXTS["next"].say(read_workbook(workbook_root()).language))
@@ -215,7 +215,7 @@ def _import_lines(cells: dict[str, str]) -> str:
     return "\n".join(lines)
 
 
-def _show(question: Question) -> None:
+def _show(question: DrawnQuestion) -> None:
     if in_notebook():
         from IPython.display import Markdown, display
 
