@@ -25,7 +25,7 @@ from pathlib import Path
 import psutil
 
 from tflab.grading.kernels.take import choose
-from tflab.workbook.places import exercise_file, workbook_data
+from tflab.workbook.paths import exercise_file, workbook_data
 
 BIN = Path(sys.executable).parent
 GOAL = 10.0

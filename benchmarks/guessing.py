@@ -33,7 +33,7 @@ from tflab.grading.judging.pack import Pack, questions_asked, read_pack
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
 from tflab.workbook.answers.values import Plain, is_raised
-from tflab.workbook.places import Workbook, chapters, workbook_data
+from tflab.workbook.paths import Workbook, chapters, workbook_data
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.credit import asked_alike, credited, guessed_of, negated, probes_of, share_beyond

@@ -15,7 +15,7 @@ from tflab.clinic.archive import Admission, patients
 from tflab.clinic.causes import draw_numbers
 from tflab.clinic.patient import SickRobot, rows_of
 from tflab.clinic.table import SUSPECTS
-from tflab.workbook.places import TASKS, workbook_data
+from tflab.workbook.paths import TASKS, workbook_data
 from tflab.workbook.tasks import Draws
 from tflab.workbook.tasks.catalog import tasks_of
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, draws_for

@@ -26,7 +26,7 @@ from playwright.sync_api import Page, sync_playwright
 from tflab.text import LANGUAGES
 from tflab.views.export import export_html
 from tflab.workbook.pages.html import run_with_films
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 PICTURES = Path(__file__).parent / "pictures"
 SIZE = (720, 380)  # [px]

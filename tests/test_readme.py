@@ -22,7 +22,7 @@ from tflab.cli import SUBCOMMANDS
 from tflab.workbook.checks import check
 from tflab.workbook.course import contents
 from tflab.workbook.course.course import read_course
-from tflab.workbook.places import Workbook, write_workbook
+from tflab.workbook.paths import Workbook, write_workbook
 
 ROOT = Path(__file__).parents[1]
 READMES = {"en": "README.md", "ko": "README.ko.md"}

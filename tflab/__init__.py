@@ -31,8 +31,8 @@ def load_ipython_extension(ipython):
     load_in_notebook(ipython)
     magic.register(ipython)
     rerun.register(ipython)
-    for page in ("again", "elsewhere", "unmade"):  # by name: the workbook asks this page for its version
-        import_module(f"tflab.workbook.{page}").register(ipython)
+    for name in ("rerun_cleanup", "stale_graph", "cell_errors"):  # by name: the workbook imports this module
+        import_module(f"tflab.workbook.{name}").register(ipython)
     ipython.events.register("post_run_cell", _load_anew_next_time)
 
 

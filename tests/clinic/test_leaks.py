@@ -13,7 +13,7 @@ from tflab.clinic.patient import SickRobot
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import SUSPECTS
 from tflab.clinic.visit import admit
-from tflab.workbook.places import Workbook, workbook_data
+from tflab.workbook.paths import Workbook, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases
 
 

@@ -28,7 +28,7 @@ from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.inventory.items import FORMS, RIGHT, read_inventory
-from tflab.workbook.places import Workbook, exercise_file, workbook_data
+from tflab.workbook.paths import Workbook, exercise_file, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 

@@ -36,7 +36,7 @@ from tflab.grading.release import release
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.pages.slides import slides_of
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.paths import chapters, workbook_data
 from tflab.workbook.tasks.catalog import task_ids
 
 STEM = "11_tools_and_rviz"

@@ -10,7 +10,7 @@ import hostile
 import pytest
 
 from tflab.grading import grade, release
-from tflab.workbook.places import read_workbook
+from tflab.workbook.paths import read_workbook
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"

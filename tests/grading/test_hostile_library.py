@@ -23,7 +23,7 @@ from tflab.grading import release
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 from tflab.grading.kernels.take import KernelError, Kernels
-from tflab.workbook.places import read_workbook
+from tflab.workbook.paths import read_workbook
 
 STEM = "03_target_and_source"
 SEEDS = dict(zip(LEVELS, ("5a17", "c0de", "0b5e"), strict=True))  # drawn once: what is luck is the same luck each time

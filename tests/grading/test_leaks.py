@@ -20,7 +20,7 @@ from tflab.grading import release as releasing
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import is_raised
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.places import Workbook, chapters, read_workbook, workbook_data
+from tflab.workbook.paths import Workbook, chapters, read_workbook, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases, outlines, task_ids
 from tflab.workbook.tasks.strip_solution import BEGIN, regions
 

@@ -14,9 +14,9 @@ from tflab.grading import check_command, grade
 from tflab.grading import release as releasing
 from tflab.grading.judging import pack as packing
 from tflab.grading.judging.pack import PackError, read_pack
-from tflab.workbook import check, whole_files
+from tflab.workbook import atomic_files, check
 from tflab.workbook.copy import lab, lay_out
-from tflab.workbook.places import WorkbookError, read_workbook
+from tflab.workbook.paths import WorkbookError, read_workbook
 
 MENDED_SOURCE = tiny.SOURCE.replace("## E3.2 · Length", "## E3.2 · Length of the long leg").replace(
     'e3_1 = task("E3.1")', 'e3_1 = task("E3.1")  # two numbers'
@@ -197,7 +197,7 @@ def test_an_update_that_was_cut_short_loses_nothing_and_is_finished_by_calling_i
         write(path, text)
 
     with monkeypatch.context() as cutting:
-        for module in (lay_out, packing, whole_files):
+        for module in (lay_out, packing, atomic_files):
             cutting.setattr(module, "write_whole", write_some)
         with pytest.raises(KeyboardInterrupt):
             releasing.update_release(out.release)

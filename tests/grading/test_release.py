@@ -24,7 +24,7 @@ from tflab.grading.judging.pack import (
 )
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Number
-from tflab.workbook.places import Workbook, read_workbook
+from tflab.workbook.paths import Workbook, read_workbook
 from tflab.workbook.tasks import catalog
 from tflab.workbook.tasks.generate_cases import task_cases
 
@@ -258,7 +258,7 @@ def test_adding_a_learner_computes_nothing(course: tiny.Course, tmp_path: Path, 
 def test_adding_learners_adds_no_chapter(course: tiny.Course, tmp_path: Path, monkeypatch, capsys) -> None:
     releasing.release(tmp_path / "r", [tiny.STEM], [Learner("a")])
     (tmp_path / "more.csv").write_text("id\nb\n")
-    monkeypatch.setattr(releasing.places, "chapters", lambda: [tiny.STEM, "09_later"])
+    monkeypatch.setattr(releasing.paths, "chapters", lambda: [tiny.STEM, "09_later"])
     assert releasing.main([str(tmp_path / "r"), "--add", "--roster", str(tmp_path / "more.csv"), "--quiet"]) == 0
     assert f"for 2 learners: {tiny.STEM}\n" in capsys.readouterr().out
     assert read_pack(tmp_path / "r" / "instructor").chapters == [tiny.STEM]

@@ -217,7 +217,7 @@ def test_what_is_hidden_is_covered_even_beside_what_is_shown(tmp_path: Path) -> 
 
 
 def test_solutions_tasks_and_the_history_of_the_repository_cannot_be_seen(inside: Inside) -> None:
-    from tflab.workbook.places import workbook_data
+    from tflab.workbook.paths import workbook_data
 
     for name in ("solutions", "solutions/tasks", "solutions/en", "exercises", ".git", "tests"):
         assert inside(f"attempt(lambda: os.listdir({str(workbook_data() / name)!r}))") in (
@@ -228,11 +228,11 @@ def test_solutions_tasks_and_the_history_of_the_repository_cannot_be_seen(inside
 
 
 @pytest.mark.parametrize("call", ["tasks_of(data, stem)", "solution_of(data, stem)",
-                                  "assigned_cases(data, stem, 'E3.2', places.Workbook())"])  # fmt: skip
+                                  "assigned_cases(data, stem, 'E3.2', paths.Workbook())"])  # fmt: skip
 def test_no_case_can_be_computed(inside: Inside, call: str) -> None:
     before = (
-        "from tflab.workbook import places\nfrom tflab.workbook.tasks.catalog import *\n"
-        "data, stem = places.workbook_data(), '03_target_and_source'"
+        "from tflab.workbook import paths\nfrom tflab.workbook.tasks.catalog import *\n"
+        "data, stem = paths.workbook_data(), '03_target_and_source'"
     )
     assert inside(f"attempt(lambda: {call})", before) in ("TaskError", "PermissionError")
 

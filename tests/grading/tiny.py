@@ -11,7 +11,7 @@ from pathlib import Path
 
 from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import read_workbook
+from tflab.workbook.paths import read_workbook
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.generate_cases import outline_of

@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import pytest
 
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import Solution, in_process_ros, solution_in_notebook

@@ -10,7 +10,7 @@ import pytest
 from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
-from tflab.workbook.places import Workbook, write_workbook
+from tflab.workbook.paths import Workbook, write_workbook
 from tflab.workbook.tasks import Text, generate_cases
 from tflab.workbook.tasks.case_types import Case, TaskCases, Variant
 from tflab.workbook.tasks.catalog import assigned_cases, question_digest, task_ids

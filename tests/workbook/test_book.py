@@ -29,7 +29,7 @@ TEXTS = {
     "ko": "# 03 · 제목\n\n첫 문장.\n\n## 예측\n\n레이저는 어디에 있습니까?",
 }
 FIGURE = (
-    "from IPython.display import SVG\nfrom tflab.workbook.places import read_workbook\n"
+    "from IPython.display import SVG\nfrom tflab.workbook.paths import read_workbook\n"
     "print(read_workbook().language)\n"
     "assert 'laser' in 'laser_frame' and not None  # 0.2 m\n"
     'SVG(\'<svg xmlns="http://www.w3.org/2000/svg" width="40" height="20"><circle r="9"/></svg>\')'

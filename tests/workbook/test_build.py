@@ -85,9 +85,7 @@ def test_both_languages_have_the_same_code_and_outputs(workbook: Path) -> None:
     assert ko["title"]["source"] == ["# 한 쪽"]
 
 
-SPEAKS = (
-    "from tflab.workbook.places import language_here\nprint({'en': 'Hello', 'ko': '안녕하십니까'}[language_here()])"
-)
+SPEAKS = "from tflab.workbook.paths import language_here\nprint({'en': 'Hello', 'ko': '안녕하십니까'}[language_here()])"
 
 
 def test_what_is_printed_in_the_readers_language_is_stored_in_it(tmp_path: Path) -> None:

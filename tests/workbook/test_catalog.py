@@ -16,7 +16,7 @@ from tflab.ros.messages import field_checks, set_field_checks
 from tflab.ros.process import process_here
 from tflab.workbook import check
 from tflab.workbook.answers.values import from_plain
-from tflab.workbook.places import Workbook, workbook_data
+from tflab.workbook.paths import Workbook, workbook_data
 from tflab.workbook.tasks import catalog
 from tflab.workbook.tasks.catalog import (
     assigned_cases,

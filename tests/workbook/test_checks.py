@@ -19,7 +19,7 @@ from tflab.workbook import check, checks, hint, solution, task, trying
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence, Vector
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
-from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
+from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.tasks.task import variant_of
 from tflab.workbook.verdicts import comparison

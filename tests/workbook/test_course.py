@@ -20,7 +20,7 @@ from tflab.workbook.course.course import read_course
 from tflab.workbook.course.course_map import draw_course
 from tflab.workbook.course.glossary import UnknownTerm, expand, read_glossary
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.paths import chapters, workbook_data
 from tflab.workbook.tasks.catalog import task_ids
 from tflab.workbook.tasks.task import chapter_of
 

@@ -11,7 +11,7 @@ import pytest
 from tflab.workbook.pages.build import build_pages, sources
 from tflab.workbook.pages.editions import with_figures
 from tflab.workbook.pages.stale import stale
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.paths import chapters, workbook_data
 from tflab.workbook.tasks.catalog import tasks_of
 from tflab.workbook.tasks.task import slug
 

@@ -26,7 +26,7 @@ from tflab.workbook.inventory.opened import Opened, opened, waiting
 from tflab.workbook.inventory.replies import FORM, chosen, replies_to
 from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import Workbook, workbook_data
+from tflab.workbook.paths import Workbook, workbook_data
 from tflab.workbook.progress import read_progress
 from tflab.workbook.tasks import PARTICIPATION, Task, Text
 from tflab.workbook.tasks.catalog import assigned_cases

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.pages.source import read_page
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 NEVER = {
     "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",

@@ -14,7 +14,7 @@ import pytest
 
 from tflab.workbook.copy import lab
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.places import read_workbook
+from tflab.workbook.paths import read_workbook
 
 
 @pytest.fixture

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook.copy.lay_out import OLD_PRISTINE, PRISTINE, Change, lay_out, read_pristine, update
-from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 
 from .conftest import HandedOut
 

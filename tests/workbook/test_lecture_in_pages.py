@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 LECTURE = Path(__file__).parents[1] / "ros" / "lecture"
 IN_ENGLISH = {  # what the lecture's nodes say, which is Korean

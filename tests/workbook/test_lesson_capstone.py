@@ -8,7 +8,7 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.workbook import lesson
-from tflab.workbook.places import MARK
+from tflab.workbook.paths import MARK
 
 ASKED = SimpleNamespace(robot="alpha", sensor="rgb", fused=True)
 SEEN, FEET = "alpha/rgb_optical_frame", "alpha/odom -> alpha/base_footprint"

@@ -12,7 +12,7 @@ import pytest
 import tflab
 from tflab.text import LANGUAGES
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 STEMS = sorted(path.stem for path in (workbook_data() / "notebooks" / "en").glob("*.ipynb"))
 

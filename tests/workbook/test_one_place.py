@@ -10,7 +10,7 @@ import pytest
 from tflab.workbook import check, checks
 from tflab.workbook.answers.forms import Choice, Number, Sequence, Vector
 from tflab.workbook.answers.values import outcome_of, to_plain
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 from tflab.workbook.repairing import edits
 from tflab.workbook.repairing.one_place import LOOK, said_of_one_place
 from tflab.workbook.tasks.case_types import Case

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tflab.workbook import practice, progress, trying
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import read_tasks
 

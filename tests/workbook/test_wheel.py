@@ -14,7 +14,7 @@ import pytest
 
 from tflab.workbook.copy.lab import SETTINGS
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.places import chapters, workbook_data
+from tflab.workbook.paths import chapters, workbook_data
 
 KOREAN = {"LANG": "ko_KR.UTF-8", "LC_ALL": ""}
 

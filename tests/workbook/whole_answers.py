@@ -8,7 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from tflab.workbook.answers.values import from_plain, outcome_of
-from tflab.workbook.places import chapters, stems_called, workbook_data
+from tflab.workbook.paths import chapters, stems_called, workbook_data
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.catalog import solution_of, tasks_of
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, make_variant, outline_of

@@ -24,7 +24,7 @@ from typing import Any
 from tqdm import tqdm
 
 from tflab import __version__
-from tflab.workbook.whole_files import write_whole
+from tflab.workbook.atomic_files import write_whole
 
 from .judging.job import SEVERAL, HandedIn, Job
 from .judging.nbval_run import run_cells

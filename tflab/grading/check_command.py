@@ -22,9 +22,9 @@ from typing import Any, NamedTuple
 
 from tflab import __version__
 from tflab.text import Text
-from tflab.workbook import places
+from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import read_pristine
-from tflab.workbook.places import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 from tflab.workbook.tasks.catalog import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
 
@@ -93,16 +93,16 @@ def main(words: Sequence[str]) -> int:
 
 def _called(word: str) -> Path:
     """Return the notebook that a word means: its path, else the stem or number of an exercise in the copy at hand."""
-    root = places.copy_at_hand()
+    root = paths.copy_at_hand()
     if root is None or Path(word).exists():
         return Path(word)
     try:
-        (stem,) = places.stems_called([word], places.chapters(root), what="exercise")
+        (stem,) = paths.stems_called([word], paths.chapters(root), what="exercise")
     except LookupError as nothing:
         if not Path(word).suffix and len(Path(word).parts) == 1:
             raise WorkbookError(str(nothing)) from None
         return Path(word)
-    called = root / "exercises" / read_workbook(root).language / places.exercise_file(stem)
+    called = root / "exercises" / read_workbook(root).language / paths.exercise_file(stem)
     if not called.exists():
         there = ", ".join(sorted(path.name for path in called.parent.glob("*.ipynb"))) or "no notebook"
         raise WorkbookError(
@@ -134,7 +134,7 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
     root = workbook_root(path.resolve().parent)
     workbook = read_workbook(root)
     run_cells, limits, note = _runner(plainly, workbook.language)
-    there = places.chapters(root)
+    there = paths.chapters(root)
     called = [stem for stem in there if stem in path.name or stem == stamp.get("chapter")]
     job = Job(
         learner=workbook.learner or path.stem,
@@ -195,7 +195,7 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
     for task_id in task_ids(data, stem, workbook):
         held = assigned_cases(data, stem, task_id, workbook).plain()
         tasks[task_id] = {name: part for name, part in held.items() if name != "variants"} | held["variants"][0]
-    name = f"exercises/{workbook.language}/{places.exercise_file(stem)}"
+    name = f"exercises/{workbook.language}/{paths.exercise_file(stem)}"
     pristine = read_pristine(root).get(name)
     try:
         handed_out = pristine if pristine is not None else (data / name).read_bytes()

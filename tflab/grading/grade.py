@@ -23,8 +23,8 @@ from typing import Any
 from tflab import __version__
 from tflab.core.stamps import seconds_typed
 from tflab.text import Text
+from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.tasks.task import TaskError
-from tflab.workbook.whole_files import write_whole
 
 from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack

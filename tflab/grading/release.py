@@ -27,10 +27,10 @@ from tqdm import tqdm
 
 from tflab import __version__
 from tflab.text import LANGUAGES
-from tflab.workbook import places
+from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import lay_out, read_pristine, update
 from tflab.workbook.pages.editions import text_of
-from tflab.workbook.places import WorkbookError
+from tflab.workbook.paths import WorkbookError
 from tflab.workbook.tasks.task import TaskError
 
 from .guide.command import write_guide
@@ -79,7 +79,7 @@ def main(words: Sequence[str]) -> int:
 def _released(options: argparse.Namespace) -> tuple[Pack, bool]:
     """Release what was asked for; return the pack, and whether rows of the roster were left out."""
     adds_no_chapter = options.add and not options.chapters
-    stems = [] if adds_no_chapter else _chapters(options.chapters, places.chapters())
+    stems = [] if adds_no_chapter else _chapters(options.chapters, paths.chapters())
     roster = _roster(options.roster, options.lang)
     for fault in roster.faults if roster else ():
         print(f"tflab release: {options.roster}, {fault}; left out", file=sys.stderr)
@@ -133,7 +133,7 @@ def release(
 
 
 def _master(stem: str) -> bytes:
-    path = places.workbook_data() / "exercises" / "en" / places.exercise_file(stem)
+    path = paths.workbook_data() / "exercises" / "en" / paths.exercise_file(stem)
     if not path.is_file():
         raise PackError(f"{stem} has no exercise; `tflab build {stem}` makes it")
     return path.read_bytes()
@@ -149,7 +149,7 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
         TaskError: a chapter's solution or cases are no good.
     """
     pack = read_pack(folder / INSTRUCTOR)
-    there = places.chapters()
+    there = paths.chapters()
     missing = [stem for stem in pack.chapters if stem not in there]
     if missing:
         raise PackError(f"{', '.join(missing)} is not part of tflab {__version__}; nothing was changed")
@@ -178,10 +178,10 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
 def _update_for(place: Path, learner: Learner | None, pack: Pack) -> list[str]:
     """Bring one learner's folder up to date, around what is written there; return what there is to say."""
     identity = learner.id if learner else None
-    target = place / (identity or places.COPY)
-    if not (target / places.MARK).is_file():
+    target = place / (identity or paths.COPY)
+    if not (target / paths.MARK).is_file():
         return [f"{target} is not there any more; --add lays it out again"]
-    spoken = places.read_workbook(target).language
+    spoken = paths.read_workbook(target).language
     changes = update(target, _exercises_for(pack, spoken, identity, read_pristine(target)))
     kept = sum(change.kept for change in changes)
     return [f"{target}: {len(changes)} files brought up to date, {kept} cells of the learner's kept"] if changes else []
@@ -193,8 +193,8 @@ def _exercises_for(
     """Return the exercises as one learner gets them, by path; the title of one that was handed out stays."""
     files = {}
     for stem, asked in pack.questions.items():
-        name = f"exercises/{language}/{places.exercise_file(stem)}"
-        new = json.loads((places.workbook_data() / name).read_bytes())
+        name = f"exercises/{language}/{paths.exercise_file(stem)}"
+        new = json.loads((paths.workbook_data() / name).read_bytes())
         old = json.loads(handed_out[name]) if name in handed_out else new
         files[name] = _stamped(mended_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
     return files
@@ -231,7 +231,7 @@ def _lay_out_for(place: Path, learner: Learner | None, pack: Pack, language: str
     spoken = learner.language if learner else language
     asked = {task: digests for tasks in pack.questions.values() for task, digests in tasks.items()}
     lay_out(
-        place / (identity or places.COPY),
+        place / (identity or paths.COPY),
         spoken,
         edition="class",
         learner=identity,
@@ -262,7 +262,7 @@ def _chapters(words: str | None, there: Sequence[str]) -> list[str]:
     if not there:
         raise PackError("there is no chapter with an exercise; `tflab build` makes them")
     try:
-        chosen = places.stems_called((words or "").replace(",", " ").split(), there, what="exercise")
+        chosen = paths.stems_called((words or "").replace(",", " ").split(), there, what="exercise")
     except LookupError as nothing:
         raise PackError(f"{nothing}") from None
     return chosen or list(there)

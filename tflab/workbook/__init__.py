@@ -1,12 +1,11 @@
-"""The workbook: pages that are written once, tasks whose wrong answers are named, and a learner's own copy of it all.
+"""The workbook: pages that are written once, tasks whose wrong answers are named, and a learner's own copy.
 
 In an exercise one calls four functions:
 
     from tflab.workbook import check, hint, task, solution
 
-    words         what a person reads, in English and in Korean
-    whole_files   files that are written whole or not at all: atomic writes
-    places        where the workbook is
+    atomic_files  write a file whole or not at all, and lock a folder
+    paths         where the workbook and its files are
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones, what it is tried on
     mistakes/     those that any answer can have: a bug library
@@ -17,10 +16,10 @@ In an exercise one calls four functions:
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task
     reply         how a reply looks
-    again         what a cell finds that runs again
-    elsewhere     what is said of a cell that runs again when its world has gone
-    unmade        what is said of a cell that fails, and of a name that no cell has made yet
-    first_question    a question to be wrong at, before there is an exercise
+    rerun_cleanup end what a cell's last run started
+    stale_graph   tell the reader when a cell runs in another graph than before
+    cell_errors   explain why a cell failed
+    warm_up       the ungraded question before the exercises
     progress      what was tried, and what was passed
     course/       chapters, objectives, checklist, terms; where a learner stands
     book/         the frame, the front page and the gallery of the pages as a book

@@ -25,7 +25,7 @@ from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .inventory.taking_part import NO_HELP, say_taken_part
-from .places import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
+from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
 from .reply import show_reply
 from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
 from .tasks.credit import beyond_one_word

@@ -30,7 +30,7 @@ from ..text import Texts
 from .answers.showing import show_all
 from .answers.values import from_plain
 from .checks import TRIES_BEFORE_SOLUTION, solution_text
-from .places import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
+from .paths import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
 from .progress import mark_of, read_progress
 from .reply import in_notebook, shell, show_reply
 from .tasks.case_types import TaskCases

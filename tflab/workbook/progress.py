@@ -17,8 +17,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from .answers.values import Plain
-from .places import MARK
-from .whole_files import locked, write_whole
+from .atomic_files import locked, write_whole
+from .paths import MARK
 
 __all__ = [
     "FILE",

@@ -21,7 +21,7 @@ from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .explaining.changes import gave
-from .places import Workbook
+from .paths import Workbook
 from .repairing.lint import said_of_its_text
 from .repairing.one_place import said_of_one_place
 from .reply import in_notebook, shell, show_caption, show_reply

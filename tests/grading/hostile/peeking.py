@@ -21,7 +21,7 @@ PEEKING = [
         "peeking",
         """
 import json
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 cells = []
 for path in sorted(workbook_data().glob('solutions/*/03*.ipynb')) + sorted(workbook_data().glob('solutions/src/03*')):
     text = path.read_text()
@@ -134,7 +134,7 @@ def F(transform):
         """
 V = (0.0, 0.0, 0.0)
 from tflab.workbook.answers.values import from_plain
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 from tflab.workbook.tasks import catalog, generate_cases
 data, stem = workbook_data(), '03_target_and_source'
 for seed in ('public', 'secret', '', 'hidden', SEED):
@@ -182,7 +182,7 @@ def F(transform):
 """),
     function("imports the solution by any name", "peeking", """
 import importlib, sys
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 sys.path[:0] = [str(workbook_data()), str(workbook_data() / 'solutions/tasks'), str(workbook_data() / 'solutions/src')]
 solution = None
 for name in ('03_target_and_source', 'solutions.tasks.03_target_and_source', 'tflab._workbook.solutions', 'solutions'):
@@ -193,7 +193,7 @@ def F(transform):
 """),
     function("asks the reference module for the answer", "peeking", """
 from tflab.workbook.tasks import catalog, generate_cases
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 made = None
 try:
     data, stem = workbook_data(), '03_target_and_source'

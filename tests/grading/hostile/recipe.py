@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 Notebook = dict[str, Any]
 
@@ -136,7 +136,7 @@ def edited(
 
 # Computes the cases of a task, with the numbers that this class was given.
 CASES = """
-from tflab.workbook.places import Workbook, chapters, workbook_data
+from tflab.workbook.paths import Workbook, chapters, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases
 def cases_of(task, seed=SEED):
     stem = next(stem for stem in chapters() if task.startswith(f'E{int(stem[:2])}.'))

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from tflab.text import LANGUAGES
-from tflab.workbook.whole_files import write_whole
+from tflab.workbook.atomic_files import write_whole
 
 from ..submissions.listing import few_of_each, is_notebook, listed
 from ..submissions.reader import SubmittedNotebook, Unreadable, read_notebook

@@ -18,11 +18,11 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 from tflab.text import LANGUAGES, Text
+from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.course.course import read_course
 from tflab.workbook.pages.html import PageFailed
-from tflab.workbook.places import TASKS, WorkbookError, read_workbook, workbook_data
+from tflab.workbook.paths import TASKS, WorkbookError, read_workbook, workbook_data
 from tflab.workbook.tasks.catalog import tasks_of
-from tflab.workbook.whole_files import write_whole
 
 from ..reports.html import text
 from .cards import cards

@@ -19,7 +19,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tflab.workbook.pages.slides import Slide, slides_of
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 __all__ = ["LecturedPage", "PageChoice", "Ticket", "lectured_page"]
 

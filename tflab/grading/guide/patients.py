@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from tflab.text import Text
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 from ..reports.html import text
 from .sheets import grid, inline

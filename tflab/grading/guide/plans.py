@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tflab.text import LANGUAGES, Text
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 from ..reports.html import text
 from .lecture import lectured_page

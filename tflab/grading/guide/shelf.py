@@ -12,7 +12,7 @@ from pathlib import Path
 
 from tflab.text import LANGUAGES
 from tflab.workbook.course.course import read_course
-from tflab.workbook.places import stems_called, workbook_data
+from tflab.workbook.paths import stems_called, workbook_data
 
 from .lecture import lectured_page
 from .misfits import misfits, misfits_of_marking

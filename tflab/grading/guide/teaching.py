@@ -25,7 +25,7 @@ from typing import Any
 import yaml
 
 from tflab.text import LANGUAGES, Text
-from tflab.workbook.places import workbook_data
+from tflab.workbook.paths import workbook_data
 
 __all__ = ["TEACHING", "BlankTable", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
            "read_teaching", "read_yaml", "said_once"]  # fmt: skip

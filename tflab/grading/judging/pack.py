@@ -31,14 +31,14 @@ from tqdm import tqdm
 from tflab import __version__
 from tflab.text import Text
 from tflab.workbook.answers.forms import form_from_plain
-from tflab.workbook.places import TASKS, workbook_data
+from tflab.workbook.atomic_files import write_whole
+from tflab.workbook.paths import TASKS, workbook_data
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.catalog import question_digest, seed_of, solution_of, tasks_of
 from tflab.workbook.tasks.credit import usual_among
 from tflab.workbook.tasks.generate_cases import task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import variant_of
-from tflab.workbook.whole_files import write_whole
 
 from ..submissions.roster import Learner
 from .cells import Master, master_of

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import tflab
 from tflab.text import Text
-from tflab.workbook import places
+from tflab.workbook import paths
 
 from . import landlock, seccomp
 
@@ -106,7 +106,7 @@ class Sandbox:
 
     def hidden(self) -> tuple[str, ...]:
         """Return what is covered even where it lies in a folder that is shown."""
-        books = {places.workbook_data(), Path(tflab.__file__).parent / "_workbook"}  # TFLAB_WORKBOOK may name another
+        books = {paths.workbook_data(), Path(tflab.__file__).parent / "_workbook"}  # TFLAB_WORKBOOK may name another
         secrets = [book / part for book in books for part in ("solutions", "exercises")] + [*map(Path, self.hide)]
         return tuple(sorted({str(path.resolve()) for path in secrets if path.exists()}))
 

@@ -13,7 +13,7 @@ from html import escape
 
 from ...text import LANGUAGES, Text
 from ..course.course import read_course
-from ..places import exercise_file
+from ..paths import exercise_file
 from .frame import STATIC, BookPage
 
 __all__ = ["CONVENTIONS", "conventions_text", "door", "front_page"]

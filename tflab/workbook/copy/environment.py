@@ -18,7 +18,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...text import Text
-from ..places import MARK, language_here, workbook_root
+from ..paths import MARK, language_here, workbook_root
 
 __all__ = ["check_environment", "missing"]
 

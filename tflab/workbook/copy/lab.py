@@ -29,7 +29,7 @@ from tflab import __version__
 from tflab.extras import require
 
 from ...text import LANGUAGES, Text
-from ..places import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
+from ..paths import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from .lay_out import Change, handed_out_in, has_language, lay_out, update
 
 __all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "language_of", "our_environment"]

@@ -26,9 +26,9 @@ from pathlib import Path, PurePosixPath
 from tflab import __version__
 
 from ...text import LANGUAGES, Text
+from ..atomic_files import locked, write_whole
 from ..pages.editions import still_twins, text_of, with_figures
-from ..places import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
-from ..whole_files import locked, write_whole
+from ..paths import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from .merge import Merged, merge_notebooks
 
 __all__ = [

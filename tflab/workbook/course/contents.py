@@ -16,11 +16,11 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from ...text import LANGUAGES, Text
+from ..atomic_files import write_whole
 from ..inventory.items import read_inventory
 from ..inventory.questions import SOURCES as FORM_PAGES
 from ..inventory.questions import with_questions
-from ..places import exercise_file, workbook_data
-from ..whole_files import write_whole
+from ..paths import exercise_file, workbook_data
 from .course import Chapter, read_course
 from .glossary import Term, read_glossary
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 from ...text import Text
 from ..inventory.opened import Opened, opened, waiting
-from ..places import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
+from ..paths import COPY, MARK, WorkbookError, copy_at_hand, workbook_root
 from .standing import ChapterStanding, GoalStanding, Standing, TaskStanding, standing
 
 __all__ = ["ProgressPage", "progress", "show_progress"]

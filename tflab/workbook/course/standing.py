@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from ...text import Text
-from ..places import chapters, read_workbook, workbook_data, workbook_root
+from ..paths import chapters, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
 from ..tasks.catalog import task_ids, tasks_of
 from ..tasks.task import TaskError

@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import yaml
 
 from ...text import Text
-from ..places import workbook_data
+from ..paths import workbook_data
 
 __all__ = ["FORMS", "LETTERS", "RIGHT", "Item", "Option", "Wording", "inventory_file", "parsed", "read_inventory"]
 

@@ -23,7 +23,7 @@ from typing import TYPE_CHECKING
 from tflab.views.gain import draw_gain
 
 from ...text import Text
-from ..places import chapters
+from ..paths import chapters
 from ..progress import read_progress
 from ..tasks.task import chapter_of
 from .change import changes, relearnt

@@ -15,7 +15,7 @@ from ...text import Text
 from .. import progress
 from ..answers.form import Form
 from ..answers.values import Plain
-from ..places import workbook_data
+from ..paths import workbook_data
 from ..reply import show_page, show_reply
 from ..verdicts.mistake import Mistake
 from ..verdicts.verdict import Verdict

@@ -74,7 +74,7 @@ from tflab.views.turns import draw_drives, draw_orders, draw_turns
 from ..copy.environment import check_environment
 from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
-from ..first_question import ask_first
+from ..warm_up import ask_first
 from .capstone import launch_answer
 from .clouds import floor_cloud, wall_cloud
 from .disguised import draw_rviz, start_robot, stop_node

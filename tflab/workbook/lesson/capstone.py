@@ -35,7 +35,7 @@ from tflab.tools.rviz import look
 from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text
 
-from ..places import read_workbook, workbook_root
+from ..paths import read_workbook, workbook_root
 from .clouds import wall_cloud
 
 __all__ = ["launch_answer"]

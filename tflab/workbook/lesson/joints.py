@@ -19,7 +19,7 @@ from tflab.views import joints, panels
 from tflab.views.joints import JointsPicture, Step
 from tflab.views.panels import Panel, Travel
 
-from ..places import read_workbook, workbook_root
+from ..paths import read_workbook, workbook_root
 
 __all__ = ["draw_joints", "joint_in_file", "joints_panel", "steps_of"]
 

@@ -18,7 +18,7 @@ from tflab.views.panels import Panel, SentencePanel
 from tflab.views.style import fmt_all
 from tflab.views.timeline import Ask, Lane
 
-from ..places import read_workbook, workbook_root
+from ..paths import read_workbook, workbook_root
 
 __all__ = [
     "cameras_panel",

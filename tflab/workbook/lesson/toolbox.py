@@ -24,7 +24,7 @@ from tflab.views.rviz_status import look_through, statuses_as_text
 from tflab.views.toolcase import Suitability, ToolOutput, draw_tools
 
 from ...text import Text
-from ..places import read_workbook, workbook_root
+from ..paths import read_workbook, workbook_root
 
 __all__ = ["ASKED", "COMMANDS", "VERDICTS", "draw_toolbox", "say_tools", "tools_panel"]
 

@@ -35,7 +35,7 @@ from tflab.views.picture import Picture
 from tflab.views.suspects import SuspectsPicture, draw_suspects
 from tflab.views.visited import draw_visit as drawn_visit
 
-from ..places import read_workbook, workbook_root
+from ..paths import read_workbook, workbook_root
 
 __all__ = [
     "LECTURES_ORDER",

@@ -20,8 +20,8 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ...text import LANGUAGES
-from ..places import chapter_of, stems_called, workbook_data
-from ..whole_files import write_whole
+from ..atomic_files import write_whole
+from ..paths import chapter_of, stems_called, workbook_data
 from .html import write_html
 from .kernel import wait_for
 from .one_page import Made, make_page

@@ -18,7 +18,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ..places import Workbook, stems_called, workbook_data, write_workbook
+from ..paths import Workbook, stems_called, workbook_data, write_workbook
 from .execute import merged_streams
 from .kernel import running_kernel, wait_for
 

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 from ...text import LANGUAGES
 from ..course.glossary import read_glossary
-from ..places import MARK, Workbook, exercise_file
+from ..paths import MARK, Workbook, exercise_file
 from ..tasks.case_types import TaskCases
 from ..tasks.generate_cases import outline_of
 from ..tasks.reference import in_process_ros

@@ -16,7 +16,7 @@ from pathlib import Path
 from posixpath import normpath
 
 from ...text import LANGUAGES
-from ..places import chapter_of
+from ..paths import chapter_of
 from .source import Page, PageFault, SourceCell, code_lines
 
 __all__ = ["MOST_LINES", "SLIDES", "TAGS", "page_faults"]

@@ -29,7 +29,7 @@ from ..book.gallery import GALLERY, ShownFigure, gallery_page, pictures_of
 from ..book.reading import search_index, sections_of
 from ..book.reference import write_reference
 from ..course.course import read_course
-from ..places import chapter_of, workbook_data
+from ..paths import chapter_of, workbook_data
 from .editions import live_and_still
 from .html import PageFailed, run_with_films
 

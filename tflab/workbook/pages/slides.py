@@ -28,7 +28,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ...text import LANGUAGES, Text
-from ..places import WorkbookError, read_workbook, workbook_root
+from ..paths import WorkbookError, read_workbook, workbook_root
 from .editions import still_twins
 from .html import PageFailed, notebooks_called, run_with_films
 

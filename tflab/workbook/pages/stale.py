@@ -10,7 +10,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ..places import chapter_of
+from ..paths import chapter_of
 
 __all__ = ["difference", "stale"]
 

@@ -21,7 +21,7 @@ from tflab import __version__
 
 from ...text import Text
 from ..answers.values import Plain
-from ..places import Workbook, chapters, workbook_data
+from ..paths import Workbook, chapters, workbook_data
 from .case_types import TaskCases, Variant, rounded
 from .generate_cases import PUBLIC_SEED, CasesError, make_variant, outline_of
 from .pairs import PairSearch

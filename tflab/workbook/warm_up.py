@@ -12,7 +12,7 @@ from typing import Any
 
 from ..text import Text
 from .answers.forms import Vector
-from .places import read_workbook, workbook_root
+from .paths import read_workbook, workbook_root
 from .reply import show_reply
 from .tasks.case_types import Case, Feedback, TaskCases, Variant
 from .trying import AssignedTask, say_verdict, tried_on

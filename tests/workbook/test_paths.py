@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.copy import environment
-from tflab.workbook.places import Workbook, chapters, stems_called, workbook_data, write_workbook
-from tflab.workbook.whole_files import write_whole
+from tflab.workbook.paths import Workbook, chapters, stems_called, workbook_data, write_workbook
 
 from .conftest import HandedOut
 
@@ -33,12 +33,12 @@ def test_the_workbook_of_an_editable_install_is_the_repository(monkeypatch) -> N
 
 
 def test_installed_from_a_wheel_the_workbook_is_inside_the_package(monkeypatch, tmp_path: Path) -> None:
-    from tflab.workbook import places
+    from tflab.workbook import paths
 
     inside = tmp_path / "tflab" / "_workbook"
     inside.mkdir(parents=True)
     monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
-    monkeypatch.setattr(places, "__file__", str(tmp_path / "tflab" / "workbook" / "places.py"))
+    monkeypatch.setattr(paths, "__file__", str(tmp_path / "tflab" / "workbook" / "paths.py"))
     assert workbook_data() == inside
 
 

@@ -24,7 +24,7 @@ from typing import Any
 
 from ..text import Text
 from .mistakes.stumbles import tip_for
-from .places import language_here
+from .paths import language_here
 from .reply import show_reply
 
 __all__ = ["register"]

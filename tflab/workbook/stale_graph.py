@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 from tflab.ros.process import process_here
 
 from ..text import Text
-from .places import language_here
+from .paths import language_here
 from .reply import show_reply
 
 __all__ = ["register"]

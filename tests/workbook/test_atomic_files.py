@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook import whole_files
-from tflab.workbook.whole_files import locked, write_whole
+from tflab.workbook import atomic_files
+from tflab.workbook.atomic_files import locked, write_whole
 
 fcntl = pytest.importorskip("fcntl", reason="Windows locks in another way")
 
@@ -18,7 +18,7 @@ def test_a_share_without_locks_is_used_without(number: int, tmp_path: Path, monk
     def refuses(handle: int, operation: int) -> None:
         raise OSError(number, "no locks here")
 
-    monkeypatch.setattr(whole_files.fcntl, "flock", refuses)
+    monkeypatch.setattr(atomic_files.fcntl, "flock", refuses)
     with locked(tmp_path):
         write_whole(tmp_path / "kept", "mine")
     assert (tmp_path / "kept").read_text() == "mine"
@@ -28,7 +28,7 @@ def test_a_lock_that_fails_for_another_reason_is_said(tmp_path: Path, monkeypatc
     def fails(handle: int, operation: int) -> None:
         raise OSError(errno.EIO, "the disk is broken")
 
-    monkeypatch.setattr(whole_files.fcntl, "flock", fails)
+    monkeypatch.setattr(atomic_files.fcntl, "flock", fails)
     with pytest.raises(OSError, match="the disk is broken"), locked(tmp_path):
         pass
 
@@ -37,6 +37,6 @@ def test_a_share_without_rights_is_written_to_all_the_same(tmp_path: Path, monke
     def refuses(*of_a_file: object) -> None:
         raise PermissionError(errno.EPERM, "Operation not permitted")
 
-    monkeypatch.setattr(whole_files.os, "chmod", refuses)
+    monkeypatch.setattr(atomic_files.os, "chmod", refuses)
     write_whole(tmp_path / "kept", "mine")
     assert (tmp_path / "kept").read_text() == "mine"

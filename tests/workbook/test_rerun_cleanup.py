@@ -9,7 +9,7 @@ from IPython.core.interactiveshell import InteractiveShell
 
 from tflab.ros.graph import Graph, new_graph
 from tflab.ros.process import use_graph
-from tflab.workbook import again
+from tflab.workbook import rerun_cleanup
 
 HEAD = "from tflab.ros import client_library as rclpy\nfrom tflab.ros.node import Node\n"
 READER = f"{HEAD}rclpy.init()\nnode = Node('reader')"
@@ -31,7 +31,7 @@ def run(graph: Graph) -> Callable[..., BaseException | None]:
     """Return what runs a cell by its name and text, and says what it ended with."""
     shell = InteractiveShell()
     shell.user_ns.update(graph=graph, new_graph=new_graph)
-    again.register(shell)
+    rerun_cleanup.register(shell)
     return lambda cell, text: shell.run_cell(text, cell_id=cell).error_in_exec
 
 

@@ -9,16 +9,16 @@ import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
 import tflab
-from tflab.workbook import unmade
-from tflab.workbook.places import Workbook, write_workbook
-from tflab.workbook.unmade import of_the_reader
+from tflab.workbook import cell_errors
+from tflab.workbook.cell_errors import of_the_reader
+from tflab.workbook.paths import Workbook, write_workbook
 
 
 @pytest.fixture
 def shell() -> InteractiveShell:
     made = InteractiveShell()
     made.user_ns["check"] = print
-    unmade.register(made)
+    cell_errors.register(made)
     return made
 
 
@@ -143,7 +143,7 @@ def test_rclpy_begun_twice_says_how_to_end_it(shell, capsys) -> None:
 def test_a_shell_that_treats_its_own_errors_keeps_doing_so() -> None:
     shell = InteractiveShell()
     shell.set_custom_exc((KeyError,), lambda *_, **__: None)
-    unmade.register(shell)
+    cell_errors.register(shell)
     assert shell.custom_exceptions == (KeyError,)
 
 
@@ -151,7 +151,7 @@ def test_an_answer_that_fails_leaves_none_from_before(capsys) -> None:
     shell = InteractiveShell.instance()
     shell.user_ns["check"] = print
     try:
-        unmade.register(shell)
+        cell_errors.register(shell)
         for made, broken in (("def f(a):\n    return a", "def f(a)\n    return a"), ("x = 1", "x = y + 1")):
             name = made.partition("(")[0].removeprefix("def ").partition(" ")[0]
             shell.run_cell(made, cell_id="e3-3-answer")

@@ -8,7 +8,7 @@ import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
 from tflab.ros.process import use_graph
-from tflab.workbook import again, elsewhere
+from tflab.workbook import rerun_cleanup, stale_graph
 
 LOAD = "from tflab.ros.graph import new_graph\ngraph = new_graph(virtual=True)"
 RUN = "graph.run(seconds=0.5)"
@@ -26,13 +26,13 @@ CELLS = {"load": LOAD, "start": START, "run": RUN, "look": LOOK, "stop": "graph.
 @pytest.fixture
 def said(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., list[str]]]:
     """Return what runs cells by their names, and returns those of which something was said, and what."""
-    monkeypatch.setattr(elsewhere, "_begun", elsewhere._Begun("", elsewhere.NEW))
-    monkeypatch.setattr(elsewhere, "_ran_in", {})
+    monkeypatch.setattr(stale_graph, "_begun", stale_graph._Begun("", stale_graph.NEW))
+    monkeypatch.setattr(stale_graph, "_ran_in", {})
     heard: list[str] = []
-    monkeypatch.setattr(elsewhere, "show_reply", lambda _head, text: heard.append(text))
+    monkeypatch.setattr(stale_graph, "show_reply", lambda _head, text: heard.append(text))
     shell = InteractiveShell()
-    again.register(shell)
-    elsewhere.register(shell)
+    rerun_cleanup.register(shell)
+    stale_graph.register(shell)
 
     def run(*cells: str, no_ids: bool = False) -> list[str]:
         told = []

@@ -144,7 +144,7 @@ def language_here() -> str:
 
 def write_workbook(root: Path, workbook: Workbook) -> None:
     """Mark `root` as a copy of the workbook."""
-    from .whole_files import write_whole
+    from .atomic_files import write_whole
 
     write_whole(root / MARK, json.dumps(asdict(workbook), indent=1, ensure_ascii=False) + "\n")
 
