@@ -11,24 +11,24 @@
 # - reject incomplete data, and say why.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 01 · 숫자 세 개는 아직 위치가 아닙니다
+# # 01 · 값, 좌표계, 측정 시각
 #
-# **값, 좌표계, 측정 시각** · 약 45분 · 00장을 바탕으로 합니다
+# **숫자 세 개만으로는 위치를 알 수 없습니다** · 약 45분 · 00장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 쓸 수 있는 측정값의 세 부분, 곧 값, 좌표계, 측정 시각을 말할 수 있습니다.
-# - 한 위치를 세 좌표계를 기준으로 나타내고, 무엇이 움직이면 어느 숫자가 바뀌는지 말할 수 있습니다.
-# - 메시지의 헤더를 나노초까지 읽고, 측정값이 얼마나 오래되었는지 계산할 수 있습니다.
-# - 한 부분이라도 빠진 데이터는 거절하고, 이유를 설명할 수 있습니다.
+# - 측정값에 꼭 필요한 세 가지, 곧 값과 좌표계와 측정 시각을 말할 수 있습니다.
+# - 같은 위치를 세 좌표계 기준으로 나타내고, 무엇이 움직일 때 어느 숫자가 바뀌는지 구별할 수 있습니다.
+# - 메시지 헤더를 나노초까지 읽고 측정값의 나이를 계산할 수 있습니다.
+# - 좌표계나 측정 시각이 없는 데이터를 거절하고, 그 이유를 설명할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # One idea: a number without a frame and a time is a rumour.
 # Ask the class: "I have (2, 0, 0). Where is it?" Wait until someone answers with a question. That question is today's topic.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 뜬소문입니다.
-# 먼저 물어봅니다. "(2, 0, 0)이 있습니다. 어디입니까?" 누군가 되물을 때까지 기다립니다. 그 되물음이 오늘의 주제입니다.
+# 이 장의 핵심은 하나입니다. 좌표계와 시각이 없는 숫자는 쓸 수 없습니다.
+# 칠판에 (2, 0, 0)을 적고 묻습니다. “이것은 어디입니까?” 누군가 “무엇을 기준으로요?”라고 되물으면 그 질문으로 수업을 시작합니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -48,22 +48,22 @@ from tflab.workbook import lesson
 # One question would have prevented it: *what are these coordinates in `map`?* TF answers that question.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 클릭 한 번, 지도 두 장
+# ## 클릭 한 번에 지도가 두 장
 #
-# 로봇이 자기 위치를 잃었습니다. 사람이 지도를 클릭해 알려 줍니다. ‘지금 여기야.’
-# 클릭은 메시지입니다. 숫자 세 개와 함께, 이 숫자는 `world`라는 [[frame|좌표계(frame)]]를 기준으로 한다는 이름표가 들어 있습니다.
-# 지도를 만드는 프로그램은 숫자만 옮기고 이름표는 읽지 않았습니다.
-# 프로그램의 기준은 `map`이었고, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
+# 로봇이 자기 위치를 놓쳤습니다. 운영자가 화면의 지도를 클릭해 현재 위치를 알려 주었습니다.
+# 클릭은 메시지로 전달됩니다. 이 메시지에는 숫자 세 개와 함께 ‘이 숫자는 `world` [[frame|좌표계(frame)]] 기준’이라는 이름표가 있었습니다.
+# 지도 작성 프로그램은 숫자만 읽고 이름표는 확인하지 않았습니다.
+# 이 프로그램은 `map`을 기준으로 계산하는데, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
 #
-# 오류도 경고도 없었습니다.
-# 프로그램은 엉뚱한 위치에서 지도를 계속 그렸고, 한 건물의 지도가 5미터 어긋난 채 두 장이 되었습니다(SteveMacenski/slam_toolbox, 2026년).
-# 고치는 데는 질문 하나면 되었습니다. *이 위치를 `map` 기준으로는 어떻게 나타낼까?* TF가 그 답을 줍니다.
+# 오류도 경고도 나오지 않았습니다.
+# 프로그램은 5미터 어긋난 자리에서 지도를 계속 그렸고, 같은 건물의 지도가 두 장 생겼습니다(SteveMacenski/slam_toolbox, 2026년).
+# 필요한 질문은 하나였습니다. *이 위치를 `map` 기준으로 나타내면 얼마인가?* TF가 이 질문에 답합니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). A similar bug on the sending side: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 메시지를 받아 쓰는 프로그램에서 생긴 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
+# *더 읽기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 보내는 쪽에서 일어난 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
@@ -77,20 +77,20 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # The sender has to write the right frame, and the receiver has to read it.
 
 # %% [markdown] lang="ko" name="story-seen"
-# *그림 읽기:* meant는 사람이 뜻한 위치, understood는 프로그램이 알아들은 위치입니다.
-# meant는 `world`의 원점에서 재면 (2, 1.5)입니다. 같은 숫자를 `map`의 원점에서 재면 understood 자리가 됩니다.
+# *그림 읽기:* meant = 운영자가 뜻한 위치, understood = 프로그램이 알아들은 위치.
+# 같은 (2, 1.5)라도 `world`의 원점에서 재면 meant, `map`의 원점에서 재면 understood입니다.
 #
-# 여기서는 받는 쪽이 이름표를 잊었습니다. 보내는 쪽이 이름표를 망친 일도 있습니다. 어느 프로그램은 카메라 1미터 앞의 마커(QR 코드 같은 표식)를 보고는 이름표를 `/map`으로 덮어썼습니다.
-# 그러자 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 되었습니다.
-# 이름표는 제대로 써야 하고, 또 *읽어야* 합니다.
+# 이 사고에서는 받는 쪽이 이름표를 읽지 않았습니다. 보내는 쪽이 이름표를 잘못 쓴 사고도 있습니다. 어느 프로그램은 카메라 1미터 앞에서 마커(QR 코드처럼 인쇄한 표식)를 찾고는 `frame_id`에 `/map`을 적어 보냈습니다.
+# 그러면 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 됩니다.
+# 이름표는 보내는 쪽이 바르게 쓰고, 받는 쪽이 반드시 읽어야 합니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Act it out: one student writes (2, 1.5) on a note. Another picks a corner of the room and walks to that position.
 # Nobody made a mistake on purpose, and nothing reported an error. This course is about bugs of that kind.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 직접 해 봅니다. 한 사람이 쪽지에 (2, 1.5)를 적고, 다른 사람은 자기가 고른 모서리에서부터 재어 걸어갑니다.
-# 아무도 일부러 틀리지 않았고 아무 경고도 없었습니다. 이 강의가 다루는 버그가 바로 이런 것입니다.
+# 두 사람이 해 봅니다. 한 사람이 쪽지에 (2, 1.5)라고 적어 건네고, 다른 사람은 교실의 모서리 하나를 골라 거기서부터 걸어갑니다. 어느 모서리인지는 쪽지에 없습니다.
+# 일부러 틀린 사람은 없고 경고도 없었습니다. 이 과정에서 다루는 오류는 대개 이렇습니다.
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -107,18 +107,18 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 <b>(6.2, −1.7, 0.10)</b>에 있고, 지도의 x 방향을 봅니다.
-# 레이저 `laser_frame`은 `base_link` 기준 **(0.20, 0, 0.15)**, 곧 중심보다 앞쪽 위에 달려 있고 로봇과 같은 방향을 봅니다.
-# 레이저가 공을 봅니다. 공은 `laser_frame` 기준 **(2, 0, 0)**, 곧 레이저 정면 2미터에 있습니다.
+# 로봇이 방 안에 서 있습니다. 로봇의 중심 `base_link`는 `map` 기준 <b>(6.2, −1.7, 0.10)</b>에 있고 지도의 x축 방향을 봅니다.
+# 레이저 `laser_frame`은 `base_link` 기준 <b>(0.20, 0, 0.15)</b>에 달려 있습니다. 중심보다 앞쪽 위에 있고 로봇과 같은 방향을 봅니다.
+# 레이저가 정면 2미터에서 공을 측정했습니다. `laser_frame` 기준으로 <b>(2, 0, 0)</b>입니다.
 #
 # 공은 `base_link` 기준으로 어디에 있을까요? `map` 기준으로는 어디일까요?
-# 넘어가기 전에 다음 셀에 예측을 적어 보세요. 틀린 예측도 예측하지 않은 것보다 낫습니다.
+# 다음 셀에 예측을 적은 뒤 실행해 보세요. 틀려도 괜찮습니다. 적어 두어야 어디에서 틀렸는지 알 수 있습니다.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Give them one minute with pen and paper. Then ask for a show of hands: who kept the numbers, who added, who subtracted? Leave the counts on the board.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 종이로 1분을 줍니다. 숫자를 그대로 둔 사람, 더한 사람, 뺀 사람의 수를 칠판에 남깁니다.
+# 1분 동안 종이에 적게 합니다. 숫자를 그대로 둔 사람, 더한 사람, 뺀 사람이 각각 몇 명인지 칠판에 남겨 둡니다.
 
 # %% name="my-guess" slide="skip"
 my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesses: (x, y, z) [m]
@@ -139,10 +139,10 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
-# 두 줄로 로봇이 서 있는 위치와 레이저를 단 위치를 ROS에 알립니다.
-# 이어서 [[node|노드(node)]]를 만들고, 받은 변환을 기억하는 [[buffer|버퍼(buffer)]]와 그 버퍼를 채우는 [[listener|수신기(listener)]]를 붙입니다. 로봇에서도 똑같이 씁니다.
-# `rclpy`는 파이썬용 ROS 2이고, `spin_thread=True`이면 프로그램이 다른 일을 하는 동안에도 수신기가 변환을 받습니다. `PointStamped`는 이름표가 달린 점입니다. 이 두 줄이 출력하는 rotation (0, 0, 0, 1)은 *돌아 있지 않다*는 뜻입니다(02장).
-# 이 페이지에서 시간은 가상이며 `graph.run(…)` 안에서만 흐릅니다. `graph`는 노드가 실행되는 가상 세계이고, `%ros2`를 처음 쓸 때 만들어집니다.
+# 첫 두 줄은 로봇의 위치와 레이저의 장착 변환을 발행합니다.
+# 그다음 [[node|노드(node)]]를 하나 만들고, 변환을 저장하는 [[buffer|버퍼(buffer)]]와 변환을 구독해 버퍼를 채우는 [[listener|수신기(listener)]]를 연결합니다. 실제 로봇에서도 같은 코드를 씁니다.
+# `rclpy`는 파이썬용 ROS 2 라이브러리입니다. `spin_thread=True`이면 다른 코드가 실행되는 동안에도 별도의 스레드에서 변환을 수신합니다. `PointStamped`는 좌표계와 측정 시각이 함께 든 점 메시지입니다. 출력의 rotation (0, 0, 0, 1)은 회전이 없다는 뜻입니다(02장).
+# 이 페이지의 시간은 가상이며 `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 노드가 실행되는 가상의 ROS 2 환경으로, `%ros2`를 처음 쓸 때 만들어집니다.
 
 # %% name="say-where"
 # %ros2 run tf2_ros static_transform_publisher --x 6.2 --y -1.7 --z 0.10 --frame-id map --child-frame-id base_link
@@ -205,17 +205,17 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>base_link 기준 (1.8, 0, −0.15)라고 했습니다</summary>
 #
-# 레이저를 단 위치를 뺐습니다. 레이저는 중심보다 *앞에* 있으므로, 중심에서 공까지는 더 멉니다.
+# 레이저의 장착 위치를 뺐습니다. 레이저는 중심보다 *앞에* 있으므로, 중심에서 공까지가 더 멉니다.
 #
 # </details>
 # <details><summary>map 기준 (8.2, −1.7, 0.10)이라고 했습니다</summary>
 #
-# 레이저를 단 위치를 건너뛰었습니다. 레이저가 로봇의 중심에 있는 것처럼 바로 지도로 옮겼습니다.
+# 레이저의 장착 위치를 빠뜨렸습니다. 레이저가 로봇의 중심에 있는 것처럼 바로 지도 기준으로 바꾸었습니다.
 #
 # </details>
 # <details><summary>강의를 들었는데, 거기서는 둘 다 z = 0.3이었습니다</summary>
 #
-# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있는데, 이것은 로봇을 정하기 전에 든 예입니다. 강의 뒷부분에서는 여기처럼 레이저를 0.15 m 위에 달고, 그러면 레이저 정면의 공은 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 셉니다.
+# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있는데, 이것은 로봇을 정하기 전에 든 예입니다. 강의 뒷부분에서는 여기처럼 레이저를 0.15 m 위에 달고, 그러면 레이저 정면의 공은 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
 #
 # </details>
 
@@ -225,7 +225,7 @@ print('you guessed ', my_guess)
 # Those who were right explain it to a neighbour in one sentence.
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
-# 칠판의 숫자와 견주어 봅니다.
+# 칠판의 숫자와 비교합니다.
 # 펼칠 답 셋이 곧 세 가지 실수입니다.
 # 첫째 것은 소리 내어 읽습니다.
 # 앞의 이야기와 같은 실수입니다.
@@ -239,7 +239,7 @@ print('you guessed ', my_guess)
 # %% [markdown] lang="ko" name="three-places" slide="slide"
 # ## 같은 숫자, 세 곳의 위치
 #
-# (2, 0, 0)만으로는 위치가 아닙니다. 좌표계 셋을 기준으로 재면 서로 다른 세 곳이 됩니다.
+# (2, 0, 0)만으로는 위치를 알 수 없습니다. 어느 좌표계를 기준으로 재느냐에 따라 서로 다른 세 곳이 됩니다.
 
 # %% name="three-places-picture"
 map_T_base = Transform(translation=(6.2, -1.7, 0.10))
@@ -256,7 +256,7 @@ lesson.draw_scene(poses, places, length_m=0.7)
 # %% [markdown] lang="ko" name="three-places-seen"
 # *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
 # [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
-# 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 잇습니다. 03장이 이 이야기입니다.
+# 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 합성합니다. 03장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="one-place" slide="slide"
 # ## One position has three sets of coordinates
@@ -266,7 +266,7 @@ lesson.draw_scene(poses, places, length_m=0.7)
 # %% [markdown] lang="ko" name="one-place" slide="slide"
 # ## 한 위치, 세 가지 숫자
 #
-# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 공까지의 거리를 자기 자로 잽니다.
+# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 공이 어디에 있는지를 자기 축으로 잽니다.
 
 # %% name="one-place-picture" tags=["predicted"]
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
@@ -278,7 +278,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="ko" name="one-place-seen"
 # *그림 읽기:* 위에서 본 지도가 좌표계마다 하나씩 있습니다. 그 좌표계의 x를 따라 얼마, 이어서 y를 따라 얼마인지 그렸습니다.
-# 세 가지 모두 맞습니다. 어느 것을 쓸지는 누가 묻는지에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
+# 세 가지 모두 맞습니다. 어느 것을 쓸지는 어디에 쓰느냐에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
 # As long as no frame is rotated, you can simply add: 2 + 0.20 + 6.2.
@@ -308,7 +308,7 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
 # *그림 읽기:* same은 숫자가 그대로라는 뜻, changed는 바뀌었다는 뜻입니다.
 # 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 아까처럼 더해서는 나오지 않습니다. 이제 정면은 지도의 y 방향이기 때문입니다.
-# 무엇이든 돌기 시작하면 더하기는 끝입니다. 무엇이 그 자리를 대신하는지는 02장과 03장에서 다루고, 계산은 TF가 합니다.
+# 하나라도 회전하면 더하기만으로는 구할 수 없습니다. 대신 쓰는 계산은 02장과 03장에서 다루며, 실제로는 TF가 계산합니다.
 
 # %% [markdown] lang="en" name="turned-notes" slide="notes"
 # Let everybody stand up and rotate 90° to the left.
@@ -338,7 +338,7 @@ rclpy.shutdown()
 # **Predict:** while the robot drives, whose coordinates change, the ball's or the cup's? In `map`? In `base_link`?
 
 # %% [markdown] lang="ko" name="who-moved" slide="slide"
-# ## 누가 움직였을까요?
+# ## 어느 숫자가 바뀔까요?
 #
 # 이제 로봇이 지도의 x 방향으로 곧장, 1초에 0.5미터씩 달립니다.
 # 앞쪽 바닥에 공이 있고, 로봇의 쟁반 위에 컵이 있습니다.
@@ -366,8 +366,8 @@ for t, pose in poses_at.items():
 # "It is at rest, so its coordinates stay the same" is true in one frame only: the one in which it is at rest.
 
 # %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
-# 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 함께 달리는데 `base_link` 기준 숫자는 그대로입니다.
-# "가만히 있으니 숫자도 그대로"라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
+# 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 로봇과 함께 달리는데도 `base_link` 기준 숫자는 그대로입니다.
+# “가만히 있으니 숫자도 그대로”라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
 #
 # 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리, grid of 1 m = 눈금 한 칸이 1미터.
 
@@ -383,7 +383,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
 #
-# 로봇을 옮기고, 돌리고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
+# 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
 # same과 changed는 로봇이 처음 자리에 있고 물체가 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있을 때와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="rulers-notes" slide="notes"
@@ -393,7 +393,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 
 # %% [markdown] lang="ko" name="rulers-notes" slide="notes"
 # 마우스를 한 사람에게 넘깁니다.
-# 마지막 질문을 기다립니다.
+# 마지막 질문의 답이 나올 때까지 기다립니다.
 # 레이저의 숫자만 바뀔 수 있을까요?
 # 나사를 풀지 않는 한 그럴 수 없습니다.
 # 레이저와 몸체는 함께 고정되어 있습니다.
@@ -415,7 +415,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # %% [markdown] lang="ko" name="rulers-answer"
 # <details><summary>바꿀 수 있나요?</summary>
 #
-# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 숫자는 언제나 같은 만큼 다릅니다. 레이저를 단 위치만큼입니다. 변하지 않는 값이므로 한 번만 보내면 됩니다.
+# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 값의 차이는 언제나 레이저의 장착 위치로 일정합니다. 변하지 않는 값이므로 한 번만 발행하면 됩니다.
 #
 # </details>
 
@@ -424,7 +424,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # The arrow goes from the robot to the ball. Its label shows the ball's coordinates in `base_link`. The cup moves with the robot.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 같은 장면을 3D로 봅니다. 끌어서 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
+# 같은 장면을 3D로 봅니다. 마우스로 끌어 시점을 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
 # 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. 컵은 로봇에 실려 함께 갑니다. *그림 읽기:* ball = 공, cup = 컵.
 
 # %% name="in-3d-scene" slide="skip"
@@ -457,7 +457,7 @@ lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p
 # The next cell subscribes to its [[topic]], `/detected_point`, and stores each message in `heard`, with the time of its arrival.
 
 # %% [markdown] lang="ko" name="header" slide="slide"
-# ## 메시지에 달린 이름표
+# ## 메시지의 헤더
 #
 # 로봇에는 카메라가 있고, 영상에서 공을 찾는 노드가 있습니다. 이 노드의 메시지는 모두 <b>헤더(header)</b>로 시작합니다. 헤더에는 좌표계와 [[stamp|측정 시각(stamp)]]이 있습니다.
 # 측정 시각은 로봇의 시계로 *언제 측정했는지* 나타냅니다.
@@ -485,7 +485,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # Here are the same two fields of another message, from the IMU, a sensor that measures rotation and acceleration. **Predict:** which second is this?
 
 # %% [markdown] lang="ko" name="one-message-seen"
-# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 이름표를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
+# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 헤더를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
 #
 # 이번에는 IMU(로봇의 회전과 가속을 재는 센서) 메시지에서 같은 두 항목을 읽습니다. **예측해 봅시다.** 몇 초일까요?
 
@@ -539,7 +539,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
 # 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 부호를 거꾸로 쓴 것입니다.
-# 흔히 움직인 거리만큼 위치가 밀린다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 돌면 멀리 있는 것은 훨씬 크게 밀립니다(08장).
+# 흔히 움직인 거리만큼 위치가 어긋난다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 회전하면 멀리 있는 것은 훨씬 크게 어긋납니다(08장).
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
 # Draw it: a timeline for the camera, a timeline for the robot, and the 0.2 s between them.
@@ -548,17 +548,16 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% [markdown] lang="ko" name="age-notes" slide="notes"
 # 그려 봅니다.
-# 카메라의 줄, 로봇의 줄, 그 사이의 0.2초입니다.
+# 카메라의 시간줄, 로봇의 시간줄, 그 사이의 0.2초입니다.
 # 프로그램에 3.60을 그대로 썼을 사람이 있는지 묻습니다.
-# 그리고 말합니다.
-# 숫자는 맞았습니다.
-# 그때 맞았습니다.
+# 숫자는 측정한 시각에는 맞았습니다.
+# 받은 시각에는 이미 틀립니다.
 
 # %% [markdown] lang="en" name="topic-delay-why"
 # The next command measures the age of each message: the time of arrival minus the stamp.
 
 # %% [markdown] lang="ko" name="topic-delay-why"
-# 다음 명령은 메시지마다 나이를 측정합니다. 도착한 시각에서 측정 시각을 뺀 값입니다.
+# 다음 명령은 메시지마다 나이를 출력합니다. 메시지가 도착했을 때의 시각에서 측정 시각을 뺀 값입니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -575,7 +574,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 #
 # `base_link` 기준의 숫자는 우유입니다. 3.60 m는 5.8초에는 맞았지만 도착했을 때는 이미 상했습니다.
 # 가만히 있는 물체라면, 같은 위치를 `map` 기준으로 적은 (6.5, −1.5)는 통조림입니다. 상하지 않습니다.
-# 그러니 측정값은 오래 지나도 변하지 않는 좌표계로 일찍 옮기되, **측정 시각의 [[pose|포즈(pose)]]로** 옮기십시오.
+# 그러니 측정값은 시간이 지나도 값이 그대로인 좌표계 기준으로 되도록 빨리 바꾸되, **측정 시각의 [[pose|포즈(pose)]]로** 바꾸십시오.
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
@@ -593,9 +592,9 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # ## 약속
 #
 # > **측정값은 값, 좌표계, 측정 시각입니다.**
-# > 보내는 쪽은 측정하는 순간에 두 이름표를 모두 채웁니다. 받는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 말합니다.
+# 보내는 쪽은 측정하는 순간에 좌표계와 측정 시각을 모두 채웁니다. 받는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 남깁니다.
 #
-# 약속을 지키며 읽는 함수입니다. 한 번 소리 내어 읽어 보세요.
+# 이 약속을 지키며 읽는 함수입니다.
 
 # %% name="careful-reader" slide="-"
 def usable(message, now_ns, max_age_s=1.0):
@@ -618,9 +617,9 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # Both are in the exercises. No function can detect the second one.
 
 # %% [markdown] lang="ko" name="contract-notes" slide="notes"
-# 호출 셋에 판정 셋입니다.
+# 호출 셋에 판정이 셋입니다.
 # 이 함수가 통과시키지만 통과시키면 안 되는 메시지를 물어봅니다.
-# 미래의 시각, 거짓 이름표가 나옵니다.
+# 미래의 시각, 틀린 좌표계 이름이 나옵니다.
 # 둘 다 연습 문제에 있고, 둘째는 어떤 함수로도 찾을 수 없습니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
@@ -641,9 +640,9 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 써 보세요
+# ### 빈칸을 채워 보세요
 #
-# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. `laser_frame`의 x 방향을 보는 거리 센서가 `measured`에 1.4 m를 쟀고, 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
+# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. 거리 센서는 `laser_frame`의 x 방향을 보고, `measured`에 1.4 m를 측정했습니다. 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
 #
 # ```python
 # message.header.frame_id = ____________
@@ -653,7 +652,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 잰 값입니다. 시각은 `now`가 아니라 `measured`입니다. 그렇지 않으면 실제보다 새로운 측정값처럼 보이고, 읽는 사람은 알아낼 방법이 없습니다.
+# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 잰 값입니다. 시각은 `now`가 아니라 `measured`입니다. `now`를 적으면 실제보다 최근의 측정값처럼 보이고, 받는 쪽은 알아낼 방법이 없습니다.
 #
 # </details>
 
@@ -667,7 +666,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
 #
-# > 좌표계를 잊으면 TF2가 큰 소리로 알립니다. 측정 시각을 잊으면 말없이 넘어갑니다.
+# > 좌표계를 빠뜨리면 TF2가 오류를 냅니다. 측정 시각을 빠뜨리면 아무 오류도 나지 않습니다.
 #
 # 한 가지씩 망가뜨린 메시지 네 개입니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
 
@@ -694,9 +693,9 @@ buffer.transform(misspelt, 'map')
 
 # %% [markdown] lang="ko" name="shouts"
 # 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.
-# 이번에는 측정 시각을 잊어 봅시다. TF2에게 측정 시각 0은 "가장 최근 것이면 된다"는 뜻입니다.
+# 이번에는 측정 시각을 빠뜨려 봅시다. TF2에서 측정 시각 0은 “가장 최근 것이면 된다”는 뜻입니다.
 #
-# **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 뭐라고 할까요?
+# **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 무엇을 출력할까요?
 
 # %% name="no-stamp" tags=["predicted"]
 from builtin_interfaces.msg import Time as Stamp
@@ -711,13 +710,13 @@ for frame in ('base_link', 'map'):
 # TF2 reports nothing, and the ball has moved forward with the robot. In `base_link` nothing changed: between the camera and the robot there is only a mount, and a mount is the same at all times.
 
 # %% [markdown] lang="ko" name="no-stamp-seen" tags=["predicted"]
-# 아무 말이 없고, 공은 로봇과 함께 앞으로 굴러갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
+# 오류도 경고도 없고, 공은 로봇과 함께 앞으로 나아갔습니다. `base_link` 기준으로는 달라지지 않았습니다. 카메라와 로봇 사이에는 장착 변환만 있고, 장착 변환은 언제나 같기 때문입니다.
 
 # %% [markdown] lang="en" name="wrong-label-why"
 # Last, overwrite the frame name, as the marker detector of the story did:
 
 # %% [markdown] lang="ko" name="wrong-label-why"
-# 마지막으로, 앞에서 본 프로그램처럼 이름표를 덮어써 봅시다.
+# 마지막으로, 앞에서 본 프로그램처럼 좌표계 이름을 덮어써 봅시다.
 
 # %% name="wrong-label"
 relabelled = deepcopy(seen)
@@ -730,14 +729,14 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # The ball now hovers three and a half metres above the origin of the map, and no tool can detect that the frame name is wrong.
 
 # %% [markdown] lang="ko" name="wrong-label-seen"
-# 숫자가 그대로 돌아왔습니다. TF2가 받은 요청은 `map` 기준의 점을 `map` 기준으로 옮기는 것이었습니다.
-# 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 거짓이라는 것을 알아낼 도구는 없습니다.
+# 숫자가 그대로 나왔습니다. TF2가 받은 요청은 `map` 기준의 점을 `map` 기준으로 바꾸라는 것이었습니다.
+# 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 틀렸다는 것을 알아낼 도구는 없습니다.
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Ask before each cell: will it raise an exception? Two do, two do not, and the two silent ones are the expensive ones.
 
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
-# 셀마다 실행 전에 묻습니다. 오류가 날까요? 둘은 나고 둘은 나지 않습니다. 비싼 대가를 치르는 것은 조용한 둘입니다.
+# 셀마다 실행 전에 묻습니다. “오류가 날까요?” 둘은 나고 둘은 나지 않습니다. 실제로 큰 손해를 내는 것은 오류가 나지 않는 둘입니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -777,29 +776,29 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # 메시지에 `frame_id: 'base_link'`, 0.5초 전의 측정 시각, 그리고 (1.0, 0.0, 0.0)이 들어 있습니다. 1미터 앞의 상자입니다.
 # 로봇은 그동안 달리고 있었습니다. 상자를 지도에 표시하려면 어떻게 합니까?
 #
-# 1. 로봇의 *지금* 포즈로 `map` 기준으로 옮깁니다. 가장 새롭기 때문입니다.
-# 2. 로봇의 *측정 시각* 포즈로 `map` 기준으로 옮깁니다.
+# 1. 로봇의 *지금* 포즈로 `map` 기준으로 바꿉니다. 가장 최근 것이기 때문입니다.
+# 2. 로봇의 *측정 시각* 포즈로 `map` 기준으로 바꿉니다.
 # 3. 거절합니다. 0.5초면 너무 오래되었습니다.
 # 4. `frame_id`에 `map`이라고 씁니다.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 상자는 로봇이 *있던* 곳에서 1미터 앞에 있었습니다. 지금의 포즈를 쓰면 그사이 로봇이 달린 만큼 상자를 앞으로 밀게 됩니다.
+# 상자는 *측정 시각의* 로봇에서 1미터 앞에 있었습니다. 지금의 포즈를 쓰면 그사이 로봇이 달린 만큼 상자의 위치가 앞으로 어긋납니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. 값, 좌표계, 시각은 함께 다닙니다. `buffer.transform(message, 'map')`이 바로 이 일을 합니다.
+# 맞습니다. 값, 좌표계, 측정 시각은 언제나 함께 씁니다. `buffer.transform(message, 'map')`이 바로 이 일을 합니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 상자가 가만히 있다면 오래되어도 상하지 않습니다. 측정 시각의 포즈로 옮기면 제자리에 놓입니다. 거절할 것은 버퍼가 기억하는 것보다 오래된 것, 그리고 스스로 움직이는 것입니다.
+# 상자가 가만히 있다면 오래된 측정값도 쓸 수 있습니다. 측정 시각의 포즈로 바꾸면 제자리에 놓입니다. 거절할 것은 버퍼의 기억보다 오래된 측정값, 그리고 스스로 움직이는 물체의 측정값입니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 이름표만 바뀌고 숫자는 그대로입니다. 상자는 지도 원점에서 1미터 떨어진 것이 됩니다. 오늘 이미 만난 실수입니다.
+# 이름표만 바뀌고 숫자는 그대로입니다. 상자는 지도 원점에서 1미터 떨어진 것이 됩니다. 이 장에서 이미 본 실수입니다.
 #
 # </details>
 
@@ -831,7 +830,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 믿을 수 있는 콜백의 첫 몇 줄입니다. 그 아래는 어느 토픽이든 이름표를 확인하는 명령 두 개와, 점을 발행하는 명령 하나입니다.
+# 데이터를 믿고 쓰려면 콜백의 첫 몇 줄이 이래야 합니다. 그 아래는 어느 토픽이든 헤더를 확인하는 명령 두 개와, 점을 발행하는 명령 하나입니다.
 #
 # ```python
 # def on_point(self, message):
@@ -851,7 +850,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
 # ```
 #
-# 마지막 명령은 노드를 시험할 점 하나를 손으로 발행합니다. 측정 시각이 없습니다. 여러분의 노드라면 알아챘을까요?
+# 마지막 명령은 노드를 시험할 점 하나를 손으로 발행합니다. 측정 시각이 없습니다. 여러분의 노드는 이런 점을 거절합니까?
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -870,11 +869,11 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 숫자 세 개는 [[frame|좌표계]]와 [[stamp|측정 시각]]이 있어야 위치입니다.
+# - 숫자 세 개는 [[frame|좌표계]]와 [[stamp|측정 시각]]이 있어야 위치가 됩니다.
 # - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 회전이 없을 때만 맞습니다.
 # - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
-# - `nanosec`은 아홉 자리입니다. 나이는 도착한 시각에서 측정 시각을 뺀 것입니다.
-# - 좌표계가 없으면 TF2가 소리칩니다. 측정 시각이 없거나 이름표가 거짓이면 아무 말도 하지 않습니다.
+# - `nanosec`은 아홉 자리입니다. 나이는 지금 시각에서 측정 시각을 뺀 것입니다.
+# - 좌표계가 없으면 TF2가 오류를 냅니다. 측정 시각이 없거나 좌표계 이름이 틀리면 아무 오류도 나지 않습니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q1
@@ -905,10 +904,10 @@ rclpy.shutdown()
 # - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
 # - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
 # - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
-# - [ ] 둘이 있으면 TF가 그 시각의 포즈로, 이어진 어느 좌표계 기준으로든 옮길 수 있습니다.
-# - [ ] 없으면 거절하고 이유를 말합니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
+# - [ ] 둘이 있으면 TF가 그 시각의 포즈를 써서, 트리로 연결된 어느 좌표계 기준으로든 바꿀 수 있습니다.
+# - [ ] 없으면 거절하고 이유를 남깁니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
 #
-# 네 개 이상이면 남을 가르칠 수 있습니다. 두세 개면 "약속"을 다시 읽어 보세요. 그보다 적으면 연필을 들고 예측을 다시 해 보세요.
+# 네 개 이상이면 남을 가르칠 수 있습니다. 두세 개면 “약속”을 다시 읽어 보세요. 그보다 적으면 예측부터 다시 해 보세요.
 #
 # </details>
 
@@ -926,11 +925,11 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > "카메라가 (0, 0.1, 3.5)에서 공을 보았습니다." 이 숫자로 무엇을 하기 전에 물어야 할 질문 두 개를 쓰고, 아무도 묻지 않으면 각각 어떤 일이 생기는지 적어 보세요.
+# > “카메라가 (0, 0.1, 3.5)에서 공을 보았습니다.” 이 숫자를 쓰기 전에 확인해야 할 두 가지를 적고, 확인하지 않으면 각각 어떤 일이 생기는지 적어 보세요.
 #
 # <details><summary>맞춰 보기</summary>
 #
-# *어느 좌표계 기준인가?* 묻지 않으면 공이 지도 원점 위에 떠 있습니다. *언제인가?* 묻지 않으면 공이 로봇을 따라 굴러갑니다.
+# *어느 좌표계 기준인가?* 확인하지 않으면 공이 지도 원점 위에 떠 있습니다. *언제 측정했는가?* 확인하지 않으면 공이 로봇을 따라 움직입니다.
 #
 # </details>
 
@@ -938,7 +937,7 @@ rclpy.shutdown()
 # Collect the tickets. If the second question is missing on many, begin the next lecture with the cell that raised no exception.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
-# 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 조용히 틀린 그 셀로 시작합니다.
+# 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 측정 시각 0으로 조회한 셀부터 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # Then do the exercises: [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb).

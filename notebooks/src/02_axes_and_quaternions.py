@@ -12,16 +12,16 @@
 # - look at a point cloud that is rotated by 90°, and name the one line to change.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 02 · 어느 쪽이 앞일까요?
+# # 02 · 좌표축과 쿼터니언
 #
-# **좌표축과 쿼터니언** · 약 75분 · 01장을 바탕으로 합니다
+# **어느 쪽이 앞일까요?** · 약 75분 · 01장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 돌기 전에 회전의 부호를 말할 수 있습니다.
+# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 부호를 말할 수 있습니다.
 # - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명할 수 있습니다.
 # - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
-# - 카메라 영상의 점을 카메라 본체 기준으로 옮기고, 거꾸로도 옮길 수 있습니다.
+# - 카메라 영상 기준의 점을 카메라 본체 기준으로 바꾸고, 거꾸로도 바꿀 수 있습니다.
 # - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -30,7 +30,7 @@
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라라고 생각하고 다시 가리키게 합니다.
-# 절반은 손을 움직이지 않을 것입니다. 바로 그분들을 위한 장입니다.
+# 절반은 손을 움직이지 않을 것입니다. 이 장은 그 절반을 위한 것입니다.
 
 # %% [markdown] lang="en" name="needed" slide="skip"
 # ## What you need for this chapter
@@ -55,15 +55,15 @@
 # 파이썬만 알면 됩니다. 01장에서 필요한 내용은 다음이 전부입니다. 01장을 읽었다면 건너뛰어도 됩니다.
 #
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
-# - 값, 좌표계, 시각이 모두 있어야 비로소 점이라 할 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
+# - 값, 좌표계, 시각이 모두 있어야 비로소 점의 위치를 알 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
 # - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 창입니다.
 # - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
-# 코드에서는 이름에 두 좌표계를 모두 적되, 결과의 기준이 되는 좌표계를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 옮기고, `base_p_mug`는 base 기준의 점입니다.
-# `base_T_camera.apply(camera_p_mug)`는 점을 옮기고, `@`는 변환 둘을 잇습니다. 자세한 이야기는 03장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
+# 코드에서는 이름에 두 좌표계를 모두 적되, 결과의 기준이 되는 좌표계를 먼저 씁니다. `base_T_camera`는 카메라 기준 숫자를 base 기준으로 바꾸고, `base_p_mug`는 base 기준의 점입니다.
+# `base_T_camera.apply(camera_p_mug)`는 점의 좌표를 다른 좌표계 기준으로 바꾸고, `@`는 변환 둘을 합성합니다. 자세한 이야기는 03장에서 합니다. 여기서는 읽을 수만 있으면 됩니다.
 # `lesson.…`으로 부르는 것은 이 워크북의 도구입니다. 그림을 그리고, 숫자를 보기 좋게 적습니다(`fmt_all`).
 
 # %% name="load" slide="skip"
@@ -88,7 +88,7 @@ from tflab.workbook import lesson
 # Here is the same mistake on our robot: the true position of one part, and the position for which an arm would reach.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 대회에서 날린 반나절
+# ## 대회에서 잃은 반나절
 #
 # 시뮬레이션으로 치르는 로봇 대회입니다. 카메라가 작업대를 보고, [[detector|검출기]]가 물건(부품)을 찾고, 로봇 팔이 집습니다.
 # 한 팀은 이미 나와 있는 검출기를 가져다 썼습니다. 잘한 일입니다.
@@ -96,11 +96,11 @@ from tflab.workbook import lesson
 #
 # 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
 # 다만 영상에는 카메라 **본체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
-# 팀의 기록에 따르면, 이 때문에 대회 도중 반나절쯤을 날렸습니다.
+# 팀의 기록에 따르면, 이 때문에 대회 도중 반나절쯤을 잃었습니다.
 # ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 좌표계를 추가했습니다.)
 #
 # 우리 로봇에 같은 일이 일어나면 이렇게 됩니다. 물건 하나가 실제로 있는 곳과, 로봇 팔이 뻗는 곳입니다.
-# 그림 읽기: the part = 물건, where the arm goes = 로봇 팔이 뻗는 곳.
+# *그림 읽기:* the part = 물건, where the arm goes = 로봇 팔이 뻗는 곳.
 
 # %% name="story-picture" slide="subslide"
 base_T_camera = Transform((0.10, 0.0, 0.30))
@@ -122,8 +122,8 @@ lesson.draw_scene(
 
 # %% [markdown] lang="ko" name="story-after"
 # 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
-# 오류는 하나도 나지 않았습니다. TF는 아무렇지 않게 계산했습니다. 계산만 놓고 보면 어느 좌표계든 다를 것이 없습니다.
-# (숫자가 실제로 적힌 좌표계는 그림에 없습니다. 카메라와 같은 자리에 돌아간 채로 있으며, 뒤에서 만납니다.)
+# 오류는 하나도 나지 않았습니다. 헤더에 어느 좌표계가 적혀 있든 TF는 그대로 계산합니다.
+# (숫자가 실제로 적힌 좌표계는 그림에 없습니다. 카메라와 같은 자리에 있지만 회전해 있으며, 뒤에서 만납니다.)
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -148,7 +148,7 @@ lesson.draw_scene(
 #
 # **지금 종이에 좌표를 두 개 적어 보세요.** 머그컵은 `camera_link` 기준으로 어디에 있을까요? `camera_optical_frame` 기준으로는 어디에 있을까요?
 #
-# 찍어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 슬그머니 정답에 맞춰집니다.
+# 짐작이어도 좋습니다. 다만 반드시 적으십시오. 머릿속에만 둔 예측은 정답을 보는 순간 정답에 맞추어 바뀌기 쉽습니다.
 
 # %% [markdown] lang="en" name="predict-how" slide="skip"
 # Have you written them down? Then run the next cell. In your own copy, a cell that answers a prediction shows nothing until you run it.
@@ -200,12 +200,12 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# 회전은 맞지만 방향이 거꾸로입니다. 영상에서 본체로 옮겼습니다. 여기서는 본체에서 영상으로 옮겨야 합니다. 이 실수를 뿌리 뽑는 문장은 03장에서 배웁니다.
+# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 여기서는 본체 기준의 점을 영상 기준으로 바꾸어야 합니다. 둘을 헷갈리지 않게 하는 문장은 03장에서 배웁니다.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
 #
-# 맞습니다. 종이는 버리지 마세요. 마지막에 *왜* 그런지 말해야 합니다.
+# 맞습니다. 종이는 버리지 마십시오. 마지막에 *왜* 그런지 말해야 합니다.
 #
 # </details>
 
@@ -241,7 +241,7 @@ lesson.draw_body_axes()
 # Ask that person in which direction y points, and let the neighbours find out why.
 
 # %% [markdown] lang="ko" name="body-axes-notes" slide="notes"
-# 그림을 보여 주기 전에 모두 손을 들게 하고 한 바퀴 돌아봅니다. 줄마다 왼손을 든 사람이 있습니다.
+# 그림을 보여 주기 전에 모두 손을 들게 하고 교실을 한 번 돌며 봅니다. 어느 줄에나 왼손을 든 사람이 있습니다.
 # 그 사람에게 y가 어느 쪽인지 묻고, 왜 다른지는 옆 사람들이 찾게 합니다.
 
 # %% [markdown] lang="en" name="body-axes-colours" slide="skip"
@@ -266,8 +266,8 @@ lesson.draw_body_axes()
 #
 # 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 <b>양(+)</b>의 회전입니다.
 #
-# **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 초속 0.5미터)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 갈까요, 오른쪽으로 갈까요?
-# 비행기 문제도 하나 드립니다. y축을 중심으로 도는 것을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
+# **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 0.5 m/s)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 회전할까요, 오른쪽으로 회전할까요?
+# 비행기 문제도 하나 드립니다. y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
 
 # %% name="signs-drive" tags=["predicted"] slide="fragment"
 lesson.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
@@ -286,12 +286,12 @@ lesson.draw_right_hand()
 # %% [markdown] lang="ko" name="signs-after" tags=["predicted"] slide="fragment"
 # *그림 읽기:* about x = x축을 중심으로.
 #
-# 양의 yaw는 **왼쪽**으로 돕니다. x에서 y 쪽으로 도는 방향입니다. 따라서 −0.5는 오른쪽입니다.
+# yaw가 양수이면 **왼쪽**으로 회전합니다. x에서 y 쪽을 향하는 방향입니다. 따라서 −0.5는 오른쪽입니다.
 #
-# 양의 pitch는 **기수를 내립니다**. 조종사라면 고개를 저을 것입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
+# pitch가 양수이면 **기수가 내려갑니다**. 조종사가 배운 것과는 반대입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
 # 어느 쪽도 틀리지 않았습니다. 약속이 둘일 뿐이고, 드론 한 대 안에 두 약속이 함께 들어 있기도 합니다.
 #
-# 양의 roll은 왼쪽을 들어 올립니다.
+# roll이 양수이면 왼쪽이 올라갑니다.
 
 # %% [markdown] lang="en" name="signs-notes" slide="notes"
 # Let them vote on pitch before the figure. The vote is usually split down the middle, and people with a drone at home lose it.
@@ -312,12 +312,12 @@ lesson.draw_right_hand()
 # %% [markdown] lang="ko" name="rpy" slide="slide"
 # ## Roll, pitch, yaw
 #
-# [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축으로 roll, 다음에 y축으로 pitch, 다음에 z축으로 yaw만큼 돌립니다.
-# 세 축은 **고정**되어 있습니다. 로봇이 도는 동안에도 축은 제자리에 있습니다.
+# [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축으로 roll, 다음에 y축으로 pitch, 다음에 z축으로 yaw만큼 회전시킵니다.
+# 세 축은 **고정**되어 있습니다. 로봇이 회전하는 동안에도 축은 제자리에 있습니다.
 # URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
 #
 # 슬라이더를 하나씩만 움직이되, 놓기 전에 무슨 일이 일어날지 소리 내어 말해 보세요.
-# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 네 개인 *quaternion*과 아홉 개인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 바뀌는 모습만 보세요.
+# 패널은 같은 회전을 두 가지로 더 적어 보여 줍니다. 숫자 네 개인 *quaternion*과 아홉 개인 *matrix*입니다. 둘 다 아래에서 설명하니, 지금은 어떻게 바뀌는지만 보십시오.
 
 # %% name="rpy-panel" tags=["interactive"] slide="subslide"
 lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
@@ -347,7 +347,7 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 #
 # <details><summary>풀이</summary>
 #
-# pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 다음은 yaw 3.14, 반 바퀴입니다. 마지막은 roll 3.14, 뒤집혀 눕습니다.
+# pitch −1.57입니다. 양수이면 기수가 내려가므로 음수여야 합니다. 다음은 yaw 3.14, 곧 180°입니다. 마지막은 roll 3.14이고, 로봇이 뒤집혀 눕습니다.
 #
 # </details>
 
@@ -371,9 +371,9 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 # %% [markdown] lang="ko" name="order-predict" slide="subslide"
 # ### 순서를 바꾸면 달라질까요?
 #
-# 휴대전화를 꺼내 보세요. 화면은 위로, 윗변은 앞으로 둡니다.
-# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 돌립니다. 윗변이 어디를 가리키는지 기억해 두세요.
-# 처음으로 돌아가서 순서를 바꾸어 다시 해 보세요. 두 번째 회전도 *방*의 방향을 기준으로 합니다. roll의 축은 처음에 앞을 가리키던 직선이지, 휴대전화의 변이 아닙니다.
+# 휴대전화를 꺼내 보세요. 화면이 위, 위쪽 끝이 앞을 향하게 둡니다.
+# roll로 90°(왼쪽이 위로), 다음에 yaw로 90°(왼쪽으로) 회전시킵니다. 위쪽 끝이 어디를 향하는지 기억해 두십시오.
+# 처음 상태로 놓고 순서를 바꾸어 다시 해 보세요. 두 번째 회전도 *방*의 방향을 기준으로 합니다. roll의 축은 처음에 앞을 향하던 직선이지, 휴대전화의 모서리가 아닙니다.
 #
 # **예측해 봅시다.** 결과가 같을까요?
 
@@ -401,17 +401,17 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # </details>
 
 # %% [markdown] lang="ko" name="order-after" tags=["predicted"] slide="fragment"
-# 그림 읽기: first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
+# *그림 읽기:* first roll, then yaw = 먼저 roll, 다음 yaw. grey: fixed axes = 회색은 고정된 축.
 #
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
 #
-# 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 "roll 하고 나서 yaw"입니다.
+# 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 “roll 다음에 yaw”입니다.
 # `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
 #
-# <details><summary>더 깊이: 함께 도는 축</summary>
+# <details><summary>더 깊이: 함께 회전하는 축</summary>
 #
-# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축이 함께 돕니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
-# 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 도는지 꼭 확인하십시오.
+# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
+# 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 회전하는지 꼭 확인하십시오.
 #
 # </details>
 
@@ -448,17 +448,17 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # So ROS **stores and sends** quaternions. Angles are for people: URDF reads them, tools print them.
 
 # %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
-# 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw가 같은 직선을 축으로 돌게 되어, 세 각도 중 하나가 할 일을 잃습니다.
-# 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 실제로 아주 조금만 움직여도 각도가 훌쩍 뜁니다. 각도로 계산하는 필터나 제어기는 여기서 날뜁니다.
+# 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw의 회전축이 같은 직선이 되어, 세 각도 가운데 하나가 쓸모없어집니다.
+# 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 로봇이 아주 조금만 움직여도 각도가 크게 튑니다. 각도로 계산하는 필터나 제어기는 여기서 불안정해집니다.
 #
-# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 자리가 없습니다. 숫자 네 개 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
+# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 방향이 없습니다. 숫자 네 개 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
 # Say what it means on a real machine: an arm whose wrist points straight down is in gimbal lock all day long.
 
 # %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
-# 실제 기계에서 어떤 뜻인지 말해 줍니다. 손목이 똑바로 아래를 향하는 로봇 팔은 하루 종일 이 자리에 있습니다.
+# 실제 기계에서 어떤 뜻인지 말해 줍니다. 손목이 똑바로 아래를 향하는 로봇 팔은 하루 종일 이 방향에 있습니다.
 
 # %% [markdown] lang="en" name="recipe" slide="slide"
 # ## How to write one: half the angle
@@ -483,20 +483,20 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # %% [markdown] lang="ko" name="recipe" slide="slide"
 # ## 쓰는 법: 각도의 절반
 #
-# 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 돌리려면 이렇게 씁니다.
+# 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 회전하려면 이렇게 씁니다.
 #
 # ```
 # (x, y, z) = axis * sin(a / 2)
 #         w = cos(a / 2)
 # ```
 #
-# **예제.** 왼쪽으로 90° 돕니다. 왼쪽으로 도는 것은 yaw이므로 축은 z, 즉 (0, 0, 1)입니다.
+# **예제.** 왼쪽으로 90° 회전합니다. 왼쪽 회전은 yaw이므로 축은 z, 곧 (0, 0, 1)입니다.
 # 90°의 절반은 45°이고 sin 45° = cos 45° = 0.707입니다.
 # 따라서 (x, y, z, w) = (0, 0, 0.707, 0.707)입니다.
 #
 # <details><summary>더 깊이: 왜 각도의 절반일까요?</summary>
 #
-# 점을 돌리는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡습니다.
+# 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다(q · p · q⁻¹). 양쪽이 회전을 절반씩 맡습니다.
 #
 # </details>
 
@@ -511,14 +511,14 @@ print("the nose, after it:", lesson.fmt_all(Transform(rotation=left_90).apply((1
 # Leave the two lines on the board until the end.
 
 # %% [markdown] lang="ko" name="recipe-notes" slide="notes"
-# 왜 절반이냐는 질문이 꼭 나옵니다. 짧고 정직한 답은 이렇습니다. 점을 돌리는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다.
+# 왜 절반이냐는 질문이 꼭 나옵니다. 짧고 정직한 답은 이렇습니다. 점을 회전시키는 식에서 쿼터니언은 점의 양쪽에 한 번씩, 모두 두 번 쓰입니다.
 # 공식 두 줄은 끝날 때까지 칠판에 남겨 둡니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # **Your turn, with two blanks.** Rotate *right* by 40°. Replace the two `...` and run the cell again.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# **빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 돕니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
+# **빈칸 두 개를 채워 보세요.** *오른쪽*으로 40° 회전합니다. `...` 두 개를 바꾸고 셀을 다시 실행해 보세요.
 
 # %% name="faded-run"
 half = math.radians(-40) / 2  # to the right is negative
@@ -544,7 +544,7 @@ else:
 #
 # `math.sin(half)`와 `math.cos(half)`입니다. "a yaw of -40.0 degrees"가 나와야 합니다.
 #
-# - 40.0이면 부호를 잃어버렸습니다. 부호는 `half`에 들어 있으니 20°를 직접 쓰지 말고 `half`를 쓰십시오.
+# - 40.0이면 부호가 빠졌습니다. 부호는 `half`에 들어 있으니 20°를 직접 쓰지 말고 `half`를 쓰십시오.
 # - -80.0이면 각도를 통째로 넣었습니다. 쿼터니언에는 각도의 *절반*이 들어갑니다.
 # - -140.0이면 sin과 cos의 자리를 바꾸어 썼습니다. z가 sin, w가 cos입니다.
 #
@@ -564,16 +564,16 @@ else:
 # Eigen's constructor, MuJoCo and many papers do. ROS, RViz and SciPy write w last.
 
 # %% [markdown] lang="ko" name="four-facts" slide="slide"
-# ## 알아 두면 반나절씩 버는 네 가지 사실
+# ## 반나절씩 아껴 주는 네 가지 사실
 #
 # | 쿼터니언 (x, y, z, w) | 뜻 |
 # |---|---|
 # | (0, 0, 0, 1) | 회전 없음 |
 # | (0, 0, 0, 0) | 회전이 아님 |
 # | q와 −q | 같은 회전 |
-# | (1, 0, 0, 0) | x축으로 반 바퀴: 로봇이 뒤집혀 누워 있습니다 |
+# | (1, 0, 0, 0) | x축으로 180°: 로봇이 뒤집혀 누워 있습니다 |
 #
-# 마지막 줄은 누군가 **w를 맨 앞에** 써 보낸 "회전 없음"의 모습입니다.
+# 마지막 줄은 어떤 프로그램이 **w를 맨 앞에** 써 보낸 “회전 없음”의 모습입니다.
 # Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
 
 # %% name="four-facts-run" slide="fragment"
@@ -601,8 +601,8 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # ### 길이는 얼마일까요?
 #
 # 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
-# 길이가 어긋나면 TF는 말없이 맞추어 놓습니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
-# 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지는 아무도 따지지 않습니다.
+# 길이가 어긋나면 TF는 오류 없이 길이를 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
+# 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지 확인하는 프로그램은 없습니다.
 #
 # 그리고 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
 
@@ -617,14 +617,14 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 # Check `math.isfinite` first.
 
 # %% [markdown] lang="ko" name="length-after" tags=["predicted"] slide="fragment"
-# 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, '나쁜 값인가?'를 묻는 검사를 유유히 통과합니다.
+# 둘 다 아닙니다. NaN은 어떤 값과 크기를 비교해도 False이므로, ‘나쁜 값인가?’를 묻는 검사를 그대로 통과합니다.
 # `math.isfinite`로 먼저 확인하십시오.
 
 # %% [markdown] lang="en" name="w-first" slide="subslide"
 # And the w-first accident, with a small rotation to the left by 20°. **Predict** what the robot does.
 
 # %% [markdown] lang="ko" name="w-first" slide="subslide"
-# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 살짝 20° 도는 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
+# 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 20° 도는 작은 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
 
 # %% name="w-first-run" tags=["predicted"] slide="fragment"
 a = math.radians(20)
@@ -640,7 +640,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
-# 작은 회전이 거의 반 바퀴 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
+# 작은 회전이 180°에 가까운 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
 # 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
 
 # %% [markdown] lang="en" name="w-first-notes" slide="notes"
@@ -665,7 +665,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 # 영상을 다루는 사람들은 공간에서도 이 관례를 지킵니다. x가 오른쪽, y가 아래이면, 오른손 법칙에 따라 z는 장면 속으로 들어가는 **앞**입니다.
 # ROS에서는 이런 좌표계를 [[optical frame|광학 좌표계(optical frame)]]라고 부르고, 이름을 `_optical_frame`으로 끝냅니다.
 #
-# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 보세요. *그림 읽기:* mug = 머그컵, forward = 앞, left = 왼쪽, up = 위, right = 오른쪽, down = 아래.
+# 머그컵을 움직이면서, 같은 점의 좌표가 두 좌표계에서 어떻게 달라지는지 살펴보세요. *그림 읽기:* mug = 머그컵, forward = 앞, left = 왼쪽, up = 위, right = 오른쪽, down = 아래.
 
 # %% name="optical-panel" tags=["interactive"] slide="subslide"
 lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
@@ -692,12 +692,12 @@ lesson.draw_cameras((2.0, 0.5, 0.3))
 # %% [markdown] lang="ko" name="two-turns" slide="slide"
 # ## 90° 회전 두 번
 #
-# 본체의 축을 어떻게 돌리면 영상의 축이 될까요? 카메라 본체의 축에서 시작하여 고정축을 중심으로 돌립니다.
+# 본체의 축을 어떻게 회전시키면 영상의 축이 될까요? 카메라 본체의 축에서 시작하여 고정축을 중심으로 회전시킵니다.
 #
 # 1. roll −90°: y(왼쪽)가 아래로 갑니다. 이제 x는 앞, **y는 아래**, z는 왼쪽입니다.
 # 2. yaw −90°: x(앞)가 오른쪽으로, z(왼쪽)가 앞으로 갑니다. 이제 **x는 오른쪽, y는 아래, z는 앞**입니다.
 #
-# 외워 둘 회전은 <b>rpy (−π/2, 0, −π/2)</b>입니다. 쿼터니언으로 쓰면 동전을 던져 정한 듯한 모습입니다. **(−0.5, 0.5, −0.5, 0.5)**.
+# 외워 둘 회전은 <b>rpy (−π/2, 0, −π/2)</b>입니다. 쿼터니언으로 쓰면 **(−0.5, 0.5, −0.5, 0.5)**, 크기는 모두 같고 부호만 다릅니다.
 
 # %% name="two-turns-figure"
 lesson.draw_turns(("roll", -math.pi / 2), ("yaw", -math.pi / 2))
@@ -716,7 +716,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 
 # %% [markdown] lang="ko" name="two-turns-after" slide="fragment"
 # 세 줄을 소리 내어 읽어 보세요. 광학 좌표계의 x는 −y, 즉 오른쪽을 향합니다. 광학 좌표계의 y는 −z, 즉 아래를 향합니다. 광학 좌표계의 z는 +x, 즉 앞을 향합니다.
-# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 그 이상도 이하도 아닙니다. 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
+# 이 세 줄이 회전 행렬(위 패널의 숫자 아홉 개)의 세 **열**입니다. 회전 행렬은 자식의 축이 부모를 기준으로 어디를 향하는지 적은 것입니다.
 #
 # 따라서 영상의 점 (오른쪽, 아래, 앞)은 카메라 본체에서 (앞, −오른쪽, −아래)입니다.
 
@@ -736,7 +736,7 @@ for axis, direction in {"x": (1, 0, 0), "y": (0, 1, 0), "z": (0, 0, 1)}.items():
 #
 # 1. 광학 좌표계에서는 아래가 +y이므로, 위로 0.20 m는 y = −0.20입니다. (0.40, −0.20, 1.50).
 # 2. `camera_link`에서는 (앞, −오른쪽, −아래) = (1.50, −0.40, 0.20)입니다. 손으로 확인해 보세요. 앞쪽, 오른쪽, 위쪽. 맞습니다.
-# 3. 카메라는 (0.10, 0, 0.30)에 있고 돌아가 있지 않으므로 더합니다. (1.60, −0.40, 0.50).
+# 3. 카메라는 (0.10, 0, 0.30)에 있고 회전이 없으므로 더합니다. (1.60, −0.40, 0.50).
 
 # %% name="worked-run" slide="fragment"
 optical_p_mug = (0.40, -0.20, 1.50)
@@ -749,7 +749,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # Insist on the hand check in step 2. A sign that was checked with a hand is right; a sign that was derived is right most of the time.
 
 # %% [markdown] lang="ko" name="worked-notes" slide="notes"
-# 2단계의 손 확인을 꼭 시킵니다. 손으로 확인한 부호는 맞고, 유도한 부호는 대개 맞습니다.
+# 2단계의 손 확인을 꼭 시킵니다. 부호를 유도만 하면 틀릴 때가 있지만, 손으로 확인한 부호는 맞습니다.
 
 # %% [markdown] lang="en" name="why-two" slide="slide"
 # ## Why two frames, and which one goes into the header?
@@ -769,7 +769,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # - `camera_optical_frame`은 카메라 **데이터**의 기준입니다. 영상, 검출 결과, 깊이 포인트 클라우드가 여기에 속합니다.
 #
 # 둘은 같은 자리에 있고, 그 사이에는 회전만 있습니다.
-# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 손으로 옮길 필요가 없습니다. TF가 합니다.
+# 드라이버는 데이터에 **광학 좌표계**를 적습니다. 그러면 손으로 바꿀 필요가 없습니다. TF가 바꿉니다.
 #
 # 세 좌표계를 모두 그려 보았습니다. 카메라의 두 좌표계는 같은 자리에 있습니다. 화살표는 머그컵을 향한 광선입니다. 피라미드는 카메라가 보는 범위이고, 픽셀은 *u*를 오른쪽으로, *v*를 아래로 셉니다.
 
@@ -850,18 +850,18 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 계산에서 ROS 2로
 #
-# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들이 무엇이 어디에 있는지 서로 알리고, 곱하는 일은 TF가 합니다. 알아야 할 낱말은 네 개뿐입니다.
+# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 곱하는 일은 TF가 합니다. 알아야 할 낱말은 네 개뿐입니다.
 #
 # | 낱말 | 뜻 | 이 페이지에서는 |
 # |---|---|---|
 # | [[node|노드]] | 이름을 가지고 ROS 2 통신에 참여하는 프로그램 | `Node("asker")` |
-# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환 하나를 모두에게 알림 | `static_transform_publisher` |
-# | [[listener|변환 수신기]] | 발행된 변환을 모두 받음 | `TransformListener` |
-# | [[buffer|변환 버퍼]] | 받은 변환을 모아 두고, 조회하면 답함 | `Buffer` |
+# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환을 발행하는 객체 | `static_transform_publisher` |
+# | [[listener|변환 수신기]] | 발행된 변환을 모두 받는 객체 | `TransformListener` |
+# | [[buffer|변환 버퍼]] | 받은 변환을 모아 두고, 조회하면 값을 주는 객체 | `Buffer` |
 #
 # `%ros2`로 시작하는 줄은 ROS 2 명령입니다. 여기서는 페이지 안에서 실행되고, 로봇에서는 터미널에 입력합니다.
-# 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 그 자리에 광학 좌표계를 둡니다.
-# 두 번째 명령을 눈여겨보세요. 대회에서 빠져 있던 바로 그 명령입니다.
+# 먼저 올바른 카메라부터 만듭니다. 카메라를 장착하고, 같은 자리에 광학 좌표계를 둡니다.
+# 두 번째 명령을 눈여겨보십시오. 대회에서 빠져 있던 바로 그 명령입니다.
 
 # %% name="mount-camera"
 # %ros2 run tf2_ros static_transform_publisher --x 0.10 --z 0.30 \
@@ -875,8 +875,8 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # Chapter 08 explains how. Time on this page advances only while `graph.run` lets it. (`graph` was created by `%load_ext tflab`. A robot does not need it, because there time passes by itself.)
 
 # %% [markdown] lang="ko" name="asker-before" slide="subslide"
-# 다음은 변환을 조회하는 프로그램입니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 자기 스레드에서 계속 받습니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계에서 원하는 좌표계로 옮깁니다.
-# 그 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
+# 다음은 변환을 조회하는 프로그램입니다. [[listener|변환 수신기(listener)]]가 받은 변환은 모두 [[buffer|변환 버퍼(buffer)]]에 쌓입니다. `spin_thread=True`를 주면 수신기가 별도의 스레드에서 계속 수신합니다. 그러면 `buffer.transform(message, "base_link")`가 메시지를 헤더에 적힌 좌표계 기준에서 `base_link` 기준으로 바꿉니다.
+# 버퍼의 속은 08장에서 열어 봅니다. 이 페이지의 시간은 멈춰 있으며, `graph.run`을 호출하는 동안에만 흐릅니다. (`graph`는 `%load_ext tflab`이 만들어 둔 것입니다. 로봇의 시간은 저절로 흐르므로 이런 것이 필요 없습니다.)
 
 # %% name="asker"
 import rclpy
@@ -914,9 +914,9 @@ print("in base_link:", lesson.fmt_all((p.x, p.y, p.z)))
 #
 # ## 일부러 고장 내기 1: 모두 0
 #
-# 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. "당연히 회전 없음이지요."
+# 이번에는 동료가 두 번째 카메라를 추가합니다. 쿼터니언은 설정 파일에서 읽어 옵니다. 파일에는 `0, 0, 0, 0`이라고 적혀 있습니다. 동료는 회전이 없다는 뜻으로 여겼습니다.
 #
-# **예측해 봅시다.** 어디에서 오류가 날까요? 발행기일까요, 수신기일까요, 조회하는 쪽일까요? 오류 메시지에는 무엇이라고 나올까요?
+# **예측해 봅시다.** 어디에서 오류가 날까요? 변환을 발행할 때일까요, 수신할 때일까요, 조회할 때일까요? 오류 메시지에는 무엇이라고 나올까요?
 
 # %% name="zero-sent" tags=["predicted"] slide="fragment"
 from geometry_msgs.msg import TransformStamped
@@ -939,7 +939,7 @@ print("sent")
 # (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
 
 # %% [markdown] lang="ko" name="zero-sent-after" slide="subslide"
-# 발행기에서는 아무 일도 일어나지 않았습니다. 수신기가 받도록 0.5초를 보낸 다음 조회합니다.
+# 발행하는 쪽에서는 아무 일도 일어나지 않았습니다. 수신기가 받을 수 있도록 0.5초가 흐르게 한 다음 조회합니다.
 #
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
@@ -971,12 +971,12 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # %% [markdown] lang="ko" name="zero-after" slide="subslide"
 # 무슨 일이 어디에서 일어났는지 보십시오.
 #
-# 1. **보낸 쪽**에는 아무 오류도 없었습니다.
-# 2. **수신기마다** 자기 로그에 거절을 남겼고, 메시지에는 `nan`이 나옵니다. 행렬을 만들려면 길이로 나누어야 하는데, 0/0은 "숫자가 아님(not a number)"입니다.
+# 1. **발행한 쪽**에는 아무 오류도 없었습니다.
+# 2. **수신기마다** 거절했다는 기록을 로그에 남겼고, 그 기록에는 `nan`이 나옵니다. 행렬을 만들려면 길이로 나누어야 하는데, 0/0은 “숫자가 아님(not a number)”입니다.
 # 3. **여러분**은 좌표계가 *존재하지 않는다*는 메시지를 읽었습니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
-# 오류가 보이는 곳과 원인이 있는 곳이 프로그램 두 개만큼 떨어져 있습니다.
-# 따라서 발행자가 돌고 있는데도 좌표계가 "does not exist"라고 하면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
+# 오류가 보이는 프로그램과 원인이 있는 프로그램 사이에 프로그램이 하나 더 있습니다.
+# 따라서 발행자가 실행 중인데도 좌표계가 "does not exist"라고 나오면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
 
@@ -1004,7 +1004,7 @@ print(lesson.describe_extent({"wall": wall, "floor": floor}, "the optical frame"
 # And its driver: a [[node]] that publishes the cloud on the [[topic]] `/camera/points`, five times a second. Somebody set the parameter `frame_id` to the frame in which the camera is mounted. It sounds sensible.
 
 # %% [markdown] lang="ko" name="cloud-node" slide="subslide"
-# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 그럴듯하지 않습니까?
+# 드라이버는 다음과 같습니다. 1초에 다섯 번 `/camera/points` [[topic]]에 클라우드를 발행하는 [[node]]입니다. 누군가 `frame_id` 파라미터에 카메라가 장착된 좌표계를 적었습니다. 언뜻 맞아 보입니다.
 
 # %% name="cloud-driver"
 def depth_camera():
@@ -1051,7 +1051,7 @@ lesson.draw_misread(
 # *그림 읽기:* wall = 벽, floor = 바닥. 그림 위의 글은 데이터에 적힌 `frame_id`입니다.
 #
 # 벽은 천장이 되어 로봇 위에 떠 있고, 바닥은 왼쪽 공중에 서 있습니다.
-# TF는 아무 오류도 내지 않았습니다. `camera_link`의 점을 `base_link`로 옮겨 달라는 요청을 받았고, 그대로 했습니다.
+# TF는 아무 오류도 내지 않았습니다. `camera_link` 기준의 점을 `base_link` 기준으로 바꾸라는 요청을 받았고, 그대로 했습니다.
 
 # %% [markdown] lang="en" name="cloud-planner" slide="subslide"
 # Now think of the planner that reads this cloud and looks for obstacles at the robot's height.
@@ -1079,7 +1079,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # The fix is **one word in the header**, not mathematics in your node. Find it, change it, look again. On a real robot you would type the same.
 
 # %% [markdown] lang="ko" name="cloud-obstacles-after" slide="fragment"
-# 장애물이 하나도 없습니다. 경로 계획기는 길이 비었다고 하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
+# 장애물이 하나도 없습니다. 경로 계획기는 앞이 비었다고 판단하고, 로봇은 자기 카메라가 보고 있는 바로 그 벽으로 달려갑니다.
 #
 # 고칠 것은 노드 안의 수식이 아니라 **헤더의 단어 하나**입니다. 찾고, 바꾸고, 다시 확인해 봅시다. 실제 로봇에서도 똑같이 입력합니다.
 
@@ -1162,19 +1162,19 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 # <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
 #
-# 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 돌아갑니다.
-# 광학 좌표계를 제대로 쓰는 다음 사람이 틀리게 됩니다.
+# 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 회전합니다.
+# 그러면 광학 좌표계를 제대로 쓴 다음 프로그램의 결과가 틀립니다.
 #
 # </details>
 # <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
 #
-# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 이름표도 그렇습니다. 방금 tf2_echo로 보았듯이 장착 변환은 옳습니다.
+# 맞습니다. 숫자는 광학 좌표계 기준이고, 이제 헤더도 그렇습니다. 방금 tf2_echo로 보았듯이 장착 변환은 옳습니다.
 #
 # </details>
 # <details><summary>D. 망가진 쿼터니언을 찾습니다</summary>
 #
-# 모두 0인 쿼터니언이라면 클라우드가 돌아가는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
-# w를 먼저 쓴 쿼터니언이라면 돌아가겠지만 tf2_echo에 드러납니다. 방금 tf2_echo는 올바른 값을 보여 주었습니다.
+# 모두 0인 쿼터니언이라면 클라우드가 회전하는 것이 아니라 변환 자체가 거절되어 아무것도 그려지지 않습니다.
+# w를 먼저 쓴 쿼터니언이라면 클라우드가 회전하겠지만 tf2_echo에 드러납니다. 방금 tf2_echo는 올바른 값을 보여 주었습니다.
 #
 # </details>
 
@@ -1182,7 +1182,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # Vote by hands for A to D before opening any. B is the interesting one: it works today.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 열어 보기 전에 A부터 D까지 손을 들게 합니다. B가 흥미롭습니다. 오늘은 되니까요.
+# 열어 보기 전에 A부터 D까지 손을 들게 합니다. B가 흥미롭습니다. 지금은 제대로 보이기 때문입니다.
 
 # %% [markdown] lang="en" name="robot" slide="slide"
 # ## The same on a real robot
@@ -1191,9 +1191,9 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # (`--for 1` belongs to this page: it stops the tool after one second. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="robot" slide="slide"
-# ## 실제 로봇에서도 똑같이
+# ## 실제 로봇에서
 #
-# 위의 모든 것이 실제 로봇에서 그대로 돌아갑니다. `%`만 빼면 터미널에 입력하는 명령입니다. 회전은 눈으로 직접 확인하십시오.
+# 위의 코드는 모두 실제 로봇에서 그대로 실행됩니다. `%`만 빼면 터미널에 입력하는 명령입니다. 회전은 눈으로 직접 확인하십시오.
 # (`--for 1`은 이 페이지에만 있는 것으로, 1초 뒤에 도구를 멈춥니다. 터미널에서는 빼고 입력한 다음 Ctrl-C로 멈춥니다.)
 
 # %% name="robot-echo"
@@ -1237,7 +1237,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # %% [markdown] lang="ko" name="robot-urdf" slide="subslide"
 # `tf2_echo`의 첫 줄에 "Waiting"이 나오는 것은 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문입니다. 정상입니다.
 #
-# 로봇에서는 장착 위치를 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
+# 로봇에서는 장착 변환을 URDF에 적습니다. 그러면 ROS 2에 들어 있는 노드 `robot_state_publisher`가 읽어서 발행합니다. 카메라라면 반드시 있어야 할 줄은 다음과 같습니다.
 #
 # ```xml
 # <link name="camera_link"/>
@@ -1289,7 +1289,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </details>
 
 # %% [markdown] lang="ko" name="robot-table" slide="subslide"
-# ### "90°나 180° 돌아가 있다"면 어디부터 볼까요?
+# ### “90°나 180° 회전해 있다”면 어디부터 볼까요?
 #
 # <details><summary>필요할 때 펼쳐 볼 표</summary>
 #
@@ -1298,9 +1298,9 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | 깊이 클라우드가 천장처럼 로봇 위에 뜬다 | 광학 좌표계의 데이터에 본체 좌표계를 적음 | `ros2 topic echo /camera/points --field header.frame_id --once` |
 # | 앞에 있는 것이 로봇 오른쪽에 나타난다 | 광학 회전을 두 번 적용했거나 본체에도 적용함 | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF의 `rpy` |
 # | 로봇이 뒤집혀 누워 있다 | 쿼터니언의 w를 맨 앞에 씀 | 값이 들어오는 곳에서 출력해 보기 |
-# | 발행자가 돌고 있는데 "frame does not exist" | 모두 0이거나 NaN | **수신기**의 로그 |
-# | 센서가 아무도 정한 적 없는 각도로 돌아가 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
-# | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 돌아가 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
+# | 발행자가 실행 중인데 "frame does not exist" | 모두 0이거나 NaN | **수신기**의 로그 |
+# | 센서가 아무도 정한 적 없는 각도로 회전해 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
+# | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 회전해 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
 #
 # IMU는 회전과 가속도를 재는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 잽니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
@@ -1329,13 +1329,13 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # ## 정리
 #
 # - 본체: x 앞, y 왼쪽, z 위. 영상: x 오른쪽, y 아래, z 앞. 둘 다 오른손 좌표계입니다.
-# - 양의 yaw는 왼쪽으로 돌고, 양의 pitch는 기수를 내리고, 양의 roll은 왼쪽을 들어 올립니다.
-# - rpy는 고정축을 중심으로 roll부터 돌리며, 순서가 중요합니다.
+# - yaw가 양수이면 왼쪽으로 회전하고, pitch가 양수이면 기수가 내려가고, roll이 양수이면 왼쪽이 올라갑니다.
+# - rpy는 고정축을 중심으로 roll부터 회전시키며, 순서가 중요합니다.
 # - 쿼터니언 (x, y, z, w)에는 각도의 절반이 들어가며 길이는 1입니다. (0, 0, 0, 1)은 회전 없음, (0, 0, 0, 0)은 회전이 아니며, q와 −q는 같습니다.
 # - 본체에서 광학 좌표계까지는 rpy (−π/2, 0, −π/2). 데이터에는 광학 좌표계를 적습니다.
-# - 90° 돌아가 있다면 이름표나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
+# - 90° 회전해 있다면 헤더나 장착 변환을 고치고, 데이터는 절대 고치지 않습니다.
 #
-# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 두세요. 카드 읽기: right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
+# 카드를 저장하여(그림 위에서 Shift를 누른 채 오른쪽 클릭) 인쇄한 다음 작업대에 붙여 보세요. *카드 읽기:* right hand = 오른손, x to y with the fingers = 손가락은 x에서 y 쪽으로, thumb = 엄지, positive turns = 양의 회전, forward/left/up = 앞/왼쪽/위, right/down = 오른쪽/아래, nose down = 기수가 내려감, left side up = 왼쪽이 올라감, no rotation = 회전 없음, nothing at all = 회전이 아님.
 
 # %% name="recap-card" slide="subslide"
 lesson.draw_card()
@@ -1373,12 +1373,12 @@ lesson.draw_card()
 # </details>
 # <details><summary>2. 로봇은 계속 달리고 기둥은 서 있습니다. map 기준과 laser_frame 기준 중 어느 기둥 좌표가 바뀝니까?</summary>
 #
-# `laser_frame` 기준입니다. 좌표계가 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
+# `laser_frame` 기준입니다. 이 좌표계가 로봇과 함께 움직이기 때문입니다. `map`에서 기둥은 가만히 있습니다.
 #
 # </details>
 # <details><summary>3. 레이저는 base_link 기준 (0.20, 0, 0.15)에 회전 없이 달려 있습니다. 레이저가 모서리를 (2, 0, 0)에서 보았습니다. base_link에서는 어디입니까?</summary>
 #
-# (2.20, 0, 0.15)입니다. 회전이 없으면 더하면 됩니다. 회전이 있으면 그렇지 않습니다. 그 이야기를 03장에서 합니다.
+# (2.20, 0, 0.15)입니다. 회전이 없으면 더하면 됩니다. 회전이 있으면 더하기로는 구할 수 없으며, 03장에서 다룹니다.
 #
 # </details>
 
@@ -1425,14 +1425,14 @@ lesson.draw_card()
 # - 본체: x 앞, y 왼쪽, z 위.
 # - 광학: z 앞, x 오른쪽, y 아래.
 # - 둘 다 오른손 좌표계이고 단위는 미터입니다. 둘 사이에는 이동 없이 회전 rpy (−π/2, 0, −π/2)만 있습니다.
-# - 헤더에 다른 좌표계의 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 돌아간 채 나타납니다.
+# - 헤더에 다른 좌표계의 이름이 적히면 TF는 오류 없이 계산하고, 포인트 클라우드와 검출 결과는 회전한 채 나타납니다.
 #
 # </details>
 # <details><summary>Q8 채점 기준 (3점)</summary>
 #
-# - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 돌리지 않습니다.
+# - (0, 0, 0, 1)은 항등 회전입니다. 길이가 1이고 아무것도 회전시키지 않습니다.
 # - (0, 0, 0, 0)은 길이가 0이고 회전이 아닙니다. 수를 곱해 길이를 맞추려 해도 회전이 되지 않습니다.
-# - 보내는 쪽에는 오류가 없습니다. 수신기마다 로그를 남기고 변환을 거절하며, 나중에 조회하는 쪽에서는 좌표계가 존재하지 않는다는 메시지가 나옵니다.
+# - 발행하는 쪽에는 오류가 없습니다. 수신기마다 로그를 남기고 변환을 거절하며, 나중에 조회하면 좌표계가 존재하지 않는다는 메시지가 나옵니다.
 #
 # </details>
 
@@ -1454,11 +1454,11 @@ lesson.draw_card()
 # 종이에 한 문장씩 적어 보세요.
 #
 # 1. 머그컵은 광학 좌표계에서 왜 (0, 0, 2)에 있을까요? 공식 말고 손으로 설명해 보세요.
-# 2. 누가 "TF가 오류를 내지 않았으니 좌표계는 맞다"고 합니다. 뭐라고 답할까요?
+# 2. 누가 “TF가 오류를 내지 않았으니 좌표계는 맞다”고 합니다. 어떻게 답하겠습니까?
 # 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
 # **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞고 틀림뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"
 # The last cell stops the robot's programs, as Ctrl-C would.
