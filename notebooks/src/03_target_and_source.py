@@ -11,15 +11,15 @@
 # - invert a transform that contains a rotation, and read `tf2_echo` in both directions.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 03 · … 기준 데이터를 … 기준으로 보고 싶다
+# # 03 · 목표 좌표계와 원본 좌표계
 #
-# **목표 좌표계와 원본 좌표계** · 약 60분 · 01, 02장을 바탕으로 합니다
+# **어느 기준의 데이터를 어느 기준으로 바꿀까요?** · 약 60분 · 01, 02장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 방향으로 흐르는지 말할 수 있습니다.
-# - 문장 하나를 `lookup_transform(target, source, time)`으로 옮기고, 인자 순서를 더는 찍지 않게 됩니다.
-# - 변환을 도미노처럼 잇고, 잘못된 곱은 보자마자 알아챌 수 있습니다.
+# - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 기준에서 어느 기준으로 바뀌는지 말할 수 있습니다.
+# - 문장 하나를 `lookup_transform(target, source, time)` 호출로 쓰고, 인자 순서를 짐작하지 않고 쓸 수 있습니다.
+# - 변환을 도미노처럼 이어 곱하고, 잘못된 곱은 보자마자 알아챌 수 있습니다.
 # - 회전이 있는 변환의 역변환을 구하고, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -28,9 +28,9 @@
 # Most hands go up. This chapter is for them.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 장은 한 문장입니다. "원본 기준 데이터를 목표 기준으로 보고 싶다."
+# 이 장은 한 문장입니다. “원본 기준 데이터를 목표 기준으로 보고 싶다.”
 # 먼저 물어봅니다. 그림이 맞아 보일 때까지 두 인자를 바꿔 가며 고친 적이 있는 사람?
-# 대부분 손을 듭니다. 그것이 오늘의 주제입니다.
+# 대부분 손을 듭니다. 그것이 이 장의 주제입니다.
 
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
@@ -49,16 +49,16 @@
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# 앞 장에서 배운 것들입니다. 처음 보는 것이 있어도 일단 받아들이고 읽어 나가세요.
+# 앞 장에서 배운 것들입니다. 처음 보는 것이 있어도 일단 받아들이고 읽어 보세요.
 #
 # - 위치는 **어떤 [[frame|좌표계(frame)]]를 기준으로** 읽은 값입니다. `(2, 0, 0)`만으로는 아무 뜻이 없고, `laser_frame` 기준 `(2, 0, 0)`이라야 뜻이 있습니다.
-# - x는 앞, y는 왼쪽, z는 위입니다. 양의 yaw는 왼쪽으로 돕니다.
+# - x는 앞, y는 왼쪽, z는 위입니다. 양의 yaw는 왼쪽 회전입니다.
 # - 회전은 쿼터니언 (x, y, z, w)이고, "회전 없음"은 (0, 0, 0, 1)입니다.
-# - 센서를 단 자리는 변하지 않으므로 정적 변환으로 한 번만 발행합니다.
+# - 센서의 장착 변환은 바뀌지 않으므로 정적 변환으로 한 번만 발행합니다.
 # - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
-# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 옮깁니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 이 워크북의 `buffer.core`에서 `Time()` 대신 쓰는 이름입니다.
+# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 바꿉니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 이 워크북의 `buffer.core`에서 `Time()` 대신 쓰는 이름입니다.
 #
-# 오늘은 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
+# 이 장에서는 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -83,25 +83,25 @@ from tflab.workbook import lesson
 # The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
 
 # %% [markdown] lang="ko" name="ten-years" slide="slide"
-# ## "거꾸로 나와요" 10년
+# ## 10년 동안 “거꾸로”
 #
-# IMU(회전과 중력을 재는 센서)를 돌려서 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
+# IMU(회전과 중력을 재는 센서)를 회전시켜 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 방향을 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
 # 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 '기준이 될 좌표계가 먼저이고, 이미 그렇게 되어 있다'는 답을 들었습니다.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
 # 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
-# 같은 질문이 세 번 더 이어졌습니다. ROS 2에서 `tf2_echo`로 바뀐 뒤에도 2021년에 한 번, 2024년에 또 한 번 올라왔습니다.
+# 같은 질문이 세 번 더 올라왔습니다. ROS 2에서 `tf2_echo`로 바뀐 뒤에도 2021년에 한 번, 2024년에 또 한 번 올라왔습니다.
 # 수많은 로봇이 위치를 추정하는 데 쓰는 패키지의 관리자도 자신이 자주 거꾸로 쓴다고 적었습니다.
 #
 # 이상한 점은 따로 있습니다. 도구가 출력한 숫자는 처음부터 맞았고, 사람들의 질문도 대부분 틀리지 않았습니다.
-# 모두 <b>"A에서 B로 가는 변환"</b>을 물었는데, 이 말 안에 질문이 두 개 들어 있었습니다.
+# 모두 <b>“A에서 B로 가는 변환”</b>을 물었는데, 이 말은 두 가지로 읽힙니다.
 
 # %% [markdown] lang="en" name="ten-years-sources" slide="skip"
 # *Read the reports:* navigation [239](https://github.com/ros-planning/navigation/issues/239); geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226); geometry2 [470](https://github.com/ros2/geometry2/issues/470); ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239); robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% [markdown] lang="ko" name="ten-years-sources" slide="skip"
-# *직접 읽어 보기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
+# *더 읽기:* navigation [239](https://github.com/ros-planning/navigation/issues/239), geometry [108](https://github.com/ros/geometry/issues/108), [111](https://github.com/ros/geometry/issues/111), [192](https://github.com/ros/geometry/issues/192), [226](https://github.com/ros/geometry/issues/226), geometry2 [470](https://github.com/ros2/geometry2/issues/470), ros2_documentation [4239](https://github.com/ros2/ros2_documentation/issues/4239), robot_localization [437](https://github.com/cra-ros-pkg/robot_localization/issues/437).
 
 # %% name="two-readings" slide="subslide"
 mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # turned left, ahead, above
@@ -116,14 +116,14 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # You will see it in ten minutes. First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
-# 그림 읽기: reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
+# *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
 #
-# 읽기 1은 센서를 다는 사람의 말입니다. 로봇에서 볼 때 레이저는 어디에 *달려* 있는가? 값은 (0.20, 0, 0.15)입니다.
-# 읽기 2는 데이터를 옮기는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 견주어 보세요.
-# 둘 다 "base_link에서 laser_frame으로"라고 말하지만, 필요한 변환은 서로 반대입니다.
+# 읽기 1은 센서를 다는 사람의 말입니다. 로봇을 기준으로 레이저는 어디에 *달려* 있는가? 값은 (0.20, 0, 0.15)입니다.
+# 읽기 2는 데이터를 바꾸는 사람의 말입니다. 로봇 기준 숫자가 있는데, 레이저 기준으로 *보고 싶다*. 값은 (0, 0.20, −0.15)입니다. 어느 축을 따라 잰 값인지 비교해 보세요.
+# 둘 다 “base_link에서 laser_frame으로”라고 말하지만, 필요한 변환은 서로 반대입니다.
 #
-# 해결책은 "…에서 …(으)로"라고 말하지 않는 문장 하나입니다.
-# 10분 뒤면 그 문장을 만납니다. 그 전에 먼저 한번 데어 봅시다.
+# 해결책은 “…에서 …(으)로”라고 말하지 않는 문장 하나입니다.
+# 그 문장은 조금 뒤에 나옵니다. 먼저 예측하고 실행해 봅시다.
 
 # %% [markdown] lang="en" name="two-readings-seen-notes" slide="notes"
 # Let two people act it: one is base_link, one is laser_frame, an object lies between them.
@@ -132,7 +132,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="ko" name="two-readings-seen-notes" slide="notes"
 # 두 사람에게 시켜 봅니다. 한 명은 base_link, 한 명은 laser_frame이고, 물체 하나를 사이에 둡니다.
-# "A에서 B로 가세요"는 사람이 움직이고, "이 숫자를 A에서 B로 옮기세요"는 쪽지가 움직입니다. 말은 같습니다.
+# “A에서 B로 가세요”라고 하면 사람이 움직이고, “이 숫자를 A에서 B로 전하세요”라고 하면 쪽지가 움직입니다. “A에서 B로”라는 말은 같습니다.
 # 아직 목표와 원본이라는 말은 꺼내지 않습니다.
 
 # %% [markdown] lang="en" name="predict" slide="slide"
@@ -148,12 +148,12 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 레이저는 로봇 중심에서 앞으로 20 cm, 위로 15 cm 자리에 달려 있습니다.
-# 누군가 왼쪽 선반을 보도록 레이저를 +90° 돌려 달았습니다.
-# 레이저는 정면에서 선반 모서리를 봅니다. <b>`laser_frame` 기준 (2, 0, 0)</b>입니다.
+# 레이저는 로봇 중심에서 앞으로 20 cm, 위로 15 cm인 곳에 달려 있습니다.
+# 레이저는 왼쪽 선반을 보도록 +90° 회전해 있습니다.
+# 레이저가 정면에서 선반 모서리를 측정했습니다. <b>`laser_frame` 기준 (2, 0, 0)</b>입니다.
 #
 # `base_link` 기준으로 모서리는 어디에 있을까요?
-# 다음 셀에 예측을 적고 넘어가 보세요. 틀린 예측이 예측하지 않은 것보다 낫습니다.
+# 다음 셀에 예측을 적고 실행해 보세요. 틀려도 괜찮습니다. 적어 두어야 어디에서 틀렸는지 알 수 있습니다.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Give them a full minute, with paper, and let them show hands: ahead, left, right, behind.
@@ -161,7 +161,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 종이를 주고 1분을 기다린 뒤 손을 들게 합니다. 앞, 왼쪽, 오른쪽, 뒤.
-# 인원수를 칠판에 남겨 두었다가 실행한 뒤에 다시 봅니다. 지금은 평하지 않습니다.
+# 인원수를 칠판에 남겨 두었다가 실행한 뒤에 다시 봅니다. 지금은 맞고 틀림을 말하지 않습니다.
 
 # %% name="my-guess" slide="skip"
 my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
@@ -174,11 +174,11 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # Time is simulated. It advances only while `graph.run(…)` is running. `graph` was created by `%load_ext tflab`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
-# ## 실행해 보기
+# ## 실행해 봅시다
 #
-# 먼저 ROS 2 도구로 레이저를 달고, 이어서 버퍼가 있는 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
-# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 자기 스레드에서 듣습니다.
-# 여기서 시간은 가상이며, `graph.run(…)`이 흐르게 할 때만 흐릅니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
+# 먼저 ROS 2 도구로 레이저의 장착 변환을 발행하고, 이어서 버퍼가 있는 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
+# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 별도의 스레드에서 수신합니다.
+# 여기서 시간은 가상이며, `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 \
@@ -213,7 +213,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # The laser faces left, so straight ahead of the laser is to the left of the robot: 2 m along y, measured from the laser.
 
 # %% [markdown] lang="ko" name="the-corner-seen" tags=["predicted"] slide="fragment"
-# 레이저가 왼쪽을 보므로, 레이저의 "앞"은 로봇의 "왼쪽"입니다. 레이저가 달린 자리에서 y로 2 m입니다.
+# 레이저가 왼쪽을 보므로, 레이저의 “앞”은 로봇의 “왼쪽”입니다. 레이저의 장착 위치에서 y로 2 m입니다.
 
 # %% [markdown] lang="en" name="compare" slide="subslide"
 # ### How was your guess?
@@ -238,24 +238,24 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # </details>
 
 # %% [markdown] lang="ko" name="compare" slide="subslide"
-# ### 예측은 맞았을까요?
+# ### 예측은 어땠나요?
 #
 # <details><summary>(2.2, 0, 0.15)라고 했습니다</summary>
 #
-# 이동은 더했지만 회전을 잊었습니다.
+# 이동은 더했지만 회전을 빠뜨렸습니다.
 # 정면을 보는 레이저라면 맞는 답이고, 그때만 맞습니다.
 #
 # </details>
 # <details><summary>(0, −1.8, −0.15)라고 했습니다</summary>
 #
-# 반대 변환을 적용했습니다. 그것은 로봇 기준 데이터를 레이저로 옮기는 변환입니다.
-# 모서리가 로봇 왼쪽에서 오른쪽으로 넘어가 버렸습니다.
+# 반대 변환을 적용했습니다. 그것은 로봇 기준 데이터를 레이저 기준으로 바꾸는 변환입니다.
+# 그래서 로봇 왼쪽에 있는 모서리가 오른쪽에 나타났습니다.
 #
 # </details>
 # <details><summary>(0, 2.2, 0.15)라고 했습니다</summary>
 #
-# 이동을 먼저 더한 다음 그 합을 돌렸습니다.
-# 20 cm는 로봇의 x축을 따라 잰 값이므로 돌리면 안 됩니다. 점을 돌리고, *그다음에* 이동을 더합니다.
+# 이동을 먼저 더한 다음 그 합을 회전시켰습니다.
+# 20 cm는 로봇의 x축을 따라 잰 값이므로 회전시키면 안 됩니다. 점을 회전시키고, *그다음에* 이동을 더합니다.
 #
 # </details>
 
@@ -293,11 +293,11 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # 같은 숫자 일곱 개가 일을 하나 더 합니다.
 # **자식** 기준으로 표현된 점을 받아, 같은 점을 **부모** 기준 값으로 바꾸어 줍니다.
-# 그래서 흔히 그리는 부모 → 자식 화살표는 가족 관계이고, 데이터는 그 반대인 자식 → 부모로 흐릅니다.
+# 그래서 흔히 그리는 부모 → 자식 화살표는 부모와 자식의 관계를 나타내고, 데이터는 그 반대인 자식 → 부모로 바뀝니다.
 #
 # 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 "base 기준 laser"라고 읽습니다.
 #
-# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 돌려줍니다.
+# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 반환합니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -317,21 +317,21 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 # (호출에서 두 이름의 순서는 다음 절에서 다룹니다.)
 #
 # 처음 두 줄을 보십시오. 두 값은 같을 수밖에 없습니다. 이 사실 하나로 변환의 방향을 언제든 확인할 수 있습니다.
-# 레이저의 원점은 레이저 기준으로 (0, 0, 0)이고, 변환은 이 점을 레이저가 달린 자리로 옮깁니다.
-# 자식의 데이터가 들어가서 부모의 데이터가 나옵니다.
+# 레이저의 원점은 레이저 기준으로 (0, 0, 0)입니다. 변환은 이 점의 좌표를 `base_link` 기준으로 바꾸며, 결과는 레이저가 달린 자리입니다.
+# 자식 기준 데이터를 넣으면 부모 기준 데이터가 나옵니다.
 
 # %% [markdown] lang="en" name="one-transform-notes" slide="notes"
 # The origin settles every doubt in this chapter: where does (0, 0, 0) end up? Let them ask it aloud each time somebody hesitates.
 
 # %% [markdown] lang="ko" name="one-transform-notes" slide="notes"
-# 이 장의 모든 다툼은 원점이 해결합니다. (0, 0, 0)은 어디로 갑니까? 누가 머뭇거릴 때마다 소리 내어 묻게 합니다.
+# 변환의 방향이 헷갈리면 언제나 원점으로 확인합니다. “(0, 0, 0)을 넣으면 무엇이 나옵니까?” 누가 머뭇거릴 때마다 소리 내어 묻게 합니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to rotate the view, and move the slider to rotate the mount.
 # The grey, hatched frame is the inverse transform, with the corner where it would place it.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 이번에는 3D입니다. 끌어서 돌려 보고, 아래 슬라이더를 움직여 레이저를 돌려 보세요.
+# 이번에는 3D입니다. 마우스로 끌어 시점을 돌려 보고, 아래 슬라이더를 움직여 레이저를 회전시켜 보세요.
 # 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀.
 
 # %% name="in-3d-function" slide="skip"
@@ -394,7 +394,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # ```
 #
 # 답은 `base_T_laser`입니다. 이름에 적힌 순서도 인자의 순서와 같습니다.
-# 이 문장에는 "여기서 저기로"라는 말이 없으므로 뒤집힐 것도 없습니다.
+# 이 문장에는 “여기서 저기로”라는 말이 없으므로 거꾸로 읽힐 수 없습니다.
 #
 # | 하고 싶은 일 | 목표 | 원본 |
 # |---|---|---|
@@ -402,7 +402,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # | 로봇이 지도 기준으로 어디에 있는지 알기 | `map` | `base_link` |
 # | 지도에 있는 목적지를 로봇 기준으로 보기 | `base_link` | `map` |
 #
-# 둘째 줄은 첫째 줄과 같은 이야기입니다. "로봇이 어디 있는가"는 `base_link` 기준인 로봇의 원점을 `map` 기준으로 보고 싶다는 뜻입니다.
+# 둘째 줄도 같은 문장입니다. “로봇이 어디 있는가”는 `base_link` 기준인 로봇의 원점을 `map` 기준으로 보고 싶다는 뜻입니다.
 
 # %% [markdown] lang="en" name="the-sentence-notes" slide="notes"
 # Let everybody say it aloud three times with other frames: camera and map, tool and base, goal and robot.
@@ -411,8 +411,8 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 
 # %% [markdown] lang="ko" name="the-sentence-notes" slide="notes"
 # 다른 좌표계로 세 번 소리 내어 말하게 합니다. 카메라와 지도, 공구와 베이스, 목적지와 로봇.
-# 칠판에 "A에서 B로"의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
-# 누가 "어디에서 어디로"라고 말하면 멈추고 웃어 줍니다.
+# 칠판에 “A에서 B로”의 두 가지 읽기를 다시 쓰고, 줄을 그어 지웁니다.
+# 누가 “어디에서 어디로”라고 말하면 잠시 멈추고 문장으로 고쳐 말하게 합니다.
 
 # %% [markdown] lang="en" name="one-edge" slide="subslide"
 # ### One edge, two questions
@@ -433,20 +433,20 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # </details>
 
 # %% [markdown] lang="ko" name="one-edge" slide="subslide"
-# ### 연결 하나, 질문 두 개
+# ### 연결 하나, 조회 두 개
 #
-# 누군가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
+# 어느 노드가 `base_link → camera_link`를 이동 (0.10, 0, 0.30)으로 발행합니다.
 #
 # 1. 0.10과 0.30은 어느 좌표계 기준으로 잰 값일까요?
-# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 옮길까요?
+# 2. `camera_link` 기준인 점이 있습니다. 어떤 호출이 그 점을 `base_link` 기준으로 바꿀까요?
 #
 # <details><summary>답과 함정</summary>
 #
-# 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm 자리에 카메라가 있습니다.
+# 1. 부모인 `base_link`입니다. 거기서 앞으로 10 cm, 위로 30 cm인 곳에 카메라가 있습니다.
 # 2. `lookup_transform('base_link', 'camera_link', t)`입니다. 기준이 될 좌표계(목표)가 먼저, 지금 기준(원본)이 다음입니다. 답은 발행된 변환 그대로입니다.
 #
 # 함정은 화살표입니다. 화살표는 부모에서 자식을 가리키며, 누가 누구에게 달려 있는지를 나타냅니다.
-# 이것을 데이터가 흐르는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
+# 이것을 데이터가 바뀌는 방향으로 읽으면 호출을 거꾸로 쓰게 됩니다.
 #
 # </details>
 
@@ -487,9 +487,9 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="ko" name="the-sentence-panel-answer" slide="skip"
 # <details><summary>부호 하나만 다른 쌍</summary>
 #
-# `base_link`와 `rear_laser`입니다. 뒤쪽에 반 바퀴 돌려서 단 레이저입니다.
+# `base_link`와 `rear_laser`입니다. 뒤쪽에 180° 회전시켜 단 레이저입니다.
 # 그 행렬과 반대 행렬은 z의 부호만 다릅니다.
-# 이 레이저를 기억해 두십시오. 뒤에서 팀 하나를 통째로 속입니다.
+# 이 레이저를 기억해 두십시오. 뒤에서 한 팀의 시험이 이 레이저 때문에 실수를 놓칩니다.
 #
 # </details>
 
@@ -505,11 +505,11 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
-# 레이저는 로봇에 달려 있고, 로봇은 [[odom|`odom`]](바퀴로 잰 위치의 기준)에 서 있고, `odom`의 위치는 [[map|`map`]](건물)을 기준으로 정해집니다.
-# [[base_footprint|`base_footprint`]]는 로봇 바로 아래 바닥에 있는 자리입니다.
+# 레이저는 로봇에 달려 있고, 로봇의 위치는 [[odom|`odom`]](바퀴로 잰 위치의 기준)을 기준으로, `odom`의 위치는 [[map|`map`]](건물)을 기준으로 정해집니다.
+# [[base_footprint|`base_footprint`]]는 로봇 중심을 바닥에 투영한 자리입니다.
 #
-# 나머지를 이어 봅시다. 이번에는 파이썬으로 합니다. 연결(edge, 부모와 자식의 쌍) 하나에 메시지가 하나입니다.
-# 앞에서 본 메시지처럼 읽어 보세요. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 돌아가 있을까요?
+# 나머지를 연결해 봅시다. 이번에는 파이썬으로 합니다. 연결(edge, 부모와 자식의 쌍) 하나에 메시지가 하나입니다.
+# 앞에서 본 메시지처럼 읽어 보세요. 누가 부모이고, 누가 자식이며, 자식이 어디에 있고, 얼마나 회전해 있을까요?
 
 # %% name="an-edge" slide="subslide"
 from geometry_msgs.msg import TransformStamped
@@ -543,8 +543,8 @@ broadcaster.sendTransform(
 # (ROS 2 does not pass on which node published an edge, so the last column is `default_authority` everywhere.)
 
 # %% [markdown] lang="ko" name="the-tree-why" slide="subslide"
-# 오늘은 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
-# (ROS 2는 누가 발행한 연결인지 전해 주지 않으므로 마지막 열은 모두 `default_authority`입니다.)
+# 이 장에서는 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
+# (ROS 2는 누가 발행한 연결인지 전달하지 않으므로 마지막 열은 모두 `default_authority`입니다.)
 
 # %% name="the-tree"
 graph.run(seconds=0.5)
@@ -560,7 +560,7 @@ lesson.draw_buffer(buffer)
 # ### 이웃끼리 맞아야 합니다
 #
 # 변환을 곱하는 것은 도미노를 놓는 것과 같습니다. 앞 조각의 오른쪽 칸과 다음 조각의 왼쪽 칸이 같아야 합니다.
-# 맞는 것은 지워지고 양 끝만 남습니다.
+# 맞닿은 두 이름은 지워지고 양 끝만 남습니다.
 
 # %% [markdown] lang="en" name="dominoes-fit-notes" slide="notes"
 # Bring real dominoes, or six paper cards with frame names on both halves.
@@ -568,7 +568,7 @@ lesson.draw_buffer(buffer)
 
 # %% [markdown] lang="ko" name="dominoes-fit-notes" slide="notes"
 # 진짜 도미노나, 양쪽 칸에 좌표계 이름을 적은 종이 카드 여섯 장을 준비합니다.
-# 한 사람에게 map에서 laser까지 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
+# 한 사람에게 목표 map, 원본 laser가 되도록 놓게 한 다음, 카드 한 장을 뒤집어 건넵니다. 그것이 역변환입니다.
 
 # %% name="dominoes-that-fit"
 lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'laser_frame'))
@@ -583,7 +583,7 @@ lesson.draw_dominoes(('map', 'odom'), ('odom', 'base_link'), ('base_link', 'lase
 # ### 예제
 #
 # 다시 그 모서리입니다. `laser_frame` 기준 좌표를 `map` 기준으로 보고 싶습니다.
-# 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 견줍니다.
+# 먼저 도미노를 하나씩 놓아 손으로 구하고, 그다음 `lookup_transform`의 답과 비교합니다.
 
 # %% name="worked-example-by-hand"
 map_T_odom = buffer.core.lookup_transform('map', 'odom', LATEST).transform
@@ -610,7 +610,7 @@ print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 # The picture shows that they do not fit.
 
 # %% [markdown] lang="ko" name="wrong-order" slide="subslide"
-# ### 맞지 않는 줄
+# ### 맞지 않는 도미노
 #
 # 누군가 다른 순서로 곱합니다.
 # 그림에서는 바로 드러납니다. *그림 읽기:* A is not B = A와 B가 다름.
@@ -628,15 +628,15 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 # That is why a variable's name contains both frames: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never does.
 
 # %% [markdown] lang="ko" name="wrong-order-seen"
-# 파이썬은 아무 말이 없습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
-# 모서리가 몇 미터나 옮겨 갔는데 오류는 나지 않았습니다.
+# 파이썬은 오류를 내지 않습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
+# 모서리의 위치가 몇 미터나 틀렸는데 오류는 나지 않았습니다.
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
 # %% [markdown] lang="en" name="wrong-order-notes" slide="notes"
 # Write T1 @ T3 @ T2 on the board and ask who would stop it in a review. Then write the same line with its real names.
 
 # %% [markdown] lang="ko" name="wrong-order-notes" slide="notes"
-# 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 누가 막을 수 있겠는지 묻습니다. 그다음 같은 줄을 제 이름으로 다시 씁니다.
+# 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 찾을 수 있겠는지 묻습니다. 그다음 같은 줄을 제 이름으로 다시 씁니다.
 
 # %% [markdown] lang="en" name="up-up-down" slide="slide"
 # ## Up, then down
@@ -647,12 +647,12 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 # On the way up it uses the transforms as published. On the way down it uses their inverses.
 
 # %% [markdown] lang="ko" name="up-up-down" slide="slide"
-# ## 위로, 그리고 아래로
+# ## 올라갔다가 내려갑니다
 #
 # 카메라 기준으로 레이저가 어디에 있는지 발행한 노드는 없습니다.
-# 둘은 형제입니다. 부모가 모두 `base_link`입니다.
-# 그래도 물을 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
-# 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 뒤집어 씁니다.
+# 둘은 형제 좌표계입니다. 부모가 모두 `base_link`입니다.
+# 그래도 조회할 수 있습니다. 조회(lookup)가 트리를 따라가기 때문입니다. 원본에서 둘이 만나는 좌표계까지 **올라가고**, 거기서 목표까지 **내려갑니다**.
+# 올라갈 때는 발행된 변환을 그대로 쓰고, 내려갈 때는 역변환을 씁니다.
 
 # %% name="siblings"
 base_T_camera = buffer.core.lookup_transform('base_link', 'camera_link', LATEST).transform
@@ -669,7 +669,7 @@ lesson.draw_dominoes(('camera_link', 'base_link'), ('base_link', 'laser_frame'))
 # Walk the tree with a finger: going up say "as published", going down say "inverse". Then ask for map in laser_frame: how many are inverted? All of them.
 
 # %% [markdown] lang="ko" name="up-up-down-notes" slide="notes"
-# 손가락으로 트리를 따라갑니다. 올라갈 때는 "발행된 그대로", 내려갈 때는 "뒤집어서"라고 말합니다. 그다음 laser_frame에서 본 map을 묻습니다. 몇 개를 뒤집습니까? 전부입니다.
+# 손가락으로 트리를 따라갑니다. 올라갈 때는 “발행된 그대로”, 내려갈 때는 “역변환”이라고 말합니다. 그다음 laser_frame 기준의 map을 묻습니다. 역변환이 몇 개입니까? 전부입니다.
 
 # %% name="siblings-in-space" slide="subslide"
 places = {'base_link': Transform(), 'camera_link': base_T_camera, 'laser_frame': base_T_laser}
@@ -681,9 +681,9 @@ lesson.draw_sentence(places, asked)
 # `inverse()` turns a tile round. The next section shows how it is calculated.
 
 # %% [markdown] lang="ko" name="siblings-seen"
-# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서를 단 자리의 숫자로 확인해 보세요.
-# 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`를 뒤집은 것입니다.
-# 조각을 뒤집는 것이 `inverse()`입니다. 뒤집으면 무엇이 달라지는지 이제 봅시다.
+# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서의 장착 위치로 확인해 보세요.
+# 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`의 역변환입니다.
+# 역변환은 `inverse()`로 구합니다. 역변환에서 무엇이 달라지는지 이제 봅시다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Your turn, with two blanks
@@ -692,9 +692,9 @@ lesson.draw_sentence(places, asked)
 # Fill in both blanks, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸 두 개를 채워 보세요
+# ### 빈칸을 채워 보세요
 #
-# 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇에서 보면 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
+# 목적지가 `map` 기준 (4, 1, 0)에 있습니다. 서 있는 로봇을 기준으로 앞일까요, 뒤일까요, 왼쪽일까요, 오른쪽일까요?
 # 빈칸 두 개를 채우고 실행해 보세요.
 
 # %% name="faded-blanks"
@@ -719,7 +719,7 @@ if ... not in (wanted_in, expressed_in):
 #
 # `map` 기준 좌표를 `base_link` 기준으로 보고 싶으므로 `lookup_transform('base_link', 'map', …)`이고, 목적지는 (−2, 0, −0.1)입니다.
 # 로봇 뒤 2 m, 로봇 중심보다 10 cm 아래인 바닥입니다.
-# (3, 7, 0.1)이 나왔다면 두 이름이 바뀐 것이고, 로봇은 엉뚱한 곳으로 떠납니다.
+# (3, 7, 0.1)이 나왔다면 두 이름을 바꿔 쓴 것이고, 로봇은 엉뚱한 곳으로 갑니다.
 #
 # </details>
 
@@ -737,15 +737,15 @@ if ... not in (wanted_in, expressed_in):
 # </details>
 
 # %% [markdown] lang="ko" name="inverse" slide="slide"
-# ## 돌아가는 길
+# ## 되돌아가는 변환: 역변환
 #
 # 자리에서 일어나 보세요. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
-# **여러분이 볼 때** 로봇의 중심은 어느 쪽일까요? 손으로 가리킨 다음 아래를 열어 보세요.
+# **여러분을 기준으로** 로봇의 중심은 어느 쪽일까요? 손으로 가리킨 다음 아래를 열어 보세요.
 #
 # <details><summary>이제 앉아도 됩니다</summary>
 #
 # 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
-# 부호만 뒤집었다면 "등 뒤 20 cm"라고 했을 텐데, 거기에는 아무것도 없습니다.
+# 부호만 바꾸었다면 “등 뒤 20 cm”라고 했을 텐데, 거기에는 아무것도 없습니다.
 #
 # </details>
 
@@ -761,8 +761,8 @@ if ... not in (wanted_in, expressed_in):
 # Negating the translation alone is right only if there is no rotation.
 
 # %% [markdown] lang="ko" name="inverse-why" slide="fragment"
-# 변환은 "돌린 다음 옮기기", 즉 회전 R과 이동 t입니다. 되돌리려면 옮긴 것을 먼저 빼고, 그다음 반대로 돌립니다.
-# 이것을 다시 "돌린 다음 옮기기"로 쓰면 이동도 함께 돌아갑니다.
+# 변환은 회전 R을 한 다음 이동 t를 더하는 것입니다. 되돌리려면 이동을 먼저 빼고, 그다음 반대로 회전시킵니다.
+# 이것을 다시 “회전한 다음 이동” 꼴로 쓰면 이동도 함께 회전합니다.
 #
 # ```
 # base_T_laser:  R      then  t
@@ -789,11 +789,11 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # People have adjusted screws for days over less.
 
 # %% [markdown] lang="ko" name="inverse-seen"
-# *그림 읽기:* sign flipped = 부호만 뒤집은 것.
+# *그림 읽기:* sign flipped = 부호만 바꾼 것.
 #
-# 갔다가 돌아오면 출발한 자리, (2, 0, 0)이어야 합니다.
-# 부호만 뒤집은 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 딱 좋은 크기입니다.
-# 이보다 작은 차이 때문에 며칠씩 나사를 돌린 사람도 있습니다.
+# 변환한 다음 역변환하면 처음의 점, (2, 0, 0)이어야 합니다.
+# 부호만 바꾼 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 쉬운 크기입니다.
+# 이보다 작은 차이 때문에 며칠씩 센서의 나사를 조정한 사람도 있습니다.
 
 # %% [markdown] lang="en" name="inverse-seen-notes" slide="notes"
 # Really let one person stand up. It takes twenty seconds, and nobody forgets it.
@@ -801,8 +801,8 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # Twice the translation times the sine of half the rotation: 2 × 0.20 m × sin 45° = 0.28 m.
 
 # %% [markdown] lang="ko" name="inverse-seen-notes" slide="notes"
-# 정말로 한 사람을 일으켜 세웁니다. 20초면 되고, 아무도 잊지 않습니다.
-# 그다음 묻습니다. 부호만 뒤집어도 맞는 회전은 몇 도입니까? 0도뿐입니다. 얼마나 틀립니까?
+# 정말로 한 사람을 일으켜 세웁니다. 20초면 되고, 오래 기억에 남습니다.
+# 그다음 묻습니다. 부호만 바꾸어도 맞는 회전은 몇 도입니까? 0°뿐입니다. 얼마나 틀립니까?
 # 이동 거리의 두 배에 회전각 절반의 사인을 곱한 만큼, 2 × 0.20 m × sin 45° = 0.28 m입니다.
 
 # %% [markdown] lang="en" name="try-it" slide="slide"
@@ -815,12 +815,12 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # 3. At which yaw is the error of the swap largest?
 
 # %% [markdown] lang="ko" name="try-it" slide="slide"
-# ## 직접 해 보세요: 레이저 돌리기
+# ## 직접 해 보세요: 레이저 회전시키기
 #
-# 슬라이더를 움직이며 두 가지 실수를 지켜보세요.
+# 슬라이더를 움직이며 두 가지 실수를 살펴보세요.
 #
-# 1. "turn forgotten"(회전을 잊음)은 어디에서 정답 뒤에 숨을까요?
-# 2. 위에서 볼 때 "swapped"(바꿔 씀)는 어디에서 숨을까요? z도 보세요.
+# 1. “turn forgotten”(회전을 빠뜨림)은 어디에서 정답과 겹쳐 보일까요?
+# 2. 위에서 볼 때 “swapped”(바꿔 씀)는 어디에서 정답과 겹쳐 보일까요? z도 살펴보세요.
 # 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
 #
 # *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
@@ -843,9 +843,9 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="ko" name="try-it-answers"
 # <details><summary>찾은 것 확인하기</summary>
 #
-# 1. yaw가 0일 때입니다. 회전이 없으면 잊을 것도 없습니다.
+# 1. yaw가 0일 때입니다. 회전이 없으면 빠뜨릴 것도 없습니다.
 # 2. ±π, 즉 뒤를 보는 레이저입니다. 위에서 보면 전혀 드러나지 않습니다. z는 0.30 m 틀리지만 평면 2D 스캔에는 보이지 않습니다.
-# 3. ±π/2 근처입니다. 여기서는 3.8 m나 빗나가서, 모서리가 로봇 반대편으로 넘어갑니다.
+# 3. ±π/2 근처입니다. 여기서는 3.8 m나 빗나가서, 모서리가 로봇 반대편에 나타납니다.
 #
 # </details>
 
@@ -853,7 +853,7 @@ lesson.draw_mount(math.pi / 2)
 # Let a student move the slider. The class calls "stop" when a wrong position coincides with the right one. Then ask what a test at that angle would have found.
 
 # %% [markdown] lang="ko" name="try-it-notes" slide="notes"
-# 다른 사람이 슬라이더를 움직이고, 잘못된 답이 정답 뒤에 숨는 순간 모두가 "멈춰"라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
+# 한 사람이 슬라이더를 움직이고, 잘못된 답이 정답과 겹치는 순간 모두가 “멈춰”라고 외칩니다. 그 각도에서 시험했다면 무엇을 찾았겠는지 묻습니다.
 
 # %% [markdown] lang="en" name="echo-help" slide="slide"
 # ## The tool that caused it all
@@ -863,7 +863,7 @@ lesson.draw_mount(math.pi / 2)
 # Now read the tool's own help.
 
 # %% [markdown] lang="ko" name="echo-help" slide="slide"
-# ## 이 모든 일의 시작이 된 도구
+# ## 10년 된 질문의 시작: tf2_echo
 #
 # `tf2_echo A B`는 A를 기준으로 B가 어디에 있는지 출력합니다.
 # 따라서 A가 기준이 될 좌표계(목표)이고 B가 원본입니다. `lookup_transform`과 같은 순서입니다.
@@ -880,9 +880,9 @@ lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
-# 첫 문장은 "어디에서 어디로"라고 하고, 두 줄 아래에서는 데이터가 반대로 간다고 (맞게) 적었습니다.
-# 10년 동안 이어진 질문은 바로 이 글에서 나왔습니다.
-# 한 번 웃고, 문장을 믿으십시오. **`tf2_echo 목표 원본`** 순서입니다.
+# 첫 문장은 “어디에서 어디로”라고 하고, 두 줄 아래에서는 데이터가 반대로 바뀐다고 (맞게) 적었습니다.
+# 10년 동안 계속된 질문은 바로 이 글에서 나왔습니다.
+# 도움말 대신 문장을 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"
 # Read the help aloud, slowly and with a straight face. Let the class find the contradiction before you name it.
@@ -915,7 +915,7 @@ lesson.draw_mount(math.pi / 2)
 # The first line of each output was printed before any transform arrived. The tool prints zero as `-0.000` here.
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
-# 부호만 뒤집으면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)라고 합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
+# 부호만 바꾸면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)를 출력합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
 # 첫 줄은 도구가 변환을 받을 때까지 기다린다는 뜻이고, `-0.000`은 기울지 않았을 때 이 도구가 늘 그렇게 출력하는 것입니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
@@ -931,8 +931,8 @@ lesson.draw_mount(math.pi / 2)
 # ## 일부러 고장 내기: 시험을 통과한 실수
 #
 # 어느 팀이 인자를 바꿔 썼습니다.
-# 그 로봇에는 뒤를 보는 레이저가 하나, 중심에서 20 cm 뒤에 180° 돌려 달려 있습니다.
-# 팀은 로봇 뒤 2 m, 옆으로 0.7 m인 모서리로 시험합니다(뒤를 보는 이 레이저에게는 앞입니다). 모두 한 평면 위에 있습니다.
+# 그 로봇에는 뒤를 보는 레이저가 중심에서 20 cm 뒤에 180° 회전한 채 달려 있습니다.
+# 팀은 로봇 뒤 2 m, 옆으로 0.7 m인 모서리로 시험합니다(뒤를 보는 이 레이저에서는 앞입니다). 모두 한 평면 위에 있습니다.
 #
 # **예측해 봅시다.** 바꿔 쓴 답은 올바른 답에서 얼마나 떨어져 있을까요? 1 cm일까요, 0.5 m일까요, 4 m일까요?
 
@@ -956,7 +956,7 @@ print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 # Every test passes.
 
 # %% [markdown] lang="ko" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
-# 똑같습니다. 반 바퀴는 한 번 더 돌면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
+# 똑같습니다. 180° 회전은 두 번 하면 제자리이므로, 이렇게 단 센서의 변환은 자기 자신이 역변환입니다.
 # 시험은 모두 통과합니다.
 
 # %% [markdown] lang="en" name="swap-once-more"
@@ -989,10 +989,10 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 # ### 오류 메시지는 어디에 있을까요?
 #
 # 없습니다.
-# 두 질문 모두 올바른 질문이고, TF2는 여러분이 어느 쪽을 뜻했는지 알 길이 없습니다.
+# 두 조회 모두 올바른 조회이고, TF2는 여러분이 어느 쪽을 뜻했는지 알 길이 없습니다.
 # 선반은 왼쪽에 있는데 로봇은 오른쪽을 조심하다가 선반을 들이받습니다.
 #
-# 오류가 *나는* 것은 아무도 모르는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 역할로 썼는지 메시지에 나옵니다.
+# 오류가 *나는* 것은 버퍼에 없는 이름을 썼을 때입니다. 그때는 그 이름을 어떤 인자로 썼는지 메시지에 나옵니다.
 # (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다. `%xmode Context`로 되돌립니다.)
 
 # %% name="unknown-name" tags=["raises-exception"]
@@ -1009,9 +1009,9 @@ buffer.lookup_transform('laser_fame', 'base_link', Time())
 
 # %% [markdown] lang="ko" name="unknown-name-seen"
 # `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
-# *원본*으로 쓰려던 이름이라면, 두 인자를 바꿔 썼다는 단서는 이 한 줄뿐입니다. 끝까지 읽으십시오.
+# *원본*으로 쓰려던 이름이라면, 두 인자를 바꿔 썼음을 알려 주는 것은 이 한 줄뿐입니다. 끝까지 읽으십시오.
 #
-# 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 쓸 수 없습니다.
+# 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 조회에 쓸 수 없습니다.
 
 # %% name="leading-slash" tags=["raises-exception"]
 buffer.lookup_transform('/base_link', 'laser_frame', Time())
@@ -1024,7 +1024,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="safest-call"
 # 가장 안전한 호출은 처음에 쓴 `buffer.transform(message, 'base_link')`입니다.
 # 원본은 메시지의 `header.frame_id`에 들어 있으므로 목표만 정하면 되고, 바꿔 쓸 것이 없습니다.
-# 먼저 조회하고 그다음 `tf2_geometry_msgs.do_transform_point(message, transform)`으로 옮기는 코드에서는 두 이름의 순서를 직접 지켜야 합니다. 연습 문제에 그런 노드가 나옵니다.
+# 먼저 조회하고 그다음 `tf2_geometry_msgs.do_transform_point(message, transform)`으로 바꾸는 코드에서는 두 이름의 순서를 직접 지켜야 합니다. 연습 문제에 그런 노드가 나옵니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1065,25 +1065,25 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 검출기가 사과에 `header.frame_id = 'camera_optical_frame'`을 붙입니다.
-# 팔의 동작은 `base_link`에서 계획합니다.
+# 검출기가 사과의 위치를 `header.frame_id = 'camera_optical_frame'`으로 발행합니다.
+# 팔의 동작은 `base_link` 기준으로 계획합니다.
 # 사과에 적용할 변환을 얻는 줄은 어느 것입니까?
 #
 # 1. `lookup_transform('camera_optical_frame', 'base_link', t)`
 # 2. `lookup_transform('base_link', 'camera_link', t)`
 # 3. `lookup_transform('base_link', 'camera_optical_frame', t)`
-# 4. `lookup_transform('map', 'camera_optical_frame', t)`, 모든 것은 `map`에 있으니까
+# 4. `lookup_transform('map', 'camera_optical_frame', t)`, 무엇이든 `map` 기준으로 두어야 하므로
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
 # 문장으로 말해 보십시오. `camera_optical_frame` 기준 데이터를 `base_link` 기준으로 보고 싶습니다. 기준이 될 좌표계(목표)를 먼저 씁니다.
-# 고른 줄은 로봇의 데이터를 카메라로 옮깁니다. "카메라에서 베이스로"라는 말에 걸려들었습니다.
+# 고른 호출은 로봇 기준 데이터를 카메라 기준으로 바꿉니다. “카메라에서 베이스로”라는 말 때문에 순서가 바뀌기 쉽습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
 # 순서는 맞지만 원본이 다릅니다. 사과는 축 방향이 다른 *광학* 좌표계 기준입니다(02장).
-# 원본은 손에 잡히는 부품이 아니라 `header.frame_id`에 적힌 이름입니다.
+# 원본은 부품의 이름이 아니라 `header.frame_id`에 적힌 이름입니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -1093,7 +1093,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 원본은 맞지만 목표가 다릅니다. 팔은 `base_link`에서 계획합니다.
+# 원본은 맞지만 목표가 다릅니다. 팔은 `base_link` 기준으로 계획합니다.
 # `map`을 거치면 팔과 상관없는 위치 추정 보정까지 사과에 섞입니다(05장).
 #
 # </details>
@@ -1104,7 +1104,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
 # 답을 펼치기 전에 네 가지 모두 손을 들게 하고, 1번과 3번을 고른 사람이 서로 설득하게 합니다.
-# 기다려야 할 것은 2번입니다. 순서는 맞는데 사과는 여전히 엉뚱한 자리에 있습니다.
+# 나올 법한 오답은 2번입니다. 순서는 맞는데 사과는 여전히 엉뚱한 자리에 있습니다.
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
@@ -1118,7 +1118,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 #
 # 바뀌는 것이 없습니다.
 # 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()`을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
-# 막 시작한 수신기는 아직 들은 것이 없습니다. 그래서 실제 노드는 "아직 없음"이라는 답도 예상해야 합니다. 이것은 09장의 주제입니다.
+# 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 실제 노드에서는 “아직 없음”이라는 결과도 처리해야 합니다. 이것은 09장의 주제입니다.
 
 # %% name="on-the-robot-node" slide="subslide"
 class WhereIsTheLaser(Node):
@@ -1192,12 +1192,12 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[transform|변환]] `parent_T_child`는 자식이 부모를 기준으로 어디에 있는지 나타내고, 자식 기준의 데이터를 부모 기준으로 옮깁니다.
+# - [[transform|변환]] `parent_T_child`는 자식이 부모를 기준으로 어디에 있는지 나타내고, 자식 기준의 데이터를 부모 기준으로 바꿉니다.
 # - "어디에서 어디로" 대신 이렇게 말합니다. **[[source frame|원본]] 기준 데이터를 [[target frame|목표]] 기준으로 보고 싶다.** 호출에서는 **목표**가 먼저입니다.
 # - 이웃끼리 맞춥니다. `map_T_laser = map_T_odom @ odom_T_base @ base_T_laser`.
-# - 돌아가는 길은 역변환입니다. 반대로 돌리고, 이동도 돌려야 합니다. 부호만으로는 부족합니다.
-# - 바꿔 써도 오류는 나지 않습니다. 반 바퀴에서는 숨고, 4분의 1바퀴에서는 드러납니다.
-# - `tf2_echo A B`는 A 기준으로 본 B를 출력합니다.
+# - 되돌아가는 변환은 역변환입니다. 반대로 회전시키고, 이동도 회전시켜야 합니다. 부호만으로는 부족합니다.
+# - 바꿔 써도 오류는 나지 않습니다. 180°에서는 드러나지 않고, 90°에서는 드러납니다.
+# - `tf2_echo A B`는 A를 기준으로 B가 어디에 있는지 출력합니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -1218,7 +1218,7 @@ rclpy.try_shutdown()
 # ### 앞 장 복습: 세 문제
 #
 # 1. 어떤 메시지에 `(2.0, 0.0, 0.0)`이 들어 있고 `frame_id`는 비어 있습니다. 써도 됩니까?
-# 2. 바퀴 달린 로봇이 오른쪽으로 돕니다. yaw 속도는 양수입니까, 음수입니까?
+# 2. 바퀴 달린 로봇이 오른쪽으로 회전합니다. yaw 속도는 양수입니까, 음수입니까?
 # 3. "회전 없음"을 뜻하는 쿼터니언(x, y, z, w)은 무엇이고, (0, 0, 0, 0)을 받으면 TF2는 어떻게 합니까?
 #
 # <details><summary>답</summary>
@@ -1258,12 +1258,12 @@ rclpy.try_shutdown()
 #
 # - [ ] 변환은 부모 기준으로 잰 자식 좌표계의 위치와 회전입니다.
 # - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`입니다.
-# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준의 같은 데이터로 옮기는 변환을 반환합니다.
+# - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준으로 바꾸는 변환을 반환합니다.
 # - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라갑니다.
 # - [ ] `time`은 어느 시각의 변환인지를 정합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
 # - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않습니다. 회전이 있으면 부호만 다른 것이 아닙니다.
 #
-# 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 "변환 하나, 두 가지 읽기"를 다시 읽으십시오. 그보다 적으면 연필을 들고 예측을 다시 해 보십시오.
+# 다섯 개 이상이면 남을 가르칠 수 있습니다. 서너 개면 "변환 하나, 두 가지 읽기"를 다시 읽으십시오. 그보다 적으면 예측부터 다시 해 보십시오.
 #
 # </details>
 
@@ -1291,7 +1291,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 조각을 모두 뒤집은 것입니다.
+# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 변환을 모두 역변환한 것입니다.
 #
 # </details>
 
@@ -1307,6 +1307,6 @@ rclpy.try_shutdown()
 # On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고, 연결들이 어떻게 이어지고 누가 그것을 보장하는지(아무도 하지 않습니다) 보는 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루고 누가 그것을 보장하는지(보장하는 프로그램은 없습니다) 봅니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 이 장을 마치면 실습 체크리스트의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

@@ -11,22 +11,22 @@
 # - name frames so that two robots share `map` and nothing else.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다
+# # 04 · 좌표계 트리
 #
-# **좌표계 트리** · 약 50분 · 03장을 바탕으로 합니다
+# **부모는 하나씩, 그런데 아무도 확인하지 않습니다** · 약 50분 · 03장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 어느 좌표계에서 어느 좌표계로든 손으로 찾아갈 수 있습니다. 만나는 곳까지 올라갔다가 내려가면 됩니다.
+# - 어느 두 좌표계 사이의 경로든 손으로 찾을 수 있습니다. 만나는 곳까지 올라갔다가 내려가면 됩니다.
 # - 멀쩡한 [[tf tree|TF 트리]]와 둘로 나뉜 트리, 고리(loop)가 생긴 트리를 한눈에, 또는 파이썬 한 줄로 구별할 수 있습니다.
-# - 변환을 보낼 때 tf2가 확인하는 것(거의 없습니다)과, 조회할 때 만나는 오류를 말할 수 있습니다.
+# - 변환을 발행할 때 tf2가 확인하는 것(거의 없습니다)과, 조회할 때 나는 오류를 말할 수 있습니다.
 # - 로봇 두 대가 지도만 함께 쓰도록 좌표계 이름을 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask before the first slide: which program makes sure that the frames of a robot form a tree? Collect names. The answer of this chapter: none.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 첫 슬라이드 전에 묻습니다. 로봇의 좌표계가 트리를 이루도록 누가 보장할까요? 프로그램 이름들이 나올 것입니다. 오늘의 답은 "아무도"입니다.
+# 첫 슬라이드 전에 묻습니다. 로봇의 좌표계가 트리를 이루도록 누가 보장할까요? 프로그램 이름들이 나올 것입니다. 이 장의 답은 “아무도”입니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -55,14 +55,14 @@ from tflab.workbook import lesson
 # ```
 #
 # 몸체(body)는 늘 그랬듯 `odom` 아래에 있습니다. 그런데 이제 `odom`도 몸체 아래에 있습니다. 서로가 서로의 [[parent frame|부모]]입니다.
-# 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 이어 붙였는데, 이 로봇에는 이름이 없었습니다. 그래서 `/odom`을 찾았고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
-# 1년 뒤에는 같은 슬래시가 널리 쓰이는 교육용 로봇의 지도 작성 노드를 `/base_footprint`에서 멈춰 세웠습니다(ROBOTIS-GIT/turtlebot3, 2025년).
+# 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 붙여 이름을 만들었는데, 이 로봇에는 이름이 없었습니다. 그래서 `/odom`을 찾았고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
+# 1년 뒤에는 같은 슬래시 때문에 널리 쓰이는 교육용 로봇의 지도 작성 노드가 `/base_footprint`에서 멈추었습니다(ROBOTIS-GIT/turtlebot3, 2025년).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304); turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304), turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
+# *더 읽기:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304), turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
 
 
 # %% name="the-driver" slide="subslide"
@@ -91,10 +91,10 @@ print(driver(""))
 # The answer is a robot without a name, and nobody has one on the desk.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 말해 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
-# 누군가 찾으면, 어떤 시험이 이것을 잡았을지 묻습니다.
+# 답을 알려 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
+# 누군가 찾으면, 어떤 시험이라야 이것을 찾았을지 묻습니다.
 # 이름 없는 로봇입니다.
-# 책상 위에 그런 로봇을 둔 사람은 없습니다.
+# 개발자의 책상 위에는 대개 그런 로봇이 없습니다.
 
 # %% [markdown] lang="en" name="a-dict" slide="slide"
 # ## TF is a dict
@@ -105,7 +105,7 @@ print(driver(""))
 # %% [markdown] lang="ko" name="a-dict" slide="slide"
 # ## TF는 dict입니다
 #
-# 회전은 잠시 잊어 봅시다. TF가 로봇의 생김새에 대해 아는 것은 이것뿐입니다. 자식마다 부모 하나.
+# 회전은 잠시 잊어 봅시다. 좌표계의 트리는 자식마다 부모 하나를 적은 dict입니다.
 # 키 하나에는 값이 하나이므로 [[frame|좌표계]]의 부모도 하나입니다. 누구의 자식도 아닌 좌표계가 [[root|루트(root)]]이고, 항목 하나가 [[edge|연결(edge)]]입니다.
 
 # %% name="parent-of" slide="-"
@@ -139,9 +139,9 @@ print(way_up("camera_optical_frame"))
 # %% [markdown] lang="ko" name="up-and-down" slide="slide"
 # ## 올라갔다가 내려갑니다
 #
-# 두 길은 모두 `map`에서 끝납니다. 만난 뒤로는 같은 길이므로 끝까지 올라갈 필요가 없습니다. 원본에서 올라가다가 목표의 길과 만나면 거기서 내려갑니다.
+# 두 좌표계에서 올라가는 경로는 모두 `map`에서 끝납니다. 만난 뒤로는 같은 경로이므로 끝까지 올라갈 필요가 없습니다. 원본에서 올라가다가 목표에서 올라온 경로와 만나면 거기서 내려갑니다.
 #
-# 다음 셀은 노드 없이 `Buffer`를 직접 채웁니다. `send`는 연결 하나를 저장합니다. 따로 정하지 않으면 x 방향으로 1미터이고, 모든 시각에 통하는 정적 변환입니다. `"page"`는 보낸 쪽의 이름입니다.
+# 다음 셀은 노드 없이 `Buffer`를 직접 채웁니다. `send`는 연결 하나를 저장합니다. 따로 정하지 않으면 x 방향으로 1미터이고, 모든 시각에 유효한 정적 변환입니다. `"page"`는 발행자의 이름입니다.
 
 # %% name="a-buffer" slide="skip"
 from geometry_msgs.msg import TransformStamped
@@ -168,8 +168,8 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # This is the product of chapter 03, read off the tree: each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target, the product from its right end to its left.
 
 # %% [markdown] lang="ko" name="the-walk-seen"
-# *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 걸음의 순서, 둥근 테 = 두 길이 만나는 곳입니다.
-# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 걸음은 보낸 연결 그대로이고, 내려가는 걸음은 그 역변환입니다. 걸음은 원본에서 목표로 읽고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
+# *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 단계의 순서, 둥근 테 = 두 경로가 만나는 곳입니다.
+# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 단계는 발행된 연결 그대로이고, 내려가는 단계는 그 역변환입니다. 단계는 원본에서 시작하여 목표에서 끝나고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
 
 # %% [markdown] lang="en" name="walk-notes" slide="notes"
 # One person is the laser and one the camera. They walk to each other by naming parents only.
@@ -179,7 +179,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 # 한 사람은 레이저, 한 사람은 카메라가 되어 부모 이름만 부르며 서로에게 갑니다.
 # 지도가 아니라 base에서 만납니다.
 # 이 점을 소리 내어 말합니다.
-# 조회마다 걸음의 절반이 줄어듭니다.
+# 그러면 조회할 때마다 단계가 절반으로 줄어듭니다.
 
 # %% name="the-product" slide="fragment"
 lesson.draw_dominoes(
@@ -203,9 +203,9 @@ lesson.draw_dominoes(
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 걸어 보세요
+# ### 빈칸을 채워 보세요
 #
-# 실행하지 말고 생각해 보세요. `camera_optical_frame`에서 `odom`까지, 그리고 `map`에서 `camera_link`까지는 어떤 걸음으로 갈까요? 빈칸을 채워 보세요.
+# 실행하지 말고 생각해 보세요. 원본 `camera_optical_frame`, 목표 `odom`인 조회와 원본 `map`, 목표 `camera_link`인 조회는 각각 어떤 단계를 거칠까요? 빈칸을 채워 보세요.
 #
 # ```
 # camera_optical_frame -> odom      up ____________, up ____________, up ____________
@@ -214,7 +214,7 @@ lesson.draw_dominoes(
 #
 # <details><summary>맞춰 보기</summary>
 #
-# 앞은 `camera_optical_frame`, `camera_link`, `base_link`에서 차례로 올라갑니다. 뒤는 `odom`, `base_link`, `camera_link`로 차례로 내려갑니다. 어느 쪽이든 걸음에는 자식의 이름을 붙입니다.
+# 앞의 것은 `camera_optical_frame`, `camera_link`, `base_link`에서 차례로 올라갑니다. 뒤의 것은 `odom`, `base_link`, `camera_link`로 차례로 내려갑니다. 어느 쪽이든 단계에는 자식의 이름을 붙입니다.
 #
 # </details>
 
@@ -227,14 +227,14 @@ lesson.draw_dominoes(
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 1. 누군가 `camera_link`를 한 번 더 보냅니다. 이번에는 그리퍼 `tool0`의 자식으로 보냅니다. 그러면 tf2가 아는 카메라는 몇 대일까요? 하나일까요, 둘일까요, 아니면 오류일까요?
-# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 무엇이 답할까요? 오류 메시지에 오타가 나올까요?
+# 1. 누군가 `camera_link`를 한 번 더 발행합니다. 이번에는 그리퍼 `tool0`의 자식으로 발행합니다. 그러면 버퍼에 있는 카메라는 몇 대일까요? 하나일까요, 둘일까요, 아니면 오류일까요?
+# 2. 다른 로봇의 트리는 `map → odom`과 `odm → base_link → laser_frame`입니다. 누군가 `odm`이라고 잘못 쳤습니다. `odm` 기준의 `laser_frame`, `map` 기준의 `odom`, `map` 기준의 `base_link` 가운데 어느 조회가 성공할까요? 오류 메시지에 오타가 나올까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Hands for each. For the first, the common wrong answer is "two". For the second, it is "none", and "the error names odm".
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 하나씩 손을 들게 합니다. 1번은 "두 대", 2번은 "모두 안 된다"와 "오류가 odm을 알려 준다"가 기다리는 답입니다.
+# 하나씩 손을 들게 합니다. 1번은 “두 대”, 2번은 “모두 안 된다”와 “오류가 odm을 알려 준다”가 나올 법한 오답입니다.
 
 # %% name="my-guess" slide="skip"
 cameras, answers = ..., ...  # a number; three times "yes" or "no"
@@ -249,8 +249,8 @@ lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 # If two nodes set it alternately, it moves back and forth, as you will see.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
-# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라와 그 아래의 것이 모두 옮겨 갔습니다. 아무도 묻지 않았고, 알려 주지도 않았습니다.
-# 두 노드가 번갈아 쓰면 왔다 갔다 합니다. 잠시 뒤에 볼 것입니다.
+# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라와 그 아래 좌표계의 부모가 모두 바뀌었습니다. 확인하는 질문도, 알리는 메시지도 없었습니다.
+# 두 노드가 번갈아 발행하면 부모가 계속 바뀝니다. 잠시 뒤에 볼 것입니다.
 
 # %% name="typo" tags=["predicted"] slide="fragment"
 island = Buffer()
@@ -268,8 +268,8 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # "Tf has two or more unconnected trees": so look at the roots.
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
-# 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 한쪽에서 다른 쪽을 묻는 것만 실패합니다. 오류 메시지에는 *질문*의 두 끝이 나올 뿐, 다리가 끊긴 곳은 나오지 않습니다.
-# "Tf has two or more unconnected trees"라고 하니 루트를 보면 됩니다.
+# 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 두 트리에 걸친 조회만 실패합니다. 오류 메시지에는 *조회*의 두 이름이 나올 뿐, 연결이 끊긴 곳은 나오지 않습니다.
+# “Tf has two or more unconnected trees”라고 하니 루트를 보면 됩니다.
 
 # %% [markdown] lang="en" name="typo-notes" slide="notes"
 # Look at the counts on the board.
@@ -279,7 +279,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 
 # %% [markdown] lang="ko" name="typo-notes" slide="notes"
 # 칠판의 숫자를 봅니다.
-# 고장 난 로봇에서 질문 셋 가운데 둘은 됩니다.
+# 고장 난 로봇에서 조회 셋 가운데 둘은 됩니다.
 # 그래서 아무도 알아채지 못합니다.
 # 오류 메시지를 소리 내어 읽고 오타가 어디에 있는지 묻습니다.
 # 어디에도 없습니다.
@@ -290,7 +290,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # Which frames are parents, and no child? Python's sets tell you.
 
 # %% [markdown] lang="ko" name="one-line" slide="slide"
-# ## 한 줄짜리 의사
+# ## 한 줄로 하는 진단
 #
 # 누군가의 부모이면서 누구의 자식도 아닌 것은 무엇일까요? 파이썬의 set으로 알 수 있습니다.
 
@@ -309,7 +309,7 @@ print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 # One exception: a loop *beside* a healthy tree does not show in this line. Then `way_up` never ends for a frame in the loop.
 
 # %% [markdown] lang="ko" name="roots-seen"
-# 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼고, 예상하지 못한 이름이 오타이거나, 아무도 그 위의 연결을 보내지 않는 좌표계입니다. 하나도 없으면 고리입니다.
+# 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼습니다. 예상하지 못한 이름은 오타이거나, 그 위의 연결을 아무도 발행하지 않는 좌표계입니다. 하나도 없으면 고리입니다.
 # 한 가지 조심할 것이 있습니다. 멀쩡한 트리 *옆에* 따로 생긴 고리는 이 한 줄로 찾지 못합니다. 그때는 어떤 좌표계의 `way_up`이 끝나지 않습니다.
 
 # %% [markdown] lang="en" name="plaster" slide="subslide"
@@ -318,9 +318,9 @@ print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 # Forums suggest a quick workaround for the typo: one more static edge, `odom → odm`, with zeros. It works. See why it is not a fix.
 
 # %% [markdown] lang="ko" name="plaster" slide="subslide"
-# ### 반창고
+# ### 임시방편
 #
-# 이런 오타에 흔히 권하는 빠른 방법이 있습니다. 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 보내는 것입니다. 되기는 합니다. 하지만 왜 반창고일 뿐인지 보세요.
+# 이런 오타에 흔히 권하는 빠른 방법이 있습니다. 값이 모두 0인 정적 연결 `odom → odm`을 하나 더 발행하는 것입니다. 동작은 합니다. 하지만 왜 임시방편일 뿐인지 살펴보세요.
 
 # %% name="plastered" slide="-"
 send(island, "odom", "odm", x=0.0)
@@ -330,7 +330,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # One pose has two names now. The next program will publish `odom → base_link`, spelt correctly, and `base_link` will no longer be a child of `odm`. Fix the name where it is written.
 
 # %% [markdown] lang="ko" name="plastered-seen"
-# 이제 한 자리에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
+# 이제 같은 위치에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
 # Who has used such a workaround?
@@ -338,9 +338,9 @@ lesson.draw_walk(island, "map", "laser_frame")
 # One correct line in another program is enough.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
-# 이런 반창고를 붙여 본 사람이 있는지 묻습니다.
+# 이런 임시방편을 써 본 사람이 있는지 묻습니다.
 # 탓하지 않습니다.
-# 무슨 일이 생기면 떨어질지 묻습니다.
+# 무슨 일이 생기면 다시 고장 날지 묻습니다.
 # 다른 프로그램에 맞는 철자 한 줄이면 됩니다.
 
 # %% [markdown] lang="en" name="five-rules" slide="slide"
@@ -358,12 +358,12 @@ lesson.draw_walk(island, "map", "laser_frame")
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
 #
 # 1. 자식마다 부모는 하나입니다.
-# 2. 어느 두 좌표계 사이에도 길은 하나입니다.
+# 2. 어느 두 좌표계 사이에도 경로는 하나입니다.
 # 3. 연결마다 [[authority|발행 책임]]은 한 노드에 있습니다.
 # 4. 고리가 없습니다.
 # 5. 이름과 방향과 시각의 뜻이 어디서나 같습니다.
 #
-# 변환을 *보낼 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN)만 거부합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 물어보세요.
+# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN)만 거절합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
@@ -372,7 +372,7 @@ lesson.tree_panel(parent_of, "map", "laser_frame")
 # Try: make `odom` a child of `laser_frame`. Of `odm`. Of itself. Then look up target `laser_frame`, source `camera_link` each time: which faults does that lookup not notice?
 
 # %% [markdown] lang="ko" name="panel-tasks"
-# `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 `camera_link`에서 `laser_frame`으로도 물어보세요. 이 질문이 알아채지 못하는 고장은 무엇일까요?
+# `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 목표 `camera_link`, 원본 `laser_frame`으로도 조회해 보세요. 이 조회로는 찾지 못하는 고장은 무엇일까요?
 
 # %% name="tree-still"
 broken = Buffer()
@@ -384,7 +384,7 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 # With `odom` as a child of `odm`, the path between two sensors is as short as before. That is why a broken tree can work for weeks: only lookups fail, and only those whose path contains the fault.
 
 # %% [markdown] lang="ko" name="tree-still-seen"
-# `odom`이 `odm` 아래에 있어도 두 센서 사이의 길은 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 질문뿐이고, 그것도 고장 난 곳을 지나는 질문뿐입니다.
+# `odom`이 `odm` 아래에 있어도 두 센서 사이의 경로는 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 고장 난 곳을 지나는 조회뿐입니다.
 
 # %% [markdown] lang="en" name="rules-notes" slide="notes"
 # In the panel, let the class give the orders: odom below the laser, below itself.
@@ -393,9 +393,9 @@ lesson.draw_walk(broken, "camera_link", "laser_frame")
 
 # %% [markdown] lang="ko" name="rules-notes" slide="notes"
 # 패널은 청중이 시키는 대로 움직입니다. odom을 레이저 아래에, 자기 자신 아래에 매답니다.
-# 물을 때마다 손을 들게 합니다.
-# 답할까요?
-# 마지막 것의 로그 한 줄이 이 시간의 유일한 거부입니다.
+# 조회할 때마다 손을 들게 합니다.
+# 값이 나올까요?
+# 마지막 것의 로그 한 줄이 이번 시간에 나온 유일한 거절입니다.
 
 # %% [markdown] lang="en" name="names" slide="slide"
 # ## Names are strings
@@ -424,8 +424,8 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # Other programs accept no slash: the mapper of the story stops at the first one. Write names without it.
 
 # %% [markdown] lang="ko" name="spellings-seen"
-# *보낼 때* 슬래시 하나는 눈감아 줍니다. `odom`으로 저장합니다. *물을 때는* 거부합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
-# 다른 프로그램은 눈감아 주지도 않습니다. 이야기 속의 지도 작성 노드는 슬래시를 보자마자 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
+# *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
+# 다른 프로그램은 무시하지도 않습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the dog's loop
@@ -437,7 +437,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 로봇 개의 고리
 #
-# 몸체는 odom 아래, odom은 몸체 아래, 그리고 몸체에는 머리(head)와 등(back)이 있습니다. 각각 답할까요? **예측해 봅시다.**
+# 몸체는 odom 아래, odom은 몸체 아래, 그리고 몸체에는 머리(head)와 등(back)이 있습니다. 각각 값이 나올까요? **예측해 봅시다.**
 #
 # - `odom` 기준의 몸체 · `odom` 기준의 머리 · 머리 기준의 `odom` · 머리 기준의 등
 
@@ -461,8 +461,8 @@ lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
 # *그림 읽기:* again = 이미 나온 좌표계로 되돌아온 곳입니다.
-# 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품은 서로를 찾지 못하는데, `odom` 기준의 머리는 찾습니다. tf2는 원본에서 올라갑니다. 가는 길에 목표를 만나면 멈추고 답합니다. 만나지 못하면 고리를 돌다가 천 걸음쯤에서 그만두고, 이야기에 나온 그 오류를 냅니다.
-# 그래서 고리가 있어도 되는 것은 됩니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드는 신경 쓰지 않지만 몇몇 노드는 크게 탈이 난다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
+# 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품 사이의 변환은 구하지 못하는데, `odom` 기준 머리의 위치는 구합니다. tf2는 원본에서 올라갑니다. 도중에 목표를 만나면 멈추고 값을 반환합니다. 만나지 못하면 고리를 돌다가 1,000단계쯤에서 그만두고, 이야기에 나온 그 오류를 냅니다.
+# 그래서 고리가 있어도 성공하는 조회가 있습니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드에는 문제가 없지만 몇몇 노드는 크게 잘못된다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
 # There is no transform between two parts of one body.
@@ -470,10 +470,10 @@ lesson.draw_walk(dog, "head", "back")
 # After a thousand steps it gives up.
 
 # %% [markdown] lang="ko" name="loop-notes" slide="notes"
-# 한 몸의 두 부품이 서로를 찾지 못합니다.
+# 한 몸의 두 부품 사이의 변환을 구하지 못합니다.
 # 잠시 생각할 시간을 줍니다.
-# 그다음 odom 기준의 머리는 왜 되는지 묻습니다. tf2는 가는 길에 목표를 만나면 멈추기 때문입니다.
-# 참는 것은 천 걸음까지입니다.
+# 그다음 odom 기준의 머리는 왜 되는지 묻습니다. tf2는 도중에 목표를 만나면 멈추기 때문입니다.
+# 만나지 못하면 1,000단계에서 그만둡니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="slide"
 # ## Break it: two publishers of one edge
@@ -486,8 +486,8 @@ lesson.draw_walk(dog, "head", "back")
 # %% [markdown] lang="ko" name="two-owners" slide="slide"
 # ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
 #
-# `wheel_odometry` 노드는 바퀴의 회전을 세어 로봇의 위치 `odom → base_footprint`를 발행합니다. 여기에 IMU까지 써서 위치를 추정하는 필터(EKF, 확장 칼만 필터)를 켜자 이 노드도 같은 연결을 발행합니다. 두 노드의 오차는 조금씩, 서로 다르게 쌓입니다.
-# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 ROS의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target` 기준으로 `source`의 위치를 반환합니다.
+# `wheel_odometry` 노드는 바퀴의 회전에서 로봇의 포즈 `odom → base_footprint`를 발행합니다. 여기에 IMU까지 써서 포즈를 추정하는 필터(EKF, 확장 칼만 필터)를 켜자 이 노드도 같은 연결을 발행합니다. 두 노드의 오차는 조금씩, 서로 다르게 쌓입니다.
+# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 ROS의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target`을 기준으로 `source`가 어디에 있는지 반환합니다.
 # **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
 
 # %% name="two-nodes" slide="skip"
@@ -536,8 +536,8 @@ lesson.frame_tree(graph, seconds=2.0)
 # The *shape* of this tree is correct: one parent each. What reveals the fault is the rate, 50 Hz = 20 + 30, and, here, two names. The fix is to choose one: only the wheel odometry publishes the edge.
 
 # %% [markdown] lang="ko" name="owners-seen"
-# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행 책임, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
-# 트리의 *모양*에는 흠이 없습니다. 부모가 하나씩입니다. 드러나는 것은 발행률입니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치는 방법은 하나를 고르는 것입니다. 바퀴의 연결을 끕니다.
+# *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
+# 트리의 *모양*은 정상입니다. 부모가 하나씩입니다. 문제는 발행률에 드러납니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치려면 하나를 고릅니다. 여기서는 바퀴 오도메트리 노드의 발행을 끕니다.
 
 # %% [markdown] lang="en" name="owners-notes" slide="notes"
 # Cover the last column with your hand: from the shape alone nobody could tell.
@@ -546,8 +546,8 @@ lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="ko" name="owners-notes" slide="notes"
 # 맨 오른쪽 열을 손으로 가립니다.
-# 모양만으로는 아무도 알 수 없습니다.
-# 그다음은 발행률입니다.
+# 모양만으로는 알 수 없습니다.
+# 그다음은 발행률을 봅니다.
 # 자기 로봇의 오도메트리가 1초에 몇 번 발행하는지 외우고 있는 사람이 있습니까?
 # 그 수를 모르면 50 Hz도 아무것도 알려 주지 않습니다.
 
@@ -578,8 +578,8 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # %% [markdown] lang="ko" name="two-robots" slide="slide"
 # ## 로봇 두 대, 지도 하나
 #
-# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에 붙이는 것을 잊었습니다.
-# 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계는 메시지 속의 문자열이고, `/tf`는 모두가 함께 쓰는 토픽입니다.
+# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
+# 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계 이름은 메시지 속의 문자열이고, `/tf`는 모든 로봇이 함께 쓰는 토픽입니다.
 
 # %% name="a-fleet" slide="skip"
 graph.stop()
@@ -603,7 +603,7 @@ def start_two(shared, apart_s):
 # The two robots are three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what do you see if you look up `robot2/base_footprint` in `map` fifty times a second? And if both were started at the same time?
 
 # %% [markdown] lang="ko" name="one-odom-predict"
-# 두 로봇은 3미터 떨어져 서 있고, 같은 길을 달립니다. 두 번째는 30 ms 늦게 시작했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 시작했다면 어떨까요?
+# 두 로봇은 3미터 떨어져 서 있고, 같은 경로를 달립니다. 두 번째 로봇은 30 ms 나중에 출발했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 출발했다면 어떨까요?
 
 
 # %% name="one-odom" tags=["predicted"] slide="-"
@@ -626,7 +626,7 @@ for apart_s in (0.03, 0.0):
 # Started 30 ms apart, `odom` has two publishers, and robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
-# 따로 시작하면 `odom`의 발행 책임이 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 시작하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값으로 답하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴를 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 봅니다.
+# 따로 출발하면 `odom`의 발행자가 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 출발하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값을 반환하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴의 회전을 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 보고합니다.
 
 # %% [markdown] lang="en" name="fleet-notes" slide="notes"
 # The second run is the worse one, because nothing jumps.
@@ -649,7 +649,7 @@ for apart_s in (0.03, 0.0):
 # %% [markdown] lang="ko" name="view-frames" slide="slide"
 # ## view_frames가 보여 주는 것과 보여 주지 못하는 것
 #
-# [[view_frames]]는 5초 동안 듣고 그림과 텍스트를 만듭니다. 연결마다 발행률과 가장 오래된 시각, 가장 새로운 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
+# [[view_frames]]는 5초 동안 변환을 모아 그림과 텍스트를 만듭니다. 연결마다 발행률과 가장 오래된 시각, 최신 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
 
 # %% name="run-view-frames" tags=["interactive"] slide="skip"
 folder = lesson.fresh_folder()
@@ -662,7 +662,7 @@ lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
 # The shape is a correct tree, and the path from one robot to the other has two steps, through the `odom` that belongs to neither.
 
 # %% [markdown] lang="ko" name="between-robots-seen"
-# 모양은 멀쩡한 트리이고, 한 로봇에서 다른 로봇까지는 두 걸음입니다. 누구의 것도 아닌 `odom`을 지나갑니다.
+# 모양은 정상적인 트리이고, 두 로봇 사이의 경로는 두 단계입니다. 어느 로봇에도 속하지 않는 `odom`을 지나갑니다.
 
 # %% name="who-is-it" slide="-"
 lesson.frame_tree(graph, seconds=2.0)
@@ -672,8 +672,8 @@ lesson.frame_tree(graph, seconds=2.0)
 # Our `frame_tree` names the nodes, because here all of them are in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
 
 # %% [markdown] lang="ko" name="who-is-it-seen"
-# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 보낸 노드의 이름이 없기 때문입니다. 둘이 보내는 것은 합친 발행률로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
-# `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 보내는 노드들을 알 수 있지만, 어느 연결을 보내는지는 나오지 않습니다.
+# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 발행자의 이름이 없기 때문입니다. 발행자가 둘이라는 것은 합친 발행률로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
+# `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 발행하는 노드들을 알 수 있지만, 어느 연결을 발행하는지는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="prefixed" slide="subslide"
 # The fix: every frame of one robot carries its prefix, `odom` too. Only the frame that both share, `map`, has none.
@@ -698,10 +698,10 @@ rclpy.shutdown()
 # Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
-# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 조회의 값도 가장 느린 연결인 10 Hz의 `map → odom`만큼만 새롭기 때문입니다.
-# 실제 launch 파일에서는 여러 곳의 파라미터입니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 Fixed Frame입니다. 하나를 잊으면 방금 본 일이 일어납니다.
+# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 조회의 시각은 발행률이 가장 낮은 연결, 곧 10 Hz인 `map → odom`의 시각이기 때문입니다.
+# 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 방금 본 일이 일어납니다.
 #
-# 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정이 `map`을 두고 어긋날 일이 없습니다.
+# 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정 노드가 같은 `map`을 발행할 일이 없습니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -737,12 +737,12 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 어느 로봇의 트리에 루트가 둘 있습니다. `map`과 `odm`입니다. 동료가 `base_link` 기준 레이저의 위치를 묻습니다. 둘 다 `odm` 아래에 있습니다. tf2는 어떻게 답합니까?
+# 어느 로봇의 트리에 루트가 둘 있습니다. `map`과 `odm`입니다. 동료가 `base_link` 기준 레이저의 위치를 조회합니다. 둘 다 `odm` 아래에 있습니다. 결과는 무엇입니까?
 #
-# 1. 오류입니다. 고장 난 트리는 아무것도 답하지 않습니다.
+# 1. 오류입니다. 고장 난 트리에서는 아무 조회도 되지 않습니다.
 # 2. `odm`을 알려 주는 오류입니다.
-# 3. 맞는 답을 합니다.
-# 4. 맞는 답을 하고 로그에 경고를 남깁니다.
+# 3. 맞는 값이 나옵니다.
+# 4. 맞는 값이 나오고 로그에 경고가 남습니다.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
@@ -751,17 +751,17 @@ rclpy.shutdown()
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 오류 메시지에는 실패한 질문의 두 끝이 나오는데, 이 질문은 실패하지 않습니다. 실패하는 질문에서도 `odm`은 나오지 않습니다.
+# 오류 메시지에는 실패한 조회의 두 이름이 나오는데, 이 조회는 실패하지 않습니다. 실패하는 조회에서도 `odm`은 나오지 않습니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 레이저에서 base_link로 한 걸음 올라가며, 그 길에는 고장이 없습니다.
+# 맞습니다. 레이저에서 base_link로 한 단계 올라가며, 그 경로에는 고장이 없습니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 경고하는 것은 없습니다. tf2에게는 트리가 둘이어도 상관없습니다. 한쪽 트리에서 다른 쪽을 묻는 순간 알게 됩니다.
+# 경고는 나오지 않습니다. 트리가 둘이어도 tf2는 동작합니다. 두 트리에 걸친 조회를 하면 그때 오류가 납니다.
 #
 # </details>
 
@@ -780,12 +780,12 @@ rclpy.shutdown()
 # ## 실제 로봇에서
 #
 # ```
-# ros2 run tf2_tools view_frames -o frames      # 5초 동안 듣고 frames.pdf와 frames.gv를 만듭니다
+# ros2 run tf2_tools view_frames -o frames      # 5초 동안 변환을 모아 frames.pdf와 frames.gv를 만듭니다
 # ros2 topic info /tf --verbose                 # /tf에 발행하는 노드를 모두 보여 줍니다
 # ros2 param get /robot_state_publisher frame_prefix
 # ```
 #
-# `view_frames`는 5초 동안만 봅니다. 가끔 일어나는 다툼은 여러 번 봐야 보입니다.
+# `view_frames`는 5초 동안만 수신합니다. 가끔 일어나는 고장은 여러 번 실행해야 보입니다.
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -799,10 +799,10 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - TF는 자식 → 부모로 된 dict입니다. 질문은 원본에서 두 길이 만날 때까지 올라갔다가 목표로 내려갑니다. 이것이 [[path|경로]]입니다.
+# - TF는 자식 → 부모로 된 dict입니다. 조회는 원본에서 두 경로가 만날 때까지 올라갔다가 목표로 내려갑니다. 이것이 [[path|경로]]입니다.
 # - [[root|루트]]가 하나면 트리, 둘이면 끊긴 것, 없으면 고리입니다. `set(부모들) - set(자식들)`로 알 수 있습니다.
-# - 변환을 보낼 때 tf2는 규칙을 확인하지 않습니다. 실패하는 것은 고장 난 곳을 지나는 질문뿐이고, 오류 메시지에는 질문의 두 끝이 나옵니다.
-# - 같은 자식을 다른 부모로 보내면 옮겨 갑니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 오갑니다. 발행률을 보십시오.
+# - 변환을 발행할 때 tf2는 규칙을 확인하지 않습니다. 실패하는 것은 고장 난 곳을 지나는 조회뿐이고, 오류 메시지에는 조회의 두 이름이 나옵니다.
+# - 같은 자식을 다른 부모로 발행하면 부모가 바뀝니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 번갈아 바뀝니다. 발행률을 보십시오.
 # - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -824,13 +824,13 @@ rclpy.shutdown()
 # ### 앞 장 복습: 세 문제
 #
 # 1. 위치를 이루는 세 가지는 무엇이고, 이 장에서 뺀 것은 무엇입니까?
-# 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 보낸 그대로인 것은 무엇이고 뒤집은 것은 무엇입니까?
+# 2. `camera_T_laser`는 `camera_T_base @ base_T_laser`입니다. 발행된 그대로인 것은 무엇이고 역변환인 것은 무엇입니까?
 # 3. 연결의 메시지에서 부모는 어느 필드에 있습니까?
 #
 # <details><summary>답</summary>
 #
 # 1. 값, 좌표계, 측정 시각입니다. 뺀 것은 측정 시각입니다. 08장에서 다시 나오며, 그때는 연결마다 지난 기록이 생깁니다.
-# 2. `base_T_laser`는 보낸 그대로이고, `camera_T_base`는 보낸 연결 base → camera의 역변환입니다.
+# 2. `base_T_laser`는 발행된 그대로이고, `camera_T_base`는 발행된 연결 base → camera의 역변환입니다.
 # 3. `header.frame_id`입니다. 자식은 `child_frame_id`에 있습니다.
 #
 # </details>
@@ -857,9 +857,9 @@ rclpy.shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 변환을 보낼 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
+# - [ ] 변환을 발행할 때 tf2는 오류를 내지 않습니다. 둘 다 저장됩니다.
 # - [ ] 부모가 같으면 값이 번갈아 나옵니다. RViz에서 로봇이 떨거나 튀고, 둘의 차이가 벌어질수록 심해집니다.
-# - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 질문이 번갈아 실패합니다.
+# - [ ] 부모가 다르면 자식이 트리의 두 곳을 오가고, 조회가 번갈아 실패합니다.
 # - [ ] 트리의 모양이 아니라, 둘을 합친 발행률과 발행자 목록에서 드러납니다.
 # - [ ] 발행 책임을 한 노드에 맡기고 다른 쪽은 끕니다.
 #
@@ -879,7 +879,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > 어제까지 되던 `lookup_transform('map', 'gripper', …)`이 "not part of the same tree"라며 실패합니다. 가장 먼저 볼 것 하나와, 거기에서 찾는 것을 말해 보세요.
+# > 어제까지 되던 `lookup_transform('map', 'gripper', …)`이 "not part of the same tree" 오류로 실패합니다. 가장 먼저 볼 것 하나와, 거기에서 찾는 것을 말해 보세요.
 #
 # <details><summary>맞춰 보기</summary>
 #
@@ -903,6 +903,6 @@ rclpy.shutdown()
 # On a robot this chapter begins two lines of your checklist: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고, "부모는 하나씩"이라는 규칙이 로봇의 위치를 누가 말할지 정하는 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 이 장부터 실습 체크리스트 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행기를 찾아 제거했습니다.*

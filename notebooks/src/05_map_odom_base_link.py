@@ -11,22 +11,22 @@
 # - project a tilted robot onto the floor: `base_footprint`.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
+# # 05 · map, odom, base_link
 #
-# **map, odom, base_link** · 약 50분 · 03, 04장을 바탕으로 합니다
+# **하나는 튈 수 있고, 하나는 드리프트할 수 있습니다** · 약 50분 · 03, 04장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 매끄럽지만 조금씩 틀려 가는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 쓸 수 있습니다.
+# - 끊김 없이 변하지만 오차가 쌓이는 포즈와 정확하지만 튀는 포즈를 구별하고, 알맞은 곳에 쓸 수 있습니다.
 # - [[localisation|위치 추정(localization)]] 노드가 발행하는 `map → odom`을 같은 시각의 두 포즈로 계산할 수 있습니다.
-# - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 누군가 발행하는 로봇을 알아볼 수 있습니다.
+# - `map → base_link`를 아무도 발행하지 않는 이유를 설명하고, 그것을 발행하는 로봇을 알아볼 수 있습니다.
 # - 기울어진 로봇을 바닥으로 투영할 수 있습니다. 그것이 `base_footprint`입니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # This chapter is about one edge: map to odom. Ask now: if the robot knows its pose on the map, why not simply publish that? Collect answers, and promise to come back to them.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 장의 주인공은 연결 하나, map에서 odom입니다. 먼저 묻습니다. 지도 위의 위치를 안다면 왜 그대로 발행하지 않을까요? 답을 모아 두고 나중에 다시 봅니다.
+# 이 장은 연결 하나, map → odom을 다룹니다. 먼저 묻습니다. 지도 위의 포즈를 안다면 왜 그대로 발행하지 않을까요? 답을 모아 두고 나중에 다시 봅니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -47,11 +47,11 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 번갈아 두 곳에 있던 로봇
 #
-# 새 프로그램이 레이저 스캔을 지도와 맞추어 로봇을 잘 찾아냈습니다. 그리고 찾은 것을 그대로 발행했습니다. *base_link는 map의 여기에 있다.*
-# 바퀴는 늘 이렇게 말해 왔습니다. *base_link는 odom의 저기에 있다.*
+# 새 프로그램이 레이저 스캔을 지도와 맞추어 로봇의 위치를 잘 찾아냈습니다. 그리고 찾은 것을 그대로 발행했습니다. *base_link는 map의 여기에 있다.*
+# 바퀴 오도메트리 노드는 늘 이렇게 발행해 왔습니다. *base_link는 odom의 저기에 있다.*
 # 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
-# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 마지막에 발행한 쪽이 잠깐씩 맞는 것이 되었습니다.
+# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 그때마다 마지막에 발행한 값이 쓰였습니다.
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
@@ -61,17 +61,17 @@ from tflab.workbook import lesson
 # The last is what tf2 does by itself.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 두 노드 모두 사실을 말했습니다.
-# 몇 번이고 되풀이합니다.
+# 두 노드 모두 사실을 발행했습니다.
+# 이 점을 거듭 강조합니다.
 # 그다음 해결책을 묻고 모두 진지하게 받습니다.
 # 평균을 낸다, 더 나은 쪽을 따른다, 번갈아 쓴다.
-# 마지막 것은 tf2에서 저절로 일어나는 일입니다.
+# 마지막 것이 tf2에서 실제로 일어나는 일입니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87); robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23); hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67); [REP-105](https://ros.org/reps/rep-0105.html).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87), robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23), hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67), [REP-105](https://ros.org/reps/rep-0105.html).
+# *더 읽기:* lidar_slam_ros2 [86](https://github.com/rsasaki0109/lidar_slam_ros2/issues/86), [87](https://github.com/rsasaki0109/lidar_slam_ros2/pull/87), robot_localization [23](https://github.com/cra-ros-pkg/robot_localization/issues/23), hdl_localization [67](https://github.com/koide3/hdl_localization/issues/67), [REP-105](https://ros.org/reps/rep-0105.html).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -84,7 +84,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 로봇이 1분 동안 0.5 m/s로 방 안을 돌며 달립니다. 한쪽 바퀴가 로봇이 아는 것보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
+# 로봇이 1분 동안 0.5 m/s로 방 안을 돌며 달립니다. 한쪽 바퀴가 설정된 값보다 1 % 큽니다. 위치 추정 노드는 5초마다 벽을 보고 지도 위의 포즈를 바로잡습니다.
 #
 # 1. 최악의 경우 어느 포즈가 **더 많이 틀릴까요?** `odom` 기준일까요, `map` 기준일까요?
 # 2. 어느 포즈가 한 번에 **더 크게** 바뀔까요?
@@ -93,7 +93,7 @@ from tflab.workbook import lesson
 # Hands for both questions. The common answer is "map is better in both". It is half right.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 두 질문 모두 손을 들게 합니다. "둘 다 map이 낫다"가 기다리는 답입니다. 반만 맞습니다.
+# 두 질문 모두 손을 들게 합니다. 나올 법한 오답은 “둘 다 map이 낫다”입니다. 반만 맞습니다.
 
 # %% name="my-guess" slide="skip"
 farther_off, larger_steps = ..., ...  # "odom" or "map"
@@ -127,13 +127,13 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # The publisher has to keep this promise: an odometry that is corrected in one step jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
-# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 길(truth)이 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
+# *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
 #
-# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **흐른다**(drift)고 합니다.
+# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
 # - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
-# 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 이어지지만 흐를 수 있고, map은 흐르지 않지만 튈 수 있습니다.
-# 앞의 절반은 발행하는 노드가 지켜야 할 약속입니다. 오도메트리를 한꺼번에 바로잡으면 `odom` 기준 포즈도 튑니다.
+# 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 연속이지만 드리프트할 수 있고, map은 드리프트하지 않지만 튈 수 있습니다.
+# 이 약속의 첫 부분은 발행하는 노드가 지켜야 합니다. 오도메트리를 한꺼번에 바로잡으면 `odom` 기준 포즈도 튑니다.
 
 # %% [markdown] lang="en" name="three-pens-notes" slide="notes"
 # Point at one jump in the left picture and find it in both curves on the right.
@@ -143,13 +143,13 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="ko" name="three-pens-notes" slide="notes"
 # 왼쪽 그림에서 튀는 곳 하나를 짚고, 오른쪽 두 곡선에서 찾게 합니다.
 # 그다음 예측한 두 질문을 다시 묻습니다.
-# 같은 답을 두 번 써서 맞힌 사람은 없습니다.
+# 두 질문의 답은 서로 다릅니다.
 
 # %% [markdown] lang="en" name="speed-of-a-jump" slide="subslide"
 # Suppose a controller estimates the speed from the pose in `map`. What would it see?
 
 # %% [markdown] lang="ko" name="speed-of-a-jump" slide="subslide"
-# 제어기가 `map` 기준 포즈로 속도를 계산한다면 무엇을 보게 될까요?
+# 제어기가 `map` 기준 포즈로 속도를 계산하면 어떤 값이 나올까요?
 
 # %% name="speeds" slide="-"
 for name, track in {'map': in_map, 'odom': in_odom}.items():
@@ -163,9 +163,9 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 
 # %% [markdown] lang="ko" name="speeds-notes" slide="notes"
 # 제어기를 맞추어 본 사람에게 묻습니다.
-# 0.5 m/s로 달리는 로봇에서 2.4 m/s가 나오면 어떻게 합니까?
+# 0.5 m/s로 달리는 로봇에서 2.4 m/s가 나오면 제어기는 어떻게 합니까?
 # 제동을 겁니다.
-# 복도에서 로봇이 움찔하는 까닭입니다.
+# 복도에서 로봇이 덜컥거리는 까닭입니다.
 
 # %% [markdown] lang="en" name="speeds-seen"
 # A robot that drives half a metre per second seems to drive almost two and a half. A controller that brakes because of that makes the robot jerk.
@@ -200,15 +200,15 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # Note the rotation: 0.2 rad. The correction is not just a shift by the drift. It moves and rotates the whole of odom, about odom's own origin.
 
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
-# `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 건드리지 않습니다.
+# `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 바꾸지 않습니다.
 # 튄 것은 **`map` 기준의 `odom` 자체**이고, 그 아래에 매달린 것도 모두 함께 튑니다. 로봇도 마찬가지입니다.
-# 회전을 보세요. 0.2 rad입니다. 보정은 "틀어진 만큼 밀기"가 아닙니다. odom 전체를, odom의 원점을 중심으로 옮기고 돌립니다.
+# 회전을 살펴보세요. 0.2 rad입니다. 보정은 틀어진 만큼 미는 것만이 아닙니다. odom 전체를 이동시키고, odom의 원점을 중심으로 회전시킵니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # In 3D, seen from the map: move the slider, and watch the frame `odom`. It stands still, and then jumps.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 지도에서 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 보세요. 가만히 있다가 갑자기 튑니다.
+# 지도를 기준으로 본 3D 장면입니다. 슬라이더를 움직이며 odom 좌표계를 살펴보세요. 가만히 있다가 갑자기 튑니다.
 # *그림 읽기:* truth = 실제 경로, odom before = 바로잡기 전의 odom, time = 시각.
 
 # %% name="in-3d-scene" slide="skip"
@@ -239,7 +239,7 @@ lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye
 # %% [markdown] lang="ko" name="the-sum" slide="slide"
 # ## 위치 추정 노드가 발행하는 것
 #
-# 노드는 지도 위 로봇의 위치 `map_T_base`를 측정합니다. TF는 바퀴에서 온 `odom_T_base`를 압니다.
+# 노드는 지도 위 로봇의 포즈 `map_T_base`를 측정합니다. TF에는 오도메트리의 `odom_T_base`가 있습니다.
 # 둘 사이에 빠진 조각이 필요합니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
 
 # %% name="dominoes" slide="-"
@@ -259,7 +259,7 @@ print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {po
 # Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the odometry's pose is a tenth of a second older, in a curve. How far off is `map → odom`?
 
 # %% [markdown] lang="ko" name="same-moment" slide="subslide"
-# 두 포즈는 **같은 시각**의 것이어야 합니다. 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 굽은 길에서 바퀴의 포즈가 0.1초 오래되었다면 `map → odom`은 얼마나 틀릴까요?
+# 두 포즈는 **같은 시각**의 것이어야 합니다. 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 굽은 길에서 오도메트리 포즈가 0.1초 이전의 것이라면 `map → odom`은 얼마나 틀릴까요?
 
 # %% name="another-moment" tags=["predicted"]
 late = map_to_odom(pose('map', 'base_footprint', 31.0), pose('odom', 'base_footprint', 30.9))
@@ -272,7 +272,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # A well-known estimator fixed exactly this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
-# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 돌아갑니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
+# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 회전합니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
 # 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="en" name="same-moment-notes" slide="notes"
@@ -283,7 +283,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
 # 0.1초에 0.33 m입니다.
 # 이유를 말하기 전에 그리게 합니다.
-# 로봇을 몇 도 돌리면 3 m 떨어진 점은 어떻게 될까요?
+# 로봇을 3° 회전시키면 3 m 떨어진 점은 어떻게 될까요?
 # 측정 시각도 식의 일부입니다.
 
 # %% [markdown] lang="en" name="what-where" slide="slide"
@@ -323,11 +323,11 @@ for later in (20.0, 50.0):
 # %% [markdown] lang="ko" name="what-where-seen" tags=["predicted"]
 # | 두는 곳 | 무엇을 | 이유 |
 # |---|---|---|
-# | `odom` | 방금 본 것, 다음 0.5 m, 속도 | 매끄럽고, 새 숫자는 아직 흐르지 않았습니다 |
-# | `map` | 목적지, 방, 내일 갈 충전대 | 흐르지 않습니다 |
+# | `odom` | 방금 본 것, 다음 0.5 m, 속도 | 끊김이 없고, 아직 드리프트가 쌓이지 않았습니다 |
+# | `map` | 목적지, 방, 내일 갈 충전대 | 드리프트하지 않습니다 |
 # | `base_link` | 로봇에 고정된 것 | 함께 움직입니다 |
 #
-# "odom은 흐르니까 틀렸다"고 하면 매끄러운 쪽을 잃고, "map이 더 낫다"고 하면 덜컥거립니다.
+# “odom은 드리프트하니까 틀렸다”며 버리면 끊김 없는 포즈를 잃고, “map이 더 낫다”며 제어에 쓰면 로봇이 덜컥거립니다.
 
 # %% [markdown] lang="en" name="what-where-notes" slide="notes"
 # Let the class fill the table before you scroll to it: call out an item, and they call back a frame.
@@ -336,10 +336,10 @@ for later in (20.0, 50.0):
 
 # %% [markdown] lang="ko" name="what-where-notes" slide="notes"
 # 표를 보여 주기 전에 채우게 합니다.
-# 일을 부르면 좌표계로 답합니다.
+# 물건을 하나씩 부르면 좌표계로 답합니다.
 # 충전대, 다음 0.5 m, 레이저의 나사, 목적지.
-# 의견이 갈리면 멈춥니다.
-# 장애물에서 한 번 갈립니다.
+# 의견이 갈리면 멈추고 이유를 묻습니다.
+# 장애물에서는 대개 의견이 갈립니다.
 
 # %% [markdown] lang="en" name="footprint" slide="slide"
 # ## base_footprint: the robot's projection onto the floor
@@ -348,9 +348,9 @@ for later in (20.0, 50.0):
 # The nose goes up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
 
 # %% [markdown] lang="ko" name="footprint" slide="slide"
-# ## base_footprint: 바닥에 비친 로봇
+# ## base_footprint: 바닥에 투영한 로봇
 #
-# `base_link`는 몸체에 붙어 있어 높이가 있고, 경사로에서 기울어집니다. [[base_footprint|`base_footprint`]]는 바닥에 비친 그림자입니다. x, y, yaw만 있습니다.
+# `base_link`는 몸체에 붙어 있어 높이가 있고, 경사로에서 기울어집니다. [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 # 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에서 본 것은 바닥에서 어디일까요?
 
 # %% name="nose-up"
@@ -376,10 +376,10 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # Then the question for a real robot: which of the two frames does your odometry publish?
 
 # %% [markdown] lang="ko" name="footprint-notes" slide="notes"
-# 책 위에 펜을 올리고 기울입니다.
+# 책 위에 펜을 올리고 책을 기울입니다.
 # 펜 끝은 책상에서 얼마나 위에 있습니까?
 # 그다음 실제 로봇으로 묻습니다.
-# 여러분의 바퀴는 두 좌표계 가운데 어느 것을 발행합니까?
+# 여러분의 로봇에서 오도메트리 노드는 두 좌표계 가운데 어느 것을 발행합니까?
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -398,9 +398,9 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 써 보세요
+# ### 빈칸을 채워 보세요
 #
-# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔의 측정 시각에 대한 `map_T_laser`를 돌려줍니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔의 측정 시각에 대한 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
@@ -424,10 +424,10 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 사실을 그대로 발행하기
 #
-# 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 연결은 끄고, 다른 노드가 `map` 기준 로봇의 위치를 1초에 열 번 발행합니다.
-# 수신기는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 묻습니다.
+# 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 발행은 끄고, 다른 노드가 `map` 기준 로봇의 포즈를 1초에 열 번 발행합니다.
+# 프로그램은 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
 #
-# **예측해 봅시다.** *둘 다* 답이 나오는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
+# **예측해 봅시다.** *둘 다* 값이 나오는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
 
 # %% name="eager-robot" slide="skip"
 import rclpy
@@ -485,8 +485,8 @@ print(answered)
 # If you look up at the wrong time, you get:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
-# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 이어져 있고, 둘 다에 이어진 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
-# 하필 다른 쪽에 이어져 있을 때 조회하면 이런 오류가 나옵니다.
+# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 다른 쪽에 연결되어 있을 때 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
 # Read the three numbers slowly: half, half, zero.
@@ -497,7 +497,7 @@ print(answered)
 # 세 숫자를 천천히 읽습니다.
 # 절반, 절반, 0입니다.
 # 첫 슬라이드의 제안을 다시 꺼냅니다.
-# 번갈아 쓰면 이런 값을 치릅니다.
+# 번갈아 쓴 결과가 이것입니다.
 # 오류는 하나도 나지 않았습니다.
 
 # %% name="wrong-half"
@@ -513,7 +513,7 @@ for _ in range(10):
 # The tree shows it clearly once it lists the publisher of each transform:
 
 # %% [markdown] lang="ko" name="tree-of-it"
-# 트리에서 모양뿐 아니라 발행 책임까지 보면 분명해집니다.
+# 트리에서 모양뿐 아니라 발행자까지 보면 분명해집니다.
 
 # %% name="owners" slide="subslide"
 lesson.frame_tree(graph, seconds=1.0)
@@ -567,18 +567,18 @@ lesson.frame_tree(graph, seconds=1.0)
 # 로봇이 앞바닥의 선을 따라갑니다. 제어기는 1초에 서른 번 자기 포즈를 읽습니다. 어느 좌표계 기준이어야 합니까?
 #
 # 1. `map`: 정확하기 때문입니다.
-# 2. `odom`: 매끄럽기 때문입니다.
+# 2. `odom`: 끊김 없이 변하기 때문입니다.
 # 3. `base_link`: 그 기준으로 로봇은 늘 (0, 0, 0)에 있기 때문입니다.
 # 4. 그때그때 얻을 수 있는 것.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 떠밀렸다고 받아들입니다. 다음 0.5 m를 갈 때는 방이 어디에 있는지가 중요하지 않습니다.
+# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 실제로 움직인 것으로 처리합니다. 다음 0.5 m를 갈 때는 방이 어디에 있는지가 중요하지 않습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. `odom` 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 0.5 m 동안에는 문제가 될 만큼 흐르지 않습니다.
+# 맞습니다. `odom` 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 0.5 m 동안에는 문제가 될 만큼 드리프트가 쌓이지 않습니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -607,9 +607,9 @@ lesson.frame_tree(graph, seconds=1.0)
 # ## 실제 로봇에서
 #
 # ```
-# ros2 run tf2_ros tf2_echo map odom               # 가만히 있다가 한 걸음 튑니다
-# ros2 run tf2_ros tf2_echo odom base_footprint    # 매끄럽게 이어지고 조금씩 어긋납니다
-# ros2 param get /amcl tf_broadcast                # map -> odom의 발행 책임
+# ros2 run tf2_ros tf2_echo map odom               # 가만히 있다가 한 번에 튑니다
+# ros2 run tf2_ros tf2_echo odom base_footprint    # 끊김 없이 변하고 오차가 조금씩 쌓입니다
+# ros2 param get /amcl tf_broadcast                # map -> odom을 발행하는지
 # ```
 #
 # Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
@@ -631,11 +631,11 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[odom|`odom`]]은 매끄럽고 흐릅니다. [[map|`map`]]은 흐르지 않고 튑니다. 저마다 잘하는 일에 씁니다.
-# - 보정은 `map` 기준의 `odom`을 옮기고 돌립니다. 오도메트리 자체는 건드리지 않습니다.
+# - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
+# - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리 자체는 바뀌지 않습니다.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 둘은 같은 시각의 것입니다.
-# - 좌표계의 부모는 하나입니다. 바퀴가 발행하는데 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
-# - [[base_footprint|`base_footprint`]]는 바닥에 비친 그림자입니다. x, y, yaw만 있습니다.
+# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 발행하는데 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
+# - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
@@ -656,14 +656,14 @@ rclpy.shutdown()
 # ### 앞 장 복습: 세 문제
 #
 # 1. `map` 기준 (6.5, −1.5)는 내일도 쓸 수 있는데, `base_link` 기준 3.60 m는 왜 메시지를 받은 순간 이미 맞지 않습니까?
-# 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 무엇이라고 하며, 트리는 어떻게 됩니까?
-# 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결을 뒤집은 곱으로 쓰면 무엇입니까?
+# 2. 다른 노드가 `base_link`를 `map` 아래에도 매답니다. tf2는 오류를 냅니까? 트리는 어떻게 됩니까?
+# 3. `(map_T_odom @ odom_T_base).inverse()`를, 발행된 두 연결의 역변환의 곱으로 쓰면 무엇입니까?
 #
 # <details><summary>답</summary>
 #
 # 1. 가만히 있는 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다. 로봇은 그사이 달렸습니다.
-# 2. 아무 말도 하지 않습니다. 변환을 보낼 때는 규칙을 확인하지 않습니다. 자식은 마지막에 보낸 쪽으로 옮겨 갑니다(04장).
-# 3. `base_T_odom @ odom_T_map`입니다. 순서도 뒤집힙니다.
+# 2. 오류를 내지 않습니다. 변환을 발행할 때는 규칙을 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
+# 3. `base_T_odom @ odom_T_map`입니다. 곱의 순서도 바뀝니다.
 #
 # </details>
 
@@ -700,10 +700,10 @@ rclpy.shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] `odom → base_link`는 오도메트리에서 옵니다. 이어지고 짧은 시간에는 정확하지만, 한없이 흐릅니다.
+# - [ ] `odom → base_link`는 오도메트리에서 옵니다. 연속이고 짧은 시간에는 정확하지만, 드리프트가 한없이 쌓입니다.
 # - [ ] `map`은 오랫동안 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
 # - [ ] 제어와 최근 몇 초의 장애물은 `odom`에, 목적지는 `map`에 둡니다.
-# - [ ] 한 좌표계가 이어지면서 흐르지도 않을 수는 없으므로 둘입니다.
+# - [ ] 한 좌표계가 연속이면서 드리프트하지 않을 수는 없으므로 둘입니다.
 # - [ ] `base_link`는 로봇에 고정되어 있고, 센서가 그 아래에 있습니다.
 #
 # </details>
@@ -712,9 +712,9 @@ rclpy.shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 좌표계의 부모는 하나이고, `base_link`는 바퀴 노드가 이미 `odom` 아래에 두었습니다.
+# - [ ] 좌표계의 부모는 하나이고, `base_link`는 바퀴 오도메트리 노드가 이미 `odom` 아래에 두었습니다.
 # - [ ] 부모가 둘이어도 오류는 나지 않습니다. 트리가 번갈아 바뀝니다.
-# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 사슬이 모두 남습니다.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()`에 보정이 담기고, 두 연결이 모두 남습니다.
 # - [ ] 이 곱의 두 포즈는 같은 시각의 것입니다.
 #
 # </details>
@@ -733,11 +733,11 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > 위치 추정 노드가 `map` 기준 로봇의 위치가 20 cm 틀렸음을 알아냈습니다. 어느 연결이 바뀌고, 무엇의 숫자가 그대로이며, 누가 알아채지 말아야 합니까?
+# > 위치 추정 노드가 `map` 기준 로봇의 위치가 20 cm 틀렸음을 알아냈습니다. 어느 연결이 바뀌고, 무엇의 숫자가 그대로이며, 어느 노드는 영향을 받지 않아야 합니까?
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `map → odom`이 바뀝니다. `odom → base_link`와 장착 변환은 그대로입니다. `odom` 기준으로 움직이는 제어기는 알아채지 말아야 합니다.
+# `map → odom`이 바뀝니다. `odom → base_link`와 장착 변환은 그대로입니다. `odom` 기준으로 움직이는 제어기는 영향을 받지 않아야 합니다.
 #
 # </details>
 
@@ -747,13 +747,13 @@ rclpy.shutdown()
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분입니다.
-# 오도메트리를 바로잡는다고 쓴 사람은 처음 생각을 아직 버리지 못한 것입니다.
-# 버린 사람과 짝을 지어 줍니다.
+# 오도메트리를 바로잡는다고 쓴 사람은 첫 생각 그대로입니다.
+# `map → odom`이라고 쓴 사람과 짝을 지어 줍니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
 # After a pass, or three tries, `solution("E5.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고, 누가 얼마나 자주 위치를 알리는지 묻는 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다. 어느 변환을 한 번만 발행하고, 어느 변환을 계속 발행할지 배웁니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
