@@ -11,14 +11,14 @@
 # - find out that a robot slides sideways although RViz shows a perfect circle.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 06 · 한 번만 알릴까요, 계속 알릴까요?
+# # 06 · 정적 변환과 동적 변환
 #
-# **정적 변환과 동적 변환** · 약 60분 · 03, 04장을 바탕으로 합니다
+# **한 번만 발행할까요, 계속 발행할까요?** · 약 60분 · 03, 04장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - 연결마다 `/tf_static`과 `/tf` 가운데 어디에 발행할지 정하고, 잘못 골랐을 때 무엇을 잃는지 설명할 수 있습니다.
-# - 늦게 온 수신기가 무엇을 아는지, 발행자가 멈추면 무엇이 남는지 설명할 수 있습니다.
+# - 나중에 참가한 수신기가 무엇을 받는지, 발행자가 멈추면 무엇이 남는지 설명할 수 있습니다.
 # - [[static transform|정적 변환(static transform)]]을 명령줄에서 발행하고, 두 종류를 모두 파이썬으로 발행할 수 있습니다.
 # - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아낼 수 있습니다.
 
@@ -26,7 +26,7 @@
 # Two pictures are enough for this chapter: a notice board and a radio. Ask: how do you tell a class something that never changes, if people come in late? And something that changes all the time?
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 시간은 그림 두 개로 끌고 갑니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 늦게 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
+# 이 시간은 그림 두 개로 끌고 갑니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 나중에 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -45,13 +45,13 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 카메라 네 대, 그리고 남은 한 대
 #
-# 어느 프로그램이 방에 고정한 카메라의 위치를 하나씩 알아내어, 알아내는 대로 발행합니다. RViz에는 모두 보입니다.
+# 어느 프로그램이 방에 고정한 카메라의 위치를 하나씩 구해, 구하는 대로 발행합니다. RViz에는 모두 보입니다.
 # 그런데 RViz를 닫았다가 다시 열면 카메라가 **한 대만** 남아 있습니다(Ikerlan-KER/extrinsic_calibrator, 2025년).
 #
 # 좌표계 100개를 반복문으로 보낸 사람도 같은 일을 겪었고, 그 때문에 라이브러리 자체가 바뀌었습니다(ros2/geometry2, 2023년).
-# 반대로 안심하지 못한 드라이버도 있습니다. RViz가 오래된 값이라고 할까 봐, 고정된 레이저의 위치를 1초에 110번쯤 보냈습니다(ouster-ros, 2023년).
+# 반대로 너무 자주 보낸 드라이버도 있습니다. RViz가 값이 오래되었다고 표시할까 봐, 고정된 레이저의 장착 변환을 1초에 110번쯤 보냈습니다(ouster-ros, 2023년).
 #
-# 하나는 너무 적게 알렸고, 하나는 쉬지 않고 알렸습니다. 이 장은 그 사이를 다룹니다.
+# 하나는 한 번 보내고 말았고, 하나는 쉬지 않고 보냈습니다. 이 장은 무엇을 얼마나 자주 발행할지 다룹니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask who has closed RViz and opened it again because something was missing.
@@ -68,7 +68,7 @@ from tflab.workbook import lesson
 # *Read the reports:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2); geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634); ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2), geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634), ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
+# *더 읽기:* extrinsic_calibrator [1](https://github.com/Ikerlan-KER/extrinsic_calibrator/issues/1), [2](https://github.com/Ikerlan-KER/extrinsic_calibrator/pull/2), geometry2 [585](https://github.com/ros2/geometry2/issues/585), [634](https://github.com/ros2/geometry2/pull/634), ouster-ros [105](https://github.com/ouster-lidar/ouster-ros/issues/105).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -81,10 +81,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 1. 카메라 네 대를 `/tf_static`에 메시지 하나씩 따로 보냈습니다. 그 뒤에 연 RViz는 **몇 대**를 알까요? 한 대도 모를까요, 한 대일까요, 네 대일까요?
-# 2. 프로그램을 Ctrl-C로 멈춥니다. 카메라 위치를 **누가** 아직 알까요? 모두일까요, 아무도 모를까요, 이미 받은 쪽만일까요?
-# 3. 리프트가 2초 동안 0.5 m까지 올라가며 높이를 알리다가 3초에 발행을 멈춥니다. 높이는 그대로입니다. 5초의 높이를 조회하면 **무엇**이 돌아올까요?
-# 4. 강의 자료의 로봇이 원을 그리며 달립니다. 로봇에 앉은 사람이 보기에 **어느 쪽**으로 갈까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
+# 1. 카메라 네 대의 변환을 `/tf_static`에 메시지 하나씩 따로 보냈습니다. 그 뒤에 연 RViz는 카메라 **몇 대**의 변환을 받을까요? 0대일까요, 한 대일까요, 네 대일까요?
+# 2. 프로그램을 Ctrl-C로 멈춥니다. 카메라의 변환이 **어디에** 아직 남아 있을까요? 모든 노드일까요, 어디에도 없을까요, 이미 받은 노드뿐일까요?
+# 3. 리프트가 2초 동안 0.5 m까지 올라가며 높이를 발행하다가 3초에 발행을 멈춥니다. 높이는 그대로입니다. 5초의 높이를 조회하면 **어떤 결과**가 나올까요?
+# 4. 강의의 로봇이 원을 그리며 달립니다. 로봇을 기준으로 **어느 쪽**으로 움직일까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Four shows of hands. Write the numbers on the board and leave them there: you need each of them again. To 4 nearly everybody says forward.
@@ -108,10 +108,10 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 # %% [markdown] lang="ko" name="board" slide="slide"
 # ## 게시판
 #
-# 고정된 것은 움직이지 않으므로 메시지 하나로 충분합니다. 늦게 오는 쪽을 위해 남겨 두기만 하면 됩니다.
-# `/tf_static`이 바로 그런 토픽입니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
+# 고정된 것은 움직이지 않으므로 메시지 하나로 충분합니다. 나중에 참가하는 수신기를 위해 남겨 두기만 하면 됩니다.
+# `/tf_static`이 바로 그런 토픽입니다. 이 책에서는 이것을 게시판에 비유합니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
 #
-# 게시판은 메시지를 어떻게 전할지에 관한 약속, 곧 [[qos|서비스 품질(QoS)]]의 하나입니다. 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 몇 개까지 붙어 있는지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
+# 게시판은 메시지를 어떻게 전달할지에 관한 설정, 곧 [[qos|서비스 품질(QoS)]]의 하나입니다. 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 몇 개까지 붙어 있는지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
 #
 # 다음은 이야기 속의 프로그램과, 수신기로 참가하는 함수입니다.
 
@@ -163,8 +163,8 @@ def listen(name):
 # (`graph` is this page's simulation; `graph.run` lets simulated time pass.)
 
 # %% [markdown] lang="ko" name="early-and-late"
-# `early`는 프로그램보다 먼저 와 있고, `late`는 네 개를 모두 보낸 뒤에 옵니다.
-# (`graph`는 이 페이지 안의 작은 ROS 2 세계이고, `graph.run`은 가상 시간을 흐르게 합니다.)
+# `early`는 프로그램보다 먼저 참가해 있고, `late`는 네 개를 모두 보낸 뒤에 참가합니다.
+# (`graph`는 이 페이지 안에 있는 가상의 ROS 2 환경이고, `graph.run`은 가상 시간을 흐르게 합니다.)
 
 # %% name="two-listeners" tags=["predicted"] slide="fragment"
 graph = lesson.new_graph()
@@ -183,9 +183,9 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # The same as a picture. A circle is a message; it is filled if the listener received it. The strip is the board, and what it holds.
 
 # %% [markdown] lang="ko" name="two-listeners-seen" tags=["predicted"]
-# `early`는 카메라 네 대를, `late`는 **한 대**를 압니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
+# `early`는 카메라 네 대를, `late`는 **한 대**를 받았습니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
 #
-# *그림 읽기:* 동그라미는 메시지이고, 채워진 것은 수신기가 받은 것입니다. 띠는 게시판이고 stored는 거기에 붙어 있는 것입니다. join = 참가한 시각, listener knows = 수신기가 아는 것, time = 시각.
+# *그림 읽기:* 동그라미는 메시지이고, 채워진 것은 수신기가 받은 것입니다. 띠는 게시판이고 stored는 거기에 붙어 있는 것입니다. join = 참가한 시각, listener knows = 수신기가 받은 것, time = 시각.
 
 # %% [markdown] lang="en" name="two-listeners-notes" slide="notes"
 # Do it with paper: four notes, one nail.
@@ -199,7 +199,7 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # 새 쪽지는 앞의 것 위에 겁니다.
 # 지금 들어온 사람은 한 장을 읽습니다.
 # 0도 4도 아닙니다.
-# 양쪽 모두 저마다 틀렸습니다.
+# 0이라고 한 사람도 4라고 한 사람도 이유를 확인합니다.
 
 # %% name="late-join" tags=["predicted"] slide="-"
 letters = tuple(lesson.Letter(1.5 + 0.25 * i, (f'camera_{i + 1}',)) for i in range(4))
@@ -248,15 +248,15 @@ print(later.all_frames_as_string())
 # %% [markdown] lang="ko" name="in-a-loop"
 # <details><summary>더 깊이: 반복문에서 sendTransform을 호출하면?</summary>
 #
-# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때입니다.
+# 배포판에 따라 다릅니다. 발행기 하나로 `camera_1`, `camera_2` …를 하나씩 보낼 때의 결과입니다.
 #
-# | ROS 2, 파이썬 | 늦게 온 수신기가 아는 것 | 같은 자식을 다시 보내면 |
+# | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
 # |---|---|---|
 # | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
 # | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
 # | Rolling, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
-# 리스트 하나를 한 번에 보내는 방법은 어디서나 맞습니다. Jazzy에서 장착 위치를 다시 쟀다면 발행기를 새로 만들어야 합니다.
+# 리스트 하나를 한 번에 보내는 방법은 어디서나 맞습니다. Jazzy에서 장착 변환을 다시 쟀다면 발행기를 새로 만들어야 합니다.
 #
 # </details>
 
@@ -268,7 +268,7 @@ print(later.all_frames_as_string())
 # %% [markdown] lang="ko" name="who-holds-it" slide="slide"
 # ## 게시판은 발행자에게 달려 있습니다
 #
-# 이제 프로그램을 Ctrl-C처럼 멈춥니다. `later`는 카메라 위치를 이미 받았고, `newcomer`는 멈춘 뒤에 옵니다.
+# 이제 프로그램을 Ctrl-C처럼 멈춥니다. `later`는 카메라의 변환을 이미 받았고, `newcomer`는 멈춘 뒤에 참가합니다.
 
 # %% name="ctrl-c" tags=["predicted"] slide="fragment"
 graph.stop(calibrating)
@@ -290,12 +290,12 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # And this is what `newcomer` raises if you look up a camera:
 
 # %% [markdown] lang="ko" name="ctrl-c-seen" tags=["predicted"]
-# 정적 변환을 "ROS가" 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
-# 이미 받은 수신기는 계속 압니다. 1000초의 변환을 조회해도 답합니다. 나중에 온 수신기는 아무것도 받지 못합니다.
+# 정적 변환을 “ROS가” 어딘가에 저장해 두는 것이 아닙니다. 게시판은 발행자의 프로세스 안에 있고, 프로세스가 끝나면 함께 사라집니다. `Publisher count: 0`이 그 뜻입니다.
+# 이미 받은 수신기에는 변환이 남아 있습니다. 1000초의 변환을 조회해도 값이 나옵니다. 나중에 참가한 수신기는 아무것도 받지 못합니다.
 #
-# 그래서 정적 변환의 발행자는 계속 살아 있어야 합니다. 강의 자료의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. "늦게 온 구독자도 받는다"는 말은 발행자가 살아 있는 동안에만 맞습니다.
+# 그래서 정적 변환의 발행자는 계속 실행되고 있어야 합니다. 강의의 노드가 메시지 하나를 보낸 뒤에 `spin`만 하는 것도 이 때문입니다. “나중에 참가한 구독자도 받는다”는 말은 발행자가 실행 중인 동안에만 맞습니다.
 #
-# 아무것도 받지 못한 `newcomer`에게 카메라의 위치를 조회하면 다음 오류가 납니다.
+# 아무것도 받지 못한 `newcomer`에서 카메라의 변환을 조회하면 다음 오류가 납니다.
 
 # %% [markdown] lang="en" name="ctrl-c-notes" slide="notes"
 # Take the board off the wall and carry it out with you.
@@ -304,7 +304,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="ko" name="ctrl-c-notes" slide="notes"
 # 게시판을 벽에서 떼어 들고 나갑니다.
-# 읽은 사람은 알고, 지금 들어온 사람은 빈 벽을 봅니다. launch 파일의 정적 발행자가 죽으면 어떻게 될지 묻습니다.
+# 이미 읽은 사람은 내용을 알고, 지금 들어온 사람은 빈 벽을 봅니다. launch 파일의 정적 발행자가 종료되면 어떻게 될지 묻습니다.
 
 # %% name="a-newcomer-asks" slide="-"
 try:
@@ -321,12 +321,12 @@ except TransformException as error:
 # **Predict:** the listener exists *before* the driver sends. Does it receive the message?
 
 # %% [markdown] lang="ko" name="volatile" slide="slide"
-# ## 양쪽 모두 게시판을 원해야 합니다
+# ## 발행자와 수신기 모두 게시판을 설정해야 합니다
 #
-# 어느 드라이버가 장착 위치를 `/tf_static`에 평범한 발행기로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
+# 어느 드라이버가 장착 변환을 `/tf_static`에 평범한 퍼블리셔로 보냅니다. `create_publisher(TFMessage, '/tf_static', 1)`입니다.
 # 지속성은 기본값인 VOLATILE이라 게시판이 없습니다. 그런데 tf2의 수신기는 게시판을 요구합니다.
 #
-# **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 와 있습니다. 메시지를 받을까요?
+# **예측해 봅시다.** 수신기는 드라이버가 보내기 *전부터* 참가해 있습니다. 메시지를 받을까요?
 
 # %% name="a-volatile-driver" tags=["predicted"] slide="fragment"
 def driver():
@@ -355,15 +355,15 @@ print('early knows:', early.all_frames_as_string().splitlines())
 # - For which timeline does it not matter when you join? For which one does the board not matter?
 
 # %% [markdown] lang="ko" name="volatile-seen" tags=["predicted"]
-# 좌표계를 하나도 받지 못했습니다. 제공하는 것이 요구하는 것보다 적어서 둘은 아예 연결되지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 경고는 화면 위로 지나갑니다.
-# 나중에 만나는 오류에는 좌표계가 없다고만 나옵니다. 이 경고부터 찾아보세요.
+# 좌표계를 하나도 받지 못했습니다. 발행자가 제공하는 지속성이 수신기가 요구하는 것보다 낮아서 통신이 아예 성립하지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 그 경고는 화면 위로 밀려 올라갑니다.
+# 나중에 나는 오류에는 좌표계가 없다고만 나옵니다. 이 경고부터 찾으십시오.
 #
-# 이제 직접 해 볼 차례입니다. 참여 시각을 왼쪽에서 오른쪽으로 끌며 수신기가 아는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
+# 이제 직접 해 볼 차례입니다. 참가 시각을 왼쪽에서 오른쪽으로 끌며 수신기가 받는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
 #
 # - 첫 줄의 카메라 네 대는 언제 하나씩 사라질까요?
-# - 언제 와도 결과가 같은 줄은 어느 것일까요? 게시판과 상관없는 줄은 어느 것일까요?
+# - 언제 참가해도 결과가 같은 줄은 어느 것일까요? 게시판과 상관없는 줄은 어느 것일까요?
 #
-# *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, join = 참여 시각, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
+# *그림 읽기:* calibrator = 하나씩 보내는 발행자(×에서 끝남), all_in_one = 한 번에 보내는 발행자, driver = 게시판이 없는 발행자, wheels = `/tf`로 계속 보내는 발행자, join = 참가 시각, durability = 지속성, incompatible QoS = 서비스 품질이 맞지 않음.
 
 # %% [markdown] lang="en" name="volatile-notes" slide="notes"
 # The warning is the only hint, and it is printed once.
@@ -400,9 +400,9 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="ko" name="come-later-answers" slide="fragment"
 # <details><summary>답</summary>
 #
-# *다음* 메시지보다 늦게 오면 그 카메라는 모릅니다. 1.75초, 2.0초, 2.25초이고, 마지막 카메라는 프로세스가 끝나는 4.5초에 사라집니다.
-# `all_in_one`은 게시판을 요구하기만 하면 언제 와도 같습니다. `wheels`에는 게시판이 없습니다. 지금부터 보내는 것만 받지만, 계속 보내므로 그것으로 충분합니다.
-# VOLATILE을 고르면 드라이버의 메시지도 받습니다. 다만 보내기 전에 와 있어야 합니다.
+# *다음* 메시지가 나온 뒤에 참가하면 그 카메라의 변환은 받지 못합니다. 1.75초, 2.0초, 2.25초이고, 마지막 카메라는 프로세스가 끝나는 4.5초에 사라집니다.
+# `all_in_one`은 게시판을 요구하기만 하면 언제 참가해도 같습니다. `wheels`에는 게시판이 없습니다. 참가한 뒤에 나오는 메시지만 받지만, 계속 나오므로 그것으로 충분합니다.
+# VOLATILE을 고르면 드라이버의 메시지도 받습니다. 다만 보내기 전에 참가해 있어야 합니다.
 #
 # </details>
 
@@ -414,7 +414,7 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="ko" name="command-line" slide="slide"
 # ## 명령줄에서 게시판 만들기
 #
-# 장착 위치 하나 때문에 프로그램을 쓸 필요는 없습니다. 강의 자료의 명령입니다. `base_link`에서 앞으로 0.20 m, 위로 0.15 m입니다.
+# 장착 변환 하나 때문에 프로그램을 쓸 필요는 없습니다. 강의의 명령입니다. `base_link`에서 앞으로 0.20 m, 위로 0.15 m입니다.
 
 # %% name="static-by-command" slide="-"
 graph = lesson.new_graph()
@@ -432,7 +432,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="break-command" slide="slide"
 # ## 일부러 고장 내기: 명령줄
 #
-# 0.2 m 앞에 30° 돌려서 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
+# 0.2 m 앞에 30° 회전시켜 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
 
 # %% name="thirty" tags=["predicted"] slide="fragment"
 # %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
@@ -453,8 +453,8 @@ graph = lesson.new_graph()
 # </details>
 
 # %% [markdown] lang="ko" name="break-command-seen" tags=["predicted"]
-# - `--yaw 30`은 아무 말 없이 받아들여집니다. 30 **라디안**, 곧 네 바퀴하고 조금 더입니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
-# - `--x=0.2`는 다른 프로그램에서라면 맞는 모양입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
+# - `--yaw 30`은 오류 없이 받아들여집니다. 30 **라디안**, 곧 네 번 회전하고도 279°를 더 회전합니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
+# - `--x=0.2`는 다른 프로그램에서라면 맞는 표기입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
 # - 회전은 각도와 쿼터니언 가운데 하나로만 적습니다. `--yaw`와 `--qz`를 함께 쓰면 `Cannot specify both quaternion and Euler rotations`라고 나옵니다.
 #
 # <details><summary>더 깊이: 예전의 순서</summary>
@@ -471,15 +471,15 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="break-command-notes" slide="notes"
 # 하나씩 손을 들게 합니다.
 # 오류가 날까요?
-# 조용히 지나간 쪽이 카메라를 네 바퀴 남짓 돌렸습니다.
-# 도로 생각하는 것은 가장 끈질긴 버릇입니다.
-# 오늘은 yaw를 말할 때마다 라디안을 붙입니다.
+# 오류 없이 지나간 쪽이 카메라를 네 번 넘게 회전시켰습니다.
+# 라디안 자리에 도를 쓰는 것은 잘 고쳐지지 않는 버릇입니다.
+# 이 시간에는 yaw를 말할 때마다 라디안을 붙입니다.
 
 # %% [markdown] lang="en" name="echo-once" slide="subslide"
 # A second publisher is active now, and you want to see both. The first command that everybody types is the lecture's `topic echo --once`. Try it, and then let it run for a second.
 
 # %% [markdown] lang="ko" name="echo-once" slide="subslide"
-# 지금 발행자는 둘이고, 둘 다 보고 싶습니다. 누구나 강의 자료의 `topic echo --once`부터 칩니다. 먼저 해 보고, 그다음에는 1초 동안 들어 보세요.
+# 지금 정적 변환의 발행자는 둘이고, 둘 다 보고 싶습니다. 흔히 강의의 `topic echo --once`부터 입력합니다. 먼저 해 보고, 그다음에는 1초 동안 받아 보세요.
 
 # %% name="echo-one-board" tags=["predicted"] slide="-"
 # %ros2 topic echo /tf_static --once --flow-style
@@ -546,7 +546,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="static-node" slide="slide"
 # ### 파이썬으로 하는 같은 일
 #
-# <details><summary>강의 자료의 노드 전체: <code>static_sensor_broadcaster.py</code>로 저장하세요</summary>
+# <details><summary>강의의 노드 전체: <code>static_sensor_broadcaster.py</code>로 저장해 보세요</summary>
 #
 # ```python
 # # tf_lab_py/static_sensor_broadcaster.py
@@ -595,7 +595,7 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 위치는 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서를 두 곳에서 발행하지는 마십시오.
+# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서를 두 곳에서 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
@@ -606,9 +606,9 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="radio" slide="slide"
 # ## 라디오
 #
-# 움직이는 것은 `/tf`로 계속 알립니다. 메시지마다 그 값이 맞는 시각이 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 게시판은 없습니다. 늦게 온 수신기는 다음 메시지를 기다리면 됩니다. 0.05초입니다.
+# 움직이는 것은 `/tf`로 계속 발행합니다. 메시지마다 그 값이 맞는 시각이 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 라디오 방송처럼, 보관되는 것이 없습니다. 나중에 참가한 수신기는 다음 메시지를 기다리면 됩니다. 0.05초입니다.
 #
-# 강의 자료의 로봇이 1초에 스무 번 위치를 알리며 원을 그립니다. (파일 전체는 아래에 접어 두었습니다.)
+# 강의의 로봇이 1초에 스무 번 포즈를 발행하며 원을 그립니다. (파일 전체는 아래에 접어 두었습니다.)
 
 # %% name="moving-robot"
 class MovingRobotBroadcaster(Node):
@@ -644,9 +644,9 @@ lesson.frame_tree(graph, seconds=1.0)
 # And this is what the listener keeps: of `/tf` the last ten seconds, each [[sample]] at its stamp; of `/tf_static` one value, valid at all times.
 
 # %% [markdown] lang="ko" name="radio-seen"
-# *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행 책임. 연결마다 발행 책임은 하나입니다.
+# *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행자. 연결마다 발행자는 하나입니다.
 #
-# 다음은 수신기가 보관하는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 줄에 값이 있는 구간. 맨 아래는 요청 시각에 조회한 결과입니다.
+# 다음은 수신기의 버퍼에 있는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간. 맨 아래는 요청 시각에 조회한 결과입니다.
 
 # %% name="radio-history" slide="subslide"
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
@@ -658,9 +658,9 @@ lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5)
 # (`BufferCore` is what a listener fills; here we fill it ourselves.)
 
 # %% [markdown] lang="ko" name="lift" slide="slide"
-# ## 조용하다고 멈춰 있는 것은 아닙니다
+# ## 메시지가 없다고 멈춰 있는 것은 아닙니다
 #
-# 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 알립니다. 그런 다음 멈추고, 프로그램은 새 소식이 없으니 보낼 것도 없다고 여깁니다.
+# 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 발행합니다. 그런 다음 멈추고, 프로그램은 높이가 그대로이므로 발행할 것도 없다고 여깁니다.
 # (`BufferCore`는 수신기가 채우는 버퍼입니다. 여기서는 직접 채웁니다.)
 
 # %% name="lift-rises" slide="-"
@@ -689,10 +689,10 @@ except TransformException as error:
 # What can move is published again and again, also while it stands still.
 
 # %% [markdown] lang="ko" name="lift-seen" tags=["predicted"]
-# "최신"을 조회하면 3초의 값 0.5 m가 돌아옵니다. 5초를 조회하면 거절합니다. `into the future`입니다. 리프트가 멈춰 있는지, 움직이는데 알리지 않는지 tf2는 알 수 없고, 짐작하지도 않습니다.
-# 새로 온 수신기는 더합니다. 리프트가 있다는 것조차 모릅니다.
+# “최신”을 조회하면 3초의 값 0.5 m가 나옵니다. 5초를 조회하면 거절됩니다. `into the future`입니다. 리프트가 멈춰 있는지, 움직이는데 발행하지 않는지 tf2로서는 구별할 수 없고, 짐작하지도 않습니다.
+# 새로 온 수신기는 사정이 더 나쁩니다. 리프트 좌표계조차 받지 못합니다.
 #
-# 소식이 없다는 것은 그저 소식이 없다는 뜻입니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 알려야 합니다.
+# 메시지가 없다는 것만으로는 아무것도 알 수 없습니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 발행해야 합니다.
 
 # %% name="lift-history" tags=["predicted"] slide="subslide"
 lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
@@ -706,12 +706,12 @@ lesson.draw_history(lift, 'base_link', 'lift', seconds(5.0))
 # **Predict:** the camera does not move on the robot. How old is the answer at worst? And what does its track look like?
 
 # %% [markdown] lang="ko" name="bolt" slide="slide"
-# ## 라디오에 올린 볼트
+# ## `/tf`로 보낸 고정 부품
 #
-# 그렇다면 안전하게 모두 라디오로 보내면 될까요? 0.5 m/s로 달리는 로봇에 카메라가 고정되어 있습니다. 카메라의 장착 위치는 `/tf`로 1초에 한 번 보내고, 레이저의 장착 위치는 게시판에 붙입니다.
-# 3초 동안 백 번, `odom` 기준으로 두 센서의 "최신" 위치를 조회합니다.
+# 그렇다면 안전하게 모두 `/tf`로 보내면 될까요? 0.5 m/s로 달리는 로봇에 카메라가 고정되어 있습니다. 카메라의 장착 변환은 `/tf`로 1초에 한 번 보내고, 레이저의 장착 변환은 게시판에 붙입니다.
+# 3초 동안 백 번, `odom` 기준으로 두 센서의 “최신” 포즈를 조회합니다.
 #
-# **예측해 봅시다.** 카메라는 로봇 위에서 움직이지 않습니다. 돌아온 답은 최악의 경우 몇 초 전의 것일까요? 카메라의 경로는 어떤 모양일까요?
+# **예측해 봅시다.** 카메라는 로봇 위에서 움직이지 않습니다. 조회한 값은 최악의 경우 몇 초 전의 것일까요? 카메라의 경로는 어떤 모양일까요?
 
 # %% name="three-nodes" slide="skip"
 class Wheels(Node):
@@ -771,12 +771,12 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # A mount on `/tf` costs more than bandwidth: it makes every path that contains it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
 
 # %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
-# *그림 읽기:* age of the answer = 돌아온 답의 나이, time = 조회한 시각.
+# *그림 읽기:* age of the answer = 조회한 값의 나이, time = 조회한 시각.
 #
-# 최악의 경우 1초 전의 답이 돌아옵니다. 레이저는 길어야 0.05초입니다. 바퀴는 변함없이 빠르지만, "최신"은 사슬의 **모든** 연결이 아는 가장 늦은 시각이고, 볼트는 1초에 한 번만 알립니다.
-# 그래서 로봇에 나사로 고정한 카메라가 1초마다 0.5 m씩 건너뜁니다. 0.1초 전의 위치를 조회하면 열 번 가운데 아홉 번은 거절당합니다.
+# 최악의 경우 1초 전의 값이 나옵니다. 레이저는 길어야 0.05초입니다. 바퀴 오도메트리는 여전히 자주 발행되지만, “최신”은 경로의 **모든** 연결에 값이 있는 가장 최근 시각이고, 장착 변환은 1초에 한 번만 발행됩니다.
+# 그래서 로봇에 나사로 고정한 카메라가 1초마다 0.5 m씩 튑니다. 0.1초 전의 포즈를 조회하면 열 번 가운데 아홉 번은 거절됩니다.
 #
-# 볼트를 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 뒤에 있는 모든 것이 낡습니다. 1초에 110번 보내면 가려지기는 하지만 그만큼 비쌉니다. 게시판의 메시지 하나면 됩니다.
+# 고정 부품을 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 연결을 지나는 모든 조회가 그만큼 오래된 값을 반환합니다. 1초에 110번 보내면 문제가 드러나지 않지만 그만큼 통신량이 듭니다. 게시판의 메시지 하나면 됩니다.
 
 # %% name="bolt-history" tags=["predicted"] slide="subslide"
 graph.run(seconds=0.6)
@@ -790,7 +790,7 @@ lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1)
 # %% [markdown] lang="ko" name="mover" slide="slide"
 # ## 게시판에 붙인 움직이는 것
 #
-# 이번에는 반대입니다. 앞의 리프트가 높이를 모두 정적 변환으로 보냅니다. 1초, 3초, 6초의 높이를 조회하면 무엇이 돌아올지 **예측해 봅시다.**
+# 이번에는 반대입니다. 앞의 리프트가 높이를 모두 정적 변환으로 보냅니다. 1초, 3초, 6초의 높이를 조회하면 어떤 값이 나올지 **예측해 봅시다.**
 
 # %% name="static-lift" tags=["predicted"] slide="fragment"
 static_lift = BufferCore()
@@ -809,13 +809,13 @@ for t in (1.0, 3.0, 6.0):
 # | moves | no past, or frozen | **right**, if it never stops publishing |
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
-# 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m라고 합니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
-# 오류는 끝내 나지 않습니다. 한 번만 보내고 움직이면 RViz에서는 처음 위치에 얼어붙어 있습니다.
+# 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m로 나옵니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
+# 오류는 끝내 나지 않습니다. 한 번만 보내고 움직이면 RViz에서는 처음 위치에 고정되어 있습니다.
 #
 # | 연결 | 게시판 `/tf_static` | 라디오 `/tf` |
 # |---|---|---|
-# | 고정된 것 | **맞습니다** | 사슬 전체가 낡습니다 |
-# | 움직이는 것 | 과거가 없거나 얼어붙습니다 | 멈춰도 계속 알리면 **맞습니다** |
+# | 고정된 것 | **맞습니다** | 그 연결을 지나는 모든 조회의 값이 오래된 것이 됩니다 |
+# | 움직이는 것 | 과거가 없거나 처음 위치에 고정됩니다 | 멈춰도 계속 보내면 **맞습니다** |
 
 # %% [markdown] lang="en" name="static-lift-notes" slide="notes"
 # Fill the two by two table with the class, one cell at a time, each with the picture that showed it.
@@ -836,8 +836,8 @@ for t in (1.0, 3.0, 6.0):
 # %% [markdown] lang="ko" name="crab" slide="slide"
 # ## 게걸음
 #
-# 강의 자료의 로봇으로 돌아갑니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇이 보기에는 어디로 가고 있을까요?
-# 4초의 로봇을 놓고, 1초 뒤의 위치를 *그 로봇의* `base_link` 기준으로 적어 봅시다.
+# 다시 강의의 로봇입니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇을 기준으로는 어디로 가고 있을까요?
+# 4초의 로봇을 놓고, 1초 뒤의 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
 
 # %% name="one-second-later" tags=["predicted"] slide="fragment"
 def drive(node_class):
@@ -869,9 +869,9 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="ko" name="crab-seen" tags=["predicted"]
 # *그림 읽기:* goes = 1초 동안 가는 방향, 1 s later = 1초 뒤의 로봇. 실선이 x(앞), 파선이 y(왼쪽)입니다.
 #
-# 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 바퀴로는 할 수 없는 일입니다.
+# 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 두 바퀴로 달리는 로봇은 이렇게 움직일 수 없습니다.
 #
-# 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심에서 본 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
+# 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심을 기준으로 한 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
 # 메시지 하나하나는 올바른 포즈이므로 어떤 도구에서도 오류가 나지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
 
 # %% [markdown] lang="en" name="crab-notes" slide="notes"
@@ -885,8 +885,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # RViz에서는 멀쩡합니다.
 # 그다음 이것을 찾아내는 질문 하나입니다.
 # 로봇은 자기 축으로 어디로 갑니까?
-# 강의 자료의 코드 그대로입니다.
-# 웃으며 말합니다.
+# 강의의 코드 그대로입니다.
 
 # %% [markdown] lang="en" name="forward" slide="subslide"
 # The fix is one number. In 3D: change the position on the circle, and compare the robot as written (grey) with the robot that drives forward.
@@ -929,7 +928,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # Let one person walk the circle, once facing outwards, once facing where they go. The class laughs at the first, and nobody forgets it.
 
 # %% [markdown] lang="ko" name="forward-notes" slide="notes"
-# 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다. 첫 번째에 모두 웃고, 아무도 잊지 않습니다.
+# 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다.
 
 # %% [markdown] lang="en" name="dynamic-node" slide="skip"
 # <details><summary>The lecture's moving node, whole, to the letter: save it as <code>moving_robot_broadcaster.py</code></summary>
@@ -988,7 +987,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # Stamp a dynamic transform with the time of its *measurement*. With the time at which a callback happened to run, every delay before it is hidden.
 
 # %% [markdown] lang="ko" name="dynamic-node" slide="skip"
-# <details><summary>강의 자료의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장하세요</summary>
+# <details><summary>강의의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장해 보세요</summary>
 #
 # ```python
 # # tf_lab_py/moving_robot_broadcaster.py
@@ -1039,7 +1038,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # </details>
 #
-# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 모두 가려집니다.
+# 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -1059,9 +1058,9 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 써 보세요
+# ### 빈칸을 채워 보세요
 #
-# 로봇에 고정된 카메라 세 대와 좌우로 도는 팬 헤드가 있습니다. 빈칸 두 개를 채워 보세요.
+# 로봇에 고정된 카메라 세 대와 좌우로 회전하는 팬 헤드가 있습니다. 빈칸 두 개를 채워 보세요.
 #
 # ```python
 # mounts = [placed(node, 'base_link', f'camera_{i}') for i in (1, 2, 3)]
@@ -1123,17 +1122,17 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. 움직일 수 있으므로, 멈춰 있는 동안에도 알립니다.
+# 맞습니다. 움직일 수 있으므로, 멈춰 있는 동안에도 발행합니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 마스트가 조용해지면 사슬도 거기서 끝납니다. 그보다 늦은 스캔은 `into the future`로 거절되고, 새로 온 수신기는 레이저가 있다는 것조차 모릅니다.
+# 마스트의 발행이 멈추면 그 뒤의 변환도 없습니다. 그 이후의 스캔은 `into the future`로 거절되고, 새로 참가한 수신기는 레이저 좌표계조차 받지 못합니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 움직이기 전에 찍은 스캔이 움직인 뒤의 장착 위치로 놓입니다. 게시판에는 과거가 없습니다. 게다가 Jazzy의 파이썬 발행기는 두 번째 값을 무시합니다.
+# 움직이기 전에 측정한 스캔이 움직인 뒤의 장착 변환으로 놓입니다. 게시판에는 과거가 없습니다. 게다가 Jazzy의 파이썬 발행기는 두 번째 값을 무시합니다.
 #
 # </details>
 
@@ -1155,7 +1154,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 강의 자료의 두 노드를 저장하고 시작합니다. `python3 static_sensor_broadcaster.py`와 `python3 moving_robot_broadcaster.py`입니다. 이 워크북의 터미널에서는 `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`로 실행합니다. 그런 다음 살펴봅니다.
+# 강의의 두 노드를 저장하고 시작합니다. `python3 static_sensor_broadcaster.py`와 `python3 moving_robot_broadcaster.py`입니다. 이 워크북의 터미널에서는 `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`로 실행합니다. 그런 다음 살펴봅니다.
 #
 # ```
 # ros2 topic info /tf_static --verbose      # 게시판이 있는 발행자와 지속성
@@ -1164,9 +1163,9 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 자료 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 요즘은 `rclpy.try_shutdown()`이나 `with rclpy.init():`을 씁니다.
+# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 요즘은 `rclpy.try_shutdown()`이나 `with rclpy.init():`을 씁니다.
 #
-# 첫 명령으로 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
+# 첫 명령의 출력에서 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
 
 # %% name="two-durabilities" slide="subslide"
 graph = lesson.new_graph()
@@ -1191,9 +1190,9 @@ rclpy.try_shutdown()
 # ## 정리
 #
 # - 고정된 것은 [[static transform|정적 변환]]으로 `/tf_static`에 메시지 하나를 보냅니다. 움직일 수 있는 것은 [[dynamic transform|동적 변환]]으로 `/tf`에 측정 시각과 함께 계속 보냅니다.
-# - 게시판에는 발행자의 **마지막 메시지**만 남고(`depth` 1, [[transient local|TRANSIENT_LOCAL]]), 발행자가 멈추면 사라집니다. 그러니 리스트 하나를 한 번에 보내고 계속 살아 있어야 합니다.
-# - 보내는 쪽과 받는 쪽 모두 게시판을 원해야 합니다. `DURABILITY` 경고가 나오면 아예 연결되지 않은 것입니다.
-# - 조용하다고 멈춰 있는 것은 아닙니다. 볼트를 라디오에 올리면 사슬이 낡고, 움직이는 것을 게시판에 붙이면 과거가 없습니다.
+# - 게시판에는 발행자의 **마지막 메시지**만 남고(`depth` 1, [[transient local|TRANSIENT_LOCAL]]), 발행자가 멈추면 사라집니다. 그러니 리스트 하나를 한 번에 보내고 발행자를 계속 실행해 두어야 합니다.
+# - 발행자와 수신기 모두 게시판을 설정해야 합니다. `DURABILITY` 경고가 나오면 통신이 아예 성립하지 않은 것입니다.
+# - 메시지가 없다고 멈춰 있는 것은 아닙니다. 고정된 것을 `/tf`로 보내면 조회한 값이 오래된 것이 되고, 움직이는 것을 게시판에 붙이면 과거가 없습니다.
 # - 메시지 하나하나가 맞아도 움직임은 틀릴 수 있습니다. 로봇이 자기 축으로 어디로 가는지 확인해 보세요.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -1248,11 +1247,11 @@ rclpy.try_shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 정적: 변하지 않으며 `/tf_static`에 한 번 보냅니다. 지속성이 TRANSIENT_LOCAL이라, 발행자가 살아 있는 동안 늦게 온 수신기도 받습니다.
+# - [ ] 정적: 변하지 않으며 `/tf_static`에 한 번 보냅니다. 지속성이 TRANSIENT_LOCAL이라, 발행자가 실행 중인 동안 나중에 참가한 수신기도 받습니다.
 # - [ ] 동적: 변하므로 `/tf`에 계속 보내며, 메시지마다 측정 시각이 있습니다.
-# - [ ] 고정된 것을 `/tf`로 보내면 통신량이 들고, 그보다도 사슬의 최신 공통 시각이 뒤처집니다.
-# - [ ] 움직이는 것을 `/tf_static`으로 보내면 값 하나가 모든 시각에 쓰이거나 처음 위치에 얼어붙습니다.
-# - [ ] 동적 변환이 조용해지면 그 뒤의 시각은 거절됩니다. "멈춰 있는" 것으로 여기지 않습니다.
+# - [ ] 고정된 것을 `/tf`로 보내면 통신량이 들고, 그보다도 최신 공통 시각이 뒤처집니다.
+# - [ ] 움직이는 것을 `/tf_static`으로 보내면 값 하나가 모든 시각에 쓰이거나 처음 위치에 고정됩니다.
+# - [ ] 동적 변환의 발행이 멈추면 그 뒤의 시각은 거절됩니다. “멈춰 있는” 것으로 처리하지 않습니다.
 #
 # </details>
 
@@ -1270,7 +1269,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > 친구가 로봇보다 늦게 RViz를 켰더니 센서 하나가 보이지 않습니다. 이 장에서 배운 원인 가운데 들어맞는 셋은 무엇이고, 어느 명령으로 먼저 구별할 수 있습니까?
+# > 친구가 로봇을 시작하고 나중에 RViz를 켰더니 센서 하나가 보이지 않습니다. 이 장에서 배운 원인 가운데 들어맞는 셋은 무엇이고, 어느 명령으로 먼저 구별할 수 있습니까?
 #
 # <details><summary>맞춰 보기</summary>
 #
@@ -1284,7 +1283,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 원인 셋에 명령 하나입니다.
-# '재시작'이라고 쓴 쪽지는 한마디를 적어 돌려줍니다.
+# ‘재시작’이라고 쓴 쪽지는 한마디를 적어 돌려줍니다.
 # 어느 프로세스를?
 
 # %% [markdown] lang="en" name="next" slide="skip"
@@ -1292,5 +1291,5 @@ rclpy.try_shutdown()
 # After a pass, or three tries, `solution("E6.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고, 로봇의 부품이 어디에 붙어 있는지 알아보는 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.

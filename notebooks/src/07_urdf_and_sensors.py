@@ -11,22 +11,22 @@
 # - recognise a sensor that is mounted otherwise than the URDF says: rotated, tilted, upside down.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 07 · 도면과 나사
+# # 07 · URDF와 센서
 #
-# **URDF와 센서** · 약 60분 · 02, 06장을 바탕으로 합니다
+# **도면과 실제 장착** · 약 60분 · 02, 06장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - [[urdf|URDF]]의 관절 하나를 읽고, origin과 axis에 적히는 것과 어디에도 적히지 않는 것을 구별할 수 있습니다.
-# - 로봇 팔 끝의 위치를 도미노처럼 하나씩 이어 계산할 수 있습니다.
+# - 로봇 팔 끝의 위치를 변환을 하나씩 곱해 계산할 수 있습니다.
 # - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명할 수 있습니다.
-# - 도면과 다르게 달린 센서(돌아간 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
+# - 도면과 다르게 달린 센서(회전한 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # One sentence for this chapter: a URDF is a claim about the mounts, and TF repeats it without checking. Ask: how would you notice that a laser is rotated by 90 degrees? Collect answers; somebody will say "RViz shows an error".
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 장의 핵심은 한 문장입니다. URDF는 나사에 대한 약속이고, TF는 확인하지 않고 그대로 전합니다. 먼저 묻습니다. 레이저가 90도 돌아가 있다면 어떻게 알아챌까요? "RViz에 오류가 납니다"라는 답이 나올 것입니다.
+# 이 장의 핵심은 한 문장입니다. URDF에는 도면에 적힌 값이 있을 뿐이고, TF는 확인하지 않고 그대로 전달합니다. 먼저 묻습니다. 레이저가 90° 회전해 있다면 어떻게 알아챌까요? “RViz에 오류가 납니다”라는 답이 나올 것입니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -45,20 +45,20 @@ from tflab.workbook import lesson
 # Another robot published its yaw rate with the wrong sign *on every run it had ever done*. Its wheels reported left, its gyro reported right. The wheels were blamed, twice (fusioncore #88).
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 아무것도 돌리지 못한 한 줄
+# ## 아무것도 회전시키지 못한 한 줄
 #
-# 새 라이다를 달았더니 예전 것과 각도가 다릅니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90도입니다.
+# 새 라이다를 달았더니 예전 것과 각도가 다릅니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90°입니다.
 # 아무 일도 일어나지 않았습니다. 도움을 청한 질문은 2년 뒤 답 없이 닫혔습니다([cartographer_ros, 이슈 1017](https://github.com/cartographer-project/cartographer_ros/issues/1017)).
 #
-# 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 돌렸으니, 그림조차 달라질 수 없었습니다.
+# 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 회전시켰으니, 그림조차 달라질 수 없었습니다.
 #
-# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 바퀴는 왼쪽이라 하고 자이로는 오른쪽이라 했습니다. 사람들은 두 번이나 바퀴를 탓했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
+# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 오도메트리는 왼쪽, 자이로는 오른쪽 회전을 냈습니다. 사람들은 두 번이나 오도메트리를 의심했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted clockwise, like a compass; an IMU mounted upside down has the same effect.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향으로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
+# *더 읽기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향으로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -71,16 +71,16 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 1. 우리 로봇의 레이저가 실제로 왼쪽으로 90° 돌아가 있고, 그 줄은 `<visual>`에 적혀 있습니다. 지도에서 벽은 **얼마나 어긋날까요?** 센티미터일까요, 미터일까요?
-# 2. `robot_state_publisher`는 켜져 있지만 관절 값을 아무도 알려 주지 않습니다. **어떤 좌표계가 없을까요?** 없는 것이 없을까요, 전부일까요, 일부일까요?
+# 1. 우리 로봇의 레이저가 실제로 왼쪽으로 90° 회전해 있고, 그 줄은 `<visual>`에 적혀 있습니다. 지도에서 벽은 **얼마나 어긋날까요?** 센티미터일까요, 미터일까요?
+# 2. `robot_state_publisher`는 실행 중이지만 관절 값을 발행하는 노드가 없습니다. **어떤 좌표계가 없을까요?** 없는 것이 없을까요, 전부일까요, 일부일까요?
 # 3. 10 m 길이의 방에서 레이저가 아래로 3° 기울어 있습니다. **지도에는 무엇이 보일까요?**
-# 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 돕니다. 자이로 z의 부호는 무엇일까요?
+# 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 회전합니다. 자이로 z의 부호는 무엇일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Hands for each. For 1, the common answer is "at least the picture rotates". For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % short. All three are good mistakes.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 하나씩 손을 들게 합니다. 1번에서는 "그림은 돌겠지요", 2번에서는 "모두 0의 자리에 나옵니다", 3번에서는 코사인을 계산한 "벽이 0.14 % 가까워집니다"를 기다립니다. 모두 좋은 실수입니다.
+# 하나씩 손을 들게 합니다. 나올 법한 오답은 1번에서는 “그림은 회전한다”, 2번에서는 “모두 0의 자리에 나온다”, 3번에서는 코사인을 계산한 “벽이 0.14 % 가까워진다”입니다. 모두 배울 것이 있는 실수입니다.
 
 # %% name="my-guess" slide="skip"
 walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
@@ -93,7 +93,7 @@ walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
 # %% [markdown] lang="ko" name="two-origins" slide="slide"
 # ## 두 가지 origin
 #
-# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모에서 자식으로 가는 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다. (`parse_urdf`는 이것을 읽고, `link_poses`는 루트 기준으로 각 링크가 어디에 있는지 구합니다.)
+# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모를 기준으로 자식의 자리를 적은 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다. (`parse_urdf`는 이것을 읽고, `link_poses`는 루트 기준으로 각 링크가 어디에 있는지 구합니다.)
 
 # %% name="lecture-urdf" slide="-"
 LECTURE = """<robot name="tf_lab_robot">
@@ -116,11 +116,11 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # Now the laser is really rotated: `screws` contains its true mount. TF does not have it.
 
 # %% [markdown] lang="ko" name="two-origins-why"
-# 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 돌아가지 않았다.* 이것이 `base_T_laser`이고, 단위는 미터와 라디안이며 이동이 먼저입니다.
+# 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 회전은 없다.* 이것이 `base_T_laser`이고, 단위는 미터와 라디안이며 이동이 먼저입니다.
 # 우리 로봇의 URDF에도 이 줄들이 있습니다.
 #
 # 링크에는 `<visual>`이 있을 수 있고, 그 안에도 `<origin>`이 있습니다. 이것은 *겉모습*이 링크의 어디에 그려지는지를 적은 것입니다. TF는 읽지 않습니다.
-# 이제 나사를 풀고 레이저를 실제로 돌려 답니다. `screws`는 실제로 달린 상태입니다. TF는 알지 못합니다.
+# 이제 나사를 풀고 레이저를 실제로 회전시켜 답니다. `screws`는 실제로 달린 상태입니다. TF에는 반영되지 않습니다.
 
 # %% name="write-the-line" slide="fragment"
 URDF = lesson.teaching_urdf()
@@ -147,7 +147,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 #
 # 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음 몇 밀리미터만 남고 모두 맞습니다.
 #
-# 아무 오류도 나지 않았습니다. 도면과 나사를 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
+# 아무 오류도 나지 않았습니다. 도면과 실제 장착을 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
 
 # %% [markdown] lang="en" name="walls-notes" slide="notes"
 # Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the class has a URDF with a sensor that was moved since.
@@ -165,9 +165,9 @@ lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.0
 # Smaller errors are harder to see. A laser that is described 0.20 m behind its true position puts the walls 0.08 m off. `1.57` for 90° is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
 
 # %% [markdown] lang="ko" name="small-mistakes"
-# *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF가 아는 좌표계입니다.
+# *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF에 있는 좌표계입니다.
 #
-# 작은 거짓말은 더 알아채기 어렵습니다. 레이저를 실제보다 0.20 m 뒤에 그리면 벽이 0.08 m 어긋납니다. 90도를 `1.57`로 쓰면 0.0456° 모자라고, 10 m 앞에서 8 mm입니다. `1.5708`이나 더 긴 숫자를 쓰세요.
+# 작은 오차는 더 알아채기 어렵습니다. 레이저를 실제보다 0.20 m 뒤에 적으면 벽이 0.08 m 어긋납니다. 90°를 `1.57`로 적으면 0.0456° 모자라고, 10 m 앞에서 8 mm입니다. `1.5708`이나 더 긴 숫자를 쓰십시오.
 
 # %% [markdown] lang="en" name="axis" slide="slide"
 # ## A joint: an origin, then a movement
@@ -180,7 +180,7 @@ lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.0
 #
 # 움직이는 관절에는 `<axis>`가 있습니다. axis는 origin을 적용한 뒤의 **자식** 좌표계의 축으로 적습니다. `parent_T_child = origin @ movement`입니다.
 #
-# 카메라 머리가 왼쪽을 보도록 달려 있고(`rpy="0 0 1.5708"`) 축은 `0 1 0`입니다. 모터가 +0.5 rad 돕니다. **예측해 봅시다.** 고개를 끄덕일까요, 옆으로 갸웃할까요?
+# 카메라 머리가 왼쪽을 보도록 달려 있고(`rpy="0 0 1.5708"`) 축은 `0 1 0`입니다. 모터가 +0.5 rad 회전합니다. **예측해 봅시다.** 고개를 끄덕일까요, 옆으로 갸웃할까요?
 
 # %% name="neck"
 NECK = """<robot name="neck"> <link name="body"/> <link name="head"/>
@@ -214,7 +214,7 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # 끄덕입니다. 머리가 보는 방향인 왼쪽에서 코가 z = −0.479까지 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
 # TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 축을 눕힌 다음, `axis="0 0 1"`이 옆을 향합니다.
 #
-# 두 가지를 더 조심하세요. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 바퀴를 돌고도 116.62°를 더 돕니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 돕니다.
+# 두 가지를 더 조심하십시오. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 번 회전하고도 116.62°를 더 회전합니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 회전합니다.
 
 # %% [markdown] lang="en" name="chain" slide="slide"
 # ## A chain of joints
@@ -248,9 +248,9 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 #
 # - 관절은 자기 도미노 하나만 바꿉니다. 팔 끝은 곱이 바뀌어서 움직입니다.
 # - 고정된 관절에도 숫자는 있습니다. 경첩만 없습니다.
-# - [[tcp|`tcp`]](tool centre point)는 공구가 일하는 점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
+# - [[tcp|`tcp`]](tool centre point)는 공구의 작업점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
 #
-# 0도 다른 값과 다를 바 없는 위치입니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
+# 관절 값 0은 특별한 위치가 아닙니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
 
 # %% [markdown] lang="en" name="chain-notes" slide="notes"
 # Let somebody call out a joint and everybody say which transforms will change, before you move the slider. It is always one.
@@ -262,7 +262,7 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # How do you find a tcp? Touch a mark whose position is known, `base_p_tip`, and transform it into the tool's frame: `tool0_p_tip = tool0_T_base @ base_p_tip`.
 
 # %% [markdown] lang="ko" name="touch" slide="subslide"
-# tcp는 어떻게 알아낼까요? 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 공구에서 보면 어디인지 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다.
+# tcp의 위치는 어떻게 구할까요? 위치를 아는 표시 `base_p_tip`에 공구 끝을 대고, 그 점을 공구 기준으로 계산합니다. `tool0_p_tip = tool0_T_base @ base_p_tip`입니다.
 
 # %% name="touch-it" slide="-"
 base_p_tip = (0.3563, 0.2491, 0.3546)  # where the mark is, measured with a ruler
@@ -293,9 +293,9 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 써 보세요
+# ### 빈칸을 채워 보세요
 #
-# 카메라가 `base_link`에 달려 있습니다. 앞으로 10 cm, 오른쪽으로 12 cm, 위로 30 cm이고 왼쪽으로 20°를 봅니다. 빈칸 네 개를 채워 보세요. 다음은 광학 좌표계이며, 02장에서처럼 돕니다.
+# 카메라가 `base_link`에 달려 있습니다. 앞으로 10 cm, 오른쪽으로 12 cm, 위로 30 cm이고 왼쪽으로 20°를 봅니다. 빈칸 네 개를 채워 보세요. 다음은 광학 좌표계이며, 02장에서처럼 회전합니다.
 #
 # ```xml
 # <joint name="base_to_camera" type="fixed">
@@ -311,7 +311,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # <details><summary>맞춰 보기</summary>
 #
 # `base_link` · `0.10 -0.12 0.30`(오른쪽은 −y) · `0 0 0.3491`(왼쪽이 양수, 20°를 라디안으로) · `-1.5708 0 -1.5708`.
-# 카메라가 돌아간 것은 첫 관절에, 축의 방향이 다른 것은 둘째 관절에, 각각 한 번만 적습니다.
+# 카메라의 회전은 첫 관절에, 축의 방향이 다른 것은 둘째 관절에, 각각 한 번만 적습니다.
 #
 # </details>
 
@@ -324,12 +324,12 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # Here it runs alone. No node publishes joint positions. What do you expect of the arm?
 
 # %% [markdown] lang="ko" name="publisher" slide="slide"
-# ## 누가 TF에 알릴까요?
+# ## 어느 노드가 좌표계를 발행할까요?
 #
 # [[robot_state_publisher|`robot_state_publisher`]]가 URDF를 읽습니다. 고정된 관절은 `/tf_static`으로 한 번 보내고, 나중에 온 수신기도 받습니다(06장).
-# 움직이는 관절은 위치를 알아야 합니다. 그래서 관절 드라이버가 발행하는 `/joint_states` 메시지를 기다리고, 메시지에 **이름이 있는** 관절만 `/tf`로 보냅니다.
+# 움직이는 관절은 관절 값이 있어야 합니다. 그래서 관절 드라이버가 발행하는 `/joint_states` 메시지를 기다리고, 메시지에 **이름이 있는** 관절만 `/tf`로 보냅니다.
 #
-# 이번에는 이 노드만 켭니다. 관절 값을 아무도 알려 주지 않습니다. 팔은 어떻게 될까요?
+# 이번에는 이 노드만 켭니다. 관절 값을 발행하는 노드는 없습니다. 팔은 어떻게 될까요?
 
 # %% name="alone" slide="skip"
 import rclpy
@@ -351,16 +351,16 @@ lesson.frame_tree(graph, seconds=1.0)
 # The publisher does not assume zero. In RViz the RobotModel prints `left_wheel: No transform from [left_wheel] to [odom]`, and a lookup of the hand raises:
 
 # %% [markdown] lang="ko" name="the-tree-alone-seen" tags=["predicted"]
-# *그림 읽기:* published by = 발행 책임, S(static) = 정적. 맨 아래 줄은 트리가 둘로 나뉘었다는 경고입니다.
+# *그림 읽기:* published by = 발행자, S(static) = 정적. 맨 아래 줄은 트리가 둘로 나뉘었다는 경고입니다.
 #
-# 팔 없는 손입니다. `tool0`와 `tcp`는 손목에 고정되어 있지만 손목은 아무 데도 이어져 있지 않습니다. 바퀴와 `shoulder`, `elbow`는 아예 없습니다.
+# 팔 없는 손입니다. `tool0`와 `tcp`는 손목에 고정되어 있지만 손목은 아무 데도 연결되어 있지 않습니다. 바퀴와 `shoulder`, `elbow`는 아예 없습니다.
 # 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
 # The hand without an arm gets a laugh; let it. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
-# 팔 없는 손에서 웃음이 나옵니다. 잠시 둡니다. 그다음 묻습니다. wrist는 누가 발행합니까? 아무도 하지 않는데 오류도 나지 않습니다. 이어지는 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
+# 팔 없는 손을 보고 웃는 사람이 있습니다. 잠시 둡니다. 그다음 묻습니다. wrist는 어느 노드가 발행합니까? 아무 노드도 발행하지 않는데 오류도 나지 않습니다. 다음에 나올 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
 
 # %% name="ask-for-the-hand" slide="-"
 rclpy.init()
@@ -377,7 +377,7 @@ except TransformException as error:
 # Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** with which of them is the arm there, and which ones cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
-# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 이어 줄까요? 이유를 알려 주는 것은 어느 것일까요?
+# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 이유를 알려 주는 것은 어느 것일까요?
 
 # %% name="driver" slide="skip"
 states = node.create_publisher(JointState, 'joint_states', 10)
@@ -405,11 +405,11 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 # So when an arm is missing: `ros2 topic echo /joint_states`, and compare name, stamp and position with the URDF.
 
 # %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
-# - **이름이 다를 때**(other names): 아무 말이 없습니다. URDF의 이름과 같은지 아무도 확인하지 않습니다.
-# - **시각이 0일 때**(stamp zero): 아무 말이 없습니다. 마지막 메시지보다 늦은 시각이 아니면 무시하는데, 0은 결코 더 늦을 수 없습니다.
+# - **이름이 다를 때**(other names): 아무 메시지도 없습니다. URDF의 이름과 같은지 확인하지 않습니다.
+# - **시각이 0일 때**(stamp zero): 아무 메시지도 없습니다. 마지막 메시지보다 나중의 시각이 아니면 무시하는데, 0은 결코 더 나중일 수 없습니다.
 # - **속도만 있을 때**(velocity only): 유일하게 WARN이 나옵니다. 첫 관절의 이름이 적혀 있고, 문구는 실제 노드의 것입니다.
 #
-# 팔이 보이지 않으면 `ros2 topic echo /joint_states`로 이름, 시각, 위치를 URDF와 나란히 놓고 읽으세요.
+# 팔이 보이지 않으면 `ros2 topic echo /joint_states`로 이름, 시각, 위치를 URDF와 나란히 놓고 읽으십시오.
 
 # %% name="the-drawing-itself" slide="skip"
 # %ros2 topic echo /robot_description --once
@@ -468,7 +468,7 @@ scene
 # And the map, seen from above? First with a URDF that describes the laser as level, then with a correct one. **Predict:** does the correct URDF put the dots back on the walls?
 
 # %% [markdown] lang="ko" name="tilt-map" slide="subslide"
-# 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 벽으로 돌아갈까요?
+# 위에서 본 지도는 어떨까요? 먼저 레이저가 수평이라고 적힌 URDF, 다음은 기울기를 제대로 적은 URDF입니다. **예측해 봅시다.** 제대로 적으면 점들이 다시 벽 위에 놓일까요?
 
 # %% name="tilt-placed" tags=["predicted"]
 drawn = URDF.replace('xyz="0.20 0.0 0.15" rpy="0.0 0.0 0.0"', f'xyz="0.20 0.0 0.15" rpy="0 {math.radians(3)} 0"')
@@ -490,14 +490,14 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # 5미터 앞, 바닥뿐인 자리에 **유령 벽**이 가로놓입니다. 다가가면 그만큼 물러나지만, 경로 계획기는 지나가려 하지 않습니다.
 # 벽이 0.14 % 가까워지는 일도 실제로 있지만 아무도 알아채지 못합니다.
 #
-# URDF를 제대로 적어도 점들은 돌아가지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
-# 평면 스캔만 받는 프로그램이라면 나사를 조절해 레이저를 수평으로 맞추세요. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
+# URDF를 제대로 적어도 점들은 벽 위로 되돌아오지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
+# 평면 스캔만 받는 프로그램이라면 나사를 조절해 레이저를 수평으로 맞추십시오. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
 
 # %% [markdown] lang="en" name="tilt-notes" slide="notes"
 # The surprise is the second panel: the URDF is right and the dots are where they were. Ask what the URDF has given us then. The answer is one number: z.
 
 # %% [markdown] lang="ko" name="tilt-notes" slide="notes"
-# 놀라운 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF가 준 것은 무엇일까요? 답은 숫자 하나, z입니다.
+# 예상과 다른 것은 둘째 그림입니다. URDF가 맞는데도 점들은 그대로입니다. 그러면 URDF를 고쳐서 얻은 것은 무엇일까요? 답은 숫자 하나, z입니다.
 
 # %% [markdown] lang="en" name="imu" slide="slide"
 # ## An IMU upside down
@@ -533,7 +533,7 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
 # *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
 #
 # 서 있을 때 z가 +9.8이 아니라 **−9.8**이고, 왼쪽 회전이 **−0.50**입니다. 왼쪽이 양수라는 약속은 그대로이고, IMU의 z가 아래를 향할 뿐입니다.
-# 고장이 아닙니다. URDF에 달린 그대로 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 되돌립니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 영문을 모르게 됩니다.
+# 고장이 아닙니다. URDF에 달린 그대로 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 바르게 바꿉니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
 
 # %% name="imu-arrows" slide="subslide"
 imu_link = {'base_link': Transform(), 'imu_link': Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.6))}
@@ -546,7 +546,7 @@ lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, f
 # %% [markdown] lang="ko" name="gravity" slide="subslide"
 # *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
 #
-# roll로 π 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 왼쪽으로 돌기만 한 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
+# roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 왼쪽으로 회전하기만 한 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
 
 # %% name="what-gravity-tells" tags=["predicted"]
 mounts = {'as drawn': {}, 'left': {'yaw': math.pi / 2}, 'roll π': {'roll': math.pi}, 'pitch π': {'pitch': math.pi}}
@@ -560,16 +560,16 @@ for name, rpy in mounts.items():
 # A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate it by hand: `angular_velocity.z`, left is positive.
 
 # %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
-# *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 돌림.
+# *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 회전.
 #
-# 중력은 한 직선만 알려 줍니다. IMU가 뒤집혔다는 것은 알지만 어떻게 뒤집혔는지는 모르고, 수직축을 중심으로 돈 것은 전혀 모릅니다.
-# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 돌려 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
+# 중력은 한 직선만 알려 줍니다. IMU가 뒤집혔다는 것은 알 수 있지만 어떻게 뒤집혔는지는 알 수 없고, 수직축을 중심으로 한 회전은 전혀 알 수 없습니다.
+# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 회전시켜 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
 
 # %% [markdown] lang="en" name="gravity-notes" slide="notes"
 # Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
 
 # %% [markdown] lang="ko" name="gravity-notes" slide="notes"
-# 휴대전화를 엎어 놓고 수직축을 중심으로 돌려 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
+# 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: files that are no robot
@@ -603,8 +603,8 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
 #
-# *트리*를 깨뜨리는 것은 줄 번호와 함께 알려 줍니다. [[frame|좌표계]]의 부모는 하나이고, 링크는 모두 있어야 합니다. (우리 프로그램은 실제보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
-# **도**(degree)는 문제없다고 나옵니다. 90도 숫자이기 때문입니다. 여러분이 무엇을 쟀는지 파일은 알 수 없습니다.
+# *트리*를 깨뜨리는 것은 줄 번호와 함께 알려 줍니다. [[frame|좌표계]]의 부모는 하나이고, 링크는 모두 있어야 합니다. (우리 프로그램은 실제 프로그램보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
+# **도**(degree)는 문제없다고 나옵니다. 숫자 90 역시 올바른 값이기 때문입니다. 여러분이 무슨 단위로 쟀는지는 파일에 나타나지 않습니다.
 
 # %% [markdown] lang="en" name="deeper" slide="skip"
 # <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
@@ -621,7 +621,7 @@ for what, text in broken.items():
 # <details><summary>더 깊이: robot_state_publisher가 하는 다른 일</summary>
 #
 # - `<mimic>`이 있는 관절은 다른 관절을 따라갑니다. 드라이버가 이름을 보내지 않아도 됩니다.
-# - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 지나칩니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
+# - `publish_frequency`(20 Hz)보다 자주 오는 관절 메시지는 무시합니다. 변환에는 현재 시각이 아니라 **메시지의 시각**을 적습니다.
 # - `frame_prefix`는 모든 좌표계 이름 앞에 붙습니다. URDF 하나로 로봇 두 대를 만듭니다(04장).
 # - `floating` 관절은 아예 발행하지 않고, `planar` 관절은 고정된 것으로 다룹니다.
 # - 루트 링크에 관성이 있으면 `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.`라는 WARN이 나옵니다. 해롭지 않으며, `base_link` 위에 `base_footprint`를 두어 없애는 것이 보통입니다.
@@ -662,16 +662,16 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# RViz에서는 모두 초록색입니다. 그런데 스캔의 벽이 지도의 벽에서 90° 돌아가 있습니다. 무엇을 먼저 봐야 합니까?
+# RViz에서는 모두 초록색입니다. 그런데 스캔의 벽이 지도의 벽을 기준으로 90° 회전해 있습니다. 무엇을 먼저 봐야 합니까?
 #
-# 1. 레이저. 고장입니다.
+# 1. 레이저가 고장입니다.
 # 2. 레이저 드라이버가 발행하는 쿼터니언.
 # 3. URDF에 있는 레이저의 `<joint><origin>`과 실제 로봇.
 # 4. 레이저의 `<visual><origin>`.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 거리는 맞습니다. 벽의 모양이 그대로이고 돌아갔을 뿐입니다. 고장 난 레이저라면 방의 모양이 반듯하게 나오지 않습니다.
+# 거리는 맞습니다. 벽의 모양이 그대로이고 회전해 있을 뿐입니다. 고장 난 레이저라면 방의 모양이 반듯하게 나오지 않습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -681,12 +681,12 @@ for what, text in broken.items():
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 약속과 나사입니다. `tf2_echo base_link laser_frame`은 약속을 보여 줍니다. 나사는 직접 봐야 합니다.
+# 맞습니다. 도면에 적힌 값과 실제 장착입니다. `tf2_echo base_link laser_frame`은 도면에 적힌 값을 보여 줍니다. 실제 장착은 직접 봐야 합니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 겉모습만 돕니다. 점들은 움직이지 않습니다.
+# 겉모습만 회전합니다. 점들은 움직이지 않습니다.
 #
 # </details>
 
@@ -707,14 +707,14 @@ for what, text in broken.items():
 # ## 실제 로봇에서
 #
 # ```
-# ros2 topic echo /robot_description --once        # 모두가 받는 도면
+# ros2 topic echo /robot_description --once        # 모든 노드가 받는 URDF
 # ros2 topic echo /joint_states                    # 이름, 시각, 위치
 # ros2 node info /robot_state_publisher
-# ros2 run tf2_ros tf2_echo base_link laser_frame  # 약속
-# ros2 topic echo /imu --field angular_velocity.z  # 로봇을 손으로 왼쪽으로 돌리면 양수?
+# ros2 run tf2_ros tf2_echo base_link laser_frame  # 도면에 적힌 값
+# ros2 topic echo /imu --field angular_velocity.z  # 로봇을 손으로 왼쪽으로 회전시키면 양수?
 # ```
 #
-# 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하세요. 다는 날 30초면 됩니다.
+# 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하십시오. 다는 날 30초면 됩니다.
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -729,11 +729,11 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[urdf|URDF]]는 나사에 대한 약속입니다. TF는 확인하지 않고 모두에게 그대로 전합니다.
-# - `<joint><origin>`은 좌표계를 옮기고, `<visual><origin>`은 겉모습만 옮깁니다. 단위는 미터와 라디안이고 부모 기준 자식입니다.
+# - [[urdf|URDF]]에는 장착이 도면의 값으로 적혀 있습니다. TF는 확인하지 않고 모든 노드에 그대로 전달합니다.
+# - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 단위는 미터와 라디안이고 부모 기준 자식입니다.
 # - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
 # - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
-# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 봅니다. 뒤집힌 IMU는 왼쪽의 부호를 바꿉니다. 둘 다 노드에서가 아니라, 관절의 origin이나 나사를 바로잡아 고칩니다.
+# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드에서가 아니라, 관절의 origin이나 실제 장착을 바로잡아 고칩니다.
 # - `tcp`는 `tool0` 아래에 따로 둔 좌표계입니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -755,13 +755,13 @@ for what, text in broken.items():
 # ### 앞 장 복습: 세 문제
 #
 # 1. 검출기가 `camera_optical_frame` 기준 (0, 0, 2)에서 컵을 봅니다. `camera_link` 기준으로는 어디입니까?
-# 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 들어온 수신기는 무엇을 알고 있습니까?
-# 3. 레이저가 본 점을 `base_link` 기준으로 옮기는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
+# 2. 레이저의 장착 변환을 `/tf_static`이 아니라 `/tf`로 한 번 보냈습니다. 나중에 참가한 수신기는 무엇을 받습니까?
+# 3. 레이저가 본 점을 `base_link` 기준으로 바꾸는 것은 `base_T_laser`와 `laser_T_base` 가운데 어느 것입니까?
 #
 # <details><summary>답</summary>
 #
 # 1. (2, 0, 0)입니다. 광학 좌표계의 z가 앞입니다.
-# 2. 아무것도 모릅니다. `/tf`는 나중에 온 수신기를 위해 보관하지 않습니다.
+# 2. 아무것도 받지 못합니다. `/tf`는 나중에 참가한 수신기를 위해 보관하지 않습니다.
 # 3. `base_T_laser`입니다. 왼쪽에 적힌 것이 결과의 기준입니다.
 #
 # </details>
@@ -789,7 +789,7 @@ for what, text in broken.items():
 #
 # - [ ] `base_link`(또는 `base_footprint`) 아래의 모든 것은 URDF에서 `robot_state_publisher`를 거쳐 나옵니다.
 # - [ ] 고정된 관절은 `/tf_static`, 움직이는 관절은 `/joint_states`를 받아 `/tf`로 발행합니다.
-# - [ ] `odom → base`는 바퀴나 EKF 가운데 하나, `map → odom`은 위치 추정의 책임입니다. URDF에는 둘 다 없습니다.
+# - [ ] `odom → base`는 바퀴 오도메트리나 EKF 가운데 하나, `map → odom`은 위치 추정의 책임입니다. URDF에는 둘 다 없습니다.
 # - [ ] URDF에 있는 장착 변환을 별도의 정적 발행자가 또 발행하지 않습니다.
 #
 # </details>
@@ -808,11 +808,11 @@ for what, text in broken.items():
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > 월요일에 누군가 케이블 때문에 레이저를 180° 돌려 달고 아무에게도 말하지 않았습니다. 금요일에 로봇은 뒤에 있는 벽 때문에 멈춥니다. 어느 파일의 어느 줄이 틀렸고, 월요일에 알려 줄 수 있었던 도구는 무엇입니까?
+# > 월요일에 누군가 케이블 때문에 레이저를 180° 회전시켜 달고 아무에게도 알리지 않았습니다. 금요일에 로봇은 뒤에 있는 벽 때문에 멈춥니다. 어느 파일의 어느 줄이 틀렸고, 월요일에 알려 줄 수 있었던 도구는 무엇입니까?
 #
 # <details><summary>맞춰 보기</summary>
 #
-# 레이저 **관절**의 origin에 있는 `rpy`입니다. 알려 줄 도구는 없습니다. RViz, view_frames, tf2_echo는 모두 도면을 그대로 전할 뿐입니다. 로봇 바로 앞에 놓은 상자라면 알려 주었을 것입니다.
+# 레이저 **관절**의 origin에 있는 `rpy`입니다. 알려 줄 도구는 없습니다. RViz, view_frames, tf2_echo는 모두 도면의 값을 그대로 보여 줄 뿐입니다. 로봇 바로 앞에 상자를 놓아 보았다면 알 수 있었습니다.
 #
 # </details>
 
@@ -821,5 +821,5 @@ for what, text in broken.items():
 # After a pass, or three tries, `solution("E7.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고, 어느 시각의 답인지 묻는 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
