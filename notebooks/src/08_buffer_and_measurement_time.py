@@ -12,16 +12,16 @@
 # - estimate the error if you use another time.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 08 · 그것을 본 순간, 나는 어디에 있었을까요?
+# # 08 · 버퍼와 측정 시각
 #
-# **버퍼와 측정 시각** · 약 75분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
+# **측정한 순간, 로봇은 어디에 있었을까요?** · 약 75분 · 01, 03, 04, 05, 06장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - [[buffer|변환 버퍼(buffer)]]를 트리의 연결마다 하나씩 있는 [[timeline|시간줄(timeline)]]로 설명할 수 있습니다.
-# - 두 표본 사이에서 버퍼가 무엇을 답하고, 그 바깥에서는 무엇을 거절하는지 말할 수 있습니다.
+# - 두 표본 사이의 시각을 조회하면 무엇이 나오고, 그 바깥의 시각은 왜 거절되는지 말할 수 있습니다.
 # - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 뜻하는지 말할 수 있습니다.
-# - 측정한 순간의 변환을 써서 메시지를 다른 좌표계로 옮길 수 있습니다.
+# - 측정한 순간의 변환을 써서 메시지를 다른 좌표계 기준으로 바꿀 수 있습니다.
 # - 그렇게 하지 않으면 얼마나 빗나가는지 어림할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -31,8 +31,8 @@
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 이렇게 묻습니다. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
-# "0"이라는 대답은 오래 버티지 못합니다.
-# 이 장 전체는 그 숫자 하나를 tf2 안에서 끝까지 따라가는 이야기입니다.
+# “0”이라고 답한 사람에게는 화면 앞에서 손을 흔들어 보게 합니다.
+# 이 장 전체가 tf2에서 그 숫자 하나를 따라갑니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -52,10 +52,10 @@
 # 앞 장에서 필요한 내용은 다음이 전부입니다. 읽은 장의 줄은 건너뛰어도 됩니다.
 #
 # - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
-# - **질문**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
-# - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이어진 경로가 하나 있습니다.
-# - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴가 1초에 여러 번 잽니다.
-# - **두 종류의 연결**(06): 카메라 장착 위치 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
+# - **조회**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
+# - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이루어진 경로가 하나 있습니다.
+# - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴 오도메트리 노드가 1초에 여러 번 발행합니다.
+# - **두 종류의 연결**(06): 카메라 장착 변환 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
 # - **노드**는 프로그램입니다. *토픽*(topic)을 구독하면, 메시지가 도착할 때마다 ROS 2가 그 노드의 함수, 즉 *콜백*(callback)을 호출합니다. *spin*은 메시지를 기다리며 콜백을 호출하는 일입니다.
 
 # %% name="load" slide="skip"
@@ -86,22 +86,22 @@ from tflab.workbook import lesson
 # `graph` is the ROS 2 simulation, created again whenever you run the cell. `graph.now_ns` is its clock.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 오십 년, 그리고 손 한 뼘
+# ## 오십 년, 그리고 20센티미터
 #
-# 어느 지도 작성 노드가 TF에 1574652168.59초 시점의 로봇 위치를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 센 초입니다.)
-# 그때 TF는 3.235초에 있었습니다.
-# 한쪽은 2019년을, 다른 쪽은 방금 켜진 시뮬레이션을 살고 있었으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# 어느 지도 작성 노드가 1574652168.59초의 로봇 포즈를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 센 초입니다.)
+# 그때 TF에 있는 시각은 3.235초였습니다.
+# 노드는 2019년의 시각을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
-# 이 고장은 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
+# 이 고장은 찾기 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
 #
-# 더 어려운 고장은 이것입니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 손 한 뼘쯤 떨어져 있습니다.
+# 찾기 더 어려운 고장이 있습니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 20센티미터쯤 어긋나 있습니다.
 # 직접 만들어 봅시다.
 # 로봇 한 대가 방 안을 좌우로 구불구불 사람이 걷는 속도로 나아갑니다.
 # 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
-# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 얼마나 빠르게 나아가고 얼마나 빠르게 도는지를 적습니다.
-# `graph`는 셀을 실행할 때마다 새로 만드는 작은 ROS 2 세계이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
+# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 나아가는 속도와 회전하는 속도를 적습니다.
+# `graph`는 셀을 실행할 때마다 새로 만드는 가상의 ROS 2 환경이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
 
 # %% name="start-the-robot"
 graph = lesson.new_graph()
@@ -122,12 +122,12 @@ nodes = lesson.launch(graph, robot, only=parts)
 # The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback. Time here is simulated, so this is quick.
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
-# 공을 지도에 올리는 노드입니다.
-# 천천히 읽어 보세요. 유명한 코드치고는 짧습니다.
+# 공의 위치를 지도에 표시하는 노드입니다.
+# 천천히 읽어 보세요. 이런 노드는 대개 이 정도로 짧습니다.
 #
-# - [[listener|변환 수신기(listener)]]는 `/tf`와 `/tf_static`을 듣고 [[buffer|버퍼]]를 채웁니다.
-# - 공을 볼 때마다 `on_point`가 호출됩니다. 버퍼에서 `map_T_camera`를 조회하고, 점을 옮깁니다.
-# - 조회할 때는 `Time()`을 씁니다. 작성자는 "가장 최신 위치가 당연히 가장 좋겠지"라고 생각했습니다.
+# - [[listener|변환 수신기(listener)]]는 `/tf`와 `/tf_static`을 구독해 [[buffer|버퍼]]를 채웁니다.
+# - 공을 볼 때마다 `on_point`가 호출됩니다. 버퍼에서 `map_T_camera`를 조회하고, 점을 지도 기준으로 바꿉니다.
+# - 조회할 때는 `Time()`을 씁니다. 작성자는 “가장 최근 포즈가 당연히 가장 좋겠지”라고 생각했습니다.
 #
 # 그다음 셀에서는 12초가 흐릅니다. `spin_once`는 메시지 하나를 기다려 콜백을 호출합니다. 이 페이지의 시간은 가상이라 금방 끝납니다.
 
@@ -194,14 +194,14 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 
 # %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
 # 고리가 실제 공이고, 점은 지도에 찍힌 공의 위치입니다. 그림의 가로는 1.9 m입니다.
-# 그림 읽기: balls on the map = 지도에 찍힌 공, off by … on average / at worst = 평균 / 최대 … 빗나감.
+# *그림 읽기:* balls on the map = 지도에 찍힌 공, off by … on average / at worst = 평균 / 최대 … 빗나감.
 #
 # 고리 안에 든 점은 하나도 없습니다.
 # 지도에는 공이 네다섯 개, 진짜 공의 양쪽에 두 무리로 나타납니다. 평균 0.20 m, 최대 0.28 m 빗나갔습니다.
-# 그리퍼라면 자신 있게 허공을 움켜쥐었을 것입니다.
+# 그리퍼라면 허공을 움켜쥐었을 것입니다.
 #
-# 수학도 트리도 맞았습니다.
-# 틀린 것은 질문입니다. 카메라가 *그때* 본 것인데, 카메라가 *지금* 어디 있는지를 조회했습니다.
+# 수식도 트리도 맞았습니다.
+# 틀린 것은 요청 시각입니다. 카메라가 *그때* 본 것인데, 카메라가 *지금* 어디 있는지를 조회했습니다.
 
 # %% [markdown] lang="en" name="many-balls-notes" slide="notes"
 # Let them count. Wait for the laugh, then ask why there are two groups and not one cloud.
@@ -209,9 +209,9 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 # Real numbers to mention: in a recorded Nav2 run, looking up map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
 
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
-# 직접 세어 보게 합니다. 웃음이 가라앉으면, 왜 구름 하나가 아니라 두 무리인지 묻습니다.
-# 로봇은 왼쪽으로 돌고 있었거나 오른쪽으로 돌고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
-# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 "지금"의 것으로 조회하면 중앙값 3 cm, 최대 15 cm만큼 로봇이 옮겨졌습니다.
+# 직접 세어 보게 합니다. 그다음 왜 한 무리가 아니라 두 무리인지 묻습니다.
+# 로봇은 왼쪽으로 회전하고 있었거나 오른쪽으로 회전하고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
+# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 “지금”의 것으로 조회하면 로봇의 위치가 중앙값 3 cm, 최대 15 cm만큼 틀렸습니다.
 
 # %% [markdown] lang="en" name="predict-error" slide="slide"
 # ## How far off, with a pencil
@@ -228,8 +228,8 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 #
 # ### 예측해 봅시다
 #
-# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에, 그때 본 것을 *지금*의 로봇 위치를 기준으로 지도에 옮깁니다. 물체는 얼마나 빗나가 그려질까요?
-# 2. 같은 조건에서, 이번에는 달리면서 0.5 rad/s로 왼쪽으로 돕니다. 이제 얼마나 빗나갈까요? 비슷할까요, 두 배일까요, 두 배보다 클까요?
+# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에, 그때 본 것을 로봇의 *지금* 포즈로 지도 기준으로 바꿉니다. 물체는 얼마나 빗나가 그려질까요?
+# 2. 같은 조건에서, 이번에는 달리면서 0.5 rad/s로 왼쪽으로 회전합니다. 이제 얼마나 빗나갈까요? 비슷할까요, 두 배일까요, 두 배보다 클까요?
 #
 # 두 숫자를 적어 두고 실행해 보세요.
 
@@ -262,7 +262,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # </details>
 
 # %% [markdown] lang="ko" name="two-pieces" tags=["predicted"] slide="subslide"
-# 곧게 갈 때 0.2 m, 돌 때 0.54 m입니다. 거의 느끼지도 못할 회전 때문에 오차가 세 배 가까이 커졌습니다.
+# 곧게 갈 때 0.2 m, 회전할 때 0.54 m입니다. 거의 느끼지도 못할 회전 때문에 오차가 세 배 가까이 커졌습니다.
 #
 # 오차는 서로 직각인 두 성분으로 이루어집니다.
 #
@@ -271,13 +271,13 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그것이 작은 성분입니다.
 # 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
-# (우리 지도의 공은 0.2초를 넣은 이 식의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 위치도 이미 0.1초 전의 것이었기 때문입니다.)
+# (우리 지도의 공은 0.2초를 넣은 이 식의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 포즈도 이미 0.1초 전의 것이었기 때문입니다.)
 #
 # <details><summary>다르게 예측했다면</summary>
 #
-# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 로봇은 0.1 rad 더 돌아가 있고, 5 m 앞에서는 그것이 0.5 m입니다.
+# - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 로봇은 0.1 rad 더 회전해 있고, 5 m 앞에서는 그것이 0.5 m입니다.
 # - *0.7 m*: 두 성분을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
-# - *오른쪽으로 빗나간다*: 관측값은 '정면 5 m'라는 뜻일 뿐입니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 끌려갑니다.
+# - *오른쪽으로 빗나간다*: 관측값은 ‘정면 5 m’라는 뜻일 뿐입니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 어긋납니다.
 # - *수백 m, 또는 몇 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
 #
 # </details>
@@ -288,7 +288,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 
 # %% [markdown] lang="ko" name="two-pieces-notes" slide="notes"
 # 다음으로 넘어가기 전에 둘째 문제의 답을 모읍니다. 대개 0.2 m나 0.3 m라고 합니다.
-# 그런 다음 팔을 뻗고 제자리에서 몇 도만 돌아 보입니다. 몸은 거의 움직이지 않는데 손은 크게 움직입니다.
+# 그런 다음 팔을 뻗고 제자리에서 몇 도만 회전해 보입니다. 몸은 거의 움직이지 않는데 손은 크게 움직입니다.
 
 # %% [markdown] lang="en" name="the-sentence" slide="slide"
 # ## The idea, three times
@@ -308,8 +308,8 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # **숫자로:** 바로 위의 셀입니다.
 #
 # **3D로:** 아래입니다. 실선 축은 측정 시각의 로봇, 파선 축은 지금의 로봇입니다.
-# delay 슬라이더를 끌면서 공이 달아나는 모습을 보세요.
-# 그림 읽기: robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, object = 물체, from above = 위에서 본 모습, in 3D = 3D로, error = 오차, enlarged = 확대한 것, exactly = 정확한 값, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 위치로 그린 것.
+# delay 슬라이더를 끌면서 공이 어떻게 어긋나는지 살펴보세요.
+# *그림 읽기:* robot at the stamp = 측정 시각의 로봇, robot now = 지금의 로봇, ball = 공, object = 물체, from above = 위에서 본 모습, in 3D = 3D로, error = 오차, enlarged = 확대한 것, exactly = 정확한 값, speed × delay = 속도 × 지연, range × yaw rate × delay = 거리 × yaw 각속도 × 지연, drawn with the pose of now = 지금의 포즈로 그린 것.
 
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
 lesson.show_latency()
@@ -331,7 +331,7 @@ lesson.draw_latency(turning)
 # 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보세요.
 #
 # - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇일까요?
-# - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 돕니다. 관측은 몇 초 전의 것까지 써도 될까요?
+# - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 회전합니다. 관측은 몇 초 전의 것까지 써도 될까요?
 
 # %% name="slider" tags=["interactive"] slide="subslide"
 lesson.latency_panel(turning)
@@ -356,7 +356,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
 # 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
 #
-# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 도는 로봇이라도 0.04초, 30 Hz 카메라로 영상 한 장 남짓입니다.
+# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초, 30 Hz 카메라로 영상 한 장 남짓입니다.
 # 그렇게 빠른 검출기는 없습니다. 계산을 빠르게 해서 될 일이 아닙니다. 올바른 시각의 변환을 조회해야 합니다.
 #
 # </details>
@@ -377,15 +377,15 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # %% [markdown] lang="ko" name="the-lanes" slide="slide"
 # ## 버퍼가 기억하는 것
 #
-# *그때*를 알려면 누군가 *그때*를 간직하고 있어야 합니다.
+# *그때*의 변환을 알려면 누군가 그것을 보관하고 있어야 합니다.
 # 버퍼가 하는 일이 바로 그것입니다.
 #
-# 트리의 연결마다 시간줄이 하나씩 있습니다. 그림에서는 한 줄입니다.
-# 줄에는 최근 몇 초 동안 받은 [[sample|표본(sample)]]이 저마다 측정 시각 자리에 놓여 있습니다.
+# 트리의 연결마다 시간줄이 하나씩 있습니다. 그림에서는 가로로 한 줄입니다.
+# 시간줄에는 최근 몇 초 동안 받은 [[sample|표본(sample)]]이 저마다 측정 시각 자리에 놓여 있습니다.
 # 정적 연결에는 값이 하나뿐이고, 어느 시각에나 유효합니다.
 #
 # 표본을 셀 수 있도록 작은 버퍼를 손으로 만들었습니다.
-# (`BufferCore`는 `tf2_ros.Buffer` 안에 있는 엔진입니다. 직접 채우면 노드 세 개를 아낄 수 있습니다.)
+# (`BufferCore`는 `tf2_ros.Buffer` 안에 있는 엔진입니다. 직접 채우면 노드를 세 개 만들지 않아도 됩니다.)
 
 # %% name="small-buffer"
 small = BufferCore()
@@ -416,9 +416,9 @@ lesson.draw_history(small, "map", "laser_frame", seconds(3.4))
 #
 # 3.4초에는 표본이 없는데도 값이 나옵니다. x = 2.1 m입니다.
 # `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, 레이저까지 0.20 m를 더합니다.
-# 이것이 [[interpolation|보간(interpolation)]]입니다. 위치는 직선을, 회전은 가장 짧은 호를 따라갑니다.
+# 이것이 [[interpolation|보간(interpolation)]]입니다. 이동은 직선을, 회전은 가장 짧은 호를 따라 보간합니다.
 #
-# 줄 안에서는 버퍼가 빈틈을 메웁니다. 바깥에서는 결코 짐작하지 않습니다.
+# 시간줄 안에서는 빈 시각을 보간합니다. 바깥에서는 결코 짐작하지 않습니다.
 #
 # **예측해 봅시다.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°일까요, 180°일까요?
 
@@ -437,9 +437,9 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # Many programs contain this bug. The exercise lets you write it once more, safely.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
-# 180°입니다. 여느 로봇처럼 등 뒤쪽을 지나 20°만 돌았습니다.
+# 180°입니다. 뒤쪽을 지나 20°만 회전했습니다.
 # 두 숫자를 평균하면 0°가 되고, 로봇이 한순간 반대쪽을 봅니다.
-# 어느 프로그래밍 언어에서든 누군가 한 번은 만든 버그입니다. 연습 문제에서 안전하게 한 번 더 만들어 볼 수 있습니다.
+# 어느 프로그래밍 언어에서나 흔한 버그입니다. 연습 문제에서 한 번 더 만들어 볼 수 있습니다.
 
 # %% [markdown] lang="en" name="latest-common" slide="slide"
 # ### How fresh is "latest"?
@@ -454,13 +454,13 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # Which time does `Time()` give?
 
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
-# ### "최신"은 얼마나 새로울까요?
+# ### “최신”은 언제의 것일까요?
 #
-# 조회 하나가 여러 줄을 지나고, 줄 *하나하나*에 그 시각의 값이 있어야 합니다.
-# 그림에서 칠해진 띠가 모든 줄에 값이 있는 구간입니다. 그림 읽기: all of them = 모든 줄, query = 조회, stamp = 측정 시각.
+# 조회 하나가 여러 시간줄을 지나고, *하나하나*에 그 시각의 값이 있어야 합니다.
+# 그림에서 칠해진 띠가 모든 시간줄에 값이 있는 구간입니다. *그림 읽기:* all of them = 모든 시간줄, query = 조회, stamp = 측정 시각.
 #
-# `Time()`은 "시각 0"이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 읽습니다.
-# "지금"이라는 뜻이 **아닙니다**.
+# `Time()`은 “시각 0”이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 처리합니다.
+# “지금”이라는 뜻이 **아닙니다**.
 #
 # 그림을 보고 **예측해 봅시다.** `map → odom`은 4.00초에, `odom → base_link`는 4.75초에 끝나고, 정적인 장착 변환은 1.00초에 보냈으며, 현재 시각은 4.80초입니다.
 # `Time()`으로 조회하면 어느 시각의 변환이 나올까요? (출력의 `map <- laser_frame`은 목표 ← 원본입니다.)
@@ -484,14 +484,14 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # Here is our driving robot, shortly after its last detection:
 
 # %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00초, 즉 **마지막 시각들 중에서 가장 이른 것**입니다. 느린 줄 하나가 모두를 붙잡습니다.
+# 4.00초, 즉 **마지막 시각들 가운데 가장 이른 것**입니다. 가장 느린 시간줄이 전체를 제한합니다.
 #
 # - 4.75초라면 `map → odom`의 값이 아직 없는 시각입니다.
-# - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 아무도 붙잡지 않습니다.
-# - 4.80초는 지금이고, 버퍼 안에 그만큼 새로운 것은 없습니다.
+# - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 제한하지 않습니다.
+# - 4.80초는 지금이고, 버퍼에 그만큼 최근의 표본은 없습니다.
 #
-# 목표가 `odom`이면 느린 줄을 지나지 않으므로 4.75초입니다.
-# 정적 연결로만 이어진 경로에는 최신 시각이 없고, tf2는 0을 반환합니다.
+# 목표가 `odom`이면 느린 시간줄을 지나지 않으므로 4.75초입니다.
+# 정적 연결만으로 된 경로에는 최신 시각이 없고, tf2는 0을 반환합니다.
 # (로봇에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
 # 마지막으로 공을 본 직후의 우리 로봇입니다.
@@ -510,9 +510,9 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 # Now drag the requested time through the small buffer, and past both of its ends.
 
 # %% [markdown] lang="ko" name="latest-live-read"
-# 순간이 셋입니다. 지금 13.00초, "최신" 12.89초, 영상을 찍은 12.80초입니다.
-# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 줄이 내놓을 수 있는 시각일 뿐입니다.
-# 답에는 시각(stamp)이 붙어 있습니다. 한 번 출력해 보면 다시는 "지금"이라고 부르지 않게 됩니다.
+# 시각이 셋입니다. 지금 13.00초, “최신” 12.89초, 영상을 찍은 12.80초입니다.
+# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 시간줄의 마지막 시각일 뿐입니다.
+# 조회한 변환에는 시각(stamp)이 붙어 있습니다. 출력해 보면 “지금”이 아님을 알 수 있습니다.
 #
 # 이제 작은 버퍼 위에서 요청 시각을 끌어 양쪽 끝을 넘어가 보세요.
 
@@ -528,8 +528,8 @@ lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 # tf2 calls this [[extrapolation]], and raises an exception. Chapter 09 is about these exceptions.
 
 # %% [markdown] lang="ko" name="past-the-end-read"
-# 4.4초에 `odom → base_link`는 답할 수 있지만 `map → odom`은 답할 수 없으므로, 답이 없습니다.
-# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절에 관한 이야기는 09장에서 합니다.
+# 4.4초에 `odom → base_link`에는 값이 있지만 `map → odom`에는 값이 없으므로, 조회가 실패합니다.
+# tf2는 이것을 [[extrapolation|외삽(extrapolation)]]이라 부르고 거절합니다. 거절은 09장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="past-the-end-notes" slide="notes"
 # Drag slowly across 4.00 s and let the class see the handle change into a cross.
@@ -538,7 +538,7 @@ lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 
 # %% [markdown] lang="ko" name="past-the-end-notes" slide="notes"
 # 4.00초를 천천히 넘기며 손잡이가 X로 바뀌는 순간을 보여 줍니다.
-# 그리고 묻습니다. 누구의 잘못입니까? 조회입니까, map → odom입니까?
+# 그리고 묻습니다. 무엇을 고쳐야 합니까? 조회입니까, map → odom입니까?
 # 그런 다음 LATEST를 켜서 손잡이가 4.00초로 되돌아가는 것을 보여 줍니다.
 
 # %% [markdown] lang="en" name="worked" slide="slide"
@@ -553,7 +553,7 @@ lesson.draw_history(small, "map", "laser_frame", seconds(4.4))
 # %% [markdown] lang="ko" name="worked" slide="slide"
 # ## 예제: 값, 좌표계, 측정 시각
 #
-# 값, 좌표계, 측정 시각은 메시지에 다 있습니다. 우리가 정할 것은 목표뿐입니다.
+# 값, 좌표계, 측정 시각은 모두 메시지에 있습니다. 우리가 정할 것은 목표뿐입니다.
 #
 # 1. **목표**(target): 기준이 될 좌표계, `"map"`
 # 2. **원본**(source): `message.header.frame_id`
@@ -576,7 +576,7 @@ print(f"at {stamp.nanoseconds / 1e9} s: ({by_hand.point.x:.2f}, {by_hand.point.y
 # 공의 실제 위치는 (6.50, -1.50, 0.30)입니다.
 #
 # 워낙 자주 쓰는 코드라 tf2에는 한 줄로 끝내는 함수가 있습니다.
-# `buffer.transform(message, "map")`은 좌표계와 측정 시각을 메시지에서 직접 읽습니다. 틀릴 여지가 없습니다.
+# `buffer.transform(message, "map")`은 좌표계와 측정 시각을 메시지에서 직접 읽으므로, 인자를 틀릴 여지가 없습니다.
 
 # %% name="transform-in-one-line"
 points = [finder.buffer.transform(message, "map").point for message in finder.messages]
@@ -591,7 +591,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # The rest, 2 cm on average, is noise of the camera and the localisation.
 
 # %% [markdown] lang="ko" name="one-ball-again"
-# 그림 읽기: newest pose = 최신 위치, pose at the stamp = 측정 시각의 위치.
+# *그림 읽기:* newest pose = 최신 포즈, pose at the stamp = 측정 시각의 포즈.
 #
 # 공이 하나입니다. 같은 메시지 마흔 개, 같은 버퍼, 같은 로봇이고, 바뀐 것은 셋째 인자뿐입니다.
 # 남은 오차(평균 2 cm)는 카메라와 위치 추정의 잡음입니다.
@@ -602,7 +602,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # The same kind of point, wanted in `odom` this time. Replace each `...`, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="slide"
-# ## 빈칸 두 개를 채워 보세요
+# ## 빈칸을 채워 보세요
 #
 # 같은 점을 이번에는 `odom` 기준으로 보고 싶습니다. `...` 두 곳을 바꾸고 실행해 보세요.
 
@@ -627,7 +627,7 @@ else:
 # %% [markdown] lang="ko" name="faded-answer"
 # <details><summary>맞았는지 확인하는 법</summary>
 #
-# `finder.buffer.transform(message, "odom").point`가 같은 숫자를 줍니다.
+# `finder.buffer.transform(message, "odom").point`의 숫자와 같아야 합니다.
 # 빈칸은 `message.header.frame_id`와 `Time.from_msg(message.header.stamp)`입니다.
 #
 # </details>
@@ -651,14 +651,14 @@ else:
 # ### 직접 해 보세요
 #
 # - 위 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지에나 12.9초입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
-# - 측정 시각보다 100 ms 이른 변환을 조회해 보세요. 100 ms 늦은 변환보다 나을까요, 나쁠까요?
+# - 측정 시각 100 ms 이전의 변환을 조회해 보세요. 100 ms 이후의 변환보다 나을까요, 나쁠까요?
 # - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보세요. 작은 성분인 속도 × 지연만 남습니다.
 #
 # <details><summary>찾은 것 확인하기</summary>
 #
-# - 20번은 1.9 m, 25번은 1.8 m, 38번은 0.5 m 빗나갑니다. 저마다 다른 때 본 것을 모두 하나의 위치로 옮겼기 때문입니다. `on_point`에서 바로 조회했을 때는 최신 위치가 관측보다 0.2초 넘게 늦은 적이 없었습니다.
-# - 100 ms 이른 것은 100 ms 늦은 것만큼 나쁘고, 방향만 반대입니다. 오차의 부호는 지연의 부호를 따릅니다.
-# - 회전이 없으면 공은 하나이고, 로봇이 나아간 방향으로만 늘어납니다.
+# - 20번은 1.9 m, 25번은 1.8 m, 38번은 0.5 m 빗나갑니다. 저마다 다른 때 본 것을 모두 하나의 포즈로 바꾸었기 때문입니다. `on_point`에서 바로 조회했을 때는 최신 포즈의 시각은 관측보다 최대 0.2초 나중이었습니다.
+# - 100 ms 이전의 변환은 100 ms 이후의 변환만큼 나쁘고, 방향만 반대입니다. 오차의 부호는 지연의 부호를 따릅니다.
+# - 회전이 없으면 점들은 한 무리가 되고, 나아간 방향으로 길게 퍼집니다.
 #
 # </details>
 
@@ -676,8 +676,8 @@ else:
 #
 # ### 하나: 측정 시각 덮어쓰기
 #
-# 지금 이 순간에도 어딘가의 노드가 이렇게 하고 있습니다.
-# 메시지를 받아 걸러 낸 뒤, "어쨌든 지금 발행하니까"라며 지금 시각을 새로 찍어 내보냅니다.
+# 이렇게 하는 노드가 실제로 많습니다.
+# 메시지를 받아 필터를 거친 뒤, “어쨌든 지금 발행하니까”라며 지금 시각을 새로 적어 내보냅니다.
 # (오류 위에는 원래 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 마지막 줄입니다.)
 
 # %% name="overwritten" tags=["raises-exception"]
@@ -694,7 +694,7 @@ finder.buffer.transform(late, "map")
 # So 110 ms are missing, and a "fix" seems near: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 위에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
+# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
 # 110 ms가 모자랄 뿐이니 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
 
 # %% name="the-cure" slide="fragment"
@@ -713,11 +713,11 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
 # What does that look like for a laser? Here a filter holds each scan for 0.3 s. The walls are drawn twice: once with the laser's stamp, once with a new one.
 
 # %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
-# 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 아무도 알려 주지 않습니다.
-# **`header.stamp`는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 숨습니다.
+# 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 오류도 나지 않습니다.
+# **`header.stamp`는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 드러나지 않게 됩니다.
 #
-# 레이저에서는 어떻게 보일까요? 필터가 스캔을 0.3초 붙잡아 둡니다. 같은 스캔으로 벽을 두 번 그려 봅니다. 한 번은 레이저가 적은 측정 시각으로, 한 번은 도착해서 새로 적은 시각으로 그립니다.
-# 그림 읽기: the laser's stamp = 레이저의 측정 시각, a fresh stamp on arrival = 도착할 때 새로 적은 시각.
+# 레이저에서는 어떻게 보일까요? 필터를 거치는 데 0.3초가 걸립니다. 같은 스캔으로 벽을 두 번 그려 봅니다. 한 번은 레이저 드라이버가 적은 측정 시각으로, 한 번은 도착해서 새로 적은 시각으로 그립니다.
+# *그림 읽기:* the laser's stamp = 레이저의 측정 시각, a fresh stamp on arrival = 도착할 때 새로 적은 시각.
 
 # %% name="scans"
 filtered = {"laser": lesson.Source("laser_driver", 10.0, 0.3, 0.004)}  # 10 Hz, 0.3 s late
@@ -751,12 +751,12 @@ lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 # That is [[motion distortion]], and you know the fix by now: look up each ray at its own time.
 
 # %% [markdown] lang="ko" name="smear-read" slide="subslide"
-# RViz에서 흔히 "스캔이 벽에 번진다"고 하는 증상입니다. 그러고는 고장 난 레이저부터 찾기 시작합니다.
-# 먼 벽일수록 크게 흔들립니다. 이번에도 거리 × yaw 각속도 × 지연입니다.
+# RViz에서 흔히 “스캔이 벽에 번진다”고 하는 증상입니다. 그래서 레이저가 고장 났는지부터 의심하기 쉽습니다.
+# 먼 벽일수록 크게 어긋납니다. 이번에도 거리 × yaw 각속도 × 지연입니다.
 #
 # 왼쪽 그림도 완벽하지는 않습니다. 평균 4 cm, 최대 27 cm 어긋납니다.
-# 한 바퀴 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 그보다 0.1초 늦게 쟀습니다.
-# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 측정 시각의 변환을 쓰면 됩니다. 그림 읽기: one stamp a scan = 스캔마다 시각 하나, one stamp a ray = 광선마다 시각 하나.
+# 레이저가 한 번 훑는 데 0.1초가 걸리고, 헤더의 측정 시각은 *첫* 광선의 시각입니다. 마지막 광선은 그 0.1초 뒤에 측정했습니다.
+# 이것이 [[motion distortion|움직임 왜곡(motion distortion)]]이고, 해결책은 이미 압니다. 광선마다 자기 측정 시각의 변환을 쓰면 됩니다. *그림 읽기:* one stamp a scan = 스캔마다 시각 하나, one stamp a ray = 광선마다 시각 하나.
 
 # %% name="ray-by-ray"
 rays = []
@@ -773,8 +773,8 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
 # 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 같은 일을 합니다.
-# 10 Hz로 훑는 레이저와 0.5 rad/s로 도는 로봇이면, 한 바퀴 사이에 0.05 rad가 돌아가고 5 m 앞에서 25 cm가 된다고 말해 줍니다.
-# 그리고 다시 돌아옵니다. 실제 번짐의 대부분은 측정 시각에서 오고, 고치는 데 돈이 들지 않습니다.
+# 10 Hz로 훑는 레이저와 0.5 rad/s로 회전하는 로봇이면, 한 번 훑는 사이에 0.05 rad 회전하고 5 m 앞에서 25 cm가 된다고 말해 줍니다.
+# 그리고 다시 정리합니다. 실제 번짐의 대부분은 측정 시각이 원인이고, 고치는 데 비용이 들지 않습니다.
 
 # %% [markdown] lang="en" name="break-slow" slide="slide"
 # ### Two: odometry once a second
@@ -786,7 +786,7 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 # %% [markdown] lang="ko" name="break-slow" slide="slide"
 # ### 둘: 초당 한 번뿐인 오도메트리
 #
-# 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정 시각보다 0.2초 늦게 도착합니다.
+# 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정한 지 0.2초 뒤에 도착합니다.
 #
 # **예측해 봅시다.** 관측 마흔 개쯤 중에서 몇 개나, 도착하자마자 자기 측정 시각의 변환을 얻을까요?
 
@@ -814,10 +814,10 @@ print(refusals[0])
 
 # %% [markdown] lang="ko" name="slow-odometry-read" tags=["predicted"] slide="subslide"
 # 3분의 1뿐입니다.
-# *모든* 줄에, 관측의 측정 시각과 같거나 그보다 늦은 표본이 하나는 있어야 답이 나옵니다. 그런데 1초 중 대부분은 최신 오도메트리조차 관측보다 이릅니다.
+# 관측의 측정 시각을 조회하려면 *모든* 시간줄에 측정 시각 이후의 표본이 하나는 있어야 합니다. 그런데 대개는 최신 오도메트리도 아직 그 시각에 이르지 못했습니다.
 #
-# 방법은 셋이며, 이 순서로 시도합니다. 오도메트리를 더 자주 발행합니다. 줄이 따라올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
-# `Time()`은 여기에 없습니다. 언제나 답해 주지만, 최대 1초 묵은 위치로 답합니다.
+# 방법은 셋이며, 이 순서로 시도합니다. 오도메트리를 더 자주 발행합니다. 필요한 표본이 올 때까지 메시지를 기다리게 합니다(09장). 아니면 버립니다.
+# `Time()`은 여기에 없습니다. 언제나 값이 나오지만, 최대 1초 전의 포즈입니다.
 
 # %% [markdown] lang="en" name="break-type" slide="slide"
 # ### Three: a forgotten import
@@ -830,8 +830,8 @@ print(refusals[0])
 # %% [markdown] lang="ko" name="break-type" slide="slide"
 # ### 셋: 빠뜨린 import
 #
-# `transform()`은 `PointStamped`를 어떻게 다루는지 어디서 배웠을까요?
-# `tf2_geometry_msgs`를 import할 때 배웠습니다. 쓰이지 않는 import처럼 보이므로, 어느 날 깔끔한 동료가 지웁니다.
+# `transform()`은 `PointStamped`의 변환 방법을 어디에서 얻을까요?
+# `tf2_geometry_msgs`를 import할 때 등록됩니다. 쓰이지 않는 import처럼 보이므로, 정리하다가 지우기 쉽습니다.
 #
 # 이 페이지에서는 점을 다루는 패키지만 import했고, 포인트 클라우드를 다루는 `tf2_sensor_msgs`는 import하지 않았습니다.
 
@@ -850,14 +850,14 @@ except TransformException as error:
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
-# TF는 죄가 없습니다. 없는 좌표계도 틀린 시각도 없고, 파이썬이 그 자료형을 배우지 못했을 뿐입니다.
+# TF의 문제가 아닙니다. 없는 좌표계도 틀린 시각도 없고, 그 자료형의 변환 방법이 등록되지 않았을 뿐입니다.
 # 고치는 법: 점, 포즈, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
 # %% [markdown] lang="en" name="forgotten-import-notes" slide="notes"
 # Ask who has a linter that deletes unused imports. This import has to stay, and the comment beside it protects it.
 
 # %% [markdown] lang="ko" name="forgotten-import-notes" slide="notes"
-# 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 묻습니다. 이 import는 남아야 하고, 옆에 단 주석이 그것을 지킵니다.
+# 쓰지 않는 import를 지우는 린터를 쓰는 사람이 있는지 묻습니다. 이 import는 남아야 하고, 옆에 주석을 달아 두면 지워지지 않습니다.
 
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
@@ -867,7 +867,7 @@ except TransformException as error:
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
 #
-# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 컴퓨터의 실제 시각(wall time)을 봅니다.
+# 처음의 이야기를 그때의 숫자 그대로 재현합니다. TF는 시뮬레이션의 시계를, 노드는 시스템 시간(wall time)을 따릅니다.
 
 # %% name="fifty-years" tags=["raises-exception"]
 simulation = BufferCore()
@@ -879,7 +879,7 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # A slow network never explains two times this far apart. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
 
 # %% [markdown] lang="ko" name="fifty-years-read"
-# 두 숫자가 이렇게 멀면 결코 느린 네트워크 탓이 아닙니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
+# 두 숫자가 이렇게 멀면 네트워크 지연이 원인일 수 없습니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
 
 # %% [markdown] lang="en" name="how-long" slide="slide"
 # ## How long must the buffer remember?
@@ -890,8 +890,8 @@ simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 # %% [markdown] lang="ko" name="how-long" slide="slide"
 # ## 버퍼는 얼마나 오래 기억해야 할까요?
 #
-# 버퍼는 잊습니다. 줄마다 가장 늦은 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 간직합니다. 따로 정하지 않으면 10초입니다.
-# 그보다 오래 계산하고 돌아오면, 찾는 표본은 이미 지워지고 없습니다.
+# 버퍼는 오래된 것을 지웁니다. 시간줄마다 최신 표본에서 거꾸로 세어 [[cache time|보관 시간(cache time)]]만큼만 보관합니다. 따로 정하지 않으면 10초입니다.
+# 계산이 그보다 오래 걸리면, 필요한 표본은 이미 지워지고 없습니다.
 
 # %% name="short-memory" tags=["raises-exception"]
 forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
@@ -906,8 +906,8 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Choose more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
-# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
-# 따라서 경로에서 가장 느린 줄을 두고 다음이 성립해야 합니다.
+# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 시간줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
+# 따라서 경로에서 발행률이 가장 낮은 연결을 두고 다음이 성립해야 합니다.
 #
 # > 보관 시간 ≥ 지연 + 한 주기
 #
@@ -924,13 +924,13 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # Its arguments are two frames, each followed by its own time, and the fixed frame.
 
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
-# ## 한 걸음 더: 두 순간을 한 번에
+# ## 한 단계 더: 두 시각을 한 번에
 #
-# 경로 계획기가 7.4초에 본 공을 두고 1초 동안 생각합니다. 이제 8.4초, 조향하려고 합니다.
+# 경로 계획기가 7.4초에 본 공을 두고 1초 동안 계산합니다. 이제 8.4초, 조향하려고 합니다.
 # 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
-# 시각 하나로는 이런 조회를 할 수 없습니다. 두 순간 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 이어 줍니다. 여기서는 `odom`입니다.
-# `lookup_transform_full`은 **그때**의 카메라에서 `odom`까지 올라가고, 거기서 1초를 기다렸다가, **지금**의 base_link로 내려옵니다.
+# 시각 하나로는 이런 조회를 할 수 없습니다. 두 시각 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 연결합니다. 여기서는 `odom`입니다.
+# `lookup_transform_full`은 **그때**의 카메라에서 `odom`까지 올라가고, 1초 뒤인 **지금**의 시각으로 `odom`에서 base_link로 내려옵니다.
 # 인자는 좌표계 두 개(각각 시각이 하나씩 따라옵니다)와 고정 좌표계 하나입니다.
 
 # %% name="six-arguments"
@@ -963,16 +963,16 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # *그림 읽기:* ball = 공, ahead = 앞, to the right = 오른쪽, to the left = 왼쪽, grid of 1 m = 눈금 한 칸이 1미터.
 #
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
-# 옛 답은 옛 질문에 대한 옳은 답이었습니다. 그대로 조향했다면 로봇은 공의 반대쪽으로 돌았을 것입니다.
+# 1초 전의 값은 1초 전에는 옳았습니다. 그대로 조향했다면 로봇은 공의 반대쪽으로 회전했을 것입니다.
 #
-# 왜 `map`이 아니라 `odom`일까요? 공은 둘 다에서 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 뛸 수 있고, 공도 함께 뜁니다(05장).
+# 왜 `map`이 아니라 `odom`일까요? 공은 둘 다에서 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 튈 수 있고, 공도 함께 튑니다(05장).
 
 # %% [markdown] lang="en" name="two-moments-notes" slide="notes"
 # Walk it: one student is the ball, you are the robot. Say where the ball is, close your eyes, take three steps and turn, and point to where you said it was.
 # The floor did not move. That is what odom is for.
 
 # %% [markdown] lang="ko" name="two-moments-notes" slide="notes"
-# 직접 걸어 보입니다. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 걸음 걷고 돈 다음, 말한 곳을 가리킵니다.
+# 직접 걸어 보입니다. 학생 한 명이 공이고 강사가 로봇입니다. 공의 위치를 말하고 눈을 감은 채 세 발 걷고 방향을 바꾼 다음, 처음에 말한 곳을 가리킵니다.
 # 바닥은 움직이지 않았습니다. odom이 하는 일이 바로 그것입니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -1013,25 +1013,25 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 #
 # <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 조회합니다.</summary>
 #
-# 오류는 사라지고, 이제 점마다 다른 순간의 위치로 옮겨집니다. 우리 방에서 도는 로봇은 그렇게 20 cm를 틀렸습니다. 시끄러운 오류를 조용한 오차와 맞바꾼 셈입니다.
+# 오류는 사라지지만, 점마다 다른 순간의 포즈로 변환됩니다. 이 장의 첫 방에서 회전하던 로봇은 그렇게 20 cm를 틀렸습니다. 눈에 띄는 오류를 눈에 띄지 않는 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #
 # <details><summary>B. 조회하기 전에 <code>header.stamp</code>를 지금으로 바꿉니다.</summary>
 #
-# 더 늦은 시각을 조회하게 되어 거절이 늘고, 성공한 답은 지연 전체만큼 틀립니다. 게다가 그 메시지를 뒤에 읽을 모두에게 거짓말을 했습니다.
+# 더 나중의 시각을 조회하게 되어 거절이 늘고, 성공해도 지연 전체만큼 틀립니다. 게다가 그 메시지를 나중에 읽는 노드는 모두 틀린 시각을 쓰게 됩니다.
 #
 # </details>
 #
 # <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버립니다.</summary>
 #
-# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 조회한 시각은 옳았고, 너무 일찍 조회했을 뿐입니다. 막지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
+# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 요청 시각은 옳았고, 너무 일찍 조회했을 뿐입니다. 스레드를 멈추지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
 #
 # </details>
 #
 # <details><summary>D. <code>cache_time</code>을 늘립니다.</summary>
 #
-# 보관 시간은 버퍼가 얼마나 *옛날*까지 기억하는지를 정합니다. 여러분이 조회하는 것은 아직 도착하지 않았습니다. 아무리 긴 기억으로도 소용없습니다.
+# 보관 시간은 버퍼가 얼마나 *오래된 것*까지 보관하는지를 정합니다. 지금 조회하는 것은 아직 도착하지 않았습니다. 보관 시간을 아무리 늘려도 소용없습니다.
 #
 # </details>
 
@@ -1039,7 +1039,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # Everybody writes a letter down before anybody speaks. Let an A and a C argue: both get rid of the error, and only one of them places the ball correctly.
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 누구든 입을 열기 전에 모두 글자 하나를 적게 합니다. A와 C를 고른 사람이 서로 설득하게 합니다. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
+# 말하기 전에 모두 글자 하나를 적게 합니다. A와 C를 고른 사람이 서로 설득하게 합니다. 둘 다 오류는 없애지만, 공을 제자리에 놓는 것은 하나뿐입니다.
 
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
@@ -1048,7 +1048,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # Read it first, then run its main part below. The corrected file is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
-# ## 실제 로봇에서도 똑같이
+# ## 실제 로봇에서
 #
 # 강의의 실습용 노드입니다. 앞의 `Finder`에 세 가지를 더했습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, TF에 변환이 없으면 경고를 남깁니다.
 # 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 고친 파일은 이 절의 끝에 있습니다.
@@ -1171,7 +1171,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # Here is its main part, running on our robot:
 
 # %% [markdown] lang="ko" name="its-heart" slide="-"
-# 핵심 부분을 우리 로봇에서 돌려 봅니다.
+# 핵심 부분을 우리 로봇에서 실행해 봅니다.
 
 
 # %% name="point-to-map"
@@ -1199,7 +1199,7 @@ class PointToMap(Node):
 # %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
 # 로봇이 12초째 달리던 중에 노드를 켭니다.
 #
-# **예측해 봅시다.** 첫 점은 노드가 듣기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 찍힐까요, 거절될까요?
+# **예측해 봅시다.** 첫 점은 노드가 구독을 시작하기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 찍힐까요, 거절될까요?
 
 
 # %% name="with-a-timeout" tags=["predicted"] slide="fragment"
@@ -1226,13 +1226,13 @@ node.stop()
 
 # %% [markdown] lang="ko" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
 # 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보세요. 차이가 점점 *벌어집니다*.
-# 로봇은 전과 똑같이 발행하고 있습니다. 듣기를 멈춘 것은 노드입니다.
+# 로봇은 전과 똑같이 발행하고 있습니다. 수신이 멈춘 쪽은 노드입니다.
 #
-# 스레드 하나로 spin하는 노드는 한 번에 한 가지 일만 합니다.
-# 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 아무도 `/tf`를 읽지 않습니다.
+# 스레드가 하나인 노드는 한 번에 한 가지 일만 합니다.
+# 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 `/tf`를 읽는 스레드가 없습니다.
 # 그러면 다음 점이 와서 또 0.2초를 기다립니다.
-# 변환들은 문 앞에 줄을 서 있고, 노드는 한 번 졸 때마다 하나씩만 읽습니다.
-# 도우려고 넣은 timeout이 단 한 번의 실패로 노드의 귀를 막았습니다.
+# 변환은 큐에 쌓이고, 노드는 한 번 기다릴 때마다 하나씩만 읽습니다.
+# 오류를 줄이려고 넣은 timeout 때문에, 한 번 실패한 노드는 변환을 거의 받지 못하게 되었습니다.
 #
 # timeout 없이 해 봅니다.
 
@@ -1251,9 +1251,9 @@ node.stop()
 # %% [markdown] lang="ko" name="point-to-map-read" slide="subslide"
 # 한 번 거절한 뒤로는 공을 계속 제자리에 찍습니다.
 #
-# 첫 점은 노드가 들은 어떤 변환보다도 오래되었습니다. 그 점은 버리는 것이 맞습니다.
-# 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 죽었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다([SteveMacenski/slam_toolbox, 이슈 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
-# 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 무엇이 숨었을지 이제 여러분은 압니다.
+# 첫 점은 노드가 받은 가장 이른 변환보다도 오래되었습니다. 그 점은 버리는 것이 맞습니다.
+# 어느 지도 작성 노드는 바로 이 때문에 시작하자마자 종료되었습니다. 스캔이 첫 변환보다 41 ms 오래된 것이었습니다([SteveMacenski/slam_toolbox, 이슈 775](https://github.com/SteveMacenski/slam_toolbox/issues/775)).
+# 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 어떤 오차가 생겼을지 이제 알 수 있습니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
 # Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one miss it no longer receives any.
@@ -1261,9 +1261,9 @@ node.stop()
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 
 # %% [markdown] lang="ko" name="point-to-map-notes" slide="notes"
-# 이 노드가 조회하는 내용은 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 놓치면 귀가 막힙니다.
-# 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 자면 들을 시간이 남습니다. 왜 그런지 묻습니다.
-# 기다리는 법은 09장에서 다룹니다. 자기 스레드를 가진 수신기, wait_for_transform_async, 메시지 필터입니다.
+# 이 노드의 조회는 모두 옳습니다. 변환이 한 번도 늦지 않는 한 잘 동작하지만, 한 번 늦으면 변환을 거의 받지 못합니다.
+# 검출기가 더 느렸다면(1 Hz) 회복했을 것입니다. 1초에 0.2초만 기다리면 나머지 시간에 변환을 받을 수 있습니다. 왜 그런지 묻습니다.
+# 기다리는 법은 09장에서 다룹니다. 별도의 스레드를 쓰는 수신기, wait_for_transform_async, 메시지 필터입니다.
 
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
 # So, before you type it on a robot:
@@ -1287,7 +1287,7 @@ node.stop()
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
 # 따라서 로봇에 입력하기 전에 다음을 알아 두십시오.
 #
-# - 콜백에서는 `timeout=`을 빼거나, 수신기에 자기 스레드를 주십시오. 기다리는 법은 09장에서 봅니다.
+# - 콜백에서는 `timeout=`을 빼거나, 수신기에 별도의 스레드를 주십시오. 기다리는 법은 09장에서 다룹니다.
 # - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
 #
 # 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 콜백에는 쓰지 않습니다).
@@ -1401,7 +1401,7 @@ node.stop()
 # Is your robot's data old? `ros2 topic delay` prints arrival minus stamp:
 
 # %% [markdown] lang="ko" name="topic-delay-why" slide="subslide"
-# 여러분 로봇의 데이터는 얼마나 묵었을까요? `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
+# 여러분 로봇의 데이터는 얼마나 오래되었을까요? `ros2 topic delay`는 도착 시각에서 측정 시각을 뺀 값을 출력합니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2 topic delay /detected_point
@@ -1419,12 +1419,12 @@ node.stop()
 # | off by the same amount, standing or moving | static mount is wrong | `tf2_echo base_link laser_frame` |
 
 # %% [markdown] lang="ko" name="topic-delay-read"
-# 0.200초입니다. 측정 시각이 정직하므로 검출기의 계산 시간이 누구에게나 보입니다.
-# 누군가 측정 시각을 덮어썼다면 0.000초로, 눈부시게 좋아 보였을 것입니다.
+# 0.200초입니다. 측정 시각이 맞게 적혀 있으므로 검출기의 계산 시간이 그대로 나타납니다.
+# 누군가 측정 시각을 덮어썼다면 0.000초로, 지연이 전혀 없는 것처럼 보였을 것입니다.
 #
 # | 증상 | 가능성이 큰 원인 | 첫 확인 |
 # |---|---|---|
-# | 회전할 때 스캔이 벽에 번짐 | 측정 시각 덮어쓰기, 또는 늦은 오도메트리 | `ros2 topic delay`, 다음에 `tf2_monitor` |
+# | 회전할 때 스캔이 벽에 번짐 | 측정 시각 덮어쓰기, 또는 지연된 오도메트리 | `ros2 topic delay`, 다음에 `tf2_monitor` |
 # | 번지는데 delay는 0.000초 | 도중에 측정 시각을 덮어씀 | 그 토픽을 다시 발행하는 노드 |
 # | 몇 ms짜리 "extrapolation into the future" | 변환이 아직 오는 중 | 조금 기다림(09장) |
 # | "extrapolation into the past" | 긴 계산, 또는 짧은 보관 시간 | 데이터의 나이, `cache_time` |
@@ -1448,11 +1448,11 @@ node.stop()
 # ## 정리
 #
 # - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥은 거절합니다.
-# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 중에서 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
+# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
 # - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
-# - 순간이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
-# - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 숨습니다.
-# - 두 순간을 이을 때는 가만히 있는 좌표계를 거치는 `lookup_transform_full`.
+# - 요청 시각이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
+# - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 드러나지 않습니다.
+# - 두 시각을 연결할 때는 가만히 있는 좌표계를 거치는 `lookup_transform_full`을 씁니다.
 #
 # 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
 #
@@ -1490,13 +1490,13 @@ node.stop()
 #
 # <details><summary>03. <code>camera_optical_frame</code>의 점을 <code>base_link</code> 기준으로 보고 싶습니다. 인자를 어떤 순서로 씁니까?</summary>
 #
-# `lookup_transform("base_link", "camera_optical_frame", stamp)`입니다. 목표가 먼저, 원본이 다음입니다. "camera_optical_frame 기준 데이터를 base_link 기준으로 보고 싶다."
+# `lookup_transform("base_link", "camera_optical_frame", stamp)`입니다. 목표가 먼저, 원본이 다음입니다. “camera_optical_frame 기준 데이터를 base_link 기준으로 보고 싶다.”
 #
 # </details>
 #
-# <details><summary>06. 카메라 장착 위치는 왜 최신 공통 시각을 정하는 데 끼지 않습니까?</summary>
+# <details><summary>06. 카메라의 장착 변환은 왜 최신 공통 시각을 정할 때 세지 않습니까?</summary>
 #
-# 정적 연결이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 줄이 먼저 끝날 수는 없습니다.
+# 정적 연결이기 때문입니다. `/tf_static`으로 한 번 보내면 어느 시각에나 유효합니다. 끝이 없는 시간줄이 먼저 끝날 수는 없습니다.
 #
 # </details>
 
@@ -1520,17 +1520,17 @@ node.stop()
 # %% [markdown] lang="ko" name="practice" slide="slide"
 # ## 서술형 문제
 #
-# **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 옮겨야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점해 보세요.
+# **Q10.** 센서 메시지를 최신 변환이 아니라 측정 시각의 변환으로 바꾸어야 하는 이유는 무엇입니까? 다섯 줄로 쓴 뒤 채점 기준을 펼쳐 스스로 채점해 보세요.
 #
 # <details><summary>채점 기준: 아래 내용이 하나 들어 있을 때마다 1점</summary>
 #
 # 1. 메시지는 측정 시각에 센서가 본 것이며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
-# 2. 그사이 로봇이 움직이므로 최신 위치는 측정한 순간의 센서 위치가 아닙니다.
+# 2. 그사이 로봇이 움직이므로 최신 포즈는 측정한 순간의 센서 포즈가 아닙니다.
 # 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × yaw 각속도 × 지연이 더해집니다.
-# 4. 예외가 알려 주지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물이 뒤따라옵니다.
-# 5. 버퍼는 이 일을 위해 과거를 간직합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, 측정 시각을 덮어쓰지 않습니다.
+# 4. 오류가 나지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물이 뒤따라옵니다.
+# 5. 버퍼는 이 일을 위해 과거의 변환을 보관합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, 측정 시각을 덮어쓰지 않습니다.
 #
-# 4–5점: 충분합니다. 2–3점: "연필로 어림하는 오차"를 다시 읽어 보세요. 그 아래: 슬라이더부터 움직여 보세요.
+# 4–5점: 충분합니다. 2–3점: “연필로 어림하는 오차”를 다시 읽어 보세요. 그 아래: 슬라이더부터 움직여 보세요.
 #
 # </details>
 
@@ -1555,9 +1555,9 @@ node.stop()
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
-# "나는 변환을 메시지 자신의 측정 시각으로 조회한다. 왜냐하면 그때 센서가 그 자리에 있었기 때문이다. 아직 없다면 나는 정해 둔 시간만큼만 기다리고, 그다음에는 그 메시지를 버린다."
+# “나는 변환을 메시지 자신의 측정 시각으로 조회한다. 왜냐하면 그때 센서가 그 자리에 있었기 때문이다. 아직 없다면 나는 정해 둔 시간만큼만 기다리고, 그다음에는 그 메시지를 버린다.”
 #
 # </details>
 #
 # **다음:** 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/E08_buffer_and_measurement_time.ipynb)을 풀고 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.

@@ -12,16 +12,16 @@
 # - write down a policy: how long to wait, how many messages to keep, how old is too old to move a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 09 · 답을 얻지 못하는 네 가지 경우
+# # 09 · 예외와 기다림
 #
-# **예외와 기다림** · 약 90분(45분씩 두 번, 사이에 쉬는 시간) · 03, 08장을 바탕으로 합니다
+# **조회가 실패하는 네 가지 경우** · 약 90분(45분씩 두 번, 사이에 쉬는 시간) · 03, 08장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말할 수 있습니다.
 # - 외삽(extrapolation) 오류 메시지에서 요청 시각이 언제인지, 어느 연결에서 막혔는지, 얼마나 벗어났는지 찾아낼 수 있습니다.
 # - 데이터가 늦은 것인지 시계가 틀린 것인지 구별할 수 있습니다.
-# - 답을 가져올 바로 그 스레드를 멈추지 않으면서 기다릴 수 있습니다.
+# - 변환을 받을 바로 그 스레드를 멈추지 않으면서 기다릴 수 있습니다.
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -30,7 +30,7 @@
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # timeout을 늘려서 TF 경고를 없애 본 사람은 손을 들어 보라고 합니다.
-# 그 질문은 그대로 둡니다. 답은 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
+# 답은 아직 말하지 않습니다. 후반부에 나오고, 그때는 손을 내리고 싶은 사람이 생길 것입니다.
 
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
@@ -53,8 +53,8 @@
 # <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
 #
 # - **트리(04).** 좌표계마다 부모는 하나이거나 없습니다. 부모가 없는 좌표계가 루트입니다. 두 좌표계에서 위로 올라가 같은 루트에 닿으면 서로 연결된 것입니다.
-# - **흔히 쓰는 사슬(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리가 발행합니다. 따라서 `map`에서 센서까지 조회하려면 *두* 노드의 소식이 모두 필요합니다.
-# - **정적과 동적(06).** 볼트로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
+# - **흔히 쓰는 트리(05).** `map → odom → base_footprint → base_link → laser_frame`. `map → odom`은 위치 추정 노드가, `odom → base_footprint`는 바퀴 오도메트리 노드가 발행합니다. 따라서 목표가 `map`이고 원본이 센서인 조회에는 *두* 노드의 변환이 모두 필요합니다.
+# - **정적과 동적(06).** 나사로 고정된 것은 `/tf_static`으로 한 번만 보내며 어느 시각에나 유효합니다. 움직이는 것은 `/tf`로 계속 보내고, 보낼 때마다 측정 시각을 붙입니다.
 #
 # </details>
 
@@ -81,18 +81,18 @@ from tflab.workbook import lesson
 # Here is what two clocks look like. The three scans are stamped and sent by the robot's clock, and received by the desktop's clock. (The numbers are ours. "62 ms, dropped" means: received 62 ms after its stamp, and the desktop found no transform for that scan.)
 
 # %% [markdown] lang="ko" name="story" slide="slide"
-# ## 43밀리초 뒤의 미래
+# ## 43밀리초 미래
 #
 # 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
-# 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 찍혔습니다. *extrapolation into the future.*
-# RViz는 자신이 가진 최신 변환보다 43 ms 늦은 시각의 변환을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, 이슈 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
+# 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 나왔습니다. *extrapolation into the future.*
+# RViz는 버퍼의 최신 변환보다 43 ms 미래의 시각을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, 이슈 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # 로봇 제조사는 이렇게 되물었습니다. 로봇과 데스크톱의 시계가 맞습니까? 컴퓨터가 두 대였고, 시계도 두 개였습니다.
 #
 # 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다([stella_vslam_ros, 이슈 21](https://github.com/stella-cv/stella_vslam_ros/issues/21), [perception_pcl, 이슈 416](https://github.com/ros-perception/perception_pcl/issues/416)).
-# 누군가에게는 제대로 된 해결책이었고, 누군가에게는 상처를 가린 반창고였습니다.
+# 누군가에게는 제대로 된 해결책이었고, 누군가에게는 원인을 가린 임시방편이었습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
-# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. 그림 읽기: stamped = 측정, sent = 송신, received = 수신, 62 ms, dropped = 측정하고 62 ms 뒤에 수신했으나 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. *그림 읽기:* stamped = 측정, sent = 송신, received = 수신, 62 ms, dropped = 측정하고 62 ms 뒤에 수신했으나 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_journeys([
@@ -106,7 +106,7 @@ lesson.draw_journeys([
 # If it seems to, the cause is not the network. There are two clocks.
 
 # %% [markdown] lang="ko" name="story-read" slide="fragment"
-# 메시지는 떠나기 전에 도착할 수 없습니다.
+# 메시지는 보내기 전에 도착할 수 없습니다.
 # 그렇게 보인다면 지금 보고 있는 것은 네트워크가 아니라 두 개의 시계입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -115,7 +115,7 @@ lesson.draw_journeys([
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 한 사람에게 그림을 한 줄씩 소리 내어 읽게 합니다. 측정, 송신, 수신 순서입니다.
-# 읽다가 멈추고 "이럴 수는 없는데요"라고 말하는 순간을 기다립니다.
+# 읽다가 멈추고 “이럴 수는 없는데요”라고 말하는 순간을 기다립니다.
 
 # %% [markdown] lang="en" name="predict-windows" slide="slide"
 # ## Predict: which lookup succeeds?
@@ -128,10 +128,10 @@ lesson.draw_journeys([
 # %% [markdown] lang="ko" name="predict-windows" slide="slide"
 # ## 예측해 봅시다: 어느 조회에서 값이 나올까요?
 #
-# 이 [[buffer|변환 버퍼(buffer)]]에는 `map`에서 `laser_frame`까지의 사슬이 들어 있습니다.
-# `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 것입니다.
-# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드가 11.0초에 늦게 켜졌고, 마지막 표본은 14.6초의 것입니다.
-# 나머지 두 연결은 볼트로 고정되어 있습니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 줄에 값이 있는 구간.
+# 이 [[buffer|변환 버퍼(buffer)]]에는 목표 `map`, 원본 `laser_frame`인 조회에 필요한 연결이 모두 들어 있습니다.
+# `map → odom`은 1초에 두 번 오고, 마지막 표본은 14.0초의 표본입니다.
+# `odom → base_footprint`는 1초에 다섯 번 옵니다. 오도메트리 노드는 11.0초에야 켜졌고, 마지막 표본은 14.6초의 표본입니다.
+# 나머지 두 연결은 나사로 고정되어 있습니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간.
 
 # %% name="four-edges" slide="-"
 from tf2_ros import Buffer
@@ -168,13 +168,13 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 # %% [markdown] lang="ko" name="predict-question" slide="fragment"
 # 12.3초의 값은 나옵니다. 마침 표본과 표본 사이인데도 그렇습니다.
 #
-# **넘어가기 전에 적어 보세요.** (`map ← laser_frame`처럼 목표 ← 원본으로 적습니다. 데이터가 흐르는 방향입니다.)
-# 누군가 **14.3초의** `map ← laser_frame`을, 이어서 **10.6초의** 것을 조회합니다.
+# **실행하기 전에 적어 보세요.** (`map ← laser_frame`처럼 목표 ← 원본으로 적습니다. 데이터의 기준이 바뀌는 방향입니다.)
+# 누군가 **14.3초**의 변환 `map ← laser_frame`을, 그다음 **10.6초**의 변환 `map ← laser_frame`을 조회합니다.
 # 각각 값이 나올까요, 예외가 나올까요? 어떤 예외일까요? 어느 연결 때문일까요?
 #
 # <details><summary>힌트가 필요하면 열어 보세요</summary>
 #
-# 줄마다 끝나는 시각이 다릅니다. 경로를 따라가려면 조회한 시각에 모든 줄에 값이 있어야 합니다.
+# 시간줄마다 끝나는 시각이 다릅니다. 경로를 따라가려면 요청 시각에 모든 시간줄에 값이 있어야 합니다.
 #
 # </details>
 
@@ -203,12 +203,12 @@ for second in (12.3, 14.3, 10.6):
 # 적어 둔 것과 비교해 보세요.
 #
 # 둘 다 [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]입니다. 경로는 있지만 그 시각의 값이 없고, tf2는 표본 바깥을 절대 짐작하지 않습니다.
-# 14.3초에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6초까지 소식이 있었으니, 막은 것은 *위치 추정 노드*입니다.
-# 10.6초에서는 `odom → base_footprint`가 너무 늦게 시작했습니다.
+# 14.3초에서는 `map → odom`이 너무 일찍 끝났습니다. 오도메트리에는 14.6초까지 표본이 있었으니, 원인은 *위치 추정 노드*입니다.
+# 10.6초의 변환에는 `odom → base_footprint`의 표본이 없습니다. 이 연결은 11.0초에 시작했습니다.
 #
 # 이제 오류 메시지를 다시 보세요. `laser_frame`과 `map`은 있지만 `odom`도 `base_footprint`도 없습니다.
 # **오류 메시지에는 조회한 두 좌표계의 이름만 나오고, 어느 연결에서 막혔는지는 나오지 않습니다.**
-# 그래서 현장에서는 "laser_frame"을 읽고 레이저 케이블부터 바꿉니다.
+# 그래서 현장에서는 “laser_frame”을 읽고 레이저 케이블부터 바꾸는 일이 생깁니다.
 
 # %% [markdown] lang="en" name="compare-three-notes" slide="notes"
 # Ask who blamed the odometry for 14.3 s. That is the common guess, because it is the one that moves.
@@ -216,7 +216,7 @@ for second in (12.3, 14.3, 10.6):
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
 # 14.3초에서 오도메트리를 탓한 사람이 있는지 묻습니다. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
-# 사슬의 구간은 가장 게으른 발행자가 끝나는 곳에서 끝납니다.
+# 경로에서 값이 있는 구간은 가장 일찍 끝나는 시간줄까지입니다.
 
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, time
@@ -236,13 +236,13 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
 #
-# tf2는 먼저 질문이 말이 되는지 보고, 그다음 세 가지를 확인합니다. 처음 나온 "아니요"가 예외가 됩니다.
+# tf2는 먼저 인자가 올바른지 보고, 그다음 세 가지를 확인합니다. 처음 “아니요”가 나온 것이 예외가 됩니다.
 #
-# | tf2가 확인하는 것 | "아니요"의 이름 | 의미 | 먼저 볼 곳 |
+# | tf2가 확인하는 것 | “아니요”일 때의 예외 | 의미 | 먼저 볼 곳 |
 # | --- | --- | --- | --- |
-# | 질문이 말이 됩니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 질문하는 코드, `header.frame_id` |
-# | 두 **이름**을 들어 본 적이 있습니까? | [[lookup exception|LookupException(프레임 조회 예외)]] (프레임 = 좌표계) | 이 버퍼가 모르는 이름입니다 | 철자, 발행 노드가 켜져 있는지 |
-# | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름은 알지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
+# | 인자가 올바릅니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 조회하는 코드, `header.frame_id` |
+# | 두 **이름**이 버퍼에 있습니까? | [[lookup exception|LookupException(좌표계 조회 예외)]] | 이 버퍼에 없는 이름입니다 | 철자, 발행 노드가 실행 중인지 |
+# | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름이 있지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
 # | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 측정 시각(stamp)과 시계 |
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
@@ -259,11 +259,11 @@ for second in (12.3, 14.3, 10.6):
 # </details>
 
 # %% [markdown] lang="ko" name="numbers" slide="subslide"
-# <details><summary>더 깊이: 숫자로, 그리고 식구 하나 더</summary>
+# <details><summary>더 깊이: 숫자로, 그리고 예외 하나 더</summary>
 #
 # tflab의 외삽 예외에는 오류 메시지 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다. `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent`, `error.frame`입니다.
 # 실제 로봇에서는 오류 메시지만 나오므로 숫자는 메시지에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
-# 식구가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 답하지 않을 때 나옵니다. 이 장에서는 만나지 않습니다.
+# 예외가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 결과를 보내지 않을 때 나옵니다. 이 장에서는 다루지 않습니다.
 #
 # </details>
 
@@ -300,17 +300,17 @@ for second in (12.3, 14.3, 10.6):
 # when looking up transform from frame [laser_frame] to frame [map]
 # ```
 #
-# 1. **어떤 종류일까요?** "into the future": 요청 시각이 어느 연결의 모든 표본보다 늦습니다.
+# 1. **어떤 종류일까요?** "into the future": 경로의 한 연결에서, 요청 시각이 최신 표본보다 미래입니다.
 # 2. **누구의 시각일까요?** "Requested time 14.300000"은 *조회한 쪽*이 준 요청 시각입니다. 대개 메시지의 `header.stamp`입니다.
 # 3. **얼마나 벗어났을까요?** 14.3 − 14.0 = 0.3초입니다.
-# 4. **어떤 데이터를 어느 좌표계 기준으로 보려 했을까요?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 범인으로 지목된 것이 아닙니다.
+# 4. **어떤 데이터를 어느 좌표계 기준으로 보려 했을까요?** "from frame [laser_frame] to frame [map]": `laser_frame` 기준 데이터를 `map` 기준으로 보려 합니다. 03장의 그 문장이며, 어느 이름도 원인으로 지목된 것이 아닙니다.
 # 5. **어느 연결일까요?** 경로 위에서 *최신* 표본이 14.000000인 연결입니다. 그 숫자를 찾으면 `map → odom`입니다.
 #
-# 한 줄에 다섯 질문입니다. 조금만 연습하면 10초면 됩니다.
+# 한 줄에서 다섯 가지를 알 수 있습니다. 조금만 연습하면 10초면 됩니다.
 #
 # <details><summary>더 깊이: 두 가지 주의</summary>
 #
-# 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 뒤에 더 게으른 연결이 있을 수 있습니다.
+# 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 뒤에 더 일찍 끝난 연결이 있을 수 있습니다.
 # `odom ← base_footprint`처럼 목표가 루트 아래에 있으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각이 나오기도 합니다. 2026년 3월 릴리스에서 고쳐졌고([ros2/geometry2, 이슈 832](https://github.com/ros2/geometry2/issues/832)), tflab은 그 이전과 같습니다.
 #
 # </details>
@@ -321,7 +321,7 @@ for second in (12.3, 14.3, 10.6):
 # Here is the other line. Fill in the two blanks, and run the cell.
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ## 빈칸 두 개를 채워 보세요
+# ## 빈칸을 채워 보세요
 #
 # 이번에는 다른 줄입니다. 빈칸 두 개를 채우고 셀을 실행해 보세요.
 
@@ -345,7 +345,7 @@ else:
 # %% [markdown] lang="ko" name="slider" slide="slide"
 # ## 요청 시각을 버퍼 밖으로 끌어 봅시다
 #
-# 요청 시각을 양쪽 끝 너머로 천천히 옮겨 보세요. 어디서부터 실패하는지, 오류 메시지에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지 살펴보세요. 경계는 칼같습니다. 14.000000000초의 값은 나오지만 1나노초만 늦어도 나오지 않습니다.
+# 요청 시각을 양쪽 끝 너머로 천천히 끌어 보세요. 어디서부터 실패하는지, 오류 메시지에서 변하지 않는 숫자는 무엇인지, LATEST는 무엇을 뜻하는지 살펴보세요. 경계는 정확합니다. 14.000000000초의 값은 나오지만 1나노초만 미래여도 나오지 않습니다.
 
 # %% name="slider-panel" tags=["interactive"] slide="-"
 lanes = lesson.draw_history(buffer, 'map', 'laser_frame').timeline.lanes
@@ -363,14 +363,14 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 하나씩
 #
-# 잃을 것이 없는 지금, "아니요"를 하나씩 일부러 만나 봅시다. 빨간 글씨는 실제 로봇에서 나오는 것과 한 글자도 다르지 않습니다.
+# 예외를 하나씩 일부러 만들어 봅시다. 빨간 글씨는 실제 로봇에서 나오는 것과 한 글자도 다르지 않습니다.
 # (로봇에서는 그 위에 traceback이 길게 나옵니다. `%xmode Minimal`은 그 부분을 생략합니다. 중요한 것은 **마지막** 줄입니다. `%xmode Context`라고 쓰면 다시 나옵니다.)
 
 # %% [markdown] lang="en" name="break-lookup-why" slide="subslide"
 # ### A name that no node has published
 
 # %% [markdown] lang="ko" name="break-lookup-why" slide="subslide"
-# ### 아무도 말한 적 없는 이름
+# ### 아무도 발행한 적 없는 이름
 
 # %% name="break-lookup" tags=["raises-exception"] slide="-"
 # %xmode Minimal
@@ -382,16 +382,16 @@ buffer.lookup_transform('map', 'laser_fame', Time())
 # So a [[lookup exception|LookupException]] is a typo *or* a lookup that came too early.
 
 # %% [markdown] lang="ko" name="lookup-read" slide="-"
-# 어느 인자의 어느 이름인지 알려 줍니다. 버퍼가 그러듯이 이름을 한 글자씩 읽어 보세요. (여기서는 frame의 r이 빠졌습니다.)
+# 어느 인자의 어느 이름인지 알려 줍니다. 이름을 한 글자씩 읽어 보세요. (여기서는 frame의 r이 빠졌습니다.)
 #
 # 노드를 켠 뒤 처음 1초 동안에도 같은 예외가 나옵니다. 이름은 맞지만 발행자가 아직 아무것도 발행하지 않은 것입니다.
-# 그래서 [[lookup exception|LookupException(프레임 조회 예외)]]은 오타일 수도 있고, 너무 일찍 조회한 것일 수도 있습니다.
+# 그래서 [[lookup exception|LookupException(좌표계 조회 예외)]]의 원인은 오타일 수도 있고, 너무 일찍 조회한 것일 수도 있습니다.
 
 # %% [markdown] lang="en" name="header-why" slide="subslide"
 # ### A name that you never typed
 
 # %% [markdown] lang="ko" name="header-why" slide="subslide"
-# ### 한 번도 입력한 적 없는 이름
+# ### 직접 입력한 적 없는 이름
 
 # %% name="break-header" tags=["raises-exception"] slide="-"
 import tf2_geometry_msgs
@@ -408,8 +408,8 @@ buffer.transform(corner, 'map')
 # Names are compared letter by letter, so there is no `Laser_frame`.
 
 # %% [markdown] lang="ko" name="header-read" slide="-"
-# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지를 타고 왔습니다. `transform()`은 원본과 시각을 헤더에서 가져옵니다.
-# **조회하지 않은 좌표계가 예외에 나온다면, 무언가가 대신 조회한 것입니다.** 메시지 헤더, RViz의 Fixed Frame, 코스트맵 파라미터가 그렇습니다.
+# 여러분이 입력한 것은 `map`뿐입니다. 다른 이름은 메시지에 들어 있었습니다. `transform()`은 원본과 시각을 헤더에서 가져옵니다.
+# **조회하지 않은 좌표계가 예외에 나온다면, 다른 무언가가 그 이름을 정한 것입니다.** 메시지 헤더, RViz의 고정 좌표계(Fixed Frame), 코스트맵 파라미터가 그렇습니다.
 # 이름은 글자 단위로 비교하므로 `Laser_frame`이라는 좌표계는 없습니다.
 
 # %% [markdown] lang="en" name="connectivity-why" slide="subslide"
@@ -431,8 +431,8 @@ buffer.lookup_transform('map', 'camera_link', Time())
 # So do not search the names of a [[connectivity exception|ConnectivityException]]. Look at the **roots**. There are two, and one of them is misspelt.
 
 # %% [markdown] lang="ko" name="connectivity-read" slide="-"
-# 두 이름 모두 알려져 있고 철자도 맞습니다. 오류 메시지 어디에도 오타가 없습니다.
-# 따라서 [[connectivity exception|ConnectivityException(연결 예외)]]에서는 이름을 노려보지 말고 **루트**를 보십시오. 루트가 둘이고, 그중 하나의 이름이 이상합니다.
+# 두 이름 모두 버퍼에 있고 철자도 맞습니다. 오류 메시지 어디에도 오타가 없습니다.
+# 따라서 [[connectivity exception|ConnectivityException(연결 예외)]]에서는 두 이름이 아니라 **루트**를 보십시오. 루트가 둘이고, 그중 하나의 이름이 이상합니다.
 
 # %% name="two-roots" slide="-"
 print('roots:', *buffer.core.snapshot().roots)
@@ -446,7 +446,7 @@ print('roots:', *buffer.core.snapshot().roots)
 # %% [markdown] lang="ko" name="one-sample" slide="subslide"
 # ### 표본 하나로는 부족합니다
 #
-# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류 메시지는 세 가지입니다. "future"와 "past"는 이미 보았습니다. 세 번째는 변환을 딱 한 번만 들은 연결에서 나옵니다.
+# [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]]의 오류 메시지는 세 가지입니다. “future”와 “past”는 이미 보았습니다. 세 번째는 표본이 하나뿐인 연결에서 나옵니다.
 # 재시작 직후이거나, 관절 값을 한 번만 발행했거나, 정적 연결을 실수로 `/tf`에 보냈을 때 나옵니다.
 
 # %% name="break-one-sample" tags=["raises-exception"] slide="-"
@@ -459,15 +459,15 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 # And `base_link → laser_frame`, whose stamp is 0? It is valid at all times. **An old stamp on a static edge is not a fault**, and people have searched for one for days.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
-# `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 답이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 멀쩡해 보이고, 여러분의 노드에서는 실패합니다.
+# `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 값이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 문제가 없고, 여러분의 노드에서는 실패합니다.
 #
-# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 답합니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 며칠씩 이 시각만 쫓은 사람도 있습니다.
+# 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 값이 나옵니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 며칠씩 이 시각 때문에 헤맨 사람도 있습니다.
 
 # %% [markdown] lang="en" name="argument-why" slide="subslide"
 # ### An invalid argument
 
 # %% [markdown] lang="ko" name="argument-why" slide="subslide"
-# ### 질문이 아닌 질문
+# ### 올바르지 않은 인자
 
 # %% name="break-argument" tags=["raises-exception"] slide="-"
 buffer.lookup_transform('/map', 'laser_frame', Time())
@@ -478,7 +478,7 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 
 # %% [markdown] lang="ko" name="argument-read" slide="-"
 # ROS 1에서는 `/map`, ROS 2에서는 `map`이라고 씁니다. 비어 있는 `header.frame_id`도 여기서 걸립니다.
-# 이 예외는 로봇의 상태와 상관이 없습니다. 오늘도 내일도, timeout을 얼마로 해도 실패합니다. 코드를 고치십시오.
+# 이 예외는 로봇의 상태와 상관이 없습니다. timeout을 얼마로 해도 실패합니다. 코드를 고치십시오.
 
 # %% [markdown] lang="en" name="order" slide="subslide"
 # ### Predict: two faults at once
@@ -489,7 +489,7 @@ buffer.lookup_transform('/map', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="order" slide="subslide"
 # ### 예측해 봅시다: 두 결함이 한꺼번에
 #
-# `camera_link`는 여전히 별도의 트리에 매달려 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 늦은 99초 시점의 `camera_link ← odom`을 조회합니다.
+# `camera_link`는 여전히 별도의 트리에 있습니다(오타가 그대로 있습니다). 이제 최신 표본보다 한참 미래인 99초의 변환 `camera_link ← odom`을 조회합니다.
 # 경로도 없고 데이터도 없습니다. 어떤 예외가 나올까요?
 
 # %% name="two-faults" tags=["predicted"] slide="fragment"
@@ -507,11 +507,11 @@ for when in (Time(seconds=99), Time()):
 # So when an extrapolation exception puzzles you, look up once more with `Time()`, the latest. If *that* says "not part of the same tree", the time was not the cause.
 
 # %% [markdown] lang="ko" name="order-read" tags=["predicted"] slide="fragment"
-# 앞의 표는 조금 지나치게 깔끔했습니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
-# 원본 쪽에서 올라가다 99초의 값이 없는 `map → odom`을 만나 그 사실을 기억해 둡니다. 반대쪽이 다른 곳에서 끝난다는 것은 그다음에야 알게 됩니다.
+# 앞의 표는 실제보다 단순합니다. tf2는 이름을 먼저 확인하지만, 경로와 시각은 **트리를 따라가면서** 확인합니다.
+# 원본 쪽에서 올라가다 99초의 값이 없는 `map → odom`을 만나 그 사실을 기록해 둡니다. 반대쪽이 다른 루트에서 끝난다는 것은 그다음에야 알게 됩니다.
 # 그래서 먼저 찾은 시각 문제를 보고합니다.
 #
-# 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 조회해 보십시오. *그때* "not part of the same tree"가 나오면 엉뚱한 결함을 쫓고 있던 것입니다.
+# 외삽 예외가 이해되지 않으면 최신을 뜻하는 `Time()`으로 한 번 더 조회해 보십시오. *그때* "not part of the same tree"가 나오면 찾아야 할 결함은 시각이 아니라 경로입니다.
 
 # %% [markdown] lang="en" name="order-notes" slide="notes"
 # This is the one difficult point of the first half. If time is short, say only the last sentence: look up once more with Time().
@@ -527,7 +527,7 @@ for when in (Time(seconds=99), Time()):
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
 #
-# 예외가 나면 로그 한 줄로 끝내지 말고, 무엇을 할지 정해야 합니다. "아니요"의 종류가 다르면 할 일도 다릅니다.
+# 예외가 나면 로그 한 줄로 끝내지 말고, 무엇을 할지 정해야 합니다. 예외의 종류가 다르면 할 일도 다릅니다.
 
 # %% name="handler-code" slide="-"
 from tf2_ros import ConnectivityException, LookupException
@@ -563,12 +563,12 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Without `import tf2_geometry_msgs`, `transform()` raises a `TypeException`, which none of the branches above catches (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# `map ← camera_link`는 *경로가 없고*, 데이터가 있는 12.3초의 것을 조회했으므로 이번에는 경로 문제가 보고됩니다. (출력 읽기: use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
+# `map ← camera_link`는 *경로가 없고*, 이번에는 데이터가 있는 12.3초의 변환을 조회했으므로 경로 문제가 보고됩니다. (*출력 읽기:* use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
 #
 # 함정이 두 가지 있습니다.
 #
 # - **부모 클래스를 먼저 쓰는 것.** `except TransformException`을 맨 위에 두면 나머지에는 영영 도달하지 못합니다. 파이썬은 조건에 맞는 분기 중에서 맨 위의 것을 택합니다.
-# - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 모든 분기를 지나쳐 갑니다(08장). 그래야 합니다. 로봇이 아니라 프로그램의 결함이기 때문입니다.
+# - **모두가 `TransformException`은 아닙니다.** `import tf2_geometry_msgs`를 빠뜨리면 `transform()`은 `TypeException`을 일으키고, 이것은 위의 어느 분기에도 걸리지 않습니다(08장). 로봇이 아니라 프로그램의 결함이므로 걸리지 않는 것이 맞습니다.
 
 # %% [markdown] lang="en" name="future-past" slide="slide"
 # ## Future and past: the causes
@@ -592,25 +592,25 @@ for target, source, second in (
 # For the future, waiting *may* help. The rest of this page is about that "may".
 
 # %% [markdown] lang="ko" name="future-past" slide="slide"
-# ## 미래와 과거: 그 뒤에 있는 원인
+# ## 미래와 과거: 원인
 #
 # ```text
-#        [--------------]        버퍼가 가진 구간
+#        [--------------]        버퍼에 값이 있는 구간
 #   x    [--------------]        과거 외삽
-#        [------x-------]        답
+#        [------x-------]        값이 나옴
 #        [--------------]   x    미래 외삽
 # ```
 #
 # | x: 요청 시각 | 흔한 원인 | 기다려도 해결되지 않는 원인 |
 # | --- | --- | --- |
-# | **미래**: 최신 표본보다 늦은 시각 | 변환이 오는 중입니다. 발행이 느립니다(10 Hz면 최대 100 ms) | 센서 시계가 빠릅니다. 발행자 시계가 느립니다. 발행자가 죽었습니다 |
-# | **과거**: 가장 오래된 표본보다 이른 시각 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 기억보다 깁니다 | 센서 시계가 느립니다. bag 파일에 기록된 옛 시각으로 오늘의 TF를 조회했습니다 |
+# | **미래**: 최신 표본보다 나중의 시각 | 변환이 오는 중입니다. 발행률이 낮습니다(10 Hz면 최대 100 ms) | 센서 시계가 앞서 있습니다. 발행자 시계가 뒤처져 있습니다. 발행자가 종료되었습니다 |
+# | **과거**: 가장 오래된 표본보다 이른 시각 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 보관 시간보다 깁니다 | 센서 시계가 뒤처져 있습니다. bag 파일에 기록된 옛 시각으로 오늘의 TF를 조회했습니다 |
 #
-# 네트워크를 떠올리기 전에 오류 메시지의 두 시각부터 빼 보세요.
+# 네트워크를 의심하기 전에 오류 메시지의 두 시각부터 빼 보십시오.
 # 1763690412초와 30초가 나란히 나온다면, 늦은 것이 아니라 시계가 다른 것입니다. 한 노드는 1970년부터, 다른 노드는 시뮬레이션이나 bag의 시작부터 셉니다. 어느 쪽인지는 파라미터 `use_sim_time`이 정하고, 모든 노드에서 같아야 합니다.
 #
-# 과거라면 기다림은 정의상 소용이 없습니다. 지나간 데이터는 돌아오지 않습니다.
-# 미래라면 기다림이 도움이 될 *수도* 있습니다. 이 장의 나머지는 그 "수도"에 관한 이야기입니다.
+# 과거라면 기다려도 소용없습니다. 지나간 데이터는 다시 오지 않습니다.
+# 미래라면 기다림이 도움이 될 *수도* 있습니다. 어느 때 도움이 되는지를 이 장의 나머지에서 다룹니다.
 
 # %% [markdown] lang="en" name="short-memory" slide="subslide"
 # <details><summary>Deeper: data that was there, and is gone</summary>
@@ -622,11 +622,11 @@ for target, source, second in (
 # </details>
 
 # %% [markdown] lang="ko" name="short-memory" slide="subslide"
-# <details><summary>더 깊이: 있었지만 사라진 과거</summary>
+# <details><summary>더 깊이: 있었지만 지워진 과거</summary>
 #
-# 08장에서 만난 일입니다. 검출기는 4초 동안 계산하는데 버퍼는 2초를 기억합니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
+# 08장에서 본 일입니다. 검출기는 4초 동안 계산하는데 버퍼의 보관 시간은 2초입니다. 영상을 찍었을 때는 필요한 변환이 분명히 *있었습니다*.
 # 고칠 곳은 생성자입니다. `Buffer(cache_time=Duration(seconds=20))`이라고 씁니다. 따로 정하지 않으면 10초입니다.
-# 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 따져 보십시오. 이 이야기는 뒤에서 다시 합니다.
+# 다만 4초 전의 영상을 보고 로봇이 움직여도 되는지부터 따져 보십시오. 뒤에서 다시 다룹니다.
 #
 # </details>
 
@@ -639,7 +639,7 @@ for target, source, second in (
 # ---
 #
 # **쉬어 갑시다.** 첫 번째 시간은 여기까지입니다. 이제 tf2의 메시지를 읽을 수 있습니다. 원한다면 지금 [연습 문제](../../exercises/ko/E09_exceptions_and_waiting.ipynb)의 E9.1부터 E9.3까지 풀어 보세요.
-# 두 번째 시간은 약 45분이고, 첫 번째 시간의 코드는 필요 없습니다. 다른 날 이어서 볼 때는 이 페이지 맨 위의 셀만 실행하고 여기서 이어 가면 됩니다.
+# 두 번째 시간은 약 45분이고, 첫 번째 시간의 코드는 필요 없습니다. 다른 날 계속할 때는 이 페이지 맨 위의 셀만 실행하고 여기서부터 계속하면 됩니다.
 
 # %% [markdown] lang="en" name="late-or-wrong" slide="slide"
 # ## Late, or wrong?
@@ -652,9 +652,9 @@ for target, source, second in (
 # %% [markdown] lang="ko" name="late-or-wrong" slide="slide"
 # ## 늦은 것일까요, 틀린 것일까요?
 #
-# 로봇이 두 대 있습니다. 로봇 A에서는 3초에 Wi-Fi가 잠시 버벅거려 변환이 도착하는 데 0.2~0.4초가 걸립니다. 로봇 B에서는 3초에 레이저 컴퓨터의 시계가 0.3초 빠르게 맞춰집니다.
+# 로봇이 두 대 있습니다. 로봇 A에서는 3초에 Wi-Fi가 잠시 느려져 변환이 도착하는 데 0.2~0.4초가 걸립니다. 로봇 B에서는 3초에 레이저 컴퓨터의 시계가 0.3초 앞서게 됩니다.
 #
-# 노드가 숫자 하나를 지켜봅니다. **간격(gap)**, 즉 스캔의 측정 시각에서 TF가 답할 수 있는 최신 시각(`buffer.get_latest_common_time`)을 뺀 값입니다.
+# 노드가 숫자 하나를 계속 계산합니다. **간격(gap)**, 즉 스캔의 측정 시각에서 경로의 최신 공통 시각(`buffer.get_latest_common_time`)을 뺀 값입니다.
 # 간격이 양수이면 미래 외삽입니다.
 
 # %% name="robot-a" slide="subslide"
@@ -685,7 +685,7 @@ graph.run(seconds=4)
 # %% [markdown] lang="ko" name="first-second" slide="subslide"
 # 두 로봇을 나란히 그렸습니다. 다만 문제가 생긴 뒤 1초까지만입니다.
 #
-# **예측해 봅시다.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요? (그림 읽기: gap = 간격, limit = 기다리는 한도)
+# **예측해 봅시다.** 여러분의 노드는 최대 0.1초를 기다립니다. 둘 중 어느 로봇이 저절로 나아질까요? 이 그림만 가지고 알 수 있을까요? (*그림 읽기:* gap = 간격, limit = 기다리는 한도)
 
 # %% name="two-gaps-first" slide="-"
 lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)], 'gap', limit_s=0.1)
@@ -700,7 +700,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # For a second they look alike: both look up a time about 0.3 s newer than the data in TF. Now the whole recording.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
-# 처음 1초 동안은 똑같아 보입니다. 둘 다 TF가 아는 것보다 약 0.3초 늦은(미래의) 시각의 변환을 조회합니다. 이제 전체를 봅시다.
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 약 0.3초 미래의 시각을 조회합니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" tags=["predicted"] slide="-"
 lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
@@ -715,13 +715,13 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # But you need not wait and see. One tool tells them apart at once. `ros2 topic delay` prints *the time of arrival* minus *the stamp*. This is robot B, still running:
 
 # %% [markdown] lang="ko" name="two-gaps-read" tags=["predicted"] slide="subslide"
-# A는 돌아옵니다. B는 끝내 돌아오지 않습니다. 틀린 시계는 계속 틀리고, 새 스캔마다 같은 간격을 달고 옵니다.
-# (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 갑자기 빨라지면 타이머도 일찍 울립니다.)
+# A는 회복됩니다. B는 끝내 회복되지 않습니다. 시계는 계속 틀린 채이고, 새 스캔마다 같은 간격이 나타납니다.
+# (3.1초에서 B의 선이 살짝 꺾인 것도 실제로 일어나는 일입니다. 시계가 갑자기 앞당겨지면 타이머도 일찍 울립니다.)
 #
-# - **늦는 것은 한때이고, 값이 흔들립니다**(A의 흔들림을 보세요). 잠깐 기다리면 해결됩니다.
-# - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 매끈합니다.** 기다려도 줄지 않습니다.
+# - **지연은 한때이고, 값에 지터가 있습니다**(A의 선이 들쭉날쭉합니다). 잠깐 기다리면 해결됩니다.
+# - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 값이 일정합니다.** 기다려도 줄지 않습니다.
 #
-# 하지만 두고 볼 필요도 없습니다. 도구 하나로 바로 구별됩니다. `ros2 topic delay`는 *내가 들은 시각*에서 *그 안에 적힌 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
+# 하지만 오래 지켜볼 필요도 없습니다. 도구 하나로 바로 구별됩니다. `ros2 topic delay`는 메시지를 *받은 시각*에서 *측정 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
 
 # %% name="delay-scan" slide="-"
 # %ros2 --for 1.5 topic delay /scan
@@ -733,10 +733,10 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # What about the transforms? `/tf` has no header of its own, and the tool would print *msg does not have header*. But the odometry node also publishes `/odom`, stamped by the same clock.
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
-# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195초 먼저 들었습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
-# (정상인 레이저라면 +0.105초가 나옵니다. 한 바퀴 도는 데 0.1초가 걸리므로 0.105 − 0.3 = −0.195입니다.)
+# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195초 먼저 받았습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
+# (정상인 레이저라면 +0.105초가 나옵니다. 한 번 훑는 데 0.1초가 걸리므로 0.105 − 0.3 = −0.195입니다.)
 #
-# 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 시각을 찍은 `/odom`도 보냅니다.
+# 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 측정 시각을 적은 `/odom`도 보냅니다.
 
 # %% name="delay-tf" slide="-"
 # %ros2 --for 1.5 topic delay /odom
@@ -745,7 +745,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # 0.004 s: the transforms arrive without delay, and their clock is the same as ours. So the fault is in the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
-# 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 범인은 레이저의 시계입니다.
+# 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 원인은 레이저의 시계입니다.
 
 # %% [markdown] lang="en" name="honest-limit" slide="subslide"
 # ### What this cannot tell you
@@ -765,9 +765,9 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %% [markdown] lang="ko" name="honest-limit" slide="subslide"
 # ### 이것으로 알 수 없는 것
 #
-# 떨림 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *느린* 발행자일 수도 있습니다.
-# 한 방향의 시각만으로는 **누구도** 둘을 가를 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
-# 갔다가 *되돌아오는* 메시지가 있어야 합니다. 그것이 `chrony`와 NTP의 본업이니, 컴퓨터가 두 대라면 이들로 확인하십시오. 예를 들면 이렇습니다.
+# 지터 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *뒤처진* 발행자일 수도 있습니다.
+# 한 방향의 시각만으로는 **누구도** 둘을 구별할 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
+# 갔다가 *되돌아오는* 메시지가 있어야 합니다. `chrony`와 NTP가 그렇게 시계를 비교하니, 컴퓨터가 두 대라면 이들로 확인하십시오. 예를 들면 이렇습니다.
 #
 # ```text
 # $ chronyc tracking
@@ -775,7 +775,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # System time     : 0.300184021 seconds fast of NTP time      <- 이 줄입니다
 # ```
 #
-# 그리고 조용한 경우를 조심하십시오. 시계가 *느린* 센서의 데이터는 과거의 변환으로 조회됩니다. 버퍼는 기억이 닿는 한 기꺼이 답합니다. 예외도 경고도 없이, 로봇은 온종일 틀립니다.
+# 오류가 나지 않는 경우도 조심하십시오. 시계가 *뒤처진* 센서의 데이터는 과거의 변환으로 바뀝니다. 보관 시간 안이면 언제나 값이 나옵니다. 예외도 경고도 없이 위치가 계속 틀립니다.
 
 # %% [markdown] lang="en" name="plaster" slide="slide"
 # ## Break it: the workaround
@@ -787,11 +787,11 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # **Predict.** Will the warnings go away? Will the walls stay where they are?
 
 # %% [markdown] lang="ko" name="plaster" slide="slide"
-# ## 일부러 고장 내기: 반창고
+# ## 일부러 고장 내기: 임시방편
 #
-# 다시 시계가 0.3초 빠른 로봇 B입니다. 누군가 게시판에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
+# 다시 시계가 0.3초 앞선 로봇 B입니다. 누군가 인터넷 게시글에서 본 대로 `timeout=Duration(seconds=1)`을 넣었습니다.
 # (그리고 기다림이 통하도록 스레드 여러 개로 spin합니다. 이유는 잠시 뒤에 나옵니다.)
-# 로봇은 초속 0.5 m로 첫 굽이를 돕니다.
+# 로봇은 0.5 m/s로 첫 굽이를 돕니다.
 #
 # **예측해 봅시다.** 경고가 사라질까요? 벽은 제자리에 있을까요?
 
@@ -819,7 +819,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 # Now draw the points of the curve, beside their true positions.
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
-# 경고가 하나도 없습니다. 로그는 초록색이고, 게시판 말이 맞았습니다.
+# 경고가 하나도 없습니다. 로그는 초록색이고, 인터넷 게시글의 말이 맞았습니다.
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
@@ -828,7 +828,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
 # 그림을 보여 주기 전에 손을 들게 합니다. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
-# 그림을 본 다음, 처음에 손을 들었던 사람들에게 돌아갑니다.
+# 그림을 본 다음, 처음에 손을 들었던 사람들에게 다시 묻습니다.
 
 # %% name="plaster-picture" tags=["predicted"] slide="subslide"
 bend = placer.answers[-10:]
@@ -847,15 +847,15 @@ lesson.draw_placed({
 # And if the clock is 2 s ahead? Then even the workaround fails.
 
 # %% [markdown] lang="ko" name="plaster-read" tags=["predicted"] slide="subslide"
-# 그림 읽기: as measured = 측정한 그대로, with the wait that "works" = "통한다는" 기다림으로.
+# *그림 읽기:* as measured = 측정한 그대로, with the wait that "works" = “통한다는” 기다림으로.
 #
-# 기다림은 매번 성공했습니다. 잠시 뒤 TF가 *틀린* 시각을 따라잡았기 때문입니다.
-# 그리고 완전히 틀린 질문에 더없이 좋은 답을 주었습니다. 레이저는 측정하고 0.3초 **지난 다음** 어디에 있었는가?
+# 기다림은 매번 성공했습니다. 잠시 뒤 *틀린* 시각의 변환까지 버퍼에 들어왔기 때문입니다.
+# 그래서 레이저가 측정하고 0.3초 **지난 다음** 어디에 있었는지가 나왔습니다. 필요한 것은 측정한 시각의 위치였습니다.
 #
-# timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
-# **기다리면 늦은 데이터는 해결됩니다. 시계의 오차는 해결하지 못하고 숨길 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초 늦게 씁니다.)
+# timeout은 변환이 왔는지 확인할 뿐, 시각이 맞는지는 확인하지 않습니다.
+# **데이터가 늦은 것이면 기다림으로 해결됩니다. 시계 차이는 해결되지 않고 드러나지 않게 될 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초를 더 기다립니다.)
 #
-# 시계가 2초 빠르면 어떨까요? 그때는 반창고마저 떨어집니다.
+# 시계가 2초 앞서면 어떨까요? 그때는 임시방편도 통하지 않습니다.
 
 # %% name="plaster-off" slide="-"
 graph = lesson.new_graph()
@@ -878,7 +878,7 @@ print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 # %% [markdown] lang="ko" name="plaster-3d" slide="subslide"
 # ### 3D로
 #
-# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저 시계의 오차입니다. 회색 선이 실제 벽입니다. *그림 읽기:* off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
+# 굽이 한가운데서 얻은 스캔 하나입니다. 슬라이더를 끌어 보세요. 슬라이더의 값(clock error)은 레이저의 시계 차이입니다. 회색 선이 실제 벽입니다. *그림 읽기:* off by … on average / at worst = 벽에서 평균 / 최대로 벗어난 거리.
 
 # %% name="walls-walk" tags=["interactive"] slide="subslide"
 lesson.show_clock_error()
@@ -903,7 +903,7 @@ lesson.draw_placed({
 # ## 어디서 기다려도 될까요?
 #
 # 그러니 늦은 데이터는 잠깐 기다릴 만합니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
-# 그래도 조심스러운 프로그래머는 혹시 몰라 조회에 timeout을 0.5초로 주었습니다.
+# 그래도 조심스러운 프로그래머는 혹시 몰라 조회의 timeout을 0.5초로 정했습니다.
 #
 # 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다. *그림 읽기:* time = 시각, sent = 보냄, stored = 저장됨.
 #
@@ -931,11 +931,11 @@ print(*patient.answers, sep='\n')
 # The longer it waits, the older its data is. Here is why.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
-# 하나도 없습니다. 단 하나도 얻지 못했습니다.
+# 하나도 얻지 못했습니다.
 #
-# 시작은 불운이었습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 답이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
-# 그런데 왜 회복하지 못할까요? 숫자를 보세요. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 아는 최신 변환은 1.146초의 것입니다.
-# 기다릴수록 아는 것이 줄어듭니다. 이유는 이렇습니다.
+# 처음에는 운이 나빴습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 값이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
+# 그런데 왜 회복되지 않을까요? 숫자를 보십시오. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 버퍼의 최신 변환은 1.146초의 변환입니다.
+# 기다릴수록 버퍼가 더 뒤처집니다. 이유는 이렇습니다.
 
 # %% name="lanes-picture" tags=["predicted"] slide="subslide"
 lesson.draw_lanes(patient)
@@ -951,12 +951,12 @@ lesson.draw_lanes(patient)
 # </details>
 
 # %% [markdown] lang="ko" name="lanes-why" slide="-"
-# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안 아무도 수신기를 호출하지 않고, 변환은 문 앞에 읽히지 않은 채 쌓입니다.
+# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안에는 수신기를 호출하는 스레드가 없고, 변환은 읽히지 않은 채 큐에 쌓입니다.
 # 편지를 기다리는 사람이 바로 집배원인 셈입니다.
 #
 # <details><summary>더 깊이: C++에서는</summary>
 #
-# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬은 그냥 기다리게 둡니다.
+# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬에서는 그대로 기다립니다.
 #
 # </details>
 
@@ -964,7 +964,7 @@ lesson.draw_lanes(patient)
 # Play it: one student is the executor, a second one brings mail. The executor must answer "where is the robot?" and may not touch the mail while thinking.
 
 # %% [markdown] lang="ko" name="lanes-notes" slide="notes"
-# 연극으로 해 봅니다. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 "로봇이 어디 있습니까?"에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
+# 연극으로 해 봅니다. 한 학생은 실행기, 다른 학생은 편지를 건네는 사람입니다. 실행기는 “로봇이 어디 있습니까?”에 답해야 하고, 생각하는 동안에는 편지에 손댈 수 없습니다.
 
 # %% [markdown] lang="en" name="cure-threads" slide="subslide"
 # ### Fix one: several threads
@@ -973,7 +973,7 @@ lesson.draw_lanes(patient)
 # To make it harder, every transform now takes 0.15 s to arrive.
 
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
-# ### 해결책 하나: 편지는 다른 사람이 가져옵니다
+# ### 해결책 하나: 스레드를 여럿 둡니다
 #
 # 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 호출할 수 있습니다. 단어 하나만 바뀝니다.
 # 더 어렵게, 이제 변환마다 도착하는 데 0.15초가 걸립니다.
@@ -987,7 +987,7 @@ lesson.draw_lanes(patient)
 # 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
 
 # %% [markdown] lang="ko" name="cure-threads-read" slide="-"
-# 28개 가운데 27개입니다. 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 편지를 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
+# 28개 가운데 27개입니다. 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 변환을 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
 
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
 # ### Fix two: do not wait, be called
@@ -999,10 +999,10 @@ lesson.draw_lanes(patient)
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
 # ### 해결책 둘: 기다리지 말고, 오면 호출하게 합니다
 #
-# `wait_for_transform_async`는 [[future|퓨처(future)]]를 바로 반환합니다. 변환이 오면 지켜지는 약속입니다. 콜백은 순식간에 끝나고 스레드는 하나면 됩니다.
+# `wait_for_transform_async`는 [[future|퓨처(future)]]를 바로 반환합니다. 퓨처는 나중에 결과를 담는 객체이고, 변환이 오면 완료됩니다. 콜백은 바로 끝나고 스레드는 하나면 됩니다.
 #
-# 두 가지를 조심하십시오. 이 약속은 **포기하지 않습니다.** 끝내 답이 없는 것은 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
-# 그리고 약속은 확인해야 합니다. `future.result()`는 변환을 주거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
+# 두 가지를 조심하십시오. 퓨처에는 **시간 제한이 없습니다.** 끝내 변환이 오지 않으면 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
+# 그리고 퓨처의 결과는 확인해야 합니다. `future.result()`는 변환을 반환하거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
 
 # %% name="called-node" slide="subslide"
 promises = deque()
@@ -1047,20 +1047,20 @@ lesson.draw_lanes(called)
 # </details>
 
 # %% [markdown] lang="ko" name="cures-compared" slide="subslide"
-# 30개 가운데 27개입니다. 첫 스캔은 답이 나올 수 없어, 뒤에 셋이 쌓이자 취소했고, 마지막 둘은 아직 기다리는 중입니다.
-# 콜백의 줄도 보세요. 1초에 열 번 스칠 뿐 한 번도 바쁘지 않습니다. 스레드를 쓸 때는 내내 바빴습니다.
+# 30개 가운데 27개입니다. 첫 스캔은 변환이 올 수 없어, 그다음에 셋이 쌓이자 취소했고, 마지막 둘은 아직 기다리는 중입니다.
+# 콜백의 줄도 보십시오. 1초에 열 번 잠깐씩 실행될 뿐 한 번도 오래 걸리지 않습니다. 스레드를 여럿 두었을 때는 내내 실행 중이었습니다.
 #
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
 # | 기다리지 않음: 조회하고, 실패하면 버립니다 | 빠른 센서. 어차피 0.1초 뒤에 다음 스캔이 옵니다 |
-# | 콜백 안. 단, `MultiThreadedExecutor`로 돌릴 때만 | 1초에 몇 개뿐인 메시지, 짧은 timeout |
+# | 콜백 안. 단, `MultiThreadedExecutor`로 실행할 때만 | 1초에 몇 개뿐인 메시지, 짧은 timeout |
 # | `TransformListener(buffer, node, spin_thread=True)` | 따로 spin하지 않을 때. 그 스레드가 노드 *전체*의 콜백을 실행합니다 |
-# | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 약속의 수를 제한하십시오 |
+# | 퓨처(`wait_for_transform_async`) | 메시지가 많고 스레드가 하나일 때. 퓨처의 수를 제한하십시오 |
 # | 스레드 하나인 평범한 콜백 안 | **절대 안 됩니다** |
 #
 # <details><summary>더 깊이: 두 가지 방법 더</summary>
 #
-# - `await buffer.lookup_transform_async(...)`는 같은 일을 [[reentrant|재진입(reentrant)]] 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 지켜지지 않는 약속 하나가 그룹 전체를 영영 막습니다.
+# - `await buffer.lookup_transform_async(...)`는 같은 일을 [[reentrant|재진입(reentrant)]] 그룹의 `async` 콜백에서 합니다. 다른 그룹이라면 완료되지 않는 퓨처 하나가 그룹 전체를 영영 막습니다.
 # - [[message filter|메시지 필터(message filter)]](`tf2_ros::MessageFilter`, C++)는 같은 일을 해 주는 완제품입니다. 변환이 있을 때만 콜백이 실행되고, 큐의 크기가 정해져 있습니다.
 #
 # </details>
@@ -1082,14 +1082,14 @@ lesson.draw_lanes(called)
 # %% [markdown] lang="ko" name="policy" slide="slide"
 # ## 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지?
 #
-# 기다림에는 대가가 따릅니다. 기다리면 줄이 생깁니다. 로봇에는 달리기 *전에* 네 가지 답이 필요하며, 답은 tf2가 아니라 여러분이 정합니다.
+# 기다림에는 대가가 따릅니다. 기다리는 동안 큐에 메시지가 쌓입니다. 로봇이 달리기 *전에* 네 가지를 정해야 하며, 정하는 것은 tf2가 아니라 여러분입니다.
 #
-# 1. TF가 늦으면 얼마나 기다릴까요?
+# 1. 변환이 늦으면 얼마나 기다릴까요?
 # 2. 시간 안에 못 온 것은 버릴까요, 둘까요?
 # 3. 큐에는 몇 개까지 두고, 꽉 차면 무엇을 버릴까요?
 # 4. 로봇을 움직이는 데이터는 얼마나 오래된 것까지 허용할까요?
 #
-# 답이 없으면 이렇게 됩니다. 스캔은 100 ms마다 옵니다. 결정 한 번에 150 ms가 걸립니다. 큐는 끝이 없고, 아무도 한계를 정하지 않았습니다.
+# 정하지 않으면 이렇게 됩니다. 스캔은 100 ms마다 옵니다. 결정 한 번에 150 ms가 걸립니다. 큐의 크기에는 한계가 없습니다.
 #
 # **예측해 봅시다.** 12초 뒤에 로봇은 얼마나 오래된 데이터로 결정하고 있을까요?
 
@@ -1108,15 +1108,15 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # A policy for a robot like this, in one line: wait at most 0.2 s (the next section shows how to calculate it); then drop; keep two, drop the oldest; data older than 0.5 s moves no wheel.
 
 # %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
-# 그림 읽기: age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
+# *그림 읽기:* age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
 #
-# 4초입니다. 초속 0.5 m라면 로봇은 2미터 전에 본 것을 두고 브레이크를 밟습니다. 그런데도 로그에 빨간 줄은 하나도 없습니다.
+# 4초입니다. 0.5 m/s라면 로봇은 2미터 전에 본 것을 두고 제동합니다. 그런데도 로그에 오류는 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3초보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
-# **로봇을 움직일 때는 빠짐없는 것보다 새로운 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
+# **로봇을 움직일 때는 빠짐없는 것보다 최근 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다립니다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버립니다. 두 개만 두고, 넘치면 가장 오래된 것을 버립니다. 0.5초보다 오래된 데이터로는 바퀴를 돌리지 않습니다.
+# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다립니다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버립니다. 두 개만 두고, 넘치면 가장 오래된 것을 버립니다. 0.5초보다 오래된 데이터로는 로봇을 움직이지 않습니다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.
@@ -1139,16 +1139,16 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # If only a longer wait helps, check the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
-# ### "조금"은 얼마일까요?
+# ### “조금”은 얼마일까요?
 #
-# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자기 측정 시각과 *같거나 늦은* 시각의 첫 변환을 기다립니다.
+# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자기 측정 시각 *이후*의 첫 변환을 기다립니다.
 #
-# - 최악의 경우 그 변환의 시각은 한 **주기**만큼 늦습니다(10 Hz면 0.1초).
+# - 그 변환의 측정 시각은 스캔보다 최대 한 **주기** 나중입니다(10 Hz면 0.1초).
 # - 그것이 도착하는 데 **지연**만큼, 최악의 경우 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
 # 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
-# 이보다 오래 기다려야 통한다면 기뻐하지 말고 시계를 확인하십시오.
+# 이보다 오래 기다려야 통한다면 시계를 확인하십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -1186,25 +1186,25 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
-# 경고는 사라지고, 모든 스캔은 측정 0.4초 뒤의 레이저 위치에 찍힙니다. 그 그림은 이미 보았습니다. 기다림은 "왔습니까?"라고 물을 뿐 "맞습니까?"라고 묻지 않습니다.
+# 경고는 사라지고, 모든 스캔은 측정 0.4초 뒤의 레이저 위치에 찍힙니다. 앞에서 그 그림을 보았습니다. 기다림은 변환이 왔는지 확인할 뿐 시각이 맞는지는 확인하지 않습니다.
 #
 # </details>
 #
 # <details><summary>2. 측정 시각 대신 최신을 뜻하는 <code>Time()</code>으로 조회합니다</summary>
 #
-# `Time()`은 언제나 답을 얻지만, 시각이 존재하는 단 하나의 이유인 '언제 측정했는가'를 버립니다. 로봇이 서 있으면 아무도 모릅니다. 돌기 시작하면 벽이 번집니다(08장).
+# `Time()`으로는 언제나 값이 나오지만, 측정 시각이 알려 주는 단 한 가지, ‘언제 측정했는가’를 버립니다. 로봇이 서 있으면 드러나지 않습니다. 회전하기 시작하면 벽이 번집니다(08장).
 #
 # </details>
 #
 # <details><summary>3. <code>header.stamp</code>에 도착한 시각을 써넣습니다</summary>
 #
-# 그러면 `header.stamp`는 메시지를 *들은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 그 속에 숨고, 뒤에서 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
+# 그러면 `header.stamp`는 메시지를 *받은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 그 속에 묻히고, 나중에 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
 #
 # </details>
 #
 # <details><summary>4. 두 컴퓨터에서 <code>chronyc tracking</code>을 실행하고 시계를 바로잡습니다</summary>
 #
-# 맞습니다. 한 시간째 일정하고, 거의 떨림이 없고, 지연이 음수입니다. 원인은 시계입니다. 시계가 틀린 컴퓨터에서 바로잡습니다.
+# 맞습니다. 한 시간째 일정하고, 지터가 거의 없고, 지연이 음수입니다. 원인은 시계입니다. 시계가 틀린 컴퓨터에서 바로잡습니다.
 #
 # </details>
 
@@ -1220,7 +1220,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # A handler and an asynchronous wait, in one node. This file runs unchanged on ROS 2. On a robot you add the usual `main()`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
-# ## 실제 로봇에서도 똑같이
+# ## 실제 로봇에서
 #
 # 예외 처리와 비동기 기다림을 한 노드에 담았습니다. ROS 2에서 그대로 실행됩니다. 로봇에서는 늘 쓰는 `main()`만 덧붙이면 됩니다.
 
@@ -1319,11 +1319,11 @@ careful = lesson.run_node(OnRobot, 4.0)
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - **이름, 경로, 시각.** 이름이 없으면 조회 예외, 경로가 없으면 연결 예외, 그 시각의 값이 없으면 외삽 예외입니다. (InvalidArgument는 애초에 질문이 아니었던 것입니다.)
+# - **이름, 경로, 시각.** 이름이 없으면 조회 예외, 경로가 없으면 연결 예외, 그 시각의 값이 없으면 외삽 예외입니다. (InvalidArgument는 인자가 올바르지 않은 것입니다.)
 # - 오류 메시지에는 조회한 두 좌표계의 이름만 나오고, 막힌 연결은 나오지 않습니다. 메시지에 나온 시각으로 그 연결을 찾습니다.
-# - 과거라면 기다려도 소용없습니다. 미래라면 *늦은* 것은 조금 기다리고, *틀린* 것은 시계를 맞춥니다. 지연이 음수이면 원인은 시계입니다.
-# - timeout은 "왔습니까?"라고 물을 뿐, "맞습니까?"라고 묻지 않습니다.
-# - 하나뿐인 스레드에서는 절대 기다리지 마십시오. 스레드를 늘리거나 약속(퓨처)을 쓰십시오.
+# - 과거라면 기다려도 소용없습니다. 미래 외삽에서 변환이 지연된 것이면 조금 기다리고, 시계가 틀렸으면 맞춥니다. 지연이 음수이면 원인은 시계입니다.
+# - timeout은 변환이 왔는지 확인할 뿐, 시각이 맞는지는 확인하지 않습니다.
+# - 하나뿐인 스레드에서는 절대 기다리지 마십시오. 스레드를 늘리거나 퓨처를 쓰십시오.
 # - 얼마나 오래, 몇 개까지, 얼마나 오래된 것까지. 달리기 전에 정하십시오.
 #
 # 이 장의 용어: [[lookup exception|LookupException]], [[connectivity exception|ConnectivityException]], [[extrapolation exception|ExtrapolationException]], [[invalid argument exception|InvalidArgumentException]], [[transform exception|TransformException]], [[clock offset|시계 차이]], [[jitter|지터]], [[message filter|메시지 필터]].
@@ -1358,15 +1358,15 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# <details><summary>08장에서. <code>Time()</code>으로 조회하면 어느 시각의 변환이 나옵니까? 이 장의 버퍼에는 오도메트리 소식이 14.6초까지 있는데, 왜 14.0초의 답이 나올까요?</summary>
+# <details><summary>08장에서. <code>Time()</code>으로 조회하면 어느 시각의 변환이 나옵니까? 이 장의 버퍼에는 오도메트리 표본이 14.6초까지 있는데, 왜 14.0초의 변환이 나올까요?</summary>
 #
-# 최신 *공통* 시각의 변환입니다. 경로 위 모든 동적 연결의 최신 표본 중에서 가장 이른 시각입니다. 정적 연결은 세지 않습니다.
+# 최신 *공통* 시각의 변환입니다. 경로 위 모든 동적 연결의 최신 표본 가운데 가장 이른 시각입니다. 정적 연결은 세지 않습니다.
 #
 # </details>
 #
 # <details><summary>02장에서. 누군가 쿼터니언이 (0, 0, 0, 0)인 변환을 발행합니다. <em>여러분</em>은 어디서 어떤 예외를 만나게 될까요?</summary>
 #
-# 범인과 멀리 떨어진 여러분의 조회에서 LookupException을 만납니다. 수신기가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 들은 적 없는 이름이 됩니다.
+# 원인과 멀리 떨어진 여러분의 조회에서 LookupException이 납니다. 수신기가 그 변환을 거절하고 로그에만 남기므로, 그 좌표계는 한 번도 받은 적 없는 이름이 됩니다.
 #
 # </details>
 
@@ -1408,8 +1408,8 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>좋은 답에 담긴 내용</summary>
 #
-# - Lookup: 버퍼가 *이름*을 모릅니다(오타, 발행자가 꺼져 있음, *아직* 듣지 못함).
-# - Connectivity: 두 이름은 알지만 *경로*가 없습니다. 트리가 여러 조각이고 루트가 둘입니다.
+# - Lookup: 버퍼에 *이름*이 없습니다(오타, 발행자가 꺼져 있음, *아직* 받지 못함).
+# - Connectivity: 두 이름은 있지만 *경로*가 없습니다. 트리가 여러 조각이고 루트가 둘입니다.
 # - Extrapolation: 경로는 있지만 그중 한 연결에 그 *시각*의 값이 없고, tf2는 짐작하지 않습니다.
 # - 먼저 확인할 것이 서로 다릅니다. 이름, 트리, 시각과 시계입니다.
 # - 하나 더: 결함이 둘이면 시각 문제가 먼저 보고될 수 있습니다.
@@ -1420,10 +1420,10 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>좋은 답에 담긴 내용</summary>
 #
-# - 미래: 변환이 아직 오는 중이거나, 발행자가 느리거나 죽었습니다.
-# - 미래: 센서 시계가 빠르거나, 변환을 발행하는 쪽의 시계가 느립니다.
-# - 과거: 처리 시간이 버퍼의 기억보다 길었거나, TF가 시작되기 전의 메시지입니다.
-# - 과거: 다른 시계의 시각입니다. 느린 센서 시계, bag에 담긴 옛 시각이 그렇습니다.
+# - 미래: 변환이 아직 오는 중이거나, 발행률이 낮거나 발행자가 종료되었습니다.
+# - 미래: 센서 시계가 앞서 있거나, 변환 발행자의 시계가 뒤처져 있습니다.
+# - 과거: 처리 시간이 버퍼의 보관 시간보다 길었거나, TF가 시작되기 전의 메시지입니다.
+# - 과거: 다른 시계의 시각입니다. 뒤처진 센서 시계, bag에 담긴 옛 시각이 그렇습니다.
 # - 기다림이 도움이 되는 것은 첫 번째 경우뿐입니다.
 #
 # </details>
@@ -1454,11 +1454,11 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
-# 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 떨립니다. 0보다 작으면 시계입니다.
-# "늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려 봐야 숨겨질 뿐이니, 먼저 지연부터 봅시다."
+# 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 지터가 있습니다. 0보다 작으면 시계입니다.
+# “늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려도 원인이 가려질 뿐이니, 먼저 지연부터 봅시다.”
 #
 # </details>
 #
-# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 돌려준 것입니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘의 `.nanoseconds`를 뺍니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
-# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
+# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 반환한 것입니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘의 `.nanoseconds`를 뺍니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
+# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.
