@@ -40,7 +40,6 @@ SUBCOMMANDS = {
     "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.pages.build", "build"),
     "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.pages.slides", "main"),
     "guide": Subcommand("write what an instructor lectures from", "tflab.grading.guide.command", "main"),
-    "votes": Subcommand("count what learners voted in their own copies", "tflab.grading.guide.ballots", "main"),
     "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
     "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.copy.lab", "lab"),
     "progress": Subcommand("say which checks you have passed", "tflab.workbook.course.progress_page", "progress"),

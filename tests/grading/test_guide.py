@@ -1,11 +1,8 @@
-"""Does a guide hold what a lecture needs, is a wrong one refused, and are votes counted as they were cast?"""
+"""The guide of a chapter holds what a lecture needs, and a faulty teaching file is refused."""
 
 from __future__ import annotations
 
 import copy
-import csv
-import io
-import json
 import re
 import shutil
 from collections.abc import Callable
@@ -19,19 +16,15 @@ import yaml
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import COMPLAINTS
 from tflab.clinic.trolley import TROLLEY
-from tflab.grading.guide.ballots import ballots
-from tflab.grading.guide.ballots import main as votes_main
-from tflab.grading.guide.cards import without_answers
 from tflab.grading.guide.command import main as guide_main
 from tflab.grading.guide.command import write_guide
-from tflab.grading.guide.counts import read_counts, share, votes_csv
 from tflab.grading.guide.deck import only, with_votes, write_deck
 from tflab.grading.guide.lecture import lectured_page
 from tflab.grading.guide.patients import board_patients
 from tflab.grading.guide.plans import cells_of, read_plans
 from tflab.grading.guide.shelf import stems_there, teachings_called
 from tflab.grading.guide.teaching import TEACHING, TeachingError
-from tflab.grading.guide.vote import RULES, rule_for, votes_of
+from tflab.grading.guide.vote import votes_of
 from tflab.grading.release import release
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.copy.lay_out import lay_out
@@ -99,7 +92,6 @@ def test_all_teaching_files_fit_their_pages_and_mark_each_question_once() -> Non
         (lambda plain: plain["votes"][1]["options"][0]["say"].update(ko=" "), "en without ko"),
         (lambda plain: plain["demos"][0].pop("see"), "demos 1 lacks `see`"),
         (lambda plain: plain["plan"][0].update(lat="x"), "has `lat`, which means nothing"),
-        (lambda plain: plain["tables"][0].update(cell="recap"), "no table in a cell `recap`"),
     ],
 )
 def test_a_file_that_does_not_fit_is_refused_with_its_place(
@@ -144,100 +136,6 @@ def test_the_clock_of_the_plan_goes_on_from_row_to_row(tmp_path: Path) -> None:
     write_guide(tmp_path, teachings_called(["11"]), "en")
     guide = (tmp_path / "guide.html").read_text(encoding="utf-8")
     assert re.findall(r"<td>(\d+–\d+)", guide)[:4] == ["0–6", "6–12", "12–16", "16–24"]
-
-
-def test_a_blank_table_keeps_its_heads_and_the_column_that_asks() -> None:
-    table = "| see | check |\n|---|---|\n| smears | `delay` |\n\nand so on"
-    assert without_answers(table, [1]) == "| see | check |\n|---|---|\n| smears | |"
-
-
-# -- votes ---------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize("right, rule", [(0, 0), (34.9, 0), (35, 1), (70, 1), (70.1, 2), (100, 2)])
-def test_a_vote_says_what_to_do_next(right: float, rule: int) -> None:
-    assert rule_for(right) == RULES[rule]
-
-
-def filled(votes: list, first: dict[str, list[int]]) -> str:
-    """Return a votes.csv as a person fills it."""
-    rows = list(csv.DictReader(io.StringIO(votes_csv(votes).removeprefix("\ufeff"))))
-    for name, numbers in first.items():
-        for row, number in zip([row for row in rows if row["vote"] == name], numbers, strict=True):
-            row["first"] = str(number)
-    out = io.StringIO()
-    writer = csv.DictWriter(out, rows[0])
-    writer.writeheader()
-    writer.writerows(rows)
-    return out.getvalue()
-
-
-def test_what_a_class_chose_stands_beside_what_was_expected(tmp_path: Path) -> None:
-    (teaching,) = teachings_called(["11"])
-    votes = votes_of(teaching, lectured_page(STEM, "en"))
-    (tmp_path / "votes-a.csv").write_text(filled(votes, {"wheels-rate": [4, 9, 14, 2]}), encoding="utf-8")
-    counts, faults = read_counts(tmp_path)
-    assert not faults
-    assert share(votes[1], counts)[1] == 29
-    write_guide(tmp_path / "few", [teaching], "en", counts)
-    assert "45 % (guess), so far 48 % of 29" in (tmp_path / "few" / "guide.html").read_text(encoding="utf-8")
-    (tmp_path / "votes-b.csv").write_text(filled(votes, {"wheels-rate": [0, 11, 0, 0]}), encoding="utf-8")
-    counts, _ = read_counts(tmp_path)
-    write_guide(tmp_path / "enough", [teaching], "en", counts)
-    guide = (tmp_path / "enough" / "guide.html").read_text(encoding="utf-8")
-    assert "50 % of 40 (expected 30 %)" in guide
-    assert "50 % right. 35 to 70 %" in guide
-    assert "55 % (guess)" in guide  # of the vote that nobody has taken
-
-
-def test_a_row_that_is_no_number_is_a_line(tmp_path: Path) -> None:
-    (tmp_path / "votes.csv").write_text("chapter,vote,option,first\n11_x,a,1,many\n11_x,a,2,3\n", encoding="utf-8")
-    counts, faults = read_counts(tmp_path)
-    assert counts[("11_x", "a")] == {"2": 3}
-    assert faults == ['votes.csv, row 2: "many" is no number of voters; left out']
-
-
-def test_results_without_votes_are_said(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    assert guide_main(["11", "--with", str(tmp_path), "--out", str(tmp_path / "out"), "--no-deck"]) == 2
-    assert "there is no votes.csv" in capsys.readouterr().err
-
-
-def copy_with(folder: Path, learner: str, source: str, language: str = "en") -> None:
-    """Write a learner's copy whose page has one cell of the learner's."""
-    cell = {"cell_type": "code", "id": "mine", "metadata": {}, "source": source, "outputs": [], "execution_count": None}
-    page = {"cells": [cell], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
-    path = folder / learner / "notebooks" / language / f"{STEM}.ipynb"
-    path.parent.mkdir(parents=True)
-    path.write_text(json.dumps(page), encoding="utf-8")
-
-
-def test_learners_vote_in_their_copies_and_nothing_of_them_runs(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    copies = tmp_path / "copies"
-    copy_with(copies, "s101", "late_s, wheels_hz, red_line, pose_changes = 0.11, 20, 'TF', False\ncheckpoint = 3")
-    copy_with(copies, "s102", "late_s, wheels_hz, red_line, pose_changes = ..., 50, ..., ...")
-    copy_with(copies, "s102", "wheels_hz = 20", "ko")  # the same learner, once more: one vote
-    copy_with(copies, "s103", "%load_ext tflab\nwheels_hz = '50번'", "ko")
-    copy_with(copies, "s104", "wheels_hz = __import__('os').system('touch ran')")
-    copy_with(copies, "s105", "wheels_hz = 17\nred_line = ")
-    (copies / "s106" / "notebooks" / "en").mkdir(parents=True)
-    (copies / "s106" / "notebooks" / "en" / f"{STEM}.ipynb").write_text("no notebook", encoding="utf-8")
-    (teaching,) = teachings_called(["11"])
-    counts, unread = ballots(copies, votes_of(teaching, lectured_page(STEM, "en")))
-    assert counts[(STEM, "wheels-rate")] == {"2": 1, "3": 2}
-    assert counts[(STEM, "red-line")] == {"3": 1}
-    assert counts[(STEM, "checkpoint")] == {"3": 1}
-    assert len(unread) == 1 and "s106" in unread[0]
-    out = tmp_path / "votes.csv"
-    assert votes_main([str(copies), "--out", str(out)]) == 1
-    assert "11 wheels-rate: 1 0 % · 2 33 % · 3 67 % · ? 0 % (3)" in capsys.readouterr().out
-    assert read_counts(tmp_path)[0][(STEM, "wheels-rate")] == {"1": 0, "2": 1, "3": 2, "?": 0}
-
-
-def test_where_nobody_has_voted_nothing_is_written(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
-    copy_with(tmp_path / "copies", "s101", "late_s, wheels_hz = ..., ...")
-    assert votes_main([str(tmp_path / "copies"), "--out", str(tmp_path / "votes.csv")]) == 2
-    assert not (tmp_path / "votes.csv").exists()
-    assert "nobody" in capsys.readouterr().err
 
 
 # -- the deck ------------------------------------------------------------------------------
@@ -319,12 +217,6 @@ def test_counts_that_are_typed_into_a_deck_become_shares_and_what_to_say(tmp_pat
     said = vote.locator(".says > div").all_inner_texts()
     assert said[0].startswith("3") and "Whose line is that?" in said[0]
     assert said[-1].startswith("2") and "right" in said[-1]
-    with page.expect_download() as download:
-        vote.get_by_role("button", name="Save votes.csv").click()
-    download.value.save_as(tmp_path / "counted" / "votes-11.csv")
-    counts, faults = read_counts(tmp_path / "counted")
-    assert not faults
-    assert counts == {(STEM, "wheels-rate"): {"1": 4, "2": 9, "3": 15, "?": 2}}
 
 
 # -- where it is, and where it is not --------------------------------------------------------
@@ -354,7 +246,7 @@ def test_the_released_chapters_have_their_guide_beside_the_pack_and_not_in_a_cop
     guide = (tmp_path / "instructor" / "guide" / "guide.html").read_text(encoding="utf-8")
     assert 'id="ch11"' in guide and 'id="ch12"' not in guide and 'lang="ko"' in guide
     names = {path.name for path in (tmp_path / "learners").rglob("*")}
-    assert not names & {"guide", "guide.html", "cards.html", "votes.csv", "teaching"}
+    assert not names & {"guide", "guide.html", "teaching"}
 
 
 # -- plans and patients ------------------------------------------------------------------------

@@ -17,11 +17,10 @@ from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 from tflab.workbook.tasks.task import Task
 
 from ..reports.html import text
-from .counts import ENOUGH, Counts, share
 from .lecture import LecturedPage
 from .sheets import grid, inline, markdown
 from .teaching import Demo, Marking, PlanRow, Teaching
-from .vote import LATER, RULES, Vote, rule_for, votes_of
+from .vote import LATER, RULES, Vote, votes_of
 
 __all__ = ["chapter_guide"]
 
@@ -60,12 +59,7 @@ VOTE_NUMBER = Text("Vote {number}", "투표 {number}")
 AFTER = Text("After the slide “{slide}”.", "슬라이드 “{slide}” 다음에 합니다.")
 VOTE_HEADS = (Text("", ""), Text("Option", "보기"), Text("Expected", "예상"), Text("What to say", "할 말"))
 GUESS = Text("{expected} % (guess)", "{expected} % (짐작)")
-SEEN = Text(
-    "{expected} % (guess), so far {share} % of {voters}", "{expected} % (짐작), 지금까지 {voters}명 중 {share} %"
-)
-REALLY = Text("{share} % of {voters} (expected {expected} %)", "{voters}명 중 {share} % (예상 {expected} %)")
 RIGHT = Text("right", "정답")
-THEN = Text("Your class: {share} % right. {rule}", "이 반의 정답률은 {share} %입니다. {rule}")
 ROOM = Text("What the room asks", "나올 만한 질문")
 MARKING = Text("Marking", "채점")
 IDEAS = Text("One point an idea, in any words:", "내용 하나에 1점, 표현은 자유입니다.")
@@ -96,14 +90,12 @@ def chapter_guide(
     page: LecturedPage,
     course: Course,
     tasks: Mapping[str, Task],
-    counts: Counts,
     marked_in: Mapping[int, int],
 ) -> str:
     """Return a chapter's guide as HTML.
 
     Args:
         tasks: those of the chapter.
-        counts: what classes really chose; empty if none has voted.
         marked_in: the chapter whose guide has the samples of each practice question.
     """
     said = page.language
@@ -121,7 +113,7 @@ def chapter_guide(
         _heading(3, MINUTES, said),
         _minutes(teaching.plan, page),
         *_demos(teaching.demos, page),
-        *_votes(votes_of(teaching, page), page, counts),
+        *_votes(votes_of(teaching, page), page),
         _heading(6, ROOM, said),
         *(f"<p><b>{inline(ask.say(said))}</b><br>{inline(answer.say(said))}</p>" for ask, answer in teaching.questions),
         *_marking(teaching, chapter, page, course, marked_in),
@@ -200,13 +192,12 @@ def _demos(demos: Sequence[Demo], page: LecturedPage) -> Iterator[str]:
 # -- votes -------------------------------------------------------------------------------------
 
 
-def _votes(votes: Sequence[Vote], page: LecturedPage, counts: Counts) -> Iterator[str]:
+def _votes(votes: Sequence[Vote], page: LecturedPage) -> Iterator[str]:
     said = page.language
     yield _heading(5, VOTES, said)
     yield f"<ul class=quiet>{''.join(f'<li>{text(rule.say(said))}</li>' for rule in RULES)}</ul>"
     for number, vote in enumerate(votes, start=1):
         slide = page.slides[page.shown[vote.after]].title
-        shares, voters = share(vote, counts)
         yield f"<h3>{text(VOTE_NUMBER.say(said, number=number))} <code>{text(vote.name)}</code></h3>"
         when = AFTER.say(said, slide=slide)
         if vote.answered:
@@ -216,21 +207,13 @@ def _votes(votes: Sequence[Vote], page: LecturedPage, counts: Counts) -> Iterato
             (
                 text(option.label),
                 inline(option.text) + (f" ✓ {text(RIGHT.say(said))}" if option.is_right else ""),
-                text(_share(option.expected, shares.get(option.label), voters, said)),
+                text(GUESS.say(said, expected=f"{option.expected:g}")),
                 markdown(option.say),
             )
             for option in vote.options
         ]
         right = [at for at, option in enumerate(vote.options) if option.is_right]
         yield grid([head.say(said) for head in VOTE_HEADS], rows, kind="votes", marked=right)
-        if voters >= ENOUGH:
-            got = shares[vote.options[right[0]].label]
-            yield f"<p>{text(THEN.say(said, share=f'{got:.0f}', rule=rule_for(got).say(said)))}</p>"
-
-
-def _share(expected: float, got: float | None, voters: int, said: str) -> str:
-    kind = GUESS if got is None else SEEN if voters < ENOUGH else REALLY
-    return kind.say(said, expected=f"{expected:g}", share=f"{got or 0:.0f}", voters=voters)
 
 
 # -- marking, the ticket, what follows ------------------------------------------------------------

@@ -1,13 +1,9 @@
 """How does an instructor get a guide?  `tflab guide 11 12 --lang ko --out teach/`, and `tflab release` lays one out.
 
-    teach/guide.html        what to read; prints well
-    teach/11_....html       the deck, with notes (key s) and the votes among the slides
-    teach/cards.html        cards to raise, prediction sheets, blank tables, exit tickets
-    teach/votes.csv         to fill in; or a deck's button and `tflab votes` write it
+teach/guide.html        what to read; prints well
+teach/11_....html       the deck, with notes (key s) and the votes among the slides
 
-    teach/talk.html, teach/talk-03_....html     with `--plan talk`: the plan, and decks of only its cells
-
-`--with results/` reads what was filled in, and puts it beside what was expected.
+teach/talk.html, teach/talk-03_....html     with `--plan talk`: the plan, and decks of only its cells
 """
 
 from __future__ import annotations
@@ -25,9 +21,7 @@ from tflab.workbook.paths import TASKS, WorkbookError, read_workbook, workbook_d
 from tflab.workbook.tasks.catalog import tasks_of
 
 from ..reports.html import text
-from .cards import cards
 from .chapter import chapter_guide
-from .counts import Counts, read_counts, votes_csv
 from .deck import write_deck
 from .lecture import lectured_page
 from .patients import board_patients, patients_section
@@ -44,37 +38,32 @@ TITLE = Text("The instructor's guide", "강사 안내서")
 
 
 def main(words: Sequence[str]) -> int:
-    """Write a guide; return 0, 1 if a deck failed or a row of counts was left out, 2 if nothing was written."""
+    """Write a guide; return 0, 1 if a deck failed, 2 if nothing was written."""
     options = _options(words)
-    out, faults = Path(options.out), []
+    out = Path(options.out)
     try:
         language = options.lang or read_workbook().language
-        counts, faults = read_counts(Path(options.results)) if options.results else ({}, [])
         teachings = teachings_called(options.chapters)
         plan = _plan_called(options.plan) if options.plan else None
     except (FileNotFoundError, LookupError, TeachingError, WorkbookError) as error:
         print(f"tflab guide: {error}", file=sys.stderr)
         return 2
-    for fault in faults:
-        print(f"tflab guide: {fault}", file=sys.stderr)
     if plan is not None:
-        return _planned(out, plan, language, counts, with_decks=not options.no_deck)
-    for path in write_guide(out, teachings, language, counts):
-        print(path)
-    failed = 0 if options.no_deck else _decks(out, {one.stem: () for one in teachings}, language, counts)
-    return 1 if failed or faults else 0
+        return _planned(out, plan, language, with_decks=not options.no_deck)
+    print(write_guide(out, teachings, language))
+    return 0 if options.no_deck or not _decks(out, {one.stem: () for one in teachings}, language) else 1
 
 
-def _planned(out: Path, plan: CoursePlan, language: str, counts: Counts, *, with_decks: bool) -> int:
+def _planned(out: Path, plan: CoursePlan, language: str, *, with_decks: bool) -> int:
     """Print a plan, write it, and decks of only its cells; return 0, or 1 if a deck failed."""
     print(*plan_lines(plan, language), sep="\n")
     write_whole(out / f"{plan.name}.html", plan_sheet(plan, language))
     print(out / f"{plan.name}.html")
-    return 1 if with_decks and _decks(out, cells_of(plan), language, counts, f"{plan.name}-") else 0
+    return 1 if with_decks and _decks(out, cells_of(plan), language, f"{plan.name}-") else 0
 
 
-def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts: Counts | None = None) -> list[Path]:
-    """Write what is read and printed, and the votes to fill in; return the files. Nothing is run."""
+def write_guide(out: Path, teachings: Sequence[Teaching], language: str) -> Path:
+    """Write the guide of some chapters; return its file. Nothing is run."""
     course, data = read_course(), workbook_data()
     lectures = [(teaching, lectured_page(teaching.stem, language)) for teaching in teachings]
     marked_in = {
@@ -84,7 +73,7 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts:
     for teaching, page in lectures:
         chapter = next(one for one in course.chapters if one.stem == teaching.stem)
         tasks = tasks_of(data, teaching.stem) if (data / TASKS / teaching.stem).is_dir() else {}
-        guides.append(chapter_guide(teaching, page, course, tasks, counts or {}, marked_in))
+        guides.append(chapter_guide(teaching, page, course, tasks, marked_in))
         title = f"{chapter.number:02} · {text(chapter.title.say(language))}"
         contents.append(f'<li><a href="#ch{chapter.number:02}">{title}</a></li>')
     if any(one.stem == CLINIC for one in teachings):
@@ -94,25 +83,19 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str, counts:
         markdown((STATIC / f"front.{language}.md").read_text(encoding="utf-8")),
         f"<nav><ul>{''.join(contents)}</ul></nav>",
     ]
-    votes = [vote for teaching, page in lectures for vote in votes_of(teaching, page)]
-    files = {
-        "guide.html": sheet(TITLE.say(language), language, [*head, *guides]),
-        "cards.html": cards(lectures, language),
-        "votes.csv": votes_csv(votes),
-    }
-    for name, content in files.items():
-        write_whole(out / name, content)
-    return [out / name for name in files]
+    path = out / "guide.html"
+    write_whole(path, sheet(TITLE.say(language), language, [*head, *guides]))
+    return path
 
 
-def _decks(out: Path, shown: Mapping[str, Sequence[str]], language: str, counts: Counts, prefix: str = "") -> int:
+def _decks(out: Path, shown: Mapping[str, Sequence[str]], language: str, prefix: str = "") -> int:
     """Write a deck for each chapter, with some of its cells or all; return how many failed."""
     failed = 0
     for teaching in teachings_called(shown):
         page, name = lectured_page(teaching.stem, language), prefix + teaching.stem
         votes, cells = votes_of(teaching, page), shown[teaching.stem]
         try:
-            deck = write_deck(page.notebook, votes, out, name=name, language=language, counts=counts, cells=cells)
+            deck = write_deck(page.notebook, votes, out, name=name, language=language, cells=cells)
         except PageFailed as failure:
             print(failure, file=sys.stderr)
             failed += 1
@@ -133,9 +116,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("chapters", nargs="*", metavar="CHAPTER", help=f"such as 11; all of {_numbers()} if left out")
     parser.add_argument("--lang", choices=LANGUAGES, help="the workbook's language if left out")
     parser.add_argument("--out", default="guide", metavar="DIR", help="where to; %(default)s if left out")
-    parser.add_argument(
-        "--with", dest="results", metavar="RESULTS", help="a folder with votes.csv: what was really chosen"
-    )
     parser.add_argument("--plan", metavar="PLAN", help="talk, day or term: the plan, and decks of only its cells")
     parser.add_argument("--no-deck", action="store_true", help="nothing is run: only what is read and printed")
     return parser.parse_args(list(words))

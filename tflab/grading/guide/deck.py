@@ -3,7 +3,7 @@
     page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
 
 A slide that does nothing but ask is not shown twice: the vote takes its place.
-The deck is a file: what is typed stays in this browser, and a button writes it as votes.csv.
+The deck is a file: what is typed stays in this browser.
 For a plan only some cells are shown; all of them run.
 """
 
@@ -20,7 +20,6 @@ from typing import Any
 from tflab.text import Text
 from tflab.workbook.pages.slides import deck_from_notebook
 
-from .counts import COLUMNS, Counts, share
 from .sheets import STATIC, inline, markdown
 from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
 
@@ -31,14 +30,11 @@ HEADING = re.compile(r"#{1,6} .*\S")
 VOTE = Text("Vote", "투표")
 SAYS = {
     "expected": Text("expected", "예상"),
-    "before": Text("earlier", "지난 반"),
     "voters": Text("votes", "표"),
     "again": Text("Vote again", "다시 투표"),
     "say": Text("What to say", "할 말"),
-    "save": Text("Save votes.csv", "votes.csv로 저장"),
     "clear": Text("Clear", "지우기"),
     "right": Text("right", "정답"),
-    "copy": Text("In your copy:", "각자의 워크북에서는:"),
     "later": Text("Counted. The answer comes later.", "세었습니다. 답은 나중에 나옵니다."),
     "do0": Text("Once more, explained another way.", "다르게 다시 설명합니다."),
     "do1": Text(
@@ -56,7 +52,6 @@ def write_deck(
     *,
     name: str,
     language: str,
-    counts: Counts | None = None,
     cells: Collection[str] = (),
 ) -> Path:
     """Run a page and write it as a deck with its votes; return the deck's path.
@@ -76,7 +71,7 @@ def write_deck(
         deck = deck_from_notebook(path, out_dir)
     if shown:
         content, end, rest = deck.read_text(encoding="utf-8").rpartition("</body>")
-        deck.write_text(content + _scripts(shown, language, counts or {}) + end + rest, encoding="utf-8")
+        deck.write_text(content + _scripts(shown, language) + end + rest, encoding="utf-8")
     return deck
 
 
@@ -162,21 +157,18 @@ def _flat(words: str) -> str:
     return re.sub(r"\s+", " ", words)
 
 
-def _scripts(votes: Sequence[Vote], language: str, counts: Counts) -> str:
+def _scripts(votes: Sequence[Vote], language: str) -> str:
     words = {name: said.say(language) for name, said in SAYS.items()}
     rows = [
         {
             "stem": vote.stem,
             "name": vote.name,
-            "answer": vote.answer,
             "later": bool(vote.answered),
             "options": [
                 {
                     "label": option.label,
                     "html": inline(option.text),
-                    "text": option.text,
                     "expected": option.expected,
-                    "before": share(vote, counts)[0].get(option.label),
                     "right": option.is_right,
                     "say": markdown(option.say),
                 }
@@ -185,7 +177,7 @@ def _scripts(votes: Sequence[Vote], language: str, counts: Counts) -> str:
         }
         for vote in votes
     ]
-    held = {"votes": rows, "words": words, "columns": COLUMNS, "bounds": [EXPLAIN_BELOW, ARGUE_BELOW]}
+    held = {"votes": rows, "words": words, "bounds": [EXPLAIN_BELOW, ARGUE_BELOW]}
     state = json.dumps(held, ensure_ascii=False).replace("</", "<\\/")  # so that no text of ours ends the script
     style, script = ((STATIC / f"votes.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
     return (

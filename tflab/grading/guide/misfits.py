@@ -28,7 +28,7 @@ def misfits(teaching: Teaching, pages: Sequence[LecturedPage], chapter: Chapter)
     """Return the faults of one chapter's file beside its page, which stands in `pages` in each language."""
     found: dict[str, None] = {}
     for page in pages:
-        for part in (_plan, _demos, _votes, _tables):
+        for part in (_plan, _demos, _votes):
             found |= dict.fromkeys(part(teaching, page))
     found |= dict.fromkeys(_minutes(teaching, chapter))
     return [f"{teaching.path}: {fault}" for fault in found]
@@ -104,12 +104,6 @@ def _demos(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
         for cell in filter(None, (demo.cell, demo.figure)):
             if cell not in page.cells:
                 yield f"demos: the page has no cell `{cell}`"
-
-
-def _tables(teaching: Teaching, page: LecturedPage) -> Iterator[str]:
-    for cell in (table.cell for table in teaching.tables if table.heads is None):
-        if not re.search(r"^\|", page.cells.get(cell, ""), re.MULTILINE):
-            yield f"tables: the page has no table in a cell `{cell}`"
 
 
 def _votes(teaching: Teaching, page: LecturedPage) -> Iterator[str]:

@@ -21,10 +21,9 @@ __all__ = ["STATIC", "grid", "inline", "markdown", "sheet"]
 STATIC = Path(__file__).parent / "static"
 
 
-def sheet(title: str, language: str, body: Iterable[str], *styles: str) -> str:
-    """Return a whole page; `body` is HTML already, `title` is not; `styles` are files that come behind `sheet.css`."""
-    style = "".join((STATIC / name).read_text(encoding="utf-8") for name in ("sheet.css", *styles))
-    return report_page(title, language, body, style)
+def sheet(title: str, language: str, body: Iterable[str]) -> str:
+    """Return a whole page; `body` is HTML already, `title` is not."""
+    return report_page(title, language, body, (STATIC / "sheet.css").read_text(encoding="utf-8"))
 
 
 def markdown(words: str) -> str:

@@ -9,7 +9,6 @@
       marking     of a practice question: a full, a half and a wrong sample
       ticket      what to do with each pile of exit tickets
       handover    what follows: the exercises, and what to look for in class.html
-      tables      to fill in, on the board or on paper
 
 What is to be read stands as {en: ..., ko: ...}.  What is wrong with the form of a file is
 found while it is read, all of it at once.
@@ -27,7 +26,7 @@ import yaml
 from tflab.text import LANGUAGES, Text
 from tflab.workbook.paths import workbook_data
 
-__all__ = ["TEACHING", "BlankTable", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
+__all__ = ["TEACHING", "Demo", "Marking", "PlanRow", "Sample", "Teaching", "TeachingError", "as_words",
            "read_teaching", "read_yaml", "said_once"]  # fmt: skip
 
 TEACHING = Path("solutions", "teaching")
@@ -39,14 +38,13 @@ PARTS: dict[str, tuple[set[str], set[str]]] = {
     "brings": ({"has", "lacks", "ask", "answer"}, set()),
     "plan": ({"minutes", "who", "do"}, {"slide", "lab", "late"}),
     "demos": ({"cell", "do", "see", "fails"}, {"types", "figure"}),
-    "votes": ({"name", "cell", "options"}, {"item", "after", "answer", "answered", "options_in"}),
-    "options": ({"expect"}, {"text", "quote", "types", "right", "say", "unsure"}),
+    "votes": ({"name", "cell", "options"}, {"item", "after", "answered", "options_in"}),
+    "options": ({"expect"}, {"text", "quote", "right", "say", "unsure"}),
     "questions": ({"ask", "answer"}, set()),
     "marking": ({"question", "full", "half", "wrong", "because"}, {"half_has", "note"}),
     "ticket": ({"full", "half", "none"}, set()),
-    "tables": (set(), {"cell", "keep", "blank", "rows"}),
 }
-WHOLE = ({"brings", "plan", "demos", "votes", "questions", "ticket", "handover"}, {"marking", "tables"})
+WHOLE = ({"brings", "plan", "demos", "votes", "questions", "ticket", "handover"}, {"marking"})
 
 
 class TeachingError(Exception):
@@ -102,16 +100,6 @@ class Marking:
 
 
 @dataclass(frozen=True)
-class BlankTable:
-    """A table to fill in: one of the page, whose columns `keep` stay (from 1), or heads, parted by |, and rows."""
-
-    cell: str = ""
-    keep: tuple[int, ...] = ()
-    heads: Text | None = None
-    rows: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
 class Teaching:
     """What one file says; `votes` is plain, as `vote.py` takes it."""
 
@@ -125,7 +113,6 @@ class Teaching:
     markings: tuple[Marking, ...]
     ticket: Mapping[str, Text]
     handover: Text
-    tables: tuple[BlankTable, ...]
 
 
 def read_teaching(stem: str, data: Path | None = None) -> Teaching:
@@ -152,7 +139,6 @@ def read_teaching(stem: str, data: Path | None = None) -> Teaching:
         tuple(_marking(row) for row in found.get("marking", ())),
         {name: as_words(text) for name, text in found["ticket"].items()},
         as_words(found["handover"]),
-        tuple(_table(row) for row in found.get("tables", ())),
     )
 
 
@@ -240,11 +226,6 @@ def _row(row: Mapping[str, Any]) -> PlanRow:
 def _demo(row: Mapping[str, Any]) -> Demo:
     said = (as_words(row[name]) for name in ("do", "see", "fails"))
     return Demo(row["cell"], *said, row.get("types", "").strip(), row.get("figure", ""))
-
-
-def _table(row: Mapping[str, Any]) -> BlankTable:
-    heads = as_words(row["blank"]) if "blank" in row else None
-    return BlankTable(row.get("cell", ""), tuple(row.get("keep", ())), heads, tuple(row.get("rows", ())))
 
 
 def _marking(row: Mapping[str, Any]) -> Marking:

@@ -4,7 +4,6 @@
       cell: predict            where the question stands; `item: 2` is its second one
       after: rates             the slide after which hands are raised; that of `cell` if left out
       answered: rates          where the page answers it, if later: until then it is a prediction, and only counted
-      answer: wheels_hz        what a learner's copy calls it; the vote's name if left out
       options:
         - {text: {en: "50", ko: "50번"}, expect: 45, say: {en: ..., ko: ...}}
 
@@ -27,7 +26,7 @@ from tflab.text import Text
 from .lecture import LecturedPage
 from .teaching import Teaching, as_words
 
-__all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "LATER", "RULES", "Vote", "VoteOption", "matches", "rule_for", "votes_of"]
+__all__ = ["ARGUE_BELOW", "EXPLAIN_BELOW", "LATER", "RULES", "Vote", "VoteOption", "votes_of"]
 
 EXPLAIN_BELOW, ARGUE_BELOW = 35, 70  # percent of a room that are right
 LATER = Text(
@@ -59,7 +58,6 @@ class VoteOption:
         label: what is called out, and stands on the card that is raised.
         expected: the share that is expected to take it before anybody has argued [%].
         say: what to say to it, Markdown.
-        types: what a learner may have written in the copy for it.
     """
 
     label: str
@@ -67,7 +65,6 @@ class VoteOption:
     expected: float
     is_right: bool
     say: str
-    types: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -81,32 +78,16 @@ class Vote:
     stem: str
     name: str
     after: str
-    answer: str
     question: str
     options: tuple[VoteOption, ...]
     answered: str = ""
     asked: str = ""
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """Return what counts are kept under."""
-        return self.stem, self.name
 
 
 def votes_of(teaching: Teaching, page: LecturedPage) -> list[Vote]:
     """Return a chapter's votes in the order of the deck; the file fits the page (see `misfits.py`)."""
     votes = [_vote(plain, teaching.stem, page) for plain in teaching.votes]
     return sorted(votes, key=lambda vote: page.shown.get(vote.after, 0))
-
-
-def rule_for(right_percent: float) -> Text:
-    """Return what to do after a vote."""
-    return RULES[0 if right_percent < EXPLAIN_BELOW else 1 if right_percent <= ARGUE_BELOW else 2]
-
-
-def matches(option: VoteOption, written: object) -> bool:
-    """Return whether what a learner wrote is this option."""
-    return " ".join(str(written).casefold().split()) in option.types
 
 
 def _vote(plain: Mapping[str, Any], stem: str, page: LecturedPage) -> Vote:
@@ -116,19 +97,14 @@ def _vote(plain: Mapping[str, Any], stem: str, page: LecturedPage) -> Vote:
     for number, row in enumerate(plain["options"], start=1):
         said = as_words(row["say"]).say(page.language) if "say" in row else ""
         if row.get("unsure"):
-            label, text, types = "?", UNSURE.say(page.language), ("?", *(text.casefold() for text in UNSURE))
+            label, text = "?", UNSURE.say(page.language)
         elif "text" in row:
-            words = as_words(row["text"])
-            label, text = str(number), words.say(page.language)
-            types = tuple(str(one).casefold() for one in (*words, *row.get("types", ())))
+            label, text = str(number), as_words(row["text"]).say(page.language)
         else:
             label, text, reply = choices[number - 1]
-            said, types = said or reply, (label.casefold(),)
-        options.append(VoteOption(label, text, row["expect"], bool(row.get("right")), said, types))
+            said = said or reply
+        options.append(VoteOption(label, text, row["expect"], bool(row.get("right")), said))
     question = page.item(cell, plain["item"]) if "item" in plain else page.text(cell)
-    answer = plain.get("answer", plain["name"].replace("-", "_"))
     asked = "" if "item" in plain else cell
-    return Vote(
-        stem, plain["name"], plain.get("after", cell), answer, question or "", tuple(options),
-        plain.get("answered", ""), asked,
-    )  # fmt: skip
+    after, answered = plain.get("after", cell), plain.get("answered", "")
+    return Vote(stem, plain["name"], after, question or "", tuple(options), answered, asked)

@@ -1,9 +1,9 @@
 // How does a deck count a vote?  Numbers are typed beside the options; shares, what to do and what to say follow.
 //
-// #tflab-votes holds the votes as Python wrote them (deck.py). Counts stay in this browser, and leave it as votes.csv.
+// #tflab-votes holds the votes as Python wrote them (deck.py). Counts stay in this browser.
 
 (() => {
-  const { votes, words, columns, bounds } = JSON.parse(document.getElementById("tflab-votes").textContent);
+  const { votes, words, bounds } = JSON.parse(document.getElementById("tflab-votes").textContent);
   const kept = (vote) => `tflab-vote:${vote.stem}:${vote.name}`;
   const states = new Map(votes.map((vote) => [vote, read(vote)]));
 
@@ -51,11 +51,8 @@
     below.append(advice,
       button(words.again, () => { states.get(vote).again = {}; keep(vote); says.hidden = true; show(true); rows[0].input.focus(); }),
       button(words.say, () => { says.hidden = !says.hidden; show(); }),
-      button(words.save, save),
       button(words.clear, () => { states.set(vote, { first: {}, again: null }); keep(vote); says.hidden = true; show(true); }));
-    const copy = make("div", "copy", `${words.copy} `);
-    copy.append(make("code", "", `${vote.answer} = …`));
-    place.append(below, copy, says);
+    place.append(below, says);
 
     function show(fresh = false) {
       const state = states.get(vote), counts = state.again ?? state.first;
@@ -80,7 +77,7 @@
       says.replaceChildren(...order.map((option) => {
         const line = make("div", ""), head = make("div", ""), said = make("div", "");
         head.append(make("b", "", option.label), make("span", "", option.right ? ` ✓ ${words.right}` : ""),
-          make("span", "expected", option.before == null ? `${words.expected} ${option.expected} %` : `${words.before} ${Math.round(option.before)} %`));
+          make("span", "expected", `${words.expected} ${option.expected} %`));
         said.innerHTML = option.say;
         line.append(head, said);
         return line;
@@ -88,22 +85,6 @@
     }
 
     show(true);
-  }
-
-  function save() {
-    const cell = (text) => `"${String(text).replaceAll('"', '""')}"`;
-    const lines = [columns.join(",")];
-    for (const vote of votes) {
-      const { first, again } = states.get(vote);
-      for (const { label, text, expected } of vote.options)
-        lines.push([vote.stem, vote.name, label, text, expected, sum(first) ? first[label] ?? 0 : "",
-          again && sum(again) ? again[label] ?? 0 : ""].map(cell).join(","));
-    }
-    const link = make("a", "");
-    link.href = URL.createObjectURL(new Blob(["\ufeff", lines.join("\r\n"), "\r\n"], { type: "text/csv" }));
-    link.download = `votes-${votes[0].stem.slice(0, 2)}.csv`;
-    link.click();
-    setTimeout(() => URL.revokeObjectURL(link.href), 1000);
   }
 
   for (const vote of votes)
