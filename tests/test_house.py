@@ -53,7 +53,6 @@ FOLDERS = {
     "workbook/mistakes": {".", "answers", "tasks"},
     "workbook/explaining": {".", "answers", "tasks", "mistakes"},
     "workbook/verdicts": {".", "answers", "tasks", "mistakes", "explaining"},
-    "workbook/repairing": {".", "answers", "tasks"},
     "workbook/inventory": {".", "answers", "tasks", "verdicts"},
     "workbook/course": {".", "answers", "tasks", "inventory"},
     "workbook/book": {".", "course"},

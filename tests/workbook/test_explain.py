@@ -82,7 +82,7 @@ def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_t
 
 
 def test_two_slips_are_named_in_the_order_of_the_work():
-    verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.0}, 7.0)
+    verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.25}, 7.25)
     assert list(verdict.slips) == ["late", "far"]
     assert verdict.said.en == "Two things together give just this. First: late Then: far"
 
@@ -424,23 +424,6 @@ def judged_with_givens(form, right, answer):
     return judge_outcomes(task, variant._replace(given={k: to_plain(v) for k, v in GIVEN.items()}), [to_plain(answer)])
 
 
-@pytest.mark.parametrize(
-    ("form", "right", "answer", "said"),
-    [
-        (Number("rad/s"), -0.87, 0.73 * 0.87, "`speed_mps * yaw_rate_radps` gives (m/s times rad/s)"),
-        (Number("rad/s"), -0.87, 0.73 / 0.87, "`speed_mps / yaw_rate_radps` gives (m/s by rad/s)"),
-        (Number("rad/s"), -0.87, 0.73, "`speed_mps` gives (m/s)"),
-        (Number("rad/s"), -0.87, -0.73 * 0.87, "`-(speed_mps * yaw_rate_radps)` gives (m/s times rad/s)"),
-        (Number("m"), 0.1, 0.73 * 120.0, "`delay_ms * speed_mps` gives (ms times m/s)"),
-        (Vector(3), (7.6, -2.1, 0.4), (7.19, -2.25, -0.2), "`map_p_base - base_p_laser` gives"),
-    ],
-)
-def test_what_was_computed_of_what_was_given_is_said(form, right, answer, said):
-    verdict = judged_with_givens(form, right, answer)
-    assert said in verdict.said.en
-    assert next(iter(verdict.slips)).startswith("computed: ")
-
-
 @pytest.mark.parametrize("answer", [0.64, 0.6, 0.635])
 def test_a_number_that_no_sum_gives_to_the_last_digit_hears_of_none(answer):
     assert judged_with_givens(Number("rad/s"), -0.87, answer).slips.keys() <= {"a round number"}
@@ -453,8 +436,8 @@ def test_a_slip_is_not_named_by_a_tolerance_that_is_wide_beside_it():
     form = Number("mm", 0.5)
     assert list(judged(form, 400.0, {"cosine": 0.2163}, 0.2163).slips) == ["cosine"]
     assert "cosine" not in judged(form, 400.0, {"cosine": 0.2163}, 0.0208).slips
-    pair = {"late": 80.0, "far": 90.0, "late + far": 100.0}
-    assert list(judged(form, 400.0, pair, 100.0).slips) == ["late", "far"]
+    pair = {"late": 80.0, "far": 90.0, "late + far": 101.5}
+    assert list(judged(form, 400.0, pair, 101.5).slips) == ["late", "far"]
     assert not judged(Number("mm", 5.0), 400.0, pair, 103.0).slips
 
 

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from itertools import pairwise
 
 import pytest
 
 from tflab.core import Transform
-from tflab.workbook.answers.forms import Angle, Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
-from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
+from tflab.workbook.answers.values import raised
 from tflab.workbook.mistakes.stumbles import tip_for
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.verdicts.verdict import judge_outcomes
@@ -19,32 +18,6 @@ from .test_explain import judged, words
 from .test_explain_together import called
 
 POSES = [Transform.from_rpy(0.1 * n, 0.2, 0.3 + n, translation=(1.0 + n, 2.3 - n, 0.4)) for n in range(1, 6)]
-PAIRS = list(pairwise(POSES))
-
-
-def rows_of(right, wrong):
-    """Return the arguments, the right pose and the wrong one of each pair."""
-    return [((a, b), right(a, b), wrong(a, b)) for a, b in PAIRS]
-
-
-@pytest.mark.parametrize(
-    ("wrong", "text"),
-    [
-        (lambda a, b: b.inverse() @ a, "argument 2.inverse() @ argument 1"),
-        (lambda a, b: a.inverse() @ b @ a, "argument 1.inverse() @ argument 2 @ argument 1"),
-        (lambda a, b: b.inverse(), "argument 2.inverse()"),
-        (lambda a, b: a @ b @ a, "argument 1 @ argument 2 @ argument 1"),
-    ],
-)
-def test_a_function_of_poses_is_told_which_product_it_makes(wrong, text):
-    verdict = called(Pose(), rows_of(lambda a, b: a @ b.inverse(), wrong))
-    assert list(verdict.slips) == [f"computed: {text}"] and f"`{text}`" in verdict.said.en
-
-
-def test_a_function_that_moves_a_point_by_the_wrong_pose_is_told_so():
-    points = [(pose, (1.0, 0.2, number + 0.7)) for number, pose in enumerate(POSES)]
-    rows = [((pose, point), pose.apply(point), pose.inverse().apply(point)) for pose, point in points]
-    assert list(called(Vector(3, "m"), rows).slips) == ["computed: argument 1.inverse().apply(argument 2)"]
 
 
 def test_step_and_turn_of_a_pose_are_looked_at_each_by_itself():
@@ -52,17 +25,17 @@ def test_step_and_turn_of_a_pose_are_looked_at_each_by_itself():
     half = Transform(here.translation, there.rotation)
     verdict = judged(Pose(), here, {"turn kept": half}, Transform((9.0, 8.0, 7.7), there.rotation))
     assert list(verdict.slips) == ["turn kept"] and '"rotation": turn kept' in verdict.said.en
-    assert '"translation": look again' in verdict.said.en
+    assert '"translation": not right yet' in verdict.said.en
 
 
-def test_a_slip_in_all_calls_that_have_an_answer_is_not_said_to_be_in_some():
+def test_a_slip_in_all_calls_that_have_an_answer_is_named_and_one_in_some_is_not():
     cases = [Case([n], float(n), {"late": n + 5.0}) for n in range(1, 4)]
     cases.append(Case([9], raised(LookupError("no")), {"late": 14.0}))
     task, variant = bare(Number("m"), *cases, is_function=True)
     task = task._replace(feedback={"late": words("late")})
     outcomes = [6.0, 7.0, 8.0, raised(LookupError("no"))]
     assert judge_outcomes(task, variant, outcomes).said.en == "late"
-    assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).said.en.startswith("In some calls")
+    assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).slips == {}
 
 
 def test_a_quaternion_that_was_taken_for_w_first_is_told_so():
@@ -146,44 +119,7 @@ def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written()
     assert "One dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en
 
 
-GIVEN_POINTS = {"base_p_laser": [0.25, 0.08, 0.21], "laser_p_post": [2.37, 0.64, 0.45]}
-
-
-@pytest.mark.parametrize(
-    ("answer", "said"),
-    [
-        ((2.62, 0.72, 0.53), "x, y: right; z: this is what `base_p_laser[1] + laser_p_post[2]` gives."),
-        ((2.62, 0.72, 0.24), "x, y: right; z: this is what `laser_p_post[2] - base_p_laser[2]` gives."),
-        ((2.62, 2.45, 2.58), "x: right; y: this is what `base_p_laser[1] + laser_p_post[0]` gives; "
-         "z: this is what `base_p_laser[2] + laser_p_post[0]` gives."),
-        ((2.62, 0.72, 0.57), None),
-        ((2.61, 0.53, 0.53), None),  # none of them is right
-    ],
-)  # fmt: skip
-def test_a_number_of_a_point_that_differs_in_one_term_is_told_by_its_sum(answer, said):
-    right = tuple(map(sum, zip(*GIVEN_POINTS.values(), strict=True)))
-    task, variant = bare(Vector(3, "m"), Case(None, to_plain(right), {}))
-    verdict = judge_outcomes(task, variant._replace(given=GIVEN_POINTS), [to_plain(answer)])
-    assert (verdict.said and verdict.said.en) == said
-
-
 TURNED = [{"x": 1.0 + n, "y": 0.4 - 0.3 * n, "yaw": 0.5 + 0.7 * n} for n in range(5)]
-
-
-@pytest.mark.parametrize(
-    ("wrong", "text"),
-    [
-        (lambda x, y, a: x * math.sin(a) - y, "argument 1: x * sin(argument 1: yaw) - argument 1: y"),
-        (lambda x, y, a: -math.hypot(x, y) * math.cos(a),
-         "- hypot(argument 1: x, argument 1: y) * cos(argument 1: yaw)"),
-        (lambda x, y, a: x * math.sin(a) + 0.2 * y, None),
-    ],
-)  # fmt: skip
-def test_of_a_point_that_is_turned_in_the_plane_the_terms_are_told(wrong, text):
-    form = Parts({"x": Number("m"), "y": Number("m")})
-    rows = [((pose,), {"x": 100.0 + n, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
-            for n, pose in enumerate(TURNED)]  # fmt: skip
-    assert list(called(form, rows).slips) == ([f"x: computed: {text}"] if text else [])
 
 
 @pytest.mark.parametrize(
@@ -211,23 +147,7 @@ def test_of_a_turn_that_is_asked_for_it_is_told_where_the_terms_differ(wrong, se
     right = [x * math.cos(a) - y * math.sin(a) for x, y, a in map(dict.values, TURNED)]
     rows = [((pose,), {"x": want, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
             for pose, want in zip(TURNED, right, strict=True)]  # fmt: skip
-    assert called(form, rows).said.en.endswith(f"gives. {seen}")
-
-
-@pytest.mark.parametrize(
-    ("bearing", "text"),
-    [
-        (lambda x, y, a: math.atan2(-y, -x), "atan2(-(argument 1: y), -(argument 1: x))"),
-        (lambda x, y, a: math.atan2(2 * x, y + 1.0), "atan2(your y, your x)"),
-        (lambda x, y, a: a + math.atan2(y, x), "argument 1: yaw + atan2(argument 1: y, argument 1: x)"),
-        (lambda x, y, a: a + math.atan2(y, x) / 2, None),
-    ],
-)
-def test_a_bearing_that_was_taken_for_a_yaw_is_told(bearing, text):
-    form = Parts({"x": Number("m"), "y": Number("m"), "yaw": Angle()})
-    rows = [((pose,), place | {"yaw": -pose["yaw"]}, place | {"yaw": bearing(*pose.values())})
-            for pose in TURNED for place in [{"x": pose["y"] + 1.0, "y": 2 * pose["x"]}]]  # fmt: skip
-    assert list(called(form, rows).slips) == ([f"yaw: bearing: {text}"] if text else [])
+    assert called(form, rows).said.en.endswith(f"terms. {seen}")
 
 
 def test_a_sign_in_one_part_alone_is_told_before_two_slips_that_meet_there():

@@ -29,7 +29,7 @@ IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
     [
         (DECIMALS | {"turn": math.degrees(0.3137)}, '"turn": right, if it were in degrees/s.'),
         (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this only follows from what is wrong in "stamp_s".'),
-        (DECIMALS | {"turn": 0.41}, '"turn": look again'),
+        (DECIMALS | {"turn": 0.41}, '"turn": not right yet'),
         (READ | {"turn": 0.3137}, "Zeros."),
     ],
 )
@@ -147,7 +147,7 @@ def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
             [cause._replace(said=Text(cause.said.en, cause.said.en)) for cause in found], {}, "abcdefgh"
         ).said
 
-    assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": look again once these are right.')
+    assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": not right yet either. Fix the others first.')
     assert reply(5).en.endswith('"e": Cause e.')
 
 

@@ -11,7 +11,6 @@ In an exercise one calls four functions:
     mistakes/     those that any answer can have: a bug library
     explaining/   how a wrong answer came about
     verdicts/     what became of an answer, in words
-    repairing/    the one place in a function that is wrong
     trying        what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task

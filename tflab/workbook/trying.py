@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout, suppress
+from contextlib import contextmanager, redirect_stdout
 from dataclasses import replace
 from io import StringIO
 from pathlib import Path
@@ -21,9 +21,8 @@ from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .explaining.changes import gave
+from .mistakes.lint import said_of_its_text
 from .paths import Workbook
-from .repairing.lint import said_of_its_text
-from .repairing.one_place import said_of_one_place
 from .reply import in_notebook, shell, show_caption, show_reply
 from .tasks.case_types import TaskCases, Variant
 from .verdicts.mistake import REPLIES, Mistake
@@ -32,8 +31,6 @@ from .verdicts.verdict import Verdict, judge_outcomes, kind_of
 
 __all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
-IN_ONE_PLACE = {Mistake.VALUE, Mistake.PARTS, Mistake.NO_REFUSAL, Mistake.OTHER_EXCEPTION, Mistake.RAISES,
-                Mistake.SOMETIMES_NOTHING, Mistake.SLIP}  # fmt: skip
 DRAWN = {Mistake.SLIP, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
 PATIENCE_S = 10.0  # after that, somebody who waits for a reply asks herself whether there will be one
@@ -108,14 +105,10 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
 def _with_its_place(
     assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
 ) -> tuple[Verdict, list[Plain]]:
-    """Return the verdict with what is plain to see in a wrong function, or where one edit makes it right."""
+    """Return the verdict with what is plain to see in the text of a wrong function."""
     if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
-    is_known = verdict.mistake is Mistake.SLIP and set(verdict.slips) <= set(assigned.cases.feedback)
     place = said_of_its_text(answer)
-    if place is None and verdict.mistake in IN_ONE_PLACE and not is_known:
-        with suppress(KeyboardInterrupt):  # who stops it wants the reply
-            place = said_of_one_place(answer, assigned.cases.form, assigned.variant.cases, outcomes)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 
 

@@ -3,12 +3,8 @@
     certain     what is certain where none fits
     explanation what an explanation is
     confused    which word a function says for which
-    common      what the calls that go wrong have in common
-    arithmetic  what was computed of what was given
-    components  which number of a point was computed of what
+    components  a given point with its numbers in other places
     turning     how a point was turned in the plane
-    bearings    where something lies, taken for how it is turned
-    formulas    by which formula of angles, ranges, points and poses a value was computed
     givens      what was given, as it was
     kinds       what is of the wrong kind, plain to see
     habits      what habits of writing give: the first member, a loop that removes

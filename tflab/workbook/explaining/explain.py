@@ -16,26 +16,24 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from ...text import Text, begun
+from ..answers.form import numbers_of
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..mistakes.fields import sections
-from ..mistakes.fitting import IN_SOME, MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
-from ..mistakes.losses import MARGINS, TOLD, by_comparison
+from ..mistakes.fitting import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, undone_to, words_of
+from ..mistakes.losses import TOLD, by_comparison
 from ..mistakes.names import of_names, unfilled
 from ..tasks.case_types import AND, Case, TaskCases
 from ..tasks.credit import habit
 from .apart import of_words_apart
-from .arithmetic import computed, computed_in_all
 from .beside import side_by_side
 from .changes import gave, of_changes
-from .common import calls_in_common
-from .components import of_components, put_together
+from .components import put_together
 from .confused import confused, confused_in_lists, seen_of, word_of
 from .explanation import Explanation, said_of
-from .formulas import of_formula, of_formula_in_all
 from .givens import given_to
-from .habits import habit_of, round_number
+from .habits import habit_of
 from .kinds import of_times
 from .lists import of_lists
 from .members import changed_places, of_members, plain_in_one
@@ -46,6 +44,7 @@ from .stops import of_stops
 
 __all__ = ["explained"]
 
+FEWEST_DIGITS = 3  # of a number for two slips that are near to it to be no chance
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
 ONLY_NEAR = Text(
     en="Rounding aside, this is what comes of the following. {said}",
@@ -129,8 +128,7 @@ def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], 
     said = said_of(task, names)
     if len(names) == 1 and _is_only_near(task, cases, outcomes, names[0]):
         said = ONLY_NEAR.filled(said=Text(begun(said.en), said.ko))
-    explanation = Explanation(slips, said)
-    return _and_where(task, cases, outcomes, explanation) if names[0].startswith(IN_SOME) else explanation
+    return Explanation(slips, said)
 
 
 def _is_only_near(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], name: str) -> bool:
@@ -145,49 +143,20 @@ def _of_the_form(
 ) -> Explanation | None:
     """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
     is_split = isinstance(task.form, Command | Pose) and sections(task.form, outcomes[0])
-    if isinstance(task.form, Pose) and (summed := _summed_pose(task, cases, outcomes, given)):
-        return Explanation.of(*summed)
     if isinstance(task.form, Parts | Message) or is_split:
         return of_members(task, cases, outcomes, given)
     if isinstance(task.form, Urdf):
         return of_robots(task, outcomes[0], cases[0].expected)
     if task.is_function:
         return _of_calls(task, cases, outcomes)
-    found = of_lists(task, cases, outcomes)
-    summed = (
-        None
-        if found
-        else computed(task.form, outcomes[0], given)
-        or of_components(task.form, outcomes[0], cases[0].expected, given)
-        or of_formula(task.form, outcomes[0], cases[0].expected, given)
-        or (round_number(task.form, outcomes[0], cases[0].expected) if given else None)
-    )
-    return Explanation.of(*summed) if summed else found
+    return of_lists(task, cases, outcomes)
 
 
 def _of_calls(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
     """Return what all calls together show: a habit, what the members of lists have wrong, words that are confused."""
     found = _of_a_habit(task, cases, outcomes) or of_lists(task, cases, outcomes) or _of_words(task, cases, outcomes)
-    if found is None and (summed := _summed(task, cases, outcomes)):
-        return Explanation.of(*summed)
     words = None if found else of_names(task.form, outcomes, [case.expected for case in cases])
     return Explanation.of("names", words) if words else found
-
-
-def _summed_pose(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> tuple[str, Text] | None:
-    return _summed(task, cases, outcomes) if task.is_function else computed(task.form, outcomes[0], given)
-
-
-def _summed(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> tuple[str, Text] | None:
-    """Return what a function computes of its arguments wherever an answer is asked for, and answers nothing else."""
-    rows = [(case.args or [], outcome) for case, outcome in zip(cases, outcomes, strict=True)
-            if not is_raised(case.expected)]  # fmt: skip
-    if not rows or not isinstance(task.form, MEASURED):
-        return None
-    args, outcomes = map(list, zip(*rows, strict=True))
-    return computed_in_all(task.form, args, outcomes) or of_formula_in_all(task.form, args, outcomes)
 
 
 def _of_a_habit(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
@@ -211,13 +180,7 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
     if isinstance(form, Choice):
         pairs = [(word_of(form, want), word_of(form, outcome)) for want, outcome in zip(wanted, outcomes, strict=True)]
         explanation = explanation._replace(shows=pairs.index((found.wanted, found.word)))
-    return _and_where(task, cases, outcomes, explanation)
-
-
-def _and_where(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], found: Explanation) -> Explanation:
-    """Return an explanation with what the calls that go wrong have in common, if that can be said."""
-    common = calls_in_common(task.form, [case.args for case in cases], outcomes, [case.expected for case in cases])
-    return found._replace(said=Text.joined(found.said, common))
+    return explanation
 
 
 def _ways(
@@ -232,16 +195,20 @@ def _ways(
         return
     if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
         yield (f"given {held}",)
-    is_a_guess = not task.is_function and given and _is_short(form, outcomes[0], expected[0])
-    yield from _two(task, cases, outcomes, given, A_HAIR if is_a_guess else TWO)
+    if not _is_short(task, outcomes, expected):
+        yield from _two(task, cases, outcomes, given, TWO)
     if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
         yield from side_by_side(form, outcomes, expected, single)
     yield from _further_ways(task, single, outcomes, expected)
 
 
-def _is_short(form: Form, outcome: Plain, wanted: Plain) -> bool:
-    """Return whether a number is round, or the right one in few digits: two slips that are near to it are chance."""
-    return bool(round_number(form, outcome, wanted)) or "rounded" in by_comparison(form, [outcome], [wanted])
+def _is_short(task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain]) -> bool:
+    """Return whether a value is a number of few digits, or the right one rounded: two slips fit it by chance."""
+    row = numbers_of(outcomes[0], None) if isinstance(task.form, Number) and not task.is_function else None
+    if row is None:
+        return False
+    digits = len(f"{abs(row[0]):.9f}".replace(".", "").strip("0"))
+    return digits < FEWEST_DIGITS or "rounded" in by_comparison(task.form, list(outcomes), list(expected))
 
 
 def _ones(
@@ -289,25 +256,16 @@ def _further_ways(
     for first, row in single.items():
         yield from ((first, then) for then in undone_to(task.form, outcomes, row, only_plain_to_see=True))
     yield from ((name,) for name in undone_to(task.form, outcomes, expected))
-    yield from _and_a_margin(task, single, outcomes)
     if task.is_function and isinstance(task.form, MEASURED):
         answered = [row for row in zip(outcomes, expected, strict=True) if not is_raised(row[1])]
-        where = IN_SOME if len(answered) < 2 or any(alike(task.form, *row) for row in answered) else ""
-        yield from ((where + name,) for name, row in single.items() if _in_some(task, outcomes, expected, row))
+        if len(answered) > 1 and not any(alike(task.form, *row) for row in answered):
+            yield from ((name,) for name, row in single.items() if _is_all_that_is_wrong(task, outcomes, expected, row))
         yield from ((name,) for name in in_some(task.form, outcomes, expected))
 
 
-def _and_a_margin(
-    task: TaskCases, single: dict[str, list[Plain]], outcomes: Sequence[Plain]
-) -> Iterator[tuple[str, ...]]:
-    """Yield a slip and then a margin, on top or off, that give a number."""
-    if not isinstance(task.form, Number) or task.is_function:
-        return
-    ways = ((first, by_comparison(task.form, list(outcomes), row)) for first, row in single.items())
-    yield from ((first, then) for first, lost in ways for then in lost if then in MARGINS)
-
-
-def _in_some(task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain], twin: Sequence[Plain]) -> bool:
+def _is_all_that_is_wrong(
+    task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain], twin: Sequence[Plain]
+) -> bool:
     """Return whether all that is wrong is what a slip gives, though the slip would give more."""
     wrong = [
         place

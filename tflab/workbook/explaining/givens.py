@@ -11,15 +11,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..answers.form import Form, pose_of
+from ..answers.form import Form, inside, pose_of
 from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain
 from ..mistakes.fitting import alike
 from ..mistakes.units import unit_of
-from .arithmetic import leaves
 
-__all__ = ["given_to"]
+__all__ = ["given_to", "leaves"]
 
 
 def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
@@ -42,3 +41,11 @@ def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
         yield from ([leaf] if parts is None else [list(parts[2])[: form.size]])
     elif isinstance(form, Quaternion):
         yield from ([leaf] if parts is None else [list(parts[3])])
+
+
+def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
+    """Yield what was given, by name; of a dict its members, too."""
+    for name, held in given.items():
+        yield before + name, held
+        if isinstance(inner := inside(held), dict) and "Transform" not in inner:
+            yield from leaves(inner, f"{before}{name}: ")

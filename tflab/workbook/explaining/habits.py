@@ -19,7 +19,7 @@ from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import is_just
 
-__all__ = ["constant_of", "habit_of", "round_number"]
+__all__ = ["constant_of", "habit_of"]
 
 FEWEST = 3  # calls with a result of their own, for it to be no luck
 ALWAYS = Text(
@@ -52,11 +52,6 @@ SAME = Text(
     en="this is {what} in every call, and it should not be: what of the arguments does it depend on?",
     ko="모든 호출에서 {what} 나옵니다. 그래서는 안 됩니다. 인자의 무엇에 따라 달라져야 합니까?",
 )
-ROUND = Text(
-    en="that is a round number, {side} than what is asked for: a guess, or a habit? Work it out of what was given.",
-    ko="딱 떨어지는 수이고 필요한 값보다 {side}. 짐작으로 적은 값 아닙니까? 주어진 값으로 계산하십시오.",
-)
-LARGER, SMALLER = Text("larger", "큽니다"), Text("smaller", "작습니다")
 PASSED_OVER = Text(
     en="what is too much follows each time on something that went: whoever removes from the list that the loop goes "
     "through makes it pass over the next one. Build a new list, or loop over a copy.",
@@ -79,26 +74,6 @@ def habit_of(
         if is_just(form, outcomes, values):
             return name, Text(*map("".join, zip(ALWAYS.filled(what=what), asks, strict=True)))
     return None
-
-
-def round_number(form: Form, outcome: Plain, wanted: Plain) -> tuple[str, Text] | None:
-    """Return that a round number stands where one that is not is asked for; None if it is none, or both are."""
-    if not isinstance(form, Number) or not form.unit:
-        return None
-    given, want = numbers_of(outcome, None), numbers_of(wanted, None)
-    if given is None or want is None or not _is_round(given[0]) or _is_round(want[0]):
-        return None
-    return "a round number", ROUND.filled(side=LARGER if given[0] > want[0] else SMALLER)
-
-
-def _is_round(number: float) -> bool:
-    """Return whether a number is whole, or has one digit, or a 5 behind it: 12, 0.3, 2.5, and no 0."""
-    digits = f"{abs(number):.9f}".replace(".", "").strip("0")
-    return (
-        (number != 0.0 and float(number).is_integer())
-        or len(digits) == 1
-        or (len(digits) == 2 and digits.endswith("5"))
-    )
 
 
 def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> tuple[str, Text] | None:

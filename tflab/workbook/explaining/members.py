@@ -24,14 +24,9 @@ from ..mistakes.fitting import MEASURED, alike, all_alike, in_some, is_just, und
 from ..mistakes.losses import TOLD, stamp_of, time_of
 from ..tasks.case_types import Case, Feedback, TaskCases
 from .after import after_a_slip, followers, only_follows
-from .arithmetic import computed, computed_in_all
-from .bearings import bearing_in_all
 from .certain import certain
-from .common import calls_in_common
-from .components import of_components
 from .confused import confused, seen_of, word_of
 from .explanation import Explanation, said_of
-from .formulas import is_moved_from, of_formula, of_formula_in_all
 from .givens import given_to
 from .habits import constant_of, habit_of
 from .kinds import kinds_said
@@ -207,10 +202,8 @@ def _by_itself(
         return found
     if len(outcomes) > 1:
         return _summed_in_all(table, name) or _of_words(task, table, name)
-    found = (
-        _of_the_given(task, name, form, outcomes[0], wanted[0], given)
-        or _as_another_is(task, table, name, wrong_answers, known)
-        or _of_a_formula(task, table, name, given)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
+        task, table, name, wrong_answers, known
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
 
@@ -218,12 +211,7 @@ def _by_itself(
 def _summed_in_all(table: Table, name: str) -> list[Found]:
     """Return what a function computes for one part in every call."""
     form, outcomes = table.forms[name], table.given[name]
-    found = (
-        turned_in_all(form, table.args, outcomes, table.wanted[name])
-        or computed_in_all(form, table.args, outcomes)
-        or bearing_in_all(form, table.args, outcomes, table.given)
-        or of_formula_in_all(form, table.args, outcomes)
-    )
+    found = turned_in_all(form, table.args, outcomes, table.wanted[name])
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 
@@ -290,13 +278,8 @@ def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
-    said = Text.joined(confusion.said, seen_of(confusion, task.seen), _in_common(table, name))
+    said = Text.joined(confusion.said, seen_of(confusion, task.seen))
     return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
-
-
-def _in_common(table: Table, name: str) -> Text | None:
-    """Return what the arguments of the calls have in common in which a part is wrong."""
-    return calls_in_common(table.forms[name], table.args, table.given[name], table.wanted[name])
 
 
 def _anothers(table: Table, name: str) -> str | None:
@@ -314,25 +297,12 @@ def _anothers(table: Table, name: str) -> str | None:
 def _of_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
 ) -> list[Found]:
-    """Return that a part is what was given, or what a sum of it gives."""
+    """Return that a part is what was given."""
     held = given_to(form, outcome, wanted, given)
-    if held:
-        way = f"given {held}"
-        return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
-    found = computed(form, outcome, given) or of_components(form, outcome, wanted, given)
-    return [Found.of(found[0], _shown_too(task, name, found[1]), name)] if found else []
-
-
-def _of_a_formula(task: TaskCases, table: Table, name: str, given: dict[str, Plain] | None) -> list[Found]:
-    """Return by which formula of what was given, and of the points in parts before it, a part was computed."""
-    (outcome,), (wanted,), form = table.given[name], table.wanted[name], table.forms[name]
-    before = list(table.forms)[: list(table.forms).index(name)]
-    for other in before:
-        if is_moved_from((table.given[other][0], outcome), (table.wanted[other][0], wanted), given or {}):
-            return [only_follows(name, other)]
-    held = {f'{task.answer}["{other}"]': table.given[other][0] for other in before}
-    found = of_formula(form, outcome, wanted, {**(given or {}), **held})
-    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
+    if not held:
+        return []
+    way = f"given {held}"
+    return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
 
 
 def _as_another_is(
@@ -393,6 +363,4 @@ def _certain(table: Table, name: str) -> Text | None:
     """Return what is certain of a part that nothing explains, where it goes wrong first."""
     pairs = zip(table.given[name], table.wanted[name], strict=True)
     wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
-    said = [certain(table.forms[name], *wrong) if wrong else None, _in_common(table, name)]
-    rows = list(zip(*filter(None, said), strict=True))
-    return Text(*(". ".join(row).rstrip(".") for row in rows)) if rows else None
+    return certain(table.forms[name], *wrong) if wrong else None

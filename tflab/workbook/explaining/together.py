@@ -1,7 +1,7 @@
 """What is said where several parts of an answer are wrong?  Each cause once, the first in the work first.
 
     "mount" by an option    "gyro_z" by its sign    "mend" by nothing known
-    -->  "mount": then z reads +9.8 ...  "gyro_z": the size is right ...  "mend": look again.
+    -->  "mount": then z reads +9.8 ...  "gyro_z": the size is right ...  "mend": not right yet.
 
 What tells only which word is said for which comes last: a cause helps more than what
 follows from it.
@@ -19,10 +19,10 @@ from .explanation import Explanation
 
 __all__ = ["Found", "each_part_once", "together"]
 
-LOOK = Text(en="look again.", ko="다시 보십시오.")
+WRONG = Text(en="not right yet.", ko="아직 틀렸습니다.")
 MOST_TOLD = 4  # causes; who reads more than that at once mends none
-LATER = Text(en="look again once these are right.", ko="앞의 것을 고친 다음에 다시 보십시오.")
-LOOK_AND_SEE = Text(en="look again ({certain}).", ko="다시 보십시오({certain}).")
+LATER = Text(en="not right yet either. Fix the others first.", ko="역시 아직 틀렸습니다. 앞의 것부터 고치십시오.")
+WRONG_AND_HOW = Text(en="not right yet ({certain}).", ko="아직 틀렸습니다({certain}).")
 
 
 class Found(NamedTuple):
@@ -74,7 +74,7 @@ def _looks(left: Mapping[str, Text | None]) -> dict[Text, set[str]]:
     """Return what to say of the parts that are left, and of which."""
     looks: dict[Text, set[str]] = {}
     for name, certain in left.items():
-        looks.setdefault(LOOK_AND_SEE.filled(certain=certain) if certain else LOOK, set()).add(name)
+        looks.setdefault(WRONG_AND_HOW.filled(certain=certain) if certain else WRONG, set()).add(name)
     return looks
 
 

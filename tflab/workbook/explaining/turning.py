@@ -6,7 +6,7 @@
 
 The terms are x, y and the distance of a pose, alone and times the sine or cosine of a yaw, of half of it or of
 two; up to three of them, added or taken off.  What is asked for is read in the same way, and so it can be said
-where the two differ: the kind of thing, never what belongs there.
+where the two differ: the kind of thing, never what belongs there, and never the learner's own formula.
 """
 
 from __future__ import annotations
@@ -20,21 +20,16 @@ from ...text import Text
 from ..answers.form import Form, inside, numbers_of
 from ..answers.forms import Number
 from ..answers.values import Plain
-from .arithmetic import as_written
 
-__all__ = ["FEWEST_CALLS", "poses_among", "sum_of", "turned_in_all"]
+__all__ = ["FEWEST_CALLS", "poses_among", "turned_in_all"]
 
 FEWEST_CALLS = 4  # more than there are terms: so many numbers are no luck
 MOST_POSES = 2
 CLOSE = 1e-6
 PLANAR = ("x", "y", "yaw")
 SAID = Text(
-    en="in every call this is what `{sum}` gives. {seen}",
-    ko="어느 호출에서나 `{sum}`의 값입니다. {seen}",
-)
-COMPARE = Text(
-    en="Compare it, term by term, with what has to be computed.",
-    ko="구해야 할 식과 한 항씩 비교하십시오.",
+    en="in every call your result is the same sum of terms. {seen}",
+    ko="어느 호출에서나 같은 항들의 합입니다. {seen}",
 )
 MISSING = Text(en="`{what}` does not come into it at all.", ko="`{what}`이(가) 전혀 들어가지 않았습니다.")
 TOO_MUCH = Text(en="`{what}` does not belong in it.", ko="`{what}`은(는) 들어갈 값이 아닙니다.")
@@ -90,24 +85,24 @@ def turned_in_all(
     if not found:
         return None
     right = _sum_of(terms, np.array([row[0] for row in rows[1]])) if None not in rows[1] else {}
-    text = _written(found)
-    return f"computed: {text}", SAID.filled(sum=text, seen=_seen(found, right))
+    seen = _seen(found, right)
+    return ("rotation terms", SAID.filled(seen=seen)) if seen else None
 
 
-def _seen(found: Sum, right: Sum) -> Text:
-    """Return where a sum differs from the one that is asked for, or that it is to be compared."""
+def _seen(found: Sum, right: Sum) -> Text | None:
+    """Return where a sum differs from the one that is asked for; None if that cannot be said."""
     of_found, of_right = _by_number(found), _by_number(right)
     if distance := next((name for name in of_found if name.startswith("hypot")), ""):
         return DISTANCE.filled(what=distance)
     if not right:
-        return COMPARE
+        return None
     said = [(MISSING, name) for name in of_right if name not in of_found]
     for name, terms in of_found.items():
         if name not in of_right:
             said.append((TOO_MUCH, name))
         else:
             said += _differences(name, terms, of_right[name])
-    return Text.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else COMPARE
+    return Text.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else None
 
 
 def _by_number(terms: Sum) -> dict[str, Sum]:
@@ -182,20 +177,6 @@ def _poses(plains: Sequence[Plain]) -> dict[str, np.ndarray] | None:
     if any(None in row for row in rows.values()):
         return None
     return {name: np.array([number[0] for number in row]) for name, row in rows.items()}
-
-
-def sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: int = 2, close: float = CLOSE) -> str:
-    """Return the fewest terms that give these numbers, as they are written; "" if none do.
-
-    Args:
-        before: how many terms there may be before the last one.
-        close: how far from the numbers their sum may be.
-    """
-    return _written(_sum_of(terms, wanted, before, close))
-
-
-def _written(terms: Sum) -> str:
-    return as_written((sign, text) for text, sign in terms.items())
 
 
 def _sum_of(terms: Sequence[tuple[str, np.ndarray]], wanted: np.ndarray, before: int = 2, close: float = CLOSE) -> Sum:

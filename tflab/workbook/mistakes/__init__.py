@@ -12,6 +12,7 @@
     stumbles    what one of Python's own errors means
     buffers     what a buffer was asked that it cannot answer
     objects     what a message, a Time or a tuple has instead of what was asked of it
+    lint        what is plain to see in a function's text
     fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives
 

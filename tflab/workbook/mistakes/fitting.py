@@ -40,12 +40,8 @@ ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplemen
 UNIT = Text(en="right, if it were in {unit}.", ko="{unit} 단위라면 맞습니다.")
 GIVEN = Text(en="this is `{name}` as it was given, unchanged.", ko="주어진 `{name}`의 값 그대로입니다.")
 SOME = Text(
-    en="In some calls, not in all: {said} What do these calls have in common?",
-    ko="모든 호출이 아니라 일부에서 그렇습니다. {said} 이 호출들의 공통점은 무엇입니까?",
-)
-SOME_AS_BY = Text(  # what is said of a task's slip was written for all calls: of some it is what they look like
-    en="In some calls, not in all, it comes out as by this mistake: {said} What do these calls have in common?",
-    ko="모든 호출이 아니라 일부에서, 다음 실수를 했을 때와 같은 값이 나옵니다. {said} 이 호출들의 공통점은 무엇입니까?",
+    en="In some calls, not in all: {said}",
+    ko="모든 호출이 아니라 일부에서 그렇습니다. {said}",
 )
 IN_SOME = "in some: "
 MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
@@ -156,10 +152,8 @@ def words_of(task: TaskCases, name: str) -> Feedback:
     if name in task.feedback:
         return task.feedback[name]
     if name.startswith(IN_SOME):
-        slip = name.removeprefix(IN_SOME)
-        words, some = words_of(task, slip), SOME_AS_BY if slip in task.feedback else SOME
-        said = Text(*(_of_some(tongue, some, words.reply.say(tongue), words.part) for tongue in ("en", "ko")))
-        return Feedback(said, words.misconception)
+        words = words_of(task, name.removeprefix(IN_SOME))
+        return Feedback(SOME.filled(said=words.reply), words.misconception)
     for start, words in (("unit ", UNIT), ("given ", GIVEN)):
         if name.startswith(start):
             rest = name.removeprefix(start)
@@ -168,9 +162,3 @@ def words_of(task: TaskCases, name: str) -> Feedback:
         return Feedback(words, "")
     kind, _, told = name.partition(TOLD)
     return Feedback(said_of_letters(kind, told) or UNIVERSAL[kind].reply, UNIVERSAL[kind].misconception)
-
-
-def _of_some(tongue: str, some: Text, reply: str, part: str) -> str:
-    """Return what is said of a slip that shows in some calls, the part first where the reply begins with it."""
-    rest = reply.removeprefix(f"{part}: ") if part else reply
-    return ("" if rest == reply else f'"{part}": ') + some.say(tongue, said=rest)

@@ -28,7 +28,7 @@ from .trees import TREES, of_trees, told_of_a_tree
 from .universal import OF_FORM
 from .written import NEW, WRITTEN, misplaced
 
-__all__ = ["MARGINS", "TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
+__all__ = ["TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
 
 Numbers = tuple[float, ...]
 TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
@@ -47,14 +47,6 @@ LOSSES = {
         en="right to the digits that it has, and more are needed: hand over the number as it was computed, without "
         "rounding.",
         ko="적힌 자릿수까지는 맞지만 자릿수가 모자랍니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
-    ),
-    "margin": Text(
-        en="a margin is on top, a round amount or share. To be safe? The amount itself is asked for, nothing added.",
-        ko="딱 떨어지는 양이나 비율만큼 여유를 더 얹었습니다. 안전을 위해서였습니까? 여유 없는 값이 필요합니다.",
-    ),
-    "margin off": Text(
-        en="a round amount or share is taken off besides. The amount itself is asked for, with nothing taken off.",
-        ko="딱 떨어지는 양이나 비율만큼 더 뺐습니다. 아무것도 더 빼지 않은 값이 필요합니다.",
     ),
     "other order": Text(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
     "another order": Text(
@@ -137,9 +129,6 @@ LOSSES = {
 }
 TOO_MANY = ("members twice", "members too many")
 MOST_TOLD = 3
-AMOUNTS = (0.005, 0.01, 0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5, 1.0, 2.0, 3.0, 5.0, 10.0)  # added to be safe
-MARGINS = {"margin": 1.0, "margin off": -1.0}
-SHARES = (0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.5)
 SHOWS_AT = Text(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
 
 
@@ -200,7 +189,6 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
 def _lost_by_kind(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
     if isinstance(form, Number):
         pairs = [(given[0], want[0]) for given, want in rows]
-        yield from _with_a_margin(pairs, form)
         yield from _counted_or_signed(pairs, form)
     elif isinstance(form, Quaternion) and all(holds_angles(*row) for row in rows):
         yield "angles for a quaternion"
@@ -215,20 +203,6 @@ def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterat
     wanted = [want for _, want in pairs]
     if sizes_fit and min(wanted) < 0 < max(wanted) and all(given >= 0 for given, _ in pairs):
         yield "no sign"
-
-
-def _with_a_margin(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
-    yield from (name for name, sign in MARGINS.items() if form.unit and _have_a_margin(pairs, sign))
-
-
-def _have_a_margin(pairs: list[tuple[float, float]], sign: float) -> bool:
-    """Return whether numbers that are not round themselves are others with a round amount or share on top, or off."""
-    for given, wanted in pairs:
-        margins = (*AMOUNTS, *(wanted * share for share in SHARES))
-        is_plain = wanted > 0.0 and given > 0.0 and round(given, 1) != given
-        if not is_plain or not any(abs(given - wanted - sign * margin) < 1e-9 for margin in margins):
-            return False
-    return True
 
 
 def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool:

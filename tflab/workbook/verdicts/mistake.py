@@ -139,8 +139,8 @@ REPLIES = {
         ko="함수가 받은 값을 바꾸지 않고 그대로 돌려줍니다.",
     ),
     Mistake.PARTS: Text(
-        en="look again at {wrong}{certain}.",
-        ko="다시 볼 곳: {wrong}{certain}.",
+        en="not right yet: {wrong}{certain}.",
+        ko="아직 틀린 부분: {wrong}{certain}.",
     ),
     Mistake.VALUE: Text(
         en="the form is right, the value is not{certain}.",

@@ -22,7 +22,6 @@ from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..explaining.certain import certain
-from ..explaining.common import calls_in_common
 from ..explaining.confused import never_said
 from ..explaining.explain import explained
 from ..explaining.explanation import Explanation
@@ -206,11 +205,6 @@ def _unexplained(
     if task.is_function and (habit := credit.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
-    if task.is_function and (
-        common := calls_in_common(form, [case.args for case in cases], outcomes, [case.expected for case in cases])
-    ):
-        told = [bounds, common] if bounds else [common]
-        bounds = Text(*(". ".join(row).rstrip(".") for row in zip(*told, strict=True)))
     if isinstance(form, Parts | Message | Urdf):
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}
@@ -230,13 +224,12 @@ def _bounds(
 def _of_nothing(
     form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
 ) -> dict[str, Any]:
-    """Return what the calls have in common in which a function gives nothing, if all others are right."""
+    """Return for which option a function gives nothing, if all other calls are right."""
     if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
         return {}
     if isinstance(form, Choice) and (said := never_said(form, outcomes, [case.expected for case in cases])):
         return {"certain": said}
-    args = [case.args for case in cases]
-    return {"certain": calls_in_common(form, args, outcomes, [case.expected for case in cases])}
+    return {}
 
 
 def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:

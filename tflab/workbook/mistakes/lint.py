@@ -13,13 +13,14 @@ from __future__ import annotations
 
 import ast
 import builtins
+import inspect
+import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
+from types import CodeType, FunctionType
 from typing import Any
 
 from ...text import Text
-from .calling import text_of, with_its_own
-from .one_place import quoted
 
 __all__ = ["said_of_its_text"]
 
@@ -97,6 +98,7 @@ ONLY_PRINTED = Text(
     "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 호출한 곳에 주는 것은 `return`입니다.",
 )
 
+LONGEST_LINE = 70
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
 METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
@@ -106,17 +108,17 @@ OF_NUMPY = {"np", "numpy"}
 
 def said_of_its_text(function: Any) -> Text | None:
     """Return what is plain to see first in the text of a function, or of one of its cell that it calls; else None."""
-    return next(filter(None, map(_said_of, with_its_own(function))), None)
+    return next(filter(None, map(_said_of, _with_its_own(function))), None)
 
 
 def _said_of(function: Any) -> Text | None:
-    if (written := text_of(function)) is None:
+    if (written := _text_of(function)) is None:
         return None
     text, first, tree = written
     found = sorted(_found(tree, vars(builtins) | function.__globals__), key=lambda row: row[0].lineno)
     for node, said in found[:1]:
         line = first + node.lineno - 1
-        return IN_LINE.filled(line=line, text=quoted(text, tree, node).rstrip(":"), said=said)
+        return IN_LINE.filled(line=line, text=_quoted(text, tree, node).rstrip(":"), said=said)
     return None
 
 
@@ -271,6 +273,61 @@ def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
         name = node.args[0].id
         if _is_exception((name, names.get(name))):
             yield node, TEXT_OF_A_CLASS
+
+
+# -- reading a function ---------------------------------------------------------------------
+
+
+def _text_of(function: Any) -> tuple[str, int, ast.Module] | None:
+    """Return a function's text, its first line in its cell, and its tree; None where it cannot be read."""
+    if not isinstance(function, FunctionType):
+        return None
+    try:
+        lines, first = inspect.getsourcelines(function)
+        tree = ast.parse(text := textwrap.dedent("".join(lines)))
+    except (OSError, TypeError, SyntaxError, ValueError):
+        return None
+    return text, max(first, 1), tree
+
+
+def _with_its_own(function: Any) -> list[Any]:
+    """Return a function, and those of its cells that it calls."""
+    beside = _beside(function) if isinstance(function, FunctionType) else {}
+    return [function, *(held for held in beside.values() if isinstance(held, FunctionType) and held is not function)]
+
+
+def _beside(function: FunctionType) -> dict[str, Any]:
+    """Return what a function uses of its cells: other functions, what these use, and what can be changed in place."""
+    found: dict[str, Any] = {}
+    names = list(_names_in(function.__code__))
+    for name in names:  # which grows
+        held = function.__globals__.get(name)
+        is_own = isinstance(held, FunctionType) and held.__globals__ is function.__globals__
+        if name not in found and (is_own or type(held) in (list, dict, set)):
+            found[name] = held
+            names += _names_in(held.__code__) if is_own else ()
+    return found
+
+
+def _names_in(code: CodeType) -> Iterator[str]:
+    yield from code.co_names
+    for inner in code.co_consts:
+        if isinstance(inner, CodeType):
+            yield from _names_in(inner)
+
+
+def _quoted(text: str, tree: ast.Module, node: ast.AST) -> str:
+    """Return a line as it was written; of a long one the longest expression around the node that can be read."""
+    line = getattr(node, "lineno", 1)
+    whole = text.splitlines()[line - 1].strip()
+    around = (ast.get_source_segment(text, other) or "" for other in ast.walk(tree) if _holds(other, node))
+    parts = [part for part in around if len(part) <= LONGEST_LINE and "\n" not in part]
+    short = whole if len(whole) <= LONGEST_LINE else max(parts, key=len, default=whole[:LONGEST_LINE])
+    return short.replace("`", "'")
+
+
+def _holds(other: ast.AST, node: ast.AST) -> bool:
+    return isinstance(other, ast.expr) and any(inner is node for inner in ast.walk(other))
 
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
