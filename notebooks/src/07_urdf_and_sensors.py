@@ -610,7 +610,7 @@ for what, text in broken.items():
 # <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
 #
 # - A joint with `<mimic>` follows another one; a driver need not name it.
-# - `publish_frequency` (20 Hz) ignores joint messages that come sooner. The transforms have the **stamp of the message**, not of now.
+# - `publish_frequency` (20 Hz) ignores joint messages that come sooner. The transforms have the **stamp of the message**, not the current time.
 # - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
 # - `floating` joints are not published at all, and `planar` ones count as fixed.
 # - The root link with an inertia: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.

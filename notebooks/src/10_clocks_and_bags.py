@@ -931,7 +931,7 @@ rclpy.try_shutdown()
 #
 # - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's. A node with `use_sim_time` takes its now from `/clock`.
 # - [ ] All nodes must agree: one with the machine's time stamps and looks up in another day, and other nodes get the errors.
-# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: no timer, no age, and a lookup of now gives the latest without an error.
+# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: no timer, no age, and a lookup at the current time gives the latest without an error.
 # - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
 # - [ ] In a loop time goes back, and earlier data has to be deleted.
 #

@@ -1,0 +1,51 @@
+"""Words to avoid do not come back into what people read: pages, exercises, README and docs."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).parents[1]
+WORDS = yaml.safe_load((ROOT / "tests" / "wording.yaml").read_text(encoding="utf-8"))
+PAGES = [path for folder in ("notebooks/src", "solutions/src") for path in sorted((ROOT / folder).glob("*.py"))]
+FILES = {"en": ["README.md", "docs/install.md"], "ko": ["README.ko.md", "docs/install.ko.md"]}
+CELL = re.compile(r"(?m)^# %%.*$")
+EVERYDAY = re.compile(r'name="question')  # the test before and after the course, which is in everyday words
+CODE = re.compile(r"```.*?```|`[^`]*`", re.DOTALL)
+
+
+def prose_of(path: Path, language: str) -> str:
+    """Return what a reader of one language reads in a page source, without code."""
+    text = path.read_text(encoding="utf-8")
+    heads = [*CELL.finditer(text)]
+    ends = [head.start() for head in heads[1:]] + [len(text)]
+    cells = [
+        re.sub(r"(?m)^# ?", "", text[head.end() : end])
+        for head, end in zip(heads, ends, strict=True)
+        if f'lang="{language}"' in head[0] and not EVERYDAY.search(head[0])
+    ]
+    return CODE.sub("", "\n".join(cells))
+
+
+def what_people_read(language: str) -> Iterator[tuple[str, str]]:
+    """Yield the name and the prose of each file."""
+    for path in PAGES:
+        yield path.name, prose_of(path, language)
+    for name in FILES[language]:
+        yield name, CODE.sub("", (ROOT / name).read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("language", sorted(WORDS))
+def test_no_word_to_avoid_is_in_what_people_read(language: str) -> None:
+    found = []
+    for name, text in what_people_read(language):
+        for row in WORDS[language]:
+            for match in re.finditer(row["find"], text, re.IGNORECASE if language == "en" else 0):
+                around = re.sub(r"\s+", " ", text[max(0, match.start() - 40) : match.end() + 40])
+                if not any(phrase in around for phrase in row.get("allow", ())):
+                    found.append(f"{name}: …{around}… write: {row['use']}")
+    assert not found, "\n".join(found)
