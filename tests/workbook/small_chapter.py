@@ -1,4 +1,4 @@
-"""A chapter of four tasks for tests: its task file, its solution, and a folder laid out of them."""
+"""A chapter of four tasks for tests, one of them with a YAML file, and its solution."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ TASKS = """
 # -- draws.py
 import math
 from tflab.core import Transform
-from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, WrongAnswer, Vector, Text
+from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, WrongAnswer, Vector, Text, define_task
 
 HINTS = tuple(Text(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
 
@@ -62,9 +62,19 @@ TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
 # -- e3_3.py
 from .draws import *
 
-TASK = Task("E3.3", "M", 2, both("roles"), "roles", Parts({"target": FRAME, "source": FRAME}), HINTS,
-         mistakes=(WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1",
-                               partly=True),))
+TASK = define_task(
+    __file__, kind="M", points=2, answer="roles", form=Parts({"target": FRAME, "source": FRAME})
+)
+# -- e3_3.yaml
+title: {en: roles, ko: "한국어: roles"}
+hints: [{en: hint 1, ko: 힌트 1}, {en: hint 2, ko: 힌트 2}, {en: hint 3, ko: 힌트 3}]
+mistakes:
+  - name: swapped
+    answer: {target: laser, source: map}
+    misconception: M1
+    partly: true
+    en: turned round
+    ko: "한국어: turned round"
 # -- e3_4.py
 from .draws import *
 
@@ -109,7 +119,7 @@ def bare(form: Form, *cases: Case, is_function: bool = False) -> tuple[TaskCases
 
 
 def lay_out(folder: Path, *, tasks: str = TASKS, cells: dict[str, str] = CELLS) -> Path:
-    """Write the task file and the solution into `folder`, which stands for `solutions/`."""
+    """Write the task files and the solution into `folder`, which stands for `solutions/`."""
     write_tasks(folder / "tasks" / STEM, tasks)
     (folder / "en").mkdir(parents=True, exist_ok=True)
     notebook = {"cells": [{"cell_type": "code", "id": name, "source": [text]} for name, text in cells.items()]}

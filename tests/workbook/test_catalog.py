@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
@@ -132,6 +133,16 @@ def test_a_variant_is_computed_once(tmp_path, monkeypatch) -> None:
     )
     assert one is again and one.variants != other.variants
     assert catalog._assigned.cache_info()[:2] == (1, 2)
+
+
+def test_an_edit_of_a_yaml_file_is_read(tmp_path, monkeypatch) -> None:
+    chapter.copy_of_workbook(tmp_path, monkeypatch)
+    path = workbook_data() / "solutions" / "tasks" / chapter.STEM / "e3_3.yaml"
+    assert outlines(workbook_data(), chapter.STEM)["E3.3"].feedback["swapped"].reply.en == "turned round"
+    before = path.stat().st_mtime_ns
+    path.write_text(path.read_text(encoding="utf-8").replace("en: turned round", "en: exchanged"), encoding="utf-8")
+    os.utime(path, ns=(before + 10**9, before + 10**9))
+    assert outlines(workbook_data(), chapter.STEM)["E3.3"].feedback["swapped"].reply.en == "exchanged"
 
 
 def test_a_digest_depends_on_the_question_and_not_on_its_texts(tmp_path, monkeypatch) -> None:

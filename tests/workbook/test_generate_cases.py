@@ -73,9 +73,9 @@ def test_a_mistake_that_gives_the_right_answer_is_refused(tmp_path):
 
 
 def test_two_mistakes_that_give_the_same_answer_are_refused(tmp_path):
-    one = 'WrongAnswer("swapped", {"target": "laser", "source": "map"}, both("turned round"), "M1", partly=True)'
-    tasks = chapter.TASKS.replace(one, f"{one}, {one.replace('swapped', 'again')}")
-    with pytest.raises(generate_cases.CasesError, match=r'E3\.3.*"swapped" and "again" give the same answer'):
+    again = "  - {name: again, answer: {target: laser, source: map}, en: again, ko: 다시}\n"
+    tasks = chapter.TASKS.replace("mistakes:\n", f"mistakes:\n{again}")
+    with pytest.raises(generate_cases.CasesError, match=r'E3\.3.*"again" and "swapped" give the same answer'):
         make(tmp_path, tasks=tasks)
 
 

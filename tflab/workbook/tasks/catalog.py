@@ -148,8 +148,7 @@ def pair_search(task_id: str) -> PairSearch:
 
 def _stamp(data: Path, stem: str) -> int:
     """Return when one of a chapter's files was changed last [ns]."""
-    tasks = (data / "solutions" / "tasks" / stem).glob("*.[py]*")
-    files = [*tasks, data / "solutions" / "en" / f"{stem}.ipynb"]
+    files = [*(data / "solutions" / "tasks" / stem).glob("*.*"), data / "solutions" / "en" / f"{stem}.ipynb"]
     return max((path.stat().st_mtime_ns for path in files if path.exists()), default=0)
 
 
