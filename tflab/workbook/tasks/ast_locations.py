@@ -23,7 +23,7 @@ SIGNS = {ast.Add: ast.Sub, ast.Sub: ast.Add}
 
 
 class Location(NamedTuple):
-    """A node, and where it stands: in a field of its owner, or at a place of the list that the field holds."""
+    """A node in a field of its owner, or at `place` in the list that the field holds."""
 
     owner: ast.AST
     field: str
@@ -31,7 +31,7 @@ class Location(NamedTuple):
     node: ast.AST
 
     def with_(self, *new: ast.AST) -> Any:
-        """Return what the field holds with other nodes in this one's stead; a list without any has `pass`."""
+        """Return the value of the field with other nodes in place of this one; an empty list becomes `pass`."""
         if self.place is None:
             return new[0] if new else None
         held = getattr(self.owner, self.field)
@@ -56,7 +56,7 @@ def _locations(tree: ast.AST) -> Iterator[Location]:
 
 @contextmanager
 def replaced_field(owner: ast.AST, field: str, value: Any) -> Iterator[None]:
-    """Let a node's field hold something else, for as long as this lasts."""
+    """Replace the value of a node's field inside a `with` block."""
     before = getattr(owner, field)
     setattr(owner, field, value)
     try:

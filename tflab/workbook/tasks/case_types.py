@@ -1,10 +1,10 @@
-"""The cases of a task: values that `check` and grading compare an answer with.
+"""Hold the cases of a task: values that `check` and grading compare an answer with.
 
-    TaskCases                the texts of a task, the form of its answer, its known mistakes
+    TaskCases                the texts of a task, the form of its answer, feedback on its mistakes
       variants[2]: Variant   what some learners are given
-        cases[0]: Case       one trial: arguments, the right answer, what each mistake gives
+        cases[0]: Case       arguments, the right answer, what each mistake gives
 
-An answer is compared with plain JSON (`values.py`).  It is never turned back into an object where it is judged.
+All values are plain JSON (`values.py`), and answers are judged as plain JSON.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ __all__ = [
     "values_of",
 ]  # fmt: skip
 
-AND = " + "  # between the names of two slips that were made together
+AND = " + "  # between the names of two mistakes that were made together
 DIGITS = 12  # of a float in a case; the last ones differ between machines
 
 
@@ -67,7 +67,7 @@ class Variant(NamedTuple):
 
 
 class Feedback(NamedTuple):
-    """What is said of a mistake, which of the course's misconceptions is behind it, and in which part it is made."""
+    """The reply to a mistake, its misconception, and the part in which it is made."""
 
     reply: Text
     misconception: str
@@ -80,7 +80,7 @@ class Feedback(NamedTuple):
 
     @classmethod
     def from_plain(cls, plain: dict[str, Plain]) -> Feedback:
-        """Return the words that `plain` wrote."""
+        """Return the feedback that `plain` wrote."""
         return cls(Text(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
 
 
@@ -98,7 +98,7 @@ class FindsPairs(Protocol):
 
 
 class TaskCases(NamedTuple):
-    """A task without its solution: its words, the form of its answer, and what an answer is tried on."""
+    """A task without its solution: its texts, the form of its answer, and the cases."""
 
     kind: str
     points: float
@@ -117,8 +117,8 @@ class TaskCases(NamedTuple):
     pairs: FindsPairs | None = None  # not part of the JSON
 
     def plain(self) -> dict[str, Plain]:
-        """Return the task as JSON has it; what counts only where it is not being right, what is seen only if said."""
-        held = self._asdict() | {"seen": {name: words.plain() for name, words in self.seen.items()}}
+        """Return the task as JSON has it, `counts` and `seen` only if they are not empty."""
+        held = self._asdict() | {"seen": {name: text.plain() for name, text in self.seen.items()}}
         for name in ("counts", "seen", "pairs"):
             if name == "pairs" or not held[name]:
                 del held[name]
@@ -128,8 +128,8 @@ class TaskCases(NamedTuple):
             "hints": [hint.plain() for hint in self.hints],
             "misconceptions": list(self.misconceptions),
             "feedback": {name: feedback.plain() for name, feedback in self.feedback.items()},
-            "means": {name: words.plain() for name, words in self.means.items()},
-            "shows": {name: words.plain() for name, words in self.shows.items()},
+            "means": {name: text.plain() for name, text in self.means.items()},
+            "shows": {name: text.plain() for name, text in self.shows.items()},
             "variants": [variant.plain() for variant in self.variants],
         }
 
@@ -147,20 +147,20 @@ class TaskCases(NamedTuple):
             misconceptions=tuple(plain["misconceptions"]),
             feedback={name: Feedback.from_plain(feedback) for name, feedback in plain["feedback"].items()},
             variants=tuple(map(Variant.from_plain, plain["variants"])),
-            means={name: Text(**words) for name, words in plain["means"].items()},
-            shows={name: Text(**words) for name, words in plain["shows"].items()},
-            seen={name: Text(**words) for name, words in plain.get("seen", {}).items()},
+            means={name: Text(**text) for name, text in plain["means"].items()},
+            shows={name: Text(**text) for name, text in plain["shows"].items()},
+            seen={name: Text(**text) for name, text in plain.get("seen", {}).items()},
             counts=plain.get("counts", ""),
         )
 
     @classmethod
     def of_a_learner(cls, plain: dict[str, Any]) -> TaskCases:
-        """Return the task that a learner is graded on: its only variant stands among its other members."""
+        """Return the task that a learner is graded on, whose JSON holds `given` and `cases` of the only variant."""
         return cls.from_plain(plain | {"variants": [{"given": plain["given"], "cases": plain["cases"]}]})
 
 
 def values_of(answers: Mapping[str, Any], case: Case, given: Mapping[str, Any]) -> dict[str, Plain]:
-    """Return what each answer gives in a case: a function of its arguments, a value from what was given."""
+    """Return what each answer gives in a case, a function from its arguments, a value from what was given."""
     if case.args is None:
         return {name: _value(answer, given) for name, answer in answers.items()}
     outcomes = outcomes_of(answers.values(), case.args)
@@ -172,7 +172,7 @@ def _value(answer: Any, given: Mapping[str, Any]) -> Plain:
 
 
 def as_kept(outcome: Plain) -> Plain:
-    """Return an outcome rounded; of an exception only its class."""
+    """Return an outcome with its floats rounded; of an exception only its class."""
     return outcome | {"text": ""} if is_raised(outcome) else rounded(outcome)
 
 

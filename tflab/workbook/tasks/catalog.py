@@ -1,10 +1,10 @@
-"""Give a learner's tasks on demand: nothing but the task file and the solution is stored.
+"""Read tasks and compute a learner's cases on demand, from the task files and the solution.
 
     task_ids(data, stem)                            ["E3.1", ...], from the names of the files
-    outlines(data, stem)                            their texts and forms, without cases
+    outlines(data, stem)                            texts and forms, without cases
     assigned_cases(data, stem, "E3.2", workbook)    one task, with the learner's variant
 
-What was computed is kept for as long as the task files and the solution stay as they are.
+Results are cached until a task file or the solution changes.
 """
 
 from __future__ import annotations
@@ -118,7 +118,7 @@ def seed_of(task: Task, class_seed: str) -> str:
 
 
 def question_digest(task: TaskCases, variant: Variant) -> str:
-    """Return a name for what a variant asks: what is given, each case's arguments, what is to be answered, the points.
+    """Return a digest of what a variant asks: what is given, the arguments, the form of the answer, the points.
 
     Texts and tolerances are left out, so that they can be fixed after a release.
     """
@@ -147,7 +147,7 @@ def pair_search(task_id: str) -> PairSearch:
 
 
 def _stamp(data: Path, stem: str) -> int:
-    """Return when one of a chapter's files was changed last [ns]."""
+    """Return the time of the last change of a chapter's files [ns]."""
     files = [*(data / "solutions" / "tasks" / stem).glob("*.*"), data / "solutions" / "en" / f"{stem}.ipynb"]
     return max((path.stat().st_mtime_ns for path in files if path.exists()), default=0)
 

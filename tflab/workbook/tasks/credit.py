@@ -1,26 +1,23 @@
-"""Which right results show that a function works?  Not those that anything would give.
+"""Decide which right results earn credit: those that a constant or a guess would not give.
 
     asked for      3.1   0.0  -2.4   0.0           [True, True]: two different results, and right
     always 0.0     0.0   0.0   0.0   0.0    right in two cases, but for one result only: no credit
 
-Credit for one probe is given where the function is right for two different
-results; a clock that stands still is right twice a day.  So a constant earns
-nothing, neither does handing back what came in, nor raising whatever is asked.
+A probe earns credit if the function is right for two different results.  So a constant
+earns nothing, and neither does returning the argument or raising in every call.
 
-Of a value that is put together, such as a tree, what stood in the givens already
-shows nothing either: to hand back the broken tree is no mending.  Of choices between
-the same words, a word that is said too often earns nothing if it is right no more
-often than it would be anywhere:
+Of a composite value, such as a tree, parts that were given already earn nothing.  Of
+choices between the same words, a word that is used too often earns nothing if it is
+right no more often than it would be by chance:
 
     right                stays  changes changes changes stays  stays      changes in half of them
     "changes" to all       -      +       +       +       -      -        right in half: no credit
     "changes" to four      -      +       +       +       0      0        right in three of four: credit
 
-Where learners have variants of their own, a part that is right alike in most of them
-shows nothing either, unless all is right: whoever writes 0 m has not closed a loop.
+If most variants have the same right value for a part, this part alone earns nothing.
 
-Grading also takes off what guessing gives (correction for guessing): the best that
-an answer can get that never looks at what it is asked counts as nothing.
+Grading also corrects for guessing: the best result of an answer that ignores its input
+counts as zero.
 
     16 cases, 7 of them "ok"      always "ok": 7        right in 13: (13 - 7) / (16 - 7) of the points
 """

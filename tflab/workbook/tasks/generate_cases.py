@@ -29,16 +29,16 @@ from .task import Task, TaskError, WrongStep
 __all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_variant", "outline_of", "task_cases"]
 
 PUBLIC_SEED = "public"
-MODEL = ""  # the model itself, among what it gives with slips
-MOST_DRAWS = 40  # in which two mistakes meet; where one draw in four does (E8.4), no seed may be refused for it
+NO_MISTAKE = ""  # the name of the model itself among the mistakes
+MOST_DRAWS = 40  # until two mistakes give different answers; in E8.4 one draw in four fails
 
 
 class CasesError(TaskError):
-    """A task whose cases do not tell a mistake from the answer, or from another mistake."""
+    """A task in whose cases a mistake gives the right answer, or the same as another mistake."""
 
 
 class LookAlikes(CasesError):
-    """What was drawn does not tell two mistakes apart."""
+    """With the values of this draw, two mistakes give the same answer."""
 
 
 def outline_of(task: Task) -> TaskCases:
@@ -104,8 +104,8 @@ def _drawn(task: Task, rng: Draws, number: int, solution: Solution, fewest_input
 
 
 def _each_mistake(task: Task) -> dict[str, Any]:
-    """Return what answers as each mistake does, and as the model does without one."""
-    right = {MODEL: task.model} if task.model else {}
+    """Return the answer, or the function that gives it, of each mistake and of the model without a mistake."""
+    right = {NO_MISTAKE: task.model} if task.model else {}
     return right | {
         twin.name: partial(task.model, **twin.at) if isinstance(twin, WrongStep) else twin.answer
         for twin in task.mistakes
@@ -113,7 +113,7 @@ def _each_mistake(task: Task) -> dict[str, Any]:
 
 
 def _without_model(wrong: dict[str, Plain]) -> dict[str, Plain]:
-    return {name: value for name, value in wrong.items() if name != MODEL}
+    return {name: value for name, value in wrong.items() if name != NO_MISTAKE}
 
 
 def _inputs(task: Task, rng: Draws, fewest: int) -> Iterator[list[Plain]]:
@@ -137,8 +137,8 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
     for case in cases:
         if not is_raised(case.expected) and task.form.probes(case.expected) is None:
             raise CasesError(f"{task.id}: the solution's answer is not {task.form.wanted().en}: {case.expected!r}")
-    if task.model and not all(task.form.alike(case.wrong[MODEL], case.expected) for case in cases):
-        raise CasesError(f"{task.id}, variant {variant}: the model without a slip is not the solution")
+    if task.model and not all(task.form.alike(case.wrong[NO_MISTAKE], case.expected) for case in cases):
+        raise CasesError(f"{task.id}, variant {variant}: the model without a mistake is not the solution")
     names = ["", *(mistake.name for mistake in task.mistakes)]  # "" is the right answer
     likeness = Likeness(task.form, [[_of(case, name) for case in cases] for name in names])
     for number, name in enumerate(names):

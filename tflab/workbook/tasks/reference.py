@@ -1,10 +1,9 @@
-"""What is right?  Whatever the solution's own answer cell gives.
+"""Compute the right answer by running the solution's own answer cell.
 
     imports + given + answer cell  --run-->  the value, or the function, that the cell defines
 
-There is no second reference: the cell that a reader of the solution sees is the
-one that makes the expected values.  It is run in this process, so only on
-solutions of one's own.
+The cell that a reader of the solution sees makes the expected values, so the two cannot
+differ.  It runs in this process, which must trust the solution.
 """
 
 from __future__ import annotations

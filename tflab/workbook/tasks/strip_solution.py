@@ -1,4 +1,4 @@
-"""How does a solution become an exercise?  Its marked regions are taken out, and say that it is your turn.
+"""Turn a solution into an exercise by removing its marked regions.
 
     def invert(t):                          def invert(t):
         # BEGIN SOLUTION                        raise NotImplementedError("your turn")
@@ -11,7 +11,7 @@
 
 Inside a dict, the values of the region's keys become `...`.  What stands outside
 the regions stays, so an example can be faded line by line.  A name that begins with
-an underscore is the solution's own way to the answer, and nobody is asked for it.
+an underscore is a helper of the solution, and is removed.
 """
 
 from __future__ import annotations

@@ -58,17 +58,17 @@ TASK_ID = re.compile(r"E(\d{1,2})\.(\d{1,2})")
 
 
 class TaskError(Exception):
-    """A task is written wrongly; the text says which one, and what about it."""
+    """A task is defined wrongly; the text names the task and the fault."""
 
 
 @dataclass(frozen=True)
 class WrongAnswer:
-    """The answer that one misconception gives.
+    """The answer that one mistake gives; it is not combined with others.
 
     Attributes:
         name: in a word or two, "swapped".
-        answer: of the given (values), of the arguments (functions), or simply the value.
-        reply: what to say to whoever gave it; never the right answer.
+        answer: a function of what was given (values) or of the arguments (functions), or the value itself.
+        reply: the feedback; never the right answer.
         misconception: "M1" ... "M15", if it is one of the course's.
         part, partly: as of a WrongStep.
     """
@@ -83,15 +83,15 @@ class WrongAnswer:
 
 @dataclass(frozen=True)
 class WrongStep:
-    """An alternative that people take at one step of the work; two of them at different steps compose.
+    """A wrong alternative at one step of the work; two of them at different steps combine.
 
     Attributes:
         name: in a word or two, "jitter forgotten".
-        at: the steps and what is taken there: keyword arguments of the task's `model`, {"jitter": 0.0}.
-        reply: what to say to whoever took it; never the right answer, nothing of other steps.
+        at: the steps and their alternatives: keyword arguments of the task's `model`, {"jitter": 0.0}.
+        reply: the feedback; never the right answer, and nothing about other steps.
         misconception: "M1" ... "M15", if it is one of the course's.
-        part: of several answers the one in which it is made; what follows from it costs nothing.
-        partly: whether it can be made in some parts and not in others, and the reply is true of each.
+        part: of an answer in parts, the one in which it is made; errors that follow from it cost nothing.
+        partly: whether it can be made in some parts only, and the reply is true of each.
     """
 
     name: str
@@ -113,18 +113,18 @@ class Task:
         title: of the task.
         answer: the name that the answer cell defines.
         form: of the value, or of the function's result.
-        hints: three, coarse to fine; none where taking part counts.
+        hints: three, coarse to fine; none for a task of participation.
         given: draws what the learner is shown: rng -> {name: value}; None if nothing varies.
         inputs: draws arguments: rng -> list of tuples; if set, the answer is a function.
-        variants: how many public ones are drawn.
-        mistakes: those that are named.
-        model: the answer by steps, keyword arguments in the order of the work; without any it is the solution.
-        means, shows: of choices, what an option would mean, and what a part shows instead.
-        seen: what there is to see wherever an option is right, for parts that differ from learner to learner.
-        equivalent: mutants of the solution that are right, and why (see mutants.py).
+        variants: the number of public variants.
+        mistakes: the known ones; the first that fits explains an answer.
+        model: computes the answer by steps, keyword arguments in the order of the work; the defaults are right.
+        means, shows: of choices, feedback on an option, and a hint for a part.
+        seen: a hint for a part by its right option, where parts differ between learners.
+        equivalent: mutants of the solution that are right, and why (tests/workbook/mutants.py).
         misconceptions: codes of those that it looks for.
-        is_costly: whether its cases take seconds each, so that tests draw few.
-        counts: PARTICIPATION if points are for answering all parts, whatever the answers are; else "".
+        is_costly: whether a case takes seconds to compute, so that tests draw few.
+        counts: PARTICIPATION if points are for answering all parts, whatever the answers; else "".
     """
 
     id: str
@@ -158,14 +158,9 @@ class Task:
             raise TaskError(f"{self.id}: three hints, coarse to fine, not {len(self.hints)}")
         if self.points < 1 or self.variants < 1 or not self.answer.isidentifier():
             raise TaskError(f"{self.id}: points and variants count from 1, and `answer` is a name")
-        names = [mistake.name for mistake in self.mistakes]
-        if any(isinstance(mistake, WrongStep) for mistake in self.mistakes) and self.model is None:
-            raise TaskError(f"{self.id}: slips are steps of a `model`, and there is none")
-        if len(set(names)) < len(names):
-            raise TaskError(f"{self.id}: two mistakes have one name: {', '.join(names)}")
 
     def _refuse_help(self) -> None:
-        """Raise TaskError if there is anything to be right about where taking part counts."""
+        """Raise TaskError if a task of participation has hints, mistakes or no parts."""
         if self.counts != PARTICIPATION:
             raise TaskError(f'{self.id}: what counts is being right, "", or "{PARTICIPATION}", not "{self.counts}"')
         if self.hints or self.mistakes or not isinstance(self.form, Parts):
