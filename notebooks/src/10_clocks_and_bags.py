@@ -11,22 +11,22 @@
 # - examine a bag of your own.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 10 · 누구의 시간일까요?
+# # 10 · 시계와 bag
 #
-# **시계와 bag** · 약 55분 · 06, 08, 09장을 바탕으로 합니다
+# **누구의 시간일까요?** · 약 55분 · 06, 08, 09장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 자기 메시지의 위치를 스스로 찾을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말할 수 있습니다.
-# - 노드가 컴퓨터의 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 멈춘 시간 가운데 어느 것을 따르는지 말할 수 있습니다.
-# - 빠뜨린 `--clock`, 다른 날을 사는 노드, 반복 재생되는 bag을 알아볼 수 있습니다.
+# - 담긴 변환만으로 센서 데이터를 지도에 놓을 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말할 수 있습니다.
+# - 노드가 시스템 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 멈춘 시간 가운데 어느 것을 따르는지 말할 수 있습니다.
+# - 빠뜨린 `--clock`, 다른 날짜의 시각을 쓰는 노드, 반복 재생되는 bag을 알아볼 수 있습니다.
 # - 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 답은 둘 다 맞고, 로봇은 하나로 통일해야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 잘못 없는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 잘못 없는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -38,9 +38,9 @@
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
 #
-# - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 늦게 오는 노드를 위해 발행자가 메시지를 간직합니다.
-# - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]는 가장 오래된 표본과 최신 표본 사이의 시각에만 답하고, `Time()`은 최신을 뜻합니다.
-# - **세 가지 거절**(09): 모르는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
+# - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 나중에 참가하는 노드를 위해 발행자가 메시지를 보관합니다.
+# - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]에서는 가장 오래된 표본과 최신 표본 사이의 시각만 조회할 수 있고, `Time()`은 최신을 뜻합니다.
+# - **세 가지 거절**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% [markdown] lang="en" name="needed-notes" slide="notes"
 # Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the number down for tonight.
@@ -68,10 +68,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 지루한 처음 1초 건너뛰기
 #
-# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서가 로봇에서 떨어져 나갔습니다. 레이저도, 카메라도, 로봇 모델도 없습니다. 2026년에 보고되었고, 설계된 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않습니다. 2026년에 보고되었고, 설계된 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
 # 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
-# 그 첫 순간에 무엇이 있었을까요? 우리 로봇의 한 바퀴를 기록해 봅시다.
+# 그 첫 순간에 무엇이 있었을까요? 우리 로봇이 방을 한 번 도는 동안을 기록해 봅시다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Stop after the first paragraph: what may have been in that second? Collect guesses on the board, and explain nothing yet.
@@ -116,7 +116,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # Seven minutes from here to the offset. Why five subscriptions for six topics? Then `bag info`: who finds the count of 1 first?
 
 # %% [markdown] lang="ko" name="record-notes" slide="notes"
-# 여기서 건너뛰기까지 7분입니다. 토픽은 여섯인데 왜 구독은 다섯입니까? 이어서 `bag info`에서 개수가 1인 토픽을 찾게 합니다.
+# 여기서 건너뛰기까지 7분입니다. 토픽은 여섯인데 왜 구독은 다섯입니까? 그다음 `bag info`에서 개수가 1인 토픽을 찾게 합니다.
 
 # %% name="heard" slide="subslide"
 lap = lesson.read_bag(bags / "lap", show_progress=False)
@@ -139,20 +139,20 @@ lesson.draw_heard(lap, for_s=2.0)
 #
 # ### 예측해 봅시다
 #
-# 스캔 150개 가운데 149개는 bag에 담긴 변환만으로 지도에 옮길 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
-# `--start-offset 0.001`로 기록의 처음 1밀리초를 건너뛰고 재생하면 몇 개를 옮길 수 있을까요?
+# 스캔 150개 가운데 149개는 bag에 담긴 변환만으로 지도 기준으로 바꿀 수 있습니다. 스캔마다 자기 측정 시각의 `map ← laser_frame`을 씁니다. (첫 스캔은 TF 전체보다 오래되었습니다.)
+# `--start-offset 0.001`로 기록의 처음 1밀리초를 건너뛰고 재생하면 몇 개를 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="heard-notes" slide="notes"
 # Cover the last row with your hand and ask how often each of the other topics is published. Uncover it. Then everybody writes a number for one millisecond.
 
 # %% [markdown] lang="ko" name="heard-notes" slide="notes"
-# 마지막 줄을 손으로 가리고 나머지 줄의 빈도를 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
+# 마지막 줄을 손으로 가리고 나머지 줄의 발행률을 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
 # To find out you need a node that listens while the bag plays. For each scan it looks up three times: the scan's stamp, its own now, and `Time()`. It also counts its timer callbacks, and the age of a scan by its own clock.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
-# 알아보려면 재생하는 동안 듣는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔이 얼마나 오래되어 보이는지도 적습니다.
+# 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
 
 # %% name="imports" slide="skip"
 import rclpy
@@ -212,16 +212,16 @@ print(asker.first_no)
 # If you must begin later, let `robot_state_publisher` publish the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are already listening. When that player ends, the message that it kept for late listeners is gone.
 
 # %% [markdown] lang="ko" name="offset-read" tags=["predicted"]
-# 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 지나쳤습니다. 그 뒤로 `laser_frame`을 아는 노드가 없습니다.
+# 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 보내지 않았습니다. 그 뒤로 `laser_frame`은 어느 버퍼에도 없습니다.
 #
-# 로봇에서는 발행자가 늦게 오는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 간직합니다.
-# 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 띄우면 됩니다. 또는 노드를 모두 띄운 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 간직하던 메시지도 함께 사라지므로, 그 뒤에 뜬 노드는 받지 못합니다.
+# 로봇에서는 발행자가 나중에 참가하는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 보관합니다.
+# 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 실행하면 됩니다. 또는 노드를 모두 실행한 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 보관하던 메시지도 함께 사라지므로, 그 뒤에 시작한 노드는 받지 못합니다.
 
 # %% [markdown] lang="en" name="offset-notes" slide="notes"
 # Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player sends only what it has played.
 
 # %% [markdown] lang="ko" name="offset-notes" slide="notes"
-# 149개, 몇 개만 빼고 모두, 하나도 없음에 손을 들게 한 다음 실행합니다. 한 문장이면 됩니다. 재생기는 재생한 것만 보냅니다.
+# 149개, 몇 개만 빼고 모두, 하나도 없음에 손을 들게 한 다음 실행합니다. 정리는 한 문장입니다. 재생기는 재생한 것만 보냅니다.
 
 # %% [markdown] lang="en" name="one-number" slide="slide"
 # ## One number for any bag
@@ -233,7 +233,7 @@ print(asker.first_no)
 # %% [markdown] lang="ko" name="one-number" slide="slide"
 # ## 어떤 bag에나 통하는 숫자 하나
 #
-# *이 bag은 자기 메시지의 위치를 스스로 찾을 수 있을까요?* 재생하지 않아도 알 수 있습니다. bag의 변환으로 버퍼를 채우고, 메시지마다 측정 시각의 변환을 조회하면 됩니다.
+# *이 bag은 담긴 변환만으로 센서 데이터를 지도에 놓을 수 있을까요?* 재생하지 않아도 알 수 있습니다. bag의 변환으로 버퍼를 채우고, 메시지마다 측정 시각의 변환을 조회하면 됩니다.
 #
 # 스캔에 대해 **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때.
 
@@ -255,22 +255,22 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # | the same from a simulation | the same, and `/clock`, which contains how fast it ran; play that bag without `--clock`, because older players would publish the time twice |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
-# 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 센서를, `/tf`가 없으면 지도를 아무도 모릅니다.
-# 첫 오류 메시지가 어떤 토픽이 빠졌는지 알려 줍니다. 센서는 고장 난 적이 없습니다.
+# 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 버퍼에 센서의 좌표계가, `/tf`가 없으면 지도의 좌표계가 없습니다.
+# 첫 오류 메시지에서 어떤 토픽이 빠졌는지 알 수 있습니다. 센서는 고장 나지 않았습니다.
 #
 # 그렇다면 가장 작은 기록은 무엇일까요? 내일 그 bag으로 무엇을 알아내려는지에 달려 있습니다.
 #
 # | 내일 하려는 일 | 센서 말고 기록할 것 |
 # |---|---|
-# | 로봇이 본 대로 센서 데이터를 지도에 옮기기 | `/tf` `/tf_static` |
+# | 로봇이 본 대로 센서 데이터를 지도 기준으로 바꾸기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
-# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션이 얼마나 빨랐는지 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
+# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션의 속도가 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
 # Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." And the one behind it: "laser_frame does not exist" makes people take the laser apart (M15).
 
 # %% [markdown] lang="ko" name="place-all-notes" slide="notes"
-# 숫자보다 오류 메시지를 먼저 예측하게 합니다. "센서를 기록했으니 데이터는 있다"는 오개념(M13)이 여기서 나옵니다. "laser_frame does not exist"를 보고 레이저를 뜯는 사람도 있습니다(M15).
+# 숫자보다 오류 메시지를 먼저 예측하게 합니다. “센서를 기록했으니 데이터는 있다”는 오개념(M13)이 여기서 나옵니다. "laser_frame does not exist"를 보고 레이저를 뜯는 사람도 있습니다(M15).
 
 # %% [markdown] lang="en" name="two-clocks" slide="slide"
 # ## Two clocks
@@ -286,12 +286,12 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # %% [markdown] lang="ko" name="two-clocks" slide="slide"
 # ## 두 시계
 #
-# 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 컴퓨터의 시계는 86,400초 더 나아갔습니다.
-# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 컴퓨터의 시간, `true`면 `/clock`이 알려 주는 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
+# 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 시스템 시간은 그보다 86,400초 나중입니다.
+# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 시스템 시간, `true`면 `/clock`의 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
 #
 # ### 예측해 봅시다
 #
-# 스캔 예순 개를 재생합니다. 네 가지 설정마다 스캔의 **측정 시각**으로는 몇 개, 노드의 **현재 시각**으로는 몇 개가 답을 얻을까요? 타이머는 울릴까요?
+# 스캔 예순 개를 재생합니다. 네 가지 설정마다 스캔의 **측정 시각**으로는 몇 개, 노드의 **현재 시각**으로는 몇 개의 조회가 성공할까요? 타이머는 울릴까요?
 #
 # 먼저 이것부터 생각해 봅시다. `use_sim_time`은 false이고 `--clock`도 없으며, 노드는 `header.stamp`의 변환을 조회합니다. 동작하기는 할까요?
 
@@ -312,10 +312,10 @@ for use_sim_time in (False, True):
 # - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and *now* succeeds 59 times out of 60. It is the only set-up in which it does!
 
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
-# - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 무엇을 가리키든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
-# - **컴퓨터의 시간을 따르면** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 늦고, 스캔은 하루 묵은 것으로 보이며, 노드가 새로 찍는 측정 시각은 내일의 것이 됩니다.
-# - **둘 다 켜면** 노드는 bag의 시간을 따릅니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 정직하게 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
-# - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*의 조회는 60번 가운데 59번 성공합니다. 이 조회가 성공하는 설정은 이것뿐입니다!
+# - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 몇 시이든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
+# - **시스템 시간을 따르면** 나머지가 모두 하루씩 틀립니다. 현재 시각은 모든 데이터보다 86,400초 미래이고, 스캔의 나이는 하루로 계산되며, 노드가 새로 적는 측정 시각은 bag의 시간으로는 내일입니다.
+# - **둘 다 켜면** 노드는 bag의 시간을 따릅니다. 스캔의 나이는 로봇에서처럼 0.105초입니다. *현재 시각*의 조회는 0.01초 모자라 실패합니다. 변환이 오는 데도 시간이 걸리기 때문입니다.
+# - **셋째 줄은 어떨까요?** `use_sim_time`은 켰고 `--clock`은 없습니다. 타이머는 한 번도 울리지 않고, 나이는 −7초쯤이며, *현재 시각*의 조회는 60번 가운데 59번 성공합니다. 이 조회가 성공하는 설정은 이것뿐입니다.
 
 # %% [markdown] lang="en" name="two-clocks-notes" slide="notes"
 # Fifteen minutes from here to the wrong suspect. Four rows and three columns on the board; the class fills in each before it is run. Most leave the first cell empty, and it is 59.
@@ -334,8 +334,8 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="ko" name="stopped" slide="subslide"
 # ### 멈춘 시계
 #
-# `use_sim_time`을 켰는데 `/clock`이 들리지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흐르기를 기다리는 일은 하나도 일어나지 않습니다.
-# 그런데 tf2에서 `Time(0)`은 *최신*을 뜻합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 조용히 최신 변환을 얻습니다. 고장 난 설정이 가장 멀쩡해 보입니다.
+# `use_sim_time`을 켰는데 `/clock`이 오지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흐르기를 기다리는 일은 하나도 일어나지 않습니다.
+# 그런데 tf2에서 `Time(0)`은 *최신*을 뜻합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 오류 없이 최신 변환이 나옵니다. 고장 난 설정이 가장 정상으로 보입니다.
 #
 # 어느 사용자는 변환 라이브러리가 `use_sim_time`에서 동작하지 않는다고 보고했다가 그날 바로 거두었습니다. `--clock`을 빠뜨렸던 것입니다([swri-robotics/marti_common, 이슈 495](https://github.com/swri-robotics/marti_common/issues/495)).
 
@@ -343,13 +343,13 @@ for use_sim_time in (False, True):
 # Stay with the third row: why does the broken set-up look best? Wait until somebody says that zero means the latest.
 
 # %% [markdown] lang="ko" name="stopped-notes" slide="notes"
-# 셋째 줄을 오래 봅니다. 왜 고장 난 설정이 가장 멀쩡해 보입니까? 0이 최신을 뜻한다는 말이 나올 때까지 기다립니다.
+# 셋째 줄을 오래 봅니다. 왜 고장 난 설정이 가장 정상으로 보입니까? 0이 최신을 뜻한다는 말이 나올 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="panel-intro" slide="subslide"
 # Set the clocks yourself. Switch `--clock` off: which line falls to zero? Then drag the time, change `--rate`, switch the loop off.
 
 # %% [markdown] lang="ko" name="panel-intro" slide="subslide"
-# 시계를 직접 바꿔 보세요. `--clock`을 끄면 누구의 선이 0으로 떨어질까요? 그다음 재생 시간을 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
+# 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간을 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
 
 # %% name="clocks-panel" tags=["interactive"]
 lesson.clocks_panel()
@@ -363,13 +363,13 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="ko" name="clocks-read"
 # *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
 #
-# 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 돌아갑니다. 끊어진 축의 위는 컴퓨터의 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
+# 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 되돌아갑니다. 끊어진 축의 위는 시스템 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
 
 # %% [markdown] lang="en" name="clocks-notes" slide="notes"
 # A student has the mouse: two switches, four pictures. Before each, ask which line will move.
 
 # %% [markdown] lang="ko" name="clocks-notes" slide="notes"
-# 한 사람에게 마우스를 맡깁니다. 스위치 둘, 그림 넷입니다. 바꾸기 전에 누구의 선이 움직일지 묻습니다.
+# 한 사람에게 마우스를 맡깁니다. 스위치 둘, 그림 넷입니다. 바꾸기 전에 어느 선이 움직일지 묻습니다.
 
 # %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
 # ### By hand
@@ -379,7 +379,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
 # ### 직접 확인하기
 #
-# 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 돕니다. 돌고 있는 노드에 `param set`도 할 수 있습니다. 그러면 무엇을 잃는지 출력에서 읽어 보세요.
+# 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 실행됩니다. 실행 중인 노드에 `param set`도 할 수 있습니다. 그러면 무엇을 잃는지 출력에서 읽어 보세요.
 
 # %% name="by-hand-play" slide="-"
 asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
@@ -408,7 +408,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 움직이는 연결을 모두 지웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도에 옮길 수 없고, 바꾸기 전에 측정한 것은 영영 옮길 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -420,13 +420,13 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # Ask what the change has cost: every dynamic edge is deleted, and what was measured before the switch is never placed. The mounts stay. Hence at the start, and for all nodes.
 
 # %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
-# 바꾸면서 무엇을 잃었는지 묻습니다. 움직이는 연결이 모두 지워졌고, 바꾸기 전에 측정한 것은 영영 옮길 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
+# 바꾸면서 무엇을 잃었는지 묻습니다. 동적 연결이 모두 비었고, 설정을 바꾸기 전에 측정한 것은 영영 지도 기준으로 바꿀 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
 # %% [markdown] lang="en" name="quotes" slide="subslide"
 # **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's time, or no node at all?
 
 # %% [markdown] lang="ko" name="quotes" slide="subslide"
-# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 컴퓨터의 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
+# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 시스템 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
 
 # %% name="quotes-run" tags=["predicted"] slide="fragment"
 graph = lesson.new_graph()
@@ -441,13 +441,13 @@ rclpy.shutdown()
 # A string is not a boolean. There is one line in the log, and the node goes on with the machine's time. (A node in C++ is stricter: it does not start.)
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
-# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 컴퓨터의 시간을 따르며 그대로 돕니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
+# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 시스템 시간을 따르며 그대로 실행됩니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
 
 # %% [markdown] lang="en" name="quotes-notes" slide="notes"
 # Hands: simulation time, the machine's time, or no node at all? Read the line of the log aloud; the node goes on.
 
 # %% [markdown] lang="ko" name="quotes-notes" slide="notes"
-# 손을 들게 합니다. 시뮬레이션 시간, 컴퓨터의 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 돕니다.
+# 손을 들게 합니다. 시뮬레이션 시간, 시스템 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 실행됩니다.
 
 # %% [markdown] lang="en" name="innocent" slide="slide"
 # ## The node that reports the error is not the cause
@@ -457,11 +457,11 @@ rclpy.shutdown()
 # **Predict:** which node reports an error, and what does it say?
 
 # %% [markdown] lang="ko" name="innocent" slide="slide"
-# ## 잘못 없는 노드가 오류를 냅니다
+# ## 오류를 내는 노드가 원인은 아닙니다
 #
-# 위치를 새로 추정하려 합니다. 레이저와 바퀴와 장착 변환은 bag에서 오고, `map → odom`은 오늘의 위치 추정 노드가 보냅니다. 모든 노드에 `use_sim_time`을 켰는데 하나를 빠뜨렸습니다. 바로 위치 추정 노드입니다.
+# 위치를 새로 추정하려 합니다. 레이저와 바퀴 오도메트리와 장착 변환은 bag에서 오고, `map → odom`은 오늘 실행한 위치 추정 노드가 발행합니다. 모든 노드에 `use_sim_time`을 켰는데 하나를 빠뜨렸습니다. 바로 위치 추정 노드입니다.
 #
-# **예측해 봅시다.** 어느 노드가 오류를 낼까요? 무엇이라고 할까요?
+# **예측해 봅시다.** 어느 노드가 오류를 낼까요? 어떤 오류일까요?
 
 # %% name="record-raw" slide="skip"
 graph = lesson.new_graph()
@@ -484,9 +484,9 @@ except TransformException as error:
 # Whose stamps are they? Use a tool that sees all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
-# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못한 노드에서는 나지 않습니다. 아무렇지 않게 내일의 시각으로 발행할 뿐입니다. 이 노드는 변환에 자신의 현재 시각을 찍기 때문입니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 찍으므로 여기서는 무사합니다. 노드가 어떤 시각을 찍는지는 설명서에서 확인해 두세요.)
+# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 이 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로에는 두 날에 공통인 시각이 없습니다.
-# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 컴퓨터의 시간을 따라도 됩니다. 기록된 것을 되풀이할 뿐입니다.)
+# 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
 
 # %% name="innocent-doctor" slide="-"
 print(lesson.doctor(lesson.current_graph(), seconds=3.0))
@@ -495,7 +495,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # The node that reports the error is not at fault. Let them name the cause from the two times, before the doctor does.
 
 # %% [markdown] lang="ko" name="innocent-notes" slide="notes"
-# 오류를 내는 노드와 잘못한 노드는 다릅니다. doctor를 실행하기 전에 두 시각만 보고 잘못한 노드를 대게 합니다.
+# 오류를 내는 노드와 잘못된 노드는 다릅니다. doctor를 실행하기 전에 두 시각만 보고 잘못된 노드를 지목하게 합니다.
 
 # %% [markdown] lang="en" name="loop" slide="slide"
 # ## Back in time
@@ -506,12 +506,12 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # **Predict:** where is the robot by `Time()`?
 
 # %% [markdown] lang="ko" name="loop" slide="slide"
-# ## 과거로 돌아가기
+# ## 시각이 되돌아갈 때
 #
-# `ros2 bag play lap --clock --loop`는 15초를 거듭 재생합니다. 이음매에서 시계가 16초에서 1초로 돌아갑니다.
-# 강의에 나온 노드는 `Buffer(cache_time=Duration(seconds=20.0))`을 씁니다. 지금 두 번째 바퀴이고, 노드의 시계는 11.9초입니다.
+# `ros2 bag play lap --clock --loop`는 15초를 거듭 재생합니다. 반복하는 지점에서 시각이 16초에서 1초로 되돌아갑니다.
+# 강의에 나온 노드는 `Buffer(cache_time=Duration(seconds=20.0))`을 씁니다. 지금 두 번째 재생이고, 노드의 시계는 11.9초입니다.
 #
-# **예측해 봅시다.** `Time()`은 로봇이 어디에 있다고 할까요?
+# **예측해 봅시다.** `Time()`으로 조회하면 로봇은 어디에 있을까요?
 
 
 # %% name="looped" slide="-"
@@ -552,7 +552,7 @@ show(long)
 # With the usual ten seconds there is a warning. Many:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
-# *지난* 바퀴의 끝이라고 합니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도에 옮겨졌습니다. 20초짜리 버퍼에는 두 바퀴가 다 들어가고, "최신"이란 측정 시각이 가장 큰 표본이기 때문입니다.
+# *지난* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
@@ -574,14 +574,14 @@ print(warnings[0])
 # A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
-# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 다 받은 것이라고 여기고, 시계가 따라잡을 때까지 새 바퀴의 변환을 버립니다.
-# 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시간이 돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
+# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 지나간 시각으로 보고, 시각이 다시 거기에 이를 때까지 다시 재생한 변환을 버립니다.
+# 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시각이 되돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
 # 643 warnings and fifty scans lost. Ask which is worse: this one with its warnings, or the one before without any.
 
 # %% [markdown] lang="ko" name="ten-seconds-notes" slide="notes"
-# 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 시끄러운 이쪽입니까, 조용하던 앞의 것입니까?
+# 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 경고가 나오는 이쪽입니까, 경고가 없던 앞의 것입니까?
 
 # %% name="with-a-node" slide="subslide"
 sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "lap", "--clock --loop", for_s=25.93)
@@ -594,7 +594,7 @@ show(sound)
 # How old is the newest transform, for each of the three?
 
 # %% [markdown] lang="ko" name="with-a-node-read"
-# 바퀴마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 움직이는 연결을 지우고 장착 변환은 남겨 둔 채, 새 바퀴의 변환을 받습니다.
+# 반복할 때마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 동적 연결을 비우고 장착 변환은 남겨 둔 채, 다시 재생한 변환을 받습니다.
 # C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
@@ -611,7 +611,7 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # %% [markdown] lang="ko" name="loop-ages-read"
 # *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
-# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 이음매를 지나면 두 버퍼가 현재 시각보다 15초 늦은(미래의) 변환으로 답합니다.
+# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 반복하는 지점을 지나면 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
 # One argument: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
@@ -696,7 +696,7 @@ print(lesson.doctor(recording))
 # The one number first, the doctor last. Stamps from before the recording are the trap; let somebody fall into it.
 
 # %% [markdown] lang="ko" name="bag-places-notes" slide="notes"
-# 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 기록보다 오래된 정적 변환의 시각이 함정입니다. 누군가 빠질 때까지 기다립니다.
+# 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 정적 변환의 시각이 기록 전체보다 오래된 것을 고장으로 보기 쉽습니다. 누군가 그렇게 말할 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -755,12 +755,12 @@ print(lesson.doctor(recording))
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 두 시각은 86,399초 떨어져 있습니다. 하루를 기다려 줄 timeout은 없습니다. 기다리기 전에 두 시각을 비교하십시오.
+# 두 시각은 86,399초 떨어져 있습니다. timeout으로 하루를 기다릴 수는 없습니다. 기다리기 전에 두 시각을 비교하십시오.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 오류는 사라지지만 노드는 여전히 다른 날을 삽니다. 측정 시각도, 나이도, 타이머도 조용히 틀릴 뿐입니다.
+# 오류는 사라지지만 노드는 여전히 다른 날짜의 시각을 씁니다. 측정 시각도, 나이도, 타이머도 오류 없이 틀립니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -770,7 +770,7 @@ print(lesson.doctor(recording))
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# RViz는 모든 것을 제자리에 그리므로 bag에는 빠진 것이 없습니다. 다른 것은 노드입니다.
+# RViz는 모든 것을 제자리에 그리므로 bag에는 빠진 것이 없습니다. 문제는 노드에 있습니다.
 #
 # </details>
 
@@ -797,7 +797,7 @@ print(lesson.doctor(recording))
 # </details>
 
 # %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 이제 직접 써 보세요
+# ### 빈칸을 채워 보세요
 #
 # 빈칸 두 개를 채워 보세요. 반복 재생되는 bag과, 그에 대비한 노드입니다.
 #
@@ -808,7 +808,7 @@ print(lesson.doctor(recording))
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `--clock`과 `node=self`입니다. 노드에는 `use_sim_time: true`도 필요합니다. 없으면 시간이 돌아간 것을 볼 수 없습니다.
+# `--clock`과 `node=self`입니다. 노드에는 `use_sim_time: true`도 필요합니다. 없으면 시각이 되돌아간 것을 알 수 없습니다.
 #
 # </details>
 
@@ -872,13 +872,13 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[bag]]의 메시지에는 시각이 둘 있습니다. 수신 시각에 따라 재생되고, 측정 시각에 따라 TF가 답합니다.
-# - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 어떤 센서도 자리를 찾지 못합니다.
-# - *bag은 자기 메시지의 위치를 스스로 찾을 수 있을까요?* 재생하지 않고도 숫자 하나로 압니다.
-# - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날을 삽니다([[simulation time|시뮬레이션 시간]]).
-# - 0에 멈춘 시계는 최신을 조회하므로, 고장 났을 때 가장 멀쩡해 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
-# - 시계 오류를 내는 노드가 잘못한 노드인 경우는 드뭅니다.
-# - `Buffer(node=self)`를 쓰지 않으면 반복 재생에 속습니다.
+# - [[bag]]의 메시지에는 시각이 둘 있습니다. 재생은 수신 시각을 따르고, TF는 측정 시각을 따릅니다.
+# - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 센서의 좌표계가 트리에 없습니다.
+# - *bag은 담긴 변환만으로 센서 데이터를 지도에 놓을 수 있을까요?* 재생하지 않고도 숫자 하나로 압니다.
+# - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날짜의 시각을 씁니다([[simulation time|시뮬레이션 시간]]).
+# - 시계가 0에 멈추면 현재 시각의 조회가 최신 조회가 되므로, 고장 났을 때 가장 정상으로 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
+# - 시계 오류를 내는 노드가 잘못된 노드인 경우는 드뭅니다.
+# - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 지난 재생의 변환이 최신으로 나옵니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Leave it on the screen while the slips are handed out.
@@ -904,14 +904,14 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
 # ### 앞 장 복습: 세 문제
 #
-# 1. 06: 로봇에서 늦게 시작한 노드도 `/tf_static`을 듣는 까닭은 무엇입니까?
+# 1. 06: 로봇에서 나중에 시작한 노드도 `/tf_static`을 받는 까닭은 무엇입니까?
 # 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
 # 3. 09: "into the future" 오류 메시지가 두 개 있습니다. 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 해결되는 것은 어느 쪽입니까?
 #
 # <details><summary>답</summary>
 #
-# 1. 발행자가 늦게 오는 노드를 위해 마지막 메시지를 간직합니다(transient local).
-# 2. 경로의 최신 공통 시각입니다. 연결마다 가장 새로운 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재만큼 새로운 것은 없습니다.
+# 1. 발행자가 나중에 참가하는 노드를 위해 마지막 메시지를 보관합니다(transient local).
+# 2. 경로의 최신 공통 시각입니다. 연결마다 최신 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재 시각의 표본은 없습니다.
 # 3. 앞의 것은 해결될 수 있습니다. 뒤의 것은 시계 문제입니다.
 #
 # </details>
@@ -944,11 +944,11 @@ rclpy.try_shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] bag과 시뮬레이션의 측정 시각은 컴퓨터가 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
-# - [ ] 모든 노드가 같아야 합니다. 하나라도 컴퓨터의 시간을 따르면 다른 날의 시각을 찍고 조회하며, 오류는 다른 노드에서 납니다.
-# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 잴 수 없으며, 현재 시각을 조회하면 조용히 최신을 얻습니다.
-# - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 이어지지 않습니다.
-# - [ ] 반복 재생에서는 시간이 돌아가므로, 전에 받은 것을 지워야 합니다.
+# - [ ] bag과 시뮬레이션의 측정 시각은 시스템 시간이 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
+# - [ ] 모든 노드가 같아야 합니다. 하나라도 시스템 시간을 따르면 다른 날짜의 시각을 적고 조회하며, 오류는 다른 노드에서 납니다.
+# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 잴 수 없으며, 현재 시각을 조회하면 오류 없이 최신 변환이 나옵니다.
+# - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 연결되지 않습니다.
+# - [ ] 반복 재생에서는 시각이 되돌아가므로, 전에 받은 것을 비워야 합니다.
 #
 # </details>
 
@@ -972,7 +972,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > 동료가 bag을 보내며 이렇게 썼습니다. "검출기가 고장 났어요. laser_frame이 없다고 나와요." 검출기 코드를 열기 전에 무엇 두 가지를 보겠습니까?
+# > 동료가 bag을 보내며 이렇게 썼습니다. “검출기가 고장 났어요. laser_frame이 없다고 나와요.” 검출기 코드를 열기 전에 먼저 확인할 두 가지는 무엇입니까?
 #
 # <details><summary>맞춰 보기</summary>
 #
@@ -992,6 +992,6 @@ rclpy.try_shutdown()
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀고, 어떤 질문에 어떤 도구를 쓰는지 묻는 [11 도구와 RViz](11_tools_and_rviz.ipynb)로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀고 [11 도구와 RViz](11_tools_and_rviz.ipynb)로 갑니다. 어떤 질문에 어떤 도구를 쓰는지 배웁니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

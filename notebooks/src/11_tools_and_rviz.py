@@ -11,22 +11,22 @@
 # - read RViz's list of displays, and tell "could be computed" from "is right".
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
+# # 11 · 도구와 RViz
 #
-# **도구와 RViz** · 약 60분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
+# **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다** · 약 60분, 강의로는 50분 · 04, 05, 08장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
-# - 질문에 맞는 도구를 고르고, 그 도구가 보지 못하는 것을 말할 수 있습니다.
-# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 읽고, 거기에 숨은 함정을 피할 수 있습니다.
+# - 질문에 맞는 도구를 고르고, 그 도구로 알 수 없는 것을 말할 수 있습니다.
+# - `view_frames`, `tf2_echo`, `tf2_monitor`의 출력을 읽고, 잘못 읽기 쉬운 곳을 짚을 수 있습니다.
 # - 주어진 속도에서 변환이 얼마나 자주 와야 하는지, 덜 오면 무엇을 잃는지 계산할 수 있습니다.
-# - RViz의 목록을 읽고, "계산할 수 있었다"와 "맞다"를 구별할 수 있습니다.
+# - RViz의 목록을 읽고, “계산할 수 있었다”와 “맞다”를 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Ask: who has seen a green Ok beside a picture that was wrong? Collect one story. The chapter shows three that look alike.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 목록은 모두 Ok인데 그림이 틀렸던 적이 있습니까? 하나만 들어 봅니다. 이 장에는 똑같이 보이는 세 가지가 나옵니다.
+# 먼저 묻습니다. 목록은 모두 Ok인데 그림이 틀렸던 적이 있습니까? 하나만 들어 봅니다. 이 장에는 똑같이 보이는 고장 세 가지가 나옵니다.
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -47,14 +47,14 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 반세기나 느린 변환
 #
-# "odom과 base_link 사이의 변환이 아주 느리게 발행됩니다." 이런 보고가 있었고, 증거는 [[tf2_monitor]]의 두 줄이었습니다.
+# “odom과 base_link 사이의 변환이 아주 느리게 발행됩니다.” 이런 보고가 있었고, 증거는 [[tf2_monitor]]의 두 줄이었습니다.
 #
 # ```
 # Net delay     avg = 3.10486e+08: max = 1.6318e+09
 # Frame: base_footprint, published by <no authority available>, Average Delay: 1.6318e+09, Max Delay: 1.6318e+09
 # ```
 #
-# 얼마나 느린 것일까요? 그리고 모든 메시지가 똑같이 늦었다면 평균은 왜 최댓값보다 훨씬 작을까요?
+# 얼마나 느린 것일까요? 그리고 모든 메시지의 지연이 똑같다면 평균은 왜 최댓값보다 훨씬 작을까요?
 
 # %% name="half-a-century" slide="fragment"
 print(f'{1.6318e9 / (365.25 * 24 * 3600):.1f} years')
@@ -67,8 +67,8 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # The tool was the right one. It was read wrongly.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
-# 느린 것이 아니라 **51.7년**입니다. 컴퓨터의 시스템 시각에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 얼마나 자주 오는지는 다른 질문이고, 이 줄에는 답이 없습니다.
-# 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해 도구가 볼 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 보았습니다.
+# 느린 것이 아니라 **51.7년**입니다. 시스템 시간에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
+# 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해, 측정할 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 측정했습니다.
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -81,7 +81,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # *Read the reports:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), still open; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* 지금도 열려 있는 [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), 아래에 나오는 [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
+# *더 읽기:* 지금도 열려 있는 [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), 아래에 나오는 [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -111,10 +111,10 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # average rate: 50.000
 # ```
 #
-# 1. `map`에서 `laser_frame`까지의 사슬은 얼마나 늦을까요? 0.021초, 0.11초, 9.6초 가운데 하나입니다.
-# 2. 바퀴 노드는 1초에 몇 번 발행할까요? 10번, 20번, 50번 가운데 하나입니다.
-# 3. 도면에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄이 빨개질까요?
-# 4. RViz의 Fixed Frame을 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
+# 1. 경로 `map ← laser_frame`의 지연은 얼마일까요? 0.021초, 0.11초, 9.6초 가운데 하나입니다.
+# 2. 바퀴 오도메트리 노드는 1초에 몇 번 발행할까요? 10번, 20번, 50번 가운데 하나입니다.
+# 3. 도면에는 레이저가 중심에서 *뒤로* 0.20 m에 있다고 적혀 있지만, 실제로는 *앞으로* 0.20 m에 달려 있습니다. RViz 목록의 어느 줄에 오류가 나올까요?
+# 4. RViz의 고정 좌표계(Fixed Frame)를 `map`에서 `odom`으로 바꿉니다. `odom` 기준 로봇의 포즈가 바뀔까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # On paper, four lines, no talking. Do not give answers now: each is answered in its section.
@@ -134,8 +134,8 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
 #
-# 질문에 답하지 못하는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
-# 달리는 로봇을 두고 일곱 가지 질문을 일곱 도구에 던져 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 답이 되는지는 출력 바로 위의 줄에 나옵니다.
+# 질문에 맞지 않는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
+# 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
 
 # %% name="ask-first-panel" tags=["interactive"]
 lesson.start_robot()
@@ -145,7 +145,7 @@ lesson.tools_panel()
 # Four minutes with the table. Try the wrong tool first on two questions, then the right one: a wrong tool prints, too.
 
 # %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
-# 표까지 4분입니다. 질문 둘을 먼저 틀린 도구에, 이어서 맞는 도구에 던집니다. 틀린 도구도 무언가를 출력합니다.
+# 표까지 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
 
 # %% name="ask-first-table" slide="subslide"
 lesson.draw_toolbox()
@@ -155,16 +155,16 @@ lesson.draw_toolbox()
 # In ROS 1 `tf2_monitor` showed the broadcaster's name, as the lecture has it; in ROS 2 every line has `<no authority available>`.
 
 # %% [markdown] lang="ko" name="ask-first-seen"
-# *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 사슬의 지연, age = 메시지의 나이, owner = 발행 책임, look = 보이는 모습. ✓ answers = 답함, ~ half = 반만 답함, ✗ cannot = 답하지 못함.
+# *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 경로의 지연, age = 메시지의 나이, owner = 발행자, look = 보이는 모습. ✓ answers = 알 수 있음, ~ half = 반만 알 수 있음, ✗ cannot = 알 수 없음.
 #
-# 어느 열에나 보지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 보내는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`는 `/tf`에 발행하는 노드들의 이름을 알려 주지만, 누가 어느 연결을 보내는지는 메시지 어디에도 없습니다.
-# 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 누구나 `<no authority available>`입니다.
+# 어느 열에나 알 수 없는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
+# 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 어느 노드나 `<no authority available>`로 나옵니다.
 
 # %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
 # Which row has no tick? Wait for the owner, and leave it open: chapter 12 is about it.
 
 # %% [markdown] lang="ko" name="ask-first-table-notes" slide="notes"
-# ✓가 하나도 없는 행은 어느 것입니까? 발행 책임이라는 답을 기다리고, 답은 12장으로 미룹니다.
+# ✓가 하나도 없는 행은 어느 것입니까? 발행 책임(owner) 행이라는 답이 나오면, 그 질문은 12장으로 미룹니다.
 
 # %% [markdown] lang="en" name="monitor" slide="slide"
 # ## tf2_monitor: how late?
@@ -174,7 +174,7 @@ lesson.draw_toolbox()
 # %% [markdown] lang="ko" name="monitor" slide="slide"
 # ## tf2_monitor: 얼마나 늦을까요?
 #
-# 로봇이 9초 동안 달린 뒤에 듣기 시작합니다. 첫 보고는 10.5초 뒤에 나옵니다.
+# 로봇이 9초 동안 달린 뒤에 도구를 실행합니다. 첫 보고는 10.5초 뒤에 나옵니다.
 
 # %% name="monitor-run" slide="-"
 graph = lesson.start_robot()
@@ -197,8 +197,8 @@ graph.run(seconds=9.1)
 #
 # - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
 # - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착했을 때 이미 0.01초 전의 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
-# - `avg = 0.0209299`: 21번 보았으므로 0.11의 19 %입니다.
-# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 그 나이는 아무 뜻이 없습니다.
+# - `avg = 0.0209299`: 21번 측정했으므로 0.11의 19 %입니다.
+# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 이 나이는 지연이 아닙니다.
 # - `50.3349 Hz`: 모든 발행자를 합친 값입니다.
 #
 # 계속 켜 두면 `avg`는 이렇게 됩니다.
@@ -222,17 +222,17 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # And if a path is sometimes missing, the tool gives no report at all. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
-# *그림 읽기:* net delay = 사슬의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
+# *그림 읽기:* net delay = 경로의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
-# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 함정이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 완벽해 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 늦은 시각을 찍습니다.)
-# 사슬이 이어졌다 끊어졌다 하면 보고도 없이 끝납니다. 처음 실패한 조회에서 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력하고 멈춥니다. 이것도 읽을 수 있는 결과입니다.
+# 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 주의할 것이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 정상처럼 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 미래의 시각을 적습니다.)
+# 경로가 연결되었다 끊어졌다 하면 보고도 없이 끝납니다. 처음 실패한 조회에서 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력하고 종료됩니다. 이것도 읽을 수 있는 결과입니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
 
 # %% [markdown] lang="ko" name="monitor-notes" slide="notes"
-# 한 사람에게 첫 보고를 읽게 하고 "0.02초 늦네요"라는 말을 기다립니다. 그런 다음 0.0209를 0.11로 나누면 얼마인지 묻습니다.
+# 한 사람에게 첫 보고를 읽게 합니다. 나올 법한 오답은 “0.02초 늦네요”입니다. 그런 다음 0.0209를 0.11로 나누면 얼마인지 묻습니다.
 
 # %% [markdown] lang="en" name="rates" slide="slide"
 # ## view_frames: how often is one edge published?
@@ -240,7 +240,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # `topic hz` counts the messages of a topic. Three nodes share `/tf`.
 
 # %% [markdown] lang="ko" name="rates" slide="slide"
-# ## view_frames: 연결 하나는 얼마나 자주 올까요?
+# ## view_frames: 연결 하나의 발행률은 얼마일까요?
 #
 # `topic hz`는 토픽의 메시지를 셉니다. `/tf`는 세 노드가 함께 씁니다.
 
@@ -252,7 +252,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # Eight minutes from here to tf2_echo. 50: of which node? Three nodes share the topic, 20 and 20 and 10.
 
 # %% [markdown] lang="ko" name="rates-notes" slide="notes"
-# 여기서 tf2_echo까지 8분입니다. 50은 누구의 것입니까? 세 노드가 토픽을 함께 씁니다. 20, 20, 10입니다.
+# 여기서 tf2_echo까지 8분입니다. 50은 어느 노드의 것입니까? 세 노드가 토픽을 함께 씁니다. 20, 20, 10입니다.
 
 # %% name="rates-view-frames" slide="subslide"
 # %ros2 run tf2_tools view_frames -o frames
@@ -271,7 +271,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 #
 # - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
 # - 정적 연결의 10000.0은 발행률이 아니라, 정적이라는 표시입니다.
-# - 모든 연결이 `default_authority`이므로 발행 책임은 여기서도 알 수 없습니다.
+# - 모든 연결이 `default_authority`이므로 여기서도 발행자는 알 수 없습니다.
 #
 # 5초 동안의 [[snapshot|스냅샷]]이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
 
@@ -285,7 +285,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # Still, it reveals two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
 
 # %% [markdown] lang="ko" name="two-owners" slide="subslide"
-# 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 보냅니다. 이 연결의 발행률은 얼마로 나올까요?
+# 그래도 발행자가 둘이면 드러납니다. **예측해 봅시다.** 두 번째 노드인 EKF도 `odom → base_footprint`를 1초에 30번 발행합니다. 이 연결의 발행률은 얼마로 나올까요?
 
 # %% name="two-owners-tree" tags=["predicted"]
 graph = lesson.start_robot(also=['ekf_filter_node'])
@@ -295,9 +295,9 @@ lesson.frame_tree()
 # `frame_tree()` is ours, not ROS's. In one process we know which node sent what, so it names the owners. On a robot you have the rate: **50.1 Hz where 20.2 is normal**. More messages than one node sends means more than one node.
 
 # %% [markdown] lang="ko" name="two-owners-seen" tags=["predicted"]
-# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, rate = 발행률, age = 나이, published by = 발행자. 아래의 색 있는 줄은 이 연결의 발행자가 둘이며 조회한 값이 그 사이에 떨어진다는 뜻입니다.
+# *그림 읽기:* D(dynamic) = 동적, S(static) = 정적, rate = 발행률, age = 나이, published by = 발행자. 아래의 색 있는 줄은 이 연결의 발행자가 둘이며 조회하면 두 값 사이의 값이 나온다는 뜻입니다.
 #
-# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 누가 보냈는지 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나가 보내는 것보다 많이 오면 노드가 하나가 아닌 것입니다.
+# `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 발행자를 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
 # On fingers: two, three or five times ten a second? On a robot you would have the 50 alone, and no names beside it.
@@ -313,7 +313,7 @@ lesson.frame_tree()
 # %% [markdown] lang="ko" name="echo" slide="slide"
 # ## tf2_echo: 값은 얼마일까요?
 #
-# [[tf2_echo]]는 첫째 좌표계를 기준으로 본 둘째 좌표계의 포즈를 출력합니다. 따로 정하지 않으면 1초에 한 번입니다.
+# [[tf2_echo]]는 첫째 좌표계를 기준으로 한 둘째 좌표계의 포즈를 출력합니다. 따로 정하지 않으면 1초에 한 번입니다.
 
 # %% name="echo-run" slide="-"
 graph = lesson.start_robot()
@@ -343,7 +343,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # 알아 둘 것이 두 가지 더 있습니다.
 #
 # - 사이에 정적 연결만 있는 두 좌표계는 `At time 0.0`으로 나옵니다. 언제나 유효하다는 뜻입니다.
-# - *가끔만 봅니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
+# - *1초에 한 번만 조회합니다.* 두 출력 사이에 일어난 일은 보이지 않습니다. 무언가 깜빡이면 `tf2_echo map base_link 20`처럼 더 자주 출력하게 합니다.
 
 # %% [markdown] lang="en" name="echo-notes" slide="notes"
 # One sentence: the part after the point is nanoseconds without their leading zeros. E11.2 asks for it again.
@@ -359,10 +359,10 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # **Predict:** odometry is published once a second instead of twenty times. How far off is the robot, at worst, on a straight line? And in a curve of 1 rad/s?
 
 # %% [markdown] lang="ko" name="often-enough" slide="slide"
-# ## 충분히 자주 올까요?
+# ## 발행률은 충분할까요?
 #
-# TF는 두 표본 사이를 직선으로 잇습니다(회전도 고르게 나눕니다). 0.5 m/s로 달릴 때 그 대가는 얼마일까요?
-# **예측해 봅시다.** 오도메트리가 1초에 20번이 아니라 한 번 옵니다. 로봇의 위치는 최대 얼마나 틀릴까요? 곧은 길에서는? 1 rad/s로 도는 길에서는?
+# TF는 두 표본 사이를 직선으로 보간합니다(회전도 고르게 나눕니다). 0.5 m/s로 달릴 때 오차는 얼마일까요?
+# **예측해 봅시다.** 오도메트리가 1초에 20번이 아니라 한 번 옵니다. 로봇의 위치는 최대 얼마나 틀릴까요? 곧은 길에서는? 1 rad/s로 회전하는 길에서는?
 
 # %% name="often-enough-table" tags=["predicted"] slide="fragment"
 import math
@@ -383,9 +383,9 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
-# 굽은 길에서는 모서리를 질러갑니다. 실제 경로는 호, TF가 잇는 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
+# 굽은 길에서는 굽은 길을 안쪽으로 가로지릅니다. 실제 경로는 호, TF가 보간한 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
-# 느린 연결이 언제나 치르는 대가는 **기다림**입니다. 다음 표본이 와야 스캔의 자리를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
+# 발행률이 낮은 연결에는 언제나 **기다림**이 따릅니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="often-enough-try"
@@ -406,7 +406,7 @@ for f in (1, 2, 10, 20):
 #
 # </details>
 #
-# *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 잇는 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
+# *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 보간한 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
 
 # %% name="often-enough-panel" tags=["interactive"]
 lesson.rate_panel()
@@ -424,7 +424,7 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # Hold a ruler against the arc: that is TF between two samples.
 
 # %% [markdown] lang="ko" name="often-enough-still-notes" slide="notes"
-# 호에 자를 대어 보입니다. 두 표본 사이에서 TF는 그 자와 같습니다.
+# 호에 자를 대어 보입니다. 두 표본 사이에서 TF의 보간은 그 자와 같습니다.
 
 # %% [markdown] lang="en" name="rviz" slide="slide"
 # ## RViz: one frame for everything
@@ -433,10 +433,10 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # Choose another Fixed Frame in the menu, rotate the scene with the mouse, open a line of the list.
 
 # %% [markdown] lang="ko" name="rviz" slide="slide"
-# ## RViz: 모든 데이터를 한 좌표계로
+# ## RViz: 모든 데이터를 한 좌표계 기준으로
 #
-# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|Fixed Frame]]이라는 한 좌표계로 옮겨 그립니다. 옮기지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
-# Fixed Frame을 바꾸고, 마우스로 장면을 돌리고, 목록의 줄을 펼쳐 보세요.
+# [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
+# 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
 # %% name="rviz-live" tags=["interactive"]
 graph = lesson.start_robot()
@@ -447,7 +447,7 @@ graph.run(seconds=20)
 # Four minutes with the still picture. Change the Fixed Frame, and let them say what moves before it does.
 
 # %% [markdown] lang="ko" name="rviz-notes" slide="notes"
-# 정지 그림까지 4분입니다. Fixed Frame을 바꾸기 전에 무엇이 움직일지 말하게 합니다.
+# 정지 그림까지 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% name="rviz-still" slide="subslide"
 graph = lesson.start_robot()
@@ -459,9 +459,9 @@ lesson.draw_rviz(until_s=25.0)
 # **Question 4.** The same time, once in each Fixed Frame, and the robot's pose in `odom` for comparison:
 
 # %% [markdown] lang="ko" name="rviz-seen"
-# *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 도는 중이고 레이저가 한 바퀴 도는 데 0.1초가 걸리기 때문입니다.
+# *그림 읽기:* 왼쪽은 위에서 본 모습입니다. 회색은 벽, 색이 있는 점은 레이저가 지난 1초 동안 본 것입니다(점이 남는 시간인 [[decay time|Decay Time]]이 여기서는 1초입니다). 오른쪽은 RViz의 목록입니다. 스캔이 벽 위에 놓이고 몇 센티미터만 벗어납니다. 로봇이 회전하는 중이고 레이저가 한 번 훑는 데 0.1초가 걸리기 때문입니다.
 #
-# **질문 4.** 같은 순간을 Fixed Frame만 바꾸어 보고, 그때마다 TF가 답하는 `odom` 기준 로봇의 위치를 출력합니다.
+# **질문 4.** 같은 순간을 고정 좌표계만 바꾸어 보고, 그때마다 TF로 조회한 `odom` 기준 로봇의 포즈를 출력합니다.
 
 # %% name="fixed-frame" tags=["predicted"] slide="fragment"
 seen = lesson.look(graph, seconds=4.0)
@@ -475,14 +475,14 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # Use `map` to see whether scans are on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see the data relative to the robot. Choosing `odom` because "it does not jump there" fixes nothing.
 
 # %% [markdown] lang="ko" name="fixed-frame-seen" tags=["predicted"]
-# 그림은 움직이지만 데이터는 그대로입니다. Fixed Frame은 바라보는 자리일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드는 알지도 못합니다.
-# 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정 때문에 튀는 일 없이 오도메트리가 매끄러운지 볼 때는 `odom`, 로봇의 눈으로 볼 때는 `base_link`를 씁니다. "odom에서는 튀지 않으니까" `odom`을 고른다고 해서 고쳐지는 것은 없습니다.
+# 그림은 움직이지만 데이터는 그대로입니다. 고정 좌표계는 그림의 기준일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드에 영향이 없습니다.
+# 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정 때문에 튀는 일 없이 오도메트리가 연속인지 볼 때는 `odom`, 로봇을 기준으로 볼 때는 `base_link`를 씁니다. “odom에서는 튀지 않으니까” `odom`을 고른다고 해서 고쳐지는 것은 없습니다.
 
 # %% [markdown] lang="en" name="fixed-frame-notes" slide="notes"
 # Show it with your head: turn it to the left. Did the room rotate?
 
 # %% [markdown] lang="ko" name="fixed-frame-notes" slide="notes"
-# 고개를 왼쪽으로 돌려 보입니다. 방이 돌았습니까?
+# 고개를 왼쪽으로 돌려 보입니다. 방이 회전했습니까?
 
 # %% [markdown] lang="en" name="ok-is-not-true" slide="slide"
 # ## Ok is not true
@@ -498,19 +498,19 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # %% [markdown] lang="ko" name="ok-is-not-true" slide="slide"
 # ## Ok는 맞다는 뜻이 아닙니다
 #
-# 어느 팀의 스캔이 로봇을 따라 움직였습니다. 보고에는 ✔가 네 개 있었습니다. 스캔이 발행된다 ✔, RViz에 보인다 ✔, 정적 변환이 올바르다 ✔, 오도메트리가 동적이다 ✔. 거짓으로 적은 ✔는 하나도 없었습니다. 그런데 URDF에서 라이다의 방향이 180° 돌아가 있었습니다(ros2/ros2 1655).
+# 어느 팀의 스캔이 로봇을 따라 움직였습니다. 보고에는 ✔가 네 개 있었습니다. 스캔이 발행된다 ✔, RViz에 보인다 ✔, 정적 변환이 올바르다 ✔, 오도메트리가 동적이다 ✔. ✔는 모두 사실이었습니다. 그런데 URDF에서 라이다의 방향이 180° 틀려 있었습니다(ros2/ros2 1655).
 #
-# 다음 로봇 세 대에는 실수가 하나씩 있습니다. 각각 목록의 어느 줄이 빨개질지 **예측해 봅시다.**
+# 다음 로봇 세 대에는 실수가 하나씩 있습니다. 각각 목록의 어느 줄에 오류가 나올지 **예측해 봅시다.**
 #
 # - **mount**: URDF에 0.20 m 대신 −0.20 m라고 적혀 있습니다(질문 3).
 # - **header**: 레이저 드라이버가 헤더에 `base_link`라고 적습니다.
-# - **clock**: 레이저를 읽는 컴퓨터의 시계가 0.3초 느립니다.
+# - **clock**: 레이저를 읽는 컴퓨터의 시계가 0.3초 뒤처져 있습니다.
 
 # %% [markdown] lang="en" name="ok-is-not-true-notes" slide="notes"
 # Five minutes for the three robots. Stop at the four ticks: which one was false? None. Then let them vote on paper, once for each robot.
 
 # %% [markdown] lang="ko" name="ok-is-not-true-notes" slide="notes"
-# 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 거짓은 어느 것입니까? 없습니다. 이어서 로봇마다 하나씩 종이에 적게 합니다.
+# 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 사실이 아닌 것은 어느 것입니까? 없습니다. 그다음 로봇마다 하나씩 종이에 적게 합니다.
 
 # %% name="three-robots-mount" tags=["predicted"] slide="subslide"
 lesson.start_robot('mount')
@@ -520,7 +520,7 @@ lesson.draw_rviz(until_s=25.0)
 # Who has a red line on paper? Let the class find the wall that does not fit. What would you compare it with: the drawing.
 
 # %% [markdown] lang="ko" name="three-robots-mount-notes" slide="notes"
-# 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 견줄까요? 도면입니다.
+# 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 비교할까요? 도면입니다.
 
 # %% name="three-robots-header" tags=["predicted"] slide="subslide"
 lesson.start_robot('header')
@@ -530,7 +530,7 @@ lesson.draw_rviz(until_s=25.0)
 # The same list again. What would you compare the header with: the driver's manual. The first part to leave out when time is short.
 
 # %% [markdown] lang="ko" name="three-robots-header-notes" slide="notes"
-# 또 같은 목록입니다. 헤더는 무엇과 견줄까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
+# 또 같은 목록입니다. 헤더는 무엇과 비교할까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
 
 # %% name="three-robots-clock" tags=["predicted"] slide="subslide"
 lesson.start_robot('clock')
@@ -541,14 +541,14 @@ lesson.draw_rviz(until_s=25.0)
 # *Ok* means: RViz could compute where to draw it. No tool can check whether the numbers, the frame name or the stamp are true; it has nothing to compare them with. You have: the drawing, the driver's manual, the clock.
 
 # %% [markdown] lang="ko" name="three-robots-seen" tags=["predicted"]
-# **아무 줄도 빨개지지 않습니다.** 세 목록은 건강한 로봇의 목록과 한 글자도 다르지 않습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있지만(건강한 로봇은 0.05 m), 지도를 깔고 눈으로 보아야만 알 수 있습니다.
-# *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 들어간 숫자, 이름, 시각이 사실인지는 어떤 도구도 모릅니다. 견줄 것이 없기 때문입니다. 여러분에게는 견줄 것이 있습니다. 도면, 드라이버 설명서, 시계입니다.
+# **어느 줄에도 오류가 나오지 않습니다.** 세 목록은 정상인 로봇의 목록과 한 글자도 다르지 않습니다. 점은 벽에서 평균 0.20, 0.12, 0.30 m 벗어나 있지만(정상인 로봇은 0.05 m), 지도를 깔고 눈으로 보아야만 알 수 있습니다.
+# *Ok*는 어디에 그릴지 계산할 수 있었다는 뜻입니다. 입력된 숫자, 이름, 시각이 사실인지는 어떤 도구로도 알 수 없습니다. 비교할 것이 없기 때문입니다. 여러분에게는 비교할 것이 있습니다. 도면, 드라이버 설명서, 시계입니다.
 
 # %% [markdown] lang="en" name="three-robots-notes" slide="notes"
 # Vote before each picture: LaserScan, RobotModel, TF, none. By the third robot the class has learned it; then ask what would have to be compared with what.
 
 # %% [markdown] lang="ko" name="three-robots-notes" slide="notes"
-# 그림마다 먼저 손을 들게 합니다. LaserScan, RobotModel, TF, 없음 가운데 하나입니다. 세 번째 로봇쯤이면 모두 압니다. 그때 무엇을 무엇과 견주어야 하는지 묻습니다.
+# 그림마다 먼저 손을 들게 합니다. LaserScan, RobotModel, TF, 없음 가운데 하나입니다. 세 번째 로봇쯤이면 모두 압니다. 그때 무엇을 무엇과 비교해야 하는지 묻습니다.
 
 # %% [markdown] lang="en" name="one-minute" slide="slide"
 # ### One minute each
@@ -559,7 +559,7 @@ lesson.draw_rviz(until_s=25.0)
 # %% [markdown] lang="ko" name="one-minute" slide="slide"
 # ### 1분이면 됩니다
 #
-# 명령 세 개에는 저마다 견줄 것이 있습니다. 장착 변환은 도면이나 자로 잰 값과, 헤더의 `frame_id`는 센서의 좌표계와, 나이는 레이저가 한 바퀴 도는 시간과 견줍니다.
+# 명령 세 개에는 저마다 비교할 것이 있습니다. 장착 변환은 도면이나 자로 잰 값과, 헤더의 `frame_id`는 센서의 좌표계와, 나이는 레이저가 한 번 훑는 시간과 비교합니다.
 # 첫 줄의 이름을 바꾸어 가며 로봇마다 실행해 보세요.
 
 # %% name="one-minute-mount" slide="-"
@@ -578,7 +578,7 @@ lesson.start_robot('clock').run(seconds=5)
 # −0.200 where the ruler shows +0.20. `base_link` where the laser's frame is `laser_frame`. 0.405 s where a sweep and its transport take 0.105.
 
 # %% [markdown] lang="ko" name="one-minute-seen"
-# 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 바퀴와 전송에 0.105초면 되는데 0.405초입니다.
+# 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 번 훑고 전송하는 데 0.105초면 되는데 0.405초입니다.
 
 # %% [markdown] lang="en" name="one-minute-notes" slide="notes"
 # In pairs, a minute each. Before typing they say the correct value.
@@ -594,7 +594,7 @@ lesson.start_robot('clock').run(seconds=5)
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
 #
-# 빨간 줄이 나오는 고장 네 가지와, 나오지 않는 고장 한 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저, 위치 추정 노드가 멈추고 한참 뒤에 RViz를 엽니다.
+# 오류 줄이 나오는 고장 네 가지와, 나오지 않는 고장 한 가지입니다. 매번 어느 디스플레이가 실패할지 **예측해 봅시다.** 먼저, 위치 추정 노드가 멈추고 한참 뒤에 RViz를 엽니다.
 
 # %% name="break-localization" tags=["predicted"]
 lesson.start_robot().run(seconds=5)
@@ -605,13 +605,13 @@ lesson.draw_rviz()
 # `Frame [map] does not exist`: only the localiser published `map`. The robot is fine, the sensors are fine. And **`Map: Ok`**: the map's message is in `map`, and from `map` to `map` no transform is needed. Map Ok does not mean that the localiser runs.
 
 # %% [markdown] lang="ko" name="break-localization-seen" tags=["predicted"]
-# `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 멀쩡합니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map`에서 `map`으로 옮길 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 살아 있다는 뜻은 아닙니다.
+# `Frame [map] does not exist`: `map`을 발행하던 노드는 위치 추정 노드뿐이었습니다. 로봇도 센서도 정상입니다. 그런데 **`Map: Ok`**입니다. 지도 메시지는 `map` 기준이고, `map` 기준의 데이터를 `map` 기준으로 바꿀 때는 TF가 필요 없습니다. Map이 Ok라고 해서 위치 추정 노드가 실행 중이라는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="break-capital-predict" slide="subslide"
 # Next, a capital letter: Fixed Frame `Map`.
 
 # %% [markdown] lang="ko" name="break-capital-predict" slide="subslide"
-# 다음은 대문자 하나입니다. Fixed Frame이 `Map`입니다.
+# 다음은 대문자 하나입니다. 고정 좌표계가 `Map`입니다.
 
 # %% name="break-capital" tags=["predicted"]
 lesson.start_robot().run(seconds=5)
@@ -627,7 +627,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # Next, no node publishes the joint positions any more.
 
 # %% [markdown] lang="ko" name="break-joints-predict" slide="subslide"
-# 다음은 관절 위치를 아무도 알려 주지 않을 때입니다.
+# 다음은 관절 값을 발행하는 노드가 없을 때입니다.
 
 # %% name="break-joints" tags=["predicted"]
 lesson.start_robot()
@@ -638,13 +638,13 @@ lesson.draw_rviz()
 # RobotModel counts 7 errors, TF only 3 warnings. TF lists the frames that it has *received*; RobotModel lists the links *in the URDF*. The scan is not affected: no joint that moves is between `map` and `laser_frame`.
 
 # %% [markdown] lang="ko" name="break-joints-seen" tags=["predicted"]
-# RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *들어 본* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 멀쩡합니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
+# RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *받은* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 정상입니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
 
 # %% [markdown] lang="en" name="break-odometry-predict"
 # Last, the wheel odometry stops.
 
 # %% [markdown] lang="ko" name="break-odometry-predict"
-# 마지막으로 바퀴 노드가 멈춥니다.
+# 마지막으로 바퀴 오도메트리 노드가 멈춥니다.
 
 # %% name="break-odometry" tags=["predicted"]
 lesson.start_robot().run(seconds=5)
@@ -655,13 +655,13 @@ lesson.draw_rviz()
 # This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
-# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 보낼 노드가 없어졌습니다.
+# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
 
 # %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
 # And the one without a red line: the EKF publishes `odom → base_footprint`, too. RViz draws the robot here, then there; every single lookup is Ok. The list cannot show it, but several lookups in a row can:
 
 # %% [markdown] lang="ko" name="break-ekf-predict" slide="subslide"
-# 그리고 빨간 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 보냅니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 답은 하나하나 Ok입니다. 목록이 알려 주지 못하는 것도 잇달아 여러 번 보면 드러납니다.
+# 그리고 오류 줄이 없는 고장입니다. EKF도 `odom → base_footprint`를 발행합니다. RViz는 로봇을 여기 그렸다가 저기 그리지만, 그때마다 Ok입니다. 목록에 나오지 않는 것도 잇달아 여러 번 조회하면 드러납니다.
 
 # %% name="break-ekf" tags=["predicted"]
 graph = lesson.start_robot(also=['ekf_filter_node'])
@@ -675,13 +675,13 @@ for _ in range(6):
 # It alternates by up to 0.3 m, and x does not even grow evenly: the wheel odometry drifts to one side, the EKF does not. Each value alone is valid.
 
 # %% [markdown] lang="ko" name="break-ekf-seen" tags=["predicted"]
-# 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 바퀴의 포즈는 한쪽으로 흐르고 EKF의 포즈는 그렇지 않습니다. 답은 하나하나 멀쩡합니다.
+# 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
 
 # %% [markdown] lang="en" name="break-notes" slide="notes"
 # One shout for each symptom before the table is shown: which node would you check first? If they shout "the sensor", answer "its messages arrived".
 
 # %% [markdown] lang="ko" name="break-notes" slide="notes"
-# 표를 보이기 전에 증상마다 외치게 합니다. 누구에게 먼저 묻겠습니까? "센서"라는 답에는 "메시지는 왔습니다"라고 답합니다.
+# 표를 보이기 전에 증상마다 외치게 합니다. 무엇을 먼저 확인하겠습니까? “센서”라는 답에는 “메시지는 왔습니다”라고 답합니다.
 
 # %% [markdown] lang="en" name="symptoms" slide="slide"
 # ### What the list shows, and where to look first
@@ -707,13 +707,13 @@ for _ in range(6):
 # | `Frame [x] does not exist`, TF에 비슷한 이름도 없음 | 발행 노드가 멈췄거나 기다림(AMCL은 초기 포즈를 기다립니다) | `ros2 node list`, 그 노드의 로그 |
 # | 같은 오류, 비슷한 이름이 있음 | 잘못 입력함 | RViz와 노드의 철자 |
 # | RobotModel의 일부 링크 | URDF, 관절 상태 | `ros2 topic hz /joint_states` |
-# | `not part of the same tree` | 보내는 노드가 없는 연결 | `view_frames`의 두 루트 |
+# | `not part of the same tree` | 발행하는 노드가 없는 연결 | `view_frames`의 두 루트 |
 # | 모두 Ok, 서 있을 때도 벽에서 벗어남 | 장착 변환, 헤더의 좌표계 | `tf2_echo base_link laser_frame`, `--field header` |
 # | 모두 Ok, 서 있으면 맞고 굽은 길에서 번짐 | 측정 시각, 시계 | `topic delay /scan` |
 # | 모두 Ok, 두 곳을 오감 | 발행자가 둘 | `view_frames`에서 연결의 발행률, `topic info --verbose` |
 # | 아무것도 없음: `No messages received` | 발행자가 없거나 QoS가 맞지 않음. 레이저는 대개 `BEST_EFFORT`로 보내는데 RViz는 `RELIABLE`을 요구합니다 | `topic info /scan --verbose`, RViz에서는 디스플레이의 Reliability Policy |
 #
-# "RViz에 보이지 않으니 센서 고장"은 어느 줄에도 없습니다. 센서는 메시지를 확인한 뒤 마지막에 의심합니다.
+# “RViz에 보이지 않으니 센서 고장”은 어느 줄에도 없습니다. 센서는 메시지를 확인한 다음 마지막에 의심합니다.
 
 # %% [markdown] lang="en" name="symptoms-notes" slide="notes"
 # Cover the last column, fill in three rows together, then let them photograph it.
@@ -760,11 +760,11 @@ for _ in range(6):
 # 1. 레이저를 교체합니다.
 # 2. `tf2_echo base_link laser_frame`
 # 3. `ros2 topic delay /scan`
-# 4. Fixed Frame을 `odom`으로 바꿉니다.
+# 4. 고정 좌표계를 `odom`으로 바꿉니다.
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 서 있을 때 벽을 제대로 재는 레이저는 고장이 아닙니다. 돈이 드는 점검은 처음에 할 일이 아닙니다.
+# 서 있을 때 벽을 제대로 재는 레이저는 고장이 아닙니다. 비용이 드는 점검은 나중에 합니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -774,7 +774,7 @@ for _ in range(6):
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. 서 있을 때 맞고 움직일 때 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 돈 만큼 돌아갑니다. 곧은 길에서는 나아가는 방향으로만 밀립니다. 옆의 벽은 맞아 보이고, 앞의 벽은 0.5 m/s에서 15 cm 어긋납니다.
+# 맞습니다. 서 있을 때 맞고 움직일 때 틀리면 *언제*의 문제입니다. 측정 시각이 0.3초 틀리면 스캔은 0.3초 동안 회전한 만큼 회전해 그려집니다. 곧은 길에서는 나아가는 방향으로만 밀립니다. 옆의 벽은 맞아 보이고, 앞의 벽은 0.5 m/s에서 15 cm 어긋납니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -826,8 +826,8 @@ for _ in range(6):
 # rviz2
 # ```
 #
-# RViz에서는 Fixed Frame을 `map`이나 `odom`으로 정하고 TF(*Show Names*와 *Show Axes*를 켭니다), RobotModel, LaserScan, PointCloud2, Map을 추가합니다.
-# 시뮬레이션이나 bag 재생 중에는 도구도 노드처럼 시뮬레이션 시각을 써야 합니다. 첫머리 이야기도 이렇게 풀립니다.
+# RViz에서는 고정 좌표계(Fixed Frame)를 `map`이나 `odom`으로 정하고 TF(*Show Names*와 *Show Axes*를 켭니다), RobotModel, LaserScan, PointCloud2, Map을 추가합니다.
+# 시뮬레이션이나 bag 재생 중에는 도구도 노드처럼 시뮬레이션 시간을 써야 합니다. 처음 이야기의 해결책도 이것입니다.
 #
 # ```
 # ros2 run tf2_ros tf2_monitor odom base_footprint --ros-args -p use_sim_time:=true
@@ -838,7 +838,7 @@ for _ in range(6):
 # For reference. One sentence: with a simulation or a bag the tools need `use_sim_time`, too; that was the fix for the first story.
 
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
-# 찾아보는 슬라이드입니다. 한 문장만 말합니다. 시뮬레이션이나 bag에서는 도구에도 `use_sim_time`이 필요합니다. 첫머리 이야기의 해결책이었습니다.
+# 찾아보는 슬라이드입니다. 한 문장만 말합니다. 시뮬레이션이나 bag에서는 도구에도 `use_sim_time`이 필요합니다. 처음 이야기의 해결책이었습니다.
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -856,12 +856,12 @@ graph.stop()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]을 알려 주는 도구는 없습니다.
-# - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모두를 합친 값입니다.
+# - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]이 어느 노드에 있는지 알려 주는 도구는 없습니다.
+# - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모든 발행자를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
-# - 느린 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 합니다.
-# - [[fixed frame|Fixed Frame]]은 그림을 옮길 뿐 데이터를 바꾸지 않습니다.
-# - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 견주어 확인합니다.
+# - 발행률이 낮은 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 됩니다.
+# - [[fixed frame|고정 좌표계]]를 바꾸면 그림의 기준만 바뀌고 데이터는 바뀌지 않습니다.
+# - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 비교해 확인합니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Leave it on the screen while the slips are written.
@@ -923,15 +923,15 @@ graph.stop()
 # %% [markdown] lang="ko" name="practice" slide="subslide"
 # ### 서술형 문제 · Q9
 #
-# `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 보지 못하는 것까지 네다섯 문장으로 써 보세요.
+# `view_frames`, `tf2_echo`, `tf2_monitor`는 각각 무엇을 위한 도구입니까? 저마다 알 수 없는 것까지 네다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] `view_frames`는 5초 동안의 트리를 그립니다. 부모, 연결마다의 발행률과 시각이 나옵니다.
 # - [ ] `tf2_echo A B`는 한 쌍의 값, 곧 A 기준 B의 최신 포즈를 되풀이해 출력합니다.
-# - [ ] `tf2_monitor`는 사슬과 좌표계가 얼마나 늦는지 잽니다(첫 `avg`가 아니라 `max`).
-# - [ ] 연결의 발행 책임은 어느 도구도 알려 주지 않습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
-# - [ ] 모두 이따금 들여다볼 뿐이라서, 그 사이에 일어난 일은 보이지 않습니다. 더 나아가면, 출력된 값이 맞는 값이라는 보장은 없습니다.
+# - [ ] `tf2_monitor`는 경로와 좌표계의 지연을 잽니다(첫 `avg`가 아니라 `max`).
+# - [ ] 연결의 발행자가 어느 노드인지는 어느 도구로도 알 수 없습니다. `topic info --verbose`는 토픽에 있는 노드를 알려 줍니다.
+# - [ ] 모두 띄엄띄엄 조회할 뿐이라서, 그 사이에 일어난 일은 보이지 않습니다. 그리고 출력된 값이 맞는 값이라는 보장은 없습니다.
 #
 # </details>
 
@@ -939,7 +939,7 @@ graph.stop()
 # Written at home. What each tool cannot show is worth as much as what it shows.
 
 # %% [markdown] lang="ko" name="practice-notes" slide="notes"
-# 집에서 씁니다. 도구가 보여 주는 것만큼 보지 못하는 것도 중요합니다.
+# 집에서 씁니다. 도구로 알 수 있는 것만큼 알 수 없는 것도 중요합니다.
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -955,11 +955,11 @@ graph.stop()
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
 #
-# > RViz는 모두 Ok인데, 서 있을 때나 달릴 때나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 견줄지 써 보세요.
+# > RViz는 모두 Ok인데, 서 있을 때나 달릴 때나 스캔이 벽에서 20 cm 벗어나 있습니다. 명령 두 개와, 그 출력을 무엇과 비교할지 써 보세요.
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `tf2_echo base_link laser_frame`의 값을 도면이나 자로 잰 값과 견줍니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 견줍니다.
+# `tf2_echo base_link laser_frame`의 값을 도면이나 자로 잰 값과 비교합니다. `topic echo /scan --once --field header`의 `frame_id`를 센서의 좌표계와 비교합니다.
 #
 # </details>
 
@@ -967,7 +967,7 @@ graph.stop()
 # Two minutes, without talking: two commands, and with what you compare each. Collect before the laboratory.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
-# 2분 동안 말없이 적습니다. 명령 두 개와 저마다 견줄 것입니다. 실습 전에 걷습니다.
+# 2분 동안 말없이 적습니다. 명령 두 개와 저마다 비교할 것입니다. 실습 전에 걷습니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), about which node owns an edge, and what is broken.
@@ -975,6 +975,6 @@ graph.stop()
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고, 누가 발행하고 무엇이 고장 났는지 묻는 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
