@@ -11,16 +11,16 @@
 # - tell a fix from a workaround.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 12 · 누가 한 말일까요?
+# # 12 · 발행 책임과 진단
 #
-# **발행 책임과 진단** · 약 60분, 진료실은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
+# **어느 노드가 무엇을 발행할까요?** · 약 60분, 진료실은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - 연결마다 어느 노드가, 어떤 데이터로, 어떤 스위치로 발행하는지, 곧 [[owner|발행 책임]]을 적을 수 있습니다.
 # - 터미널을 보고 연결의 네 가지 상태(발행자가 하나, 없음, 둘, 그리고 다른 연결)를 읽을 수 있습니다.
-# - [[suspect|용의자]]를 가장 적은 시간에 가르는 질문을 고르고, 증명이 끝나면 멈출 수 있습니다.
-# - 치료와 반창고를 구별할 수 있습니다.
+# - [[suspect|용의자]]를 가장 적은 시간에 구별하는 검사를 고르고, 증명이 끝나면 멈출 수 있습니다.
+# - 원인을 고치는 처치와 증상만 가리는 임시방편을 구별할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Two halves: owners first, then diagnosis. Ask: when something is wrong on your robot, what do you do in the first minute? Collect the answers, and come back to them at the end.
@@ -46,7 +46,7 @@ from tflab.workbook import lesson
 # 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
 # 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
 #
-# 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리는 멀쩡해 보였습니다. 좌표계는 가장 새로운 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
+# 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리도 정상으로 보였습니다. 좌표계는 가장 최근의 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask which of the three was broken. None. Ask what the tree tool showed. One parent. Write both answers on the board; you need them again in ten minutes. Do not say yet how one would have seen it.
@@ -58,7 +58,7 @@ from tflab.workbook import lesson
 # *Read the reports:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), and a similar one in [760](https://github.com/introlab/rtabmap_ros/issues/760); why `tf2_monitor` names no node: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *직접 읽어 보기:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), 비슷한 경우 [760](https://github.com/introlab/rtabmap_ros/issues/760), `tf2_monitor`가 이름을 대지 못하는 이유: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
+# *더 읽기:* rtabmap_ros [645](https://github.com/introlab/rtabmap_ros/issues/645), 비슷한 경우 [760](https://github.com/introlab/rtabmap_ros/issues/760), `tf2_monitor`에 이름이 나오지 않는 이유: geometry2 [798](https://github.com/ros2/geometry2/issues/798).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -71,10 +71,10 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
 #
-# 바퀴와 필터(`ekf_filter_node`)가 모두 `odom → base_footprint`를 발행합니다.
+# 바퀴 오도메트리 노드와 필터(`ekf_filter_node`)가 모두 `odom → base_footprint`를 발행합니다.
 #
-# 1. `ros2 topic info /tf`는 발행자를 몇이라고 셀까요? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어들까요, 그대로일까요?
-# 2. 바퀴의 포즈와 필터의 포즈 **사이**의 시각을 조회하면 무엇이 나올까요? 한쪽, 다른 쪽, 아니면 또 다른 값일까요?
+# 1. `ros2 topic info /tf`에 발행자는 몇으로 나올까요? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어들까요, 그대로일까요?
+# 2. 오도메트리 포즈와 필터 포즈 **사이**의 시각을 조회하면 무엇이 나올까요? 한쪽, 다른 쪽, 아니면 또 다른 값일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Let everybody write down a number for the first and a word for the second. Most say: one fewer.
@@ -106,13 +106,13 @@ graph.run(seconds=20.0)
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
 # 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 보낼 준비를 갖춘 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
-# 증거는 연결에 있습니다. 얼마나 자주 오는지, 매끄럽게 움직이는지 보아야 합니다.
+# 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
 # Let those who said “one fewer” explain why. They think of a list of calls; this is a list of telephones. Then ask: what would show the calls? Wait for “the rate of the edge”.
 
 # %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
-# “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 통화 기록을 떠올렸겠지만, 이 도구는 전화기의 수를 셉니다. 그럼 통화를 보려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답을 기다립니다.
+# “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 통화 기록을 떠올렸겠지만, 이 도구는 전화기의 수를 셉니다. 그럼 통화를 보려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답이 나오게 합니다.
 
 # %% name="listen" slide="skip"
 import rclpy
@@ -155,7 +155,7 @@ for name, (x, y, *_) in places:
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a position that no node ever published**. TF2 does not store owners; it sees one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
-# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 알린 적 없는 위치**가 나옵니다. TF2는 누가 보냈는지 기억하지 않습니다. TF2는 둘을 구별하지 않고 한 연결로 봅니다.
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 발행한 적 없는 위치**가 나옵니다. TF2는 발행자를 기록하지 않습니다. 둘을 구별하지 않고 한 연결로 처리합니다.
 
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
@@ -201,8 +201,8 @@ lesson.draw_owners(
 # One correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes; no tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상을 모르면 이상도 알 수 없습니다.
-# 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`는 발행자의 이름을 대지 못합니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`가 알려 주고, 그 노드가 어느 연결을 보내는지는 직접 알아내야 합니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
 # <details><summary>To print: the table of your own robot, with the lecture's five edges (§24)</summary>
@@ -253,20 +253,20 @@ lesson.draw_owners(
 # %% [markdown] lang="ko" name="four-states" slide="slide"
 # ## 연결의 네 가지 상태
 #
-# 부모와 자식 사이에는 **발행자가 하나**이거나, **없거나**, **둘**이거나, 누군가 같은 자식에게 **다른 연결**을 보냅니다. 제대로 물으면 서로 다르게 보입니다.
+# 부모와 자식 사이의 상태는 넷입니다. **발행자가 하나**이거나, **없거나**, **둘**이거나, 다른 노드가 같은 자식을 **다른 연결**로 발행합니다. 알맞은 검사를 하면 서로 다르게 보입니다.
 #
 # | 상태 | `tf2_echo odom base_footprint 20` | 트리 |
 # |---|---|---|
-# | 하나 | 매끄럽게 이어집니다 | 온전합니다 |
-# | 없음 | 답하지 않습니다 | `base_footprint`가 따로 떨어진 루트가 됩니다 |
-# | 둘 | 오락가락합니다 | 온전하지만 연결이 너무 자주 옵니다 |
-# | 다른 연결 | 답이 나오다 말다 합니다 | 온전했다 끊어졌다 합니다 |
+# | 하나 | 끊김 없이 변합니다 | 하나입니다 |
+# | 없음 | 값이 나오지 않습니다 | `base_footprint`가 따로 떨어진 루트가 됩니다 |
+# | 둘 | 두 값 사이를 오갑니다 | 하나이지만 그 연결의 발행률이 너무 높습니다 |
+# | 다른 연결 | 값이 나오다 말다 합니다 | 하나였다 나뉘었다 합니다 |
 
 # %% [markdown] lang="en" name="four-states-notes" slide="notes"
 # Cover the second column and let the class fill it in, row by row. Most miss “succeeds now and then”: two owners of one edge never tear the tree, another edge does.
 
 # %% [markdown] lang="ko" name="four-states-notes" slide="notes"
-# 둘째 열을 가리고 한 줄씩 채우게 합니다. 많은 사람이 “답이 나오다 말다”를 놓칩니다. 한 연결의 발행자가 둘이면 트리가 끊어지지 않지만, 다른 연결이 오면 끊어집니다.
+# 둘째 열을 가리고 한 줄씩 채우게 합니다. 많은 사람이 “값이 나오다 말다”를 놓칩니다. 한 연결의 발행자가 둘이면 트리가 끊어지지 않지만, 다른 연결이 오면 끊어집니다.
 
 # %% name="to-and-fro" slide="fragment"
 graph.run(seconds=0.005)
@@ -280,7 +280,7 @@ for _ in range(6):
 # At twenty lookups a second you see both in turn. At one a second, the default of `tf2_echo`, it can look constant for minutes: hence the `20`.
 
 # %% [markdown] lang="ko" name="to-and-fro-seen"
-# 20 Hz로 물으면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 물으면 몇 분이고 얌전해 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
+# 20 Hz로 조회하면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 조회하면 몇 분 동안이나 정상으로 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
 
 # %% [markdown] lang="en" name="stop-one" slide="slide"
 # ## Stop one node and look
@@ -290,13 +290,13 @@ for _ in range(6):
 # %% [markdown] lang="ko" name="stop-one" slide="slide"
 # ## 노드를 하나 멈추고 보기
 #
-# 어느 노드가 어느 연결을 보내는지 알려 준 도구는 없습니다. 하지만 멈춘 노드는 아무것도 보내지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 노드를 멈추면 몇 번 올까요?
+# 어느 노드가 어느 연결을 발행하는지 알려 주는 도구는 없습니다. 하지만 멈춘 노드는 아무것도 발행하지 않습니다. 하나를 멈추고 연결이 계속 오는지 봅시다. **예측해 봅시다.** 필터를 멈추면 `odom → base_footprint`가 1초에 몇 번 올까요? 바퀴 오도메트리 노드를 멈추면 몇 번 올까요?
 
 # %% [markdown] lang="en" name="stop-one-notes" slide="notes"
 # Three numbers before running: without the filter, without the wheel odometry, without the localiser. Say the safety sentence aloud: wheels off the ground, hand on the emergency stop. It is the one experiment here that moves a real machine.
 
 # %% [markdown] lang="ko" name="stop-one-notes" slide="notes"
-# 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 노드 없이, 위치 추정 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
+# 실행하기 전에 세 숫자를 적게 합니다. 필터 없이, 바퀴 오도메트리 노드 없이, 위치 추정 노드 없이. 안전 수칙은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고 손은 비상 정지 버튼에 둡니다. 여기서 실제 기계를 움직이는 실험은 이것뿐입니다.
 
 # %% name="stop-one-look" tags=["predicted"] slide="fragment"
 for name in ("ekf_filter_node", "wheel_odometry", "localization"):
@@ -309,7 +309,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # Without the filter 20 a second are left, without the wheel odometry 30, and without the localiser all 50: it does not publish this edge. If the rate drops when a node stops, that node is an owner. On a real robot: wheels off the ground, and the emergency stop in your hand.
 
 # %% [markdown] lang="ko" name="stop-one-seen" tags=["predicted"]
-# 필터를 멈추면 1초에 스무 번, 바퀴 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+# 필터를 멈추면 1초에 스무 번, 바퀴 오도메트리 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
 
 # %% [markdown] lang="en" name="another-edge" slide="subslide"
 # ### The fourth state
@@ -319,13 +319,13 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # %% [markdown] lang="ko" name="another-edge" slide="subslide"
 # ### 네 번째 상태
 #
-# 위치 추정 노드가 지도에서 로봇의 위치를 찾아 `map → base_footprint`를 그대로 보냅니다. 바퀴 노드는 그대로입니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
+# 위치 추정 노드가 지도에서 로봇의 위치를 찾아 `map → base_footprint`를 그대로 발행합니다. 바퀴 오도메트리 노드는 그대로입니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
 
 # %% [markdown] lang="en" name="another-edge-notes" slide="notes"
 # Draw the tree on the board and let somebody add the new arrow. Whose child is the robot then? Wait for "of both, in turn".
 
 # %% [markdown] lang="ko" name="another-edge-notes" slide="notes"
-# 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 누구입니까? "번갈아 둘"이라는 답을 기다립니다.
+# 칠판에 트리를 그리고 한 사람에게 새 화살표를 더하게 합니다. 그러면 로봇의 부모는 무엇입니까? “번갈아 둘”이라는 답이 나오게 합니다.
 
 # %% name="another-edge-look" tags=["predicted"] slide="fragment"
 for name in ("ekf_filter_node", "localization"):
@@ -343,7 +343,7 @@ print(looks)
 # Each `.` is a lookup after a message of the localiser: then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
 
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
-# `.`은 가장 새로운 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 새로운 하나뿐입니다(04). 그래서 위치 추정 노드는 `map → odom`만 보내고 base는 바퀴 노드에 맡깁니다.
+# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
 # %% name="stop-two" slide="skip"
 graph.stop()
@@ -360,7 +360,7 @@ rclpy.shutdown()
 # ## 강의의 실험 A, B, C
 #
 # 강의 23절에는 `static_transform_publisher`로 하는 실험이 셋 있습니다. A는 모두 맞는 경우, B는 부모 이름이 틀린 경우, C는 연결 하나를 둘이 발행하는 경우입니다.
-# 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환을 믿고 움직입니다.
+# 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환에 따라 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
 # A takes a minute; who calls 2e+08 Hz a fault? Before B ask: what is the first line of the tool about, and what is the second about? Before C: 1.000, 2.000, or an error?
@@ -392,7 +392,7 @@ graph = lesson.new_graph()
 # B: `odm`. The first line is about the very first lookup; the second is the fact: **not part of the same tree**. If you suspect a dead node, you restart one now. But the node runs, and publishes what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 죽었다고 믿는 사람은 여기서 다시 켭니다. 하지만 노드는 살아 있고 시킨 대로 보냅니다. 단서는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
+# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 종료되었다고 생각하는 사람은 여기서 다시 시작합니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
 
 # %% name="experiment-b-rviz" slide="subslide"
 lesson.draw_rviz()
@@ -409,7 +409,7 @@ graph = lesson.new_graph()
 # The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행자가 있어도 개수는 늘어납니다.
+# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 알 수 있는 것은 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행자가 있어도 개수는 늘어납니다.
 # 강의의 로봇은 `odom → base_link`를 두 노드가 *동적으로* 발행해서 떨립니다. 앞에서 바퀴 오도메트리와 필터로 본 것과 같습니다. 정적 변환 둘은 떨리지 않아서 찾기가 더 어렵습니다.
 
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
@@ -419,16 +419,16 @@ graph = lesson.new_graph()
 # Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would they give different results?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
-# ## 검사의 값어치는 무엇을 지우느냐에 있습니다
+# ## 좋은 검사는 용의자를 많이 지웁니다
 #
-# 강의 27절의 여섯 걸음은 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 싸고 대략적인 것에서 비싸고 세밀한 것으로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
-# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 빠르거나**, **변환이 늦거나**, **오도메트리가 느립니다**. 명령을 입력하기 전에 물어보세요. 셋의 답이 다를 검사는 무엇입니까?
+# 강의 27절의 여섯 단계는 이름, 트리, 값, 지연, 메시지와 시계, 발행자입니다. 빠르고 대략적인 검사에서 오래 걸리고 세밀한 검사로 가는 순서입니다. 하지만 질문 없이 순서만 따르면 느립니다.
+# “스캔이 깜빡이고 future라는 말이 나온다”는 증상을 봅시다. 용의자는 셋입니다. 레이저의 **시계가 앞섰거나**, **변환이 늦거나**, **오도메트리의 발행률이 낮습니다**. 명령을 입력하기 전에 생각해 보세요. 용의자마다 결과가 다를 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="stop-guessing-notes" slide="notes"
 # Ask for a check and write it down only if somebody can say the result for each of the three suspects. Cross out checks with the same result for all three. After five minutes one is left that costs a minute.
 
 # %% [markdown] lang="ko" name="stop-guessing-notes" slide="notes"
-# 검사를 제안받되, 세 용의자가 저마다 무엇이라 답할지 말할 수 있을 때만 적습니다. 셋의 답이 같은 검사는 소리 내어 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
+# 검사를 제안받되, 세 용의자마다 어떤 결과가 나올지 말할 수 있을 때만 적습니다. 셋의 결과가 같은 검사는 지웁니다. 5분쯤 뒤에는 1분짜리 하나가 남습니다.
 
 # %% name="columns" slide="fragment"
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
@@ -437,13 +437,13 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it rules out two rows, for one minute. Each row that is ruled out is an argument; what is left is what you have proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 그들을 가를 수 있는 검사입니다. 빗금은 아직 묻지 않은 것입니다. laser clock ahead = 레이저의 시계가 빠름, transforms late = 변환이 늦음, odometry slow = 오도메트리가 느림. `topic delay /scan`이 “ahead”(시계가 빠름)라고 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 그들을 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now diagnose the eighteen faulty robots of the clinic below, each with another cause, without a complaint. One follows the six steps, one always chooses the check that rules out most per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 아래 진료실의 고장 난 로봇 열여덟 대를 증상도 듣지 않은 채 진찰합니다. 원인은 저마다 다릅니다. 한 사람은 여섯 걸음을 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 가르는 검사를 고릅니다.
+# 이제 두 사람이 아래 진료실의 고장 난 로봇 열여덟 대를 진찰합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The order is not wrong: it is safe, it teaches, and it finds everything. It just does not use what you already know.
@@ -458,9 +458,9 @@ lesson.draw_both_ways()
 # By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen are found too late; with the best check next it takes 2.3, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
-# *그림 읽기:* six steps = 강의의 여섯 걸음, best next = 가장 잘 가르는 질문부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
+# *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
 #
-# 여섯 걸음은 평균 6.1분, 가장 길 때 14분이고 열여덟 가운데 셋은 시간을 넘깁니다. 가장 잘 가르는 질문부터 하면 평균 2.3분, 가장 길 때 5분입니다. 질문 없이 순서만 따르면 느리고, 1분짜리 질문을 고르면 빠릅니다. 둘 다 끝내 맞히고, 검사를 몽땅 하는 사람보다 낫습니다. 전부 물으면 72분이 걸립니다.
+# 여섯 단계로는 평균 6.1분, 가장 길 때 14분이고 열여덟 가운데 셋은 시간을 넘깁니다. 용의자를 가장 많이 지우는 검사부터 하면 평균 2.3분, 가장 길 때 5분입니다. 질문 없이 순서만 따르면 느리고, 1분짜리 검사를 잘 고르면 빠릅니다. 둘 다 끝내 맞히고, 모든 검사를 하는 사람보다 빠릅니다. 모든 검사를 하면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it works
@@ -470,13 +470,13 @@ lesson.draw_both_ways()
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
 #
-# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 그냥 받습니다. 질문마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
+# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 그냥 받습니다. 검사마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
 
 # %% [markdown] lang="en" name="clinic-notes" slide="notes"
 # Diagnose one patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. If somebody proposes a fix, ask which result would change after it.
 
 # %% [markdown] lang="ko" name="clinic-notes" slide="notes"
-# 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 입력하지 않습니다. 처치를 제안하는 사람에게는 그 뒤에 어느 값이 바뀔지 묻습니다.
+# 환자 한 명을 함께 봅니다. 증상과 RViz를 소리 내어 읽고, 세 용의자의 이름이 나오기 전에는 아무것도 입력하지 않습니다. 처치를 제안하는 사람에게는 처치한 다음 어느 값이 바뀔지 묻습니다.
 
 # %% name="trolley" tags=["translated"] slide="skip"
 lesson.show_trolley()
@@ -486,7 +486,7 @@ lesson.show_trolley()
 # `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect you mean; it is not marked.
 
 # %% [markdown] lang="ko" name="trolley-seen"
-# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 질문보다 비쌉니다. 그래서 질문이 먼저입니다.
+# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 명령을 입력하는 일보다 오래 걸립니다. 그래서 검사가 먼저입니다.
 # `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked" tags=["translated"] slide="subslide"
@@ -496,7 +496,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 # Most people want to fix it now. Try it, without a check:
 
 # %% [markdown] lang="ko" name="hasty"
-# 누구나 바로 고치고 싶어 합니다. 아무것도 묻지 않고 해 봅시다.
+# 누구나 바로 고치고 싶어 합니다. 아무 검사도 하지 않고 해 봅시다.
 
 # %% name="hasty-say" tags=["translated"]
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
@@ -507,8 +507,8 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 셋의 답이 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
-# “Into the future”는 스캔의 측정 시각이 최신 변환의 시각보다 늦다는 뜻입니다. 측정 시각이 너무 늦거나 변환이 너무 오래되었습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
+# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 용의자마다 결과가 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
+# “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask" tags=["translated"]
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
@@ -518,8 +518,8 @@ visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 # Now comes the fix. First the one that everybody tries, a workaround that hides the symptom.
 
 # %% [markdown] lang="ko" name="worked-say"
-# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 늦은 변환이나 느린 오도메트리로는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 시계가 늦을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 늦게 온 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
-# 이제 비로소 고칠 차례입니다. 먼저 누구나 해 보는 반창고, 곧 증상만 가리는 처치부터 봅시다.
+# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 변환이 늦거나 오도메트리의 발행률이 낮아서는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 센서 시계가 뒤처졌을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 지연된 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
+# 이제 고칠 차례입니다. 먼저 누구나 해 보는 임시방편, 곧 증상만 가리는 처치부터 봅시다.
 
 # %% name="plaster" tags=["translated"] slide="subslide"
 visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", fix="timeout of 1 s")
@@ -551,7 +551,7 @@ lesson.draw_visit(visit)
 # On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are all Ok, and only one has the result of the card.
 
 # %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 시계입니다. 색칠한 막대는 질문, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+# *그림 읽기:* 왼쪽은 시계입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
 #
 # 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
 
@@ -559,7 +559,7 @@ lesson.draw_visit(visit)
 # Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
 
 # %% [markdown] lang="ko" name="film-notes" slide="notes"
-# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색인데 나았습니까? 그런 다음 마지막을 보입니다.
+# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막을 보입니다.
 
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
@@ -569,7 +569,7 @@ lesson.draw_visit(visit)
 # %% [markdown] lang="ko" name="faded" slide="slide"
 # ## 반만 도움받기: 로봇이 튑니다
 #
-# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 원인만 대면 됩니다. `my_cause`를 채우고 처치를 부탁해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
+# 검사 둘은 정해져 있습니다(`take`는 남은 시간을 출력하지 않는 `ask`입니다). 용의자를 하나 지목하면 됩니다. `my_cause`를 채우고 처치를 실행해 보세요. 읽은 값이 다른 용의자에게도 맞으면 진료실이 거절합니다.
 
 # %% [markdown] lang="en" name="faded-notes" slide="notes"
 # Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
@@ -599,7 +599,7 @@ if my_cause is not ...:
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
 #
-# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 누구를 의심하는지 정하고, 물으십시오. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보세요.
+# `lesson.practice_patient(7)`은 몇 초 만에 환자를 만듭니다. 숫자가 다르면 다른 환자이고, 얼마든지 있습니다. 패널로도 함수를 호출할 때와 똑같이 할 수 있습니다. 검사를 고르고, 의심하는 용의자를 정하고, 검사를 실행해 보세요. 그다음 원인과 처치를 골라 해 보세요. 답은 `lesson.answer_of(7)`에 있으니 맨 나중에 보십시오.
 
 # %% name="panel" tags=["interactive"] slide="skip"
 lesson.clinic_panel(lesson.practice_patient(7))
@@ -611,13 +611,13 @@ lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node lis
 # The static version: four checks of the same patient, what each cost, and which suspects were left. `★` marks the check after which one suspect was left; the checks after it are hatched, and added nothing.
 
 # %% [markdown] lang="ko" name="panel-seen" slide="skip"
-# *그림 읽기:* 같은 환자에게 한 질문 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대는 알려 준 것이 없습니다.
+# *그림 읽기:* 같은 환자에게 한 검사 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대에서는 새로 알게 된 것이 없습니다.
 
 # %% [markdown] lang="en" name="second" slide="subslide"
 # And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it, as soon as you have named a suspect.
 
 # %% [markdown] lang="ko" name="second" slide="subslide"
-# 기계는 무엇이라고 할까요? 용의자를 대면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
+# 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
 
 # %% name="second-opinion" tags=["translated"] slide="-"
 my_suspect = ...  # one of the three
@@ -655,13 +655,13 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
 #
-# 야간 당직 때 오는 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 그 뒤에 레이저의 장착이 틀렸습니다. 위치 추정 노드를 켜면 RViz는 무엇이라고 하고, 스캔은 어디에 있을까요?
+# 야간 당직 때 오는 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
 
 # %% [markdown] lang="ko" name="break-it-notes" slide="notes"
-# 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 웃음이 터집니다.
+# 실행하기 전에 스캔이 어떨지 한 문장으로 적게 합니다. “모두 Ok”가 나오면 예측과 비교합니다.
 
 # %% name="night" tags=["predicted", "translated"] slide="subslide"
 night = lesson.admit(lesson.night_shift(4))
@@ -682,13 +682,13 @@ night.try_fix()
 # A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Those look like a robot that somebody built so. Only the card shows the difference.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
-# 기계는 도와주지만 여러분의 뜻은 모릅니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 Fixed Frame, 그저 다른 곳에 있는 장착, 실제로 있는 다른 좌표계를 적은 header입니다. 누군가 일부러 그렇게 한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
+# 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
 
 # %% [markdown] lang="en" name="doctor-notes" slide="notes"
 # Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
 
 # %% [markdown] lang="ko" name="doctor-notes" slide="notes"
-# 둘이 스스로 진단한 다음에 보입니다. 장착을 맞힌 사람은 누구입니까? 기계는 왜 맞힐 수 없었습니까?
+# 둘이 스스로 진단한 다음에 보입니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -728,7 +728,7 @@ night.try_fix()
 #
 # 1. 레이저의 케이블을 바꿉니다.
 # 2. 모두 다시 켭니다.
-# 3. RViz의 목록을 읽습니다. 무엇을 못 했다고 합니까?
+# 3. RViz의 목록을 읽습니다. 무엇을 할 수 없었다고 적혀 있습니까?
 # 4. 조회의 timeout을 늘립니다.
 #
 # <details><summary>1번을 골랐습니다</summary>
@@ -738,7 +738,7 @@ night.try_fix()
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 같은 노드가 같은 설정으로 돌아오고, 읽을 수 있었던 것은 사라집니다. 시작 순서가 문제였다면 나은 듯 보이지만, 내일 다시 나타납니다.
+# 같은 노드가 같은 설정으로 다시 실행되고, 읽을 수 있었던 것은 사라집니다. 시작 순서가 문제였다면 해결된 듯 보이지만, 내일 다시 나타납니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -748,7 +748,7 @@ night.try_fix()
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 아직 진단이 없는데 처치부터 했습니다. 시계가 틀렸다면 스캔은 돌아오지만 틀린 자리에 놓입니다.
+# 아직 진단이 없는데 처치부터 했습니다. 시계가 틀렸다면 스캔은 다시 보이지만 틀린 자리에 놓입니다.
 #
 # </details>
 
@@ -756,7 +756,7 @@ night.try_fix()
 # Hands for 1 to 4. Come back to the first minute that they named at the beginning: who would change it now?
 
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
-# 1번부터 4번까지 손을 들게 합니다. 처음에 적은 “처음 1분”으로 돌아가 누가 바꾸겠는지 묻습니다.
+# 1번부터 4번까지 손을 들게 합니다. 처음에 적은 “처음 1분”을 다시 보고 누가 바꾸겠는지 묻습니다.
 
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
@@ -794,7 +794,7 @@ night.try_fix()
 # ros2 run tf2_tools view_frames
 # ros2 run tf2_ros tf2_echo map base_link
 # ros2 run tf2_ros tf2_monitor map base_link
-# ros2 topic info /tf --verbose                # 보낼 수 있는 노드
+# ros2 topic info /tf --verbose                # 발행할 수 있는 노드
 # ros2 topic info /tf_static --verbose         # VOLATILE은 아닌지
 # ros2 topic echo /tf_static --once            # 발행자가 둘이면 하나만
 # ros2 param get /problem_node use_sim_time    # 문제가 되는 노드의 이름으로
@@ -803,7 +803,7 @@ night.try_fix()
 # 강의 27절의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
 #
 # ```
-# ros2 run tf2_ros tf2_echo odom base_footprint 20   # 매끄러운지
+# ros2 run tf2_ros tf2_echo odom base_footprint 20   # 끊김 없이 변하는지
 # ros2 topic delay /scan                             # 측정 시각과 시계
 # ros2 lifecycle get /amcl                           # 활성 상태인지
 # ros2 node info /ekf_filter_node
@@ -811,7 +811,7 @@ night.try_fix()
 # ```
 #
 # 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
-# 실제 로봇의 원인은 열여덟보다 많습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 답이 갈릴 질문은 무엇일까요?
+# 실제 로봇의 원인은 열여덟보다 많습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
 # To photograph. Say the last line aloud: wheels off the ground, the emergency stop in your hand.
@@ -843,14 +843,14 @@ night.try_fix()
 # | 보이는 것 | 흔한 원인 | 먼저 확인할 것 | 장 |
 # |---|---|---|---|
 # | Fixed Frame 없음 | 잘못 입력했거나 아무도 발행하지 않음 | RViz의 목록, `view_frames` | 11 |
-# | 두 좌표계가 이어지지 않음 | 사이의 연결이 빠짐 | `view_frames`의 두 루트 | 04, 09 |
+# | 두 좌표계가 연결되지 않음 | 사이의 연결이 빠짐 | `view_frames`의 두 루트 | 04, 09 |
 # | 로봇이 떨림 | 발행자가 둘 | 연결의 발행률과 `tf2_echo … 20`, 이어서 `topic info /tf --verbose` | 12 |
 # | 센서가 몸체에서 떨어져 보임 | 장착 변환의 값 | `tf2_echo base_link laser_frame`, URDF의 origin | 07, 11 |
-# | 센서 자취가 벽에 번짐 | 측정 시각, 늦은 오도메트리 | `topic delay /scan`, 이어서 `tf2_monitor`(스캔은 보지 못함) | 11 |
-# | 미래 외삽 | 늦은 변환, 빠른 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
+# | 센서 자취가 벽에 번짐 | 측정 시각, 지연된 오도메트리 | `topic delay /scan`, 그다음 `tf2_monitor`(스캔은 보지 못함) | 11 |
+# | 미래 외삽 | 지연된 변환, 앞선 시계 | `topic delay`의 부호, `/clock` | 09, 12 |
 # | 과거 외삽 | 느린 처리, 짧은 버퍼 | 메시지의 나이와 보관 시간 | 08, 09 |
 # | bag에서만 실패 | `/tf`, `/tf_static`, `/clock`이 없음 | `ros2 bag info`, `--clock` | 10 |
-# | 여러 로봇의 좌표계가 섞임 | prefix와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
+# | 여러 로봇의 좌표계가 섞임 | 접두사와 네임스페이스가 어긋남 | `view_frames`의 트리 전체 | 04 |
 # | 방향이 90°나 180° 틀림 | 축, rpy, 쿼터니언의 순서 | URDF의 rpy, RViz의 축 | 02, 07 |
 #
 # </details>
@@ -881,16 +881,16 @@ night.try_fix()
 # | 실수 | 환자 또는 장 | 해결책 |
 # |---|---|---|
 # | 좌표계 없는 숫자 | header says another frame, header says base_link | 측정한 곳에서 `header.frame_id`를 채웁니다 |
-# | 수신 시각으로 측정 시각을 덮음 | 반창고 “stamp on arrival” | 측정 시각을 그대로 둡니다 |
+# | 수신 시각으로 측정 시각을 덮음 | 임시방편 “stamp on arrival” | 측정 시각을 그대로 둡니다 |
 # | 목표와 원본이 뒤바뀜 | 03장 | 원본과 목표를 문장으로 말해 봅니다 |
 # | 모두 0인 쿼터니언 | quaternion of zeros | w를 1로 두거나 정규화합니다 |
 # | 고정된 것을 /tf로 계속 보냄 | 06장, E12.5 | `/tf_static`으로 한 번 보냅니다 |
 # | 움직이는 것을 정적으로, 또는 너무 드물게 보냄 | odometry slow | 움직임에 맞는 발행률로 `/tf`에 보냅니다 |
 # | 같은 자식을 여러 노드가 발행 | two owners of one edge, localizer owns the base | 하나만 남기고 나머지는 끕니다 |
-# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 반창고 “timeout of 1 s” | 시계를 맞춥니다 |
+# | timeout만 늘려 시계 오류를 숨김 | laser clock ahead와 임시방편 “timeout of 1 s” | 시계를 맞춥니다 |
 # | map 기준 포즈로 제어 | nothing is wrong(보정일 뿐) | 제어에는 `odom`을 씁니다 |
 # | 센서만 기록한 bag | 10장, E12.5 | `/tf`와 `/tf_static`도 기록합니다 |
-# | prefix와 네임스페이스를 같게 여김 | parent misspelt, E12.5 | 둘 다 정하고 트리를 확인합니다 |
+# | 접두사와 네임스페이스를 같게 여김 | parent misspelt, E12.5 | 둘 다 정하고 트리를 확인합니다 |
 # | RViz에 안 보이면 센서 고장 | “sensor broken”부터 떠올린 모든 환자 | 먼저 RViz의 목록을 읽습니다 |
 #
 # </details>
@@ -908,10 +908,10 @@ night.try_fix()
 # ## 정리
 #
 # - [[owner|발행 책임]]은 노드, 데이터, 스위치입니다. 연결마다 발행자는 하나입니다. 둘이어도, 없어도 안 됩니다.
-# - [[second-owner|두 번째 발행자]]는 오류를 내지 않습니다. 20 Hz로 묻고, 연결이 얼마나 자주 오는지 세어 보세요.
-# - 증상은 원인이 아닙니다. 검사의 값어치는 무엇을 지우느냐에 있습니다. [[suspect|용의자]]들의 답이 다를 것을 물으십시오.
+# - [[second-owner|두 번째 발행자]]가 있어도 오류는 나지 않습니다. 20 Hz로 조회하고, 연결의 발행률을 확인하십시오.
+# - 증상은 원인이 아닙니다. 좋은 검사는 용의자를 많이 지웁니다. [[suspect|용의자]]마다 결과가 다를 검사를 고르십시오.
 # - 하나가 남으면 멈추십시오. 고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.
-# - 그리고 열두 장 모두의 정리입니다(31절). 값에는 좌표계와 측정 시각이 필요합니다. `map`은 길게 보아 맞고, `odom`은 매끄럽게 이어지며, `base_link`는 로봇의 몸체입니다. 고정된 것은 `/tf_static`으로 한 번, 움직이는 것은 `/tf`로 계속 보냅니다. 오류는 대개 이름, 빠진 연결, 두 번째 발행자, 시계에서 나오고 수학에서 나오는 일은 드뭅니다.
+# - 그리고 열두 장 모두의 정리입니다(31절). 값에는 좌표계와 측정 시각이 필요합니다. `map`은 오래 지나도 맞고, `odom`은 연속이며, `base_link`는 로봇의 몸체입니다. 고정된 것은 `/tf_static`으로 한 번, 움직이는 것은 `/tf`로 계속 보냅니다. 오류는 대개 이름, 빠진 연결, 두 번째 발행자, 시계에서 나오고 수식에서 나오는 일은 드뭅니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Five minutes at the end of the second sitting. Two pairs read their lists of checks: which one could they have left out?
@@ -937,14 +937,14 @@ night.try_fix()
 # %% [markdown] lang="ko" name="from-before" slide="subslide"
 # ### 앞 장 복습: 세 문제
 #
-# 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 보냅니까?
-# 2. volatile로 보낸 장착이 어떤 수신기에는 있고 다음 수신기에는 없는 까닭은 무엇입니까?
-# 3. “Extrapolation into the future”에서 견주는 두 숫자는 무엇입니까?
+# 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 구해 발행합니까?
+# 2. 장착 변환을 volatile로 보냈더니 어떤 수신기에는 있고 다음 수신기에는 없습니다. 까닭은 무엇입니까?
+# 3. “Extrapolation into the future”에서 비교하는 두 숫자는 무엇입니까?
 #
 # <details><summary>답</summary>
 #
-# 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 바퀴의 `odom_T_base`로 구합니다.
-# 2. volatile은 보낼 때 있던 쪽만 받습니다. transient local은 나중에 온 쪽도 받습니다.
+# 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 오도메트리의 `odom_T_base`로 구합니다.
+# 2. volatile로 보낸 것은 보낼 때 참가해 있던 수신기만 받습니다. transient local은 나중에 참가한 수신기도 받습니다.
 # 3. 요청 시각과 버퍼에 있는 최신 표본의 시각입니다.
 #
 # </details>
@@ -999,10 +999,10 @@ night.try_fix()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] 오류는 나지 않습니다. TF2는 누가 보내든 표본을 모두 받습니다.
-# - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 알린 적 없는 위치가 나옵니다.
+# - [ ] 오류는 나지 않습니다. TF2는 누가 발행하든 표본을 모두 저장합니다.
+# - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 발행한 적 없는 위치가 나옵니다.
 # - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
-# - [ ] `view_frames`에는 부모가 하나만 보입니다. 연결의 발행률과 20 Hz로 본 값이 두 번째 발행자를 드러냅니다.
+# - [ ] `view_frames`에는 부모가 하나만 보입니다. 두 번째 발행자는 연결의 발행률과 20 Hz로 조회한 값에서 드러납니다.
 #
 # </details>
 #
@@ -1011,18 +1011,18 @@ night.try_fix()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] URDF는 robot_state_publisher를 통해 고정된 것과 관절을 모두 맡고, 드라이버는 되풀이하지 않습니다.
-# - [ ] `odom → base_footprint`는 오도메트리나 EKF *가운데 하나*가 맡습니다. EKF가 융합하면 바퀴의 스위치를 끄고, /odom은 데이터로 계속 보냅니다.
+# - [ ] `odom → base_footprint`는 오도메트리나 EKF *가운데 하나*가 맡습니다. EKF가 융합하면 바퀴 오도메트리 노드의 스위치를 끄고, /odom은 데이터로 계속 보냅니다.
 # - [ ] 위치 추정은 `map → odom`을 맡고, base는 건드리지 않습니다.
 # - [ ] 연결마다 발행자는 하나이고, 노드와 데이터와 스위치를 적어 둡니다.
 #
 # </details>
 #
-# **15.** 로봇이 달릴 때 벽이 번집니다. 어떤 순서로 살펴봅니까? 다섯 걸음 이상 써 보세요.
+# **15.** 로봇이 달릴 때 벽이 번집니다. 어떤 순서로 살펴봅니까? 다섯 단계 이상 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] Fixed Frame과 이름, 그다음 트리를 봅니다.
-# - [ ] 서 있을 때 장착의 값을 봅니다.
+# - [ ] 고정 좌표계와 이름, 그다음 트리를 봅니다.
+# - [ ] 서 있을 때 장착 변환의 값을 봅니다.
 # - [ ] 연결의 지연과 발행률, 그리고 스캔의 좌표계, 측정 시각, 시계를 봅니다.
 # - [ ] 발행자와 스위치는 마지막입니다.
 # - [ ] 새 센서와 긴 timeout은 들어 있지 않습니다. 원인을 알려 주지 않기 때문입니다.
@@ -1033,7 +1033,7 @@ night.try_fix()
 # Written at home. Question 15 is graded by its order as well as by its steps.
 
 # %% [markdown] lang="ko" name="practice-notes" slide="notes"
-# 집에서 씁니다. 15번은 걸음뿐 아니라 순서도 봅니다.
+# 집에서 씁니다. 15번은 단계뿐 아니라 순서도 봅니다.
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -1053,7 +1053,7 @@ night.try_fix()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 음수인 동안에는 초록색이어도 점이 벽에서 어긋나 있습니다.
+# 고장을 찾아낸 그 검사입니다. `delay /scan`이었다면 카드와 같은 값이 나와야 합니다. 지연이 음수이면 RViz가 초록색이어도 점이 벽에서 어긋나 있습니다.
 #
 # </details>
 
@@ -1070,5 +1070,5 @@ night.try_fix()
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분만의 환자 세 명이 기다립니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력하세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행기를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
