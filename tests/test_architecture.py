@@ -1,7 +1,7 @@
-"""Is the house in order?  Imports point one way, pages are short, one name is one thing.
+"""Test the architecture: packages import one way, modules are short, a class name is used once.
 
-rooms     core <- views, ros <- robots, bags <- doctor <- tools <- clinic <- workbook <- grading
-folders   the same, inside a room
+packages      core <- views, ros <- robots, bags <- doctor <- tools <- clinic <- workbook <- grading
+subpackages   the same inside a package
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ import tflab
 ROOT = Path(tflab.__file__).parent
 PROJECT = ROOT.parent
 
-# A room may import from the rooms named after it, and from itself; they stand in the order in which one reads them.
-ROOMS = {
+# What each package may import besides itself, in reading order.
+PACKAGES = {
     "core": set(),
     "views": {"core"},
     "ros": {"core"},
@@ -38,8 +38,8 @@ ROOMS = {
     "grading": {"core", "views", "workbook"},
 }
 
-# A folder may import from the folders named after it, from itself, and from the room's own pages where "." is named.
-FOLDERS = {
+# What each subpackage may import besides itself; "." stands for the package's own modules.
+SUBPACKAGES = {
     "views/scene": {"."},
     "views/panels": {".", "scene"},
     "ros/messages": {"."},
@@ -66,9 +66,9 @@ FOLDERS = {
     "grading/guide": {"submissions", "reports"},
 }
 
-# One name for two classes, each for its reason.
+# Class names used more than once, with the reason.
 SHARED_NAMES = {
-    "BufferCore": "tf2_py's face of the engine's class, under its name",
+    "BufferCore": "tf2_py's class around the engine's class of the same name",
     "Clock": "rclpy's class, and the clock of a recording",
     "Message": "what every ROS message is, and the form of an answer that is one",
     "Service": "rclpy's class, and what a service is made of",
@@ -76,9 +76,9 @@ SHARED_NAMES = {
     "TimeoutException": "rclpy's class, and tf2's",
 }
 
-LONGEST_PAGE = 400  # lines
+MAX_LINES = 400  # lines
 BROKEN_WORD = r"\w+[a-z]-\n\s*[a-z]\w+"
-MOST_COMPLEX = 15  # McCabe's number, as radon counts it
+MAX_COMPLEXITY = 15  # cyclomatic complexity, by radon
 HEAVY = {
     "matplotlib",
     "ipywidgets",
@@ -97,8 +97,7 @@ def name_of(path: Path) -> str:
     return ".".join(path.relative_to(PROJECT).with_suffix("").parts).removesuffix(".__init__")
 
 
-PAGES = {name_of(path): path for path in sorted(ROOT.rglob("*.py"))}
-ALL_FILES = sorted(ROOT.rglob("*.py"))
+MODULES = {name_of(path): path for path in sorted(ROOT.rglob("*.py"))}
 
 
 @lru_cache
@@ -112,7 +111,7 @@ def docstring_of(path: Path) -> str:
 
 @lru_cache
 def imported_by(path: Path) -> frozenset[str]:
-    """Return what of tflab a page imports, wherever in it the import stands: in a function, for type checking."""
+    """Return the modules of tflab that a module imports, also inside functions and for type checking."""
     package = ["tflab", *path.relative_to(ROOT).parts[:-1]]
     names = set()
     for node in ast.walk(tree_of(path)):
@@ -121,111 +120,109 @@ def imported_by(path: Path) -> frozenset[str]:
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) - node.level + 1] if node.level else []
             module = ".".join([*base, node.module] if node.module else base)
-            pages = {f"{module}.{alias.name}" for alias in node.names}
-            names |= {page if page in PAGES else module for page in pages}
+            members = {f"{module}.{alias.name}" for alias in node.names}
+            names |= {member if member in MODULES else module for member in members}
     return frozenset(name for name in names if name.split(".")[0] == "tflab")
 
 
-# -- walls ----------------------------------------------------------------
+# -- imports --------------------------------------------------------------
 
 
-def room_of(path: Path) -> str:
-    return path.relative_to(ROOT).parts[0]
-
-
-def folder_of(name: str) -> str:
-    """Return the folder of a page below its room: "scene" of tflab.views.scene.state, "." of tflab.views.style."""
-    parts = PAGES[name].relative_to(ROOT).parts
+def subpackage_of(name: str) -> str:
+    """Return the subpackage of a module: "scene" of tflab.views.scene.state, "." of tflab.views.style."""
+    parts = MODULES[name].relative_to(ROOT).parts
     return parts[1] if len(parts) > 2 else "."
 
 
-@pytest.mark.parametrize("room", sorted(ROOMS))
-def test_a_room_imports_only_from_the_rooms_above_it(room: str) -> None:
-    for path in (ROOT / room).rglob("*.py"):
-        rooms = {name.split(".")[1] for name in imported_by(path) if "." in name} & set(ROOMS)
-        assert rooms <= ROOMS[room] | {room}, path
+@pytest.mark.parametrize("package", sorted(PACKAGES))
+def test_a_package_imports_only_packages_above_it(package: str) -> None:
+    for path in (ROOT / package).rglob("*.py"):
+        imported = {name.split(".")[1] for name in imported_by(path) if "." in name} & set(PACKAGES)
+        assert imported <= PACKAGES[package] | {package}, path
 
 
-@pytest.mark.parametrize("folder", sorted(FOLDERS))
-def test_a_folder_imports_only_from_those_it_may(folder: str) -> None:
-    room, own = folder.split("/")
-    pages = [name for name, path in PAGES.items() if room_of(path) == room and folder_of(name) == own]
-    assert pages, "there is no such folder"
-    for name in pages:
-        neighbours = {other for other in imported_by(PAGES[name]) if other.startswith(f"tflab.{room}")}
-        assert {folder_of(other) for other in neighbours} <= FOLDERS[folder] | {own}, name
+@pytest.mark.parametrize("subpackage", sorted(SUBPACKAGES))
+def test_a_subpackage_imports_only_what_its_rule_allows(subpackage: str) -> None:
+    package, own = subpackage.split("/")
+    modules = [name for name in MODULES if name.startswith(f"tflab.{package}") and subpackage_of(name) == own]
+    assert modules, "there is no such folder"
+    for name in modules:
+        imported = {other for other in imported_by(MODULES[name]) if other.startswith(f"tflab.{package}")}
+        assert {subpackage_of(other) for other in imported} <= SUBPACKAGES[subpackage] | {own}, name
 
 
-def test_every_room_and_every_folder_that_exists_has_its_rule() -> None:
-    folders = {path.parent.relative_to(ROOT) for path in PAGES.values()} - {Path()}
-    assert {str(folder) for folder in folders if len(folder.parts) == 1} == set(ROOMS)
-    assert {folder.as_posix() for folder in folders if len(folder.parts) == 2} == set(FOLDERS)
+def test_every_package_and_subpackage_has_an_import_rule() -> None:
+    folders = {path.parent.relative_to(ROOT) for path in MODULES.values()} - {Path()}
+    assert {str(folder) for folder in folders if len(folder.parts) == 1} == set(PACKAGES)
+    assert {folder.as_posix() for folder in folders if len(folder.parts) == 2} == set(SUBPACKAGES)
     assert not [folder for folder in folders if len(folder.parts) > 2]
 
 
-def test_no_imports_run_in_a_circle() -> None:
-    graph = {name: imported_by(path) & set(PAGES) - {name} for name, path in PAGES.items()}
+def test_no_imports_are_circular() -> None:
+    graph = {name: imported_by(path) & set(MODULES) - {name} for name, path in MODULES.items()}
     try:
         TopologicalSorter(graph).prepare()
     except CycleError as error:
         pytest.fail(" -> ".join(error.args[1]))
 
 
-# -- pages ----------------------------------------------------------------
+# -- modules --------------------------------------------------------------
 
 
-def test_a_page_is_short_and_says_what_it_is() -> None:
-    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in ALL_FILES}
-    assert {name_of(path): n for path, n in lines.items() if n > LONGEST_PAGE} == {}
-    assert [path for path, n in lines.items() if n and not docstring_of(path)] == []
+def test_modules_are_short_and_have_a_docstring() -> None:
+    lines = {name: path.read_text(encoding="utf-8").count("\n") for name, path in MODULES.items()}
+    assert {name: n for name, n in lines.items() if n > MAX_LINES} == {}
+    assert [name for name, n in lines.items() if n and not docstring_of(MODULES[name])] == []
 
 
-def test_no_function_has_more_branches_than_a_reader_can_hold() -> None:
+def test_no_function_is_too_complex() -> None:
     hard = {}
-    for name, path in PAGES.items():
+    for name, path in MODULES.items():
         blocks = cc_visit(path.read_text(encoding="utf-8"))
         functions = [inner for block in blocks for inner in (block, *getattr(block, "methods", ()))]
-        hard |= {f"{name}.{f.name}": f.complexity for f in functions if f.letter != "C" and f.complexity > MOST_COMPLEX}
+        hard |= {
+            f"{name}.{f.name}": f.complexity for f in functions if f.letter != "C" and f.complexity > MAX_COMPLEXITY
+        }
     assert hard == {}
 
 
 def test_no_docstring_breaks_a_word_over_a_line() -> None:
     documented = (ast.Module, ast.ClassDef, ast.FunctionDef, ast.AsyncFunctionDef)
     broken = {}
-    for name, path in PAGES.items():
+    for name, path in MODULES.items():
         for node in ast.walk(tree_of(path)):
             words = isinstance(node, documented) and re.findall(BROKEN_WORD, ast.get_docstring(node) or "")
             broken |= {name: words} if words else {}
     assert broken == {}
 
 
-def test_a_class_name_stands_for_one_thing() -> None:
+def test_a_class_name_is_used_once() -> None:
     where = defaultdict(set)
-    for name, path in PAGES.items():
+    for name, path in MODULES.items():
         for node in ast.walk(tree_of(path)):
             if isinstance(node, ast.ClassDef):
                 where[node.name].add(name)
-    shared = {word: sorted(pages) for word, pages in where.items() if len(pages) > 1}
+    shared = {word: sorted(modules) for word, modules in where.items() if len(modules) > 1}
     assert set(shared) == set(SHARED_NAMES), shared
 
 
-@pytest.mark.parametrize("folder", sorted([*ROOMS, *FOLDERS]))
-def test_the_face_of_a_folder_names_each_of_its_pages(folder: str) -> None:
+@pytest.mark.parametrize("folder", sorted([*PACKAGES, *SUBPACKAGES]))
+def test_the_docstring_of_a_package_names_each_module(folder: str) -> None:
     named = set(re.findall(r"\w+", docstring_of(ROOT / folder / "__init__.py")))
-    pages = {path.stem for path in (ROOT / folder).glob("*.py")} - {"__init__"}
-    folders = {path.parent.name for path in (ROOT / folder).glob("*/__init__.py")}
-    assert pages | folders <= named, (pages | folders) - named
+    modules = {path.stem for path in (ROOT / folder).glob("*.py")} - {"__init__"}
+    subpackages = {path.parent.name for path in (ROOT / folder).glob("*/__init__.py")}
+    assert modules | subpackages <= named, (modules | subpackages) - named
 
 
-def test_the_rooms_stand_in_one_order_wherever_they_are_listed() -> None:
-    rooms = "|".join(ROOMS)
-    package = re.findall(rf"^    ({rooms}) ", docstring_of(ROOT / "__init__.py"), re.MULTILINE)
-    readme = re.findall(rf"^\| `tflab\.({rooms})` ", (PROJECT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
-    working = re.findall(rf"^({rooms})  ", (PROJECT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE)
-    assert package == readme == working == list(ROOMS)
+def test_packages_are_listed_in_one_order_everywhere() -> None:
+    names = "|".join(PACKAGES)
+    package = re.findall(rf"^    ({names}) ", docstring_of(ROOT / "__init__.py"), re.MULTILINE)
+    readme = re.findall(rf"^\| `tflab\.({names})` ", (PROJECT / "README.md").read_text(encoding="utf-8"), re.MULTILINE)
+    working = re.findall(rf"^({names})  ", (PROJECT / "CONTRIBUTING.md").read_text(encoding="utf-8"), re.MULTILINE)
+    assert package == readme == working == list(PACKAGES)
 
 
-# -- what it costs to come in ---------------------------------------------
+# -- imports of the installed package -------------------------------------
 
 
 @pytest.mark.parametrize("code", ["import tflab", "import tflab.core", "import tflab.cli"])
@@ -237,8 +234,8 @@ def test_importing_the_engine_loads_nothing_heavy(code: str) -> None:
     assert not loaded & HEAVY
 
 
-@pytest.mark.parametrize("name", sorted(PAGES))
-def test_everything_a_module_promises_is_there(name: str) -> None:
+@pytest.mark.parametrize("name", sorted(MODULES))
+def test_all_names_of_a_module_exist(name: str) -> None:
     module = importlib.import_module(name)
-    for promised in getattr(module, "__all__", ()):
-        assert hasattr(module, promised), f"{name}.__all__ names {promised!r}"
+    for public in getattr(module, "__all__", ()):
+        assert hasattr(module, public), f"{name}.__all__ names {public!r}"
