@@ -30,7 +30,7 @@ from tflab.bags.reader import read_bag
 from tflab.bags.recording import Recording, recording_from_records
 from tflab.core.records import TransformRecord
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.report.faults import faults_of_code
+from tflab.doctor.report.sentences import faults_of_code
 from tflab.robots.faults.catalogue import Fault
 from tflab.robots.faults.inject import CannotInject, inject
 from tflab.robots.teaching import TeachingRobot

@@ -15,7 +15,7 @@ EXTRA_OF = {
     "matplotlib": "views", "PIL": "views", "ipywidgets": "views", "anywidget": "views", "meshcat": "views",
     "ipykernel": "lab", "IPython": "lab", "jupyter_client": "lab", "jupyter_server": "lab", "jupyterlab": "lab",
     "latex2mathml": "lab", "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab",
-    "rosbags": "bags", "tqdm": "bags",
+    "jinja2": "bags", "rosbags": "bags", "tqdm": "bags",
     "joblib": "grade", "nbval": "grade", "pytest": "grade",
     "pdoc": "site", "dask": "cluster", "distributed": "cluster",
 }  # fmt: skip

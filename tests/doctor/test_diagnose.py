@@ -11,7 +11,7 @@ from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.records import TransformRecord
 from tflab.doctor import examine
 from tflab.doctor.diagnose import EFFECTS_ANYWHERE, EFFECTS_ON_CHILD, diagnose_buffer, diagnose_recording
-from tflab.doctor.report.texts import sentences
+from tflab.doctor.report.sentences import describe
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
 from tflab.tools import ros2
@@ -135,7 +135,7 @@ def test_two_owners_are_told_by_their_names():
     second = edge("odom", "base_link", start_ms=1025, publisher="/ekf")
     first = edge("odom", "base_link", publisher="/wheels")
     finding = found(recording(HEALTHY[0], first, second, HEALTHY[2]))["two-owners"]
-    assert "/ekf, /wheels" in finding.facts["evidence"]
+    assert "/ekf, /wheels" in finding.facts["evidence"].en
 
 
 def test_two_owners_without_names_are_told_by_their_values():
@@ -155,14 +155,14 @@ def test_the_misspelt_parent_of_the_lecture_is_named():
     findings = found(recording(edge("map", "odom"), edge("odm", "base_link"), HEALTHY[2]))
     assert set(findings) == {"name-slip"}
     assert (findings["name-slip"].facts["name"], findings["name-slip"].facts["other"]) == ("odm", "odom")
-    assert findings["name-slip"].facts["said"] == "odm -> base_link on /tf"
+    assert findings["name-slip"].facts["said"].en == "odm -> base_link on /tf"
 
 
 def test_of_a_name_that_many_say_wrongly_the_first_four_edges_are_told():
     arm = [mount("Base_link", name) for name in ("a_link", "b_link", "c_link", "d_link", "e_link", "f_link")]
     facts = found(recording(*HEALTHY, *arm))["name-case"].facts
-    assert facts["name"] == "Base_link" and facts["said"].startswith("Base_link -> a_link on /tf_static, ")
-    assert facts["said"].count(" on /tf_static") == 4 and facts["said"].endswith(" and 2 more")
+    assert facts["name"] == "Base_link" and facts["said"].en.startswith("Base_link -> a_link on /tf_static, ")
+    assert facts["said"].en.count(" on /tf_static") == 4 and facts["said"].en.endswith(" and 2 more")
 
 
 def test_a_missing_link_makes_two_trees():
@@ -178,7 +178,7 @@ def test_a_circle_is_told_in_full():
 
 def test_of_a_circle_that_forms_on_the_way_the_edge_that_closed_it_is_named():
     findings = found(recording(*HEALTHY, edge("base_link", "map", 40, start_ms=3010)))
-    assert findings["loop"].facts["closed"] == " It was closed by base_link -> map, which was not there before."
+    assert findings["loop"].facts["closed"].en == " It was closed by base_link -> map, which was not there before."
 
 
 def test_messages_in_a_frame_that_nobody_publishes_are_named():
@@ -193,7 +193,7 @@ def test_beside_a_frame_that_nobody_publishes_stands_the_name_of_the_tree_that_i
     stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
     scan = Headers("/scan", "sensor_msgs/msg/LaserScan", stamps, stamps, np.zeros(29, dtype=np.int64), (name,))
     findings = diagnose_recording(replace(recording(*HEALTHY), headers=(scan,))).findings
-    told = " ".join(sentences(finding).title + sentences(finding).evidence for finding in findings)
+    told = " ".join(describe(finding).title + describe(finding).evidence for finding in findings)
     assert f'"{name}"' in told and '"laser_frame"' in told
 
 
@@ -298,7 +298,7 @@ def test_something_else_is_refused():
 def test_every_finding_can_be_told():
     patient = recording(*HEALTHY, edge("base_link", "map", start_ms=1010), edge("odm", "/arm"))
     for finding in diagnose_recording(patient).findings:
-        assert all("{" not in part for part in sentences(finding))
+        assert all("{" not in part for part in describe(finding))
 
 
 # -- what a first version did not see ------------------------------------------------------
@@ -485,7 +485,7 @@ def test_no_two_causes_explain_each_other():
 def test_silences_of_one_edge_are_one_finding_with_the_moment_of_each():
     silent = without(without(edge("odom", "base_link", 200), 3.01, 4), 6.01, 8)
     finding = found(recording(edge("map", "odom", 100, 100), silent, HEALTHY[2]))["gap"]
-    assert finding.facts["times"] == "2 times (at 2.0, 5.0 s)"
+    assert finding.facts["times"].en == "2 times (at 2.0, 5.0 s)"
 
 
 def test_two_holes_after_one_silence_are_one_silence():
@@ -493,7 +493,7 @@ def test_two_holes_after_one_silence_are_one_silence():
     kept = [*samples[:60], *samples[90:91], *samples[100:]]  # silent once, then one sample, then a hole again
     late_ns = samples[100].receive_ns - 2 * MS
     kept[60] = kept[60]._replace(receive_ns=late_ns)
-    assert found(recording(edge("map", "odom", 100, 100), kept, HEALTHY[2]))["gap"].facts["times"] == "once"
+    assert found(recording(edge("map", "odom", 100, 100), kept, HEALTHY[2]))["gap"].facts["times"].en == "once"
 
 
 def test_a_wheel_that_turns_too_fast_has_two_owners_if_its_hub_is_in_two_places():
@@ -509,7 +509,7 @@ def test_a_wheel_that_turns_too_fast_has_two_owners_if_its_hub_is_in_two_places(
 
 
 def told(patient, code):
-    return sentences(found(patient)[code])
+    return describe(found(patient)[code])
 
 
 def test_the_rate_of_one_edge_is_asked_for_without_the_others_on_its_topic():
@@ -552,6 +552,6 @@ def test_of_several_robots_a_finding_says_which_and_its_command_listens_there():
     healthy = [of("r1", records) for records in HEALTHY]
     late = (HEALTHY[0], edge("odom", "base_link", delay_ms=900), HEALTHY[2])
     (finding,) = diagnose_recording(recording(*healthy, *(of("r2", records) for records in late))).findings
-    said = sentences(finding)
+    said = describe(finding)
     assert said.title == "/r2: odom -> base_link comes late"
     assert said.command.endswith("tf2_monitor odom base_link --ros-args -r /tf:=/r2/tf -r /tf_static:=/r2/tf_static")

@@ -2,6 +2,7 @@
 
 import json
 import re
+import string
 from dataclasses import replace
 
 import pytest
@@ -18,6 +19,7 @@ from tflab.doctor.report import scene3d
 from tflab.doctor.report.history import draw_timeline
 from tflab.doctor.report.html import html_from_report
 from tflab.doctor.report.scene3d import draw_frames_at
+from tflab.doctor.report.sentences import descriptions
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros.convert import msg_from_stamped
@@ -177,3 +179,38 @@ def test_a_lane_whose_periods_do_not_fit_its_bins_shows_no_holes():
     recording = recording_from_records([TransformRecord("/tf", s.stamp_ns, "", s, False) for s in poses])
     drawn = draw_timeline(evidence_from_recording(recording))
     assert set(re.findall(r'class="spoke" opacity="([\d.]+)"', drawn)) == {"0.90"}
+
+
+# -- texts in both languages ---------------------------------------------------
+
+
+def test_each_finding_has_the_same_blanks_in_both_languages():
+    for code, description in descriptions().items():
+        for text in filter(None, (*description[:3], description.likely, description.open)):
+            named = [{name for _, name, _, _ in string.Formatter().parse(part) if name} for part in text]
+            assert named[0] == named[1], code
+        assert not (description.likely and description.open), code
+
+
+def test_report_is_korean_on_request_in_the_terminal_and_on_the_page(broken, tmp_path, capsys):
+    page = tmp_path / "report.html"
+    assert main(["doctor", str(broken), "--lang", "ko", "--html", str(page)]) == 1
+    text = capsys.readouterr().out
+    assert text.startswith("broken: 오류 1개\n\n오류     ") and "변환의 회전이 (0, 0, 0, 0)입니다" in text
+    assert '<html lang="ko">' in page.read_text(encoding="utf-8") and "변환의 회전이" in page.read_text(
+        encoding="utf-8"
+    )
+
+
+def test_json_is_english_in_every_language(broken, capsys):
+    main(["doctor", str(broken), "--json"])
+    english = capsys.readouterr().out
+    main(["doctor", str(broken), "--json", "--lang", "ko"])
+    assert capsys.readouterr().out == english
+
+
+def test_page_of_a_recording_that_is_nothing_but_a_loop_can_be_written():
+    pairs = (("a", "b"), ("b", "a"))
+    records = [TransformRecord("/tf", 1, "", StampedTransform(p, c, 1, Transform()), False) for p, c in pairs]
+    recording = recording_from_records(records)
+    assert "The frames go round in a circle" in html_from_report(diagnose_recording(recording), recording)

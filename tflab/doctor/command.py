@@ -147,9 +147,9 @@ def _print(examined: list[Examined], options: Namespace) -> None:
         _print_json(examined, told)
         return
     if as_table:
-        print(text_from_reports([p.name for p in examined], [p.report or p.refusal for p in examined]))
+        print(text_from_reports([p.name for p in examined], [p.report or p.refusal for p in examined], options.lang))
     else:
-        _print_text(told)
+        _print_text(told, options.lang)
     for patient in told if options.edges else ():
         print(f"\n{patient.name}\n{text_from_profile(patient.profile)}")
     _print_annotations(told, _refusals(examined), options)
@@ -177,11 +177,11 @@ def _print_json(examined: list[Examined], told: list[Examined]) -> None:
         print(json.dumps(data[0] if len(examined) == 1 else {"version": 1, "reports": data}, indent=2))
 
 
-def _print_text(told: list[Examined]) -> None:
+def _print_text(told: list[Examined], language: str) -> None:
     if len(told) == 2:
         print(f"{told[1].name}, and what changed since {told[0].name}:\n")
     for patient in told[-1:]:
-        print(text_from_report(patient.report))
+        print(text_from_report(patient.report, language))
 
 
 def _write_files(examined: list[Examined], options: Namespace) -> None:
@@ -202,7 +202,7 @@ def _write_files(examined: list[Examined], options: Namespace) -> None:
         from .report.html import html_from_report
 
         with _quiet_engine():
-            page = html_from_report(reports[0].report, reports[0].recording)
+            page = html_from_report(reports[0].report, reports[0].recording, options.lang)
         _write(options.html, page)
 
 

@@ -17,12 +17,12 @@ from typing import NamedTuple
 
 from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
+from tflab.text import Text
 
 from .checks import clocks, delay, names, owners, silence, statics, timing, tree, values
 from .evidence import Evidence
 from .findings import SEVERITIES, Finding, NotMade, Report, Seen
 from .gather import evidence_from_buffer, evidence_from_recording
-from .report.texts import CHECK_TEXTS
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 
@@ -122,6 +122,15 @@ OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "s
                "slow-edge", "repeated-stamps", "unordered-stamps", "unset-stamps", "not-a-number", "zero-quaternion",
                "not-unit-quaternion"}  # fmt: skip
 AT_ONCE_NS = NSEC_PER_SEC
+# what a buffer does not hold, by what a check needs
+NEEDS = {
+    "arrival": Text(
+        "the order and the times of arrival, which a buffer does not keep",
+        "버퍼가 보관하지 않는 도착 순서와 수신 시각",
+    ),
+    "raw": Text("what was sent, which a buffer corrects or refuses", "버퍼가 고치거나 거부하는, 발행된 그대로의 값"),
+    "recording": Text("the other topics, which a buffer does not know", "버퍼에 없는 다른 토픽"),
+}
 
 
 def diagnose_recording(recording: Recording) -> Report:
@@ -143,7 +152,7 @@ def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
     evidence = evidence_from_buffer(buffer, name)
     made = [check for check in CHECKS if not check.needs]
     findings = told_causes([finding for check in made for finding in check.run(evidence)])
-    not_made = tuple(NotMade(check.name, CHECK_TEXTS[check.needs]) for check in CHECKS if check.needs)
+    not_made = tuple(NotMade(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
     return Report(name, evidence.begin_ns, worst_first(findings), tuple(check.name for check in made), not_made)
 
 
@@ -234,8 +243,11 @@ def _unreadable(recording: Recording) -> list[Finding]:
 def _report_without_transforms(recording: Recording, unreadable: list[Finding]) -> Report:
     names = sorted({connection.topic for connection in recording.connections})
     is_there = [name for name in names if name.rpartition("/")[2] in ("tf", "tf_static")]
-    what = f"In {', '.join(is_there)} there are none." if is_there else "/tf and /tf_static were not recorded."
-    facts = {"topics": ", ".join(names) or "nothing", "what": what}
+    what = Text("/tf and /tf_static were not recorded.", "/tf와 /tf_static이 기록되지 않았습니다.")
+    if is_there:
+        topics = ", ".join(is_there)
+        what = Text(f"In {topics} there are none.", f"다음 토픽에는 변환이 없습니다: {topics}.")
+    facts = {"topics": ", ".join(names) or Text("nothing", "없음"), "what": what}
     findings = worst_first([*unreadable, Finding("no-transforms", "error", facts=facts)])
-    not_made = tuple(NotMade(check.name, "transforms") for check in CHECKS)
+    not_made = tuple(NotMade(check.name, Text("transforms", "변환")) for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

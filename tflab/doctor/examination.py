@@ -60,5 +60,5 @@ def _diagnose_graph(graph: Graph, seconds: float) -> Report:
 
 def _of_the_network(finding: Finding) -> Finding:
     """Return what a finding means where all clocks are known to agree: what is late alike is late by the network."""
-    is_late = finding.code == "clock-offset" and finding.facts["way"] == "after"
+    is_late = finding.code == "clock-offset" and finding.facts["way"].en == "after"
     return replace(finding, code="all-late") if is_late else finding

@@ -1,21 +1,17 @@
-"""What did the doctor find?  Findings, each with its evidence, in a report.
+"""Hold the result of an examination: findings with their facts, in a report.
 
-    Finding   code       what is wrong: "zero-quaternion"
-              severity   error | warning | info
-              where      the edge, the topic, from when to when
-              facts      the numbers that show it
-    Report    findings, the checks that were made, those that could not be, and what was looked at
-
-A finding holds no sentences: `report/` makes them of its code and facts, so that
-another language needs another table and nothing else.
+A finding holds no sentences. `report/sentences.py` makes them of its code and its facts, in the reader's language.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
-__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Seen", "Severity"]
+from tflab.text import Text
+
+__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Seen", "Severity", "english", "first_of", "times_of"]
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
@@ -26,12 +22,12 @@ class Finding:
     """One thing that is wrong, or worth knowing.
 
     Attributes:
-        code: which text tells it, a key of `report.texts.TEXTS`.
+        code: a key of `report/sentences.yaml`: "zero-quaternion".
         parent, child: the edge it is about, "" if it is about more than one.
         topic: where it was seen, "" if that does not matter.
         begin_ns, end_ns: when it was seen, by the recorder's clock [ns]; 0 if always.
-        facts: what fills the blanks of the text.
-        effects: what else is seen because of it, and needs no mending of its own.
+        facts: what fills the blanks of the text: numbers, names, or a Text.
+        effects: the findings that it explains; they need no fix of their own.
         siblings: other children of which the same is to be said: they come from one node, as a rule.
         namespace: of which robot, "" if its transforms are on /tf: "/robot1" for /robot1/tf.
     """
@@ -49,11 +45,31 @@ class Finding:
     namespace: str = ""
 
 
+def english(facts: dict[str, object]) -> dict[str, object]:
+    """Return facts as JSON and other machine-readable forms hold them: in English."""
+    return {name: fact.en if isinstance(fact, Text) else fact for name, fact in facts.items()}
+
+
+def first_of(names: Sequence[str], most: int, between: str = ", ") -> Text:
+    """Return names in a row, the first of many and how many more there are."""
+    shown, more = between.join(names[:most]), len(names) - most
+    before = between if between.strip() != "," else " "
+    return Text(f"{shown}{before}and {more} more", f"{shown} 외 {more}개") if more > 0 else Text(shown, shown)
+
+
+def times_of(count: int, moments: str = "") -> Text:
+    """Return how often something happened, and at which times [s] if it happened more than once."""
+    if count == 1:
+        return Text("once", "한 번")
+    when = Text(f" (at {moments} s)", f"({moments} s)") if moments else Text("", "")
+    return Text(f"{count} times{when.en}", f"{count}번{when.ko}")
+
+
 class NotMade(NamedTuple):
     """A check that could not be made, and what it would need."""
 
     check: str
-    needs: str
+    needs: Text
 
 
 class Seen(NamedTuple):

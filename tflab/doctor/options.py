@@ -13,6 +13,8 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
+from tflab.text import LANGUAGES
+
 __all__ = ["FAILING", "options_from"]
 
 FAILING = {
@@ -76,6 +78,9 @@ def options_from(words: Sequence[str]) -> argparse.Namespace:
     reading.add_argument("--sarif", metavar="FILE", help="also write SARIF, for code scanning")
     reading.add_argument("--github", action="store_true", help="also print annotations for GitHub Actions")
     reading.add_argument("--edges", action="store_true", help="also print rate, delays and owners of each edge")
+    reading.add_argument(
+        "--lang", choices=LANGUAGES, default="en", help="of the report, the table and the page; %(default)s"
+    )
     failing = parser.add_argument_group("when it fails")
     failing.add_argument("--fail-on", choices=FAILING, default="error", help="the least severity that gives status 1")
     failing.add_argument("--expect", metavar="FILE", help="what a good recording looks like; deviations are findings")

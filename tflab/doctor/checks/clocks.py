@@ -17,9 +17,10 @@ import numpy as np
 
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import Edge, Evidence, is_stamped
-from ..findings import Finding
+from ..findings import Finding, times_of
 from ..jumps import Jump
 
 __all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delays_s"]
@@ -92,8 +93,7 @@ def jumping_clocks(evidence: Evidence) -> Iterator[Finding]:
         alike.setdefault((event.size_s < 0, ", ".join(names)), []).append(event)
     for (is_back, names), events in alike.items():
         largest_s = max(abs(event.size_s) for event in events)
-        times = "once" if len(events) == 1 else f"{len(events)} times"
-        facts = {"size": f"{largest_s:.3f}", "edges": names, "times": times}
+        facts = {"size": f"{largest_s:.3f}", "edges": names, "times": times_of(len(events))}
         edges = {edge.child: edge for edge, _ in events[0].edges}
         edge = next(iter(edges.values()))
         parent, child = (edge.usual_parent, edge.child) if len(edges) == 1 else ("", "")
@@ -108,7 +108,7 @@ def other_time_source(evidence: Evidence) -> Iterator[Finding]:
         difference_s = evidence.clock.difference_s
         drift_ms = 1e3 * float(difference_s[-1] - difference_s[0])
         facts = {
-            "source": evidence.clock.source,
+            "source": Text("estimated", "추정") if evidence.clock.source == "estimated" else evidence.clock.source,
             "difference": f"{np.median(difference_s):.3f}",
             "drift": f"{drift_ms:.0f}",
         }
@@ -129,7 +129,7 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     common_s = sign * float(np.percentile(sign * usual_s, 20, method="lower"))
     near = np.abs(usual_s - common_s) < max(0.05, 0.1 * abs(common_s))
     if sign * common_s > OFFSET_S and near.mean() >= MANY and (usual_s / common_s > LEAST_SHARE).all():
-        way = "after" if common_s > 0 else "before"
+        way = Text("after", "이후") if common_s > 0 else Text("before", "이전")
         facts = {"offset": f"{abs(common_s):.3f}", "way": way, "count": len(usual_s)}
         yield Finding("clock-offset", "warning", facts=facts)
 

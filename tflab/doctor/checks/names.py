@@ -16,9 +16,10 @@ import re
 from collections.abc import Iterator
 
 from tflab.bags.recording import Headers
+from tflab.text import Text
 
 from ..evidence import Evidence
-from ..findings import Finding
+from ..findings import Finding, first_of
 from .spelling import endings_of, is_slip, letters_of, likeness, prefix_of, remind_of_each_other
 
 __all__ = ["empty_names", "leading_slashes", "misspelt_names", "slashes_in_messages", "unknown_frames_in_messages"]
@@ -71,14 +72,9 @@ def misspelt_names(evidence: Evidence) -> Iterator[Finding]:
         yield _finding_of(evidence, f"name-{kind}", name, {"name": name, "other": other, "hanging": hanging})
     for prefix, pairs in with_prefix.items():
         name, other = pairs[0]
-        facts = {"name": name, "other": other, "prefix": prefix, "names": _with(prefix, pairs)}
+        names = list(dict.fromkeys(name for pair in pairs for name in pair if name.startswith(prefix)))
+        facts = {"name": name, "other": other, "prefix": prefix, "names": first_of(names, MOST_NAMES)}
         yield _finding_of(evidence, "name-prefix", name, facts)
-
-
-def _with(prefix: str, pairs: list[tuple[str, str]]) -> str:
-    """Return those of some names that have a prefix, the first of many."""
-    names = list(dict.fromkeys(name for pair in pairs for name in pair if name.startswith(prefix)))
-    return ", ".join(names[:MOST_NAMES]) + (f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else "")
 
 
 def slashes_in_messages(evidence: Evidence) -> Iterator[Finding]:
@@ -114,11 +110,11 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(code, "warning" if spatial else "info", topic=topic, facts=facts)
 
 
-def _alike_text(frame: str, known: set[str]) -> str:
+def _alike_text(frame: str, known: set[str]) -> Text | str:
     """Return a sentence with the names of the tree that a name may be meant for, "" if there are none."""
     alike = sorted(name for name in known if remind_of_each_other(name, frame))
     quoted = ", ".join(f'"{name}"' for name in alike[:MOST_NAMES])
-    return f" The tree has {quoted}." if alike else ""
+    return Text(f" The tree has {quoted}.", f" 트리에 있는 비슷한 이름: {quoted}.") if alike else ""
 
 
 def _pairs_alike(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
@@ -183,8 +179,7 @@ def _fills_a_hole(evidence: Evidence, name: str, other: str) -> bool:
 def _finding_of(evidence: Evidence, code: str, name: str, facts: dict[str, object]) -> Finding:
     said = [raw for raw in evidence.raw_names if name in (raw[0].removeprefix("/"), raw[1].removeprefix("/"))]
     edges = list(dict.fromkeys(f"{parent} -> {child} on {topic}" for parent, child, topic in said))
-    more = f" and {len(edges) - MOST_EDGES} more" if len(edges) > MOST_EDGES else ""
-    return Finding(code, "error", *said[0], facts={**facts, "said": ", ".join(edges[:MOST_EDGES]) + more})
+    return Finding(code, "error", *said[0], facts={**facts, "said": first_of(edges, MOST_EDGES)})
 
 
 def _weight(evidence: Evidence, name: str) -> tuple:

@@ -16,6 +16,8 @@ from itertools import pairwise
 
 import numpy as np
 
+from tflab.text import Text
+
 from ..evidence import Edge, Evidence
 from ..findings import Finding
 from .motion import LEAST_DIFFERENCE_M, distances, two_stories, unit
@@ -32,7 +34,7 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
         named = _publishers_at_once(edge)
         if named:
             facts = {
-                "evidence": f"published by {', '.join(named)}",
+                "evidence": _published_by(named),
                 "apart": "",
                 "count": len(edge),
                 "kind": _kind_of(edge),
@@ -42,7 +44,10 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
             continue
         stories = two_stories(edge) if evidence.has_arrival else None
         if stories:
-            told = f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times"
+            told = Text(
+                f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times",
+                f"{stories.apart_m:.3f} m 떨어진 두 값의 열이 {stories.returns}번 번갈아 나타났습니다",
+            )
             span = (int(edge.receive_ns[stories.first]), int(edge.receive_ns[stories.last]))
             facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns,
                      "kind": _kind_of(edge)}  # fmt: skip
@@ -57,7 +62,7 @@ def several_static_owners(evidence: Evidence) -> Iterator[Finding]:
         poses = unit(edge.numbers[edge.is_usable])
         apart_m = distances(poses, np.broadcast_to(poses[0], poses.shape))
         if apart_m.max() > LEAST_DIFFERENCE_M / 10:
-            facts = {"evidence": f"published by {', '.join(sorted(edge.publishers))}", "apart": f"{apart_m.max():.3f}",
+            facts = {"evidence": _published_by(sorted(edge.publishers)), "apart": f"{apart_m.max():.3f}",
                      "count": len(edge), "kind": "mount"}  # fmt: skip
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
 
@@ -70,6 +75,10 @@ def owners_of_both_kinds(evidence: Evidence) -> Iterator[Finding]:
         if static is not None and not _say_the_same(edge, static):
             facts = {"count": len(edge), "static_count": len(static)}
             yield Finding("moving-and-static", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def _published_by(names: list[str]) -> Text:
+    return Text(f"published by {', '.join(names)}", f"발행자: {', '.join(names)}")
 
 
 def _kind_of(edge: Edge) -> str:

@@ -18,9 +18,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import Edge, Evidence, is_stamped
-from ..findings import Finding
+from ..findings import Finding, times_of
 from .motion import ARM_M, is_constant, steps_and_turns, unit
 
 __all__ = ["gaps", "late_starts", "slow_edges"]
@@ -110,7 +111,7 @@ def slow_edges(evidence: Evidence) -> Iterator[Finding]:
             continue
         facts = {"rate": f"{1.0 / period_s:.1f}", "far": f"{far_m:.3f}", "turned": f"{far_rad:.3f}",
                  "frame": edge.child,
-                 "others": f"{1.0 / np.median(others_s):.1f} Hz" if others_s else "none"}  # fmt: skip
+                 "others": f"{1.0 / np.median(others_s):.1f} Hz" if others_s else Text("none", "없음")}  # fmt: skip
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
         yield Finding("slow-edge", "warning", edge.usual_parent, edge.child, edge.topic, *span, facts)
 
@@ -208,13 +209,11 @@ def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) 
     return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
 
 
-def _times_of(events: list[list[Silence]], start_ns: int) -> str:
+def _times_of(events: list[list[Silence]], start_ns: int) -> Text:
     """Return how often, and when if more than once, in seconds from the beginning."""
-    if len(events) == 1:
-        return "once"
     begins_s = [(event[0].begin_ns - start_ns) / NSEC_PER_SEC for event in events]
     shown = ", ".join(f"{begin_s:.1f}" for begin_s in begins_s[:MOST_MOMENTS])
-    return f"{len(events)} times (at {shown}{', ...' if len(events) > MOST_MOMENTS else ''} s)"
+    return times_of(len(events), f"{shown}{', ...' if len(events) > MOST_MOMENTS else ''}")
 
 
 def _moved_across(silence: Silence) -> tuple[float, float]:

@@ -18,9 +18,10 @@ import numpy as np
 
 from tflab.bags.recording import namespace_of
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import Edge, Evidence
-from ..findings import Finding
+from ..findings import Finding, first_of
 from .motion import LEAST_DIFFERENCE_M, distances, is_constant, unit
 
 __all__ = ["constant_on_tf", "missing_statics", "moving_on_static", "volatile_statics"]
@@ -48,7 +49,7 @@ def missing_statics(evidence: Evidence) -> Iterator[Finding]:
     is_robot = any(ROBOT_BODY.search(frame) for frame in evidence.frames)
     mounts_on_tf = any(_looks_like_a_mount(evidence, edge) for edge in evidence.moving)
     needed = len(evidence.roots()) > 1 or ((hanging or is_robot) and not mounts_on_tf)
-    facts = {"hanging": ", ".join(hanging) or "none", "trees": len(evidence.roots())}
+    facts = {"hanging": ", ".join(hanging) or Text("none", "없음"), "trees": len(evidence.roots())}
     yield Finding("statics-missing", "warning" if needed else "info", topic=topic, facts=facts)
 
 
@@ -83,7 +84,10 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         code = "moving-on-static"
         if apart_m > LEAST_DIFFERENCE_M and _takes_turns(poses, is_change):
             code = "two-owners"
-            facts["evidence"] = f"two values on {edge.topic}, {apart_m:.3f} m apart, that took turns"
+            facts["evidence"] = Text(
+                f"two values on {edge.topic}, {apart_m:.3f} m apart, that took turns",
+                f"{edge.topic} 토픽에서 {apart_m:.3f} m 떨어진 두 값이 번갈아 나타났습니다",
+            )
             facts["kind"] = "mount"
         span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
         yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
@@ -94,8 +98,11 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
 def _finding_of_changes(changed: list[tuple[Edge, float]]) -> Finding:
     edge = changed[0][0]
     names = [f"{other.usual_parent} -> {other.child}" for other, _ in changed]
-    shown = ", ".join(names[:MOST_SHOWN]) + (f" and {len(names) - MOST_SHOWN} more" if len(names) > MOST_SHOWN else "")
-    facts = {"edges": shown, "count": len(changed), "apart": f"{max(apart_m for _, apart_m in changed):.3f}"}
+    facts = {
+        "edges": first_of(names, MOST_SHOWN),
+        "count": len(changed),
+        "apart": f"{max(apart_m for _, apart_m in changed):.3f}",
+    }
     parent, child = (edge.usual_parent, edge.child) if len(changed) == 1 else ("", "")
     span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
     return Finding("static-changed", "warning", parent, child, edge.topic, *span, facts)
@@ -112,8 +119,8 @@ def volatile_statics(evidence: Evidence) -> Iterator[Finding]:
     for connection in evidence.connections:
         is_ours = connection.topic.endswith("tf_static") and namespace_of(connection.topic) == evidence.namespace
         if is_ours and any(qos.durability == "volatile" for qos in connection.qos):
-            heard = "" if evidence.statics else " Nothing was heard on it."
-            facts = {"publisher": connection.publisher or "a publisher", "heard": heard}
+            heard = "" if evidence.statics else Text(" Nothing was heard on it.", " 수신된 메시지가 없습니다.")
+            facts = {"publisher": connection.publisher or Text("a publisher", "이름을 알 수 없음"), "heard": heard}
             yield Finding("volatile-static", "warning", topic=connection.topic, facts=facts)
 
 

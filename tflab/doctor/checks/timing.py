@@ -16,6 +16,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import Edge, Evidence, is_stamped
 from ..findings import Finding
@@ -87,7 +88,7 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
             yield _finding(edge, "future-stamp", "error", int(ahead[0]), int(ahead[-1]), facts)
 
 
-def _values_of_repeats(edge: Edge, repeats: list[int]) -> str:
+def _values_of_repeats(edge: Edge, repeats: list[int]) -> Text:
     """Return whether samples of one stamp agree: "the same" or "different"."""
     numbers = edge.numbers
     first_of: dict[int, np.ndarray] = {}
@@ -96,10 +97,10 @@ def _values_of_repeats(edge: Edge, repeats: list[int]) -> str:
         if stamp_ns not in first_of:
             first_of[stamp_ns] = numbers[int(np.argmax(edge.stamp_ns == stamp_ns))]
         if not np.array_equal(first_of[stamp_ns], numbers[i], equal_nan=True):
-            return "different"
+            return Text("different", "서로 다릅니다")
         if len(first_of) > 200:
             break
-    return "the same"
+    return Text("the same", "같습니다")
 
 
 def _finding(edge: Edge, code: str, severity, first: int, last: int, facts: dict) -> Finding:

@@ -18,9 +18,10 @@ from itertools import permutations, takewhile
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Text
 
 from ..evidence import Evidence
-from ..findings import Finding
+from ..findings import Finding, first_of
 from .spelling import differ_in_side
 
 __all__ = ["loops", "self_transforms", "separate_trees", "several_parents", "upside_down"]
@@ -50,8 +51,12 @@ def loops(evidence: Evidence) -> Iterator[Finding]:
             reported.add(frozenset(circle))
             way = " -> ".join([*circle, circle[0]])
             is_new = all(heard_ns[frame] < moment_ns - NEW_NS for frame in circle if frame != child)
-            closed = f" It was closed by {parent_of[child]} -> {child}, which was not there before." if is_new else ""
-            facts = {"circle": way, "closed": closed}
+            last = f"{parent_of[child]} -> {child}"
+            closed = Text(
+                f" It was closed by {last}, which was not there before.",
+                f" 이전에 없던 {last} 변환이 고리를 이루었습니다.",
+            )
+            facts = {"circle": way, "closed": closed if is_new else ""}
             yield Finding("loop", "error", parent_of[circle[0]], circle[0], begin_ns=moment_ns, facts=facts)
 
 
@@ -65,7 +70,8 @@ def several_parents(evidence: Evidence) -> Iterator[Finding]:
         # A robot may be re-parented and given back; whoever goes back and forth more often is two.
         code = "two-parents" if len(changes) > 2 * (len(edge.parents) - 1) else "re-parented"
         told = [edge.parents[number] for number in edge.parent[[0, *changes.tolist()]].tolist()]
-        parents = ", then ".join(told) if code == "re-parented" else ", ".join(sorted(edge.parents))
+        in_turn = Text(", then ".join(told), " → ".join(told))
+        parents = in_turn if code == "re-parented" else ", ".join(sorted(edge.parents))
         facts = {"parents": parents, "changes": len(changes)}
         yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, first, last, facts)
     yield from _parents_of_statics(evidence)
@@ -87,13 +93,13 @@ def separate_trees(evidence: Evidence) -> Iterator[Finding]:
     if len(roots) < 2:
         return
     if _are_robots(evidence.trees):
-        yield Finding("several-robots", "info", facts={"roots": _shortened(roots)})
+        yield Finding("several-robots", "info", facts={"roots": first_of(roots, MOST_NAMES)})
         return
     largest = max(roots, key=lambda root: len(evidence.trees[root]))
     others = [root for root in roots if root != largest]
-    pieces = "; ".join(_shortened(evidence.trees[root]) for root in others[:MOST_SHOWN])
-    more = f"; and {len(others) - MOST_SHOWN} more" if len(others) > MOST_SHOWN else ""
-    facts = {"root": others[0], "roots": _shortened(others), "pieces": pieces + more, "largest": largest,
+    members = [first_of(evidence.trees[root], MOST_NAMES) for root in others]
+    pieces = Text(*(first_of(texts, MOST_SHOWN, "; ")[i] for i, texts in enumerate(zip(*members, strict=True))))
+    facts = {"root": others[0], "roots": first_of(others, MOST_NAMES), "pieces": pieces, "largest": largest,
              "count": len(roots)}  # fmt: skip
     yield Finding("two-trees", "error", "", others[0], facts=facts)
 
@@ -123,12 +129,6 @@ def _are_robots(trees: dict[str, list[str]]) -> bool:
         not a.startswith(b) and not differ_in_side(a, b) and ("/" in a or names[a] & names[b])
         for a, b in permutations(names, 2)
     )
-
-
-def _shortened(names: list[str]) -> str:
-    """Return names in a row, the first of many."""
-    more = f" and {len(names) - MOST_NAMES} more" if len(names) > MOST_NAMES else ""
-    return ", ".join(names[:MOST_NAMES]) + more
 
 
 def _arrangements(evidence: Evidence) -> Iterator[tuple[int, dict[str, str], str]]:

@@ -11,7 +11,7 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 
 from ..findings import Report
-from ..report.texts import sentences
+from ..report.sentences import describe
 
 __all__ = ["annotations_from_reports"]
 
@@ -25,7 +25,7 @@ def annotations_from_reports(
     lines = [f"::error file={_encoded_property(bag)}::{_encoded(reason)}" for bag, reason in refusals.items()]
     for report, path in zip(reports, paths, strict=True):
         for finding in report.findings:
-            said = sentences(finding)
+            said = describe(finding)
             text = _encoded(f"{said.evidence} {said.cause}\nNext: {said.command}")
             title = _encoded_property(said.title)
             lines.append(f"::{WORDS[finding.severity]} file={_encoded_property(path)},title={title}::{text}")

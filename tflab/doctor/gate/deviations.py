@@ -14,6 +14,8 @@ from dataclasses import replace
 
 import numpy as np
 
+from tflab.text import Text
+
 from ..checks.motion import distances
 from ..findings import Finding, Severity
 from ..profile import EdgeProfile, RecordingProfile
@@ -59,7 +61,9 @@ def _of_edge(expected: ExpectedEdge, candidates: list[EdgeProfile]) -> Iterator[
     is_there = [edge for edge in candidates if edge.parent == expected.parent]
     if not is_there:
         others = ", ".join(edge.parent for edge in candidates)
-        instead = f'"{expected.child}" hangs under {others}' if others else f'nobody publishes "{expected.child}"'
+        instead = Text(f'nobody publishes "{expected.child}"', f'"{expected.child}" 좌표계를 발행하는 노드가 없습니다')
+        if others:
+            instead = Text(f'"{expected.child}" hangs under {others}', f'"{expected.child}"의 부모가 {others}입니다')
         yield Finding("expected-edge", "error", expected.parent, expected.child, facts={"instead": instead})
         return
     of_kind = [edge for edge in is_there if edge.is_static == expected.static]
@@ -77,7 +81,9 @@ def _of_who_and_where(expected: ExpectedEdge, edge: EdgeProfile) -> Iterator[Fin
         apart_m = float(distances(np.array([expected.mount]), np.array([edge.mount]))[0])
         if apart_m > expected.mount_tolerance_m:
             before, now = (" ".join(f"{v + 0.0:.3f}" for v in mount) for mount in (expected.mount, edge.mount))
-            yield _deviation("expected-mount", "error", edge, before, f"{now}, {apart_m:.4f} m from there")
+            apart = f"{now}, {apart_m:.4f} m"
+            instead = Text(f"{apart} from there", f"{apart} 떨어져 있음")
+            yield _deviation("expected-mount", "error", edge, before, instead)
 
 
 def _of_figures(expected: ExpectedEdge, edge: EdgeProfile) -> Iterator[Finding]:
@@ -85,13 +91,20 @@ def _of_figures(expected: ExpectedEdge, edge: EdgeProfile) -> Iterator[Finding]:
         return
     if expected.rate_hz is not None and not expected.rate_hz[0] <= edge.rate_hz <= expected.rate_hz[1]:
         least, most = expected.rate_hz
-        yield _deviation("expected-rate", "warning", edge, f"{least:.1f} to {most:.1f} Hz", f"{edge.rate_hz:.1f} Hz")
+        yield _deviation(
+            "expected-rate",
+            "warning",
+            edge,
+            Text(f"{least:.1f} to {most:.1f} Hz", f"{least:.1f}~{most:.1f} Hz"),
+            f"{edge.rate_hz:.1f} Hz",
+        )
     if expected.largest_delay_s is not None and edge.delay_s[1] > expected.largest_delay_s:
-        is_now = f"{edge.delay_s[1]:.3f} s (95 % of the samples are less late)"
-        yield _deviation("expected-delay", "warning", edge, f"{expected.largest_delay_s:.3f} s at most", is_now)
+        late = f"{edge.delay_s[1]:.3f} s"
+        is_now = Text(f"{late} (95 % of the samples are less late)", f"{late} (표본의 95 %는 이보다 작음)")
+        yield _deviation("expected-delay", "warning", edge, _at_most(f"{expected.largest_delay_s:.3f} s"), is_now)
     if expected.longest_silence_s is not None and edge.silence_s > expected.longest_silence_s:
         is_now = f"{edge.silence_s:.2f} s"
-        yield _deviation("expected-silence", "warning", edge, f"{expected.longest_silence_s:.2f} s at most", is_now)
+        yield _deviation("expected-silence", "warning", edge, _at_most(f"{expected.longest_silence_s:.2f} s"), is_now)
 
 
 def _of_topics(expectations: Expectations, profile: RecordingProfile) -> Iterator[Finding]:
@@ -104,10 +117,14 @@ def _of_topics(expectations: Expectations, profile: RecordingProfile) -> Iterato
             yield Finding("expected-frame", "error", topic=topic, facts=facts)
 
 
-def _deviation(code: str, severity: Severity, edge: EdgeProfile, expected: str, instead: str) -> Finding:
+def _at_most(limit: str) -> Text:
+    return Text(f"{limit} at most", f"최대 {limit}")
+
+
+def _deviation(code: str, severity: Severity, edge: EdgeProfile, expected: Text | str, instead: Text | str) -> Finding:
     facts = {"expected": expected, "instead": instead}
     return Finding(code, severity, edge.parent, edge.child, edge.topic, facts=facts)
 
 
-def _kind(is_static: bool) -> str:
-    return "static" if is_static else "moving"
+def _kind(is_static: bool) -> Text:
+    return Text("static", "정적 변환") if is_static else Text("moving", "동적 변환")

@@ -14,8 +14,8 @@ from types import MappingProxyType
 from xml.sax.saxutils import escape, quoteattr
 
 from ..findings import Finding, Report
+from ..report.sentences import describe
 from ..report.text import finding_text
-from ..report.texts import sentences
 
 __all__ = ["junit_from_reports"]
 
@@ -38,7 +38,7 @@ def _suite(report: Report, failing: Sequence[str]) -> str:
     cases = [f"    <testcase classname={_attribute(report.subject)} name={_attribute(n)}/>" for n in report.checks_made]
     for check in report.checks_not_made:
         name = f"classname={_attribute(report.subject)} name={_attribute(check.check)}"
-        cases.append(f"    <testcase {name}><skipped message={_attribute('needs ' + check.needs)}/></testcase>")
+        cases.append(f"    <testcase {name}><skipped message={_attribute('needs ' + check.needs.en)}/></testcase>")
     cases += [_case(report, finding, failing) for finding in report.findings]
     failures = sum(finding.severity in failing for finding in report.findings)
     counts = f'tests="{len(cases)}" failures="{failures}" errors="0" skipped="{len(report.checks_not_made)}"'
@@ -53,7 +53,7 @@ def _refused(name: str, reason: str) -> str:
 
 
 def _case(report: Report, finding: Finding, failing: Sequence[str]) -> str:
-    title = sentences(finding).title
+    title = describe(finding).title
     text = escape(NO_XML.sub("?", finding_text(report, finding)))
     name = f"classname={_attribute(report.subject)} name={_attribute(f'{finding.code}: {title}')}"
     if finding.severity in failing:

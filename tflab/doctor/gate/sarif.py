@@ -16,8 +16,7 @@ from urllib.parse import quote
 from tflab import __version__
 
 from ..findings import Finding, Report
-from ..report.certainty import certainty_of
-from ..report.texts import TEXTS, sentences
+from ..report.sentences import certainty_of, describe, descriptions
 from .filters import fingerprint
 
 __all__ = ["sarif_from_reports"]
@@ -40,17 +39,17 @@ def sarif_from_reports(reports: Sequence[Report], paths: Sequence[str]) -> str:
 
 
 def _rule(code: str) -> dict:
-    text = TEXTS[code]
+
     return {
         "id": code,
         "shortDescription": {"text": code.replace("-", " ")},
-        "fullDescription": {"text": text.cause},
+        "fullDescription": {"text": descriptions()[code].cause.en},
         "properties": {"certainty": certainty_of(code)},
     }
 
 
 def _result(finding: Finding, path: str, rule: int) -> dict:
-    said = sentences(finding)
+    said = describe(finding)
     where = f"{finding.parent} -> {finding.child}" if finding.child else finding.topic
     place: dict[str, object] = {
         "physicalLocation": {

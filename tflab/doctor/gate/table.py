@@ -13,12 +13,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..findings import SEVERITIES, Report
-from ..report.texts import sentences
+from ..report.sentences import describe
 
 __all__ = ["text_from_reports"]
 
 
-def text_from_reports(names: Sequence[str], reports: Sequence[Report | str]) -> str:
+def text_from_reports(names: Sequence[str], reports: Sequence[Report | str], language: str = "en") -> str:
     """Return a table of reports; a text in place of one says why there is none."""
     rows = [("bag", "errors", "warnings", "notes", "worst")]
     for name, report in zip(names, reports, strict=True):
@@ -26,7 +26,7 @@ def text_from_reports(names: Sequence[str], reports: Sequence[Report | str]) -> 
             rows.append((name, "-", "-", "-", f"cannot be read: {report}"))
             continue
         counts = (str(len(report.of_severity(severity))) for severity in SEVERITIES)
-        worst = sentences(report.findings[0]).title if report.findings else ""
+        worst = describe(report.findings[0], language).title if report.findings else ""
         rows.append((name, *counts, worst))
     widths = [max(len(row[column]) for row in rows) for column in range(4)]
     lines = []

@@ -50,7 +50,7 @@ def draw_timeline(evidence: Evidence, findings: Sequence[Finding] = ()) -> str:
 
 def draw_moment(evidence: Evidence, finding: Finding) -> str:
     """Return the samples around what was found, one by one, as SVG; "" if it is about no moment."""
-    length_s = (finding.end_ns - finding.begin_ns) / NSEC_PER_SEC
+    length_s = max(finding.end_ns - finding.begin_ns, 0) / NSEC_PER_SEC
     if not finding.begin_ns:
         return ""
     begin_ns = finding.begin_ns - round(MOMENT_S * NSEC_PER_SEC)

@@ -35,6 +35,8 @@ def draw_frames_at(evidence: Evidence, moment_ns: int, first: tuple[str, ...] = 
         first: the frames that matter most: they are in the middle of the second picture, and have a name in both.
     """
     poses = poses_at(evidence, moment_ns)
+    if not poses:  # every frame is in a loop
+        return ""
     near = _near(poses, [frame for frame in first if frame in poses])
     views = [_view(evidence, poses, CORNER, "all frames", first)]
     if len(near) < len(poses):

@@ -1,33 +1,131 @@
-"""What is a finding told with?  Four sentences with blanks, and the commands that come up again and again.
+"""Describe a finding in English or Korean: title, evidence, cause, the next command, and how certain it is.
 
-```
-title       what is wrong
-evidence    what shows it
-cause       why it usually happens
-command     what to type on the robot next
-```
+The texts of each code are in `sentences.yaml`. Their blanks are filled from the edge, the topic and the facts of a
+finding. A fact that holds words is a Text.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from functools import cache
+from pathlib import Path
+from typing import Literal, NamedTuple
 
-__all__ = ["ECHO", "EDGE_HZ", "MONITOR", "SIM_TIME", "TOPIC_ECHO", "TOPIC_INFO", "VIEW_FRAMES", "Sentences"]
+from tflab.robots.faults.catalogue import Fault
+from tflab.text import Text, compose_yaml, text_of_node
 
-TOPIC_INFO = "ros2 topic info {topic} --verbose"
-VIEW_FRAMES = "ros2 run tf2_tools view_frames"
-ECHO = "ros2 run tf2_ros tf2_echo {parent} {child}"
-MONITOR = "ros2 run tf2_ros tf2_monitor {parent} {child}"
-# plain `hz` counts what all publishers of the topic send together
-EDGE_HZ = "ros2 topic hz {topic} --filter \"any(t.child_frame_id == '{frame}' for t in m.transforms)\""
-TOPIC_ECHO = "ros2 topic echo {topic} --once"
-SIM_TIME = "ros2 param get /NODE use_sim_time"
+from ..findings import Finding, first_of
+
+__all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "faults_of_code", "what_settles"]
+
+# who usually publishes an edge twice, by what the edge stands for
+OWNERS = {
+    "odometry": Text(
+        "wheel odometry and a filter, say; switch off one (often a parameter publish_tf)",
+        "예를 들어 바퀴 오도메트리와 필터입니다. 하나를 끄십시오(대개 매개변수 publish_tf)",
+    ),
+    "joint": Text(
+        "a driver and joint_state_publisher, or two robot_state_publishers; stop one",
+        "드라이버와 joint_state_publisher이거나 robot_state_publisher 둘입니다. 하나를 멈추십시오",
+    ),
+    "mount": Text(
+        "two robot descriptions, or a description and a static_transform_publisher; remove one",
+        "로봇 설명 둘이거나, 로봇 설명과 static_transform_publisher입니다. 하나를 없애십시오",
+    ),
+}
+MOST_SIBLINGS = 8  # that are named
 
 
 class Sentences(NamedTuple):
-    """What is said of one code, with blanks, or of one finding, without."""
+    """What is said of one finding: what is wrong, what shows it, why it happens, what to type on the robot next."""
 
     title: str
     evidence: str
     cause: str
     command: str
+
+
+class Description(NamedTuple):
+    """What `sentences.yaml` holds of one code.
+
+    Attributes:
+        likely, open: what would settle it; at most one of the two is there.
+        faults: those of the catalogue that the code names; none for a mere note.
+    """
+
+    title: Text
+    evidence: Text
+    cause: Text
+    command: str
+    likely: Text | None = None
+    open: Text | None = None
+    faults: tuple[Fault, ...] = ()
+
+
+@cache
+def descriptions() -> dict[str, Description]:
+    """Return the description of each code.
+
+    Raises:
+        TextError: the file is not as it has to be.
+    """
+    path = Path(__file__).with_suffix(".yaml")
+    read = {}
+    for code, node in compose_yaml(path).value:
+        fields: dict[str, object] = {}
+        for key, value in node.value:
+            if key.value == "command":
+                fields["command"] = value.value
+            elif key.value == "faults":
+                fields["faults"] = tuple(Fault(fault.value) for fault in value.value)
+            else:
+                fields[key.value] = text_of_node(value, path)
+        read[code.value] = Description(**fields)
+    return read
+
+
+def describe(finding: Finding, language: str = "en") -> Sentences:
+    """Return the sentences of a finding, with their blanks filled."""
+    description = descriptions()[finding.code]
+    edge = f"{finding.parent} -> {finding.child}"
+    others = len(finding.siblings)
+    blanks = {
+        "edge": Text(f"{edge} and {others} more", f"{edge} 외 {others}개") if others else edge,
+        "parent": finding.parent,
+        "child": finding.child,
+        "topic": finding.topic or "/tf",
+        "frame": finding.child,
+        "who": OWNERS.get(str(finding.facts.get("kind")), ""),
+        **finding.facts,
+    }
+    title, evidence, cause = (text.filled(**blanks).say(language) for text in description[:3])
+    if finding.siblings:
+        likewise = Text("Likewise {names}.", "다음도 같습니다: {names}.")
+        evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
+    command = Text(description.command, description.command).filled(**blanks).en
+    if not finding.namespace:
+        return Sentences(title, evidence, cause, command)
+    if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf
+        command += f" --ros-args -r /tf:={finding.namespace}/tf -r /tf_static:={finding.namespace}/tf_static"
+    return Sentences(f"{finding.namespace}: {title}", evidence, cause, command)
+
+
+def certainty_of(code: str) -> Literal["certain", "likely", "open"]:
+    """Return how certain a finding is.
+
+    `certain`: it is in the recording, whatever the cause. `likely`: the pattern fits one cause best. `open`: two
+    causes leave the same traces.
+    """
+    description = descriptions()[code]
+    return "likely" if description.likely else "open" if description.open else "certain"
+
+
+def what_settles(code: str, language: str = "en") -> str:
+    """Return what would settle a finding that is not certain, "" if it is certain."""
+    description = descriptions()[code]
+    text = description.likely or description.open
+    return text.say(language) if text else ""
+
+
+def faults_of_code(code: str) -> tuple[Fault, ...]:
+    """Return the faults of the catalogue that a finding names; none for a mere note."""
+    return descriptions()[code].faults

@@ -1,4 +1,4 @@
-"""How does a report read in a terminal, and to a program?
+"""Write a report for a terminal, in English or Korean, and as data for JSON, in English.
 
 ```
 drive: 1 error, 1 warning
@@ -13,65 +13,67 @@ ERROR    odom -> base_link has two owners                      12.3 s to 40.0 s
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from textwrap import wrap
+from unicodedata import east_asian_width
 
 from tflab.core import NSEC_PER_SEC
+from tflab.text import Texts
 
-from ..findings import SEVERITIES, Finding, Report
-from .certainty import certainty_of, what_settles
-from .faults import faults_of_code
-from .sentences import Sentences
-from .texts import TEXTS, sentences
+from ..findings import SEVERITIES, Finding, Report, english, first_of
+from .sentences import certainty_of, describe, faults_of_code, what_settles
 
-__all__ = ["data_from_report", "effects_text", "finding_text", "headline", "moments_text", "text_from_report"]
+__all__ = [
+    "certainty_text",
+    "data_from_report",
+    "effects_text",
+    "finding_text",
+    "headline",
+    "moments_text",
+    "text_from_report",
+]
 
-WIDTH = 100
-MOST_EFFECTS = 4  # that are told by name
-SURE = {"likely": "likely", "open": "cannot be told from a recording alone"}
+TEXTS = Texts(__file__)
+WIDTHS = {"en": 100, "ko": 64}  # letters of a line; a Korean one is two columns wide
+MOST_EFFECTS = 4  # that are named
+COUNTS = {"error": ("error", "errors"), "warning": ("warning", "warnings"), "info": ("note", "notes")}
+LABELS = {"error": "severity_error", "warning": "severity_warning", "info": "severity_info"}
 INDENT = " " * 9
 
 
-def text_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> str:
+def text_from_report(report: Report, language: str = "en") -> str:
     """Return a report for a terminal."""
-    lines = [headline(report), ""]
+    lines = [f"{report.subject}: {headline(report, language)}", ""]
     for finding in report.findings:
-        lines += [*_finding_lines(report, finding, texts), ""]
-    lines.append(f"{len(report.checks_made)} checks made{_looked_at(report)}.")
+        lines += [finding_text(report, finding, language), ""]
+    made = TEXTS["checks_made"].say(language, n=len(report.checks_made))
+    if report.seen:
+        seen = report.seen._asdict()
+        made += TEXTS["looked_at"].say(language, **seen, seconds=f"{report.seen.duration_s:.1f}")
+    lines.append(f"{made}.")
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
         names = [check.check for check in report.checks_not_made if check.needs == needs]
         listed = f": {', '.join(names)}" if report.checks_made else ""
-        lines += wrap(f"{len(names)} not made, for want of {needs}{listed}.", WIDTH)
+        text = TEXTS["not_made"].say(language, n=len(names), needs=needs.say(language), listed=listed)
+        lines += wrap(text, WIDTHS[language])
     if report.seen and not report.findings:
-        lines.append("With --edges: the rate, the delays and the owners of each edge.")
+        lines.append(TEXTS["with_edges"].say(language))
     return "\n".join(lines)
 
 
-def _looked_at(report: Report) -> str:
-    """Return what the checks were made on, as the end of a sentence."""
-    if report.seen is None:
-        return ""
-    seen = report.seen
-    return (
-        f": {seen.frames} frames, {seen.transforms} transforms and {seen.messages} other stamped messages"
-        f" in {seen.duration_s:.1f} s"
-    )
-
-
-def data_from_report(report: Report, texts: Mapping[str, Sentences] = TEXTS) -> dict:
+def data_from_report(report: Report) -> dict:
     """Return a report as plain data, for JSON."""
     return {
         "version": 1,
         "subject": report.subject,
         "begin_ns": report.begin_ns,
-        "findings": [_data_from_finding(finding, texts) for finding in report.findings],
+        "findings": [_data_from_finding(finding) for finding in report.findings],
         "checks_made": list(report.checks_made),
-        "checks_not_made": [check._asdict() for check in report.checks_not_made],
+        "checks_not_made": [{"check": check.check, "needs": check.needs.en} for check in report.checks_not_made],
         "seen": report.seen._asdict() if report.seen else None,
     }
 
 
-def _data_from_finding(finding: Finding, texts: Mapping[str, Sentences]) -> dict:
+def _data_from_finding(finding: Finding) -> dict:
     return {
         "code": finding.code,
         "faults": [str(fault) for fault in faults_of_code(finding.code)],
@@ -84,8 +86,8 @@ def _data_from_finding(finding: Finding, texts: Mapping[str, Sentences]) -> dict
         "topic": finding.topic,
         "begin_ns": finding.begin_ns,
         "end_ns": finding.end_ns,
-        "facts": finding.facts,
-        **sentences(finding, texts)._asdict(),
+        "facts": english(finding.facts),
+        **describe(finding)._asdict(),
         "effects": [
             {"code": effect.code, "parent": effect.parent, "child": effect.child, "topic": effect.topic}
             for effect in finding.effects
@@ -93,53 +95,63 @@ def _data_from_finding(finding: Finding, texts: Mapping[str, Sentences]) -> dict
     }
 
 
-def headline(report: Report) -> str:
-    """Return the outcome in one line."""
-    counts = [(severity, len(report.of_severity(severity))) for severity in SEVERITIES]
+def headline(report: Report, language: str = "en") -> str:
+    """Return the outcome in one line, without the subject."""
     if not report.findings:
-        return f"{report.subject}: nothing is wrong" if report.checks_made else f"{report.subject}: nothing to check"
-    names = {"error": "error", "warning": "warning", "info": "note"}
-    said = [f"{n} {names[severity]}{'s' if n > 1 else ''}" for severity, n in counts if n]
-    return f"{report.subject}: {', '.join(said)}"
+        return TEXTS["nothing_wrong" if report.checks_made else "nothing_to_check"].say(language)
+    counts = [(COUNTS[severity], len(report.of_severity(severity))) for severity in SEVERITIES]
+    return ", ".join(TEXTS[names[n > 1]].say(language, n=n) for names, n in counts if n)
 
 
-def moments_text(report: Report, finding: Finding) -> str:
+def moments_text(report: Report, finding: Finding, language: str = "en") -> str:
     """Return from when to when, in seconds from the beginning; "" if always."""
     if not finding.begin_ns:
         return ""
     begin_s = (finding.begin_ns - report.begin_ns) / NSEC_PER_SEC
     end_s = (max(finding.end_ns, finding.begin_ns) - report.begin_ns) / NSEC_PER_SEC
-    return f"{begin_s:.2f} s" if end_s - begin_s < 0.005 else f"{begin_s:.2f} s to {end_s:.2f} s"
+    if end_s - begin_s < 0.005:
+        return f"{begin_s:.2f} s"
+    return TEXTS["from_to"].say(language, begin=f"{begin_s:.2f}", end=f"{end_s:.2f}")
 
 
-def finding_text(report: Report, finding: Finding, texts: Mapping[str, Sentences] = TEXTS) -> str:
+def finding_text(report: Report, finding: Finding, language: str = "en") -> str:
     """Return one finding for a terminal."""
-    return "\n".join(_finding_lines(report, finding, texts))
-
-
-def _finding_lines(report: Report, finding: Finding, texts: Mapping[str, Sentences]) -> list[str]:
-    said = sentences(finding, texts)
-    when = moments_text(report, finding)
+    said = describe(finding, language)
+    when = moments_text(report, finding, language)
+    severity = _padded(TEXTS[LABELS[finding.severity]].say(language), len(INDENT))
     title = said.title + (f"   [{when}]" if when else "")
-    lines = wrap(title, WIDTH, initial_indent=f"{finding.severity.upper():<9}", subsequent_indent=INDENT)
-    lines += _indented(said.evidence, "")
-    lines += _indented(said.cause, "Why   ")
+    lines = wrap(title, WIDTHS[language], initial_indent=severity, subsequent_indent=INDENT)
+    why, also, sure, next_ = (_padded(TEXTS[key].say(language), 6) for key in ("why", "also", "sure", "next"))
+    lines += _indented(said.evidence, "", language)
+    lines += _indented(said.cause, why, language)
     if finding.effects:
-        lines += _indented(effects_text(finding, texts), "Also  ")
-    if certainty_of(finding.code) != "certain":
-        lines += _indented(f"{SURE[certainty_of(finding.code)]}; to settle it: {what_settles(finding.code)}", "Sure  ")
+        lines += _indented(effects_text(finding, language), also, language)
+    lines += _indented(certainty_text(finding, language), sure, language)  # nothing if it is certain
     if said.command:
-        lines += [f"{INDENT}Next  {said.command}"]
-    return lines
+        lines += [f"{INDENT}{next_}{said.command}"]
+    return "\n".join(lines)
 
 
-def effects_text(finding: Finding, texts: Mapping[str, Sentences] = TEXTS) -> str:
+def effects_text(finding: Finding, language: str = "en") -> str:
     """Return what follows from a finding, in a line."""
-    titles = list(dict.fromkeys(sentences(effect, texts).title for effect in finding.effects))
-    more = f"; and {len(titles) - MOST_EFFECTS} more" if len(titles) > MOST_EFFECTS else ""
-    return f"which explains: {'; '.join(titles[:MOST_EFFECTS])}{more}"
+    titles = list(dict.fromkeys(describe(effect, language).title for effect in finding.effects))
+    return TEXTS["explains"].say(language, titles=first_of(titles, MOST_EFFECTS, "; ").say(language))
 
 
-def _indented(text: str, label: str) -> list[str]:
-    rest = INDENT + " " * len(label)
-    return wrap(text, WIDTH, initial_indent=INDENT + label, subsequent_indent=rest, break_on_hyphens=False)
+def certainty_text(finding: Finding, language: str = "en") -> str:
+    """Return how certain a finding is and what would settle it; "" if it is certain."""
+    certainty = certainty_of(finding.code)
+    if certainty == "certain":
+        return ""
+    text = TEXTS["likely"] if certainty == "likely" else TEXTS["open"]
+    return text.say(language, settled=what_settles(finding.code, language))
+
+
+def _padded(label: str, columns: int) -> str:
+    """Return a label with spaces up to a width; a Korean letter takes two columns."""
+    return label + " " * (columns - sum(2 if east_asian_width(letter) in "WF" else 1 for letter in label))
+
+
+def _indented(text: str, label: str, language: str) -> list[str]:
+    rest = INDENT + " " * (6 if label else 0)
+    return wrap(text, WIDTHS[language], initial_indent=INDENT + label, subsequent_indent=rest, break_on_hyphens=False)
