@@ -24,7 +24,7 @@ from pathlib import Path
 
 import psutil
 
-from tflab.grading.kernels.take import choose
+from tflab.grading.kernels.kernel_pool import choose_sandbox
 from tflab.workbook.paths import exercise_file, workbook_data
 
 BIN = Path(sys.executable).parent
@@ -38,7 +38,7 @@ def main() -> int:
     parser.add_argument("--chapter", default="03_target_and_source")
     parser.add_argument("--memory", type=int, metavar="N", help="only: grade N submissions and watch the memory")
     options = parser.parse_args()
-    print(*(line.en for line in (choose().announce(), *choose().gaps)))
+    print(*(line.en for line in (choose_sandbox().announce(), *choose_sandbox().gaps)))
     with tempfile.TemporaryDirectory(prefix="tflab-bench-") as folder:
         if options.memory:
             return memory(Path(folder), options.chapter, options.memory)

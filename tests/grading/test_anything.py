@@ -15,7 +15,7 @@ import tiny
 from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.pack import Pack, read_pack
 from tflab.grading.judging.run import CellOutcome, Run, RunCell
-from tflab.grading.judging.submission import graded, record_with
+from tflab.grading.judging.submission import graded, merge_records
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
@@ -85,7 +85,7 @@ def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
     )  # fmt: skip
     record = graded(job, run)
     if record["set_aside"]:
-        record = record_with(record, graded(replace(job, only=record["set_aside"]), run))
+        record = merge_records(record, graded(replace(job, only=record["set_aside"]), run))
     assert record["most"] == 8.0
     assert record["points"] == 0.0
     json.dumps(record, allow_nan=False).encode("utf-8")

@@ -20,9 +20,9 @@ import psutil
 import pytest
 
 from tflab.grading import release
+from tflab.grading.kernels.kernel_pool import KernelError, Kernels
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
-from tflab.grading.kernels.take import KernelError, Kernels
 from tflab.workbook.paths import read_workbook
 
 STEM = "03_target_and_source"
@@ -30,8 +30,8 @@ SEEDS = dict(zip(LEVELS, ("5a17", "c0de", "0b5e"), strict=True))  # drawn once: 
 GRADE = """
 import sys
 from tflab.cli import main
-from tflab.grading.kernels import take
-take.LEVELS = (sys.argv.pop(1),)
+from tflab.grading.kernels import kernel_pool
+kernel_pool.LEVELS = (sys.argv.pop(1),)
 sys.exit(main())
 """
 SAID = {"limits": {"a pool of processes"}}  # what a wall says itself that it costs

@@ -65,7 +65,7 @@ def test_what_does_not_end_is_tried_once_more(
     monkeypatch.setattr(
         batch, "grade_job", lambda job, **_: asked.append(job.only) or {"set_aside": {tiny.STEM: ["E3.1"]}}
     )
-    monkeypatch.setattr(one, "record_with", lambda record, alone: {"both": [record, alone]})
+    monkeypatch.setattr(one, "merge_records", lambda record, alone: {"both": [record, alone]})
     path = tiny.hand_in(tmp_path, "s101", course.exercise("s101"))
     folder = SimpleNamespace(config=SimpleNamespace(getoption=lambda _: course.pack), path=path, _record=None)
     folder.read_pack = lambda: read_pack(course.pack)

@@ -13,7 +13,7 @@ import pytest
 from tflab.grading.kernels.wire import Wire, WireFault
 from tflab.grading.submissions import reader
 from tflab.grading.submissions.reader import Unreadable, read_bytes, read_notebook
-from tflab.grading.submissions.skimmed import skimmed
+from tflab.grading.submissions.strip_outputs import strip_outputs
 
 ANSWER = {"cell_type": "code", "id": "e3-2-answer", "metadata": {}, "source": "x = '좌표계'"}
 
@@ -224,7 +224,7 @@ def test_what_nobody_reads_counts_against_nobody() -> None:
     "text", ['{"outputs": [', '"outputs": ]', '{"outputs": "x"}', '["outputs", [1]]', '{"outputs"', ""]
 )
 def test_what_is_dropped_is_dropped_only_where_it_is_a_list_or_an_object_under_its_name(text: str) -> None:
-    assert skimmed(text) == text
+    assert strip_outputs(text) == text
 
 
 def test_ten_thousand_cells_of_ones_own_and_too_much_to_read_are_cut_off_not_refused() -> None:

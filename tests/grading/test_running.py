@@ -13,10 +13,10 @@ import pytest
 from tflab.grading.judging import nbval_items as items
 from tflab.grading.judging.nbval_run import run_cells
 from tflab.grading.judging.run import CellOutcome, Run, RunCell
+from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox, for_this_process
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe import PROBE_TYPE
 from tflab.grading.kernels.sandbox import Sandbox
-from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose, for_this_process
 from tflab.grading.kernels.wire import Wire
 
 SHORT = Limits(cell_s=1.0, notebook_s=5.0)
@@ -25,7 +25,7 @@ LONG = Limits(cell_s=30.0, notebook_s=60.0)
 
 @pytest.fixture(scope="module")
 def sandbox() -> Sandbox:
-    return choose()
+    return choose_sandbox()
 
 
 def probe(value: str, name: str = "p", *, times: int = 1) -> RunCell:
@@ -272,7 +272,7 @@ def test_nonsense_on_the_wire_ends_the_run(sandbox: Sandbox, cell: str) -> None:
         '{"channel": "shell", "msg_type": "execute_reply", "parent_header": {"msg_id": 1}, "content": {}}',
         '{"channel": "iopub", "msg_type": "error", "parent_header": {}, "content": {"ename": {}, "evalue": 1}}',
         '{"ready": true}',
-        '{"fault": "I am the keeper"}',
+        '{"fault": "I am the supervisor"}',
     ],
 )
 def test_messages_that_are_nobodys_are_ignored(sandbox: Sandbox, message: str) -> None:

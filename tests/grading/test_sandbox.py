@@ -12,11 +12,11 @@ from pathlib import Path
 import psutil
 import pytest
 
-from tflab.grading.kernels import keeper, landlock, seccomp
+from tflab.grading.kernels import landlock, seccomp, supervisor
+from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe import PROBE_TYPE
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
-from tflab.grading.kernels.take import Kernel, KernelError, Kernels, choose
 
 SAY = f"""
 import os, sys
@@ -351,16 +351,16 @@ def test_landlock_hides_what_lies_in_a_folder_that_is_shown(tmp_path: Path) -> N
 
 
 def test_no_two_kernels_are_the_same_user(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(keeper.os, "getpid", lambda: 7)  # or a number as far away as there are users
-    monkeypatch.setattr(keeper, "FIRST_UID", 60000)  # those of the kernels that run are not in the way
-    monkeypatch.setattr(keeper, "UIDS", 3)
-    users = [keeper.a_free_user() for _ in range(3)]
+    monkeypatch.setattr(supervisor.os, "getpid", lambda: 7)  # or a number as far away as there are users
+    monkeypatch.setattr(supervisor, "FIRST_UID", 60000)  # those of the kernels that run are not in the way
+    monkeypatch.setattr(supervisor, "UIDS", 3)
+    users = [supervisor.a_free_user() for _ in range(3)]
     assert sorted(uid for uid, _ in users) == [60000, 60001, 60002]
     with pytest.raises(OSError, match="no user from 60000 to 60002 is free"):
-        keeper.a_free_user()
+        supervisor.a_free_user()
     first, reserved = users.pop(0)
     reserved.close()
-    assert keeper.a_free_user()[0] == first
+    assert supervisor.a_free_user()[0] == first
     for _, taken in users:
         taken.close()
 
@@ -379,7 +379,7 @@ def test_the_system_is_read_only(inside: Inside, path: str) -> None:
 def test_a_kernel_has_no_rights_but_one_to_read_python_and_can_get_none(shared: Inside, kernels: Kernels) -> None:
     status = shared("open('/proc/self/status').read()")
     fields = dict(line.split(":\t", 1) for line in status.splitlines() if ":\t" in line)
-    to_read_python = kernels.sandbox.level == "limits" and keeper.gets_a_user() and keeper.right_to_python()
+    to_read_python = kernels.sandbox.level == "limits" and supervisor.gets_a_user() and supervisor.right_to_python()
     rights = 1 << to_read_python if to_read_python else 0
     assert {int(fields[name], 16) for name in ("CapInh", "CapPrm", "CapEff", "CapAmb")} == {rights}
     assert fields["NoNewPrivs"] == "1"
@@ -597,7 +597,7 @@ def bomb():
 
 TWO_IN_EACH = """
 import os, signal, socket, types
-from tflab.grading.kernels import keeper
+from tflab.grading.kernels import supervisor
 from tflab.grading.kernels.limits import Limits
 kernel = os.fork()
 if not kernel:
@@ -606,7 +606,7 @@ if not kernel:
     signal.pause()
 leash = socket.socketpair()
 order = types.SimpleNamespace(limits=Limits(processes=2), leash=leash[0], level="namespaces", folder="", uid=None)
-print(keeper.watch(kernel, order), keeper.descendants(os.getpid()))
+print(supervisor.watch(kernel, order), supervisor.descendants(os.getpid()))
 """
 
 
@@ -713,7 +713,7 @@ def test_nothing_outlives_its_kernel(kernels: Kernels, survivor: str) -> None:
     kernel.wire.receive(0.3)
     assert descendants_of_the_forkserver(kernels) - before
     kernel.close()
-    end = time.monotonic() + 30.0  # its keeper has said its last word, and ends now
+    end = time.monotonic() + 30.0  # its supervisor has said its last word, and ends now
     while (left := descendants_of_the_forkserver(kernels) - before) and time.monotonic() < end:
         time.sleep(0.01)
     assert not left
@@ -731,7 +731,7 @@ def test_nothing_is_left_in_the_folder_for_temporary_files(kernels: Kernels) -> 
 def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, kernels: Kernels) -> None:
     script = tmp_path / "grader.py"
     script.write_text(
-        "from tflab.grading.kernels.take import Kernels\n"
+        "from tflab.grading.kernels.kernel_pool import Kernels\n"
         "from tflab.grading.kernels.limits import Limits\n"
         "from tflab.grading.kernels.sandbox import Sandbox\n"
         f"kernels = Kernels(Sandbox({kernels.sandbox.level!r}), ahead=0)\n"
@@ -761,7 +761,7 @@ def test_without_landlock_the_memory_of_the_grader_is_closed_at_least() -> None:
 import ctypes
 from tflab.grading.kernels import landlock
 from tflab.grading.kernels.sandbox import Sandbox
-from tflab.grading.kernels.take import Kernels
+from tflab.grading.kernels.kernel_pool import Kernels
 dumpable = lambda: ctypes.CDLL(None).prctl(3, 0, 0, 0, 0)
 Kernels(Sandbox("limits"))
 with_landlock = dumpable()
@@ -784,7 +784,7 @@ def test_the_best_wall_that_works_is_taken() -> None:
             levels[level] = False
         finally:
             pool.close()
-    assert choose().level == next(level for level in LEVELS if levels[level])
+    assert choose_sandbox().level == next(level for level in LEVELS if levels[level])
 
 
 def in_english(sandbox: Sandbox) -> str:
@@ -808,12 +808,12 @@ def test_a_fallback_says_what_it_does_not_protect_from(monkeypatch: pytest.Monke
 
 def test_a_look_at_many_processes_takes_no_longer_than_it_may(monkeypatch: pytest.MonkeyPatch) -> None:
     spent = iter(range(1_000))
-    monkeypatch.setattr(keeper.time, "thread_time", lambda: 0.2 * next(spent))
-    monkeypatch.setattr(keeper, "behind_sockets", lambda processes: 0)
-    monkeypatch.setattr(keeper, "rough_memory_of", lambda pid: (100, 1))
-    monkeypatch.setattr(keeper, "memory_of", lambda pid: 10)
-    monkeypatch.setattr(keeper, "mappings_of", lambda pid: [])
-    assert keeper.memory_of_all([1, 2, 3, 4, 5], enough=0) == 10 + 1 + 10 + 1 + 3 * (100 + 1)
+    monkeypatch.setattr(supervisor.time, "thread_time", lambda: 0.2 * next(spent))
+    monkeypatch.setattr(supervisor, "behind_sockets", lambda processes: 0)
+    monkeypatch.setattr(supervisor, "rough_memory_of", lambda pid: (100, 1))
+    monkeypatch.setattr(supervisor, "memory_of", lambda pid: 10)
+    monkeypatch.setattr(supervisor, "mappings_of", lambda pid: [])
+    assert supervisor.memory_of_all([1, 2, 3, 4, 5], enough=0) == 10 + 1 + 10 + 1 + 3 * (100 + 1)
 
 
 def test_a_fallback_says_why_nothing_better_was_to_be_had() -> None:
@@ -833,9 +833,9 @@ def test_a_wall_that_does_not_exist_is_refused_with_those_that_do() -> None:
 def test_somebody_who_is_not_root_has_the_same_walls() -> None:
     code = (
         "import os; assert os.getuid() == 1000\n"
-        "from tflab.grading.kernels.take import Kernels, choose\n"
+        "from tflab.grading.kernels.kernel_pool import Kernels, choose\n"
         "from tflab.grading.kernels.limits import Limits\n"
-        "print(choose().level)\n"
+        "print(choose_sandbox().level)\n"
     )
     words = ["unshare", "--user", "--map-user=1000", "--map-group=1000", sys.executable, "-c", code]
     done = subprocess.run(words, capture_output=True, text=True)

@@ -1,20 +1,21 @@
-"""Grading: what a class handed in becomes points, and a page that says what the class misunderstands.
+"""Release exercises to a class and grade what is handed in, in a sandbox and with hidden cases.
 
-Only answers are taken from a submission; expected values never enter the learner's
-process; the verdict is made outside of it; one submission can harm neither the
-grader nor another.
+Only answers are taken from a submission. Expected values never enter the learner's process,
+the verdict is made outside of it, and one submission can harm neither the grader nor another.
 
-    release       a folder to give away, and one to keep
-    mend          what was mended, brought into a release that is out
-    grade         `tflab grade`: submissions in, results out
-    batch         two hundred submissions, on one core or on many
-    submissions/  what came in: whose it is, and what can be read of it
-    kernels/      where it runs: behind a wall, gone without a trace
-    judging/      only its answers go on; points, mistakes, words
-    reports/      what the instructor and the learners read
-    guide/        what an instructor lectures from
-    check_command the same path for a learner, with the public cases
-    plugin        tasks as test items: `pytest --tflab-grade PACK NOTEBOOK`
+In reading order:
 
-`docs/grading.md` is the instructor's page.  Start with `release.py`.
+    release         `tflab release`: folders for learners, and a pack for the instructor
+    update_release  keep the released tasks when a newer version's exercises are taken over
+    grade           `tflab grade`: submissions in, results out
+    batch           grade many submissions, on one core or on many
+    submissions/    find notebooks, tell whose they are, and read them as strings
+    kernels/        run cells in sandboxed kernels
+    judging/        run a submission's answers and mark them
+    reports/        write grades, feedback and the page of the class
+    guide/          write an instructor's guide, decks and course plans: `tflab guide`
+    check_command   `tflab check`: the same path for a learner, with the public cases
+    plugin          tasks as items of pytest: `pytest --tflab-grade PACK NOTEBOOK`
+
+`docs/grading.md` is the instructor's documentation.
 """

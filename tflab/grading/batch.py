@@ -30,17 +30,17 @@ from .judging.job import SEVERAL, HandedIn, Job
 from .judging.nbval_run import run_cells
 from .judging.pack import Pack
 from .judging.run import NotRun, Run, RunCell, RunCells
-from .judging.submission import graded, record_with
+from .judging.submission import graded, merge_records
+from .kernels.kernel_pool import KernelError
 from .kernels.limits import Limits
 from .kernels.sandbox import Sandbox
-from .kernels.take import KernelError
 from .reports.gradebook import file_name
 from .submissions.collect import Collection, Submission
 from .submissions.owners import MOST_BYTES
 from .submissions.reader import Unreadable
 from .submissions.remarks import Remark, printable
 
-__all__ = ["RECORDS", "HowToGrade", "grade_batch", "grade_job", "job_of", "run_behind"]
+__all__ = ["RECORDS", "GradingOptions", "grade_batch", "grade_job", "job_of", "run_behind"]
 
 RECORDS = "submissions"
 RECORD_FORMAT = 3
@@ -48,7 +48,7 @@ MOST_THREADS = 8
 
 
 @dataclass(frozen=True)
-class HowToGrade:
+class GradingOptions:
     """Within which limits, behind which wall, by how many, and where."""
 
     limits: Limits
@@ -59,7 +59,7 @@ class HowToGrade:
     several: str = SEVERAL[0]
 
 
-def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) -> list[dict[str, Any]]:
+def grade_batch(collection: Collection, pack: Pack, out: Path, how: GradingOptions) -> list[dict[str, Any]]:
     """Return a record for each submission, in their order; each is also in `out`."""
     ledger = Ledger(collection, pack, out / RECORDS, how)
     do = partial(grade_job, sandbox=how.sandbox)
@@ -71,13 +71,13 @@ def grade_batch(collection: Collection, pack: Pack, out: Path, how: HowToGrade) 
         for submission in sorted(ledger.set_aside, key=lambda submission: submission.learner):
             record = ledger.records[submission.learner]
             job = replace(job_of(submission, pack, how.limits, how.several), only=record["set_aside"])
-            ledger.keep(record_with(record, do(job)))
+            ledger.keep(merge_records(record, do(job)))
             bar.update()
     ledger.remove_old()
     return [ledger.records[submission.learner] for submission in collection.submissions]
 
 
-def _done(ledger: Ledger, do: Callable[[Job], dict[str, Any]], how: HowToGrade) -> Iterator[dict[str, Any]]:
+def _done(ledger: Ledger, do: Callable[[Job], dict[str, Any]], how: GradingOptions) -> Iterator[dict[str, Any]]:
     """Yield the record of each job as it is done."""
     jobs = ledger.jobs()
     try:
@@ -90,7 +90,7 @@ def _done(ledger: Ledger, do: Callable[[Job], dict[str, Any]], how: HowToGrade) 
 class Ledger:
     """The records of a run: those that are on the disk already, those that come in, those to be tried once more."""
 
-    def __init__(self, collection: Collection, pack: Pack, folder: Path, how: HowToGrade) -> None:
+    def __init__(self, collection: Collection, pack: Pack, folder: Path, how: GradingOptions) -> None:
         self.records: dict[str, dict[str, Any]] = {}
         self.set_aside: list[Submission] = []
         self._collection, self._pack, self._folder, self._how = collection, pack, folder, how
@@ -197,7 +197,7 @@ def _run(cells: Sequence[RunCell], limits: Limits, sandbox: Sandbox) -> Run:
 
 
 def _on_processes(
-    jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], how: HowToGrade
+    jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], how: GradingOptions
 ) -> Iterator[dict[str, Any]]:
     """Do jobs as they come, and yield records as they are done; only as many jobs wait as there are processes."""
     from joblib import Parallel, delayed, parallel_config
@@ -234,7 +234,7 @@ def _dask_client(scheduler: str) -> Any:
     return Client(scheduler, set_as_default=True)
 
 
-def _key(job: Job, pack: Pack, how: HowToGrade) -> str:
+def _key(job: Job, pack: Pack, how: GradingOptions) -> str:
     """Return a name for all that decides a record: the files, the pack, the limits, the wall, and tflab itself."""
     content = hashlib.sha256()
     rest = [RECORD_FORMAT, __version__, pack.digest, repr(how.limits), how.sandbox.level]

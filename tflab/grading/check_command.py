@@ -30,9 +30,9 @@ from tflab.workbook.tasks.task import TaskError
 
 from .judging.cells import master_of
 from .judging.job import HandedIn, Job
-from .judging.pack import DAMAGE
+from .judging.pack import MALFORMED
 from .judging.run import RunCells
-from .judging.submission import graded, graded_twice
+from .judging.submission import grade_with_retry, graded
 from .kernels.limits import Limits
 from .reports.feedback import STATUS, WRONG
 from .reports.html import points
@@ -147,11 +147,11 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         limits=limits,
         has_roster=workbook.learner is not None,
     )
-    record = graded_twice(job, partial(graded, run_cells=run_cells))
+    record = grade_with_retry(job, partial(graded, run_cells=run_cells))
     found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:  # renamed, or of another chapter than its name tells
         job = replace(job, chapters={stem: _chapter(root, workbook, stem) for stem in there})
-        record = graded_twice(job, partial(graded, run_cells=run_cells))
+        record = grade_with_retry(job, partial(graded, run_cells=run_cells))
         found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
         raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
@@ -202,7 +202,7 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
         master = master_of(json.loads(handed_out), stem, tasks)
     except OSError:
         raise WorkbookError(f"the exercise {stem} as it was handed out is not there; {MENDS}") from None
-    except DAMAGE as error:
+    except MALFORMED as error:
         raise WorkbookError(f"{name} as it was handed out is damaged ({type(error).__name__}); {MENDS}") from None
     return {"master": [[cell.name, cell.source, cell.task, cell.role] for cell in master.cells], "tasks": tasks}
 
@@ -212,10 +212,10 @@ def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
     why = "--plain" if plainly else NOT_LINUX.say(language, platform=SYSTEMS.get(sys.platform, sys.platform))
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
-        from .kernels.take import KernelError, choose
+        from .kernels.kernel_pool import KernelError, choose_sandbox
 
         try:
-            sandbox = choose()
+            sandbox = choose_sandbox()
             return run_behind(sandbox), Limits(), ""
         except (KernelError, OSError) as error:
             why = str(error)

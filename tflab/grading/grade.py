@@ -50,7 +50,7 @@ def main(words: Sequence[str]) -> int:
     out = Path(options.out)
     if sys.platform != "linux":
         return _refuse(NEEDS_LINUX)
-    from .kernels.take import KernelError  # from here on it is Linux
+    from .kernels.kernel_pool import KernelError  # from here on it is Linux
 
     try:
         pack = read_pack(Path(options.pack))
@@ -82,7 +82,7 @@ def main(words: Sequence[str]) -> int:
 
 
 def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
-    from .judging.apart import stamps
+    from .judging.isolated import stamps
 
     return stamps(files)
 
@@ -90,17 +90,17 @@ def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
 def _graded(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Text, ...]]:
+    from .kernels.kernel_pool import choose_sandbox
     from .kernels.limits import Limits
-    from .kernels.take import choose
 
     pack.compute_cases(pack.chapters, quiet=options.quiet)
     hidden = (Path(options.pack), Path(options.submissions), out)
-    sandbox = choose(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
-    from .batch import HowToGrade, grade_batch
+    sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
+    from .batch import GradingOptions, grade_batch
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
-    how = HowToGrade(limits, sandbox, jobs, options.scheduler, options.quiet, options.several)
+    how = GradingOptions(limits, sandbox, jobs, options.scheduler, options.quiet, options.several)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, how), wall
 

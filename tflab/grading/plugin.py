@@ -67,11 +67,11 @@ class TasksFile(pytest.File):
             from tflab.workbook.tasks.task import TaskError
 
             from .batch import grade_job, job_of
-            from .judging.apart import stamps
+            from .judging.isolated import stamps
             from .judging.pack import PackError
-            from .judging.submission import graded_twice
+            from .judging.submission import grade_with_retry
+            from .kernels.kernel_pool import choose_sandbox
             from .kernels.limits import Limits
-            from .kernels.take import choose
             from .submissions.collect import collect
 
             pack = self.read_pack()
@@ -84,7 +84,7 @@ class TasksFile(pytest.File):
                 job = job_of(submission, pack, Limits())
             except (PackError, TaskError) as error:
                 pytest.fail(f"--tflab-grade: {error}", pytrace=False)
-            self._record = graded_twice(job, partial(grade_job, sandbox=choose(hide)))
+            self._record = grade_with_retry(job, partial(grade_job, sandbox=choose_sandbox(hide)))
         return self._record
 
 

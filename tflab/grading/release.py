@@ -9,7 +9,7 @@
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
 chapters, with the seed it has, and finishes what was interrupted; `--update` brings in
-what was fixed since (see `mend.py`).
+what was fixed since (see `update_release.py`).
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from tflab.workbook.paths import WorkbookError
 from tflab.workbook.tasks.task import TaskError
 
 from .guide.command import write_guide
-from .guide.shelf import stems_there, teachings_called
+from .guide.files import stems_there, teachings_called
 from .guide.teaching import TeachingError
 from .judging.pack import (
     PACK,
@@ -48,9 +48,9 @@ from .judging.pack import (
     write_master,
     write_pack,
 )
-from .mend import mended_exercise
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
+from .update_release import update_exercise
 
 __all__ = ["main", "release", "update_release"]
 
@@ -160,7 +160,7 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
         if added := [task for task in now[stem] if task not in asked]:
             lines.append(f"{stem}: {', '.join(added)} is new, and no part of this release")
         old = json.loads((folder / INSTRUCTOR / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
-        new = mended_exercise(old, json.loads(_master(stem)), asked)
+        new = update_exercise(old, json.loads(_master(stem)), asked)
         if new != old:
             keep_chapter(folder / INSTRUCTOR, stem)
             write_master(folder / INSTRUCTOR, stem, text_of(new).encode())
@@ -196,7 +196,7 @@ def _exercises_for(
         name = f"exercises/{language}/{paths.exercise_file(stem)}"
         new = json.loads((paths.workbook_data() / name).read_bytes())
         old = json.loads(handed_out[name]) if name in handed_out else new
-        files[name] = _stamped(mended_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
+        files[name] = _stamped(update_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
     return files
 
 

@@ -1,17 +1,16 @@
-"""Write an instructor's guide, deck and course plans from built pages and teaching files (`tflab guide`).
+"""Write an instructor's guide, decks and course plans from built pages and teaching files (`tflab guide`).
 
-    lecture     what a built page holds for whoever lectures from it
-    teaching    what only a teacher needs: one YAML a chapter
-    vote        a question to the room: its options, what is expected, what to say
-    misfits     where the two do not fit
-    shelf       which files there are, and that they are in order
-    sheets      what a guide is set in
-    chapter     a chapter's guide
-    patients    six sick robots for the board
-    deck        the slides, with the votes among them
-    plans       a talk, a day, a term
-    command     `tflab guide`
+Objectives, predictions, replies, rubrics and notes come from the built pages. In reading order:
 
-Nothing is written twice: objectives, predictions, replies, rubrics and notes are the page's.
-Start with `lecture.py`.
+    lecture    read a built page: slides, notes, options, rubrics, exit ticket
+    teaching   read a chapter's teaching file: solutions/teaching/*.yaml
+    vote       questions to the class
+    validate   compare a teaching file with its page
+    files      the teaching files that there are
+    layout     HTML that guides and plans share
+    chapter    the guide of a chapter
+    patients   six patients of the clinic for the board
+    deck       slides with votes
+    plans      course plans: a talk, a day, a term
+    command    `tflab guide`
 """

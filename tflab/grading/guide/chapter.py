@@ -17,8 +17,8 @@ from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 from tflab.workbook.tasks.task import Task
 
 from ..reports.html import text
+from .layout import grid, inline, markdown
 from .lecture import LecturedPage
-from .sheets import grid, inline, markdown
 from .teaching import Demo, Marking, PlanRow, Teaching
 from .vote import LATER, RULES, Vote, votes_of
 

@@ -23,11 +23,11 @@ from tflab.workbook.tasks.catalog import tasks_of
 from ..reports.html import text
 from .chapter import chapter_guide
 from .deck import write_deck
+from .files import stems_there, teachings_called
+from .layout import STATIC, markdown, sheet
 from .lecture import lectured_page
 from .patients import board_patients, patients_section
 from .plans import CoursePlan, cells_of, plan_lines, plan_sheet, read_plans
-from .sheets import STATIC, markdown, sheet
-from .shelf import stems_there, teachings_called
 from .teaching import Teaching, TeachingError
 from .vote import votes_of
 

@@ -20,7 +20,7 @@ from typing import Any
 from tflab.text import Text
 from tflab.workbook.pages.slides import deck_from_notebook
 
-from .sheets import STATIC, inline, markdown
+from .layout import STATIC, inline, markdown
 from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
 
 __all__ = ["only", "with_votes", "write_deck"]

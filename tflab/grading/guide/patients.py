@@ -17,7 +17,7 @@ from tflab.text import Text
 from tflab.workbook.paths import workbook_data
 
 from ..reports.html import text
-from .sheets import grid, inline
+from .layout import grid, inline
 from .teaching import TEACHING, TeachingError, as_words, read_yaml, said_once
 
 __all__ = ["BoardPatient", "board_patients", "patients_section"]

@@ -21,8 +21,8 @@ from tflab.text import LANGUAGES, Text
 from tflab.workbook.paths import workbook_data
 
 from ..reports.html import text
+from .layout import grid, inline, sheet
 from .lecture import lectured_page
-from .sheets import grid, inline, sheet
 from .teaching import TEACHING, TeachingError, as_words, read_yaml, said_once
 
 __all__ = ["CoursePlan", "PlanPart", "cells_of", "plan_lines", "plan_sheet", "read_plans"]

@@ -85,7 +85,7 @@ class Vote:
 
 
 def votes_of(teaching: Teaching, page: LecturedPage) -> list[Vote]:
-    """Return a chapter's votes in the order of the deck; the file fits the page (see `misfits.py`)."""
+    """Return a chapter's votes in the order of the deck; the file fits the page (see `validate.py`)."""
     votes = [_vote(plain, teaching.stem, page) for plain in teaching.votes]
     return sorted(votes, key=lambda vote: page.shown.get(vote.after, 0))
 

@@ -1,22 +1,22 @@
-"""From a notebook that was read to marks: only its answers go on, and the verdict is made outside their process.
+"""Run the answers of a submission between our cells, and mark the outcomes outside the learner's process.
 
-    pack          what the instructor keeps: seed, hidden cases, masters
-    draw          which hidden cases a learner gets, in which order
-    run           a cell on its way to a kernel, and what comes back
-    cells         which cell of theirs is which of ours
-    transplant    its answers, between our cells
-    plan          which cells run, in which order
-    nbval_items   cells as nbval's test items
-    nbval_run     nbval, on such a kernel, within limits
-    attempt       what hangs is tried again, alone
-    marks         points, mistakes, words
-    job           one submission, as plain data
-    choose        which of its notebooks counts
-    agree         what an answer says that ran twice
-    apart         what is large is looked at elsewhere
-    apart_server  there, until it has had enough
-    submission    all of it, for one submission
-    plain_kernel  the same for a learner's own work, without a wall
+In reading order:
 
-Start with `pack.py`.
+    pack               the instructor's pack: seed, masters, hidden cases
+    draw               the hidden cases of one learner, and their order
+    run                cells on their way to a kernel, and their outcomes
+    cells              match a notebook's cells with those of the master
+    transplant         put the answers between our cells
+    plan               the cells to run, in order, with probes
+    nbval_items        cells as nbval's test items
+    nbval_run          run cells by nbval on a sandboxed kernel
+    execute            run a notebook; set aside what hangs or dies
+    marks              points, mistakes and messages of a task
+    job                one submission as plain data
+    select_submission  the notebook that counts, of several
+    repeatability      one outcome from two runs
+    isolated           judge large answers in a subprocess with CPU and memory limits
+    isolated_server    that subprocess
+    submission         grade one submission
+    plain_kernel       run cells in an ordinary kernel, for `tflab check` outside Linux
 """

@@ -20,9 +20,9 @@ from typing import Any
 
 import pytest
 
+from ..kernels.kernel_pool import Kernel
 from ..kernels.limits import Limits
 from ..kernels.probe import PROBE_TYPE
-from ..kernels.take import Kernel
 from ..kernels.wire import WireClosed, WireFault
 from .run import RunCell
 

@@ -18,9 +18,9 @@ from typing import Any
 
 import pytest
 
+from ..kernels.kernel_pool import for_this_process
 from ..kernels.limits import Limits
 from ..kernels.sandbox import Sandbox
-from ..kernels.take import for_this_process
 from .nbval_items import AnswerCell, AnswerFile, NbCellError
 from .run import CellOutcome, Run, RunCell
 

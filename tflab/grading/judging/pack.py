@@ -45,7 +45,7 @@ from .cells import Master, master_of
 from .draw import POOL, digest_of, drawn, pool_of
 
 __all__ = [
-    "DAMAGE", "Pack", "PackError", "graded_cases", "keep_chapter", "learners_seed", "questions_asked", "read_pack",
+    "MALFORMED", "Pack", "PackError", "graded_cases", "keep_chapter", "learners_seed", "questions_asked", "read_pack",
     "usual_of", "write_master", "write_pack",
 ]  # fmt: skip
 
@@ -53,7 +53,7 @@ FORMAT = 4
 Made = TypeVar("Made")
 PACK = "pack.json"
 BEFORE = "before"
-DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
+MALFORMED = (KeyError, TypeError, ValueError, IndexError, AttributeError)  # what reading JSON that is not ours raises
 
 
 class PackError(Exception):
@@ -306,7 +306,7 @@ def read_pack(folder: Path) -> Pack:
         _check_questions(questions)
         masters = {stem: _read_master(path.parent, stem, questions[stem]) for stem in questions}
         return Pack(held["release"], held["seed"], held["version"], held["language"], roster, questions, masters)
-    except (*DAMAGE, OSError) as error:
+    except (*MALFORMED, OSError) as error:
         raise PackError(f"{path.parent} is damaged: {type(error).__name__}: {error}") from None
 
 

@@ -1,6 +1,6 @@
 """How is one submission graded?  Its files become notebooks, each chapter's answers run, and a record comes out.
 
-    Job(learner, files, chapters)  --choose, transplant, attempt, mark-->  {"points": 11.5, "chapters": {...}}
+    Job(learner, files, chapters)  --select, transplant, execute, mark-->  {"points": 11.5, "chapters": {...}}
 
 Nothing that a submission does ends a job: every fault becomes a line in the record.
 """
@@ -15,18 +15,18 @@ from tflab.text import LANGUAGES
 from tflab.workbook.verdicts.mistake import Mistake
 
 from ..submissions.remarks import Remark
-from .agree import in_another_order
-from .apart import chosen, marked
-from .attempt import Attempt, attempt
 from .cells import VOID
-from .choose import Candidate
 from .draw import asks_of
+from .execute import Execution, execute
+from .isolated import mark_task, select_notebooks
 from .job import Job
 from .marks import TaskMark
+from .repeatability import reverse_order
 from .run import NotRun, Run, RunCell, RunCells
+from .select_submission import Candidate
 from .transplant import Transplant
 
-__all__ = ["graded", "graded_twice", "record_with"]
+__all__ = ["grade_with_retry", "graded", "merge_records"]
 
 ODD = {  # more than a wrong number
     "raised", "no result", Mistake.RAISES, Mistake.OTHER_EXCEPTION, Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
@@ -45,7 +45,7 @@ class GradedChapter:
 
 def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     """Return the record of a submission, as JSON has it."""
-    counting, on_files = chosen(job)
+    counting, on_files = select_notebooks(job)
     chapters = {
         stem: _graded_chapter(job, stem, counting[stem], run_cells) if stem in counting else _not_handed_in(job, stem)
         for stem in job.chapters
@@ -67,15 +67,15 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     }
 
 
-def graded_twice(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
+def grade_with_retry(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
     """Return a job's record by `grade`; what does not end has its second chance, alone, right behind the first."""
     record = grade(job)
     if not record["set_aside"]:
         return record
-    return record_with(record, grade(replace(job, only=record["set_aside"])))
+    return merge_records(record, grade(replace(job, only=record["set_aside"])))
 
 
-def record_with(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:
+def merge_records(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:
     """Return a record in which the tasks that were tried alone have their new marks."""
     chapters = {stem: dict(chapter) for stem, chapter in record["chapters"].items()}
     for stem, chapter in alone["chapters"].items():
@@ -96,7 +96,7 @@ def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCel
     grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.transplanted, run_cells)
     only = job.only.get(stem, ()) if job.only is not None else None
     wanted = [task for task in grader.answered if only is None or task in only]
-    first = grader.attempt(wanted, alone=job.only is not None)
+    first = grader.execute(wanted, alone=job.only is not None)
     before = grader.marks(first, only if job.only else None)
     again = dict(grader.looked_at_again(before, first))
     marks = [again[mark.task].mark if mark.task in again else mark for mark in before]
@@ -136,19 +136,19 @@ class ChapterGrader:
         """The tasks that are worth a look."""
         return [task for task in self.transplanted.answered if task in self.tasks]
 
-    def attempt(
+    def execute(
         self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = (), again: bool = False
-    ) -> Attempt:
+    ) -> Execution:
         """Run what it takes to hear of some tasks; if our own cells do not run, once more."""
         usual = self.job.limits
         patient = usual.times(3)
-        tasks = {name: in_another_order(task) if again else task for name, task in self.tasks.items()}
+        tasks = {name: reverse_order(task) if again else task for name, task in self.tasks.items()}
 
         def run(cells: Sequence[RunCell], patiently: bool) -> Run:
             return self.run_cells(cells, patient if patiently else usual)
 
-        def once() -> Attempt:
-            return attempt(
+        def once() -> Execution:
+            return execute(
                 self.transplanted, tasks, run, wanted=wanted, cell_s=usual.cell_s,
                 notebook_s=(patient if alone else usual).notebook_s, closely=alone, leave_out=leave_out,
             )  # fmt: skip
@@ -161,21 +161,21 @@ class ChapterGrader:
             return once()
         except NotRun as error:
             line = Remark("not run", why=error)
-            return Attempt(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
+            return Execution(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
 
-    def marks(self, made: Attempt, only: Sequence[str] | None = None) -> list[TaskMark]:
+    def marks(self, made: Execution, only: Sequence[str] | None = None) -> list[TaskMark]:
         """Return what the tasks got."""
         return [self._mark(task_id, made) for task_id in self.tasks if only is None or task_id in only]
 
-    def _mark(self, task_id: str, made: Attempt) -> TaskMark:
+    def _mark(self, task_id: str, made: Execution) -> TaskMark:
         task = self.tasks[task_id]
         void = [remark for remark in self.transplanted.remarks if remark.task == task_id and remark.kind in VOID]
         trouble = void or made.trouble.get(task_id, [])
         if task_id not in self.transplanted.answered and not trouble:
-            return marked(task_id, task, [_nothing(task)])
-        return marked(task_id, task, [made.outcomes.get(task_id, {})], trouble)
+            return mark_task(task_id, task, [_nothing(task)])
+        return mark_task(task_id, task, [made.outcomes.get(task_id, {})], trouble)
 
-    def looked_at_again(self, marks: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
+    def looked_at_again(self, marks: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         """Run what is not all right or all wrong once more, and take what both runs say.
 
         What failed oddly runs without the other answers: one of these may have got in its way (`math = 3`, a patched
@@ -188,33 +188,33 @@ class ChapterGrader:
         yield from self._in_a_fresh_kernel([mark for mark in partly if self.tasks[mark.task]["is_function"]], first)
         yield from self._apart(odd, first)
 
-    def _is_worth_a_second_look(self, mark: TaskMark, first: Attempt) -> bool:
+    def _is_worth_a_second_look(self, mark: TaskMark, first: Execution) -> bool:
         is_there = mark.task in self.transplanted.answered and mark.task not in first.set_aside
         return is_there and mark.points < mark.most
 
-    def _in_a_fresh_kernel(self, partly: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
-        second = self.attempt([mark.task for mark in partly], again=True) if partly else Attempt()
+    def _in_a_fresh_kernel(self, partly: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
+        second = self.execute([mark.task for mark in partly], again=True) if partly else Execution()
         for mark in partly:
             yield mark.task, SecondLook(self._agreed(mark, first, second), second.seconds / len(partly))
 
-    def _apart(self, odd: Sequence[TaskMark], first: Attempt) -> Iterator[tuple[str, SecondLook]]:
+    def _apart(self, odd: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         seconds = 0.0
         for mark in odd:
             others = [task for task in self.transplanted.answered if task != mark.task]
             if not others or seconds > self.job.limits.notebook_s:
                 continue
-            second = self.attempt([mark.task], leave_out=others, again=True)
+            second = self.execute([mark.task], leave_out=others, again=True)
             seconds += second.seconds
             agreed = self._agreed(mark, first, second)
             yield mark.task, SecondLook(agreed, second.seconds, agreed.points > mark.points)
 
-    def _agreed(self, mark: TaskMark, first: Attempt, second: Attempt) -> TaskMark:
+    def _agreed(self, mark: TaskMark, first: Execution, second: Execution) -> TaskMark:
         """Return what a task gets for what both runs say of it."""
         if mark.task in second.set_aside:
             return mark
         outcomes = [made.outcomes.get(mark.task, {}) for made in (first, second)]
         ran_without = [made.trouble.get(mark.task, []) for made in (first, second)]
-        return marked(mark.task, self.tasks[mark.task], outcomes, min(ran_without, key=len))
+        return mark_task(mark.task, self.tasks[mark.task], outcomes, min(ran_without, key=len))
 
 
 def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Remark]:
@@ -231,7 +231,7 @@ def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Re
 def _not_handed_in(job: Job, stem: str) -> GradedChapter:
     tasks = job.chapters[stem]["tasks"]
     rows = {
-        task_id: marked(task_id, task, [_nothing(task)]).plain() | {"status": "missing", "remarks": []}
+        task_id: mark_task(task_id, task, [_nothing(task)]).plain() | {"status": "missing", "remarks": []}
         for task_id, task in tasks.items()
     }
     remarks = [Remark("nothing", chapter=stem).plain()] if job.files else []

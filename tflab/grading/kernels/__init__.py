@@ -1,18 +1,18 @@
-"""Kernels that are there before they are asked for, behind a wall, and gone without a trace.
+"""Run cells in sandboxed kernels that wait ready, and end them with all that they started.
 
-    limits       how much a submission may take
-    rlimits      which of that the operating system enforces
-    sandbox      which wall this machine has
-    namespaces   the first: a process that sees nothing
-    seccomp      which system calls are refused
-    landlock     where the kernel allows nothing better
-    bubblewrap   the second: the same, by bwrap
-    wire         two ends that talk
-    ipython      what runs a cell in there
-    probe        the one page of ours among the learner's cells
-    keeper       supervisor of one kernel, and of all that it starts
-    forkserver   makes keepers, quickly
-    take         the grader's side: a kernel, please
+In reading order:
 
-Start with `limits.py`.
+    limits       time, memory, output, processes and files that a submission may use
+    rlimits      the limits that the operating system enforces (`setrlimit`)
+    sandbox      the three kinds of sandbox, and what each does not protect from
+    namespaces   a sandbox of Linux namespaces
+    seccomp      a filter of system calls
+    landlock     rules for files where there are no namespaces
+    bubblewrap   a sandbox by the program `bwrap`
+    wire         messages between grader and kernel
+    ipython      the kernel that runs a cell
+    probe        our code beside the learner's: calls an answer and sends the outcomes
+    supervisor   the process that watches a kernel and ends it
+    forkserver   the process that forks supervisors
+    kernel_pool  the grader's side: kernels on request, and the choice of the sandbox
 """

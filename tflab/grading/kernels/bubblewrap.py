@@ -2,7 +2,7 @@
 
     bwrap --unshare-all --ro-bind /usr /usr ... -- python -m tflab.grading.kernels.forkserver --one FD
 
-Read `keeper.py` for what happens to it then.
+Read `supervisor.py` for what happens to it then.
 """
 
 from __future__ import annotations

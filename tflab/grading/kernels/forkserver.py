@@ -5,7 +5,7 @@
 
 It is executed afresh, with an environment of its own, and never sees a submission, a pack or an
 expected value: what a kernel inherits from it is Python with the libraries loaded, nothing else.
-An order is a frame of JSON with two descriptors: the kernel's end of the wire and the keeper's of the leash.
+An order is a frame of JSON with two descriptors: the kernel's end of the wire and the supervisor's of the leash.
 """
 
 from __future__ import annotations
@@ -47,12 +47,12 @@ def main(arguments: list[str]) -> None:
 
 def take_orders(orders: socket.socket) -> None:
     from . import ipython as shell
-    from . import keeper  # all that is needed is here before the first fork
+    from . import supervisor  # all that is needed is here before the first fork
 
     kernel = prepare()
     silence()
     shell.warm_up(kernel)
-    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for keepers: the leash tells
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for supervisors: the leash tells
     gc.collect()
     gc.freeze()  # what is here now is never moved or looked at again, so it stays shared
     orders.send(b"ready")
@@ -65,7 +65,7 @@ def take_orders(orders: socket.socket) -> None:
             with contextlib.suppress(BaseException):
                 orders.close()
                 os.setsid()
-                keeper.keep(json.loads(said), wire, leash, lambda end: serve(kernel, end))
+                supervisor.keep(json.loads(said), wire, leash, lambda end: serve(kernel, end))
             os._exit(0)
         wire.close()
         leash.close()

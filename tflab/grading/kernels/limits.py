@@ -3,7 +3,7 @@
     Limits()                  what a course's answers need, many times over
     Limits().times(3)         the second chance after a deadline: three times the time
 
-Time is enforced by the grader, by its own clock; memory by the keeper of the kernel, which
+Time is enforced by the grader, by its own clock; memory by the supervisor of the kernel, which
 looks at all its processes together; the rest by the kernel of the operating system.
 Where there is no wall (`tflab check` on another system) only the time is limited.
 """

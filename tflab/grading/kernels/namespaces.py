@@ -67,7 +67,7 @@ def leave() -> None:
 
 def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: int) -> None:
     """Give this process, the first of its namespace, a file system with only `shown` in it, read only."""
-    check(libc.unshare(NEWNS), "unshare")  # not before: its keeper goes on seeing the machine's processes
+    check(libc.unshare(NEWNS), "unshare")  # not before: its supervisor goes on seeing the machine's processes
     mount(None, "/", None, REC | PRIVATE)
     root = "/tmp"
     mount("tmpfs", root, "tmpfs", NOSUID | NODEV, "size=4m,nr_inodes=4k,mode=755")
@@ -195,4 +195,4 @@ def become_nobody(uid: int | None, kept: int | None = None) -> None:
     check(libc.capset(header, (ctypes.c_uint32 * 6)(rights, rights, rights)), "capset")
     if kept is not None:
         check(libc.prctl(PR_CAP_AMBIENT, AMBIENT_RAISE, kept, 0, 0), "ambient capability")
-    libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that the keeper may measure it
+    libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that the supervisor may measure it

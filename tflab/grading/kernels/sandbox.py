@@ -5,7 +5,7 @@
     limits        only time, memory and what it writes are bounded, and, by Landlock, if the machine has that,
                   which files it can read; without it, hidden answers are advisory
 
-`kernels.choose` tries them in this order.  What must not be seen (the pack, the other
+`choose_sandbox` tries them in this order.  What must not be seen (the pack, the other
 submissions) goes into `hide`, although the first two walls show only what Python needs.
 """
 

@@ -18,7 +18,7 @@ import struct
 import time
 from typing import Any
 
-from ..submissions import shallow_json
+from ..submissions import bounded_json
 
 __all__ = ["Wire", "WireClosed", "WireFault"]
 
@@ -101,7 +101,7 @@ class Wire:
         body = bytes(self._got[HEAD.size : HEAD.size + length])
         del self._got[: HEAD.size + length]
         try:
-            message = shallow_json.read(body)
+            message = bounded_json.read(body)
         except ValueError as fault:  # UnicodeDecodeError is one, too
             raise WireFault(f"a message that is not JSON ({type(fault).__name__})") from None
         if not isinstance(message, dict):

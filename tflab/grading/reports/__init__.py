@@ -1,12 +1,12 @@
-"""What the instructor and the learners read.
+"""Write what the instructor and the learners read: tables, feedback, the page of the class.
 
-    gradebook      CSV and JSON
+In reading order:
+
+    gradebook      grades as CSV and records as JSON
+    html           tables, figures and texts of HTML pages
     feedback       a page for each learner
-    html           what such pages share
-    gain           a test before and after
-    class_figures  pictures of a class
-    gain_section   the same on the class's page
-    class_page     what the class misunderstands
-
-Start with `gradebook.py`.
+    gain           the concept inventory before and after the course
+    class_figures  figures of a class
+    gain_section   the gain on the page of the class
+    class_page     mistakes and misconceptions of the class
 """

@@ -1,15 +1,15 @@
-"""What came in: whose it is, and what can be read of it, as strings.
+"""Find what was handed in, tell whose it is, and read it as strings. Nothing in here runs learners' code.
 
-    collect       folders, zips, names as learning systems give them
-    listing       which files there are, zips included
-    owners        whose they are
-    archives      a zip, without being harmed by it
-    roster        who is in the class
-    shallow_json  a stranger's JSON
-    skimmed       a notebook without what nobody reads
-    reader        a stranger's notebook, as strings
-    reasons       why it could not be read
-    remarks       what is said of what was found
+In reading order:
 
-Nothing in here runs a line of what was handed in.  Start with `collect.py`.
+    collect        submissions from folders and zips, as learning systems name them
+    listing        the files of a folder, zips included
+    archives       zips, within limits
+    owners         the owner of a file, by its path and its stamp
+    roster         the class: ids, names and languages
+    bounded_json   JSON of limited depth
+    strip_outputs  remove outputs from a notebook's text
+    reader         a notebook's cells, as strings
+    reasons        texts: why a file cannot be read
+    remarks        remarks on a submission, in both languages
 """

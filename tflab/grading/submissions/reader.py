@@ -21,9 +21,9 @@ from typing import Any
 
 from tflab.workbook.tasks.task import slug
 
-from . import shallow_json
+from . import bounded_json
 from .remarks import Remark
-from .skimmed import skimmed
+from .strip_outputs import strip_outputs
 
 __all__ = [
     "MAX_BYTES",
@@ -112,7 +112,7 @@ def read_notebook(data: bytes) -> SubmittedNotebook:
         Unreadable: not a notebook.
     """
     text, remarks = _decoded(data)
-    text = skimmed(text)
+    text = strip_outputs(text)
     if max(text.count("["), text.count("{")) > MAX_CONTAINERS:
         raise Unreadable("many lists")
     page = _parsed(text)
@@ -145,8 +145,8 @@ def _decoded(data: bytes) -> tuple[str, list[Remark]]:
 
 def _parsed(text: str) -> Any:
     try:
-        return shallow_json.read(text, parse_int=_short_int, strict=False)
-    except shallow_json.TooDeep:
+        return bounded_json.read(text, parse_int=_short_int, strict=False)
+    except bounded_json.TooDeep:
         raise Unreadable("too deep") from None
     except ValueError as error:
         raise Unreadable("no JSON", line=getattr(error, "lineno", 1)) from None

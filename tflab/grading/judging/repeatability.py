@@ -2,7 +2,7 @@
 
     first run     2.0   raised   5.0   1.0
     second run    2.0   3.0      4.0   -              asked in another order, in a fresh kernel
-    together      2.0   3.0     (none) 1.0
+    merged        2.0   3.0     (none) 1.0
 
 A run that gave no value at all for a case is no answer: another answer may have been in
 its way (`math = 3`), so the other run counts.  Who gives a value now and none then, in one
@@ -20,19 +20,19 @@ from tflab.workbook.answers.forms import Form, form_from_plain
 from .draw import asks_of
 from .marks import most_members, of_bounded_size
 
-__all__ = ["in_another_order", "together"]
+__all__ = ["merge_runs", "reverse_order"]
 
 
-def in_another_order(task: Mapping[str, Any]) -> dict[str, Any]:
+def reverse_order(task: Mapping[str, Any]) -> dict[str, Any]:
     """Return a task as it is asked in a second run: the last first."""
     return dict(task) | {"asks": list(reversed(asks_of(task)))}
 
 
-def together(
+def merge_runs(
     task: Mapping[str, Any], first: Mapping[int, Any], second: Mapping[int, Any]
 ) -> tuple[dict[str, Any], dict[int, Any]]:
-    """Return a task as it was asked in two runs, and its outcomes; `second` is of `in_another_order`."""
-    asks, asks_again = asks_of(task), in_another_order(task)["asks"]
+    """Return a task as it was asked in two runs, and its outcomes; `second` is of `reverse_order`."""
+    asks, asks_again = asks_of(task), reverse_order(task)["asks"]
     form = form_from_plain(task["form"])
     most = most_members(case["expected"] for case in task["cases"])
     outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}

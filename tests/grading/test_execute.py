@@ -10,11 +10,11 @@ from typing import Any
 
 import pytest
 
-from tflab.grading.judging.attempt import SHORTLY, Attempt, attempt
+from tflab.grading.judging.execute import SHORTLY, Execution, execute
 from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.plan import BRIEFLY, plan
 from tflab.grading.judging.run import CellOutcome, NotRun, Run, RunCell
-from tflab.grading.judging.submission import graded, record_with
+from tflab.grading.judging.submission import graded, merge_records
 from tflab.grading.judging.transplant import Transplant
 from tflab.grading.kernels import probe as inside
 from tflab.grading.kernels.limits import Limits
@@ -96,12 +96,12 @@ def quiet_prepare(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(inside, "prepare", lambda givens_json: json.loads(givens_json))
 
 
-def tried(here: Here, done: Transplant, **options: Any) -> Attempt:
+def tried(here: Here, done: Transplant, **options: Any) -> Execution:
     options = {"wanted": list(TASKS), "cell_s": 1.0, "notebook_s": 6.0} | options
-    return attempt(done, TASKS, here, **options)
+    return execute(done, TASKS, here, **options)
 
 
-def kinds(made: Attempt, task: str) -> list[str]:
+def kinds(made: Execution, task: str) -> list[str]:
     return [remark.kind for remark in made.trouble.get(task, [])]
 
 
@@ -149,7 +149,7 @@ def test_tried_alone_each_task_has_three_times_the_time_and_what_is_left_then_is
         assert len({shared for _, _, shared in asked}) == len({task for task, _, _ in asked})
         return here(cells)
 
-    attempt(
+    execute(
         pieces(e1_2="def f(x):\n    hang()"), TASKS, run, wanted=["E1.2", "E1.3"], cell_s=1.0, notebook_s=6.0,
         closely=True,
     )  # fmt: skip
@@ -199,7 +199,7 @@ def test_trying_things_out_behind_the_check_does_not_spoil_the_answer() -> None:
 
 def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
     with pytest.raises(NotRun):
-        attempt(
+        execute(
             Transplant((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)),
             TASKS, Here(), wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
         )  # fmt: skip
@@ -208,7 +208,7 @@ def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
 def test_a_kernel_that_dies_in_our_cell_was_killed_by_what_ran_before_it() -> None:
     (load, *others), here = pieces(e1_1="a = 1\nspoilt = True").cells, Here()
     dies_late = RunCell("ours", "scene", "if 'spoilt' in globals(): die()")
-    made = attempt(
+    made = execute(
         Transplant((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)),
         TASKS, here, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
     )  # fmt: skip
@@ -267,7 +267,7 @@ def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
 
     first = graded(job, slow_at_first)
     assert (first["points"], first["set_aside"]) == (0.0, {"01_x": ["E1.1"]})
-    both = record_with(first, graded(replace(job, only=first["set_aside"]), slow_at_first))
+    both = merge_records(first, graded(replace(job, only=first["set_aside"]), slow_at_first))
     assert both["points"] == 2.0
     assert "not_run" not in both
 
@@ -283,6 +283,6 @@ def test_own_cells_that_do_not_end_cost_little_after_the_second_and_no_answer() 
     many = pieces()
     helpers = [RunCell("own", f"e1_1-given+{n}", "hang()", "E1.1") for n in range(15)]
     done = Transplant((*many.cells[:1], *helpers, *many.cells[1:]), many.answered)
-    made = attempt(done, TASKS, watched, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0)
+    made = execute(done, TASKS, watched, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0)
     assert made.outcomes["E1.1"] == {0: 1} and made.outcomes["E1.3"] == {0: 1}
     assert shares[:2] == [1.0, 1.0] and set(shares[2:]) == {SHORTLY}

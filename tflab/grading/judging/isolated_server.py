@@ -1,6 +1,6 @@
 """Where is looked at what is large?  In a fork of this process, which the system ends when it has had enough.
 
-    python -m tflab.grading.judging.apart_server 7      serve what comes over descriptor 7
+    python -m tflab.grading.judging.isolated_server 7      serve what comes over descriptor 7
 
 The server has imported what judging needs and looks at nothing itself: it reads bytes,
 forks, and says so if the child ended otherwise than by itself (a preforking server
@@ -20,7 +20,7 @@ from multiprocessing.connection import Connection
 from typing import NoReturn
 
 from ..kernels.rlimits import virtual_memory
-from .apart import WORK, Ended
+from .isolated import WORK, Ended
 
 __all__ = ["main"]
 

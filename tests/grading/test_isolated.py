@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.judging import apart
+from tflab.grading.judging import isolated
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.marks import judged, members
@@ -32,7 +32,7 @@ def outcomes(task: dict[str, Any], one: Any = None) -> dict[int, Any]:
 @pytest.fixture(autouse=True)
 def its_own_server() -> Iterator[None]:
     yield
-    apart._stop()
+    isolated._stop()
 
 
 def hog(count: int) -> bytes:
@@ -48,47 +48,47 @@ def job(course: tiny.Course, *files: HandedIn) -> Job:
 
 
 def test_what_is_as_small_as_what_is_asked_for_is_judged_here(task: dict[str, Any]) -> None:
-    assert apart.marked("E3.2", task, [outcomes(task)]).points == 4
-    assert apart._servers == {}
+    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
+    assert isolated._servers == {}
 
 
 def test_as_much_as_is_asked_for_is_judged_here_however_much_that_is(task: dict[str, Any]) -> None:
-    many = [0.0] * (apart.LARGE_ANSWERS // 3)
+    many = [0.0] * (isolated.LARGE_ANSWERS // 3)
     asking = task | {"cases": [case | {"expected": many} for case in task["cases"]]}
-    apart.marked("E3.2", asking, [outcomes(asking)] * 2)
-    assert apart._servers == {}
+    isolated.mark_task("E3.2", asking, [outcomes(asking)] * 2)
+    assert isolated._servers == {}
 
 
 def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, Any]) -> None:
     large = outcomes(task, [0.0] * 1_900)
-    mark = apart.marked("E3.2", task, [large])
-    assert len(apart._servers) == 1
+    mark = isolated.mark_task("E3.2", task, [large])
+    assert len(isolated._servers) == 1
     assert mark == judged("E3.2", task, large)
     assert mark.status == "wrong"
 
 
 def test_two_runs_are_large_together(task: dict[str, Any]) -> None:
-    apart.marked("E3.2", task, [outcomes(task, [0.0] * (apart.LARGE_ANSWERS // (3 * len(asks_of(task)))))])
-    assert apart._servers == {}
-    apart.marked("E3.2", task, [outcomes(task, [0.0] * (apart.LARGE_ANSWERS // (3 * len(asks_of(task)))))] * 2)
-    assert len(apart._servers) == 1
+    isolated.mark_task("E3.2", task, [outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))])
+    assert isolated._servers == {}
+    isolated.mark_task("E3.2", task, [outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))] * 2)
+    assert len(isolated._servers) == 1
 
 
 def test_a_judging_that_does_not_end_is_ended_and_costs_its_own_task(
     task: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(apart, "MEMORY", 1 << 20)
-    mark = apart.marked("E3.2", task, [outcomes(task, "x" * 8_000_000)])
+    monkeypatch.setattr(isolated, "MEMORY", 1 << 20)
+    mark = isolated.mark_task("E3.2", task, [outcomes(task, "x" * 8_000_000)])
     assert (mark.points, mark.most, [remark.kind for remark in mark.remarks]) == (0.0, 4.0, ["endless to judge"])
-    assert apart.marked("E3.2", task, [outcomes(task)]).points == 4
+    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
 
 
 def test_a_notebook_that_cannot_be_read_in_time_is_left_out_and_another_counts(
     course: tiny.Course, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(apart, "CPU_S", 1)
+    monkeypatch.setattr(isolated, "CPU_S", 1)
     honest = HandedIn("03.ipynb", json.dumps(tiny.answered(tiny.exercise(course.release / "learners/s102"))).encode())
-    found, remarks = apart.chosen(job(course, HandedIn("hog.ipynb", hog(90)), honest))
+    found, remarks = isolated.select_notebooks(job(course, HandedIn("hog.ipynb", hog(90)), honest))
     assert {stem: candidate.file for stem, candidate in found.items()} == {tiny.STEM: "03.ipynb"}
     assert [remark.words["why"].kind for remark in remarks] == ["endless to read"]
 
@@ -97,12 +97,12 @@ def test_a_large_honest_notebook_is_read_apart_as_it_is_here(course: tiny.Course
     notebook = tiny.answered(tiny.exercise(course.release / "learners/s102"))
     notebook["cells"][-1]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * 2_000_000}]
     large = job(course, HandedIn("03.ipynb", json.dumps(notebook).encode()))
-    apart_, here = apart.chosen(large), apart.choose(large)
-    assert len(apart._servers) == 1
-    assert {stem: one.transplanted for stem, one in apart_[0].items()} == {
+    isolated_, here = isolated.select_notebooks(large), isolated.select_counting(large)
+    assert len(isolated._servers) == 1
+    assert {stem: one.transplanted for stem, one in isolated_[0].items()} == {
         stem: one.transplanted for stem, one in here[0].items()
     }
-    assert [one.page.file.data for one in apart_[0].values()] == [b""]
+    assert [one.page.file.data for one in isolated_[0].values()] == [b""]
 
 
 @pytest.mark.parametrize("count", [1, 40])
@@ -110,18 +110,18 @@ def test_a_strangers_files_are_read_for_their_stamps_within_the_same_end(
     course: tiny.Course, count: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stamped = json.dumps({"cells": [], "metadata": {"tflab": {"learner": "s102"}}}).encode()
-    assert apart.stamps([stamped, b"no notebook"] * count) == [{"learner": "s102"}] * count
-    monkeypatch.setattr(apart, "MEMORY", 8 << 20)
-    assert apart.stamps([stamped, b'{"cells": [' + b'"x", ' * 4_000_000 + b"0]}"]) == []
+    assert isolated.stamps([stamped, b"no notebook"] * count) == [{"learner": "s102"}] * count
+    monkeypatch.setattr(isolated, "MEMORY", 8 << 20)
+    assert isolated.stamps([stamped, b'{"cells": [' + b'"x", ' * 4_000_000 + b"0]}"]) == []
 
 
 def test_a_server_that_was_killed_is_started_anew(task: dict[str, Any]) -> None:
     large = [outcomes(task, [0.0] * 1_900)]
-    first = apart.marked("E3.2", task, large)
-    process, _ = apart._servers[os.getpid()]
+    first = isolated.mark_task("E3.2", task, large)
+    process, _ = isolated._servers[os.getpid()]
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    assert apart.marked("E3.2", task, large) == first
+    assert isolated.mark_task("E3.2", task, large) == first
 
 
 @pytest.mark.parametrize(("plain", "count"), [(1.0, 1), ([1.0, 2.0], 5), ({"dict": {"a": [1.0]}}, 7), ("x" * 250, 3)])

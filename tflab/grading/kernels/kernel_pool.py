@@ -1,6 +1,6 @@
 """How does the grader get a kernel?  From its own forkserver, one of them forked ahead of need.
 
-    kernels = Kernels(choose())
+    kernels = Kernels(choose_sandbox())
     kernel = kernels.take(Limits())       # milliseconds: it was waiting
     kernel.wire.send({...}); kernel.close()
 
@@ -28,7 +28,7 @@ from .limits import Limits
 from .sandbox import LEVELS, Sandbox
 from .wire import Wire, WireClosed, WireFault
 
-__all__ = ["Kernel", "KernelError", "Kernels", "choose", "for_this_process"]
+__all__ = ["Kernel", "KernelError", "Kernels", "choose_sandbox", "for_this_process"]
 
 START_S = 60.0
 PR_SET_DUMPABLE = 4
@@ -68,7 +68,7 @@ class Kernel:
             self.wire.close()
 
     def close(self) -> str | None:
-        """Have it ended, and all it started; return what its keeper says about the end, once all are gone."""
+        """Have it ended, and all it started; return what its supervisor says about the end, once all are gone."""
         if self.leash.fileno() == -1:
             return None
         self.hang_up()
@@ -218,7 +218,7 @@ def environment_of_the_server() -> dict[str, str]:
     return kept | one_thread | {"LANG": "C.UTF-8", "PATH": os.defpath, "PYTHONHASHSEED": "0", "MPLBACKEND": "agg"}
 
 
-def choose(hide: tuple[str, ...] = (), meanwhile: Callable[[], None] = lambda: None) -> Sandbox:
+def choose_sandbox(hide: tuple[str, ...] = (), meanwhile: Callable[[], None] = lambda: None) -> Sandbox:
     """Return the best sandbox that works on this machine, tried out; `meanwhile` is done while the first one starts."""
     reasons: list[str] = []
     for level in LEVELS:

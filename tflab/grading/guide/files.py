@@ -15,8 +15,8 @@ from tflab.workbook.course.course import read_course
 from tflab.workbook.paths import stems_called, workbook_data
 
 from .lecture import lectured_page
-from .misfits import misfits, misfits_of_marking
 from .teaching import TEACHING, Teaching, TeachingError, read_teaching
+from .validate import validate_markings, validate_teaching
 
 __all__ = ["stems_there", "teachings_called"]
 
@@ -45,10 +45,10 @@ def teachings_called(words: Iterable[str], data: Path | None = None) -> list[Tea
         except TeachingError as error:
             faults += error.faults
             continue
-        faults += misfits(teaching, pages, chapter)
+        faults += validate_teaching(teaching, pages, chapter)
         found.append(teaching)
         english[stem] = pages[0]
-    faults += misfits_of_marking(found, english, course)
+    faults += validate_markings(found, english, course)
     if faults:
         raise TeachingError(*faults)
     return found

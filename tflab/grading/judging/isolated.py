@@ -24,20 +24,20 @@ from typing import Any
 
 from ..submissions.owners import read_stamps
 from ..submissions.remarks import Remark
-from .agree import together
-from .choose import Candidate, choose
 from .draw import asks_of
 from .job import HandedIn, Job
 from .marks import TaskMark, judged, members
+from .repeatability import merge_runs
+from .select_submission import Candidate, select_counting
 
-__all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "apart", "chosen", "marked", "stamps"]
+__all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "mark_task", "run_isolated", "select_notebooks", "stamps"]
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
 LARGE_ANSWERS = 1_000  # values of a task's outcomes beyond those expected; fewer are judged in a fifth of a second
 LARGE_FILES = 1 << 20  # bytes of all files together
 IS_POSSIBLE = sys.platform == "linux"  # elsewhere only learners look at their own work
-SERVER = f"{__package__}.apart_server"
+SERVER = f"{__package__}.isolated_server"
 
 Outcomes = Mapping[int, Any]
 Chosen = tuple[dict[str, Candidate], tuple[Remark, ...]]
@@ -47,14 +47,16 @@ class Ended(Exception):
     """The look at something took too long, or too much memory."""
 
 
-def marked(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()) -> TaskMark:
+def mark_task(
+    task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()
+) -> TaskMark:
     """Return the mark of a task that was run once, or twice.
 
     What fails here or has no end costs no other task anything, and says nothing of what is expected.
     """
     try:
         if IS_POSSIBLE and _are_large(task, runs):
-            return apart("mark", task_id, task, runs, trouble)
+            return run_isolated("mark", task_id, task, runs, trouble)
         return _mark(task_id, task, runs, trouble)
     except Ended:
         said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
@@ -63,13 +65,13 @@ def marked(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trou
     return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
 
 
-def chosen(job: Job) -> Chosen:
+def select_notebooks(job: Job) -> Chosen:
     """Return for each chapter the notebook that counts; a large file whose reading has no end is left out."""
     if not IS_POSSIBLE or sum(len(file.data) for file in job.files) < LARGE_FILES:
-        return choose(job)
+        return select_counting(job)
     with contextlib.suppress(Ended):
-        return apart("choose", job)
-    return choose(replace(job, files=tuple(_readable(job, file) for file in job.files)))
+        return run_isolated("select", job)
+    return select_counting(replace(job, files=tuple(_readable(job, file) for file in job.files)))
 
 
 def _readable(job: Job, file: HandedIn) -> HandedIn:
@@ -77,7 +79,7 @@ def _readable(job: Job, file: HandedIn) -> HandedIn:
     if len(file.data) * len(job.files) < LARGE_FILES:
         return file
     try:
-        apart("choose", replace(job, files=(file,)))
+        run_isolated("select", replace(job, files=(file,)))
     except Ended:
         return HandedIn(file.name, fault=Remark("endless to read", seconds=CPU_S, most=MEMORY >> 20))
     return file
@@ -88,24 +90,24 @@ def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
     if not IS_POSSIBLE or sum(map(len, files)) < LARGE_FILES:
         return read_stamps(files)
     with contextlib.suppress(Ended):
-        return apart("stamps", files)
+        return run_isolated("stamps", files)
     return []
 
 
 def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskMark:
     if len(runs) == 1:
         return judged(task_id, task, runs[0], trouble)
-    asked, outcomes = together(task, *runs)
+    asked, outcomes = merge_runs(task, *runs)
     return judged(task_id, asked, outcomes, trouble)
 
 
-def _choose(job: Job) -> Chosen:
+def _select(job: Job) -> Chosen:
     """Choose, and do not hand back what was read: that can be many megabytes."""
-    found, remarks = choose(job)
+    found, remarks = select_counting(job)
     return {stem: candidate.without_data() for stem, candidate in found.items()}, remarks
 
 
-WORK = {"mark": _mark, "choose": _choose, "stamps": read_stamps}
+WORK = {"mark": _mark, "select": _select, "stamps": read_stamps}
 
 
 def _are_large(task: Mapping[str, Any], runs: Sequence[Outcomes]) -> bool:
@@ -125,7 +127,7 @@ _lock = threading.Lock()
 _servers: dict[int, tuple[subprocess.Popen[bytes], Connection]] = {}  # by the process that has started it
 
 
-def apart(work: str, *arguments: Any) -> Any:
+def run_isolated(work: str, *arguments: Any) -> Any:
     """Return what one of WORK gives, in a process of its own.
 
     Raises:

@@ -21,10 +21,10 @@ from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 from .lecture import LecturedPage
 from .teaching import Marking, Teaching
 
-__all__ = ["misfits", "misfits_of_marking"]
+__all__ = ["validate_markings", "validate_teaching"]
 
 
-def misfits(teaching: Teaching, pages: Sequence[LecturedPage], chapter: Chapter) -> list[str]:
+def validate_teaching(teaching: Teaching, pages: Sequence[LecturedPage], chapter: Chapter) -> list[str]:
     """Return the faults of one chapter's file beside its page, which stands in `pages` in each language."""
     found: dict[str, None] = {}
     for page in pages:
@@ -34,7 +34,7 @@ def misfits(teaching: Teaching, pages: Sequence[LecturedPage], chapter: Chapter)
     return [f"{teaching.path}: {fault}" for fault in found]
 
 
-def misfits_of_marking(teachings: Sequence[Teaching], pages: Mapping[str, LecturedPage], course: Course) -> list[str]:
+def validate_markings(teachings: Sequence[Teaching], pages: Mapping[str, LecturedPage], course: Course) -> list[str]:
     """Return which practice questions are marked nowhere, twice, or in a chapter that does not ask them.
 
     That a question has no marking is known when all chapters that ask it are there.

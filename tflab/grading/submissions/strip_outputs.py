@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["skimmed"]
+__all__ = ["strip_outputs"]
 
 UNREAD = {'"outputs"', '"attachments"', '"widgets"'}
 # A string that nobody closed ends with the text: else each of its quotes is one more beginning, in a text without end.
@@ -19,7 +19,7 @@ TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
 EMPTY = {"[": "[]", "{": "{}"}
 
 
-def skimmed(text: str) -> str:
+def strip_outputs(text: str) -> str:
     """Return a notebook's JSON with what nobody reads emptied; what is no JSON comes back as it was."""
     kept: list[str] = []
     begin, depth = 0, 0  # of what is kept next; of the brackets that are being dropped

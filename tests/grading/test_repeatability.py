@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.grading.judging.agree import in_another_order, together
+from tflab.grading.judging.repeatability import merge_runs, reverse_order
 from tflab.workbook.answers.forms import Number, Parts
 
 TASK = {"form": Number().plain(), "is_function": True, "cases": [{"expected": 1.0}] * 3, "asks": [0, 1, 2, 0]}
@@ -12,7 +12,7 @@ RAISED = {"raises": "TypeError", "text": ""}
 
 def heard(task: dict, first: dict, second: dict) -> dict[int, list]:
     """Return what both runs say of each case."""
-    both, outcomes = together(task, first, second)
+    both, outcomes = merge_runs(task, first, second)
     return {
         case: [outcomes[place] for place, asked in enumerate(both["asks"]) if asked == case and place in outcomes]
         for case in range(len(task["cases"]))
@@ -20,7 +20,7 @@ def heard(task: dict, first: dict, second: dict) -> dict[int, list]:
 
 
 def test_the_second_run_asks_the_last_first() -> None:
-    assert in_another_order(TASK)["asks"] == [0, 2, 1, 0]
+    assert reverse_order(TASK)["asks"] == [0, 2, 1, 0]
 
 
 def test_two_runs_that_agree_are_heard_side_by_side() -> None:

@@ -18,13 +18,13 @@ from typing import Any
 
 from tflab.workbook.tasks.task import slug
 
-__all__ = ["mended_exercise"]
+__all__ = ["update_exercise"]
 
 TASK_CELL = re.compile(r"e\d+-\d+(?=-|$)")
 TITLE = "title"  # says how many tasks there are, and how many points
 
 
-def mended_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks: Iterable[str]) -> dict[str, Any]:
+def update_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks: Iterable[str]) -> dict[str, Any]:
     """Return an exercise: new, with the tasks of the release and no others.
 
     Args:

@@ -28,7 +28,7 @@ from .plan import Asked, RunPlan, plan
 from .run import NotRun, Run, RunCell
 from .transplant import Transplant
 
-__all__ = ["Attempt", "Runner", "attempt"]
+__all__ = ["Execution", "Runner", "execute"]
 
 MOST_RUNS = 40
 SHORTLY = 0.05  # of the time of a cell, for each own cell of one who has had several that did not end
@@ -41,7 +41,7 @@ Runner = Callable[[Sequence[RunCell], bool], Run]  # patiently, or with the usua
 
 
 @dataclass(frozen=True)
-class Attempt:
+class Execution:
     """What came out.
 
     Attributes:
@@ -58,7 +58,7 @@ class Attempt:
     seconds: float = 0.0
 
 
-def attempt(
+def execute(
     transplanted: Transplant,
     tasks: Mapping[str, Mapping[str, Any]],
     run: Runner,
@@ -68,7 +68,7 @@ def attempt(
     notebook_s: float,
     closely: bool = False,
     leave_out: Collection[str] = (),
-) -> Attempt:
+) -> Execution:
     """Run a notebook until every task in `wanted` has an outcome, or a reason why not.
 
     Args:
@@ -91,7 +91,7 @@ def attempt(
             own_part=SHORTLY if len(tally.own_that_hang) >= ENOUGH_TO_KNOW else 1.0,
         )  # fmt: skip
         tally.take(planned, run(planned.cells, closely), cell_s)
-    return tally.attempt(notebook_s)
+    return tally.result(notebook_s)
 
 
 class Tally:
@@ -146,7 +146,7 @@ class Tally:
         """Run a task's answer no more."""
         self.without |= {cell.name for cell in self._transplanted.cells if (cell.kind, cell.task) == ("answer", task)}
 
-    def attempt(self, notebook_s: float) -> Attempt:
+    def result(self, notebook_s: float) -> Execution:
         """Return what came out in the end."""
         for task in self.left:  # the time for all was over
             self._set_aside.append(task)
@@ -156,7 +156,7 @@ class Tally:
         set_aside = list(self._wanted) if self.own_that_hang else self._set_aside
         later = [task for task in self._outcomes_again if self._was_answered_later(task)]
         remarks += [Remark("elsewhere", task, cell=f"{slug(task)}-answer") for task in later]
-        return Attempt(
+        return Execution(
             outcomes=self._outcomes | {task: self._outcomes_again[task] for task in later},
             trouble={task: said for task, said in self._trouble.items() if task not in later},
             set_aside=set_aside,

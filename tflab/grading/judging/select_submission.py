@@ -21,7 +21,7 @@ from .cells import Master, answers_most
 from .job import HandedIn, Job
 from .transplant import Transplant, transplant
 
-__all__ = ["Candidate", "choose"]
+__all__ = ["Candidate", "select_counting"]
 
 ANSWER = re.compile(r"(e\d{1,3}-\d{1,3})-answer")
 COPY = re.compile(r"-copy\d*$|(^|/)copy[ _-]of[ _-]|checkpoint$|[ _-]\(?copy\)?$|[ _-]복사본$|의 사본$", re.IGNORECASE)
@@ -54,7 +54,7 @@ class Candidate:
         return replace(self, page=self.page._replace(file=HandedIn(self.file)))
 
 
-def choose(job: Job) -> tuple[dict[str, Candidate], tuple[Remark, ...]]:
+def select_counting(job: Job) -> tuple[dict[str, Candidate], tuple[Remark, ...]]:
     """Return for each chapter the notebook that counts, and what is to be said of the other files."""
     masters = job.masters()
     pages, unreadable = _pages(job.files)

@@ -1,9 +1,9 @@
-"""Who sees to it that a kernel ends, and everything it started with it?  Its keeper: one small supervisor each.
+"""Watch one kernel from outside the sandbox, and end it with everything that it started.
 
     grader ----- wire ------> kernel        what to run, what came of it
-       \\----- leash -----> keeper -> kernel   hang up, or die, and all of it is killed
+       \\----- leash -----> supervisor -> kernel   hang up, or die, and all of it is killed
 
-The keeper is outside the sandbox, where the learner's code cannot see it.  It adopts what loses its
+The supervisor is outside the sandbox, where the learner's code cannot see it.  It adopts what loses its
 parent (a subreaper), waits for the end of the kernel or of the leash, looks five times a second at
 the memory of all the kernel's processes together, and at last says on the leash how it ended.  When
 the first process of a namespace is killed, so are all others in it: no daemon survives.
@@ -101,10 +101,10 @@ def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve:
 
 
 def a_free_user() -> tuple[int, socket.socket]:
-    """Return a user that no other keeper on this machine has given away, and the socket that says so while it is open.
+    """Return a user id that no other supervisor has reserved, and the socket that reserves it while it is open.
 
-    At its kernel's end a keeper kills whoever runs as this user.  A name of the abstract kind is taken by one socket
-    at a time and is free when its process is gone, however that ended.
+    At its kernel's end a supervisor kills whoever runs as this user.  A name of the abstract kind is taken by
+    one socket at a time and is free when its process is gone, however that ended.
 
     Raises:
         OSError: all are taken.
@@ -201,7 +201,7 @@ def become_kernel(order: Order, enter: Callable[[], None]) -> int:
         order.reserved.close()
         namespaces.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
         os.setsid()
-        os.nice(5)  # the keeper and the grader come first
+        os.nice(5)  # the supervisor and the grader come first
         os.environ.clear()
         os.environ.update(order.environment)
         try:
@@ -226,7 +226,7 @@ def watch(pid: int, order: Order) -> dict[str, Any]:
     poll.register(ended, select.POLLIN)
     poll.register(order.leash, select.POLLIN)
     while not (ready := poll.poll(TICK_S * 1000)):
-        processes = descendants(os.getpid())  # whoever has lost its parent is the keeper's
+        processes = descendants(os.getpid())  # whoever has lost its parent is the supervisor's
         if len(processes) > 2 * order.limits.processes:  # root has no limit of them
             said["fault"] = "process limit"
             break
@@ -259,7 +259,7 @@ def kill_all(pid: int, uid: int | None) -> None:
             with contextlib.suppress(ProcessLookupError, PermissionError):
                 os.kill(descendant, signal.SIGKILL)
         try:
-            os.waitpid(-1, 0)  # orphans come to the keeper
+            os.waitpid(-1, 0)  # orphans come to the supervisor
             while os.waitpid(-1, os.WNOHANG)[0]:
                 pass
         except ChildProcessError:
