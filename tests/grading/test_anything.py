@@ -12,9 +12,8 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.judging.job import HandedIn, Job
+from tflab.grading.judging.job import CellOutcome, HandedIn, Job, Run, RunCell
 from tflab.grading.judging.pack import Pack, read_pack
-from tflab.grading.judging.run import CellOutcome, Run, RunCell
 from tflab.grading.judging.submission import graded, merge_records
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.reports.class_page import class_page

@@ -15,8 +15,8 @@ import tiny
 
 from tflab.grading import check_command
 from tflab.grading.check_command import main
+from tflab.grading.judging.job import RunCell
 from tflab.grading.judging.plain_kernel import run_plainly
-from tflab.grading.judging.run import RunCell
 from tflab.grading.kernels.limits import Limits
 
 

@@ -11,11 +11,9 @@ from typing import Any
 import pytest
 
 from tflab.grading.judging.execute import SHORTLY, Execution, execute
-from tflab.grading.judging.job import HandedIn, Job
-from tflab.grading.judging.plan import BRIEFLY, plan
-from tflab.grading.judging.run import CellOutcome, NotRun, Run, RunCell
+from tflab.grading.judging.job import CellOutcome, HandedIn, Job, NotRun, Run, RunCell
+from tflab.grading.judging.plan import BRIEFLY, Transplant, plan
 from tflab.grading.judging.submission import graded, merge_records
-from tflab.grading.judging.transplant import Transplant
 from tflab.grading.kernels import probe as inside
 from tflab.grading.kernels.limits import Limits
 from tflab.workbook.answers.forms import Number

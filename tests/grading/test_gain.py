@@ -12,7 +12,7 @@ import tiny
 
 from tflab.grading.judging.marks import judged
 from tflab.grading.release import release
-from tflab.grading.reports.class_page import class_page
+from tflab.grading.reports.class_page import class_page, gain_section
 from tflab.grading.reports.gain import (
     Believed,
     band,
@@ -22,7 +22,6 @@ from tflab.grading.reports.gain import (
     out_of_reach,
     unused_options,
 )
-from tflab.grading.reports.gain_section import gain_section
 from tflab.grading.submissions.remarks import Remark
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.values import to_plain

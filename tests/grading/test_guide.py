@@ -16,15 +16,14 @@ import yaml
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import COMPLAINTS
 from tflab.clinic.trolley import TROLLEY
+from tflab.grading.guide.chapter import board_patients
 from tflab.grading.guide.command import main as guide_main
 from tflab.grading.guide.command import write_guide
 from tflab.grading.guide.deck import only, with_votes, write_deck
-from tflab.grading.guide.files import stems_there, teachings_called
 from tflab.grading.guide.lecture import lectured_page
-from tflab.grading.guide.patients import board_patients
 from tflab.grading.guide.plans import cells_of, read_plans
-from tflab.grading.guide.teaching import TEACHING, TeachingError
-from tflab.grading.guide.vote import votes_of
+from tflab.grading.guide.teaching import TEACHING, TeachingError, votes_of
+from tflab.grading.guide.validate import stems_there, teachings_called
 from tflab.grading.release import release
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.copy.lay_out import lay_out

@@ -12,8 +12,7 @@ import pytest
 
 from tflab.grading.kernels.wire import Wire, WireFault
 from tflab.grading.submissions import reader
-from tflab.grading.submissions.reader import Unreadable, read_bytes, read_notebook
-from tflab.grading.submissions.strip_outputs import strip_outputs
+from tflab.grading.submissions.reader import Unreadable, read_bytes, read_notebook, strip_outputs
 
 ANSWER = {"cell_type": "code", "id": "e3-2-answer", "metadata": {}, "source": "x = '좌표계'"}
 

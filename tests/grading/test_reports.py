@@ -16,8 +16,7 @@ from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistak
 from tflab.grading.reports.feedback import LEVELS, feedback_page
 from tflab.grading.reports.gradebook import file_name, file_names, grades_csv
 from tflab.grading.reports.html import prose, text
-from tflab.grading.submissions.reasons import REASONS
-from tflab.grading.submissions.remarks import Remark
+from tflab.grading.submissions.remarks import REASONS, Remark
 from tflab.text import Text
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 

@@ -10,9 +10,9 @@ from types import SimpleNamespace
 
 import pytest
 
-from tflab.grading.judging import nbval_items as items
+from tflab.grading.judging import nbval_run
+from tflab.grading.judging.job import CellOutcome, Run, RunCell
 from tflab.grading.judging.nbval_run import run_cells
-from tflab.grading.judging.run import CellOutcome, Run, RunCell
 from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox, for_this_process
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe import PROBE_TYPE
@@ -108,8 +108,8 @@ def test_a_cell_that_does_not_end_is_ended_at_its_deadline(sandbox: Sandbox, sou
 
 def test_cells_that_share_their_time_have_one_deadline(monkeypatch: pytest.MonkeyPatch) -> None:
     now = [100.0]
-    monkeypatch.setattr(items, "time", SimpleNamespace(monotonic=lambda: now[0]))
-    kernel = items.WiredKernel(SimpleNamespace(), Limits(cell_s=10.0, notebook_s=60.0))
+    monkeypatch.setattr(nbval_run, "time", SimpleNamespace(monotonic=lambda: now[0]))
+    kernel = nbval_run.WiredKernel(SimpleNamespace(), Limits(cell_s=10.0, notebook_s=60.0))
     ends = []
     for later, cell in (
         (0.0, RunCell("answer", "a", shared="1")),

@@ -9,7 +9,7 @@ import tiny
 
 from tflab.grading.judging.cells import Master, answers_most
 from tflab.grading.judging.pack import read_pack
-from tflab.grading.judging.transplant import Transplant, transplant
+from tflab.grading.judging.plan import Transplant, transplant
 from tflab.grading.submissions.reader import read_notebook
 
 

@@ -26,19 +26,18 @@ from tqdm import tqdm
 from tflab import __version__
 from tflab.workbook.atomic_files import write_whole
 
-from .judging.job import SEVERAL, HandedIn, Job
+from .judging.job import SEVERAL, HandedIn, Job, NotRun, Run, RunCell, RunCells
 from .judging.nbval_run import run_cells
 from .judging.pack import Pack
-from .judging.run import NotRun, Run, RunCell, RunCells
 from .judging.submission import graded, merge_records
 from .kernels.kernel_pool import KernelError
 from .kernels.limits import Limits
 from .kernels.sandbox import Sandbox
 from .reports.gradebook import file_name
 from .submissions.collect import Collection, Submission
-from .submissions.owners import MOST_BYTES
 from .submissions.reader import Unreadable
 from .submissions.remarks import Remark, printable
+from .submissions.roster import MOST_BYTES
 
 __all__ = ["RECORDS", "GradingOptions", "grade_batch", "grade_job", "job_of", "run_behind"]
 

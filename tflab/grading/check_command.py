@@ -29,9 +29,8 @@ from tflab.workbook.tasks.catalog import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
 
 from .judging.cells import master_of
-from .judging.job import HandedIn, Job
+from .judging.job import HandedIn, Job, RunCells
 from .judging.pack import MALFORMED
-from .judging.run import RunCells
 from .judging.submission import grade_with_retry, graded
 from .kernels.limits import Limits
 from .reports.feedback import STATUS, WRONG

@@ -34,8 +34,8 @@ from tflab.workbook.paths import WorkbookError
 from tflab.workbook.tasks.task import TaskError
 
 from .guide.command import write_guide
-from .guide.files import stems_there, teachings_called
 from .guide.teaching import TeachingError
+from .guide.validate import stems_there, teachings_called
 from .judging.pack import (
     PACK,
     Pack,

@@ -1,28 +1,46 @@
-"""What does one read to lecture a chapter tomorrow?  Nine short sections, most of them the page's own words.
+"""Write the guide of a chapter as HTML, and the six patients of the last chapter.
 
-```
-1 what they can do afterwards      4 what is shown live      7 marking
-2 what they bring                  5 votes                   8 the exit ticket
-3 the minutes                      6 what the room asks      9 what follows
-```
+    1 what they can do afterwards      4 what is shown live      7 marking
+    2 what they bring                  5 votes                   8 the exit ticket
+    3 the minutes                      6 questions of the class  9 what follows
+
+A patient is a file in solutions/teaching/patients: `said`, `command` and `text` are shown to
+the class; `rules_out`, `next`, `no_timeout` and `truth` are the answers. They were made by
+the clinic from a public number; a test compares.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
 
 from tflab.text import Text
 from tflab.workbook.course.course import Chapter, Course
+from tflab.workbook.paths import workbook_data
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 from tflab.workbook.tasks.task import Task
 
 from ..reports.html import text
 from .layout import grid, inline, markdown
 from .lecture import LecturedPage
-from .teaching import Demo, Marking, PlanRow, Teaching
-from .vote import LATER, RULES, Vote, votes_of
+from .teaching import (
+    LATER,
+    RULES,
+    TEACHING,
+    Demo,
+    Marking,
+    PlanRow,
+    Teaching,
+    TeachingError,
+    Vote,
+    as_words,
+    read_yaml,
+    said_once,
+    votes_of,
+)
 
-__all__ = ["chapter_guide"]
+__all__ = ["BoardPatient", "board_patients", "chapter_guide", "patients_section"]
 
 WHO = {
     "you": Text("you", "강사"),
@@ -271,3 +289,68 @@ def _tasks(tasks: Mapping[str, Task], said: str) -> str:
         )
         rows.append((text(name), text(task.title.say(said)), text(task.points), text(own.say(said)), text(cures)))
     return grid([head.say(said) for head in TASK_HEADS], rows) if rows else ""
+
+
+FOLDER = "patients"
+SPOKEN = ("said", "rules_out", "next", "no_timeout", "truth")
+TITLE = Text("Six patients for the board, and the oral clinic", "칠판용 환자 여섯과 구술 진료")
+HOW = Text(
+    "On the board: read the complaint, show the output, ask the three questions. As an examination, five minutes and "
+    "one patient: a point each for reading the output, for what it rules out, for a cheap next question, and for a "
+    "proof. Nobody has to name the cause at once; who names it without a proof has three points at most.",
+    "칠판에서는 증상을 읽고 출력을 보인 다음 세 가지를 묻습니다. 시험에서는 5분에 환자 하나입니다. "
+    "출력 읽기, 지워지는 것, 값싼 다음 질문, 증명에 1점씩입니다. "
+    "원인을 바로 맞히지 않아도 됩니다. 증명 없이 원인만 맞히면 3점까지입니다.",
+)
+ASKED = (
+    ("rules_out", Text("What does this rule out?", "이것으로 무엇이 지워집니까?")),
+    ("next", Text("What would you ask next, and why?", "다음에는 무엇을, 왜 묻겠습니까?")),
+    ("no_timeout", Text("Why not a longer timeout?", "왜 timeout을 늘리지 않습니까?")),
+    ("truth", Text("Truth", "실제 원인")),
+)
+
+
+class BoardPatient(NamedTuple):
+    """One patient; `words` holds what is said, by its name in the file."""
+
+    cause: str
+    number: int
+    check: str
+    command: str
+    text: str
+    words: dict[str, Text]
+
+
+def board_patients(data: Path | None = None) -> list[BoardPatient]:
+    """Return the patients, in order; none where there are none.
+
+    Raises:
+        TeachingError: a file lacks something, or says it in one language.
+    """
+    found, faults = [], []
+    for path in sorted(((data or workbook_data()) / TEACHING / FOLDER).glob("*.yaml")):
+        shown = f"{FOLDER}/{path.name}"
+        plain = read_yaml(path, shown)
+        lacks = [name for name in (*BoardPatient._fields[:-1], *SPOKEN) if name not in plain]
+        faults += [f"{shown} lacks `{name}`" for name in lacks] + list(said_once(plain, f"{shown}:"))
+        if not lacks:
+            words = {name: as_words(plain[name]) for name in SPOKEN}
+            found.append(BoardPatient(*(plain[name] for name in BoardPatient._fields[:-1]), words))
+    if faults:
+        raise TeachingError(*faults)
+    return found
+
+
+def patients_section(patients: list[BoardPatient], language: str) -> str:
+    """Return the patients as a part of a guide."""
+    parts = [
+        f'<section class="chapter" id="patients"><h1>{text(TITLE.say(language))}</h1><p>{text(HOW.say(language))}</p>'
+    ]
+    for number, patient in enumerate(patients, start=1):
+        said = patient.words
+        rows = [(text(asked.say(language)), inline(said[name].say(language))) for name, asked in ASKED]
+        parts.append(
+            f"<h3>{number}. “{text(said['said'].say(language))}”</h3>"
+            f"<pre><code>$ {text(patient.command)}\n{text(patient.text.rstrip())}</code></pre>{grid(('', ''), rows)}"
+        )
+    return "\n".join([*parts, "</section>"])

@@ -21,15 +21,13 @@ from tflab.workbook.paths import TASKS, WorkbookError, read_workbook, workbook_d
 from tflab.workbook.tasks.catalog import tasks_of
 
 from ..reports.html import text
-from .chapter import chapter_guide
+from .chapter import board_patients, chapter_guide, patients_section
 from .deck import write_deck
-from .files import stems_there, teachings_called
 from .layout import STATIC, markdown, sheet
 from .lecture import lectured_page
-from .patients import board_patients, patients_section
 from .plans import CoursePlan, cells_of, plan_lines, plan_sheet, read_plans
-from .teaching import Teaching, TeachingError
-from .vote import votes_of
+from .teaching import Teaching, TeachingError, votes_of
+from .validate import stems_there, teachings_called
 
 __all__ = ["main", "write_guide"]
 

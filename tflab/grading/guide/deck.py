@@ -21,7 +21,7 @@ from tflab.text import Text
 from tflab.workbook.pages.slides import deck_from_notebook
 
 from .layout import STATIC, inline, markdown
-from .vote import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
+from .teaching import ARGUE_BELOW, EXPLAIN_BELOW, RULES, Vote
 
 __all__ = ["only", "with_votes", "write_deck"]
 

@@ -1,11 +1,11 @@
-"""Where do a page and its teaching file not fit?  Every fault, with its place, before anything is written.
+"""Find teaching files, and compare each with its page.
 
     slides      a slide, a cell or a figure that the page lacks; slides out of order
     minutes     that do not sum to course.yaml
-    votes       options that are not the page's; expected shares that are not 100 %; an option without a reply
+    votes       options that are not the page's; shares that do not sum to 100 %; an option without a reply
     marking     a practice question with none, or with two; a sample that counts ideas the rubric lacks
 
-A referential integrity check: both languages of the page are asked.
+Both languages of the page are compared, and all faults are reported at once.
 """
 
 from __future__ import annotations
@@ -13,15 +13,18 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
-from tflab.workbook.course.course import Chapter, Course
+from tflab.text import LANGUAGES
+from tflab.workbook.course.course import Chapter, Course, read_course
+from tflab.workbook.paths import stems_called, workbook_data
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
-from .lecture import LecturedPage
-from .teaching import Marking, Teaching
+from .lecture import LecturedPage, lectured_page
+from .teaching import TEACHING, Marking, Teaching, TeachingError, read_teaching
 
-__all__ = ["validate_markings", "validate_teaching"]
+__all__ = ["stems_there", "teachings_called", "validate_markings", "validate_teaching"]
 
 
 def validate_teaching(teaching: Teaching, pages: Sequence[LecturedPage], chapter: Chapter) -> list[str]:
@@ -166,3 +169,36 @@ def _replied_options(vote: Mapping[str, Any], page: LecturedPage) -> Iterator[st
 
 def _list(names: Iterable[object]) -> str:
     return ", ".join(str(name) for name in names) or "none"
+
+
+def stems_there(data: Path | None = None) -> list[str]:
+    """Return the chapters that have a teaching file, in order."""
+    course = {chapter.stem for chapter in read_course().chapters}
+    return sorted(path.stem for path in ((data or workbook_data()) / TEACHING).glob("*.yaml") if path.stem in course)
+
+
+def teachings_called(words: Iterable[str], data: Path | None = None) -> list[Teaching]:
+    """Return what the named chapters' files say; all of them if none is named.
+
+    Raises:
+        LookupError: a chapter has no such file.
+        TeachingError: a file has a fault, or does not fit its page; every fault is in it.
+    """
+    there = stems_there(data)
+    stems = stems_called(words, there, what="teaching file") or there
+    course, faults, found, english = read_course(), [], [], {}
+    for stem in stems:
+        chapter = next(chapter for chapter in course.chapters if chapter.stem == stem)
+        pages = [lectured_page(stem, language, data) for language in LANGUAGES]
+        try:
+            teaching = read_teaching(stem, data)
+        except TeachingError as error:
+            faults += error.faults
+            continue
+        faults += validate_teaching(teaching, pages, chapter)
+        found.append(teaching)
+        english[stem] = pages[0]
+    faults += validate_markings(found, english, course)
+    if faults:
+        raise TeachingError(*faults)
+    return found

@@ -4,11 +4,8 @@ In reading order:
 
     pack               the instructor's pack: seed, masters, hidden cases
     draw               the hidden cases of one learner, and their order
-    run                cells on their way to a kernel, and their outcomes
     cells              match a notebook's cells with those of the master
-    transplant         put the answers between our cells
     plan               the cells to run, in order, with probes
-    nbval_items        cells as nbval's test items
     nbval_run          run cells by nbval on a sandboxed kernel
     execute            run a notebook; set aside what hangs or dies
     marks              points, mistakes and messages of a task

@@ -23,10 +23,9 @@ from tflab.workbook.tasks.task import slug
 
 from ..submissions.remarks import Remark
 from .draw import asks_of
+from .job import NotRun, Run, RunCell
 from .marks import safe_error_name
-from .plan import Asked, RunPlan, plan
-from .run import NotRun, Run, RunCell
-from .transplant import Transplant
+from .plan import Asked, RunPlan, Transplant, plan
 
 __all__ = ["Execution", "Runner", "execute"]
 

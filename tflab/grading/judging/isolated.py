@@ -22,8 +22,8 @@ from dataclasses import replace
 from multiprocessing.connection import Connection, Pipe
 from typing import Any
 
-from ..submissions.owners import read_stamps
 from ..submissions.remarks import Remark
+from ..submissions.roster import read_stamps
 from .draw import asks_of
 from .job import HandedIn, Job
 from .marks import TaskMark, judged, members

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from ..kernels.limits import Limits
 from ..kernels.probe import PROBE_TYPE
-from .run import CellOutcome, Run, RunCell
+from .job import CellOutcome, Run, RunCell
 
 if TYPE_CHECKING:
     from jupyter_client.blocking import BlockingKernelClient

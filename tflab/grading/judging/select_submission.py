@@ -19,7 +19,7 @@ from ..submissions.reader import SubmittedNotebook, Unreadable, read_notebook
 from ..submissions.remarks import Remark
 from .cells import Master, answers_most
 from .job import HandedIn, Job
-from .transplant import Transplant, transplant
+from .plan import Transplant, transplant
 
 __all__ = ["Candidate", "select_counting"]
 

@@ -19,12 +19,11 @@ from .cells import VOID
 from .draw import asks_of
 from .execute import Execution, execute
 from .isolated import mark_task, select_notebooks
-from .job import Job
+from .job import Job, NotRun, Run, RunCell, RunCells
 from .marks import TaskMark
+from .plan import Transplant
 from .repeatability import reverse_order
-from .run import NotRun, Run, RunCell, RunCells
 from .select_submission import Candidate
-from .transplant import Transplant
 
 __all__ = ["grade_with_retry", "graded", "merge_records"]
 

@@ -7,6 +7,5 @@ In reading order:
     feedback       a page for each learner
     gain           the concept inventory before and after the course
     class_figures  figures of a class
-    gain_section   the gain on the page of the class
     class_page     mistakes and misconceptions of the class
 """

@@ -5,11 +5,8 @@ In reading order:
     collect        submissions from folders and zips, as learning systems name them
     listing        the files of a folder, zips included
     archives       zips, within limits
-    owners         the owner of a file, by its path and its stamp
     roster         the class: ids, names and languages
     bounded_json   JSON of limited depth
-    strip_outputs  remove outputs from a notebook's text
     reader         a notebook's cells, as strings
-    reasons        texts: why a file cannot be read
     remarks        remarks on a submission, in both languages
 """

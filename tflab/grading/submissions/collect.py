@@ -23,9 +23,8 @@ from typing import NamedTuple
 
 from .archives import Member
 from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, largest, listed
-from .owners import IsGenuine, StampsIn, group_of, is_of_a_system, owner_of, read_stamps, stamped_for
 from .remarks import Remark
-from .roster import Learner
+from .roster import IsGenuine, Learner, StampsIn, group_of, is_of_a_system, owner_of, read_stamps, stamped_for
 
 __all__ = ["Collection", "Submission", "collect"]
 

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import stat
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -23,7 +24,6 @@ from tflab.workbook.tasks.task import slug
 
 from . import bounded_json
 from .remarks import Remark
-from .strip_outputs import strip_outputs
 
 __all__ = [
     "MAX_BYTES",
@@ -32,7 +32,31 @@ __all__ = [
     "Unreadable",
     "read_bytes",
     "read_notebook",
+    "strip_outputs",
 ]
+
+UNREAD = {'"outputs"', '"attachments"', '"widgets"'}
+# A string that nobody closed ends with the text: else each of its quotes is one more beginning, in a text without end.
+TOKEN = re.compile(r'"[^"\\]*(?:\\.[^"\\]*)*(?:"|\\?\Z)|[\[\]{}]', re.DOTALL)
+EMPTY = {"[": "[]", "{": "{}"}
+
+
+def strip_outputs(text: str) -> str:
+    """Return a notebook's JSON with what nobody reads emptied; what is no JSON comes back as it was."""
+    kept: list[str] = []
+    begin, depth = 0, 0  # of what is kept next; of the brackets that are being dropped
+    key_end = -1
+    for match in TOKEN.finditer(text):
+        token = match[0]
+        if depth:
+            depth += (token in EMPTY) - (token in ("]", "}"))
+            begin = match.end()
+        elif token in EMPTY and key_end >= 0 and text[key_end : match.start()].strip() == ":":
+            kept += [text[begin : match.start()], EMPTY[token]]
+            depth = 1
+        key_end = match.end() if token in UNREAD and not depth else -1
+    return text if depth else "".join([*kept, text[begin:]])
+
 
 MAX_BYTES = 100 * 1024 * 1024
 MAX_CONTAINERS = 1_000_000  # of lists and objects: a parsed one is twenty times as large as its brackets
