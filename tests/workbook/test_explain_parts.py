@@ -9,7 +9,7 @@ import pytest
 from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequence
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.explaining.together import Found, together
-from tflab.workbook.mistakes.stumbles import tip_for
+from tflab.workbook.mistakes.python_errors import tip_for
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
 from tflab.workbook.verdicts.mistake import Mistake

@@ -15,7 +15,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
-from tflab.workbook.mistakes.stumbles import TIPS, tip_for
+from tflab.workbook.mistakes.python_errors import TIPS, tip_for
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.verdicts.mistake import Mistake
 from tflab.workbook.verdicts.verdict import judge_outcomes
@@ -156,7 +156,7 @@ def test_however_long_an_error_is_its_tip_is_there_at_once():
 
 
 def test_each_tip_is_said_in_both_languages():
-    for _, words in TIPS:
+    for words in TIPS.values():
         assert re.search("[가-힣]", words.ko) and not re.search("[가-힣]", words.en)
 
 

@@ -231,7 +231,7 @@ KINDS = {
     ),
     "some error": Text(en="an exception", ko="어떤"),  # inside another remark
     "own error": Text(en="an error of its own", ko="직접 정의한"),  # inside another remark
-    **{mistake.value: words for mistake, words in WITHOUT_THE_ANSWER.items()},
+    **WITHOUT_THE_ANSWER,
     **REASONS,
 }
 

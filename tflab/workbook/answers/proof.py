@@ -20,53 +20,16 @@ from tflab.clinic.proof import NOTHING_IS_WRONG, Flaw, flaw_of
 from tflab.clinic.table import SUSPECTS, kind_expected
 from tflab.clinic.trolley import BUDGET_MIN, TROLLEY, check_named
 
-from ...text import Text
+from ...text import Text, Texts
 from .form import Form, Mark, Probe, inside
 from .structures import Choice
 from .values import Plain
 
 __all__ = ["Proof"]
 
-NOBODY = "nobody"  # who is proved by a list beside which no suspect is named
+TEXTS = Texts(__file__)
 
-SAID = {
-    "no suspect": Text(
-        en="no check on the trolley proves the cause that you name beside them.",
-        ko="옆에 적은 원인을 증명하는 검사는 트롤리에 없습니다.",
-    ),
-    "none": Text(
-        en="without a check nothing is proved: what was asked, and what did it say?",
-        ko="검사 없이는 아무것도 증명되지 않습니다. 무엇을 물었고 어떤 답이 나왔습니까?",
-    ),
-    "contradicted": Text(
-        en="this would prove “{cause}”; but on this patient these checks say otherwise. Compare what they said with "
-        "what that cause would make them say.",
-        ko="“{cause}”을(를) 증명할 수 있는 검사들이지만, 이 환자에게서는 다르게 나옵니다. 나온 답을 그 원인일 때 "
-        "나올 답과 비교하십시오.",
-    ),
-    "unproved": Text(
-        en="your checks say the same for “{cause}” and “{rival}”. Which check on the trolley would not?",
-        ko="이 검사들은 “{cause}”일 때와 “{rival}”일 때 똑같이 나옵니다. 다르게 나올 검사는 무엇입니까?",
-    ),
-    "all healthy": Text(
-        en="for “{cause}” each of these checks would be as on the card. A proof also shows something that is sick.",
-        ko="원인이 “{cause}”라면 이 검사들은 모두 카드와 같습니다. 증명에는 아픈 곳을 보여 주는 검사도 필요합니다.",
-    ),
-    "unproved, all healthy": Text(
-        en="your checks say the same for “{cause}” and “{rival}”, and for “{cause}” each of them would be as on the "
-        "card. Only what is on the list counts: which check would show something sick?",
-        ko="이 검사들은 “{cause}”일 때와 “{rival}”일 때 똑같이 나오고, 원인이 “{cause}”라면 모두 카드와 같습니다. "
-        "목록에 쓴 것만 셉니다. 아픈 곳을 보여 줄 검사는 무엇입니까?",
-    ),
-    "idle": Text(
-        en="for “{cause}” it was proved after {count} of your checks; the rest, {minutes:g} min, tells nothing.",
-        ko="원인이 “{cause}”라면 앞의 검사 {count}개로 충분합니다. 나머지 {minutes:g}분은 알려 주는 것이 없습니다.",
-    ),
-    "late": Text(
-        en="{minutes:g} of {budget:g} minutes. Something dear came before a question that could answer it.",
-        ko="{budget:g}분 가운데 {minutes:g}분이 걸립니다. 싼 질문으로 풀릴 일에 비싼 검사를 먼저 썼습니다.",
-    ),
-}
+NOBODY = "nobody"  # who is proved by a list beside which no suspect is named
 
 
 @dataclass(frozen=True)
@@ -104,20 +67,23 @@ class Proof(Form):
         )
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:
-        """Return what keeps a list from proving the cause that stands beside it."""
+        """Return what keeps a list from proving the cause that stands beside it.
+
+        It may be contradicted or unproved, "idle", "late" or "all healthy" (`clinic.proof.Flaw`).
+        """
         read = _read(self.beside(answer, neighbours))
         if read is None or not read[0]:
             return None
         cause = read[0]
         if cause == NOBODY:
-            return SAID["no suspect"]
+            return TEXTS["no suspect"]
         flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
         is_healthy = cause != NOTHING_IS_WRONG and all(
             kind_expected(cause, check) == TROLLEY[check].usual for check in read[1]
         )
         is_both = flaw.kind == "unproved" and is_healthy
-        return SAID["unproved, all healthy" if is_both else flaw.kind].filled(**names)
+        return TEXTS["unproved, all healthy" if is_both else flaw.kind].filled(**names)
 
     def _flaw(self, checks: list[str], suspect: str) -> Flaw | None:
         return flaw_of(checks, suspect, self.whole, self.budget_min)

@@ -14,7 +14,7 @@ import math
 from collections.abc import Callable, Sequence
 from itertools import combinations
 
-from ...text import Text
+from ...text import Texts
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Number
 from ..answers.values import Plain
@@ -23,6 +23,8 @@ from ..tasks.case_types import TaskCases
 from .together import Found
 
 __all__ = ["after_a_slip", "followers", "only_follows"]
+
+TEXTS = Texts(__file__)
 
 CLOSE = 1e-7  # as a share
 JOINED: tuple[Callable[[float, float], float], ...] = (
@@ -33,11 +35,6 @@ JOINED: tuple[Callable[[float, float], float], ...] = (
     lambda a, b: a * b,
     lambda a, b: a / b,
     lambda a, b: b / a,
-)
-
-ONLY_FOLLOWS = Text(
-    en='this only follows from what is wrong in "{part}".',
-    ko='"{part}"이(가) 틀렸기 때문에 함께 틀린 값입니다.',
 )
 
 
@@ -61,7 +58,7 @@ def after_a_slip(
 
 def only_follows(name: str, made_in: str) -> Found:
     """Return that a part is wrong only because of another; a cause comes first."""
-    return Found.of(f"{name} follows", ONLY_FOLLOWS.filled(part=made_in), name)._replace(is_of_words=True)
+    return Found.of(f"{name} follows", TEXTS["only_follows"].filled(part=made_in), name)._replace(is_of_words=True)
 
 
 def followers(

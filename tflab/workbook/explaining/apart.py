@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
@@ -25,7 +25,7 @@ from .explanation import Explanation, said_of
 
 __all__ = ["of_words_apart"]
 
-AND_MORE = Text(en="Something else is wrong beside it.", ko="그 밖에도 틀린 것이 있습니다.")
+TEXTS = Texts(__file__)
 
 
 class _Word(NamedTuple):
@@ -45,7 +45,7 @@ def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Pl
     if not sure:
         return None
     told, slips = said_of(task, sure), {name: words_of(task, name) for name in sure}
-    return Explanation(slips, told if is_all else Text.joined(told, AND_MORE))
+    return Explanation(slips, told if is_all else Text.joined(told, TEXTS["and_more"]))
 
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...text import Text
+from ...text import Texts
 from ..answers.values import Plain
 from ..mistakes.fitting import all_alike
 from ..tasks.case_types import Case, TaskCases
@@ -19,10 +19,7 @@ from .explanation import Explains, Explanation, and_then
 
 __all__ = ["gave", "of_changes"]
 
-CHANGED = Text(
-    en="your function writes into argument {number}: whoever called it has lost the original. Work on a copy.",
-    ko="함수가 {number}번째 인자에 값을 씁니다. 호출한 쪽은 원래 값을 잃습니다. 복사본으로 계산하십시오.",
-)
+TEXTS = Texts(__file__)
 
 
 def gave(outcome: Plain) -> Plain:
@@ -44,5 +41,5 @@ def of_changes(
     first = explained(task, cases, results)
     if first is None:
         return None
-    said = CHANGED.filled(number=numbers[0])
+    said = TEXTS["changed"].filled(number=numbers[0])
     return and_then(first, Explanation.of("input changed", said))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Form, numbers_of, pose_of
 from ..answers.forms import Vector
 from ..answers.values import Plain
@@ -14,22 +14,9 @@ from .givens import leaves
 
 __all__ = ["put_together"]
 
+TEXTS = Texts(__file__)
+
 CLOSE = 1e-6
-RIGHT = Text(en="{names}: right", ko="{names}: 맞음")
-PUT = Text(
-    en="these are the numbers of `{name}`, put together as ({places}). {judged}",
-    ko="`{name}`의 숫자를 ({places})로 늘어놓은 값입니다. {judged}",
-)
-ASKED = Text(
-    en="Ask of each: does it stand where it belongs, and with which sign?",
-    ko="하나씩 확인하십시오. 제자리에 있고 부호가 맞습니까?",
-)
-OTHER_SIGN = Text(en="{names}: the right number with the wrong sign", ko="{names}: 숫자는 맞고 부호가 반대")
-TWICE = Text(
-    en="{letter} stands twice: was a place written over before it was read, or a line copied?",
-    ko="{letter}이(가) 두 번 나옵니다. 읽기 전에 덮어썼거나 줄을 복사하지 않았습니까?",
-)
-OTHER_NUMBER = Text(en="{names}: another of the numbers belongs there", ko="{names}: 다른 숫자가 올 자리")
 
 
 def put_together(form: Form, answer: Plain, expected: Plain, given: dict[str, Plain] | None) -> tuple[str, Text] | None:
@@ -41,8 +28,8 @@ def put_together(form: Form, answer: Plain, expected: Plain, given: dict[str, Pl
     for name, row in _points(len(LETTERS), given or {}) if have else ():
         if _are_distinct(row, form.tolerance) and (places := _order(have, row)):
             want = numbers_of(expected, form.size)
-            judged = _judged(have, want, form.tolerance) if want else ASKED
-            said = PUT.filled(name=name, places=places, judged=judged)
+            judged = _judged(have, want, form.tolerance) if want else TEXTS["asked"]
+            said = TEXTS["put"].filled(name=name, places=places, judged=judged)
             return f"put together: {places}", Text.joined(said, _stands_twice(places))
     return None
 
@@ -51,15 +38,17 @@ def _stands_twice(places: str) -> Text | None:
     """Return that a letter stands in two places, whatever its sign; None if none does."""
     letters = places.replace("-", "").split(", ")
     letter = next((one for one in letters if letters.count(one) == 2), None)
-    return TWICE.filled(letter=letter) if letter else None
+    return TEXTS["twice"].filled(letter=letter) if letter else None
 
 
 def _judged(have: Sequence[float], want: Sequence[float], tolerance: float) -> Text:
     """Return which numbers are right, which have only the wrong sign, and which stand where another belongs."""
-    found: dict[Text, list[str]] = {RIGHT: [], OTHER_SIGN: [], OTHER_NUMBER: []}
+    found: dict[Text, list[str]] = {TEXTS["right"]: [], TEXTS["other_sign"]: [], TEXTS["other_number"]: []}
     for letter, number, wanted in zip(LETTERS, have, want, strict=True):
         is_right, is_turned = abs(number - wanted) <= tolerance, abs(number + wanted) <= tolerance
-        found[RIGHT if is_right else OTHER_SIGN if is_turned else OTHER_NUMBER].append(letter)
+        found[TEXTS["right"] if is_right else TEXTS["other_sign"] if is_turned else TEXTS["other_number"]].append(
+            letter
+        )
     said = (words.filled(names=", ".join(letters)) for words, letters in found.items() if letters)
     return Text(*(f"{text}." for text in Text.joined(*said, between="; ")))
 

@@ -12,7 +12,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
@@ -20,30 +20,7 @@ from ..answers.values import Plain, is_raised
 
 __all__ = ["confused", "confused_in_lists", "never_said", "seen_of", "word_of"]
 
-SWAPPED = Text(
-    en='"{one}" and "{other}" have changed places.',
-    ko='"{one}"과(와) "{other}"이(가) 서로 바뀌었습니다.',
-)
-NEVER = Text(
-    en='"{wanted}" never comes: wherever it is asked for, there is "{said}".',
-    ko='"{wanted}"이(가) 한 번도 나오지 않습니다. 그래야 할 곳에 "{said}"이(가) 있습니다.',
-)
-INSTEAD = Text(
-    en='wherever "{wanted}" is asked for, there is "{said}".',
-    ko='"{wanted}"이어야 하는 곳마다 "{said}"이(가) 있습니다.',
-)
-NONE_OF_THEM = Text(
-    en='{wanted} never come: wherever one of them is asked for, there is "{said}".',
-    ko='{wanted}이(가) 한 번도 나오지 않습니다. 이들 가운데 하나여야 할 곳에 언제나 "{said}"이(가) 있습니다.',
-)
-SOMETIMES = Text(
-    en='in {wrong} of the {of} places that ask for "{wanted}", there is "{said}".',
-    ko='"{wanted}"이어야 하는 곳 {of}개 가운데 {wrong}개에 "{said}"이(가) 있습니다.',
-)
-NOTHING = Text(
-    en='wherever "{wanted}" is asked for, nothing is returned: it is the way to "{wanted}" that has no `return`',
-    ko='"{wanted}"이어야 하는 곳마다 아무것도 반환하지 않습니다. "{wanted}"(으)로 가는 갈래에 `return`이 없습니다',
-)
+TEXTS = Texts(__file__)
 
 
 MOST_NAMED = 4  # words that never come, by name
@@ -74,7 +51,7 @@ def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -
     whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
     if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
         one, other = swapped
-        words = SWAPPED.filled(one=one, other=other)
+        words = TEXTS["swapped"].filled(one=one, other=other)
         back = [
             {one: other, other: one}.get(word, word) if want in swapped else word
             for want, word in zip(asked, said, strict=True)
@@ -99,12 +76,12 @@ def _most_confused(
         names = Text(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
         return Confusion(
             f"{word} for all of them",
-            NONE_OF_THEM.filled(wanted=names, said=word),
+            TEXTS["none_of_them"].filled(wanted=names, said=word),
             want,
             word,
             True,
         )
-    words = SOMETIMES if not whole else INSTEAD if want in said else NEVER
+    words = TEXTS["sometimes"] if not whole else TEXTS["instead"] if want in said else TEXTS["never"]
     named = words.filled(wanted=want, said=word, wrong=count, of=asked.count(want))
     return Confusion(f"{word} for {want}", named, want, word)
 
@@ -146,7 +123,7 @@ def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain])
     words = {word for word, is_nothing in pairs if is_nothing}
     if len(words) != 1 or None in words or (word := words.pop(), False) in pairs:
         return None
-    return NOTHING.filled(wanted=word)
+    return TEXTS["nothing"].filled(wanted=word)
 
 
 def word_of(form: Choice, plain: Plain) -> str | None:

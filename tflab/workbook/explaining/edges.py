@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from ...text import Text
+from ...text import Texts
 from ..answers.form import Form, inside
 from ..answers.forms import Choice
 from ..answers.values import Plain
@@ -18,14 +18,11 @@ from .together import Found
 
 __all__ = ["CARD", "parents_named"]
 
+TEXTS = Texts(__file__)
+
 CARD = {  # child -> parent, of the robot that every chapter meets
     "odom": "map", "base_footprint": "odom", "base_link": "base_footprint", "laser_frame": "base_link",
 }  # fmt: skip
-BY_ITS_CHILD = Text(
-    en="you named the frame above: {named}. An edge goes by its child, the frame below, and that is asked for.",
-    ko="위쪽 좌표계를 적었습니다: {named}. 연결은 자식, 곧 아래쪽 좌표계의 이름으로 부릅니다. "
-    "여기에 적을 것도 그 이름입니다.",
-)
 FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
 
 
@@ -49,5 +46,5 @@ def parents_named(
     if len(named) < FEWEST and not is_no_child:
         return []
     quoted = ", ".join(f'"{answer}"' for answer in dict.fromkeys(named.values()))
-    said = BY_ITS_CHILD.filled(named=quoted)
+    said = TEXTS["by_its_child"].filled(named=quoted)
     return [Found.of("parents for children", said, *named)]

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from ...text import Text, begun
+from ...text import Text, Texts, begun
 from ..answers.form import numbers_of
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
@@ -44,12 +44,10 @@ from .stops import of_stops
 
 __all__ = ["explained"]
 
+TEXTS = Texts(__file__)
+
 FEWEST_DIGITS = 3  # of a number for two slips that are near to it to be no chance
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
-ONLY_NEAR = Text(
-    en="Rounding aside, this is what comes of the following. {said}",
-    ko="반올림을 빼면 다음과 같이 했을 때의 값입니다. {said}",
-)
 
 
 def explained(
@@ -127,7 +125,7 @@ def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], 
     slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
     said = said_of(task, names)
     if len(names) == 1 and _is_only_near(task, cases, outcomes, names[0]):
-        said = ONLY_NEAR.filled(said=Text(begun(said.en), said.ko))
+        said = TEXTS["only_near"].filled(said=Text(begun(said.en), said.ko))
     return Explanation(slips, said)
 
 

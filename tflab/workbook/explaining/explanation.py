@@ -11,22 +11,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from ...text import Text, begun
+from ...text import Text, Texts, begun
 from ..answers.values import Plain
 from ..mistakes.fitting import words_of
 from ..tasks.case_types import Case, Feedback, TaskCases
 
 __all__ = ["Explains", "Explanation", "and_then", "said_of"]
 
-AND_THEN = Text(en="Two things. First: {first} Then: {then}", ko="두 가지입니다. 먼저, {first} 다음으로, {then}")
-TWO_TOGETHER = Text(
-    en="Two things together give just this. First: {first} Then: {then}",
-    ko="두 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then}",
-)
-THREE_TOGETHER = Text(
-    en="Three things together give just this. First: {first} Then: {then} And: {last}",
-    ko="세 가지가 겹치면 바로 이런 답이 나옵니다. 먼저, {first} 다음으로, {then} 끝으로, {last}",
-)
+TEXTS = Texts(__file__)
 
 
 class Explanation(NamedTuple):
@@ -56,7 +48,9 @@ Explains = Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | 
 def and_then(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
     said = (
-        AND_THEN.filled(first=first.said, then=then.said) if len(first.slips) == 1 else _in_a_row(first.said, then.said)
+        TEXTS["and_then"].filled(first=first.said, then=then.said)
+        if len(first.slips) == 1
+        else _in_a_row(first.said, then.said)
     )
     return Explanation(first.slips | then.slips, said, first.follows)
 
@@ -67,8 +61,8 @@ def said_of(task: TaskCases, names: Sequence[str]) -> Text:
     if len(said) == 1:
         return said[0]
     if len(said) == 2:
-        return TWO_TOGETHER.filled(first=said[0], then=said[1])
-    return THREE_TOGETHER.filled(first=said[0], then=said[1], last=said[2])
+        return TEXTS["two_together"].filled(first=said[0], then=said[1])
+    return TEXTS["three_together"].filled(first=said[0], then=said[1], last=said[2])
 
 
 def _in_a_row(first: Text, then: Text) -> Text:

@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from itertools import combinations
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Form
 from ..answers.forms import Choice, Parts
 from ..answers.forms import Sequence as ListForm
@@ -37,19 +37,7 @@ from .turning import turned_in_all
 
 __all__ = ["changed_places", "of_members", "plain_in_one"]
 
-ANOTHERS = Text(
-    en='this is what is asked for under "{other}".',
-    ko='이 값은 "{other}"의 자리에 들어갈 답입니다.',
-)
-CHANGED_PLACES = Text(
-    en="the two have changed places: each holds what is asked for under the other.",
-    ko="두 답의 자리가 바뀌었습니다. 서로 상대의 자리에 들어갈 값입니다.",
-)
-TIME_OF = Text(
-    en="this is the time in argument {number}, and not the one that is asked for.",
-    ko="{number}번째 인자의 시각입니다. 필요한 시각이 아닙니다.",
-)
-AS_IT_CAME = Text(en="this is still what came in, unchanged.", ko="받은 값을 바꾸지 않고 그대로 두었습니다.")
+TEXTS = Texts(__file__)
 
 
 def of_members(
@@ -176,7 +164,7 @@ def _changed_places(table: Table, wrong: set[str]) -> Iterator[Found]:
         is_alike = type(table.forms[one]) is type(table.forms[other])
         if is_alike and _holds(table, one, other) and _holds(table, other, one):
             key = f"{one} and {other} changed places"
-            yield Found({key: Feedback(CHANGED_PLACES, "")}, CHANGED_PLACES, {one, other})
+            yield Found({key: Feedback(TEXTS["changed_places"], "")}, TEXTS["changed_places"], {one, other})
 
 
 def _holds(table: Table, one: str, other: str) -> bool:
@@ -268,7 +256,7 @@ def _of_any(task: TaskCases, table: Table, name: str) -> list[Found]:
         words = words_of(task, way)
         return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
-        return [Found.of(f"{other} under {name}", ANOTHERS.filled(other=other), name)]
+        return [Found.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
     return []
 
 
@@ -327,10 +315,10 @@ def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> l
     for place in range(len(cases[0].args or ())):
         came = [section(form, case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
-            return [Found({f"{name} as it came": Feedback(AS_IT_CAME, "")}, AS_IT_CAME, {name})]
+            return [Found({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
         times = [time_of(case.args[place]) for case in cases]
         if None not in times and times == [stamp_of(value) for value in table.given[name]]:
-            said = TIME_OF.filled(number=place + 1)
+            said = TEXTS["time_of"].filled(number=place + 1)
             return [Found({f"{name}: a time": Feedback(said, "")}, said, {name})]
     return []
 

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from itertools import permutations
 from typing import Any
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Form
 from ..answers.forms import Choice
 from ..answers.values import Plain
@@ -26,56 +26,17 @@ from .together import Found
 
 __all__ = ["named_twice", "of_orders", "of_places"]
 
+TEXTS = Texts(__file__)
+
 FEWEST = 3  # places, for an order to be more than two words that are exchanged
 
 Row = Sequence[Any]
 
-ORDERS: dict[str, tuple[Callable[[Row, Row], bool], Text]] = {
-    "order reversed": (
-        lambda given, want: given == want[::-1],
-        Text(
-            en="the whole order is the other way round: what you put last comes first.",
-            ko="순서 전체가 거꾸로입니다. 맨 나중에 둔 것이 맨 처음입니다.",
-        ),
-    ),
-    "one place too late": (
-        lambda given, want: given[1:] == want[:-1],
-        Text(
-            en="what stands first does not belong there; without it, all the others would stand right, each one place "
-            "earlier.",
-            ko="맨 앞에 둔 것은 그 자리가 아닙니다. 그것만 빼고 나머지를 한 자리씩 당기면 모두 맞습니다.",
-        ),
-    ),
-    "one place too early": (
-        lambda given, want: given[:-1] == want[1:],
-        Text(
-            en="each stands one place too early: something comes before all of them.",
-            ko="모두 한 자리씩 앞에 있습니다. 이 모두보다 먼저 올 것이 있습니다.",
-        ),
-    ),
+ORDERS: dict[str, Callable[[Row, Row], bool]] = {
+    "order reversed": lambda given, want: given == want[::-1],
+    "one place too late": lambda given, want: given[1:] == want[:-1],
+    "one place too early": lambda given, want: given[:-1] == want[1:],
 }
-
-
-OUT_OF_PLACE = {  # whether it belongs further to the front
-    False: Text(
-        en='all the others stand in the right order; "{word}" alone is out of its place, and comes later.',
-        ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 나중에 옵니다.',
-    ),
-    True: Text(
-        en='all the others stand in the right order; "{word}" alone is out of its place, and comes earlier.',
-        ko='나머지는 순서가 모두 맞습니다. "{word}" 하나만 제자리가 아니며, 더 먼저 옵니다.',
-    ),
-}
-NAMED_TWICE = Text(
-    en='You have "{word}" in {count} of the places, and each place has a word of its own: another one is missing.',
-    ko='"{word}"을(를) {count}곳에 두었습니다. 자리마다 낱말이 다르므로 다른 하나가 빠졌습니다.',
-)
-PLACES = Text(
-    en="each of these lists holds the right words in another order, and it is the same order in all of them: read "
-    "again which question stands first, second, third.",
-    ko="리스트마다 낱말은 맞지만 순서가 다르고, 어느 리스트에서나 같은 순서로 바뀌었습니다. "
-    "첫째, 둘째, 셋째 물음이 무엇인지 다시 읽으십시오.",
-)
 MOST_PLACES = 5  # of a list: with more of them there are too many orders
 ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
 
@@ -109,9 +70,9 @@ def of_orders(
 
 def _of_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
     """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
-    for name, (fits, said) in ORDERS.items():
+    for name, fits in ORDERS.items():
         if fits(have, want):
-            return name, said
+            return name, TEXTS[name]
     moved = _out_of_place(have, want, means)
     return ("one out of place", moved) if moved else None
 
@@ -124,7 +85,9 @@ def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | Non
         place = want.index(word)
         others = ([one for one in row if one != word] for row in (have, want))
         if abs(place - at) > 1 and next(others) == next(others):
-            return Text.joined(OUT_OF_PLACE[place < at].filled(word=word), means.get(word))
+            return Text.joined(
+                TEXTS["comes_earlier" if place < at else "comes_later"].filled(word=word), means.get(word)
+            )
     return None
 
 
@@ -138,7 +101,7 @@ def of_places(
     want, have = ([[word_of(forms[name], held[name][0]) for name in row] for row in rows] for held in (wanted, given))
     order = _order_of(want, have)
     wrong = [row[place] for row in rows for place, at in enumerate(order) if place != at]
-    return [Found.of("places exchanged", PLACES, *wrong)] if wrong else []
+    return [Found.of("places exchanged", TEXTS["places"], *wrong)] if wrong else []
 
 
 def _order_of(want: list[Row], have: list[Row]) -> tuple[int, ...]:
@@ -168,7 +131,7 @@ def named_twice(
     word = word_of(form, given[name][0])
     if word is None or len(set(want)) < len(want) or have.count(word) < 2:
         return None
-    return NAMED_TWICE.filled(word=word, count=have.count(word))
+    return TEXTS["named_twice"].filled(word=word, count=have.count(word))
 
 
 def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...text import Text
+from ...text import Texts
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import alike
 from ..tasks.case_types import Case, TaskCases
@@ -20,31 +20,7 @@ from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_refusals"]
 
-NOTHING = Text(
-    en="where there is no answer, your function returns None, and nobody learns why. If an `except` swallows the "
-    "error, let it through; if there is none, raise it.",
-    ko="답이 없는 곳에서 함수가 None을 반환하므로 아무도 이유를 알 수 없습니다. `except`가 예외를 삼켰다면 "
-    "그대로 통과시키고, 예외가 없었다면 일으키십시오.",
-)
-THE_SAME = Text(
-    en="where there is no answer, your function returns the same thing each time, and the caller takes it for one. "
-    "If an `except` swallows the error, let it through; if there is none, raise it.",
-    ko="답이 없는 곳에서 함수가 매번 같은 것을 반환하므로 호출한 쪽은 그것을 답으로 압니다. `except`가 예외를 "
-    "삼켰다면 그대로 통과시키고, 예외가 없었다면 일으키십시오.",
-)
-RETURNED = Text(
-    en="your function returns the exception as if it were a result: `raise` it.",
-    ko="함수가 예외를 결과처럼 반환합니다. `raise`로 일으키십시오.",
-)
-SOMETHING = Text(
-    en="where an exception has to be raised, your function returns something.",
-    ko="예외를 일으켜야 하는 곳에서 함수가 값을 반환합니다.",
-)
-
-ANOTHER = Text(
-    en="where an exception has to be raised, your function raises {error}, and another one is asked for.",
-    ko="예외를 일으켜야 하는 곳에서 {error} 예외가 나오는데, 필요한 것은 다른 예외입니다.",
-)
+TEXTS = Texts(__file__)
 
 
 def of_refusals(
@@ -62,19 +38,19 @@ def of_refusals(
         return None
     slip = _another(refused) if is_another else _swallowed(refused)
     if all(alike(task.form, outcome, case.expected) for case, outcome in rest):  # the verdict says the rest by itself
-        return slip if not is_another and slip.said is not SOMETHING else None
+        return slip if not is_another and slip.said is not TEXTS["something"] else None
     first = explained(task, *zip(*rest, strict=True))
     return and_then(first, slip) if first else None
 
 
 def _swallowed(refused: Sequence[Plain]) -> Explanation:
     if all(outcome is None for outcome in refused):
-        return Explanation.of("error swallowed", NOTHING)
+        return Explanation.of("error swallowed", TEXTS["nothing"])
     if all(isinstance(one, dict) and "returned and not raised" in str(one.get("object")) for one in refused):
-        return Explanation.of("exception returned", RETURNED)
+        return Explanation.of("exception returned", TEXTS["returned"])
     if len(refused) > 1 and all(outcome == refused[0] for outcome in refused):
-        return Explanation.of("error swallowed", THE_SAME)
-    return Explanation.of("no refusal", SOMETHING)
+        return Explanation.of("error swallowed", TEXTS["the_same"])
+    return Explanation.of("no refusal", TEXTS["something"])
 
 
 def _are_others(task: TaskCases, pairs: Sequence[tuple[Case, Plain]]) -> bool:
@@ -85,4 +61,4 @@ def _are_others(task: TaskCases, pairs: Sequence[tuple[Case, Plain]]) -> bool:
 
 def _another(refused: Sequence[Plain]) -> Explanation:
     errors = " / ".join(sorted({str(outcome["raises"]) for outcome in refused if isinstance(outcome, dict)}))
-    return Explanation.of("another exception", ANOTHER.filled(error=errors))
+    return Explanation.of("another exception", TEXTS["another"].filled(error=errors))

@@ -14,7 +14,7 @@ from collections.abc import Iterator
 
 from tflab.core import Transform
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Row
 from ..answers.forms import Form, Quaternion, Urdf, Vector
 from ..answers.values import Plain
@@ -25,34 +25,9 @@ from .explanation import Explanation
 
 __all__ = ["of_robots"]
 
-PLACE = Text("where it is in its parent: {said}", "부모 기준 위치: {said}")
-TURN = Text("how it is turned in its parent: {said}", "부모 기준 방향: {said}")
-ROOT = Text(
-    en="what it hangs on is right, and that hangs on {name} in the end, where it should not.",
-    ko="바로 위의 부모는 맞지만, 맨 위가 {name}입니다. 그래서는 안 됩니다.",
-)
-PARENT = Text(en="it hangs on {name}, and another parent is asked for.", ko="{name}에 달려 있습니다. 부모가 다릅니다.")
-NOWHERE = Text(
-    en="it hangs on nothing: no joint has it as its child.",
-    ko="아무 데도 달려 있지 않습니다. 이것을 자식으로 둔 관절이 없습니다.",
-)
-KIND = Text(en="its joint {name}, and here it should not.", ko="관절이 {name}. 여기서는 그러면 안 됩니다.")
-KINDS = {  # of a joint, and what it does
-    "turns": Text("turns", "돕니다"),
-    "slides": Text("slides", "미끄러집니다"),
-    "fixed": Text("is fixed", "고정되어 있습니다"),
-}
-MOVES = Text(
-    en="at 0 it stands right; moved, it {name}, and that is not how it should move.",
-    ko="0에서는 맞습니다. 움직이면 {name}. 그렇게 움직여서는 안 됩니다.",
-)
-ABOUT = Text(en="turns about {name} of its own axes", ko="자신의 {name}축을 중심으로 돕니다")
-ALONG = Text(en="slides along {name} of its own axes", ko="자신의 {name}축을 따라 미끄러집니다")
-AXES = Text(
-    en="{said}. Now its axes x, y, z point along {name} of its parent",
-    ko="{said}. 지금 이 링크의 x, y, z축은 부모의 {name}축 방향을 향합니다",
-)
-STAYS = Text(en="stays where it is", ko="그대로 있습니다")
+TEXTS = Texts(__file__)
+
+KINDS = ("turns", "slides", "fixed")  # of joints
 POSE = 7  # marks of a place and a rotation
 SMALL = 1e-6
 ALONG_AN_AXIS = 1e-4  # by so much less than all of a step along it
@@ -83,13 +58,13 @@ def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]
         yield "hangs", _of_joint(str(row[0].value), str(row[1].value), str(right[1].value))
         return
     is_placed = True
-    for name, words, start, form in (("place", PLACE, 2, Vector(3, "m")), ("turn", TURN, 5, Quaternion())):
+    for name, start, form in (("place", 2, Vector(3, "m")), ("turn", 5, Quaternion())):
         values = [[float(mark.value) for mark in marks[start : start + len(_names(form))]] for marks in (row, right)]
         if not form.same(*values):
             is_placed = False
-            yield name, _filled(words, _of_numbers(task, form, *values))
+            yield name, _filled(TEXTS[name], _of_numbers(task, form, *values))
     if is_placed:
-        yield "moves", _filled(MOVES, _movement(row))
+        yield "moves", _filled(TEXTS["moves"], _movement(row))
 
 
 def _names(form: Form) -> str:
@@ -100,12 +75,12 @@ def _of_joint(root: str, hangs: str, right: str) -> Text:
     """Return what is wrong with what a link hangs on."""
     kind, _, parent = hangs.partition(" on ")
     if not parent:
-        return NOWHERE
+        return TEXTS["nowhere"]
     if hangs == right:
-        return _filled(ROOT, root.removeprefix("root "))
+        return _filled(TEXTS["root"], root.removeprefix("root "))
     if parent != right.partition(" on ")[2]:
-        return _filled(PARENT, parent)
-    return _filled(KIND, KINDS.get(kind, Text(f"is {kind}", f"{kind}입니다")))
+        return _filled(TEXTS["parent"], parent)
+    return _filled(TEXTS["kind"], TEXTS[kind] if kind in KINDS else Text(f"is {kind}", f"{kind}입니다"))
 
 
 def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Text:
@@ -115,7 +90,7 @@ def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Tex
         return words_of(task, name).reply
     bounds = certain(form, given, wanted) or Text("", "")
     axes = _axes(given) if isinstance(form, Quaternion) else ""
-    return AXES.filled(said=bounds, name=axes) if axes else bounds
+    return TEXTS["axes"].filled(said=bounds, name=axes) if axes else bounds
 
 
 def _axes(rotation: Plain) -> str:
@@ -136,8 +111,8 @@ def _movement(row: Row) -> Text:
     turned, moved = step.rotation[:3], step.translation
     if max(map(abs, turned)) > SMALL:
         sign = 1.0 if step.rotation[3] >= 0.0 else -1.0
-        return _filled(ABOUT, _axis([sign * number for number in turned]))
-    return _filled(ALONG, _axis(list(moved))) if max(map(abs, moved)) > SMALL else STAYS
+        return _filled(TEXTS["about"], _axis([sign * number for number in turned]))
+    return _filled(TEXTS["along"], _axis(list(moved))) if max(map(abs, moved)) > SMALL else TEXTS["stays"]
 
 
 def _axis(numbers: list[float]) -> str:

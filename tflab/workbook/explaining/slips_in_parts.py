@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from ...text import Text
+from ...text import Texts
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Message, Parts, Vector
 from ..answers.values import Plain, is_raised
@@ -22,10 +22,8 @@ from .together import Found, each_part_once
 
 __all__ = ["Table", "is_something", "slips_in_parts"]
 
-FOLLOWS = Text(
-    en='this is what would follow from another "{part}" than the one you give: {said}',
-    ko='"{part}"이(가) 따로 답한 것과 다른 값일 때 나오는 답입니다. {said}',
-)
+TEXTS = Texts(__file__)
+
 LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
 
 
@@ -135,7 +133,7 @@ def _of_one_slip(
     made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
     if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
         return []
-    return [Found({name: words}, FOLLOWS.filled(part=made_in, said=words.reply), follow)]
+    return [Found({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
 
 
 def _falls_apart(both: Found, found: Sequence[Found]) -> bool:

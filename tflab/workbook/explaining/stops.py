@@ -11,30 +11,21 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from ..mistakes.fitting import ANY_BUG, alike
-from ..mistakes.stumbles import tip_for
+from ..mistakes.python_errors import tip_for
 from ..tasks.case_types import Case, TaskCases
 from .explanation import Explains, Explanation, and_then
 
 __all__ = ["of_stops"]
 
+TEXTS = Texts(__file__)
+
 OF_TF2 = {"ConnectivityException", "ExtrapolationException", "InvalidArgumentException", "LookupException"}
 BUGS = ANY_BUG | {"AssertionError", "ZeroDivisionError"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
-STOPS = Text(
-    en="in {stopped} of the {of} calls your function stops with {error}. {tip}",
-    ko="호출 {of}번 가운데 {stopped}번에서 함수가 {error} 예외를 내고 멈춥니다. {tip}",
-)
-
-UNCAUGHT = Text(
-    en="a word is asked for in each call, and in {stopped} of the {of} your function lets an exception through: "
-    "{errors}. Each of them needs an `except`, and a word of its own.",
-    ko="호출마다 낱말 하나가 필요한데, 호출 {of}번 가운데 {stopped}번에서 예외가 함수를 그대로 지나갑니다({errors}). "
-    "클래스마다 `except`를 두고 낱말로 바꾸십시오.",
-)
 
 
 def of_stops(
@@ -57,7 +48,7 @@ def of_stops(
         return None
     error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
     filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
-    said = Text(*map(str.rstrip, STOPS.filled(**filled, tip=tip)))
+    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**filled, tip=tip)))
     return and_then(first, Explanation.of(f"stops: {error}", said))
 
 
@@ -68,4 +59,4 @@ def _uncaught(task: TaskCases, pairs: Sequence[tuple[Case, Plain]], stopped: Seq
     if not errors or not is_of_words or not all(error in OF_TF2 for error in errors):
         return None
     names = ", ".join(errors)
-    return Explanation.of("uncaught", UNCAUGHT.filled(stopped=len(stopped), of=len(pairs), errors=names))
+    return Explanation.of("uncaught", TEXTS["uncaught"].filled(stopped=len(stopped), of=len(pairs), errors=names))

@@ -13,16 +13,15 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...text import Text, begun
+from ...text import Text, Texts, begun
 from ..tasks.case_types import Feedback
 from .explanation import Explanation
 
 __all__ = ["Found", "each_part_once", "together"]
 
-WRONG = Text(en="not right yet.", ko="아직 틀렸습니다.")
+TEXTS = Texts(__file__)
+
 MOST_TOLD = 4  # causes; who reads more than that at once mends none
-LATER = Text(en="not right yet either. Fix the others first.", ko="역시 아직 틀렸습니다. 앞의 것부터 고치십시오.")
-WRONG_AND_HOW = Text(en="not right yet ({certain}).", ko="아직 틀렸습니다({certain}).")
 
 
 class Found(NamedTuple):
@@ -63,7 +62,7 @@ def together(found: Sequence[Found], left: Mapping[str, Text | None], names: Seq
     told = found[:MOST_TOLD] if len(found) > MOST_TOLD + 1 else found
     said = [cause.said if cause.parts == set(names) else _where(cause.said, cause.parts, names) for cause in told]
     if rest := {name for cause in found[len(told) :] for name in cause.parts}:
-        said.append(_where(LATER, rest, names))
+        said.append(_where(TEXTS["later"], rest, names))
     said += [_where(words, parts, names) for words, parts in _looks(left).items()]
     slips = {name: words for cause in found for name, words in cause.slips.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}
@@ -74,7 +73,7 @@ def _looks(left: Mapping[str, Text | None]) -> dict[Text, set[str]]:
     """Return what to say of the parts that are left, and of which."""
     looks: dict[Text, set[str]] = {}
     for name, certain in left.items():
-        looks.setdefault(WRONG_AND_HOW.filled(certain=certain) if certain else WRONG, set()).add(name)
+        looks.setdefault(TEXTS["wrong_and_how"].filled(certain=certain) if certain else TEXTS["wrong"], set()).add(name)
     return looks
 
 

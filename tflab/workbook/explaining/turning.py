@@ -16,59 +16,21 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Form, inside, numbers_of
 from ..answers.forms import Number
 from ..answers.values import Plain
 
 __all__ = ["FEWEST_CALLS", "poses_among", "turned_in_all"]
 
+TEXTS = Texts(__file__)
+
 FEWEST_CALLS = 4  # more than there are terms: so many numbers are no luck
 MOST_POSES = 2
 CLOSE = 1e-6
 PLANAR = ("x", "y", "yaw")
-SAID = Text(
-    en="in every call your result is the same sum of terms. {seen}",
-    ko="어느 호출에서나 같은 항들의 합입니다. {seen}",
-)
-MISSING = Text(en="`{what}` does not come into it at all.", ko="`{what}`이(가) 전혀 들어가지 않았습니다.")
-TOO_MUCH = Text(en="`{what}` does not belong in it.", ko="`{what}`은(는) 들어갈 값이 아닙니다.")
-OTHER_SIGN = Text(en="`{what}` has the wrong sign.", ko="`{what}`의 부호가 반대입니다.")
-OTHER_OF_TWO = Text(
-    en="`{what}` goes with the other of sine and cosine.",
-    ko="`{what}`에는 sin과 cos 가운데 다른 쪽을 곱합니다.",
-)
-OTHER_ANGLE = Text(
-    en="`{what}` is turned by another angle than it should be.",
-    ko="`{what}`을(를) 다른 각도로 돌렸습니다.",
-)
-NOT_TURNED = Text(
-    en="`{what}` stands there as it is, and is measured along axes that are turned.",
-    ko="`{what}`을(를) 그대로 썼습니다. 돌아가 있는 축을 따라 잰 값입니다.",
-)
-ANGLE_ITSELF = Text(
-    en="`{what}` is multiplied by the angle itself, where its sine or cosine belongs: they are alike only for small "
-    "angles.",
-    ko="sin이나 cos을 곱할 자리에 각도 자체를 `{what}`에 곱했습니다. 둘은 각도가 작을 때만 비슷합니다.",
-)
-TANGENT = Text(
-    en="`{what}` is multiplied by a tangent, where a sine or a cosine belongs.",
-    ko="sin이나 cos을 곱할 자리에 tan을 `{what}`에 곱했습니다.",
-)
-DIVIDED = Text(
-    en="`{what}` is divided there: to turn is to multiply by a sine or a cosine, whichever way it goes.",
-    ko="`{what}`을(를) 나누었습니다. 어느 쪽으로 돌리든 sin이나 cos을 곱합니다.",
-)
-DISTANCE = Text(
-    en="`{what}` is how far away it lies: in which direction is lost.",
-    ko="`{what}`은(는) 거리입니다. 어느 방향인지는 사라집니다.",
-)
-TURNED_TOO = Text(
-    en="`{what}` is turned, and is measured along the right axes already.",
-    ko="`{what}`을(를) 돌렸습니다. 이미 맞는 축을 따라 잰 값입니다.",
-)
+UNLIKE = {" * ": "angle_itself", " / cos": "divided", " * tan": "tangent"}  # what is done with an angle, not a rotation
 TIMES = re.compile(" [*/] ")
-UNLIKE = {" * ": ANGLE_ITSELF, " / cos": DIVIDED, " * tan": TANGENT}  # what is done with an angle, and is no turn
 Sum = dict[str, float]  # terms, as they are written, each with its sign
 
 
@@ -86,20 +48,20 @@ def turned_in_all(
         return None
     right = _sum_of(terms, np.array([row[0] for row in rows[1]])) if None not in rows[1] else {}
     seen = _seen(found, right)
-    return ("rotation terms", SAID.filled(seen=seen)) if seen else None
+    return ("rotation terms", TEXTS["said"].filled(seen=seen)) if seen else None
 
 
 def _seen(found: Sum, right: Sum) -> Text | None:
     """Return where a sum differs from the one that is asked for; None if that cannot be said."""
     of_found, of_right = _by_number(found), _by_number(right)
     if distance := next((name for name in of_found if name.startswith("hypot")), ""):
-        return DISTANCE.filled(what=distance)
+        return TEXTS["distance"].filled(what=distance)
     if not right:
         return None
-    said = [(MISSING, name) for name in of_right if name not in of_found]
+    said = [(TEXTS["missing"], name) for name in of_right if name not in of_found]
     for name, terms in of_found.items():
         if name not in of_right:
-            said.append((TOO_MUCH, name))
+            said.append((TEXTS["too_much"], name))
         else:
             said += _differences(name, terms, of_right[name])
     return Text.joined(*(words.filled(what=what) for words, what in dict.fromkeys(said))) if said else None
@@ -117,19 +79,19 @@ def _by_number(terms: Sum) -> dict[str, Sum]:
 def _differences(name: str, terms: Sum, right: Sum) -> Iterator[tuple[Text, str]]:
     """Yield in what the terms of one number differ from those that are asked for, and of what that is said."""
     if len(terms) > 1 or len(right) > 1:
-        yield from ((TOO_MUCH, name + factor) for factor in terms if factor not in right)
+        yield from ((TEXTS["too_much"], name + factor) for factor in terms if factor not in right)
         return
     ((factor, sign),), ((other, wanted),) = terms.items(), right.items()
     (function, angle), (others, another) = _parts(factor), _parts(other)
     if factor == other:
-        yield from ((OTHER_SIGN, name + factor),) if sign != wanted else ()
+        yield from ((TEXTS["other_sign"], name + factor),) if sign != wanted else ()
     elif not factor or not other:
-        yield (TURNED_TOO if factor else NOT_TURNED), name
+        yield (TEXTS["turned_too"] if factor else TEXTS["not_turned"]), name
     elif function in UNLIKE:
-        yield UNLIKE[function], name
+        yield TEXTS[UNLIKE[function]], name
     else:
-        yield from ((OTHER_OF_TWO, name),) if function != others else ()
-        yield from ((OTHER_ANGLE, name),) if angle != another else ()
+        yield from ((TEXTS["other_of_two"], name),) if function != others else ()
+        yield from ((TEXTS["other_angle"], name),) if angle != another else ()
 
 
 def _parts(factor: str) -> tuple[str, str]:

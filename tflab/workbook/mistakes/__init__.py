@@ -9,9 +9,7 @@
     losses      what was lost and cannot be put back
     trees       what is wrong with a tree
     shell_words where a command line goes wrong
-    stumbles    what one of Python's own errors means
-    buffers     what a buffer was asked that it cannot answer
-    objects     what a message, a Time or a tuple has instead of what was asked of it
+    python_errors   what one of Python's own errors means
     lint        what is plain to see in a function's text
     fields      which parts an answer has
     fitting     whether outcomes are just what a mistake gives

@@ -11,25 +11,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ...text import Text
+from ...text import Text, Texts
 
 __all__ = ["LETTERS", "letters_told", "said_of_letters"]
 
+TEXTS = Texts(__file__)
+
 LETTERS = "xyz"
-SAID = {
-    "one sign": Text(
-        en="{told} has the wrong sign, and the rest is right.",
-        ko="{told}의 부호가 반대이고, 나머지는 맞습니다.",
-    ),
-    "exchanged": Text(
-        en="{told} have changed places.",
-        ko="{told}의 자리가 서로 바뀌었습니다.",
-    ),
-    "places and signs": Text(
-        en="{told} is right; of the other two the sizes are right, their places or signs are not.",
-        ko="{told}는 맞습니다. 나머지 둘은 크기만 맞고 자리나 부호가 다릅니다.",
-    ),
-}
 
 
 def letters_told(name: str, given: Sequence[float], left: Sequence[float]) -> str:
@@ -40,7 +28,7 @@ def letters_told(name: str, given: Sequence[float], left: Sequence[float]) -> st
         given: the numbers of the answer.
         left: the same without the mistake.
     """
-    if name not in SAID or len(given) > len(LETTERS):
+    if name not in TEXTS or len(given) > len(LETTERS):
         return ""
     pairs = zip(LETTERS, given, left, strict=False)
     moved, kept = [], []
@@ -55,7 +43,7 @@ def letters_told(name: str, given: Sequence[float], left: Sequence[float]) -> st
 
 def said_of_letters(name: str, told: str) -> Text | None:
     """Return what is said of a mistake and of these numbers; None of another mistake."""
-    if name not in SAID or not told:
+    if name not in TEXTS or not told:
         return None
     one, _, other = told.partition(", ")
-    return SAID[name].filled(told=Text(f"{one} and {other}", f"{one}와 {other}") if other else told)
+    return TEXTS[name].filled(told=Text(f"{one} and {other}", f"{one}와 {other}") if other else told)

@@ -13,15 +13,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from ...text import Text
+from ...text import Texts
 from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Pose, Quaternion, Vector
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Feedback, TaskCases
+from . import universal
 from .by_place import said_of_letters
 from .fields import section
 from .losses import TOLD, by_comparison, words_of_loss
-from .universal import PLAIN_TO_SEE, UNIVERSAL, undone
+from .universal import PLAIN_TO_SEE, undone
 
 __all__ = [
     "ANY_BUG",
@@ -35,14 +36,10 @@ __all__ = [
     "words_of",
 ]
 
+TEXTS = Texts(__file__)
+
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
-UNIT = Text(en="right, if it were in {unit}.", ko="{unit} 단위라면 맞습니다.")
-GIVEN = Text(en="this is `{name}` as it was given, unchanged.", ko="주어진 `{name}`의 값 그대로입니다.")
-SOME = Text(
-    en="In some calls, not in all: {said}",
-    ko="모든 호출이 아니라 일부에서 그렇습니다. {said}",
-)
 IN_SOME = "in some: "
 MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
@@ -153,12 +150,12 @@ def words_of(task: TaskCases, name: str) -> Feedback:
         return task.feedback[name]
     if name.startswith(IN_SOME):
         words = words_of(task, name.removeprefix(IN_SOME))
-        return Feedback(SOME.filled(said=words.reply), words.misconception)
-    for start, words in (("unit ", UNIT), ("given ", GIVEN)):
+        return Feedback(TEXTS["some"].filled(said=words.reply), words.misconception)
+    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"])):
         if name.startswith(start):
             rest = name.removeprefix(start)
             return Feedback(words.filled(unit=rest, name=rest), "")
     if (words := words_of_loss(name)) is not None:
         return Feedback(words, "")
     kind, _, told = name.partition(TOLD)
-    return Feedback(said_of_letters(kind, told) or UNIVERSAL[kind].reply, UNIVERSAL[kind].misconception)
+    return Feedback(said_of_letters(kind, told) or universal.TEXTS[kind], universal.UNIVERSAL[kind].misconception)

@@ -20,83 +20,14 @@ from itertools import pairwise
 from types import CodeType, FunctionType
 from typing import Any
 
-from ...text import Text
+from ...text import Text, Texts
 
 __all__ = ["said_of_its_text"]
 
+TEXTS = Texts(__file__)
+
 Found = Iterator[tuple[ast.AST, Text]]
 
-IN_LINE = Text(en="In line {line}, `{text}`: {said}", ko="{line}번째 줄의 `{text}`: {said}")
-HOLDS_ALWAYS = Text(
-    "`or` asks each side by itself, and {word} alone counts as true: this holds always. Write the whole comparison on "
-    "each side.",
-    "`or`는 양쪽을 따로 판단하고 {word}만 있으면 참입니다. 그래서 이 조건은 언제나 참입니다. 양쪽에 비교식을 끝까지 "
-    "쓰십시오.",
-)
-ONE_ALWAYS = Text(
-    "`or` gives the first side that counts as true, here always {word}. Among several is `in (…, …)`.",
-    "`or`는 참인 첫 번째 것을 내놓으므로 여기서는 언제나 {word}입니다. 여럿 가운데 하나인지는 `in (…, …)`으로 "
-    "보십시오.",
-)
-ASKS_NOTHING = Text(
-    "`and` asks each side by itself, and {word} alone counts as true: it asks nothing. Write the whole comparison on "
-    "each side.",
-    "`and`는 양쪽을 따로 판단하고 {word}만 있으면 언제나 참이라 아무것도 따지지 않습니다. 양쪽에 비교식을 끝까지 "
-    "쓰십시오.",
-)
-FIRST_CLASS_ALONE = Text(
-    "`or` between two classes gives the first alone. Several stand in brackets: `except (A, B):`.",
-    "클래스 둘 사이의 `or`는 첫 번째만 남깁니다. 여럿을 잡으려면 괄호로 묶으십시오: `except (A, B):`.",
-)
-NEVER_REACHED = Text(
-    "it is never reached. `except {name}` stands above it and takes all of these, too: Python takes the first that "
-    "fits, so the wider class comes last.",
-    "여기에는 결코 이르지 않습니다. 위의 `except {name}`에 모두 걸립니다. 파이썬은 들어맞는 첫 번째를 택하므로 더 넓은 "
-    "클래스를 뒤에 두십시오.",
-)
-GOES_OVER_ALL = Text(
-    "`finally` runs whatever happened, and its `return` goes over every other one, and over exceptions.",
-    "`finally`는 무슨 일이 있어도 실행되고, 그 안의 `return`은 다른 모든 `return`과 예외를 덮어씁니다.",
-)
-FOUND_NOWHERE = Text(
-    "`find` gives -1 where there is nothing, and -1 counts as true; 0, the very beginning, does not. Ask with `in`.",
-    "`find`는 없으면 -1을 주는데 -1은 참이고, 맨 앞에 있을 때의 0은 거짓입니다. `in`으로 물으십시오.",
-)
-A_CHAIN = Text(
-    "comparisons in a row are a chain: `a in b == c` means `a in b and b == c`.",
-    "비교를 잇달아 쓰면 사슬이 됩니다. `a in b == c`는 `a in b and b == c`라는 뜻입니다.",
-)
-ASKED_ABOVE = Text(
-    "the same is asked above already, so this one is never reached.",
-    "위에서 이미 같은 것을 물었으므로 여기에는 결코 이르지 않습니다.",
-)
-NOT_KEPT = Text(
-    "what this gives is new, and nobody keeps it: what it was made of stays as it was.",
-    "여기서 새로 만든 것을 아무 데도 담지 않습니다. 원래 것은 그대로입니다.",
-)
-NOT_CALLED = Text(
-    "this names a method and does not call it: its brackets are missing.",
-    "메서드의 이름만 있고 호출하지 않습니다. 괄호가 빠졌습니다.",
-)
-NOT_SET = Text("`==` compares and sets nothing; `=` sets.", "`==`는 비교만 합니다. 값은 `=`로 넣습니다.")
-GIVES_NONE = Text(
-    "`.{name}(…)` changes the list in its place and gives None: let it stand in a line of its own.",
-    "`.{name}(…)`은 리스트 자체를 바꾸고 None을 줍니다. 따로 한 줄로 쓰십시오.",
-)
-TEXT_OF_A_CLASS = Text(
-    "this is the text of the class, the same each time. What tf2 says stands in the error that was caught: "
-    "`except … as error`, `str(error)`.",
-    "이것은 클래스의 글자라 언제나 같습니다. tf2의 말은 잡은 예외에 있습니다: `except … as error`, `str(error)`.",
-)
-
-AFTER_THE_END = Text(
-    "it is never reached: what stands above it ends the function, or the round of the loop.",
-    "여기에는 결코 이르지 않습니다. 바로 위에서 함수나 반복의 그 바퀴가 끝납니다.",
-)
-ONLY_PRINTED = Text(
-    "`print` shows the word and the function goes on; `return` gives it to whoever called.",
-    "`print`는 낱말을 보여 줄 뿐 함수는 계속됩니다. 호출한 곳에 주는 것은 `return`입니다.",
-)
 
 LONGEST_LINE = 70
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
@@ -118,7 +49,7 @@ def _said_of(function: Any) -> Text | None:
     found = sorted(_found(tree, vars(builtins) | function.__globals__), key=lambda row: row[0].lineno)
     for node, said in found[:1]:
         line = first + node.lineno - 1
-        return IN_LINE.filled(line=line, text=_quoted(text, tree, node).rstrip(":"), said=said)
+        return TEXTS["in_line"].filled(line=line, text=_quoted(text, tree, node).rstrip(":"), said=said)
     return None
 
 
@@ -131,7 +62,7 @@ def _found(tree: ast.Module, names: Mapping[str, Any]) -> Found:
         if isinstance(node, ast.BoolOp):
             yield from _joined(node, tests)
         elif node in tests and isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "find":
-            yield node, FOUND_NOWHERE
+            yield node, TEXTS["found_nowhere"]
 
 
 def _tests(tree: ast.Module) -> set[ast.AST]:
@@ -152,11 +83,11 @@ def _joined(node: ast.BoolOp, tests: set[ast.AST]) -> Found:
     held = [value for value in node.values if isinstance(value, ast.Constant) and value.value]
     inner = [value for value in held if value is not node.values[-1]]
     if isinstance(node.op, ast.And) and inner:
-        yield node, ASKS_NOTHING.filled(word=_word(inner[0]))
+        yield node, TEXTS["asks_nothing"].filled(word=_word(inner[0]))
     elif isinstance(node.op, ast.Or) and held and node in tests:
-        yield node, HOLDS_ALWAYS.filled(word=_word(held[0]))
+        yield node, TEXTS["holds_always"].filled(word=_word(held[0]))
     elif isinstance(node.op, ast.Or) and inner and inner[0] is node.values[0]:
-        yield node, ONE_ALWAYS.filled(word=_word(inner[0]))
+        yield node, TEXTS["one_always"].filled(word=_word(inner[0]))
 
 
 def _word(node: ast.Constant) -> str:
@@ -169,14 +100,14 @@ def _after_an_end(node: ast.AST) -> Found:
     for block in (held for held in blocks if isinstance(held, list)):
         for one, then in pairwise(block):
             if isinstance(one, ENDS) and not isinstance(then, ast.Raise):
-                yield then, AFTER_THE_END
+                yield then, TEXTS["after_the_end"]
 
 
 def _only_printed(node: ast.Try, _names: Mapping[str, Any]) -> Found:
     """Yield a handler that prints a word where another one returns its own."""
     if not any(isinstance(handler.body[-1], ast.Return) for handler in node.handlers):
         return
-    yield from ((held, ONLY_PRINTED) for held, _ in _prints_alone(handler.body for handler in node.handlers))
+    yield from ((held, TEXTS["only_printed"]) for held, _ in _prints_alone(handler.body for handler in node.handlers))
 
 
 def _printed_in_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
@@ -186,7 +117,7 @@ def _printed_in_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     if any(isinstance(way[-1], ast.Return) for way in ways if way):
         for held, call in _prints_alone(ways):
             if all(isinstance(one, ast.Constant) for one in call.args):
-                yield held, ONLY_PRINTED
+                yield held, TEXTS["only_printed"]
 
 
 def _prints_alone(blocks: Iterable[list[ast.stmt]]) -> Iterator[tuple[ast.stmt, ast.Call]]:
@@ -212,11 +143,11 @@ def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
         classes = _classes(handler.type, names)
         takers = [next((name for name, one in before if issubclass(other, one)), None) for _, other in classes]
         if classes and all(takers):
-            yield handler, NEVER_REACHED.filled(name=takers[0])
+            yield handler, TEXTS["never_reached"].filled(name=takers[0])
         before += classes
         if isinstance(handler.type, ast.BoolOp) and isinstance(handler.type.op, ast.Or):
-            yield handler, FIRST_CLASS_ALONE
-    yield from ((last, GOES_OVER_ALL) for last in node.finalbody if isinstance(last, ast.Return))
+            yield handler, TEXTS["first_class_alone"]
+    yield from ((last, TEXTS["goes_over_all"]) for last in node.finalbody if isinstance(last, ast.Return))
 
 
 def _classes(node: ast.expr | None, names: Mapping[str, Any]) -> list[tuple[str, type]]:
@@ -232,24 +163,24 @@ def _is_exception(named: tuple[str, Any]) -> bool:
 
 def _of_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
     if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
-        yield node, A_CHAIN
+        yield node, TEXTS["a_chain"]
 
 
 def _of_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     """Yield an `elif` that asks what was asked before it."""
     asked = ast.dump(node.test)
-    yield from ((other, ASKED_ABOVE) for other in _chain(node)[1:] if ast.dump(other.test) == asked)
+    yield from ((other, TEXTS["asked_above"]) for other in _chain(node)[1:] if ast.dump(other.test) == asked)
 
 
 def _of_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
     """Yield a line that stands for itself and does nothing."""
     held = node.value
     if isinstance(held, ast.Attribute):
-        yield node, NOT_CALLED
+        yield node, TEXTS["not_called"]
     elif isinstance(held, ast.Compare) and isinstance(held.ops[0], ast.Eq):
-        yield node, NOT_SET
+        yield node, TEXTS["not_set"]
     elif isinstance(held, ast.Call) and _is_of_new(held.func):
-        yield node, NOT_KEPT
+        yield node, TEXTS["not_kept"]
 
 
 def _is_of_new(function: ast.expr) -> bool:
@@ -264,7 +195,7 @@ def _of_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mapping[st
     held = node.iter if isinstance(node, ast.For) else node.value
     method = held.func if isinstance(held, ast.Call) and isinstance(held.func, ast.Attribute) else None
     if method and method.attr in IN_PLACE and getattr(method.value, "id", "") not in OF_NUMPY:
-        yield node, GIVES_NONE.filled(name=method.attr)
+        yield node, TEXTS["gives_none"].filled(name=method.attr)
 
 
 def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
@@ -272,7 +203,7 @@ def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
     if getattr(node.func, "id", "") == "str" and len(node.args) == 1 and isinstance(node.args[0], ast.Name):
         name = node.args[0].id
         if _is_exception((name, names.get(name))):
-            yield node, TEXT_OF_A_CLASS
+            yield node, TEXTS["text_of_a_class"]
 
 
 # -- reading a function ---------------------------------------------------------------------

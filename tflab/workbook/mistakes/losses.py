@@ -16,120 +16,25 @@ import re
 from collections import Counter
 from collections.abc import Callable, Iterator
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member, numbers_of
 from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain
-from .angles import ANGLES, holds_angles
-from .shell_words import LINES, told_of_a_line, wrong_in
-from .trees import TREES, of_trees, told_of_a_tree
+from . import shell_words, trees, written
+from .angles import holds_angles
 from .universal import OF_FORM
-from .written import NEW, WRITTEN, misplaced
 
 __all__ = ["TOLD", "by_comparison", "stamp_of", "time_of", "words_of_loss"]
+
+TEXTS = Texts(__file__)
 
 Numbers = tuple[float, ...]
 TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
 
-LOSSES = {
-    "empty": Text(en="this is still empty.", ko="아직 비어 있습니다."),
-    "left at zero": Text(
-        en="what is not 0 is right; a number that is still 0 is missing.",
-        ko="0이 아닌 숫자는 맞습니다. 아직 0인 숫자가 빠졌습니다.",
-    ),
-    "zero": Text(
-        en="0 would mean that there is none of it, and there is some.",
-        ko="0이라면 아무것도 없다는 뜻인데, 없지 않습니다.",
-    ),
-    "rounded": Text(
-        en="right to the digits that it has, and more are needed: hand over the number as it was computed, without "
-        "rounding.",
-        ko="적힌 자릿수까지는 맞지만 자릿수가 모자랍니다. 반올림하지 말고 계산한 그대로 넘기십시오.",
-    ),
-    "other order": Text(en="the right members, in the opposite order.", ko="원소는 맞지만 순서가 거꾸로입니다."),
-    "another order": Text(
-        en="the right members, and not in the order that is asked for.",
-        ko="원소는 맞지만 요구한 순서가 아닙니다.",
-    ),
-    "first alone": Text(
-        en="only the first member is there: does a `return` stand inside the loop, or is only the first looked at?",
-        ko="첫 원소만 있습니다. 반복문 안에 `return`이 있거나, 첫 원소만 보지 않았습니까?",
-    ),
-    "last alone": Text(
-        en="only the last member is there: is the list made anew in each round of the loop, or is only the last kept?",
-        ko="마지막 원소만 있습니다. 반복할 때마다 리스트를 새로 만들거나, 마지막 것만 남기지 않았습니까?",
-    ),
-    "all but the last": Text(
-        en="the last member is missing, and all others are there: does the loop, or the slice, end one too early?",
-        ko="마지막 원소만 빠지고 나머지는 다 있습니다. 반복문이나 슬라이스가 하나 일찍 끝나지 않습니까?",
-    ),
-    "all but the first": Text(
-        en="the first member is missing, and all others are there: does the loop, or the slice, begin one too late?",
-        ko="첫 원소만 빠지고 나머지는 다 있습니다. 반복문이나 슬라이스가 하나 늦게 시작하지 않습니까?",
-    ),
-    "in order of text": Text(
-        en='the right members, in the order of texts, in which "10" comes before "9": turn them into numbers before '
-        "sorting.",
-        ko='원소는 맞지만 문자열의 순서입니다. 문자열에서는 "10"이 "9"보다 앞입니다. 정렬하기 전에 숫자로 바꾸십시오.',
-    ),
-    "one too many": Text(
-        en="this is one more than it should be: is an end, or the one you count from, counted too?",
-        ko="하나 더 많습니다. 끝이나 세기 시작한 것까지 세지 않았습니까?",
-    ),
-    "one too few": Text(
-        en="this is one less than it should be: is an end, or the one you count from, left out?",
-        ko="하나 모자랍니다. 끝이나 세기 시작한 것을 빠뜨리지 않았습니까?",
-    ),
-    "angles for a quaternion": ANGLES,
-    "no sign": Text(
-        en="the sizes are right, and every sign is plus: was it taken off, by `abs`, a square or a distance?",
-        ko="크기는 맞지만 부호가 모두 플러스입니다. `abs`나 제곱, 거리로 부호를 없애지 않았습니까?",
-    ),
-    "members twice": Text(
-        en="the right members, and some of them more than once: collect them in a set, or ask first whether one is in "
-        "there already.",
-        ko="원소는 맞지만 두 번 이상 든 것이 있습니다. 집합에 모으거나, 이미 들어 있는지 먼저 확인하십시오.",
-    ),
-    "members once": Text(
-        en="the right members, each of them once; a member counts as often as it comes.",
-        ko="원소는 맞지만 한 번씩만 있습니다. 같은 원소도 나온 횟수만큼 있어야 합니다.",
-    ),
-    "members once, in another order": Text(
-        en="the right members, but each of them once and in another order; a member counts as often as it comes.",
-        ko="원소는 맞지만 한 번씩만 있고 순서도 다릅니다. 같은 원소도 나온 횟수만큼 있어야 합니다.",
-    ),
-    "members missing": Text(
-        en="what is there belongs there, in this order; members are missing.",
-        ko="있는 원소와 그 순서는 맞지만 빠진 원소가 있습니다.",
-    ),
-    "members too many": Text(
-        en="all members that are asked for are there, in their order, and others among them.",
-        ko="필요한 원소가 순서대로 다 있지만 들어가면 안 되는 원소도 섞여 있습니다.",
-    ),
-    "stamp: seconds alone": Text(
-        en="only `sec` is right: the nanoseconds are missing. `.to_msg()` of a Time writes both.",
-        ko="`sec`만 맞고 나노초가 빠졌습니다. Time의 `.to_msg()`가 둘 다 씁니다.",
-    ),
-    "stamp: nanoseconds alone": Text(
-        en="only `nanosec` is right: the whole seconds are missing. `.to_msg()` of a Time writes both.",
-        ko="`nanosec`만 맞고 초가 빠졌습니다. Time의 `.to_msg()`가 둘 다 씁니다.",
-    ),
-    "stamp: zero": Text(
-        en="the stamp is still zero: nobody has written it.", ko="시각이 아직 0입니다. 아무도 쓰지 않았습니다."
-    ),
-    "stamp: written": Text(
-        en="a stamp was written, and here it is to be left as it is, zero.",
-        ko="시각을 썼습니다. 여기서는 0인 그대로 두어야 합니다.",
-    ),
-    **WRITTEN,
-    **TREES,
-    **LINES,
-}
 TOO_MANY = ("members twice", "members too many")
 MOST_TOLD = 3
-SHOWS_AT = Text(en="The first time it shows: {told}.", ko="처음 드러난 곳: {told}.")
 
 
 def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
@@ -141,7 +46,7 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
     elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
         yield "members twice"
     elif isinstance(form, Tree):
-        yield from _told(of_trees(form, answers, wanted))
+        yield from _told(trees.of_trees(form, answers, wanted))
     elif isinstance(form, Name | Command):
         yield from _of_stamps(answers, wanted) if isinstance(form, Name) else _of_lines(form, answers, wanted)
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
@@ -153,18 +58,15 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
 def words_of_loss(name: str) -> Text | None:
     """Return what is said of a loss, and what is told of it; None if this is the name of none."""
     kind, _, told = name.partition(TOLD)
-    if kind not in LOSSES:
-        return None
-    if kind in WRITTEN:
+    if kind in TEXTS:
+        return Text.joined(TEXTS[kind], TEXTS["shows_at"].filled(told=told) if told else None)
+    if kind in written.TEXTS:
         place, of = told.split(", ")
-        return WRITTEN[kind].filled(place=place, of=of)
-    return Text.joined(LOSSES[kind], _more(kind, told) if told else None)
-
-
-def _more(kind: str, told: str) -> Text:
-    if kind in TOO_MANY:
-        return SHOWS_AT.filled(told=told)
-    return (told_of_a_tree if kind in TREES else told_of_a_line)(kind, told)
+        return written.TEXTS[kind].filled(place=place, of=of)
+    for texts, explain in ((trees.TEXTS, trees.told_of_a_tree), (shell_words.TEXTS, shell_words.told_of_a_line)):
+        if kind in texts:
+            return Text.joined(texts[kind], explain(kind, told) if told else None)
+    return None
 
 
 def _told(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
@@ -179,8 +81,8 @@ def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
         yield "empty" if is_empty else "left at zero"
     elif is_empty and isinstance(form, Number | Angle):
         yield "zero"
-    if len(rows[0][1]) in NEW and not isinstance(form, Number | Angle):
-        yield from _told(misplaced(rows, form.tolerance))
+    if len(rows[0][1]) in written.NEW and not isinstance(form, Number | Angle):
+        yield from _told(written.misplaced(rows, form.tolerance))
     yield from _lost_by_kind(form, rows)
     if not is_empty and _all_rounded(form, rows):
         yield "rounded"
@@ -317,7 +219,7 @@ def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Itera
         lines = ([mark.value for mark in probes[0][0]] for probes in (given, right))
         typed = {word.removeprefix("/"): word for word in str(answers[0]).split()}  # a topic is read without its slash
         yield from _told((kind, re.sub(r"(?<=`)[^`,]+(?=`)", lambda word: typed.get(word[0], word[0]), told))
-                         for kind, told in wrong_in(*lines))  # fmt: skip
+                         for kind, told in shell_words.wrong_in(*lines))  # fmt: skip
 
 
 def _of_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:

@@ -13,12 +13,14 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator, Sequence
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import Form
 from ..answers.forms import Command, Name
 from ..answers.values import Plain, is_raised
 
 __all__ = ["of_names", "renamed", "unfilled"]
+
+TEXTS = Texts(__file__)
 
 RENAMED: dict[str, Callable[[str], str]] = {
     "other case": str.lower,
@@ -27,43 +29,16 @@ RENAMED: dict[str, Callable[[str], str]] = {
     "space around": str.strip,
     "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
 }
-UNFILLED = Text(
-    en='`{text}` still stands in the text: nothing was filled in. An f before the quotes does it, as in f"…".',
-    ko='값이 채워지지 않고 `{text}` 그대로 남아 있습니다. f"…"처럼 따옴표 앞에 f를 붙이십시오.',
-)
 BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?::(?:[.\d]*[a-z]|\.\d+))?\}")
-IN = Text("in {count} of the {of} names that are wrong: {fact}", "틀린 이름 {of}개 가운데 {count}개에서 {fact}")
-FACTS: dict[str, tuple[Callable[[tuple[str, str]], bool], Text]] = {
-    "nothing": (
-        lambda pair: not pair[0] and bool(pair[1]),
-        Text("nothing is left of it", "이름이 비어 있습니다"),
-    ),
-    "slash in front": (
-        lambda pair: pair[0].startswith("/") and not pair[1].startswith("/"),
-        Text("a slash in front, `{one}`", "맨 앞에 슬래시가 있습니다(`{one}`)"),
-    ),
-    "slashes in a row": (
-        lambda pair: "//" in pair[0].lstrip("/") and "//" not in pair[1],
-        Text("two slashes in a row, `{one}`", "슬래시가 연달아 있습니다(`{one}`)"),
-    ),
-    "slash behind": (
-        lambda pair: len(pair[0]) > 1 and pair[0].endswith("/") and not pair[1].endswith("/"),
-        Text("a slash at the end, `{one}`", "맨 끝에 슬래시가 있습니다(`{one}`)"),
-    ),
-    "too little in front": (
-        lambda pair: bool(pair[0].strip("/")) and pair[1].endswith("/" + pair[0].strip("/")),
-        Text("what belongs before the frame is missing, `{one}`", "좌표계 앞에 있어야 할 것이 없습니다(`{one}`)"),
-    ),
-    "too much in front": (
-        lambda pair: bool(pair[1]) and pair[0].strip("/").endswith("/" + pair[1]),
-        Text("something before the frame that does not belong there, `{one}`",
-              "좌표계 앞에 없어야 할 것이 있습니다(`{one}`)"),
-    ),
-    "other letters": (
-        lambda pair: pair[0] != pair[1] and pair[0].lower() == pair[1].lower(),
-        Text("other capitals, `{one}`", "대소문자가 다릅니다(`{one}`)"),
-    ),
-}  # fmt: skip
+FACTS: dict[str, Callable[[str, str], bool]] = {  # of a name and of the one that is asked for
+    "nothing": lambda one, want: not one and bool(want),
+    "slash in front": lambda one, want: one.startswith("/") and not want.startswith("/"),
+    "slashes in a row": lambda one, want: "//" in one.lstrip("/") and "//" not in want,
+    "slash behind": lambda one, want: len(one) > 1 and one.endswith("/") and not want.endswith("/"),
+    "too little in front": lambda one, want: bool(one.strip("/")) and want.endswith("/" + one.strip("/")),
+    "too much in front": lambda one, want: bool(want) and one.strip("/").endswith("/" + want),
+    "other letters": lambda one, want: one != want and one.lower() == want.lower(),
+}
 
 
 def unfilled(form: Form, outcomes: Sequence[Plain]) -> Text | None:
@@ -74,7 +49,7 @@ def unfilled(form: Form, outcomes: Sequence[Plain]) -> Text | None:
     first = next(filter(None, map(BRACES.search, texts)), None)
     if first is None:
         return None
-    return UNFILLED.filled(text=first[0])
+    return TEXTS["unfilled"].filled(text=first[0])
 
 
 def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
@@ -82,11 +57,11 @@ def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> 
     if not isinstance(form, Name) or any(map(is_raised, wanted)):
         return None
     wrong = _that_differ(outcomes, wanted)
-    shows = {name: list(filter(is_shown, wrong)) for name, (is_shown, _) in FACTS.items()}
+    shows = {name: [pair for pair in wrong if is_shown(*pair)] for name, is_shown in FACTS.items()}
     seen = [pair for pairs in shows.values() for pair in pairs]
     if not wrong or any(pair not in seen for pair in wrong):
         return None
-    said = [_filled(FACTS[name][1], pairs, wrong) for name, pairs in shows.items() if pairs]
+    said = [_filled(TEXTS[name], pairs, wrong) for name, pairs in shows.items() if pairs]
     return Text("; ".join(words.en for words in said) + ".", ". ".join(words.ko for words in said) + ".")
 
 
@@ -97,7 +72,7 @@ def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tup
 
 
 def _filled(words: Text, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Text:
-    return IN.filled(count=len(pairs), of=len(wrong), fact=words.filled(one=pairs[0][0]))
+    return TEXTS["in"].filled(count=len(pairs), of=len(wrong), fact=words.filled(one=pairs[0][0]))
 
 
 def renamed(answer: Plain) -> Iterator[tuple[str, Plain]]:

@@ -10,79 +10,24 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers.form import inside
 from ..answers.forms import Tree
 from ..answers.members import belonging, edges_of, members_of
 from ..answers.values import Plain
 
-__all__ = ["TREES", "of_trees", "told_of_a_tree"]
+__all__ = ["TEXTS", "of_trees", "told_of_a_tree"]
+
+TEXTS = Texts(__file__)
 
 Parents = dict[str, str]  # child -> parent
 MOST_NAMED = 4  # frames
-
-TREES = {
-    "parent for child": Text(
-        en="parents and children have changed places. Each child has one parent, so the child is the key: "
-        "child -> parent.",
-        ko="부모와 자식의 자리가 바뀌었습니다. 자식의 부모는 하나뿐이므로 자식이 키입니다: 자식 -> 부모.",
-    ),
-    "tree: a list for a name": Text(
-        en="a list stands where the name of one frame belongs, child -> parent; out of a list comes a name by `[0]`.",
-        ko="좌표계 이름 하나가 올 자리에 리스트가 있습니다. 자식 -> 부모로 쓰고, 리스트의 이름은 `[0]`으로 꺼냅니다.",
-    ),
-    "tree: None for a name": Text(
-        en="None stands where the name of a parent belongs. A root is nobody's child, so it has no line of its own: "
-        "leave that line out.",
-        ko="부모 이름이 올 자리에 None이 있습니다. 루트는 누구의 자식도 아니므로 루트의 줄은 쓰지 않습니다.",
-    ),
-    "tree: not whole": Text(
-        en="all that is there is right, and a part of the tree is missing.",
-        ko="있는 것은 모두 맞지만 트리의 일부가 빠졌습니다.",
-    ),
-    "tree: more than asked for": Text(
-        en="the tree that is asked for is there, and more beside it.",
-        ko="필요한 트리는 다 있지만 필요 없는 것이 더 있습니다.",
-    ),
-    "tree: a frame left out": Text(
-        en="a frame is left out of the chain: what hung below it hangs on the frame above it.",
-        ko="사슬에서 좌표계가 빠졌습니다. 그 아래에 있던 것이 그 위의 좌표계에 이어졌습니다.",
-    ),
-    "tree: too high": Text(
-        en="the frames are the right ones; what hangs wrong hangs too high: there is a frame between.",
-        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 위에 이어졌습니다. 그 사이에 좌표계가 더 있습니다.",
-    ),
-    "tree: too low": Text(
-        en="the frames are the right ones; what hangs wrong hangs too low: below one that belongs beside it.",
-        ko="좌표계는 모두 맞습니다. 틀린 것은 너무 아래에, 옆에 있어야 할 좌표계 밑에 이어졌습니다.",
-    ),
-    "tree: places changed": Text(
-        en="the right frames, in a tree of the right shape, and some of them stand in each other's places.",
-        ko="좌표계도 트리의 모양도 맞지만 일부 좌표계의 자리가 서로 바뀌었습니다.",
-    ),
-    "tree: names without a robot's": Text(
-        en="the tree has the shape that is asked for; before some of its names a robot's name and a slash are missing.",
-        ko="트리의 모양은 맞지만 로봇 이름과 슬래시가 빠진 좌표계 이름이 있습니다.",
-    ),
-    "tree: names with a robot's": Text(
-        en="the tree has the shape that is asked for; some of its names have a robot's name before them, and should "
-        "have none.",
-        ko="트리의 모양은 맞지만 로봇 이름이 붙으면 안 되는 좌표계 이름에 붙어 있습니다.",
-    ),
-    "tree: other names": Text(
-        en="the tree has the shape that is asked for, and not all of its names.",
-        ko="트리의 모양은 맞지만 이름 가운데 다른 것이 있습니다.",
-    ),
-}
-SO = Text("It shows at {names}.", "드러난 곳: {names}.")
-NOT_ASKED = Text("Not asked for: {names}.", "필요 없는 것: {names}.")
-ORPHANS = Text("In your tree these have no parent: {names}.", "이 트리에서 부모가 없는 것: {names}.")
-TOLD = {"tree: not whole": ORPHANS, "tree: more than asked for": NOT_ASKED, "tree: other names": NOT_ASKED}
+TOLD = {"tree: not whole": "orphans", "tree: more than asked for": "not_asked", "tree: other names": "not_asked"}
 
 
 def told_of_a_tree(kind: str, names: str) -> Text:
     """Return what is told of the frames in which a fault shows."""
-    return TOLD.get(kind, SO).filled(names=names)
+    return TEXTS[TOLD.get(kind, "so")].filled(names=names)
 
 
 def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:

@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from tflab.core import Transform
 
-from ...text import Text
+from ...text import Texts
 from ..answers.form import inside, numbers_of, pose_of
 from ..answers.forms import Angle, Form, Name, Number, Pose, Quaternion, Set, Tree, Vector
 from ..answers.values import Plain, to_plain
@@ -26,8 +26,9 @@ from .by_place import letters_told
 from .names import renamed
 from .units import OTHER_UNITS, unit_of
 
-__all__ = ["OF_FORM", "PLAIN_TO_SEE", "UNIVERSAL", "undone"]
+__all__ = ["OF_FORM", "PLAIN_TO_SEE", "TEXTS", "UNIVERSAL", "undone"]
 
+TEXTS = Texts(__file__)
 Row = tuple[float, ...]
 NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
 
@@ -39,7 +40,6 @@ class Universal(NamedTuple):
         undo: what the answer would have been without it; several where it can be undone in several ways.
     """
 
-    reply: Text
     undo: Callable[[Row], Iterator[Row]]
     misconception: str = ""
 
@@ -50,6 +50,10 @@ class Undone(NamedTuple):
     name: str
     unit: str
     left: Plain
+
+
+def _no_numbers(row: Row) -> Iterator[Row]:
+    yield from ()
 
 
 def _negated(row: Row) -> Iterator[Row]:
@@ -143,190 +147,33 @@ def _halved(row: Row) -> Iterator[Row]:
 
 
 UNIVERSAL = {
-    "sign": Universal(
-        Text(en="the size is right, the sign is not.", ko="크기는 맞지만 부호가 반대입니다."),
-        _negated,
-    ),
-    "one over it": Universal(
-        Text(
-            en="this is one over what is asked for: a rate for a period, or the other way round.",
-            ko="필요한 값의 역수입니다. 주기 대신 주파수를, 또는 그 반대를 쓰지 않았습니까?",
-        ),
-        _reciprocal,
-    ),
-    "twice": Universal(
-        Text(en="this is twice what is asked for.", ko="필요한 값의 두 배입니다."),
-        _half,
-    ),
-    "half": Universal(
-        Text(en="this is half of what is asked for.", ko="필요한 값의 절반입니다."),
-        _double,
-    ),
-    "squared": Universal(
-        Text(
-            en="this is the square of what is asked for: is a root missing?",
-            ko="필요한 값의 제곱입니다. 제곱근을 빠뜨리지 않았습니까?",
-        ),
-        _root,
-    ),
-    "root": Universal(
-        Text(en="this is the square root of what is asked for.", ko="필요한 값의 제곱근입니다."),
-        _square,
-    ),
-    "half a turn": Universal(
-        Text(
-            en="this angle is half a turn off: the opposite direction.",
-            ko="각도가 반 바퀴 어긋났습니다. 반대 방향입니다.",
-        ),
-        _half_a_turn,
-    ),
-    "z for the angle": Universal(
-        Text(
-            en="this is the sine of half the angle, the z of a quaternion; asked for is the angle.",
-            ko="각도 절반의 sin, 곧 쿼터니언의 z입니다. 필요한 것은 각도입니다.",
-        ),
-        _angle_of_z,
-        "M5",
-    ),
-    "all signs": Universal(
-        Text(
-            en="each number has the other sign: the arrow points the opposite way.",
-            ko="모든 숫자의 부호가 반대입니다. 화살표가 반대쪽을 가리킵니다.",
-        ),
-        _negated,
-    ),
-    "one sign": Universal(
-        Text(en="one of the numbers has the wrong sign.", ko="숫자 하나의 부호가 반대입니다."),
-        _one_sign,
-    ),
-    "exchanged": Universal(
-        Text(en="these are the right numbers in the wrong places.", ko="숫자는 맞지만 자리가 서로 바뀌었습니다."),
-        _exchanged,
-    ),
-    "places and signs": Universal(
-        Text(
-            en="the sizes of the numbers are right; their places and signs are not.",
-            ko="숫자의 크기는 맞지만 자리와 부호가 다릅니다.",
-        ),
-        _places_and_signs,
-    ),
-    "w first": Universal(
-        Text(
-            en="the rotation is right, the order of its numbers is not: in ROS w comes last, (x, y, z, w).",
-            ko="회전은 맞지만 숫자의 순서가 다릅니다. ROS에서는 w가 마지막입니다: (x, y, z, w).",
-        ),
-        _w_first,
-        "M5",
-    ),
-    "w taken first": Universal(
-        Text(
-            en="these are the right numbers, each one place off: they came as (x, y, z, w), and were taken for "
-            "(w, x, y, z).",
-            ko="숫자는 맞지만 모두 한 자리씩 밀렸습니다. (x, y, z, w)로 나온 것을 (w, x, y, z)로 읽었습니다.",
-        ),
-        _w_taken_first,
-        "M5",
-    ),
-    "inverse rotation": Universal(
-        Text(
-            en="this is the inverse rotation (its matrix transposed): it turns as far, and the other way.",
-            ko="역회전입니다(행렬로는 전치). 도는 크기는 같고 방향이 반대입니다.",
-        ),
-        _conjugate,
-        "M1",
-    ),
-    "not normalised": Universal(
-        Text(
-            en="the direction of the quaternion is right, its length is not 1: divide it by its length.",
-            ko="쿼터니언의 방향은 맞지만 길이가 1이 아닙니다. 길이로 나누십시오.",
-        ),
-        _scaled,
-        "M5",
-    ),
-    "whole angle": Universal(
-        Text(
-            en="this turns twice as far: a quaternion holds the sine and cosine of half the angle.",
-            ko="두 배로 돌아갑니다. 쿼터니언에는 각도의 절반에 대한 sin과 cos을 넣습니다.",
-        ),
-        _halved,
-        "M5",
-    ),
-    "other case": Universal(
-        Text(
-            en="capitals make it another name: `odom` and `Odom` are two.",
-            ko="대문자를 쓰면 다른 이름이 됩니다. `odom`과 `Odom`은 서로 다릅니다.",
-        ),
-        lambda row: iter(()),
-        "M14",
-    ),
-    "slash in front": Universal(
-        Text(
-            en="right, but for a slash in front that does not belong there: to TF it is part of the name.",
-            ko="앞에 붙인 슬래시만 지우면 맞습니다. TF는 슬래시까지 이름으로 읽습니다.",
-        ),
-        lambda row: iter(()),
-        "M14",
-    ),
-    "space around": Universal(
-        Text(
-            en="right, but for a space at its end: it is part of a name.",
-            ko="앞뒤의 공백만 빼면 맞습니다. 공백도 이름의 일부입니다.",
-        ),
-        lambda row: iter(()),
-        "M14",
-    ),
-    "no slash in front": Universal(
-        Text(en="right, but for the slash in front, which is missing.", ko="앞의 슬래시가 빠진 것만 빼면 맞습니다."),
-        lambda row: iter(()),
-        "M14",
-    ),
-    "other separator": Universal(
-        Text(
-            en="right, but for what stands between a robot's name and its frame: that is a slash.",
-            ko="로봇 이름과 좌표계 이름 사이에 있는 것만 빼면 맞습니다. 그 사이에는 슬래시를 씁니다.",
-        ),
-        lambda row: iter(()),
-        "M14",
-    ),
-    "inverse transform": Universal(
-        Text(
-            en="this is the inverse transform: target and source are swapped.",
-            ko="역변환입니다. 목표와 원본이 바뀌었습니다.",
-        ),
-        lambda row: iter(()),
-        "M1",
-    ),
-    "not turned back": Universal(
-        Text(
-            en="of what has to be inverted only the translation was negated: the rotation was not turned back.",
-            ko="뒤집어야 할 변환에서 이동의 부호만 바꾸었습니다. 회전을 되돌리지 않았습니다.",
-        ),
-        lambda row: iter(()),
-        "M1",
-    ),
-    "translation taken away": Universal(
-        Text(
-            en="the rotation is right, the translation points the opposite way.",
-            ko="회전은 맞지만 이동이 반대쪽을 가리킵니다.",
-        ),
-        _negated,
-        "M3",
-    ),
-    "transposed": Universal(
-        Text(
-            en="this matrix is transposed: the translation stands in the last column, not in the last row.",
-            ko="행렬이 전치되었습니다. 이동은 마지막 행이 아니라 마지막 열에 있습니다.",
-        ),
-        lambda row: iter(()),
-    ),
-    "power of ten": Universal(
-        Text(
-            en="the digits are right, and the decimal point stands elsewhere: a factor of 10, 100, 1000 … was "
-            "forgotten, or is one too many.",
-            ko="숫자는 맞지만 소수점의 자리가 다릅니다. 10, 100, 1000 같은 배수가 빠졌거나 더 들어갔습니다.",
-        ),
-        _powers_of_ten,
-    ),
+    "sign": Universal(_negated),
+    "one over it": Universal(_reciprocal),
+    "twice": Universal(_half),
+    "half": Universal(_double),
+    "squared": Universal(_root),
+    "root": Universal(_square),
+    "half a turn": Universal(_half_a_turn),
+    "z for the angle": Universal(_angle_of_z, "M5"),
+    "all signs": Universal(_negated),
+    "one sign": Universal(_one_sign),
+    "exchanged": Universal(_exchanged),
+    "places and signs": Universal(_places_and_signs),
+    "w first": Universal(_w_first, "M5"),
+    "w taken first": Universal(_w_taken_first, "M5"),
+    "inverse rotation": Universal(_conjugate, "M1"),
+    "not normalised": Universal(_scaled, "M5"),
+    "whole angle": Universal(_halved, "M5"),
+    "other case": Universal(_no_numbers, "M14"),
+    "slash in front": Universal(_no_numbers, "M14"),
+    "space around": Universal(_no_numbers, "M14"),
+    "no slash in front": Universal(_no_numbers, "M14"),
+    "other separator": Universal(_no_numbers, "M14"),
+    "inverse transform": Universal(_no_numbers, "M1"),
+    "not turned back": Universal(_no_numbers, "M1"),
+    "translation taken away": Universal(_negated, "M3"),
+    "transposed": Universal(_no_numbers),
+    "power of ten": Universal(_powers_of_ten),
 }
 OF_FORM = {
     Number: ("sign", "one over it", "twice", "half", "squared", "root", "power of ten"),

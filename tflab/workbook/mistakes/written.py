@@ -9,24 +9,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import permutations
 
-from ...text import Text
+from ...text import Texts
 
-__all__ = ["NEW", "WRITTEN", "misplaced"]
+__all__ = ["NEW", "TEXTS", "misplaced"]
+
+TEXTS = Texts(__file__)
 
 Numbers = tuple[float, ...]
 
-WRITTEN = {  # a name is followed by the place that holds a number, and by the place whose number it is
-    "written over": Text(
-        en="{place} holds the number that belongs to {of}, and nothing was written to {of}: is {place} written twice? "
-        "The rest is right.",
-        ko="{of}에 쓸 값이 {place}에 있고 {of}에는 아무것도 쓰지 않았습니다. {place}에 두 번 썼습니까? "
-        "나머지는 맞습니다.",
-    ),
-    "stands twice": Text(
-        en="{place} holds the number that belongs to {of}, which has it as well. The rest is right.",
-        ko="{of}의 값이 {of}뿐 아니라 {place}에도 들어 있습니다. 나머지는 맞습니다.",
-    ),
-}
 NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
 
 

@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from ...text import Text
+from ...text import Text, Texts
 from ..answers import forms
 from ..answers.form import inside, member
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Tree, Urdf, Vector
@@ -27,7 +27,7 @@ from ..explaining.explain import explained
 from ..explaining.explanation import Explanation
 from ..explaining.kinds import kind_said
 from ..mistakes.fitting import ANY_BUG
-from ..mistakes.stumbles import tip_for
+from ..mistakes.python_errors import tip_for
 from ..mistakes.units import unit_of
 from ..tasks import credit
 from ..tasks.case_types import Case, Feedback, TaskCases, Variant
@@ -36,12 +36,7 @@ from .options import near_an_option, no_options_either, one_part_alone, option_o
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
-IN_THIS_CALL = Text(en="in the call below: {said}", ko="아래 호출에서: {said}")
-
-NESTED = Text(
-    en="One dict holds all edges; in yours, other dicts stand inside it",
-    ko="모든 연결을 딕셔너리 하나에 씁니다. 지금은 딕셔너리 안에 다른 딕셔너리가 들어 있습니다",
-)
+TEXTS = Texts(__file__)
 
 
 @dataclass(frozen=True)
@@ -218,7 +213,7 @@ def _bounds(
     wrong = (number for number, row in enumerate(rights) if not all(row))
     if said is None or all(said == certain(task.form, outcomes[number], cases[number].expected) for number in wrong):
         return said
-    return IN_THIS_CALL.filled(said=said)
+    return TEXTS["in_this_call"].filled(said=said)
 
 
 def _of_nothing(
@@ -325,7 +320,7 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
         return {}
     odd = next((held for held in body.values() if not isinstance(held, str)), None)
     is_nested = any(isinstance(inside(held), dict) for held in body.values())
-    return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": NESTED} if is_nested else {})}
+    return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": TEXTS["nested"]} if is_nested else {})}
 
 
 def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
