@@ -9,13 +9,13 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 01 · 숫자 세 개는 아직 위치가 아닙니다
+# # 연습 문제 01 · 값, 좌표계, 측정 시각
 #
-# 과제 일곱 개, 23점, 약 50분입니다. 함께 보는 페이지: [01 · 숫자 세 개는 아직 위치가 아닙니다](../../notebooks/ko/01_value_frame_stamp.ipynb)
+# 과제 일곱 개, 23점, 약 50분입니다. 함께 보는 페이지: [01 · 값, 좌표계, 측정 시각](../../notebooks/ko/01_value_frame_stamp.ipynb)
 #
 # 먼저 아래 두 셀을 실행해 보세요. 그다음 `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E1.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E1.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E1.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e1_4.speed_mps * 2.0` 같은 식으로 답해 보세요(E1.4에서 주어진 값은 `e1_4`에 들어 있습니다).
 
 # %% name="load"
@@ -40,7 +40,7 @@ from rclpy.time import Time
 #
 # 로봇은 `map` 기준 `map_p_base`에 서서 지도의 x 방향을 봅니다. 레이저는 `base_link` 기준 `base_p_laser`에 달려 있고 같은 방향을 봅니다.
 # 레이저가 기둥을 봅니다. 기둥은 `laser_frame` 기준 `laser_p_post`에 있습니다. 회전은 없습니다.
-# 주어진 값은 숫자 세 개짜리 리스트입니다. 리스트끼리 `+`를 쓰면 더해지지 않고 이어지므로, x는 x끼리, y는 y끼리, z는 z끼리 더하십시오.
+# 주어진 값은 숫자 세 개짜리 리스트입니다. 리스트끼리 `+`를 쓰면 더해지지 않고 하나의 긴 리스트가 되므로, x는 x끼리, y는 y끼리, z는 z끼리 더하십시오.
 #
 # 기둥은 `base_link` 기준으로 어디에 있고, `map` 기준으로는 어디에 있습니까? 각각 (x, y, z)로 답하십시오.
 
@@ -73,8 +73,8 @@ check("E1.1", post)
 # %% [markdown] lang="ko" name="e1-2"
 # ## E1.2 · 어느 메시지를 쓸 수 있습니까? (3점)
 #
-# 시계는 60.0초입니다. 메시지 여섯 개가 들어왔습니다. 노드는 모두 살아 있고, 로봇의 좌표계는 `map`, `odom`, `base_link`, `laser_frame`, `camera_link`, `camera_optical_frame`입니다.
-# 각각 `"usable"`(쓸 수 있음), `"no frame"`(좌표계 없음), `"no stamp"`(측정 시각 없음), `"label contradicts numbers"`(이름표와 숫자가 모순) 가운데 하나를 고르십시오.
+# 시계는 60.0초입니다. 메시지 여섯 개가 들어왔습니다. 노드는 모두 실행 중이고, 로봇의 좌표계는 `map`, `odom`, `base_link`, `laser_frame`, `camera_link`, `camera_optical_frame`입니다.
+# 각각 `"usable"`(쓸 수 있음), `"no frame"`(좌표계 없음), `"no stamp"`(측정 시각 없음), `"label contradicts numbers"`(좌표계 이름과 숫자가 모순) 가운데 하나를 고르십시오.
 #
 # - **a** 레이저의 `/scan`: `frame_id: laser_frame`, 측정 시각 59.9, 거리 0.4에서 9.8 사이
 # - **b** 카메라 검출기의 `/detected_point`: `frame_id: ''`, 측정 시각 59.8, 점 (0.1, 0.2, 3.1)
@@ -208,10 +208,10 @@ check("E1.5", numbers)
 # Return the `PointStamped` that a correct driver publishes.
 
 # %% [markdown] lang="ko" name="e1-6"
-# ## E1.6 · 이름표 두 개를 쓰십시오 (3점)
+# ## E1.6 · 좌표계와 측정 시각을 적으십시오 (3점)
 #
-# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 쟀고, 함수는 그보다 나중인 `now`에 호출됩니다. 둘 다 `Time`입니다.
-# 드라이버가 사실대로 발행할 `PointStamped`를 반환하십시오.
+# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 측정했고, 함수는 그보다 나중인 `now`에 호출됩니다. 둘 다 `Time`입니다.
+# 드라이버가 발행해야 할 `PointStamped`를 반환하십시오.
 
 
 # %% name="e1-6-answer" tags=["answer"]
@@ -237,12 +237,12 @@ check("E1.6", as_message)
 # Give each its finding: `"honest"` (correct), `"stamp is the arrival"`, `"no stamp"` or `"wrong label"` (a wrong frame name).
 
 # %% [markdown] lang="ko" name="e1-7"
-# ## E1.7 · 검출기 넷, 정직한 것은 하나 (3점)
+# ## E1.7 · 검출기 넷, 바른 것은 하나 (3점)
 #
 # 로봇이 지도의 x 방향으로 `speed_mps`로 곧장 달리고, 앞에는 공이 가만히 놓여 있습니다. 검출기 네 개가 공을 봅니다. 영상 한 장을 처리하는 데 모두 0.2초가 걸립니다.
 # `heard`에는 검출기마다 다섯 줄이 있습니다. (도착[s], 측정 시각[s], 좌표계, x[m])입니다.
 #
-# 각각 `"honest"`(정직함), `"stamp is the arrival"`(도착 시각을 적음), `"no stamp"`(측정 시각 없음), `"wrong label"`(이름표가 틀림) 가운데 하나로 답하십시오.
+# 각각 `"honest"`(바름), `"stamp is the arrival"`(도착 시각을 적음), `"no stamp"`(측정 시각 없음), `"wrong label"`(좌표계 이름이 틀림) 가운데 하나로 답하십시오.
 
 # %% name="e1-7-given"
 e1_7 = task("E1.7")
@@ -278,7 +278,7 @@ check("E1.7", findings)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서는 쓰려는 토픽마다 `ros2 topic echo --once --field header`를 실행해 보세요. 두 이름표가 모두 있습니까? 그리고 사실입니까?
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서는 쓰려는 토픽마다 `ros2 topic echo --once --field header`를 실행해 보세요. 좌표계와 측정 시각이 모두 있습니까? 값이 맞습니까?
 #
 # **다음:** [02 좌표축과 쿼터니언](../../notebooks/ko/02_axes_and_quaternions.ipynb)

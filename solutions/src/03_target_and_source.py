@@ -10,14 +10,14 @@
 # After a pass, or three tries, `solution("E3.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
-# # 연습 문제 03 · … 기준 데이터를 … 기준으로 보고 싶다
+# # 연습 문제 03 · 목표 좌표계와 원본 좌표계
 #
 # 과제 일곱 개, 26점, 약 45분입니다.
-# 본문은 여기에 있습니다: [03 · … 기준 데이터를 … 기준으로 보고 싶다](../../notebooks/ko/03_target_and_source.ipynb).
+# 본문은 여기에 있습니다: [03 · 목표 좌표계와 원본 좌표계](../../notebooks/ko/03_target_and_source.ipynb).
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
-# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E3.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E3.1")`로 풀이를 볼 수 있습니다.
-# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E3.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E3.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 
 # %% name="load"
 # %load_ext tflab
@@ -47,7 +47,7 @@ from tflab.core import Transform
 #
 # - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
 # - **b** 목적지는 지도 기준으로 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.
-# - **c** `base_link`에서 볼 때 `camera_link`는 어디에 있습니까?
+# - **c** `base_link`를 기준으로 `camera_link`는 어디에 있습니까?
 # - **d** `laser_frame`에 그린 레이저 그림에 로봇의 중심을 표시합니다.
 
 # %% name="e3-1-answer" tags=["answer"]
@@ -73,13 +73,13 @@ check("E3.1", calls)
 # `e3_2.base_T_laser.apply(point)` transforms a point. `@` chains transforms that match.
 
 # %% [markdown] lang="ko" name="e3-2" slide="slide"
-# ## E3.2 · 돌려서 장착한 레이저가 본 모서리 (4점)
+# ## E3.2 · 회전시켜 장착한 레이저가 본 모서리 (4점)
 #
-# 레이저는 돌린 채 달려 있고, 로봇도 지도 위에서 돌아서 있습니다.
+# 레이저는 회전한 채 달려 있고, 로봇도 지도를 기준으로 회전해 있습니다.
 # 레이저가 `laser_p_corner`에서 모서리를 봅니다.
 # 모서리의 위치는 `base_link` 기준으로 어디이고, `map` 기준으로 어디입니까?
 #
-# `e3_2.base_T_laser.apply(점)`은 점을 옮기고, `@`는 이웃이 맞는 변환을 잇습니다.
+# `e3_2.base_T_laser.apply(점)`은 점의 좌표를 `base_link` 기준으로 바꾸고, `@`는 이웃이 맞는 변환을 합성합니다.
 
 # %% name="e3-2-given"
 e3_2 = task("E3.2")
@@ -105,13 +105,13 @@ check("E3.2", corner)
 # One formula is all you need: (u, v), rotated by an angle α, is (u·cos α − v·sin α, u·sin α + v·cos α).
 
 # %% [markdown] lang="ko" name="e3-3" slide="slide"
-# ## E3.3 · 돌아가는 길 (4점)
+# ## E3.3 · 역변환 (4점)
 #
-# 평면에서 포즈는 숫자 세 개입니다. a를 기준으로 b가 어디에 있고(`x`, `y`) 얼마나 돌아가 있는지(`yaw`)입니다.
+# 평면에서 포즈는 숫자 세 개입니다. a를 기준으로 b가 어디에 있고(`x`, `y`) 얼마나 회전해 있는지(`yaw`)입니다.
 # 같은 꼴로 **b를 기준으로 a가 어디에 있는지** 반환하십시오.
 # 종이와 `math.cos`, `math.sin`이면 됩니다. 라이브러리는 필요 없습니다.
 #
-# 필요한 공식은 하나입니다. (u, v)를 각도 α만큼 돌리면 (u·cos α − v·sin α, u·sin α + v·cos α)입니다.
+# 필요한 공식은 하나입니다. (u, v)를 각도 α만큼 회전시키면 (u·cos α − v·sin α, u·sin α + v·cos α)입니다.
 
 # %% name="e3-3-answer" tags=["answer"]
 def invert(a_pose_b):
@@ -168,14 +168,14 @@ check("E3.4", compose)
 # - `yaw_back`: the yaw [rad] that `tf2_echo laser_frame base_link` prints
 
 # %% [markdown] lang="ko" name="e3-5" slide="slide"
-# ## E3.5 · tf2_echo 양쪽으로 읽기 (3점)
+# ## E3.5 · tf2_echo를 두 방향으로 읽기 (3점)
 #
 # 어느 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행했을 때의 출력입니다.
-# 이것을 읽고, 거꾸로 물으면 무엇이 나올지 답하십시오.
+# 이것을 읽고, 목표와 원본을 바꾸어 조회하면 무엇이 나올지 답하십시오.
 # 답 셀의 처음 몇 줄이 숫자를 읽어 `x`, `y`, `z`, `yaw`에 넣어 줍니다. 직접 옮겨 적어도 됩니다.
 #
-# - `laser_in_base`: `base_link`에서 레이저가 있는 자리, (x, y, z) [m]
-# - `base_in_laser`: 레이저에서 `base_link`가 있는 자리, (x, y, z) [m]
+# - `laser_in_base`: `base_link`를 기준으로 레이저가 있는 자리, (x, y, z) [m]
+# - `base_in_laser`: 레이저를 기준으로 `base_link`가 있는 자리, (x, y, z) [m]
 # - `yaw_back`: `tf2_echo laser_frame base_link`가 출력할 yaw [rad]
 
 # %% name="e3-5-given"
@@ -205,7 +205,7 @@ check("E3.5", both_ways)
 # %% [markdown] lang="ko" name="e3-6" slide="slide"
 # ## E3.6 · 카메라 달기 (4점)
 #
-# `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`만큼 돌려 답니다. 각도의 단위는 **도**(degree)입니다.
+# `camera_link`를 `base_link`에 답니다. 중심에서 앞으로 `ahead_m`, 위로 `up_m`이고, 왼쪽으로 `yaw_deg`만큼 회전시켜 답니다. 각도의 단위는 **도**(degree)입니다.
 # 정적 발행기가 보낼 메시지를 채우십시오. 시각(stamp)은 그대로 둡니다.
 
 # %% name="e3-6-answer" tags=["answer"]
@@ -270,7 +270,7 @@ check("E3.6", camera_mount)
 #
 # - `node`: `"node_a"`, `"node_b"`, `"node_c"` 가운데 하나
 # - `robot`, 그 로봇이 하는 일: `"stops for the wrong things"`(엉뚱한 것에 멈춘다), `"is drawn where it is not"`(엉뚱한 자리에 그려진다), `"stops with an exception"`(예외로 멈춘다), `"drives to another place"`(다른 곳으로 간다) 가운데 하나
-# - `hidden_while`, 아무도 눈치채지 못하는 때: `"it stands on the map's origin, not turned"`(지도 원점에 돌지 않고 서 있는 동안), `"it stands still"`(서 있는 동안), `"the goal is far away"`(목적지가 멀리 있는 동안) 가운데 하나
+# - `hidden_while`, 문제가 드러나지 않는 때: `"it stands on the map's origin, not turned"`(지도 원점에 회전 없이 서 있는 동안), `"it stands still"`(서 있는 동안), `"the goal is far away"`(목적지가 멀리 있는 동안) 가운데 하나
 
 # %% name="e3-7-answer" tags=["answer"]
 verdict = {
@@ -295,7 +295,7 @@ check("E3.7", verdict)
 # %% [markdown] lang="ko" name="done" slide="slide"
 # ## 다 했다면
 #
-# 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 거꾸로도 실행해 보세요.
+# 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 목표와 원본을 바꾸어서도 실행해 보세요.
 # 둘째를 보기 전에 먼저 예측해 보세요. 체크리스트의 둘째 줄입니다.
 #
-# **다음:** [04 · 부모는 하나씩, 그런데 아무도 확인하지 않습니다](../../notebooks/ko/04_frame_tree.ipynb).
+# **다음:** [04 · 좌표계 트리](../../notebooks/ko/04_frame_tree.ipynb).

@@ -9,13 +9,13 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다
+# # 연습 문제 05 · map, odom, base_link
 #
-# 과제 여섯 개, 22점, 약 60분입니다. 함께 보는 페이지: [05 · 하나는 튈 수 있고, 하나는 흐를 수 있습니다](../../notebooks/ko/05_map_odom_base_link.ipynb)
+# 과제 여섯 개, 22점, 약 60분입니다. 함께 보는 페이지: [05 · map, odom, base_link](../../notebooks/ko/05_map_odom_base_link.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E5.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e5_2.odom_T_base.inverse()` 같은 식으로 답해 보세요.
 
 # %% name="load"
@@ -36,7 +36,7 @@ from tflab.core import Transform
 # %% [markdown] lang="ko" name="e5-1"
 # ## E5.1 · 위치 추정 노드가 발행하는 것 (4점)
 #
-# 두 인자는 같은 시각의 `Transform`입니다. 지도에서 찾아낸 로봇의 위치와, 바퀴가 믿는 로봇의 위치입니다.
+# 두 인자는 같은 시각의 `Transform`입니다. 지도에서 찾아낸 로봇의 포즈와, 오도메트리 포즈입니다.
 # `map → odom`으로 발행할 `Transform`을 반환하십시오.
 
 
@@ -62,11 +62,11 @@ check("E5.1", map_to_odom)
 # - `"step_in_odom_m"`: how far does the robot jump in `odom` [m]?
 
 # %% [markdown] lang="ko" name="e5-2"
-# ## E5.2 · 고리가 닫힐 때 (4점)
+# ## E5.2 · 루프 폐쇄가 일어날 때 (4점)
 #
-# 바로잡기 전의 연결은 `map_T_odom`이고, 바퀴는 `odom_T_base`라고 합니다. 이때 로봇이 문을 알아보고 `found_T_base`, 곧 새로운 `map_T_base`에 있음을 알아냅니다. 모두 같은 시각의 것입니다.
+# 바로잡기 전의 연결은 `map_T_odom`이고, 오도메트리의 포즈는 `odom_T_base`입니다. 이때 루프 폐쇄(loop closure)가 일어나, 로봇이 문을 알아보고 `found_T_base`, 곧 새로운 `map_T_base`에 있음을 알아냅니다. 모두 같은 시각의 것입니다.
 #
-# - `"believed"`: 그전에는 로봇이 지도의 어디에 있다고 믿었습니까? (x, y) [m]
+# - `"believed"`: 그전에는 로봇이 지도의 어디에 있는 것으로 되어 있었습니까? (x, y) [m]
 # - `"jump_m"`: 지도 기준으로 로봇이 얼마나 튑니까[m]?
 # - `"map_T_odom"`: 새 연결입니다.
 # - `"step_in_odom_m"`: `odom` 기준으로 로봇이 얼마나 튑니까[m]?
@@ -108,7 +108,7 @@ check("E5.2", closure)
 #
 # - **dock** 내일도 쓸 충전대의 위치
 # - **line** 바닥의 선을 앞으로 0.5 m 따라가기
-# - **laser** 레이저를 단 위치
+# - **laser** 레이저의 장착 변환
 # - **kitchen** 부엌까지 가는 경로
 # - **speed** 포즈로 계산하는 지난 1초의 속도
 # - **obstacles** 최근 5초 동안 로봇 주위에서 본, 피해야 할 것
@@ -150,7 +150,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
 #
-# RViz의 Fixed Frame이 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안 발행된 변환을 요약하면 다음과 같습니다.
+# RViz의 고정 좌표계(Fixed Frame)가 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안 발행된 변환을 요약하면 다음과 같습니다.
 #
 # | 노드 | 연결 | 메시지 수 |
 # |---|---|---|
@@ -159,8 +159,8 @@ check("E5.3", jobs)
 # | `/robot_state_publisher` | `base_footprint → base_link` | 1 |
 #
 # - `"node"`: 어느 노드를 고쳐야 합니까? `"/wheels"`, `"/scan_matcher"`, `"/robot_state_publisher"` 가운데 하나.
-# - `"edge"`: 그 노드는 어느 연결을 보내야 합니까? `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"`, `"none"`(보내지 않음) 가운데 하나.
-# - `"error"`: 그동안 TF2는 두 발행자에게 어떤 오류를 냅니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(아무 말 없음) 가운데 하나.
+# - `"edge"`: 그 노드는 어느 연결을 발행해야 합니까? `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"`, `"none"`(발행하지 않음) 가운데 하나.
+# - `"error"`: 그동안 TF2는 두 발행자에게 어떤 오류를 냅니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(오류 없음) 가운데 하나.
 
 # %% name="e5-4-answer" tags=["answer"]
 finding = {
@@ -181,10 +181,10 @@ check("E5.4", finding)
 # Return the footprint, straight below it on the floor, level, with the same yaw: a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
 
 # %% [markdown] lang="ko" name="e5-5"
-# ## E5.5 · 바닥에 비친 그림자 (3점)
+# ## E5.5 · 바닥에 투영하기 (3점)
 #
 # `odom_T_base`는 `Transform`입니다. `base_link`는 어느 높이에 있고 경사로에서 기울어져 있습니다. yaw, pitch, roll은 `Transform.rpy()`의 것입니다.
-# 바로 아래 바닥 위에 있고 기울지 않으며 yaw가 같은 footprint를 dict로 반환하십시오. `{"x": …, "y": …, "yaw": …}`, 단위는 m와 rad입니다.
+# 로봇을 바닥에 투영하여, 기울지 않으며 yaw가 같은 footprint를 dict로 반환하십시오. `{"x": …, "y": …, "yaw": …}`, 단위는 m와 rad입니다.
 
 
 # %% name="e5-5-answer" tags=["answer"]
@@ -209,9 +209,9 @@ check("E5.5", footprint)
 # %% [markdown] lang="ko" name="e5-6"
 # ## E5.6 · TF로 구하는 보정 (4점)
 #
-# `stamp_ns`에 측정한 스캔을 지도와 맞추는 데 시간이 조금 걸렸습니다. 결과 `map_T_base`는 스캔을 측정한 시각의, 지도 위 `base_footprint`의 위치와 방향을 담은 `Transform`입니다.
-# `buffer`는 이 장의 페이지에서 쓴 것과 같은 버퍼이고, 바퀴가 발행하는 연결은 `odom → base_footprint`입니다.
-# `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼가 그 시각을 알지 못하면 예외를 그대로 내보내십시오.
+# `stamp_ns`에 측정한 스캔을 지도와 맞추는 데 시간이 조금 걸렸습니다. 결과 `map_T_base`는 스캔을 측정한 시각의, 지도 위 `base_footprint`의 포즈를 담은 `Transform`입니다.
+# `buffer`는 이 장의 페이지에서 쓴 것과 같은 버퍼이고, 바퀴 오도메트리 노드가 발행하는 연결은 `odom → base_footprint`입니다.
+# `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼에 그 시각의 값이 없으면 예외를 그대로 내보내십시오.
 
 
 # %% name="e5-6-answer" tags=["answer"]
@@ -237,7 +237,7 @@ check("E5.6", correction)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서는 달리는 동안 `ros2 run tf2_ros tf2_echo map odom`을 실행해 보세요. 가만히 있다가 한 걸음 튑니다.
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서는 달리는 동안 `ros2 run tf2_ros tf2_echo map odom`을 실행해 보세요. 가만히 있다가 한 번에 튑니다.
 #
 # **다음:** [06 정적 변환과 동적 변환](../../notebooks/ko/06_static_and_dynamic.ipynb)

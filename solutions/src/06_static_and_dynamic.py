@@ -9,13 +9,13 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e6_6.speed_mps * 2`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 06 · 한 번만 알릴까요, 계속 알릴까요?
+# # 연습 문제 06 · 정적 변환과 동적 변환
 #
-# 과제 일곱 개, 27점, 약 70분입니다. 함께 보는 페이지: [06 · 한 번만 알릴까요, 계속 알릴까요?](../../notebooks/ko/06_static_and_dynamic.ipynb)
+# 과제 일곱 개, 27점, 약 70분입니다. 함께 보는 페이지: [06 · 정적 변환과 동적 변환](../../notebooks/ko/06_static_and_dynamic.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E6.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e6_6.speed_mps * 2` 같은 식으로 답해 보세요.
 
 # %% name="load"
@@ -40,11 +40,11 @@ from tflab.core import Transform
 # - **drone**: `odom → base_link` · `base_link → gimbal_link`, which keeps the image steady · `gimbal_link → camera_link`, screwed on
 
 # %% [markdown] lang="ko" name="e6-1"
-# ## E6.1 · 게시판일까요, 라디오일까요? (4점)
+# ## E6.1 · `/tf_static`입니까, `/tf`입니까? (4점)
 #
 # 로봇 네 대에 연결이 세 개씩 있습니다. 로봇마다 아래 순서대로 `"/tf_static"` 또는 `"/tf"`를 세 개 적은 리스트로 답하십시오.
 #
-# - **cart**, 어제부터 주차 중: 바퀴가 재는 `odom → base_link` · 나사로 고정한 `base_link → laser_frame` · 가끔 보정되는 `map → odom`
+# - **cart**, 어제부터 주차 중: 바퀴 오도메트리의 `odom → base_link` · 나사로 고정한 `base_link → laser_frame` · 가끔 보정되는 `map → odom`
 # - **scout**: 나사로 고정한 `base_link → imu_link` · 주차해 있을 때만 오르내리는 마스트 `base_link → mast_link` · `camera_link → camera_optical_frame`
 # - **arm**: 한 시간째 붙잡고 있는 관절 `base_link → shoulder_link` · 손목 끝의 플랜지 `wrist_link → tool0` · 플랜지에 테이프로 붙이고 한 번 잰 펜 `tool0 → tcp`
 # - **drone**: `odom → base_link` · 영상이 흔들리지 않게 하는 `base_link → gimbal_link` · 나사로 고정한 `gimbal_link → camera_link`
@@ -69,9 +69,9 @@ check("E6.1", topics)
 # Write the line that publishes this, with `ros2 run tf2_ros static_transform_publisher`.
 
 # %% [markdown] lang="ko" name="e6-2"
-# ## E6.2 · 명령줄로 장착 위치 발행하기 (3점)
+# ## E6.2 · 명령줄로 장착 변환 발행하기 (3점)
 #
-# 센서 `e6_2.child`를 `base_link`에 고정했습니다. 앞으로 `ahead_cm`센티미터, **오른쪽으로** `right_cm`센티미터, 위로 `up_cm`센티미터이고, 왼쪽으로 `turn_left_deg`도 돌아가 있습니다.
+# 센서 `e6_2.child`를 `base_link`에 고정했습니다. 앞으로 `ahead_cm`센티미터, **오른쪽으로** `right_cm`센티미터, 위로 `up_cm`센티미터이고, 왼쪽으로 `turn_left_deg`도 회전해 있습니다.
 # 이 변환을 발행하는 명령 한 줄을 `ros2 run tf2_ros static_transform_publisher`로 쓰십시오.
 
 # %% name="e6-2-given"
@@ -97,7 +97,7 @@ check("E6.2", command)
 # `Transform.from_rpy(roll=…, pitch=…, yaw=…).rotation` is a quaternion (x, y, z, w).
 
 # %% [markdown] lang="ko" name="e6-3"
-# ## E6.3 · 모든 장착 위치를 쪽지 하나에 (4점)
+# ## E6.3 · 모든 장착 변환을 메시지 하나에 (4점)
 #
 # `mounts`는 `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}` 같은 행이 한 개에서 네 개 담긴 리스트이고 단위는 m와 rad입니다. `stamp`는 메시지의 시각입니다.
 # `sendTransform`을 **한 번** 호출할 때 넘길 `TransformStamped`의 리스트를 반환하십시오. 행마다 메시지 하나, 행의 순서대로, 모두 `header.stamp = stamp`입니다.
@@ -170,14 +170,14 @@ check("E6.4", on_circle)
 # `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"send on while it stands"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"mend the name"`
 
 # %% [markdown] lang="ko" name="e6-5"
-# ## E6.5 · 로그에서 뽑은 여섯 토막 (5점)
+# ## E6.5 · 로그에서 뽑은 여섯 사례 (5점)
 #
 # 로봇 여섯 대에서 알아낸 것을 다음 셀이 보여 줍니다. a부터 f까지 원인을, `"a do"`부터 `"f do"`까지 할 일을 고르십시오. 원인:
 #
-# - `"several letters"` 한 노드가 쪽지(메시지)를 하나씩 따로 보냄
+# - `"several letters"` 한 노드가 메시지를 하나씩 따로 보냄
 # - `"publisher gone"` 발행자가 끝남
 # - `"no board"` 게시판이 없음(VOLATILE)
-# - `"silent mover"` 움직이는 것이 조용해짐
+# - `"silent mover"` 움직이는 것의 발행이 멈춤
 # - `"bolt on /tf"` 고정된 것을 /tf로 보냄
 # - `"mover on /tf_static"` 움직이는 것을 /tf_static으로 보냄
 # - `"misspelt name"` 이름의 철자가 틀림
@@ -216,10 +216,10 @@ check("E6.5", diagnosis)
 # You use "the latest" position of the sensor in `odom` as its current position. How large is the error at worst [m]?
 
 # %% [markdown] lang="ko" name="e6-6"
-# ## E6.6 · 볼트는 얼마나 뒤처질까요? (2점)
+# ## E6.6 · 장착 변환은 얼마나 뒤처질까요? (2점)
 #
-# 장착 위치를 `/tf`로 1초에 `rate_hz`번 보내고, 메시지가 도착하는 데 `delay_ms`**밀리초**가 걸립니다. 바퀴는 무시해도 될 만큼 빠릅니다. 로봇은 `speed_mps`로 곧게 달립니다.
-# 누군가 `odom` 기준 센서의 "최신" 위치를 지금의 위치로 여깁니다. 최악의 경우 얼마나 빗나갑니까[m]?
+# 장착 변환을 `/tf`로 1초에 `rate_hz`번 보내고, 메시지가 도착하는 데 `delay_ms`**밀리초**가 걸립니다. 바퀴 오도메트리의 지연은 무시해도 됩니다. 로봇은 `speed_mps`로 곧게 달립니다.
+# 누군가 `odom` 기준 센서의 “최신” 위치를 지금의 위치로 여깁니다. 최악의 경우 얼마나 빗나갑니까[m]?
 
 # %% name="e6-6-given"
 e6_6 = task("E6.6")
@@ -241,12 +241,12 @@ check("E6.6", worst_error_m)
 # It receives what is sent from `join_s` to `now_s`, both included. Of what was sent *before*, it reads the boards of the nodes that end *after* `join_s`. Every node on `/tf_static` has a board of depth 1.
 
 # %% [markdown] lang="ko" name="e6-7"
-# ## E6.7 · 누가 무엇을 알까요? (5점)
+# ## E6.7 · 수신기는 무엇을 받습니까? (5점)
 #
-# `letters`는 지금까지 보낸 모든 쪽지(메시지)를 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
-# tf2의 수신기가 `join_s`에 참가합니다. 이 수신기가 `now_s`에 아는 자식 좌표계를 하나씩만 담아 반환하십시오.
+# `letters`는 지금까지 보낸 모든 메시지를 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
+# tf2의 수신기가 `join_s`에 참가합니다. 이 수신기의 버퍼에 `now_s`에 있는 자식 좌표계를 하나씩만 담아 반환하십시오.
 #
-# `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그*보다 일찍* 보낸 것은 `join_s`*보다 늦게* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`에 보내는 노드마다 depth가 1인 게시판이 있습니다.
+# `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그 *이전에* 보낸 것은 `join_s` *이후에* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`에 보내는 노드마다 depth가 1인 게시판이 있습니다.
 
 
 # %% name="e6-7-answer" tags=["answer"]
@@ -280,7 +280,7 @@ check("E6.7", known)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서는 `ros2 topic info /tf_static --verbose`로 게시판을 찾고, 발행자 하나를 멈춰 보세요. 누가 그 좌표계를 아직 압니까?
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서는 `ros2 topic info /tf_static --verbose`로 게시판을 찾고, 발행자 하나를 멈춰 보세요. 그 좌표계는 어느 수신기에 아직 남아 있습니까?
 #
 # **다음:** [07 URDF와 센서](../../notebooks/ko/07_urdf_and_sensors.ipynb)

@@ -9,13 +9,13 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e7_1.up_cm / 100`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 07 · 도면과 나사
+# # 연습 문제 07 · URDF와 센서
 #
-# 과제 여섯 개, 26점, 약 60분입니다. 함께 보는 페이지: [07 · 도면과 나사](../../notebooks/ko/07_urdf_and_sensors.ipynb)
+# 과제 여섯 개, 26점, 약 60분입니다. 함께 보는 페이지: [07 · URDF와 센서](../../notebooks/ko/07_urdf_and_sensors.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E7.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e7_1.up_cm / 100` 같은 식으로 답해 보세요.
 
 # %% name="load"
@@ -44,12 +44,12 @@ from tflab.core import Transform
 # %% [markdown] lang="ko" name="e7-1"
 # ## E7.1 · 관절 두 개 완성하기 (5점)
 #
-# 카메라 머리를 로봇에 달고 자와 각도기로 쟀습니다. `base_link`에서 앞으로, 오른쪽으로, 위로 얼마인지, 그리고 머리 전체가 오른쪽으로 몇 도 돌아 있는지입니다. 모터가 고개를 **끄덕이게** 합니다. 각도가 양수이면 시선이 내려갑니다. 렌즈는 머리 중심보다 조금 앞에 있습니다.
+# 카메라 머리를 로봇에 달고 자와 각도기로 쟀습니다. `base_link`에서 앞으로, 오른쪽으로, 위로 얼마인지, 그리고 머리 전체가 오른쪽으로 몇 도 회전해 있는지입니다. 모터가 고개를 **끄덕이게** 합니다. 각도가 양수이면 시선이 내려갑니다. 렌즈는 머리 중심보다 조금 앞에 있습니다.
 #
 # 두 관절을 URDF의 형식으로 쓰십시오. 링크는 이미 선언되어 있습니다.
 #
-# - `nod_joint`: revolute, `base_link`에서 `camera_link`로. `camera_link`는 본체의 축을 따릅니다(머리가 보는 쪽이 x).
-# - `optical_joint`: fixed, `camera_link`에서 렌즈에 있는 `camera_optical_frame`으로.
+# - `nod_joint`: revolute, 부모는 `base_link`, 자식은 `camera_link`. `camera_link`는 본체의 축을 따릅니다(머리가 보는 쪽이 x).
+# - `optical_joint`: fixed, 부모는 `camera_link`, 자식은 렌즈에 있는 `camera_optical_frame`.
 #
 # 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다).
 
@@ -87,7 +87,7 @@ check("E7.1", joints)
 # %% [markdown] lang="ko" name="e7-2"
 # ## E7.2 · 빛이 바닥에 닿는 곳 (3점)
 #
-# 레이저가 아래로 `tilt_deg`만큼 기울어 있습니다. `base_link`에서 `laser_above_base_link_m` 위에 있고, `base_link`는 바닥에서 `base_link_above_floor_m` 위에 있습니다. 똑바로 앞을 보는 빛에 대해 답하십시오.
+# 레이저가 아래로 `tilt_deg`만큼 기울어 있습니다. `base_link`에서 `laser_above_base_link_m` 위에 있고, `base_link`는 바닥에서 `base_link_above_floor_m` 위에 있습니다. 똑바로 앞을 보는 광선에 대해 답하십시오.
 #
 # - `"floor_m"`: 가로막는 것이 없다면, 바닥을 따라 앞으로 얼마 나아간 곳에서 바닥에 닿습니까[m]?
 # - `"wall_up_m"`: `wall_m` 앞에 벽이 있습니다. 빛은 바닥에서 얼마나 높은 곳에 닿습니까[m]?
@@ -154,9 +154,9 @@ check("E7.3", fk)
 # %% [markdown] lang="ko" name="e7-4"
 # ## E7.4 · 다섯 로봇 (5점)
 #
-# `e7_4.a`부터 `e7_4.e`까지는 각각 로봇의 트리와 명령 하나의 출력입니다. URDF의 관절은 `shoulder_joint`, `elbow_joint`, `wrist_joint`이고, 레이저는 모두 누군가 잰 만큼 돌아서 달려 있습니다.
+# `e7_4.a`부터 `e7_4.e`까지는 각각 로봇의 트리와 명령 하나의 출력입니다. URDF의 관절은 `shoulder_joint`, `elbow_joint`, `wrist_joint`이고, 레이저는 모두 누군가 잰 만큼 회전한 채 달려 있습니다.
 #
-# - `"a"` … `"e"`, 원인: `"other names"`(관절 메시지의 이름이 다름), `"stamp zero"`(시각이 0), `"no driver"`(드라이버 없음), `"paint moved"`(좌표계가 아니라 겉모습을 옮김), `"degrees"`(도로 씀)
+# - `"a"` … `"e"`, 원인: `"other names"`(관절 메시지의 이름이 다름), `"stamp zero"`(시각이 0), `"no driver"`(드라이버 없음), `"paint moved"`(좌표계가 아니라 겉모습의 위치를 바꿈), `"degrees"`(도로 씀)
 # - `"a do"` … `"e do"`, 고치는 법: `"use the URDF's names"`(URDF의 이름 쓰기), `"stamp the message"`(시각 적기), `"start the joint driver"`(드라이버 켜기), `"write it into the joint"`(관절에 적기), `"write radians"`(라디안으로 적기), `"restart RViz"`(RViz 다시 켜기), `"change the cable"`(케이블 바꾸기), `"wait longer"`(더 기다리기)
 
 # %% name="e7-4-given"
@@ -194,9 +194,9 @@ check("E7.4", findings)
 # %% [markdown] lang="ko" name="e7-5"
 # ## E7.5 · 이 IMU는 어떻게 달렸습니까? (4점)
 #
-# URDF에는 돌아 있지 않다고 적혀 있습니다. 실제로 달린 `imu_link`의 축으로 잰 가속도계의 평균[m/s²]이 있습니다. `at_rest`는 서 있을 때, `in_left_bend`는 왼쪽으로 굽은 길을 `speed_mps`, `yaw_rate_radps`로 달릴 때입니다.
+# URDF에는 회전이 없다고 적혀 있습니다. 실제로 달린 `imu_link`의 축으로 잰 가속도계의 평균[m/s²]이 있습니다. `at_rest`는 서 있을 때, `in_left_bend`는 왼쪽으로 굽은 길을 `speed_mps`, `yaw_rate_radps`로 달릴 때입니다.
 #
-# - `"mount"`: `"as drawn"`(도면대로), `"left"`(왼쪽으로 90°), `"right"`(오른쪽으로 90°), `"backwards"`(180°), `"rolled over"`(roll π), `"pitched over"`(pitch π), `"pitched over, left"`와 `"pitched over, right"`(pitch π로 뒤집은 것을 통째로 90° 돌림)
+# - `"mount"`: `"as drawn"`(도면대로), `"left"`(왼쪽으로 90°), `"right"`(오른쪽으로 90°), `"backwards"`(180°), `"rolled over"`(roll π), `"pitched over"`(pitch π), `"pitched over, left"`와 `"pitched over, right"`(pitch π로 뒤집은 것을 통째로 90° 회전)
 # - `"gyro_z"`: 그 굽은 길에서 자이로의 z는 얼마입니까[rad/s]?
 # - `"mend"`: `"rpy in the joint"`(관절에 rpy), `"rpy in the visual"`(visual에 rpy), `"minus in my node"`(내 노드에서 마이너스), `"leave it"`(그대로 두기)
 
@@ -227,10 +227,10 @@ check("E7.5", imu)
 # Return the message for the frame `tcp`: a `TransformStamped` whose parent is `tool0`, without a rotation, its stamp left as it is.
 
 # %% [markdown] lang="ko" name="e7-6"
-# ## E7.6 · 대어서 찾는 공구 끝 (4점)
+# ## E7.6 · 표시에 대어 찾는 공구 끝 (4점)
 #
-# 그리퍼를 새로 달았습니다. 그 끝을 `base_link` 기준 위치 `base_p_tip`(x, y, z)[m]을 아는 표시에 댑니다. 그때 팔이 알려 주는 tool0의 포즈가 `base_T_tool0`(`Transform`)입니다.
-# 좌표계 `tcp`가 어디에 있는지 알리는 `TransformStamped`를 반환하십시오. 부모는 `tool0`이고, 그 기준으로 돌아 있지 않으며, 시각은 그대로 둡니다.
+# 그리퍼를 새로 달았습니다. 그 끝을 `base_link` 기준 위치 `base_p_tip`(x, y, z)[m]을 아는 표시에 댑니다. 그때 팔 드라이버가 발행한 tool0의 포즈가 `base_T_tool0`(`Transform`)입니다.
+# 좌표계 `tcp`가 어디에 있는지 알리는 `TransformStamped`를 반환하십시오. 부모는 `tool0`이고, 그 기준으로 회전이 없으며, 시각은 그대로 둡니다.
 
 
 # %% name="e7-6-answer" tags=["answer"]
@@ -261,7 +261,7 @@ check("E7.6", tcp_mount)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서는 레이저 바로 앞에 상자를 놓고, 손으로 왼쪽으로 돌려 보는 것부터 해 보세요. 약속 두 가지를 직접 확인하는 셈입니다.
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서는 레이저 바로 앞에 상자를 놓고, 로봇을 손으로 왼쪽으로 회전시켜 보는 것부터 해 보세요. 도면에 적힌 값 두 가지를 직접 확인하게 됩니다.
 #
 # **다음:** [08 버퍼와 측정 시각](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)

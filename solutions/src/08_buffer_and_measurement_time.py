@@ -9,14 +9,14 @@
 # After a pass, or three tries, `solution("E8.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 08 · 그것을 본 순간, 나는 어디에 있었을까요?
+# # 연습 문제 08 · 버퍼와 측정 시각
 #
-# 과제 일곱 개, 22점, 약 60분입니다. 함께 보는 페이지: [08 · 그것을 본 순간, 나는 어디에 있었을까요?](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
+# 과제 일곱 개, 22점, 약 60분입니다. 함께 보는 페이지: [08 · 버퍼와 측정 시각](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
-# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E8.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E8.1")`로 풀이를 볼 수 있습니다.
-# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
-# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 따라서 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답하십시오.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E8.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E8.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
+# 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 `e8_1.clock_s - 1.0` 같은 식으로 답해 보세요.
 
 # %% name="load"
 # %load_ext tflab
@@ -40,12 +40,12 @@ from tf2_ros import Buffer, ExtrapolationException, TransformException
 # You call `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
 
 # %% [markdown] lang="ko" name="e8-1"
-# ## E8.1 · 최신은 얼마나 새로울까요? (2점)
+# ## E8.1 · “최신”은 언제의 것입니까? (2점)
 #
 # 버퍼에 아래의 시간줄이 있습니다. `oldest_s`와 `newest_s`는 동적 연결마다 첫 표본과 마지막 표본의 측정 시각이고, `static`에 있는 연결은 오래전에 한 번 보낸 것입니다.
 # 현재 시각은 `clock_s`입니다.
 #
-# 누군가 `lookup_transform('map', 'laser_frame', Time())`를 호출합니다. 답은 어느 시각[s]의 것입니까?
+# 누군가 `lookup_transform('map', 'laser_frame', Time())`를 호출합니다. 어느 시각[s]의 변환이 나옵니까?
 
 # %% name="e8-1-given"
 e8_1 = task("E8.1")
@@ -74,7 +74,7 @@ check("E8.1", latest_common_s)
 # 표본은 `(stamp_s, x, y, yaw)` tuple이고 단위는 초, m, rad입니다.
 #
 # dict를 반환합니다. `"position"`은 직선 위의 `(x, y)`, `"yaw"`는 가장 짧은 호 위의 각도입니다.
-# `stamp_s`가 첫 표본보다 이르거나 둘째 표본보다 늦으면 `ExtrapolationException`을 일으키십시오. 버퍼는 결코 짐작하지 않습니다.
+# `stamp_s`가 첫 표본 이전이거나 둘째 표본 이후이면 `ExtrapolationException`을 일으키십시오. 버퍼는 결코 짐작하지 않습니다.
 
 
 # %% name="e8-2-answer" tags=["answer"]
@@ -107,9 +107,9 @@ check("E8.2", interpolate)
 #
 # 본문의 노드 `PointToMap`의 핵심을 함수로 작성합니다. `tf2_ros.Buffer`, `PointStamped`, 그리고 메시지가 도착한 시각 `now`를 받습니다.
 # `map` 기준의 점을 `PointStamped`로 반환하되, 언제 측정했는지가 그대로 남아 있어야 합니다.
-# 버퍼가 그 순간을 답할 수 없으면 예외를 그대로 내보내십시오. 어떻게 할지는 호출한 쪽이 정합니다.
+# 버퍼에 그 시각의 값이 없으면 예외를 그대로 내보내십시오. 어떻게 할지는 호출한 쪽이 정합니다.
 #
-# 세 인자 가운데 하나는 유혹하려고 넣었습니다.
+# 세 인자 가운데 하나는 쓰지 않아야 합니다.
 
 
 # %% name="e8-3-answer" tags=["answer"]
@@ -135,10 +135,10 @@ check("E8.3", point_to_map)
 # %% [markdown] lang="ko" name="e8-4"
 # ## E8.4 · 얼마나 빗나갑니까? (3점)
 #
-# 로봇이 아래처럼 달리고 돌면서 정면 `range_m` 앞의 물체를 봅니다.
-# `delay_ms` 뒤에 누군가 *지금*의 포즈로 그 관측을 옮깁니다. (단위에 주의하십시오. 데이터시트마다 단위가 다릅니다.)
+# 로봇이 아래처럼 달리고 회전하면서 정면 `range_m` 앞의 물체를 봅니다.
+# `delay_ms` 뒤에 누군가 *지금*의 포즈로 그 관측을 지도 기준으로 바꿉니다. (단위에 주의하십시오. 데이터시트마다 단위가 다릅니다.)
 #
-# 본문의 두 곱으로 오차를 어림하십시오. 측정 시각의 로봇에서 보아 x는 앞, y는 왼쪽입니다.
+# 본문의 두 곱으로 오차를 어림하십시오. 측정 시각의 로봇을 기준으로 x는 앞, y는 왼쪽입니다.
 # `"forwards_m"`과 `"left_m"`은 부호를 붙여서, `"together_m"`은 둘을 합친 길이로 답합니다.
 
 # %% name="e8-4-given"
@@ -173,9 +173,9 @@ check("E8.4", late_error)
 # ## E8.5 · 여섯 가지 증상 (3점)
 #
 # 증상마다 가장 그럴듯한 원인을 고르십시오. 원인은 다음과 같습니다.
-# `"stamp overwritten"`(측정 시각을 덮어씀), `"odometry slow"`(오도메트리가 느림), `"static mount wrong"`(정적 장착 변환이 틀림), `"two clocks"`(시계가 둘), `"cache too short"`(보관 시간이 짧음), `"import missing"`(import를 빠뜨림).
+# `"stamp overwritten"`(측정 시각을 덮어씀), `"odometry slow"`(오도메트리의 발행률이 낮음), `"static mount wrong"`(정적 장착 변환이 틀림), `"two clocks"`(시계가 둘), `"cache too short"`(보관 시간이 짧음), `"import missing"`(import를 빠뜨림).
 #
-# - **a** 로봇이 도는 동안 벽이 흔들립니다. 서 있으면 멀쩡합니다. 앞단의 필터가 0.3초 걸리는데도 `ros2 topic delay /scan`은 0.000초를 출력합니다.
+# - **a** 로봇이 회전하는 동안 벽이 흔들립니다. 서 있으면 또렷합니다. 앞단의 필터가 0.3초 걸리는데도 `ros2 topic delay /scan`은 0.000초를 출력합니다.
 # - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** 12초 동안 계산하는 검출기에서 `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`
@@ -207,8 +207,8 @@ check("E8.5", causes)
 # %% [markdown] lang="ko" name="e8-6"
 # ## E8.6 · 얼마나 오래 기억해야 합니까? (2점)
 #
-# 검출기는 `thinking_s` 동안 계산한 뒤 영상의 측정 시각으로 변환을 묻습니다.
-# 경로의 연결은 각각 `rate_hz`로 발행되며, 재자마자 보냅니다.
+# 검출기는 `thinking_s` 동안 계산한 뒤 영상의 측정 시각으로 변환을 조회합니다.
+# 경로의 연결은 각각 `rate_hz`로 발행되며, 측정하는 즉시 보냅니다.
 # 본문의 규칙을 쓰십시오. 측정 시각이 두 표본 사이 어디에 놓이더라도 모든 영상에 충분하면서 필요 이상으로 길지 않은 `cache_time`[s]은 얼마입니까?
 
 # %% name="e8-6-given"
@@ -260,7 +260,7 @@ check("E8.7", object_now)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서 실습 체크리스트 C8과 C9를 한 번 더 해 보세요. `point_to_map.py`를 실행하고, 믿고 쓰는 센서마다 `ros2 topic delay`를 확인해 보세요.
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서 실습 체크리스트 C8과 C9를 한 번 더 해 보세요. `point_to_map.py`를 실행하고, 실제로 쓰는 센서마다 `ros2 topic delay`를 확인해 보세요.
 #
 # **다음:** [09 · 예외와 기다림](../../notebooks/ko/09_exceptions_and_waiting.ipynb).

@@ -12,13 +12,13 @@
 # After a pass, or three tries, `solution("E9.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 09 · 답을 얻지 못하는 네 가지 경우
+# # 연습 문제 09 · 예외와 기다림
 #
-# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 답을 얻지 못하는 네 가지 경우](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
+# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [09 · 예외와 기다림](../../notebooks/ko/09_exceptions_and_waiting.ipynb)
 #
-# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 그 셀을 실행한 다음, 바로 아래의 확인 셀을 실행하세요.
-# 틀려도 벌점은 없습니다. 어떤 실수인지 알려 주므로 고쳐서 다시 하면 됩니다. 막히면 `hint("E9.1")`로 힌트를 하나씩(모두 세 개) 보고, 통과하거나 세 번 시도한 뒤에는 `solution("E9.1")`로 풀이를 볼 수 있습니다.
-# 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
+# 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E9.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 #
 # E9.4와 E9.7의 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다. E9.7에는 계산한 숫자가 아니라 식으로 답하십시오.
 #
@@ -85,10 +85,10 @@ check("E9.1", lines)
 # %% [markdown] lang="ko" name="e9-2"
 # ## E9.2 · 거절을 분류하기 (4점)
 #
-# `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 답이 있으면 `"ok"`, 없으면
+# `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 값이 있으면 `"ok"`, 없으면
 # `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"` 가운데 하나입니다.
 #
-# 로봇에 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
+# 로봇에서 얻을 수 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
 
 # %% name="e9-2-answer" tags=["answer"]
 def classify(buffer, target, source, stamp):
@@ -129,20 +129,20 @@ check("E9.2", classify)
 # %% [markdown] lang="ko" name="e9-3"
 # ## E9.3 · 예외에서 행동으로 (4점)
 #
-# `PointStamped`가 하나 왔고, 이것을 `map`에서 보려 합니다. 어떻게 할지 정하십시오.
+# `PointStamped`가 하나 왔고, 이것을 `map` 기준으로 바꾸려 합니다. 어떻게 할지 정하십시오.
 #
-# | tf2의 답 | 행동 |
+# | tf2의 결과 | 행동 |
 # | --- | --- |
-# | 답이 있음 | `"use"` |
+# | 값이 있음 | `"use"` |
 # | 미래, TF가 0.2초 이하로 뒤처짐 | `"wait"` |
 # | 미래, TF가 그보다 더 뒤처짐 | `"check clocks"` |
 # | 그 밖의 외삽 | `"drop"` |
-# | 모르는 이름 | `"check names"` |
+# | 없는 이름 | `"check names"` |
 # | 경로 없음 | `"check tree"` |
-# | 질문이 말이 안 됨 | `"fix message"` |
+# | 인자가 잘못됨 | `"fix message"` |
 #
-# "TF가 뒤처진다"는 사슬 전체를 두고 하는 말입니다. *가장 느린* 연결이 올 때까지 기다려야 합니다.
-# 두 가지가 한꺼번에 틀렸다면 무엇을 말할지는 tf2가 정합니다.
+# “TF가 뒤처진다”는 경로 전체를 두고 하는 말입니다. *가장 느린* 연결이 올 때까지 기다려야 합니다.
+# 두 가지가 한꺼번에 틀렸다면 어느 쪽을 보고할지는 tf2가 정합니다.
 
 # %% name="e9-3-answer" tags=["answer"]
 def decide(buffer, message):
@@ -182,13 +182,13 @@ check("E9.3", decide)
 # ## E9.4 · 늦은 것입니까, 틀린 것입니까? (3점)
 #
 # 로봇 세 대의 로그에 똑같은 경고가 있습니다. 약 3분의 1초만큼의 미래 외삽입니다.
-# 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 들은 시각)[s]이고, 들은 시각은 듣는 컴퓨터의 시계로 적었습니다.
-# 정상인 `/scan`은 측정 후 약 0.105초, 정상인 `/odom`은 약 0.005초 뒤에 들립니다.
+# 로봇마다 `/scan`과 `/odom` 메시지를 여섯 개씩 적었습니다. 한 행은 (측정 시각, 수신 시각)[s]이고, 수신 시각은 받는 컴퓨터의 시계로 적었습니다.
+# 정상인 `/scan`은 측정 후 약 0.105초, 정상인 `/odom`은 약 0.005초 뒤에 도착합니다.
 #
-# - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 빠름), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
-# - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony에 묻는다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
+# - `"a"`, `"b"`, `"c"`: 로봇 a, b, c의 원인은 무엇입니까? `"transforms arrive late"`(변환이 늦게 옴), `"laser clock is fast"`(레이저 시계가 앞섬), `"cannot be told from this"`(이것만으로는 알 수 없음) 가운데 하나입니다.
+# - `"a do"`, `"b do"`, `"c do"`: 어떻게 합니까? `"wait a little"`(조금 기다린다), `"set the laser's clock"`(레이저의 시계를 맞춘다), `"ask chrony on both computers"`(두 컴퓨터에서 chrony로 확인한다), `"set a timeout of 10 s"`(timeout을 10초로 한다) 가운데 하나입니다.
 #
-# 이 숫자만으로 어느 시계가 틀렸는지 보일 때만 시계를 맞추십시오. 알 수 없다면 chrony에 묻습니다.
+# 이 숫자만으로 어느 시계가 틀렸는지 알 수 있을 때만 시계를 맞추십시오. 알 수 없다면 chrony로 확인합니다.
 # 눈으로 보고 적어도 되고, 파이썬으로 찾아도 됩니다.
 
 # %% name="e9-4-given"
@@ -220,13 +220,13 @@ check("E9.4", causes)
 # Both are scored: what you keep must be fresh, and the number of lost messages is its price.
 
 # %% [markdown] lang="ko" name="e9-5"
-# ## E9.5 · 늘 신선한 큐 (3점)
+# ## E9.5 · 최근 것만 남기는 큐 (3점)
 #
 # 시각이 `stamps_s`[s]인 메시지들이 도착한 순서대로 기다립니다. 지금은 `now_s`입니다.
-# 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 미래에서 온 것도 버리고, 나머지 가운데 가장 새로운 것부터 `max_size`개까지만 남깁니다.
+# 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 측정 시각이 미래인 것도 버리고, 나머지 가운데 가장 최근 것부터 `max_size`개까지만 남깁니다.
 #
 # `{"kept": [...], "lost": n}`을 반환하십시오. 남는 시각을 오래된 것부터, 그리고 버린 개수입니다.
-# 둘 다 채점합니다. 남긴 것은 신선함이고, 버린 것은 그 대가입니다.
+# 둘 다 채점합니다. 최근 것만 남기면 그만큼 메시지를 잃습니다.
 
 # %% name="e9-5-answer" tags=["answer"]
 def keep(stamps_s, now_s, max_age_s, max_size):
@@ -259,12 +259,12 @@ check("E9.5", keep)
 #
 # 따로 말이 없으면 변환은 0.1초 늦게 도착합니다. 줄마다 `"works"`(통한다), `"waits in vain"`(헛되이 기다리다 포기한다), `"waits for ever"`(영원히 기다린다) 가운데 고르십시오.
 #
-# - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
+# - a: 구독 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 실행합니다.
 # - b: a와 같지만 `rclpy.spin(node, executor=MultiThreadedExecutor())`입니다.
-# - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 돕니다.
-# - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`로 돕니다.
+# - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 실행합니다.
+# - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`로 실행합니다.
 # - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
-# - f: b와 같지만 레이저 시계가 2초 빠릅니다.
+# - f: b와 같지만 레이저 시계가 2초 앞서 있습니다.
 # - g: `main()`에서 `timeout=0.3 s`. 노드와 수신기는 만들었고, 아직 아무것도 spin하지 않습니다.
 # - h: `main()`에서 `timeout=0.3 s`. 수신기는 `TransformListener(buffer, node, spin_thread=True)`입니다.
 
@@ -296,7 +296,7 @@ check("E9.6", outcomes)
 # %% [markdown] lang="ko" name="e9-7"
 # ## E9.7 · 언제나 성공하는 가장 짧은 기다림 (2점)
 #
-# `map → odom`은 `localization`이, `odom → base_footprint`는 `wheel_odometry`가 보냅니다. 각각 주파수와 지연이 있고, 최대 `jitter_s`만큼 더 늦을 수 있습니다.
+# `map → odom`은 `localization`이, `odom → base_footprint`는 `wheel_odometry`가 발행합니다. 각각 발행률과 지연이 있고, 최대 `jitter_s`만큼 더 늦을 수 있습니다.
 # 스캔은 측정 시각에서 `scan_delay_s` 뒤에 도착합니다. 시계는 모두 맞고, 잃는 메시지는 없습니다.
 #
 # 스캔이 *도착한 때부터* 최대 얼마나 기다려야 그 시각의 조회가 언제나 성공합니까? [s]
@@ -325,6 +325,6 @@ check("E9.7", wait_s)
 # %% [markdown] lang="ko" name="after"
 # ## 다 했다면
 #
-# 로봇에서 실습 체크리스트 C10을 해 보세요. 세 가지 오류를 일부러 한 번씩 더 만나 보는 일입니다.
+# 로봇에서 실습 체크리스트 C10을 해 보세요. 세 가지 오류를 일부러 한 번씩 더 만들어 보는 일입니다.
 #
 # **다음:** [10 시계와 bag](../../notebooks/ko/10_clocks_and_bags.ipynb)으로 갑니다. [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.

@@ -9,13 +9,13 @@
 # Your numbers come from `task(...)` and may differ from your neighbour's.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 10 · 누구의 시간일까요?
+# # 연습 문제 10 · 시계와 bag
 #
-# 과제 일곱 개, 27점, 약 60분입니다. 함께 보는 페이지: [10 · 누구의 시간일까요?](../../notebooks/ko/10_clocks_and_bags.ipynb)
+# 과제 일곱 개, 27점, 약 60분입니다. 함께 보는 페이지: [10 · 시계와 bag](../../notebooks/ko/10_clocks_and_bags.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E10.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # 숫자는 `task(...)`가 주며 옆 사람과 다를 수 있습니다.
 
 # %% name="load"
@@ -49,7 +49,7 @@ from tf2_ros import TransformException
 #
 # 1. 스캔의 측정 시각의 변환을 조회할 때, 2. `self.get_clock().now()`의 변환을 조회할 때, 3. 1초짜리 타이머
 #
-# `"works"`(됩니다) · `"just short"`(1초 미만의 차이로 거절됩니다) · `"years off"`(아주 큰 차이로 거절됩니다) · `"silently latest"`(조용히 최신 변환으로 답합니다) · `"never"`(아무 일도 일어나지 않습니다)
+# `"works"`(됩니다) · `"just short"`(1초 미만의 차이로 거절됩니다) · `"years off"`(아주 큰 차이로 거절됩니다) · `"silently latest"`(오류 없이 최신 변환이 나옵니다) · `"never"`(아무 일도 일어나지 않습니다)
 #
 # 예: `["works", "works", "never"]`. TF 전체보다 오래된 첫 스캔은 세지 않습니다.
 
@@ -88,8 +88,8 @@ check("E10.1", outcomes)
 # 로봇이 셋 있습니다. 각각 토픽이 가장 적은 `ros2 bag record …` 명령을 쓰십시오. 옵션 없이 토픽만 적습니다.
 #
 # - **a** 우리 로봇처럼 위치 추정과 바퀴 오도메트리가 있는 실제 로봇입니다. 내일 `e10_2.sensor["a"]`를 지도에서, 로봇이 본 그 자리에 보려 합니다.
-# - **b** 시뮬레이션에서 `e10_2.sensor["b"]`로 같은 일을 합니다. 내일도 시뮬레이션 자체의 시간으로 돌아야 합니다.
-# - **c** 위치 추정이 없는 실제 로봇입니다. 바퀴는 `e10_2.wheels["c"]`로 오도메트리 메시지를 발행하고, 변환은 발행하지 않습니다. 내일 `e10_2.sensor["c"]`로 위치를 추정하려 합니다. 그때 다른 노드가 오도메트리를 변환으로 바꿉니다.
+# - **b** 시뮬레이션에서 `e10_2.sensor["b"]`로 같은 일을 합니다. 내일 재생할 때도 시뮬레이션의 시간을 써야 합니다.
+# - **c** 위치 추정이 없는 실제 로봇입니다. 바퀴 오도메트리 노드는 `e10_2.wheels["c"]`로 오도메트리 메시지를 발행하고, 변환은 발행하지 않습니다. 내일 `e10_2.sensor["c"]`로 위치를 추정하려 합니다. 그때 다른 노드가 오도메트리를 변환으로 바꿉니다.
 
 # %% name="e10-2-given"
 e10_2 = task("E10.2")
@@ -118,7 +118,7 @@ check("E10.2", recordings)
 #
 # `e10_3.failures`에 다섯 가지 고장이 있습니다. `bag info`의 개수, 재생 명령, 노드마다의 `use_sim_time`, 로그의 첫 줄입니다. 각각 원인과 먼저 할 일을 답하십시오.
 #
-# - 원인: `"mounts not recorded"`(장착 변환을 기록하지 않음), `"mounts skipped"`(장착 변환을 건너뜀), `"nobody publishes /clock"`(/clock을 아무도 발행하지 않음), `"one node in another time"`(한 노드가 다른 시간에 있음), `"time went back"`(시간이 돌아감), `"sensor broken"`(센서 고장)
+# - 원인: `"mounts not recorded"`(장착 변환을 기록하지 않음), `"mounts skipped"`(장착 변환을 건너뜀), `"nobody publishes /clock"`(/clock을 발행하는 노드가 없음), `"one node in another time"`(한 노드가 다른 시간을 따름), `"time went back"`(시각이 되돌아감), `"sensor broken"`(센서 고장)
 # - 할 일: `"record again, with /tf_static"`, `"play from the start"`, `"play with --clock"`, `"set use_sim_time on that node"`, `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`, `"raise the timeout"`, `"replace the sensor"`
 
 # %% name="e10-3-given"
@@ -195,7 +195,7 @@ check("E10.4", clock_of)
 #
 # `e10_5.log`에는 센서 메시지들의 (측정 시각, 수신 시각)이 초 단위로 있습니다. 측정 시각은 센서의 시계로, 수신 시각은 로봇의 시계로 잰 것입니다. 정상인 메시지는 `e10_5.shortest_delay_s`만큼 걸리고, 이만큼 긴 로그라면 막히지 않고 온 메시지가 적어도 하나는 있습니다.
 #
-# 센서의 시계는 로봇의 시계보다 몇 초 **늦습니까**? 빠르면 음수로 답하십시오.
+# 센서의 시계는 로봇의 시계보다 몇 초 **뒤처져 있습니까**? 앞서 있으면 음수로 답하십시오.
 
 # %% name="e10-5-given"
 e10_5 = task("E10.5")
@@ -215,11 +215,11 @@ check("E10.5", behind_s)
 # Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first exception's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
-# ## E10.6 · bag은 자기 메시지의 위치를 스스로 찾을 수 있습니까? (4점)
+# ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 놓을 수 있습니까? (4점)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
-# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 첫 거절의 클래스 이름}`을 반환하십시오. 모두 위치를 찾으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
+# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 첫 거절의 클래스 이름}`을 반환하십시오. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
 
 
 # %% name="e10-6-answer" tags=["answer"]
@@ -248,11 +248,11 @@ check("E10.6", placeable)
 # Return the values at which it must be cleared: for each such step the first value after it.
 
 # %% [markdown] lang="ko" name="e10-7"
-# ## E10.7 · 버퍼는 언제 지워야 합니까? (3점)
+# ## E10.7 · 버퍼는 언제 비워야 합니까? (3점)
 #
-# `clock_s`는 받은 순서대로 적은 `/clock`의 값입니다[s]. 시계가 한 값에서 다음 값으로 1초 이상 돌아가면 버퍼를 지워야 합니다. 그보다 작은 것은 네트워크에서 순서가 바뀐 것입니다.
+# `clock_s`는 받은 순서대로 적은 `/clock`의 값입니다[s]. 시각이 한 값에서 다음 값으로 1초 이상 되돌아가면 버퍼를 비워야 합니다. 그보다 작은 것은 네트워크에서 순서가 바뀐 것입니다.
 #
-# 지워야 하는 때의 값을 반환하십시오. 돌아간 직후의 첫 값들을 담은 리스트입니다.
+# 비워야 하는 때의 값을 반환하십시오. 시각이 되돌아간 직후의 첫 값들을 담은 리스트입니다.
 
 
 # %% name="e10-7-answer" tags=["answer"]
@@ -277,7 +277,7 @@ check("E10.7", jumps)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
 # 로봇에서는 다음 기록을 마친 뒤 `ros2 bag info`를 입력하고, 무엇보다 먼저 한 줄을 찾아보세요.
 #
 # **다음:** [11 도구와 RViz](../../notebooks/ko/11_tools_and_rviz.ipynb)로 갑니다.

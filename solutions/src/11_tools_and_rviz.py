@@ -9,13 +9,13 @@
 # What `task(...)` prints may differ from your neighbour's, so answer with an expression, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다
+# # 연습 문제 11 · 도구와 RViz
 #
-# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [11 · Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다](../../notebooks/ko/11_tools_and_rviz.ipynb)
+# 과제 일곱 개, 22점, 약 45분입니다. 함께 보는 페이지: [11 · 도구와 RViz](../../notebooks/ko/11_tools_and_rviz.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E11.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # `task(...)`가 출력하는 값은 옆 사람과 다를 수 있습니다. 그러니 따로 계산한 숫자가 아니라 식으로 답해 보세요.
 
 # %% name="load"
@@ -43,15 +43,15 @@ import re
 # %% [markdown] lang="ko" name="e11-1"
 # ## E11.1 · 어떤 질문에 어떤 도구를 씁니까? (3점)
 #
-# 질문 여덟 개에 각각 `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` 가운데 하나로 답하십시오. 답하는 도구가 없으면 `"no ROS 2 tool"`입니다. `/tf`에는 발행자가 여럿입니다.
+# 질문 여덟 개에 각각 `"view_frames"`, `"tf2_echo"`, `"tf2_monitor"`, `"topic hz"`, `"topic delay"`, `"topic info --verbose"`, `"RViz"` 가운데 하나로 답하십시오. 알려 주는 도구가 없으면 `"no ROS 2 tool"`입니다. `/tf`에는 발행자가 여럿입니다.
 #
 # - **trees** 모든 좌표계가 한 트리에 있습니까?
-# - **edge rate** `odom → base_footprint`는 얼마나 자주 옵니까?
+# - **edge rate** `odom → base_footprint`의 발행률은 얼마입니까?
 # - **height** TF에 따르면 레이저는 `base_link`보다 얼마나 높이 있습니까?
-# - **chain** `map`에서 `laser_frame`까지의 사슬은 얼마나 늦습니까?
+# - **chain** 경로 `map ← laser_frame`의 지연은 얼마입니까?
 # - **scan** 스캔은 도착했을 때 얼마나 오래된 것입니까?
 # - **on tf** 어느 노드들이 `/tf`에 발행합니까?
-# - **sender** 어느 노드가 `odom → base_footprint`를 보냅니까?
+# - **sender** 어느 노드가 `odom → base_footprint`를 발행합니까?
 # - **wall** 스캔이 지도의 벽 위에 놓입니까?
 
 # %% name="e11-1-answer" tags=["answer"]
@@ -86,7 +86,7 @@ check("E11.1", tools)
 # `first`와 `second`는 `tf2_echo map base_link`가 잇달아 출력한 것입니다. 그 사이의 움직임을 답하십시오.
 #
 # - `"speed_mps"`: 두 위치 사이의 직선 거리를 두 측정 시각의 간격으로 나눈 값 [m/s]
-# - `"yaw_rate_radps"`: 도는 빠르기, 왼쪽이 양수 [rad/s]
+# - `"yaw_rate_radps"`: 회전 속도, 왼쪽이 양수 [rad/s]
 # - `"stamp_s"`: 둘째 출력의 측정 시각 [s]
 
 # %% name="e11-2-given"
@@ -122,12 +122,12 @@ check("E11.2", motion)
 # - `"enough"`: is `off_mm` within `allowed_mm`, `"yes"` or `"no"`?
 
 # %% [markdown] lang="ko" name="e11-3"
-# ## E11.3 · 충분히 자주 옵니까? (4점)
+# ## E11.3 · 발행률은 충분합니까? (4점)
 #
-# 로봇의 카드에는 두 노드가 `/tf`에 얼마나 자주 보내는지 적혀 있고(`sends_hz`), 셋째이자 마지막은 오도메트리입니다. `ros2 topic hz /tf`는 `hz_of_tf`를 출력합니다. `report`는 `tf2_monitor map laser_frame`의 첫 보고입니다. 로봇은 굽은 길을 달립니다(`speed_mps`, `yaw_rate_radps`).
+# 로봇의 카드에는 두 노드의 `/tf` 발행률이 적혀 있고(`sends_hz`), 셋째이자 마지막은 오도메트리입니다. `ros2 topic hz /tf`는 `hz_of_tf`를 출력합니다. `report`는 `tf2_monitor map laser_frame`의 첫 보고입니다. 로봇은 굽은 길을 달립니다(`speed_mps`, `yaw_rate_radps`).
 #
-# - `"odometry_hz"`: 오도메트리는 얼마나 자주 보냅니까[Hz]?
-# - `"late_s"`: 사슬은 최악의 경우 얼마나 늦습니까[s]?
+# - `"odometry_hz"`: 오도메트리의 발행률은 얼마입니까[Hz]?
+# - `"late_s"`: 경로의 지연은 최악의 경우 얼마입니까[s]?
 # - `"off_mm"`: 오도메트리의 두 표본 사이에서 TF의 직선은 로봇의 호에서 최대 얼마나 떨어집니까[mm]?
 # - `"wait_s"`: 도착한 스캔은 오도메트리를 최대 얼마나 기다려야 합니까[s]? 변환이 오는 데 `transform_travels_s`, 스캔이 오는 데 `scan_travels_s`가 걸립니다.
 # - `"enough"`: `off_mm`이 `allowed_mm` 안에 듭니까? `"yes"` 또는 `"no"`.
@@ -161,10 +161,10 @@ check("E11.3", verdict)
 # %% [markdown] lang="ko" name="e11-4"
 # ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
 #
-# `robot_a`부터 `robot_f`까지는 로봇 여섯 대의 RViz 목록입니다. 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, standing still = 서 있을 때, in bends it smears = 굽은 길에서 번진다). Fixed Frame은 `map`이어야 합니다.
+# `robot_a`부터 `robot_f`까지는 로봇 여섯 대의 RViz 목록입니다. 모두 Ok이면 무엇이 보이는지 한 문장으로 적었습니다(the scan lies on / beside the walls = 스캔이 벽 위에 / 옆에 놓인다, standing still = 서 있을 때, in bends it smears = 굽은 길에서 번진다). 고정 좌표계(Fixed Frame)는 `map`이어야 합니다.
 # 로봇마다 가장 그럴듯한 원인(`"a"`)과 첫 점검(`"a check"`)을 고르십시오. 어느 로봇에도 맞지 않는 것이 있고, 둘 이상에 맞는 것도 있습니다.
 #
-# - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 틀려 늦게 온 것처럼 보임), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
+# - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 틀림), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
 # - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
 
 # %% name="e11-4-given"
@@ -202,9 +202,9 @@ check("E11.4", findings)
 # - **planner** in which frame the planner keeps its goal
 
 # %% [markdown] lang="ko" name="e11-5"
-# ## E11.5 · Fixed Frame은 무엇을 바꿉니까? (2점)
+# ## E11.5 · 고정 좌표계를 바꾸면 무엇이 바뀝니까? (2점)
 #
-# RViz의 Fixed Frame을 `map`에서 `odom`으로, 트리가 끊겼을 때는 다른 트리의 좌표계로 바꿉니다. `"changes"`(바뀐다)입니까, `"stays"`(그대로다)입니까?
+# RViz의 고정 좌표계(Fixed Frame)를 `map`에서 `odom`으로, 트리가 끊겼을 때는 다른 트리의 좌표계로 바꿉니다. `"changes"`(바뀐다)입니까, `"stays"`(그대로다)입니까?
 #
 # - **screen** 레이저가 화면에 그려지는 자리
 # - **pose in odom** `tf2_echo odom base_link`의 출력
@@ -242,9 +242,9 @@ check("E11.5", changes)
 #
 # `report`는 `tf2_monitor A B`의 출력 전체이고, `static_frames`는 정적 변환에 매달린 좌표계의 이름들입니다. dict를 반환하십시오.
 #
-# - `"late"`: 움직이는 좌표계 가운데 최악의 경우 가장 늦은 것
-# - `"future"`: 움직이는 좌표계 가운데 측정 시각이 평균적으로 미래인 것의 리스트
-# - `"delay_s"`: 사슬 전체가 최악의 경우 얼마나 늦었는지 [s]
+# - `"late"`: 동적 좌표계 가운데 최악의 경우 지연이 가장 큰 것
+# - `"future"`: 동적 좌표계 가운데 측정 시각이 평균적으로 미래인 것의 리스트
+# - `"delay_s"`: 경로 전체의 지연이 최악의 경우 얼마인지 [s]
 
 
 # %% name="e11-6-answer" tags=["answer"]
@@ -281,8 +281,8 @@ check("E11.6", read_monitor)
 #
 # 터미널에 입력할 명령을 한 줄씩 쓰십시오.
 #
-# - `"value"`: `echo_in` 기준으로 본 `echo_of`의 포즈를 1초에 `echo_hz`번 출력합니다.
-# - `"late"`: 시뮬레이션에서 `chain[0]`부터 `chain[1]`까지의 사슬이 얼마나 늦는지 잽니다. 도구가 시뮬레이션 시각을 쓰게 합니다.
+# - `"value"`: `echo_in`을 기준으로 한 `echo_of`의 포즈를 1초에 `echo_hz`번 출력합니다.
+# - `"late"`: 시뮬레이션에서 목표 `chain[0]`, 원본 `chain[1]`인 경로의 지연을 잽니다. 도구가 시뮬레이션 시간을 쓰게 합니다.
 # - `"who"`: `topic`에 어느 노드가 발행하고 구독하는지 보여 줍니다.
 
 # %% name="e11-7-given"
@@ -310,7 +310,7 @@ check("E11.7", commands)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 이곳의 check는 여러분의 숫자로 확인했습니다. 채점은 같은 질문을 다른 숫자로 묻습니다.
-# 로봇에서 실습 체크리스트 C5, C6, C7을 해 보세요. 트리를 그리고, 지연을 읽고, RViz에 축을 표시합니다. 출력마다 무엇과 견주었는지도 적어 두세요.
+# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 로봇에서 실습 체크리스트 C5, C6, C7을 해 보세요. 트리를 그리고, 지연을 읽고, RViz에 축을 표시합니다. 출력마다 무엇과 비교했는지도 적어 보세요.
 #
 # **다음:** [12 발행 책임과 진단](../../notebooks/ko/12_owners_and_diagnosis.ipynb)으로 갑니다. [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 무엇을 통과했고 무엇이 남았는지 볼 수 있습니다.

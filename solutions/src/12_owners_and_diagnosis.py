@@ -9,13 +9,13 @@
 # What `task(...)` gives may differ from your neighbour's. Your patients are your own.
 
 # %% [markdown] lang="ko" name="title"
-# # 연습 문제 12 · 누가 한 말일까요?
+# # 연습 문제 12 · 발행 책임과 진단
 #
-# 과제 여덟 개, 31점, 약 105분입니다. 함께 보는 페이지: [12 · 누가 한 말일까요?](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
+# 과제 여덟 개, 31점, 약 105분입니다. 함께 보는 페이지: [12 · 발행 책임과 진단](../../notebooks/ko/12_owners_and_diagnosis.ipynb)
 #
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
-# 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력하세요.
+# 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
 # `task(...)`가 주는 것은 옆 사람과 다를 수 있습니다. 환자도 저마다 다릅니다.
 
 # %% name="load"
@@ -34,12 +34,12 @@ from tflab.workbook import check, hint, lesson, solution, task
 # Name the owner of each edge, one of `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"`, and set each switch to `True` or `False`.
 
 # %% [markdown] lang="ko" name="e12-1"
-# ## E12.1 · 누가 무엇을 말합니까? (4점)
+# ## E12.1 · 어느 노드가 무엇을 발행합니까? (4점)
 #
-# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 "TF도 발행하는" 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 보냅니다.
+# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 발행합니다.
 # `task`가 주는 두 값으로 정해집니다.
 #
-# - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무도 `map → odom`을 보내지 않습니다.
+# - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무 노드도 `map → odom`을 발행하지 않습니다.
 # - `odometry`: `"wheels alone"`(바퀴만)이면 융합할 것이 없어 필터를 쓰지 않습니다. `"wheels and imu, fused by ekf_filter_node"`(바퀴와 imu를 융합)면 필터가 둘로 더 나은 포즈를 구하므로 필터의 포즈를 씁니다.
 #
 # 연결마다 발행자를 `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"` 가운데서 고르고, 스위치는 `True`나 `False`로 정하십시오.
@@ -78,7 +78,7 @@ check("E12.1", owners)
 # %% [markdown] lang="ko" name="e12-2"
 # ## E12.2 · 터미널 다섯 개 (4점)
 #
-# 로봇 다섯 대의 터미널 `e12_2.a`부터 `e12_2.e`까지입니다. 출력해 보세요. `odom → base_footprint`에 관해 똑같은 네 가지를 물었고, 출력은 조금 줄였습니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"a …"`부터 `"e …"`까지 터미널마다 답하십시오.
+# 로봇 다섯 대의 터미널 `e12_2.a`부터 `e12_2.e`까지입니다. 출력해 보세요. `odom → base_footprint`에 관해 똑같은 네 가지 검사를 했고, 출력은 조금 줄였습니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"a …"`부터 `"e …"`까지 터미널마다 답하십시오.
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"`, `"a misspelt parent"` 가운데 하나
 # - `"… node"`: 고쳐야 할 노드. `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"`, `"none"` 가운데 하나
@@ -123,20 +123,20 @@ check("E12.2", terminals)
 # - **slow robot** scans are shown, but in steps. A slow odometry, or a slow scan?
 
 # %% [markdown] lang="ko" name="e12-3"
-# ## E12.3 · 첫 질문 (3점)
+# ## E12.3 · 첫 검사 (3점)
 #
-# 열 가지 증상입니다. 무엇을 **먼저** 물어보겠습니까? 두 용의자를 가르는 검사를 2분 이내의 것으로 고르십시오. 여럿이면 어느 것이든 좋습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
+# 열 가지 증상입니다. 무엇을 **먼저** 검사하겠습니까? 두 용의자를 구별하는 검사를 2분 이내의 것으로 고르십시오. 여럿이면 어느 것이든 좋습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
 #
-# - **no frame map** RViz가 `map`을 모릅니다. 위치 추정 노드가 꺼졌습니까, 기다립니까?
+# - **no frame map** RViz에 `map`이 없습니다. 위치 추정 노드가 꺼졌습니까, 무언가를 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
-# - **robot to and fro** `odom` 기준으로 로봇이 튑니다. 발행자가 둘입니까, 바퀴가 나쁩니까?
-# - **scan beside the walls** 초록색인데 서 있어도 20 cm 어긋납니다. 장착이 틀렸습니까, 지도가 틀렸습니까?
-# - **walls smear in bends** 서 있으면 또렷한데 돌면 번집니다. 스캔의 시계입니까, 장착입니까?
-# - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 늦은 변환입니까?
-# - **localizer silent** 노드는 있는데 아무것도 보내지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
-# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. 스캔의 header에 적힌 이름이 틀렸습니까, 장착 변환이 없습니까?
-# - **static late joiner** 늦게 켠 쪽은 장착 변환을 받지 못합니다. 발행자가 volatile입니까, 보낸 적이 없습니까?
-# - **slow robot** 스캔이 나오기는 하는데 뚝뚝 끊깁니다. 오도메트리가 느립니까, 스캔이 느립니까?
+# - **robot to and fro** `odom` 기준으로 로봇이 튑니다. 발행자가 둘입니까, 바퀴 오도메트리가 나쁩니까?
+# - **scan beside the walls** 초록색인데 서 있어도 20 cm 어긋납니다. 장착 변환이 틀렸습니까, 지도가 틀렸습니까?
+# - **walls smear in bends** 서 있으면 또렷한데 회전하면 번집니다. 스캔의 시계입니까, 장착 변환입니까?
+# - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 지연된 변환입니까?
+# - **localizer silent** 노드는 있는데 아무것도 발행하지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
+# - **unknown frame** RViz: For frame [x]: Frame [x] does not exist. 스캔의 헤더에 적힌 이름이 틀렸습니까, 장착 변환이 없습니까?
+# - **static late joiner** 나중에 켠 노드는 장착 변환을 받지 못합니다. 발행자가 volatile입니까, 보낸 적이 없습니까?
+# - **slow robot** 스캔이 나오기는 하는데 뚝뚝 끊깁니다. 오도메트리의 발행률이 낮습니까, 스캔의 발행률이 낮습니까?
 
 # %% name="e12-3-trolley"
 lesson.show_trolley()
@@ -180,7 +180,7 @@ check("E12.3", first)
 #
 # 환자마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
 #
-# - `"a checks"`: **이것으로 충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 아픈 곳을 보여 주며, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# - `"a checks"`: **이것으로 충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 고장 난 곳을 보여 주며, 그 뒤에는 검사가 더 없어야 합니다.
 # - `"a cause"`: `lesson.show_suspects()`가 출력하는 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
 # - `"a frame"`: 자리가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 연결이라면 그 자식입니다.
 # - `"a owner"`: 바뀌어야 할 쪽. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
@@ -222,7 +222,7 @@ check("E12.4", patients)
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
 #
-# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴의 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 link(`…_link`)가 `base_link`에, optical frame(`…_optical_frame`)이 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 로봇의 이름과 슬래시(/)가 붙습니다. `map`은 함께 씁니다.
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 링크(`…_link`)가 `base_link`에, 광학 좌표계(`…_optical_frame`)가 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 로봇의 이름과 슬래시(/)가 붙습니다. `map`은 함께 씁니다.
 #
 # - `"tree"`: 자식 → 부모
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
@@ -230,7 +230,7 @@ check("E12.4", patients)
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` 또는 `False`
 # - `"bag"`: 내일도 트리가 온전하도록 기록할 토픽. 꼭 필요한 것만 씁니다.
 #
-# 답 아래의 셀은 쓴 그대로 로봇을 첫 번째 로봇 옆에 띄웁니다. RViz의 상태, 연결마다 누가 보내는지, bag으로 무엇을 할 수 있는지 보여 줍니다. 채점은 하지 않습니다. 여기서 이상한 것은 실제 로봇에서도 이상합니다.
+# 답 아래의 셀은 쓴 그대로 로봇을 만들어 첫 번째 로봇 옆에서 실행합니다. RViz의 상태, 연결마다 누가 발행하는지, bag으로 무엇을 할 수 있는지 보여 줍니다. 채점은 하지 않습니다. 여기서 이상한 것은 실제 로봇에서도 이상합니다.
 
 # %% name="e12-5-given"
 e12_5 = task("E12.5")
@@ -283,15 +283,15 @@ check("E12.5", robot)
 # 강의의 마지막 문제입니다. 달리는 도중에 곧은 벽이 두 겹, 세 겹으로 보입니다. 카드 여덟 장이 있습니다.
 #
 # - **new sensor** 레이저를 새것으로 바꾼다
-# - **mount** `tf2_echo base_link laser_frame`을 도면과 견준다
-# - **publishers** 누가 어느 연결을 보내고 어느 스위치가 켜졌는지 본다
-# - **fixed frame** 이름: Fixed Frame과 RViz 목록의 좌표계를 본다
+# - **mount** `tf2_echo base_link laser_frame`을 도면과 비교한다
+# - **publishers** 누가 어느 연결을 발행하고 어느 스위치가 켜졌는지 본다
+# - **fixed frame** 이름: 고정 좌표계와 RViz 목록의 좌표계를 본다
 # - **longer timeout** RViz가 더 오래 기다리게 한다
 # - **header** 스캔의 좌표계와 측정 시각, 그 시각을 준 시계를 본다
 # - **tree** `view_frames`의 트리가 하나인지 본다
 # - **rates** 연결의 지연과 발행률을 본다
 #
-# 여섯 장을 골라 살펴볼 순서대로, 싸고 대략적인 것부터 비싸고 세밀한 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
+# 여섯 장을 골라 살펴볼 순서대로, 빠르고 대략적인 것부터 오래 걸리고 세밀한 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
 
 # %% name="e12-6-answer" tags=["answer"]
 steps = {
@@ -318,8 +318,8 @@ check("E12.6", steps)
 # %% [markdown] lang="ko" name="e12-7"
 # ## E12.7 · 회진하는 프로그램 (5점)
 #
-# 아는 것은 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 소견과, 누구일 때 무엇이 나오는지를 출력합니다. 이름과 숫자는 로봇 한 대의 것입니다. 시계는 0.35초 틀릴 수도 있고, 좌표계 이름은 `lidar`일 수도 있습니다.
-# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 물어본 검사도 함께 담기며, 그 검사들이 증명이 되어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 아무것도 묻지 않아야 합니다.
+# 정보는 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 소견과, 용의자마다 나올 소견을 출력합니다. 이름과 숫자는 로봇 한 대의 것입니다. 시계는 0.35초 틀릴 수도 있고, 좌표계 이름은 `lidar`일 수도 있습니다.
+# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 실행한 검사도 함께 담기며, 그 검사들이 증명이 되어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 검사가 더 없어야 합니다.
 
 # %% name="e12-7-findings"
 lesson.show_findings()
@@ -375,7 +375,7 @@ check("E12.7", triage)
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-1"
-# **1.** 로봇 한가운데에서 앞으로 0.3 떨어진 자리에 레이저가 오른쪽으로 90° 돌아간 채 고정되어 있습니다. 레이저는 자기 정면 (1.5, 0)에 공이 있다고 알립니다. 로봇을 기준으로 공은 어디에 있습니까?
+# **1.** 로봇 한가운데에서 앞으로 0.3 떨어진 자리에 레이저가 오른쪽으로 90° 회전한 채 고정되어 있습니다. 레이저는 자기 정면 (1.5, 0)에 공이 있다고 알립니다. 로봇을 기준으로 공은 어디에 있습니까?
 #
 # - **a** (0, 1.2)
 # - **b** (1.8, 0)
@@ -396,8 +396,8 @@ check("E12.7", triage)
 # **2.** 그림에 충전대에서 로봇으로 향하는 화살표가 있고, 그 옆에 (4, 1, 0)이라고 적혀 있습니다. 볼트 하나가 정확히 로봇의 원점에 있습니다. 이로부터 알 수 있는 것은 무엇입니까?
 #
 # - **a** 충전대를 기준으로 볼트는 (−4, −1, 0)에 있습니다.
-# - **b** 충전대 기준의 값을 로봇 기준으로 옮길 수 있지만, 거꾸로는 옮길 수 없습니다.
-# - **c** 메시지가 지나는 길만 알 수 있습니다.
+# - **b** 충전대 기준의 값을 로봇 기준으로 바꿀 수 있지만, 거꾸로는 바꿀 수 없습니다.
+# - **c** 메시지가 전달되는 순서만 알 수 있습니다.
 # - **d** 충전대를 기준으로 볼트는 (4, 1, 0)에 있습니다.
 # - **e** 모르겠습니다
 
@@ -411,7 +411,7 @@ check("E12.7", triage)
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-3"
-# **3.** A에서 보면 B는 (3, 0)에 있고 오른쪽으로 90° 돌아 있습니다. B에서 보면 A는 어디에 있습니까?
+# **3.** A를 기준으로 B는 (3, 0)에 있고 오른쪽으로 90° 회전해 있습니다. B를 기준으로 A는 어디에 있습니까?
 #
 # - **a** (0, 3)
 # - **b** (0, −3)
@@ -503,7 +503,7 @@ check("E12.7", triage)
 # %% [markdown] lang="ko" name="question-8"
 # **8.** 로봇의 위치를 알려 주는 출처가 둘 있습니다. S는 튀지 않지만 10분 뒤에는 0.5 m 어긋납니다. J는 오차가 2 cm를 넘지 않지만 가끔 5 cm씩 튑니다. 충전기는 40 m 떨어져 있고 로봇은 한 시간 동안 달렸습니다. 충전기의 위치를 알려면 어느 것을 씁니까?
 #
-# - **a** 매끄러운 S
+# - **a** 튀지 않는 S
 # - **b** 둘의 평균
 # - **c** J
 # - **d** 둘 다 쓰지 않음: 튀면 고장입니다
@@ -519,7 +519,7 @@ check("E12.7", triage)
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-9"
-# **9.** 로봇이 0.8 m/s로 달리면서 0.6 rad/s로 돌고 있습니다. 0.25초 전에 찍은 영상에는 기둥이 앞쪽 4에 있습니다. 이 기둥을 로봇의 현재 위치를 기준으로 지도에 표시합니다. 기둥은 얼마쯤 빗나갑니까?
+# **9.** 로봇이 0.8 m/s로 달리면서 0.6 rad/s로 회전하고 있습니다. 0.25초 전에 찍은 영상에는 기둥이 앞쪽 4에 있습니다. 이 기둥을 로봇의 지금 위치와 방향으로 지도에 표시합니다. 기둥은 얼마쯤 빗나갑니까?
 #
 # - **a** 0.15
 # - **b** 0.63
@@ -573,7 +573,7 @@ check("E12.7", triage)
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-12"
-# **12.** 팔이 마치 고정된 부품인 것처럼 팔의 각도를 한 번만 알렸습니다. 그 뒤에 팔이 움직입니다. 듣는 프로그램은 어떻게 됩니까?
+# **12.** 팔이 마치 고정된 부품인 것처럼 팔의 각도를 한 번만 알렸습니다. 그 뒤에 팔이 움직입니다. 받는 프로그램은 어떻게 됩니까?
 #
 # - **a** 따라서 움직입니다.
 # - **b** 너무 오래되었다는 오류를 받습니다.
@@ -613,7 +613,7 @@ check("E12.7", triage)
 #
 # - **a** 같은 것입니다. 대문자와 소문자를 구별하지 않습니다
 # - **b** 경고가 나오고 자동으로 고쳐집니다
-# - **c** 서로 다른 두 부품이고, 둘을 잇는 것은 없습니다
+# - **c** 서로 다른 두 부품이고, 둘 사이에 연결이 없습니다
 # - **d** 마지막에 알린 쪽의 이름을 따릅니다
 # - **e** 모르겠습니다
 
@@ -659,7 +659,7 @@ check("E12.8", after)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 발행자의 이름을 대고, 터미널을 읽고, 가장 적은 질문으로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점은 다른 로봇으로 같은 것을 묻습니다. 프로그램은 아무도 본 적 없는 환자를 만납니다.
-# 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상을 모르면 이상도 알 수 없습니다.
+# 어느 노드가 발행하는지 적고, 터미널을 읽고, 가장 적은 검사로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점할 때는 다른 로봇으로 같은 것을 확인합니다. E12.7의 프로그램은 아무도 본 적 없는 환자를 만납니다.
+# 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 #
 # **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 두 시험 사이에 무엇을 배웠고 무엇을 다시 볼지 볼 수 있습니다. [끝없는 연습](../../notebooks/ko/91_practice.ipynb)에서는 다른 숫자로 다시 풀 수 있습니다.
