@@ -1456,7 +1456,7 @@ node.stop()
 #
 # 이 장의 용어: [[buffer|버퍼]], [[listener|수신기]], [[stamp|측정 시각]], [[interpolation|보간]], [[latest common time|최신 공통 시각]], [[extrapolation|외삽]], [[cache time|보관 시간]], [[latency|지연(latency)]], [[motion distortion|움직임 왜곡]], [[fixed frame|고정 좌표계]].
 #
-# 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각 기준으로 옮겼습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
+# 실습 체크리스트: *버퍼와 수신기로 최신 변환을 조회했습니다*(C8), *PointStamped를 측정 시각의 변환으로 바꾸었습니다*(C9). 연습 문제를 풀면 둘 다 표시됩니다.
 
 # %% [markdown] lang="en" name="from-before" slide="slide"
 # ## Three questions from earlier chapters

@@ -19,7 +19,7 @@
 # %% [markdown] lang="ko" name="index" slide="skip"
 # 가나다순으로 찾기(숫자는 그 용어를 설명한 장입니다):
 #
-# 검출기 2 · 경로 4 · 고정 좌표계 8 · 관절 7 · 광학 좌표계 2 · 네임스페이스 4 · 노드 0 · 단위 쿼터니언 2 · 동적 좌표 변환 6 · 두 번째 발행자 12 · 드리프트 5 · 디스플레이 상태 11 · 롤·피치·요 2 · 루트 4 · 링크 7 · 메시지 0 · 메시지 필터 9 · 목표 좌표계 3 · 발행 0 · 발행 주체 4 · 발행 책임 11 · 번짐 8 · 변환 발행기 6 · 변환 버퍼 8 · 변환 수신기 8 · 보간 8 · 보관 시간 8 · 본체 축 좌표계 2 · 부모 좌표계 3 · 스냅샷 11 · 스레드 9 · 시간줄 8 · 시계 차이 9 · 시뮬레이션 시간 10 · 실행기 9 · 역변환 3 · 연결 4 · 오도메트리 5 · 오른손 좌표계 2 · 외삽 8 · 요 2 · 용의자 12 · 움직임 왜곡 8 · 원본 좌표계 3 · 위치 추정 5 · 이동 3 · 자식 좌표계 3 · 재진입 9 · 전송 지연 9 · 전송 후 보존 6 · 접두사 4 · 정기구학 7 · 정적 좌표 변환 6 · 조회 3 · 좌표 변환 3 · 좌표계 1 · 증거 12 · 지연 8 · 지터 9 · 짐벌 락 2 · 최신 공통 시각 8 · 측정 시각 1 · 콜백 9 · 쿼터니언 2 · 토픽 0 · 포인트 클라우드 2 · 포즈 1 · 표본 8 · 표시 유지 시간 11 · 퓨처 9 · 헤더 1 · 회전 2 · bag 10 · base_footprint 5 · base_link 1 · ConnectivityException 9 · ExtrapolationException 9 · InvalidArgumentException 9 · LookupException 9 · map 5 · odom 5 · QoS 6 · REP-103 2 · REP-105 5 · robot_state_publisher 7 · RViz 0 · tcp 7 · TF 트리 4 · TF2 0 · tf2_echo 3 · tf2_monitor 11 · timeout 9 · TimeoutException 9 · TransformException 9 · TypeException 8 · URDF 7 · view_frames 4
+# 검출기 2 · 경로 4 · 고정 좌표계 8 · 관절 7 · 광학 좌표계 2 · 네임스페이스 4 · 노드 0 · 단위 쿼터니언 2 · 동적 좌표 변환 6 · 두 번째 발행자 12 · 드리프트 5 · 디스플레이 상태 11 · 롤·피치·요 2 · 루트 4 · 링크 7 · 메시지 0 · 메시지 필터 9 · 목표 좌표계 3 · 발행 0 · 발행 책임 11 · 발행자 4 · 번짐 8 · 변환 발행기 6 · 변환 버퍼 8 · 변환 수신기 8 · 보간 8 · 보관 시간 8 · 본체 축 좌표계 2 · 부모 좌표계 3 · 스냅샷 11 · 스레드 9 · 시간줄 8 · 시계 차이 9 · 시뮬레이션 시간 10 · 실행기 9 · 역변환 3 · 연결 4 · 오도메트리 5 · 오른손 좌표계 2 · 외삽 8 · 요 2 · 용의자 12 · 움직임 왜곡 8 · 원본 좌표계 3 · 위치 추정 5 · 이동 3 · 자식 좌표계 3 · 재진입 9 · 전송 지연 9 · 전송 후 보존 6 · 접두사 4 · 정기구학 7 · 정적 좌표 변환 6 · 조회 3 · 좌표 변환 3 · 좌표계 1 · 증거 12 · 지연 8 · 지터 9 · 짐벌 락 2 · 최신 공통 시각 8 · 측정 시각 1 · 콜백 9 · 쿼터니언 2 · 토픽 0 · 포인트 클라우드 2 · 포즈 1 · 표본 8 · 표시 유지 시간 11 · 퓨처 9 · 헤더 1 · 회전 2 · bag 10 · base_footprint 5 · base_link 1 · ConnectivityException 9 · ExtrapolationException 9 · InvalidArgumentException 9 · LookupException 9 · map 5 · odom 5 · QoS 6 · REP-103 2 · REP-105 5 · robot_state_publisher 7 · RViz 0 · tcp 7 · TF 트리 4 · TF2 0 · tf2_echo 3 · tf2_monitor 11 · timeout 9 · TimeoutException 9 · TransformException 9 · TypeException 8 · URDF 7 · view_frames 4
 
 # %% [markdown] lang="en" name="chapter-0" slide="skip"
 # ## Chapter 0 · Start here
@@ -34,12 +34,12 @@
 # %% [markdown] lang="ko" name="chapter-0" slide="skip"
 # ## 0장 · 여기서 시작합니다
 #
-# - **좌표 변환 시스템 (TF2)**: 좌표계 사이의 위치와 방향을 시각마다 보관해 두고, 조회하면 필요한 변환을 이어 붙여 답하는 ROS 2의 라이브러리와 통신 체계입니다.
+# - **좌표 변환 시스템 (TF2)**: 좌표계 사이의 위치와 방향을 시각마다 보관해 두고, 조회하면 필요한 변환을 합성해 주는 ROS 2의 라이브러리와 통신 체계입니다.
 # - **노드 (node)**: 이름을 가지고 ROS 2 통신에 참여하는 단위로, 프로그램이거나 그 일부입니다.
 # - **토픽 (topic)**: 노드가 메시지를 발행하고 다른 노드가 구독하는, 이름 붙은 통로입니다.
-# - **메시지 (message)**: 토픽을 따라 전해지는, 형식이 정해진 값입니다.
+# - **메시지 (message)**: 토픽을 통해 전달되는, 형식이 정해진 값입니다.
 # - **RViz**: 좌표계, 스캔, 포인트 클라우드, 로봇을 하나의 고정 좌표계 기준으로 그려 보여 주는 ROS 2의 화면 도구입니다.
-# - **발행 (publish)**: 메시지나 변환을 듣고 있는 모두에게 보내는 일입니다.
+# - **발행 (publish)**: 메시지나 변환을, 구독하는 모든 노드에 보내는 일입니다.
 
 # %% [markdown] lang="en" name="chapter-1" slide="skip"
 # ## Chapter 1 · Value, frame and stamp
@@ -54,8 +54,8 @@
 # ## 1장 · 값, 좌표계, 측정 시각
 #
 # - **좌표계 (frame)**: 위치와 방향을 숫자로 적을 때 기준이 되는 원점과 x·y·z 축입니다. 현장에서는 흔히 프레임이라고 부릅니다.
-# - **로봇 본체 좌표계 (base_link)**: 로봇 본체에 고정되어 함께 움직이며 센서 장착 위치의 기준이 되는 좌표계입니다.
-# - **포즈 (pose)**: 한 좌표계를 기준으로 본 위치와 방향을 함께 이르는 말입니다.
+# - **로봇 본체 좌표계 (base_link)**: 로봇 본체에 고정되어 함께 움직이며 센서 장착 변환의 기준이 되는 좌표계입니다.
+# - **포즈 (pose)**: 한 좌표계를 기준으로 한 위치와 방향을 함께 이르는 말입니다.
 # - **측정 시각 (stamp)**: 값을 보내거나 받은 때가 아니라 잰 때를 뜻하며, `header.stamp`에 들어 있습니다.
 # - **헤더 (header)**: 메시지의 값이 어느 좌표계 기준이고 어느 시각의 값인지를 적은 부분입니다.
 
@@ -78,16 +78,16 @@
 # %% [markdown] lang="ko" name="chapter-2" slide="skip"
 # ## 2장 · 좌표축과 쿼터니언
 #
-# - **회전 (rotation)**: 부모 좌표계에서 자식의 축이 얼마나 돌아가 있는지를 적은, 변환의 한 부분입니다.
-# - **롤·피치·요 (roll, pitch, yaw)**: 고정된 x, y, z 축을 그 순서대로 도는 세 번의 회전이며 단위는 라디안입니다.
-# - **요 (yaw)**: 위를 향한 z축을 도는 회전이며, 양수는 왼쪽입니다.
+# - **회전 (rotation)**: 부모 좌표계를 기준으로 자식의 축이 얼마나 회전해 있는지를 적은, 변환의 한 부분입니다.
+# - **롤·피치·요 (roll, pitch, yaw)**: 고정된 x, y, z 축을 그 순서대로 중심으로 삼는 세 번의 회전이며 단위는 라디안입니다.
+# - **요 (yaw)**: 위를 향한 z축을 중심으로 하는 회전이며, 양수는 왼쪽입니다.
 # - **쿼터니언 (quaternion)**: 회전 하나를 나타내는 숫자 네 개로 순서는 x, y, z, w이고 길이는 1이며, (0, 0, 0, 1)이 회전 없음입니다.
 # - **단위 쿼터니언 (unit quaternion)**: 길이가 1인 쿼터니언이며, 이것만이 회전을 나타냅니다.
 # - **REP-103**: ROS의 단위와 축 규약으로 미터, 라디안, 오른손 좌표계를 쓰며 x는 앞, y는 왼쪽, z는 위입니다.
 # - **본체 축 좌표계 (body frame)**: REP-103의 축을 따르는 좌표계로 x는 앞, y는 왼쪽, z는 위입니다.
 # - **광학 좌표계 (optical frame)**: 카메라 영상의 축을 따르는 두 번째 좌표계로 z는 앞, x는 오른쪽, y는 아래입니다.
 # - **오른손 좌표계 (right-handed)**: 오른손 엄지를 z로 두면 나머지 손가락이 x에서 y로 감기는 축 배치입니다.
-# - **짐벌 락 (gimbal lock)**: 기수가 똑바로 위나 아래를 향할 때 roll, pitch, yaw 중 둘이 같은 직선을 축으로 돌게 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 뜁니다.
+# - **짐벌 락 (gimbal lock)**: 기수가 똑바로 위나 아래를 향할 때 roll, pitch, yaw 가운데 둘의 회전축이 같은 직선이 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 튑니다.
 # - **검출기 (detector)**: 영상이나 스캔에서 물체를 찾아 그 위치를 알려 주는 프로그램입니다.
 # - **포인트 클라우드 (point cloud)**: 한 좌표계로 적은 수많은 측정점을 담은 메시지입니다. 깊이 카메라에서 나옵니다.
 
@@ -107,15 +107,15 @@
 # %% [markdown] lang="ko" name="chapter-3" slide="skip"
 # ## 3장 · 목표 좌표계와 원본 좌표계
 #
-# - **좌표 변환 (transform)**: 부모 좌표계를 기준으로 본 자식 좌표계의 위치와 방향, 즉 이동과 회전입니다.
+# - **좌표 변환 (transform)**: 부모 좌표계를 기준으로 한 자식 좌표계의 위치와 방향, 즉 이동과 회전입니다.
 # - **부모 좌표계 (parent frame)**: 자식 좌표계의 위치와 방향을 적을 때 기준이 되는 좌표계이며, 메시지에서는 `header.frame_id`입니다.
 # - **자식 좌표계 (child frame)**: 부모 좌표계를 기준으로 위치와 방향이 정해지는 좌표계입니다. 부모는 하나뿐이며, 메시지에서는 `child_frame_id`입니다.
-# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, `tf2_echo A B`는 A를 기준으로 본 B의 포즈를 보여 줍니다.
-# - **목표 좌표계 (target frame)**: 데이터를 표현하고 싶은 좌표계로, `lookup_transform`의 첫째 인자입니다.
+# - **변환 확인 도구 (tf2_echo)**: 두 좌표계 사이의 최신 변환을 계속 출력하는 도구로, `tf2_echo A B`는 A를 기준으로 한 B의 포즈를 보여 줍니다.
+# - **목표 좌표계 (target frame)**: 결과의 기준이 될 좌표계로, `lookup_transform`의 첫째 인자입니다.
 # - **원본 좌표계 (source frame)**: 데이터가 지금 표현되어 있는 좌표계로, `lookup_transform`의 둘째 인자입니다. 소스 프레임이라고도 합니다.
-# - **이동 (translation)**: 부모 좌표계에서 자식 원점이 어디 있는지를 미터로 적은, 변환의 한 부분입니다.
-# - **역변환 (inverse)**: 다른 변환을 되돌리는 변환으로, 회전을 되돌리면서 이동도 함께 돌려야 합니다.
-# - **조회 (lookup)**: 두 좌표계 사이의, 어느 시각의 변환을 버퍼에 묻는 일입니다. `lookup_transform`으로 합니다.
+# - **이동 (translation)**: 부모 좌표계를 기준으로 자식 원점이 어디 있는지를 미터로 적은, 변환의 한 부분입니다.
+# - **역변환 (inverse)**: 다른 변환을 되돌리는 변환으로, 회전을 되돌리면서 이동도 함께 회전시켜야 합니다.
+# - **조회 (lookup)**: 두 좌표계 사이의, 어느 시각의 변환을 버퍼에서 구하는 일입니다. `lookup_transform`으로 합니다.
 
 # %% [markdown] lang="en" name="chapter-4" slide="skip"
 # ## Chapter 4 · The tree of frames
@@ -123,7 +123,7 @@
 # - **view_frames (TF 트리 시각화 도구)**: A tool that receives transforms for a few seconds and draws the tree of frames with rates and ages.
 # - **TF tree (TF 트리)**: All frames with their one parent each: no cycle, and one path between any two.
 # - **edge (연결)**: A connection in the tree: a child, its parent, and the transforms between them over time.
-# - **authority (발행 주체)**: The node that sends a transform; each child should have one only.
+# - **authority (발행자)**: The node that sends a transform; each child should have one only.
 # - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
 # - **root (루트)**: A frame without a parent: a tree has one, and two roots are two trees.
 # - **namespace (네임스페이스)**: A prefix of the names of a node's topics and services. It is never put before the frames in its messages.
@@ -134,9 +134,9 @@
 #
 # - **TF 트리 시각화 도구 (view_frames)**: 몇 초 동안 변환을 모아 좌표계 트리와 발행률을 그림으로 그리는 도구입니다.
 # - **TF 트리 (TF tree)**: 모든 좌표계가 부모를 하나씩 가진 구조로, 고리가 없고 어느 두 좌표계 사이에도 경로가 하나입니다.
-# - **연결 (edge)**: 트리에서 부모와 자식을 잇는 한 단계입니다. 둘 사이의 변환이 시각마다 들어 있습니다.
-# - **발행 주체 (authority)**: 변환을 보내는 노드이며, 자식 좌표계마다 하나여야 합니다.
-# - **경로 (path)**: 한 트리의 두 좌표계를 잇는 연결들입니다. 둘이 만나는 좌표계까지 올라갔다가 내려갑니다.
+# - **연결 (edge)**: 트리에서 부모와 자식 사이의 한 단계입니다. 둘 사이의 변환이 시각마다 들어 있습니다.
+# - **발행자 (authority)**: 변환을 발행하는 노드이며, 자식 좌표계마다 하나여야 합니다.
+# - **경로 (path)**: 한 트리의 두 좌표계 사이에 있는 연결들입니다. 둘이 만나는 좌표계까지 올라갔다가 내려갑니다.
 # - **루트 (root)**: 부모가 없는 좌표계입니다. 트리마다 하나이며, 루트가 둘이면 트리도 둘입니다.
 # - **네임스페이스 (namespace)**: 노드의 토픽과 서비스 이름 앞에 붙는 말입니다. 메시지 속의 좌표계 이름에는 붙지 않습니다.
 # - **접두사 (frame prefix)**: robot1/처럼 한 로봇의 모든 좌표계 이름 앞에 붙이는 말입니다. 로봇 두 대가 우연히 같은 이름을 쓰는 일을 막습니다.
@@ -155,10 +155,10 @@
 # %% [markdown] lang="ko" name="chapter-5" slide="skip"
 # ## 5장 · map, odom, base_link
 #
-# - **지도 좌표계 (map)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 오래 지나도 실제 공간과 어긋나지 않지만, 위치 추정이 보정될 때 값이 뛸 수 있습니다.
-# - **오도메트리 좌표계 (odom)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 이 좌표계를 기준으로 보면 로봇은 끊김 없이 움직이지만, 오차가 조금씩 쌓여 실제 위치와 멀어집니다.
-# - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 바닥에 내려놓은 좌표계로, 높이와 roll, pitch 없이 x, y, yaw만 가집니다.
-# - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과, 각 변환을 누가 맡는지를 정한 ROS의 규약입니다.
+# - **지도 좌표계 (map)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 오래 지나도 실제 공간과 어긋나지 않지만, 위치 추정이 보정될 때 값이 튈 수 있습니다.
+# - **오도메트리 좌표계 (odom)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 이 좌표계를 기준으로 로봇은 끊김 없이 움직이지만, 오차가 조금씩 쌓여 실제 위치와 멀어집니다.
+# - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 지면에 투영한 좌표계로, 높이와 roll, pitch 없이 x, y, yaw만 가집니다.
+# - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과, 각 변환을 어느 노드가 맡는지를 정한 ROS의 규약입니다.
 # - **오도메트리 (odometry)**: 바퀴, IMU, 카메라로 잰 움직임을 조금씩 더해 얻은 이동량입니다.
 # - **위치 추정 (localization)**: 지도에서 로봇의 위치를 찾아 오도메트리의 오차를 바로잡는 일입니다.
 # - **드리프트 (drift)**: 작은 오차가 계속 더해져 천천히 커지는 오차입니다.
@@ -175,11 +175,11 @@
 # %% [markdown] lang="ko" name="chapter-6" slide="skip"
 # ## 6장 · 정적 변환과 동적 변환
 #
-# - **정적 좌표 변환 (static transform)**: 센서 장착 위치처럼 변하지 않아 `/tf_static`으로 한 번 보내며, 늦게 온 수신기도 받는 변환입니다.
-# - **동적 좌표 변환 (dynamic transform)**: 로봇의 위치나 관절처럼 변하므로 측정 시각을 붙여 `/tf`로 계속 보내는 변환입니다.
-# - **변환 발행기 (broadcaster)**: 노드가 아는 변환을 모두에게 알리는 객체입니다(알리는 노드는 발행자라고 합니다). `TransformBroadcaster`와 `StaticTransformBroadcaster`가 있습니다.
-# - **서비스 품질 (QoS)**: 토픽을 전하는 조건으로 신뢰성, 보관 개수, 지속성을 정합니다.
-# - **전송 후 보존 (transient local)**: 늦게 온 구독자도 이미 보낸 메시지를 받게 하는 지속성 설정이며, `/tf_static`이 사용합니다.
+# - **정적 좌표 변환 (static transform)**: 센서의 장착 변환처럼 변하지 않아 `/tf_static`으로 한 번 보내며, 나중에 참가한 수신기도 받는 변환입니다.
+# - **동적 좌표 변환 (dynamic transform)**: 로봇의 포즈나 관절처럼 변하므로 측정 시각을 붙여 `/tf`로 계속 보내는 변환입니다.
+# - **변환 발행기 (broadcaster)**: 노드가 변환을 발행할 때 쓰는 객체입니다(발행하는 노드는 발행자라고 합니다). `TransformBroadcaster`와 `StaticTransformBroadcaster`가 있습니다.
+# - **서비스 품질 (QoS)**: 메시지를 전달하는 조건으로 신뢰성, 보관 개수, 지속성을 정합니다.
+# - **전송 후 보존 (transient local)**: 나중에 참가한 구독자도 이미 보낸 메시지를 받게 하는 지속성 설정이며, `/tf_static`이 사용합니다.
 
 # %% [markdown] lang="en" name="chapter-7" slide="skip"
 # ## Chapter 7 · URDF and sensors
@@ -197,9 +197,9 @@
 # - **로봇 모델 파일 (URDF)**: 로봇의 링크와 관절, 즉 고정된 변환을 적은 파일입니다.
 # - **로봇 상태 발행자 (robot_state_publisher)**: URDF와 관절 값에서 변환을 만들어 발행하는 노드입니다.
 # - **링크 (link)**: 로봇의 단단한 부품 하나이며, 거기에 고정된 좌표계이기도 합니다.
-# - **관절 (joint)**: 자식 링크가 부모 링크의 어디에 달려 있는지를 나타냅니다. origin이 있고, 움직이는 관절이면 축을 중심으로 돌거나 축을 따라 미끄러집니다.
+# - **관절 (joint)**: 자식 링크가 부모 링크의 어디에 달려 있는지를 나타냅니다. origin이 있고, 움직이는 관절이면 축을 중심으로 회전하거나 축을 따라 이동합니다.
 # - **정기구학 (forward kinematics)**: 관절 값에서 팔 끝의 포즈를 구하는 계산이며, 모든 관절의 변환을 곱한 것입니다.
-# - **공구 중심점 (tcp)**: 공구가 일하는 점의 좌표계(tool centre point)이며, 팔이 끝나는 `tool0` 아래에 둡니다.
+# - **공구 중심점 (tcp)**: 공구의 작업점을 나타내는 좌표계(tool centre point)이며, 팔이 끝나는 `tool0` 아래에 둡니다.
 
 # %% [markdown] lang="en" name="chapter-8" slide="skip"
 # ## Chapter 8 · Buffer and measurement time
@@ -222,23 +222,23 @@
 # ## 8장 · 버퍼와 측정 시각
 #
 # - **변환 수신기 (listener)**: `/tf`와 `/tf_static`을 구독해 버퍼를 채우는 객체, `TransformListener`입니다.
-# - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계를 기준으로 어디에 있었는지 답하는 저장소입니다.
+# - **변환 버퍼 (buffer)**: 최근의 변환을 연결마다 시간 순서로 담아 두고, 어느 시각에 한 좌표계가 다른 좌표계를 기준으로 어디에 있었는지 조회할 수 있는 저장소입니다.
 # - **고정 좌표계 (fixed frame)**: 움직이지 않는다고 정해 둔 좌표계입니다. RViz는 모든 데이터를 이 좌표계 기준으로 바꾸어 그립니다.
-# - **최신 공통 시각 (latest common time)**: 경로의 모든 연결에 값이 있는 가장 늦은 시각으로, 연결마다 가장 늦은 시각 중 가장 이른 것이며 정적 변환은 세지 않습니다.
-# - **보간 (interpolation)**: 두 표본 사이의 값을 구하는 일로, 이동은 직선으로 회전은 가장 짧은 호로 잇습니다.
+# - **최신 공통 시각 (latest common time)**: 경로의 모든 연결에 값이 있는 가장 최근의 시각으로, 연결마다의 최신 시각 가운데 가장 이른 것이며 정적 변환은 세지 않습니다.
+# - **보간 (interpolation)**: 두 표본 사이의 값을 구하는 일로, 이동은 직선을, 회전은 가장 짧은 호를 따라 구합니다.
 # - **외삽 (extrapolation)**: 표본 바깥의 값을 짐작하는 일이며, tf2는 거절합니다.
-# - **보관 시간 (cache time)**: 버퍼가 얼마나 먼 과거까지 기억하는지를 이르며, 따로 정하지 않으면 10초입니다.
+# - **보관 시간 (cache time)**: 버퍼가 얼마나 오래된 표본까지 보관하는지를 이르며, 따로 정하지 않으면 10초입니다.
 # - **지연 (latency)**: 무언가를 잰 때부터 그 값을 쓰는 때까지 걸린 시간입니다.
-# - **번짐 (smear)**: 다른 순간의 로봇 위치로 스캔을 그려 벽이 두껍게 또는 겹쳐 보이는 현상입니다.
-# - **형식 예외 (TypeException)**: `transform()`에 그 메시지를 옮기는 법이 등록되어 있지 않을 때 내는 예외이며, TransformException이 아닙니다.
-# - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 바퀴의 광선은 저마다 잰 순간이 달라, 포즈 하나로 그리면 벽이 휘어 보입니다.
+# - **번짐 (smear)**: 다른 순간의 로봇 포즈로 스캔을 그려 벽이 두껍게 또는 겹쳐 보이는 현상입니다.
+# - **형식 예외 (TypeException)**: `transform()`에 그 메시지의 변환 방법이 등록되어 있지 않을 때 내는 예외이며, TransformException이 아닙니다.
+# - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 번 훑는 동안의 광선은 저마다 잰 순간이 달라, 포즈 하나로 그리면 벽이 휘어 보입니다.
 # - **표본 (sample)**: 한 연결의 변환 하나로, 측정 시각이 붙어 있습니다. 샘플이라고도 합니다.
-# - **시간줄 (timeline)**: 한 연결의 표본을 측정 시각 순서로 늘어놓은 줄입니다. 버퍼에는 연결마다 한 줄씩 있습니다.
+# - **시간줄 (timeline)**: 한 연결의 표본을 측정 시각 순서로 늘어놓은 것입니다. 버퍼에는 연결마다 하나씩 있습니다.
 
 # %% [markdown] lang="en" name="chapter-9" slide="skip"
 # ## Chapter 9 · Exceptions and waiting
 #
-# - **LookupException (프레임 조회 예외)**: TF2's error for a frame name that the buffer has never received.
+# - **LookupException (좌표계 조회 예외)**: TF2's error for a frame name that the buffer has never received.
 # - **ConnectivityException (연결 예외)**: TF2's error for two frames that are known but have no path between them.
 # - **ExtrapolationException (시간 외삽 예외)**: TF2's error for a path that exists but has no data at the requested time.
 # - **InvalidArgumentException (잘못된 인자 예외)**: TF2's error for an invalid argument, such as an empty name or one with a leading slash.
@@ -258,21 +258,21 @@
 # %% [markdown] lang="ko" name="chapter-9" slide="skip"
 # ## 9장 · 예외와 기다림
 #
-# - **프레임 조회 예외 (LookupException)**: 버퍼가 들어 본 적 없는 좌표계 이름을 물었을 때 나는 TF2 오류입니다.
-# - **연결 예외 (ConnectivityException)**: 두 좌표계를 모두 알지만 둘을 잇는 경로가 없을 때 나는 TF2 오류입니다.
+# - **좌표계 조회 예외 (LookupException)**: 버퍼에 없는 좌표계 이름을 조회할 때 나는 TF2 오류입니다.
+# - **연결 예외 (ConnectivityException)**: 두 좌표계가 모두 버퍼에 있지만 둘을 연결하는 경로가 없을 때 나는 TF2 오류입니다.
 # - **시간 외삽 예외 (ExtrapolationException)**: 경로는 있지만 요청 시각의 값이 없을 때 나는 TF2 오류입니다.
-# - **잘못된 인자 예외 (InvalidArgumentException)**: 빈 이름이나 슬래시로 시작하는 이름처럼 질문 자체가 잘못되었을 때 나는 TF2 오류입니다.
-# - **시간 초과 예외 (TimeoutException)**: 정한 시간 안에 답이 오지 않았을 때 나는 TF2 오류입니다.
+# - **잘못된 인자 예외 (InvalidArgumentException)**: 빈 이름이나 슬래시로 시작하는 이름처럼 조회의 인자가 잘못되었을 때 나는 TF2 오류입니다.
+# - **시간 초과 예외 (TimeoutException)**: 정한 시간 안에 결과가 오지 않았을 때 나는 TF2 오류입니다.
 # - **변환 예외 (TransformException)**: TF2 오류의 공통 부모로, `except TransformException`이 모두 잡습니다.
 # - **timeout**: 변환이 올 때까지 조회가 기다려도 되는 가장 긴 시간입니다.
 # - **콜백 (callback)**: 메시지가 도착하거나 타이머 시각이 되면 ROS 2가 호출하는 함수입니다.
 # - **실행기 (executor)**: 대기 중인 콜백을 꺼내 하나씩, 또는 여러 스레드에서 실행하는 객체입니다.
 # - **스레드 (thread)**: 프로그램 안의 실행 흐름 하나로, 기다리는 동안에는 다른 일을 하지 못합니다.
 # - **시계 차이 (clock offset)**: 두 컴퓨터의 시계가 늘 일정하게 어긋난 정도이며, 기다려도 사라지지 않습니다.
-# - **전송 지연 (transport delay)**: 메시지가 보낸 쪽에서 받는 쪽까지 가는 데 걸리는 시간이며, 잠깐 기다리면 메워집니다.
+# - **전송 지연 (transport delay)**: 메시지가 발행자에서 수신기까지 가는 데 걸리는 시간이며, 잠깐 기다리면 해결됩니다.
 # - **지터 (jitter)**: 지연이나 주기가 메시지마다 들쭉날쭉한 정도입니다.
-# - **메시지 필터 (message filter)**: 변환이 준비될 때까지 메시지를 붙들어 두고, 너무 오래 걸리면 버리는 큐입니다.
-# - **퓨처 (future)**: 나중에 나올 결과를 약속하는 객체입니다. 결과가 나오면 완료되고, 그때 결과나 예외를 꺼낼 수 있습니다.
+# - **메시지 필터 (message filter)**: 변환이 준비될 때까지 메시지를 보관하고, 너무 오래 걸리면 버리는 큐입니다.
+# - **퓨처 (future)**: 나중에 나올 결과를 담는 객체입니다. 결과가 나오면 완료되고, 그때 결과나 예외를 꺼낼 수 있습니다.
 # - **재진입 (reentrant)**: 여러 스레드가 동시에 실행해도 되는 콜백 그룹의 성질입니다.
 
 # %% [markdown] lang="en" name="chapter-10" slide="skip"
@@ -284,7 +284,7 @@
 # %% [markdown] lang="ko" name="chapter-10" slide="skip"
 # ## 10장 · 시계와 bag
 #
-# - **시뮬레이션 시간 (simulation time)**: `use_sim_time`을 켠 노드가 컴퓨터 시계 대신 `/clock`에서 받는 시간입니다.
+# - **시뮬레이션 시간 (simulation time)**: `use_sim_time`을 켠 노드가 시스템 시간 대신 `/clock`에서 받는 시간입니다.
 # - **bag**: 토픽을 기록해 두었다가 다시 재생할 수 있는 파일입니다.
 
 # %% [markdown] lang="en" name="chapter-11" slide="skip"
@@ -299,11 +299,11 @@
 # %% [markdown] lang="ko" name="chapter-11" slide="skip"
 # ## 11장 · 도구와 RViz
 #
-# - **변환 지연 감시 도구 (tf2_monitor)**: 변환이 얼마나 늦게, 얼마나 자주 도착하는지 재는 도구입니다.
-# - **발행 책임 (owner)**: 한 연결을 보내는, 그리고 혼자만 보내야 하는 노드의 책임입니다. ROS 2 도구는 그 노드를 알려 주지 않습니다.
+# - **변환 지연 감시 도구 (tf2_monitor)**: 변환의 지연과 발행률을 재는 도구입니다.
+# - **발행 책임 (owner)**: 한 연결을 한 노드만 발행해야 한다는, 그 노드의 책임입니다. 어느 노드인지 알려 주는 ROS 2 도구는 없습니다.
 # - **디스플레이 상태 (display status)**: RViz 목록의 항목마다 붙는 Ok, Warn, Error입니다. Ok는 계산할 수 있었다는 뜻입니다.
 # - **표시 유지 시간 (decay time)**: RViz가 메시지를 화면에 남겨 두는 시간입니다. 0이면 다음 메시지가 올 때까지입니다.
-# - **스냅샷 (snapshot)**: 도구가 몇 초 동안 본 것입니다. 그 밖의 시간에 일어난 일은 알 수 없습니다.
+# - **스냅샷 (snapshot)**: 도구가 몇 초 동안 수신한 것입니다. 그 밖의 시간에 일어난 일은 알 수 없습니다.
 
 # %% [markdown] lang="en" name="chapter-12" slide="skip"
 # ## Chapter 12 · Owners and diagnosis
@@ -316,5 +316,5 @@
 # ## 12장 · 발행 책임과 진단
 #
 # - **두 번째 발행자 (second owner)**: 같은 연결을 발행하는 또 다른 노드입니다. TF2는 오류 없이 둘 다 받고, 포즈가 오락가락합니다.
-# - **용의자 (suspect)**: 증상의 원인일지 모르는 것입니다. 검사로 지울 때까지 용의자입니다.
-# - **증거 (evidence)**: 어떤 용의자라면 나오고 다른 용의자라면 나오지 않을 값입니다. 누구라도 같을 값은 증거가 아닙니다.
+# - **용의자 (suspect)**: 증상의 원인일 수 있는 것입니다. 검사에서 지워질 때까지 용의자입니다.
+# - **증거 (evidence)**: 어떤 용의자라면 나오고 다른 용의자라면 나오지 않을 값입니다. 어느 용의자든 똑같이 나올 값은 증거가 아닙니다.
