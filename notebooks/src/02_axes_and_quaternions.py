@@ -130,7 +130,7 @@ lesson.draw_scene(
 # Let the picture stand for ten seconds before you say anything. Ask: "which line of code is wrong?" None of them is. A word in a header is.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 그림을 띄운 채 10초쯤 기다립니다. 그러고 나서 "어느 코드 줄이 틀렸습니까?"라고 묻습니다. 틀린 코드는 없습니다. 헤더에 적힌 단어 하나가 틀렸습니다.
+# 그림을 띄운 채 10초쯤 기다립니다. 그러고 나서 “어느 코드 줄이 틀렸습니까?”라고 묻습니다. 틀린 코드는 없습니다. 헤더에 적힌 단어 하나가 틀렸습니다.
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -1416,7 +1416,7 @@ lesson.draw_card()
 #
 # **Q2.** 로봇 본체의 좌표축과 카메라 광학 좌표계의 좌표축을 비교하십시오.
 #
-# **Q8.** "회전 없음" 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
+# **Q8.** “회전 없음” 쿼터니언과 모두 0인 쿼터니언은 어떻게 다릅니까?
 #
 # (Q 번호는 전체 15문제의 일련번호입니다.)
 #

@@ -1117,7 +1117,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# "지금은 움직이지 않는다"는 "절대 움직이지 않는다"와 다릅니다. 마스트가 한 번 움직이면 게시판의 값 하나가 이전 스캔까지 포함해 모든 스캔에 쓰입니다.
+# “지금은 움직이지 않는다”는 “절대 움직이지 않는다”와 다릅니다. 마스트가 한 번 움직이면 게시판의 값 하나가 이전 스캔까지 포함해 모든 스캔에 쓰입니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
