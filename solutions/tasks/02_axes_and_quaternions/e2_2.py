@@ -18,8 +18,18 @@ def draw_detection(rng: Draws) -> dict:
 MUG = (0.40, -0.20, 1.50)  # the page's example
 
 
-def convert_to_camera_link(given, *, part="given", turns="both", side="left", height="up", depth="ahead", places="own", origin="camera",
-           length="kept"):  # fmt: skip
+def convert_to_camera_link(
+    given,
+    *,
+    part="given",
+    turns="both",
+    side="left",
+    height="up",
+    depth="ahead",
+    places="own",
+    origin="camera",
+    length="kept",
+):
     """Return the point in camera_link, step by step; other arguments are mistakes."""
     x, y, z = MUG if part == "the page's" else given.optical_p_part
     x, y, z = {

@@ -16,8 +16,19 @@ def draw_yaws(rng: Draws) -> list[tuple[float]]:
 def quaternion_from_yaw(yaw, *, unit="radians", half="inside", z="sine", way="left", axis="z", order="w last"):
     """Return the quaternion, step by step; other arguments are mistakes."""
     yaw = {"radians": yaw, "degrees": math.radians(yaw), "to degrees": math.degrees(yaw)}[unit]
-    angle = {"inside": yaw / 2, "none": yaw, "outside": yaw, "sine outside": yaw, "cosine outside": yaw, "double": 2 * yaw, "whole number": yaw // 2, "quarter": yaw / 4,
-             "of the sine alone": yaw / 2, "of the cosine alone": yaw, "modulo pi": yaw % math.pi / 2}[half]  # fmt: skip
+    angle = {
+        "inside": yaw / 2,
+        "none": yaw,
+        "outside": yaw,
+        "sine outside": yaw,
+        "cosine outside": yaw,
+        "double": 2 * yaw,
+        "whole number": yaw // 2,
+        "quarter": yaw / 4,
+        "of the sine alone": yaw / 2,
+        "of the cosine alone": yaw,
+        "modulo pi": yaw % math.pi / 2,
+    }[half]
     sine, cosine = math.sin(angle), math.cos(yaw if half == "of the sine alone" else angle)
     cosine = math.cos(yaw / 2) if half == "of the cosine alone" else cosine
     if half in ("outside", "sine outside"):

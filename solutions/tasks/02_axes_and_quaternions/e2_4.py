@@ -84,11 +84,26 @@ def judge(q: tuple, *, finite="all", zero="length", below=1e-6, length="root", t
     if length == "of the scaled" and math.hypot(*q) >= below:
         q = tuple(part / math.hypot(*q) for part in q)
     x, y = (q[0] if "x" in looks else 0.0), (q[1] if "y" in looks else 0.0)
-    sizes = {"never": 0.0, "abs": max(abs(x), abs(y)), "signed": max(x, y), "sum": abs(x) + abs(y), "of the sum": abs(x + y),
-             "length": math.hypot(x, y), "both": min(abs(q[0]), abs(q[1])), "z, too": max(map(abs, q[:3])),
-             "x signed": max(x, abs(y)), "y signed": max(abs(x), y), "signed sum": x + y,
-             "x or z": max(abs(x), abs(q[2])), "first that is not 0": abs(x or y), "squares": max(x * x, y * y),
-             "sum of squares": x * x + y * y, "x and y": abs(x and y), "z": abs(q[2]), "w large": abs(q[3])}  # fmt: skip
+    sizes = {
+        "never": 0.0,
+        "abs": max(abs(x), abs(y)),
+        "signed": max(x, y),
+        "sum": abs(x) + abs(y),
+        "of the sum": abs(x + y),
+        "length": math.hypot(x, y),
+        "both": min(abs(q[0]), abs(q[1])),
+        "z, too": max(map(abs, q[:3])),
+        "x signed": max(x, abs(y)),
+        "y signed": max(abs(x), y),
+        "signed sum": x + y,
+        "x or z": max(abs(x), abs(q[2])),
+        "first that is not 0": abs(x or y),
+        "squares": max(x * x, y * y),
+        "sum of squares": x * x + y * y,
+        "x and y": abs(x and y),
+        "z": abs(q[2]),
+        "w large": abs(q[3]),
+    }
     beside = {"w": abs(q[3]) < above, "w over z": abs(q[3]) > abs(q[2]), "x over w": abs(q[0]) > abs(q[3]),
               "x over z": abs(q[0]) > abs(q[2]),
               "at the bound": max(abs(x), abs(y)) >= above, "turned round": min(abs(x), abs(y)) < above,

@@ -47,10 +47,22 @@ def mount_camera(ahead_m, up_m, yaw_deg, *, ends="parent first", numbers="as giv
            "halved": math.radians(yaw_deg) / 2}[angle]  # fmt: skip
     yaw = -yaw if side == "right" else yaw
     z, w = half_turn(2 * yaw if half == "whole" else yaw)
-    ways = {"sine": (0, 0, z, w), "w first": (w, 0, 0, z), "none": (0, 0, 0, 1), "roll": (z, 0, 0, w), "pitch": (0, z, 0, w),
-            "angle": (0, 0, yaw, 1), "degrees": (0, 0, yaw_deg, 1), "half in z": (0, 0, z, math.cos(yaw)), "half in w": (0, 0, math.sin(yaw), w),
-            "w lost": (0, 0, z, 0),  "w one": (0, 0, z, 1), "zero": (0, 0, 0, 0), "exchanged": (0, 0, w, z),
-            "optical": (Transform(rotation=(0, 0, z, w)) @ OPTICAL).rotation}  # fmt: skip
+    ways = {
+        "sine": (0, 0, z, w),
+        "w first": (w, 0, 0, z),
+        "none": (0, 0, 0, 1),
+        "roll": (z, 0, 0, w),
+        "pitch": (0, z, 0, w),
+        "angle": (0, 0, yaw, 1),
+        "degrees": (0, 0, yaw_deg, 1),
+        "half in z": (0, 0, z, math.cos(yaw)),
+        "half in w": (0, 0, math.sin(yaw), w),
+        "w lost": (0, 0, z, 0),
+        "w one": (0, 0, z, 1),
+        "zero": (0, 0, 0, 0),
+        "exchanged": (0, 0, w, z),
+        "optical": (Transform(rotation=(0, 0, z, w)) @ OPTICAL).rotation,
+    }
     x, y, up = {"x and z": (ahead_m, 0.0, up_m), "exchanged": (up_m, 0.0, ahead_m), "y": (ahead_m, up_m, 0.0),
                 "optical": (0.0, -up_m, ahead_m), "minus y": (ahead_m, -up_m, 0.0), "y ahead": (0.0, ahead_m, up_m),
                 "y up, z ahead": (0.0, up_m, ahead_m), "ahead twice": (ahead_m, 0.0, ahead_m),

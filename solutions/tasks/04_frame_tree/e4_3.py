@@ -29,7 +29,20 @@ def draw_queries(rng):
     return rows
 
 
-def walk_path(parent_of, target, source, *, ends="as asked", climb="until they meet", words="as they are", order="outward", both="up, then down", named="child", pairs="child first", lost="raises"):  # fmt: skip
+def walk_path(
+    parent_of,
+    target,
+    source,
+    *,
+    ends="as asked",
+    climb="until they meet",
+    words="as they are",
+    order="outward",
+    both="up, then down",
+    named="child",
+    pairs="child first",
+    lost="raises",
+):
     """Return the path, decision by decision; other arguments are mistakes."""
     if ends == "exchanged":
         target, source = source, target

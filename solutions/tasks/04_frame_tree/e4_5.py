@@ -23,7 +23,17 @@ def draw_lines(rng):
     return {"lines": dict(zip(LETTERS, order, strict=True))}
 
 
-def judge_lines(given, *, slash="forgiven", case="told apart", double="told apart", senseless="refused", asked="refused", namespace="no prefix", shared="told"):  # fmt: skip
+def judge_lines(
+    given,
+    *,
+    slash="forgiven",
+    case="told apart",
+    double="told apart",
+    senseless="refused",
+    asked="refused",
+    namespace="no prefix",
+    shared="told",
+):
     """Return what happens to each line, one belief after the other; other arguments are mistakes."""
     beliefs = {
         "send '/odom' -> 'base_link'": {"forgiven": "kept as odom"}.get(slash, slash),

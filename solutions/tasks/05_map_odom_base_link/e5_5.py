@@ -40,18 +40,34 @@ def project_footprint(odom_T_base, *, foot="straight down", yaw="rpy"):
     }
     q_x, q_y, z, w = odom_T_base.rotation
     yaws = {
-        "rpy": right, "twice atan": 2.0 * math.atan2(z, w), "inverse": back.rpy()[2], "inverse pitch": back.rpy()[1], "negated": -right, "roll": roll,
-        "pitch": pitch, "level": 0.0, "twice asin": 2.0 * math.asin(z), "twice acos": 2.0 * math.acos(w), "z": z, "once atan": math.atan2(z, w),
-        "degrees": math.degrees(right), "roll in degrees": math.degrees(roll), "height": height,
-        "size": abs(right), "x": q_x, "w": w, "signed acos": math.copysign(2.0 * math.acos(w), z),
+        "rpy": right,
+        "twice atan": 2.0 * math.atan2(z, w),
+        "inverse": back.rpy()[2],
+        "inverse pitch": back.rpy()[1],
+        "negated": -right,
+        "roll": roll,
+        "pitch": pitch,
+        "level": 0.0,
+        "twice asin": 2.0 * math.asin(z),
+        "twice acos": 2.0 * math.acos(w),
+        "z": z,
+        "once atan": math.atan2(z, w),
+        "degrees": math.degrees(right),
+        "roll in degrees": math.degrees(roll),
+        "height": height,
+        "size": abs(right),
+        "x": q_x,
+        "w": w,
+        "signed acos": math.copysign(2.0 * math.acos(w), z),
         "asin": math.asin(max(-1.0, min(1.0, 2.0 * (w * z + q_x * q_y)))),
         "acos": math.acos(max(-1.0, min(1.0, 1.0 - 2.0 * (q_y * q_y + z * z)))),
         "formula without y": math.atan2(2.0 * (w * z + q_x * q_y), 1.0 - 2.0 * z * z),
-        "bearing": math.atan2(y, x), "cotangent": 2.0 * math.atan2(w, z),
+        "bearing": math.atan2(y, x),
+        "cotangent": 2.0 * math.atan2(w, z),
         "w taken first": 2.0 * math.atan2(w, q_x),
         "formula, w taken first": math.atan2(2.0 * (q_x * w + q_y * z), 1.0 - 2.0 * (z * z + w * w)),
         "formula of x": math.atan2(2.0 * (w * z + q_x * q_y), 1.0 - 2.0 * (q_x * q_x + q_y * q_y)),
-    }  # fmt: skip
+    }
     return {"x": feet[foot][0], "y": feet[foot][1], "yaw": yaws[yaw]}
 
 

@@ -48,8 +48,13 @@ def fill_buffer(rng):
 def correct_odometry(buffer, map_T_base, stamp_ns, *, moment="stamp", asked="odom", refusal="let through",
               wheels="turned round", found="as given", order="found first", way="as asked"):  # fmt: skip
     """Return map_T_odom, step by step; other arguments are mistakes."""
-    asked_ns = {"stamp": stamp_ns, "latest": LATEST, "seconds": seconds(stamp_ns),
-                "milliseconds": round(stamp_ns / 1e6) * 10**6, "whole seconds": stamp_ns // 10**9 * 10**9}[moment]  # fmt: skip
+    asked_ns = {
+        "stamp": stamp_ns,
+        "latest": LATEST,
+        "seconds": seconds(stamp_ns),
+        "milliseconds": round(stamp_ns / 1e6) * 10**6,
+        "whole seconds": stamp_ns // 10**9 * 10**9,
+    }[moment]
     try:
         odom_T_base = buffer.lookup_transform(asked, "base_footprint", asked_ns).transform
     except TransformException:

@@ -32,8 +32,12 @@ def command_line(g, *, ends="parent first", length="m", side="right", places="as
     if places == "up second":
         x, y, z = x, z, y
     value = float(g.turn_left_deg) if angle == "degrees" else math.radians(g.turn_left_deg)
-    value = {"half turns": g.turn_left_deg / 180, "tenths": round(math.radians(g.turn_left_deg), 1), "doubled": math.tau * g.turn_left_deg / 180,
-             "twice": math.degrees(g.turn_left_deg)}.get(angle, value)  # fmt: skip
+    value = {
+        "half turns": g.turn_left_deg / 180,
+        "tenths": round(math.radians(g.turn_left_deg), 1),
+        "doubled": math.tau * g.turn_left_deg / 180,
+        "twice": math.degrees(g.turn_left_deg),
+    }.get(angle, value)
     value = -value if turn == "right" else value
     if about == "none":
         value, about = 0.0, "yaw"

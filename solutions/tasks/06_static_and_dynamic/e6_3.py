@@ -45,9 +45,19 @@ def message(mount, stamp, ends, moment, place, order, angle, quaternion):
     pitch, yaw = (yaw, pitch) if order == "yaw second" else (pitch, yaw)
     x, y, z, w = Transform.from_rpy(roll=roll, pitch=pitch, yaw=yaw).rotation
     only_yaw = (0.0, 0.0, math.sin(angles[2] / 2), math.cos(angles[2] / 2))
-    ways = {"xyzw": (x, y, z, w), "w first": (w, x, y, z), "taken for w first": (y, z, w, x), "none": (0.0, 0.0, 0.0, 1.0), "angles": (*angles, 1.0),
-            "w left out": (x, y, z, 1.0), "w for z": (x, y, w, 1.0), "z left out": (x, y, 0.0, w), "half angles": (*(math.sin(a / 2) for a in angles), 1.0),
-            "yaw alone": only_yaw, "inverse": (-x, -y, -z, w)}  # fmt: skip
+    ways = {
+        "xyzw": (x, y, z, w),
+        "w first": (w, x, y, z),
+        "taken for w first": (y, z, w, x),
+        "none": (0.0, 0.0, 0.0, 1.0),
+        "angles": (*angles, 1.0),
+        "w left out": (x, y, z, 1.0),
+        "w for z": (x, y, w, 1.0),
+        "z left out": (x, y, 0.0, w),
+        "half angles": (*(math.sin(a / 2) for a in angles), 1.0),
+        "yaw alone": only_yaw,
+        "inverse": (-x, -y, -z, w),
+    }
     turn = t.transform.rotation
     turn.x, turn.y, turn.z, turn.w = ways[quaternion]
     return t

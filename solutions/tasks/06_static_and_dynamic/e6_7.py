@@ -52,8 +52,20 @@ def _log(rng, join, place, stay):
     return letters, ends, join, round(last, 3)
 
 
-def known_children(letters, ends, join_s, now_s, *, past="board", edge="heard", live="both ends", topics="static", boards="own",
-             board="last", dead="gone"):  # fmt: skip
+def known_children(
+    letters,
+    ends,
+    join_s,
+    now_s,
+    *,
+    past="board",
+    edge="heard",
+    live="both ends",
+    topics="static",
+    boards="own",
+    board="last",
+    dead="gone",
+):
     """Return the children that a listener knows, step by step; other arguments are mistakes."""
     held, heard = {}, set()
     is_over = {node for node, ends_s in ends.items() if ends_s <= join_s}
@@ -63,8 +75,12 @@ def known_children(letters, ends, join_s, now_s, *, past="board", edge="heard", 
         sent_s, children = letter["sent_s"], set(letter["children"])
         is_after = sent_s >= join_s if edge == "heard" else sent_s > join_s
         if is_after or past == "everything":
-            in_time = {"both ends": sent_s <= now_s, "after join": join_s < sent_s <= now_s, "before now": sent_s < now_s,
-                       "forever": True}  # fmt: skip
+            in_time = {
+                "both ends": sent_s <= now_s,
+                "after join": join_s < sent_s <= now_s,
+                "before now": sent_s < now_s,
+                "forever": True,
+            }
             is_deaf = topics == "radio unheard" and letter["topic"] == "/tf"
             heard |= children if in_time[live] and past != "only" and not is_deaf else set()
         elif past in ("board", "only") and (letter["topic"] == "/tf_static" or topics in ("both", "each")):

@@ -29,9 +29,25 @@ def origin(xyz, rpy):
     return f'<origin xyz="{" ".join(map(repr, xyz))}" rpy="{" ".join(map(repr, rpy))}"/>'
 
 
-def make_joints(g, *, place="joint", ends="parent first", name="nod_joint", kind="revolute", length="m", side="right", order="x y z",
-             angle="rad", way="right", about="its own", turns="once", hangs="camera_link", lens_length="m", lens="ahead",
-             optical="turned"):  # fmt: skip
+def make_joints(
+    g,
+    *,
+    place="joint",
+    ends="parent first",
+    name="nod_joint",
+    kind="revolute",
+    length="m",
+    side="right",
+    order="x y z",
+    angle="rad",
+    way="right",
+    about="its own",
+    turns="once",
+    hangs="camera_link",
+    lens_length="m",
+    lens="ahead",
+    optical="turned",
+):
     """Return the two joints, step by step; other arguments are mistakes."""
     scale = {"m": 0.01, "cm": 1.0, "mm": 10.0}[length]
     ahead, left, up = g.ahead_cm, -g.to_its_right_cm if side == "right" else g.to_its_right_cm, g.up_cm
@@ -45,8 +61,12 @@ def make_joints(g, *, place="joint", ends="parent first", name="nod_joint", kind
     rpy = {"once": (0.0, 0.0, yaw), "twice": (OPTICAL[0], 0.0, OPTICAL[2] + yaw), "none": (0.0, 0.0, 0.0),
            "roll": (yaw, 0.0, 0.0), "pitch": (0.0, yaw, 0.0), "at the lens": (0.0, 0.0, 0.0)}[turns]  # fmt: skip
     axes = {
-        "its own": (0, 1, 0), "parent": (-math.sin(yaw), math.cos(yaw), 0), "z": (0, 0, 1), "x": (1, 0, 0), "upwards": (0, -1, 0),
-    }  # fmt: skip
+        "its own": (0, 1, 0),
+        "parent": (-math.sin(yaw), math.cos(yaw), 0),
+        "z": (0, 0, 1),
+        "x": (1, 0, 0),
+        "upwards": (0, -1, 0),
+    }
     lens_m = {"m": 0.01, "cm": 1.0, "mm": 10.0}[lens_length] * g.lens_ahead_cm
     lens_xyz = {
         "ahead": (lens_m, 0.0, 0.0),

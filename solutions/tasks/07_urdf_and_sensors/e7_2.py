@@ -30,8 +30,12 @@ def intersect_wall(
     g, *, height="both", angle="rad", way="down", ratio="tan", floor="along the floor", wall="what is left"
 ):
     """Return both points, step by step; other arguments are mistakes."""
-    up = {"both": g.laser_above_base_link_m + g.base_link_above_floor_m, "laser": g.laser_above_base_link_m,
-          "base": g.base_link_above_floor_m, "minus": g.laser_above_base_link_m - g.base_link_above_floor_m}[height]  # fmt: skip
+    up = {
+        "both": g.laser_above_base_link_m + g.base_link_above_floor_m,
+        "laser": g.laser_above_base_link_m,
+        "base": g.base_link_above_floor_m,
+        "minus": g.laser_above_base_link_m - g.base_link_above_floor_m,
+    }[height]
     turn = g.tilt_deg if angle == "deg" else math.radians(g.tilt_deg)
     slope = {
         "tan": math.tan(turn),

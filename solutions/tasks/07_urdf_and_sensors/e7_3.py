@@ -47,8 +47,20 @@ def draw_chains(rng):
     return cases
 
 
-def walk_chain(chain, positions, *, names="by name", order="origin first", product="onwards", turn="rad", kinds="by type",
-         rotation="rpy", frames="each in its parent", fixed="stays", axis="its own"):  # fmt: skip
+def walk_chain(
+    chain,
+    positions,
+    *,
+    names="by name",
+    order="origin first",
+    product="onwards",
+    turn="rad",
+    kinds="by type",
+    rotation="rpy",
+    frames="each in its parent",
+    fixed="stays",
+    axis="its own",
+):
     """Return base_T_tip, joint by joint; other steps are the slips."""
     pose, moved = Transform(), 0
     for number, each in enumerate(chain):

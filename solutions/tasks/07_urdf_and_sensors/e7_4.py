@@ -54,10 +54,11 @@ def draw_robots(rng):
     reports = {
         "other names": f"{APART}\n{joint_states(odd, now, positions)}",
         "stamp zero": f"{APART}\n{joint_states(NAMES, (0, 0), positions)}",
-        "no driver": f"{APART}\n$ ros2 topic info /joint_states\nType: sensor_msgs/msg/JointState\nPublisher count: 0\nSubscription count: 1",
+        "no driver": f"{APART}\n$ ros2 topic info /joint_states\nType: sensor_msgs/msg/JointState\n"
+        "Publisher count: 0\nSubscription count: 1",
         "paint moved": f'{WHOLE}\n{joint} rpy="0 0 0"/> </joint>\n{visual}\n{echoed((x, 0, z), 0.0)}',
         "degrees": f'{WHOLE}\n{joint} rpy="0 0 {degrees}"/> </joint>\n{echoed((x, 0, z), turned)}',
-    }  # fmt: skip
+    }
     shuffled = [str(cause) for cause in rng.permutation(list(reports))]
     return {letter: reports[cause] for letter, cause in zip(ROBOTS, shuffled, strict=True)}
 

@@ -25,8 +25,18 @@ def draw_touches(rng):
     return cases
 
 
-def make_message(base_T_tool0, base_p_tip, *, inverse="turned round", axes="tool", sign="plus", ends="parent first", parent="tool0",
-            rotation="none", stamp="kept"):  # fmt: skip
+def make_message(
+    base_T_tool0,
+    base_p_tip,
+    *,
+    inverse="turned round",
+    axes="tool",
+    sign="plus",
+    ends="parent first",
+    parent="tool0",
+    rotation="none",
+    stamp="kept",
+):
     """Return the message, step by step; other arguments are mistakes."""
     pose = base_T_tool0.inverse() if inverse == "turned round" else base_T_tool0
     place = pose.apply(base_p_tip)

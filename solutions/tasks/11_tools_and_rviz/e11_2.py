@@ -56,8 +56,16 @@ def stamp_of(block):
     return int(one.sec) + int(one.nanosec) / 1e9
 
 
-def compute_numbers(given, *, zeros="nanoseconds", period="of the stamps", time="divided", which="distance", angle="radians",
-         turned="later"):  # fmt: skip
+def compute_numbers(
+    given,
+    *,
+    zeros="nanoseconds",
+    period="of the stamps",
+    time="divided",
+    which="distance",
+    angle="radians",
+    turned="later",
+):
     """Return the three numbers, step by step; other arguments are mistakes."""
     a, b = parts_of(given.first), parts_of(given.second)
 

@@ -28,7 +28,19 @@ def draw_reports(rng):
     return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike]
 
 
-def make_report(rng, future, late_s=None, looks=21, spike=False, second_s=None, static_s=None, early_s=0.05, once_s=None, only="", is_alike=False):  # fmt: skip
+def make_report(
+    rng,
+    future,
+    late_s=None,
+    looks=21,
+    spike=False,
+    second_s=None,
+    static_s=None,
+    early_s=0.05,
+    once_s=None,
+    only="",
+    is_alike=False,
+):
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
@@ -73,11 +85,16 @@ def read_figures(
     if keep == "no static within":
         rows = [row for row in rows if not any(name in row[0] for name in static_frames)]
     by = {
-        "largest max": lambda row: row[2], "largest average": lambda row: row[1], "smallest": lambda row: -row[2],
-        "largest size": lambda row: abs(row[1]), "first": lambda row: -rows.index(row), "last": rows.index, "text": lambda row: texts[row[0]],
+        "largest max": lambda row: row[2],
+        "largest average": lambda row: row[1],
+        "smallest": lambda row: -row[2],
+        "largest size": lambda row: abs(row[1]),
+        "first": lambda row: -rows.index(row),
+        "last": rows.index,
+        "text": lambda row: texts[row[0]],
         "digits": lambda row: float(texts[row[0]].partition("e")[0]),
         "static": lambda row: (row[0] in static_frames, row[2]),
-    }[late]  # fmt: skip
+    }[late]
     below = {
         "average": lambda row: row[1] < 0, "max": lambda row: row[2] < 0, "max is 0": lambda row: row[2] <= 0,
         "average is 0": lambda row: row[1] <= 0, "positive": lambda row: row[1] > 0,
