@@ -8,7 +8,6 @@ import sys
 
 import pytest
 
-from tflab.core import Transform
 from tflab.ros import activation
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.tasks import generate_cases
@@ -154,11 +153,6 @@ def test_variants_are_spread_evenly_over_learners():
     assert min(counts) > 60
     assert variant_of("ada", "E3.1", 3) == variant_of("ada", "E3.1", 3)
     assert variant_of(None, "E3.1", 3) == 0
-
-
-def test_given_values_come_back_as_values(tmp_path):
-    given = make(tmp_path)["E3.1"].variants[0].given
-    assert isinstance(from_plain(given["base_T_laser"]), Transform)
 
 
 def test_an_outline_is_the_task_without_variants(tmp_path):
