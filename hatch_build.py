@@ -1,4 +1,4 @@
-"""Compile four pages of the engine, beside their sources: `make fast`; and say where the project lives.
+"""Compile four modules of the engine, beside their sources: `make fast`; and say where the project lives.
 
 A wheel holds them if it is built with TFLAB_COMPILED=1 in the environment; every
 other build is pure Python.  See tflab/core/builds.py.
@@ -27,13 +27,13 @@ COMPILERS = ["mypy>=1.18", "setuptools>=70", "numpy>=1.26"]
 
 
 def compiled() -> list[Path]:
-    """Compile the pages in place; return the files that were made."""
+    """Compile the modules in place; return the files that were made."""
     from mypyc.build import mypycify
     from setuptools import Distribution
 
-    pages = re.search(r"COMPILED_PAGES = (\(.*?\))", (ROOT / "tflab/core/builds.py").read_text(encoding="utf-8"))
-    assert pages is not None
-    sources = [f"tflab/core/{page}.py" for page in re.findall(r"\w+", pages[1])]
+    modules = re.search(r"COMPILED_MODULES = (\(.*?\))", (ROOT / "tflab/core/builds.py").read_text(encoding="utf-8"))
+    assert modules is not None
+    sources = [f"tflab/core/{name}.py" for name in re.findall(r"\w+", modules[1])]
     os.chdir(ROOT)
     extensions = mypycify(["--strict", "--follow-imports=silent", *sources], opt_level="3", group_name="tflab_core")
     command = Distribution({"name": "tflab", "ext_modules": extensions}).get_command_obj("build_ext")
@@ -46,7 +46,7 @@ def compiled() -> list[Path]:
     return [Path(command.get_ext_fullpath(extension.name)) for extension in extensions]
 
 
-class CompiledPages(BuildHookInterface):  # type: ignore[type-arg]
+class CompiledModules(BuildHookInterface):  # type: ignore[type-arg]
     """Hatchling's hook: puts what is compiled into the wheel, and names the platform in its file name."""
 
     PLUGIN_NAME = "custom"

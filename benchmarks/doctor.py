@@ -28,7 +28,7 @@ from tqdm import tqdm
 
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import Recording, recording_from_records
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.report.sentences import faults_of_code
 from tflab.robots.faults.catalogue import Fault

@@ -15,7 +15,7 @@ import numpy as np
 
 from tflab.bags.recording import Headers, Recording, recording_from_records
 from tflab.core import StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.robots.faults.inject import CannotInject
 
 __all__ = ["CODES_OF_PLANT", "PLANTS", "with_records", "with_transforms_of_odometry"]

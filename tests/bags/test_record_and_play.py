@@ -24,7 +24,6 @@ from tflab.robots.nodes import launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.robots.urdf import parse_urdf
 from tflab.ros import client_library
-from tflab.ros.duration import Duration
 from tflab.ros.graph import new_graph
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.node import Node
@@ -32,7 +31,7 @@ from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.listener import TransformListener
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 from tflab.tools import ros2
 
 SECOND = 1_000_000_000

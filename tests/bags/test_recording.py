@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from tflab.bags.recording import recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 
 SECOND = 1_000_000_000
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from tflab.core import BUILD, BufferCore, StampedTransform, Transform, seconds
-from tflab.core.builds import COMPILED_PAGES
+from tflab.core.builds import COMPILED_MODULES
 
 WHAT_RUNS = (
     "import tflab.core as c; from tflab.core import poses, cache; print(c.BUILD, poses.__file__, cache.__file__)"
@@ -24,12 +24,12 @@ WHAT_RUNS = (
 
 
 def test_the_build_that_is_said_to_run_is_the_one_that_does() -> None:
-    files = [importlib.import_module(f"tflab.core.{page}").__file__ for page in COMPILED_PAGES]
+    files = [importlib.import_module(f"tflab.core.{module}").__file__ for module in COMPILED_MODULES]
     suffixes = tuple(EXTENSION_SUFFIXES) if BUILD == "compiled" else (".py",)
     assert all(file.endswith(suffixes) for file in files), files
 
 
-def test_one_word_in_the_environment_takes_the_pages_as_they_stand() -> None:
+def test_one_word_in_the_environment_takes_the_modules_as_they_stand() -> None:
     environment = {**os.environ, "TFLAB_COMPILED": "0"}
     probe = subprocess.run(
         [sys.executable, "-c", WHAT_RUNS], env=environment, capture_output=True, text=True, check=True

@@ -8,7 +8,7 @@ import pytest
 
 from tflab.bags.recording import Headers, JointStates, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.doctor import examine
 from tflab.doctor.diagnose import EFFECTS_ANYWHERE, EFFECTS_ON_CHILD, diagnose_buffer, diagnose_recording
 from tflab.doctor.report.sentences import describe

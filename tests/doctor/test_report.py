@@ -12,7 +12,7 @@ from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.gather import evidence_from_recording
 from tflab.doctor.report import scene3d

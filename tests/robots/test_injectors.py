@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tflab.core import LATEST, BufferCore, ConnectivityException, LookupException, StampedTransform, Transform, seconds
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.robots.faults import inject as injecting
 from tflab.robots.faults.catalogue import Fault
 from tflab.robots.faults.inject import INJECTORS, CannotInject, inject, inject_all, possible_faults

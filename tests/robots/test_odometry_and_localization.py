@@ -6,9 +6,8 @@ import math
 import pytest
 
 from tflab.core import seconds
-from tflab.robots.localization import Localizer
 from tflab.robots.motion import Drive, Leg
-from tflab.robots.odometry import TRACK_M, WHEEL_RADIUS_M, WheelOdometry
+from tflab.robots.odometry import TRACK_M, WHEEL_RADIUS_M, Localizer, WheelOdometry
 
 
 def off_m(a, b) -> float:

@@ -7,8 +7,7 @@ import pytest
 
 from tflab.core import Transform, seconds
 from tflab.robots.motion import Drive, Leg, PlanarPose
-from tflab.robots.sensors import GRAVITY_MPS2, Camera, Imu, Laser
-from tflab.robots.world import Room, rectangle
+from tflab.robots.sensors import GRAVITY_MPS2, Camera, Imu, Laser, Room, rectangle
 
 BOX = Room(rectangle(-2.0, -1.0, 4.0, 3.0))
 STANDING = Drive([Leg(1.0)], start=PlanarPose(0.0, 0.0, 0.0))

@@ -6,14 +6,14 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
 from tflab.ros.action_goals import GoalEvent, next_status
 from tflab.ros.action_server import ActionServer, CancelResponse, GoalResponse
-from tflab.ros.callback_groups import ReentrantCallbackGroup
-from tflab.ros.duration import Duration
+from tflab.ros.entity import ReentrantCallbackGroup
 from tflab.ros.exceptions import NoTypeSupportImportedException, RCLError
 from tflab.ros.executors import MultiThreadedExecutor
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
 from tflab.ros.messages.example_interfaces import AddTwoInts, Fibonacci
 from tflab.ros.node import Node
+from tflab.ros.time import Duration
 
 
 @pytest.fixture

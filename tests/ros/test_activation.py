@@ -8,9 +8,8 @@ import pytest
 
 from tflab import ros
 from tflab.ros import activation, distro
-from tflab.ros.activation import PACKAGES, is_active
+from tflab.ros.activation import PACKAGES, is_active, load_in_notebook
 from tflab.ros.messages import field_checks
-from tflab.ros.notebook import load_in_notebook
 
 
 @pytest.fixture(autouse=True)
@@ -148,7 +147,7 @@ def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys, 
 def test_deactivating_gives_python_its_own_sleep_back(graph):
     import time
 
-    assert time.sleep.__module__ == "tflab.ros.threads"
+    assert time.sleep.__module__ == "tflab.ros.process"
     ros.deactivate()
     assert time.sleep.__module__ == "time"
 

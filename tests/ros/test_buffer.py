@@ -10,8 +10,6 @@ from tflab.core import (
     seconds,
 )
 from tflab.ros import client_library as rclpy
-from tflab.ros.clock_type import ClockType
-from tflab.ros.duration import Duration
 from tflab.ros.messages.geometry_msgs import Point, Quaternion, TransformStamped, Vector3
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage
 from tflab.ros.node import Node
@@ -20,7 +18,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.core import BufferCore
 from tflab.ros.tf2.interface import BufferInterface, NotImplementedException, TransformRegistration, TypeException
 from tflab.ros.tf2.listener import StaticTransformListener, TransformListener
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Duration, Time
 
 
 def transform(parent, child, stamp_s=0.0, x=0.0):

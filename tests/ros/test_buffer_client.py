@@ -15,7 +15,6 @@ from tflab.core import (
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
 from tflab.ros.action_server import ActionServer, GoalResponse
-from tflab.ros.duration import Duration
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.action_msgs import GoalStatus
 from tflab.ros.messages.geometry_msgs import TransformStamped
@@ -24,7 +23,7 @@ from tflab.ros.node import Node
 from tflab.ros.task import Future
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.client import BufferClient
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 
 NUMBERS = {
     LookupException: TF2Error.LOOKUP_ERROR,

@@ -6,7 +6,7 @@ import pytest
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
-from tflab.ros.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+from tflab.ros.entity import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tflab.ros.exceptions import RCLError, ROSInterruptException
 from tflab.ros.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
 from tflab.ros.messages.rcl_interfaces import GetParameters

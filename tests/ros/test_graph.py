@@ -12,11 +12,10 @@ import pytest
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros import snapshot, virtual
-from tflab.ros.clock_type import ClockType
-from tflab.ros.duration import Duration
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.qos import QoSProfile, ReliabilityPolicy
+from tflab.ros.time import ClockType, Duration
 
 
 def talker(period_s=1.0, topic="chatter", name="talker"):

@@ -6,7 +6,6 @@ import pytest
 
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
 from tflab.ros import client_library
-from tflab.ros.duration import Duration
 from tflab.ros.graph import new_graph
 from tflab.ros.logging import LoggingSeverity, get_logger, set_logger_level
 from tflab.ros.messages.geometry_msgs import PointStamped, TransformStamped
@@ -16,7 +15,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.filters import SimpleFilter, Subscriber
 from tflab.ros.tf2.listener import TransformListener
 from tflab.ros.tf2.message_filter import DropReason, MessageFilter
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 
 
 class NodeWithTimers:

@@ -7,8 +7,7 @@ from tflab.ros.executors import SingleThreadedExecutor
 from tflab.ros.messages.rcl_interfaces import ParameterDescriptor, ParameterEvent, ParameterType
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
-from tflab.ros.parameter_client import AsyncParameterClient
-from tflab.ros.parameter_event_handler import ParameterEventHandler
+from tflab.ros.parameter_services import AsyncParameterClient, ParameterEventHandler
 
 #   /lab/asking  --parameter services-->  /lab/robot: speed = 1.5, ids = [1, 2, 3]
 

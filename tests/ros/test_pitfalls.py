@@ -6,7 +6,6 @@ import pytest
 
 from tflab.core import ExtrapolationException, LookupException, seconds
 from tflab.ros import client_library as rclpy
-from tflab.ros.duration import Duration
 from tflab.ros.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tflab.ros.messages.geometry_msgs import Quaternion, TransformStamped
 from tflab.ros.messages.rosgraph_msgs import Clock
@@ -17,7 +16,7 @@ from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.listener import TransformListener
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 
 
 def transform(parent, child, stamp_ns=0, x=0.0):

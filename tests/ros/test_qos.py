@@ -4,7 +4,6 @@ import warnings
 
 import pytest
 
-from tflab.ros.duration import Duration
 from tflab.ros.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -20,6 +19,7 @@ from tflab.ros.qos import (
     qos_profile_sensor_data,
 )
 from tflab.ros.qos_compatibility import QoSCompatibility, incompatible_policy, qos_check_compatible
+from tflab.ros.time import Duration
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
 TRANSIENT_LOCAL, VOLATILE = DurabilityPolicy.TRANSIENT_LOCAL, DurabilityPolicy.VOLATILE

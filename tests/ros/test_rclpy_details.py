@@ -7,7 +7,6 @@ from unittest.mock import Mock
 import pytest
 
 from tflab.ros import client_library as rclpy
-from tflab.ros.clock_type import ClockType
 from tflab.ros.exceptions import ParameterAlreadyDeclaredException, ParameterNotDeclaredException
 from tflab.ros.messages import geometry_msgs, rcl_interfaces
 from tflab.ros.node import Node
@@ -16,7 +15,7 @@ from tflab.ros.qos import HistoryPolicy, QoSProfile
 from tflab.ros.tf2.broadcaster import TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.listener import TransformListener
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Time
 from tflab.ros.timer import TimerInfo
 
 DYNAMIC = rcl_interfaces.ParameterDescriptor(dynamic_typing=True)

@@ -6,9 +6,8 @@ import pytest
 
 from tflab.ros import client_library as rclpy
 from tflab.ros import logging as ros_logging
-from tflab.ros.callback_groups import ReentrantCallbackGroup
 from tflab.ros.clock import ROSClock
-from tflab.ros.duration import Duration
+from tflab.ros.entity import ReentrantCallbackGroup
 from tflab.ros.exceptions import RCLError
 from tflab.ros.executors import MultiThreadedExecutor
 from tflab.ros.logging import LoggingSeverity, get_logger
@@ -17,7 +16,7 @@ from tflab.ros.names import expand_topic_name
 from tflab.ros.node import Node
 from tflab.ros.qos import CQoSProfile, HistoryPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 from tflab.ros.task import Future
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 from tflab.ros.time_source import TimeSource
 
 # -- logging ------------------------------------------------------------------------

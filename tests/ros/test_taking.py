@@ -3,7 +3,7 @@
 import pytest
 
 from tflab.ros import client_library as rclpy
-from tflab.ros.callback_groups import ReentrantCallbackGroup
+from tflab.ros.entity import ReentrantCallbackGroup
 from tflab.ros.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.std_msgs import String

@@ -5,10 +5,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tflab.ros.clock import Clock, ClockChange, JumpThreshold, ROSClock, TimeJump
-from tflab.ros.clock_type import ClockType
-from tflab.ros.duration import Duration, Infinite
 from tflab.ros.messages import builtin_interfaces
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Duration, Infinite, Time
 
 LARGEST = 2**63 - 1
 

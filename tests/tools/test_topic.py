@@ -5,12 +5,12 @@ from tools_robot import fixed, moving, spin
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
-from tflab.ros.duration import Duration
 from tflab.ros.messages.geometry_msgs import PointStamped
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from tflab.ros.time import Duration
 from tflab.tools.topic_echo import matching_policy
 from tflab.tools.topic_rates import Intervals, statistics_text
 

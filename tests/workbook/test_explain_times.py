@@ -6,9 +6,8 @@ import math
 
 import pytest
 
-from tflab.ros.duration import Duration
 from tflab.ros.messages import builtin_interfaces
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 from tflab.workbook.answers.forms import Number, Parts
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Feedback

@@ -5,7 +5,7 @@ import pytest
 
 from tflab.bags.recording import Connection, Headers, Recording, Transforms, recording_from_records
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.ros.node import Node
 from tflab.workbook import lesson
 

@@ -8,11 +8,10 @@ import re
 import pytest
 
 from tflab.core import BufferCore, ConnectivityException, StampedTransform, Transform
-from tflab.ros.clock_type import ClockType
 from tflab.ros.messages import checks as field_checks
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
 from tflab.workbook.mistakes.python_errors import TIPS, tip_for

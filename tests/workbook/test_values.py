@@ -15,10 +15,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tflab.core import BufferCore, StampedTransform, Transform
-from tflab.ros.duration import Duration
 from tflab.ros.messages import geometry_msgs, sensor_msgs
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 from tflab.workbook.answers.values import from_plain, is_unanswered, raised, to_plain
 
 TURNED = Transform((1.0, 2.0, 3.0), (0.0, 0.0, 0.6, 0.8))

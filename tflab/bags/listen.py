@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC, StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 from tflab.ros import client_library
 from tflab.ros.graph import Graph
 from tflab.ros.messages.base import type_named

@@ -21,7 +21,7 @@ from typing import NamedTuple
 import numpy as np
 
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 
 __all__ = [
     "Clock",

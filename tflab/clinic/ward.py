@@ -24,8 +24,8 @@ from tflab.core import LATEST, NSEC_PER_SEC, TransformException, seconds, stamp_
 from tflab.doctor import examine
 from tflab.doctor.report.text import text_from_report
 from tflab.robots.motion import Drive
+from tflab.robots.sensors import ROOM
 from tflab.robots.teaching import SOURCES, TeachingRobot, teaching_urdf
-from tflab.robots.world import ROOM
 from tflab.ros import client_library as rclpy
 from tflab.ros.executors import ExternalShutdownException
 from tflab.ros.graph import Graph, use_graph

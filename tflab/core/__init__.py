@@ -1,31 +1,29 @@
-"""The engine: where is A as seen from B, at t?  A textbook of short pages.
+"""Look up transforms between frames at any time: the engine.
 
-    stamps       when: time is a whole number of nanoseconds
-    builds       as it stands, or compiled
-    quaternions  which way round: (x, y, z, w), and REP-103's axes
-    poses        seven numbers: how two transforms make one
-    transforms   where: a turn and a step
-    errors       what can go wrong: tf2's family of exceptions
-    plain        the whole rule on one page; the pages after it are fast
-    segments     between two samples, worked out once
-    cache        one edge of the tree, through time
-    tree         who is whose child
-    walk         from one frame to another
-    failures     why there is no answer, in tf2's words
-    routes       the same way again; what is remembered, and when it is forgotten
-    buffer       BufferCore: publish, and ask
-    checks       what may come in, and what is refused
-    requests     call me when you can
-    velocity     how fast does it move
-    describe     the tree in tf2's words
-    columns      the arithmetic for many moments at once
-    batch        a hundred thousand questions at once
-    inspection   what is in there: names, parents, histories
-    snapshot     what there is to draw
-    records      what was heard, before anybody judged it
+    stamps       time as whole nanoseconds
+    builds       the pure or the compiled build
+    quaternions  rotations (x, y, z, w), and the axes of REP-103
+    poses        composition and inversion of seven numbers
+    transforms   Transform, StampedTransform, TransformRecord
+    errors       tf2's exceptions
+    plain        the reference implementation; the modules below are fast
+    segments     interpolation between two samples
+    cache        the samples of one edge
+    tree         frames, their numbers and their caches
+    walk         the path from one frame to another
+    failures     tf2's text for a failed lookup
+    routes       cached paths, and when they are forgotten
+    buffer       BufferCore: publish and look up
+    validation   which transforms and names are accepted
+    requests     callbacks when a transform becomes available
+    velocity     linear and angular velocity of a frame
+    describe     the tree in tf2's texts
+    columns      the same arithmetic for many stamps at once
+    batch        lookups at many stamps at once
+    inspection   names, parents, histories, and a snapshot to draw
 
 Behaviour, order of checks and texts are those of ROS 2's tf2 (geometry2 0.39.1).
-It needs nothing but numpy.  Start with `stamps.py`.
+It needs nothing but numpy. The list is the reading order.
 """
 
 from . import builds, quaternions
@@ -39,9 +37,8 @@ from .errors import (
     TimeoutException,
     TransformException,
 )
-from .inspection import History, Memory
+from .inspection import FrameSnapshot, History, Memory, Snapshot
 from .requests import NEVER, POSSIBLE_NOW
-from .snapshot import FrameSnapshot, Snapshot
 from .stamps import (
     LATEST,
     NSEC_PER_SEC,

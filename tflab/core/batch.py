@@ -1,4 +1,4 @@
-"""A hundred thousand questions at once: where was it at each of these moments?
+"""Look up transforms at many stamps at once.
 
     stamps_ns   [ t0   t1   t2  ... ]      one question each
     answer      [ translations, rotations ], and, for the rows that are NaN, why not

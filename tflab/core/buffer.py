@@ -1,4 +1,4 @@
-"""The buffer: everything that was published, and the answer to "where is A as seen from B, at t?"
+"""Store transforms and look them up: BufferCore.
 
     publish -->  set_transform(parent_T_child, stamp)      one sample of one edge
                               |
@@ -25,7 +25,7 @@ from math import isinf
 
 import numpy as np
 
-from . import batch, checks, columns, velocity
+from . import batch, columns, validation, velocity
 from .cache import Cache, Gap, TimeCache
 from .errors import TransformException
 from .failures import text_from_failure
@@ -49,7 +49,7 @@ class BufferCore(Inspection):
     """
 
     def __init__(self, cache_time_ns: int = DEFAULT_CACHE_TIME_NS) -> None:
-        cache_time_ns = checks.whole_nanoseconds(cache_time_ns, "cache_time_ns")
+        cache_time_ns = validation.whole_nanoseconds(cache_time_ns, "cache_time_ns")
         if cache_time_ns < 0:
             raise ValueError(f"cache_time_ns must not be negative: {cache_time_ns}")
         super().__init__(cache_time_ns)
@@ -76,7 +76,7 @@ class BufferCore(Inspection):
         numbers = stamped.transform.translation + stamped.transform.rotation
         stamp_ns = stamped.stamp_ns
         if type(stamp_ns) is not int or not -(2**63) <= stamp_ns < 2**63:
-            stamp_ns = checks.stamp_in_range(stamp_ns)
+            stamp_ns = validation.stamp_in_range(stamp_ns)
         self._lock.acquire()  # a `with` would cost twice as much, and this is done for every transform
         try:
             edge = self._edges.get((stamped.frame_id, stamped.child_frame_id, is_static))
@@ -87,7 +87,7 @@ class BufferCore(Inspection):
             cache, parent, child = edge
             only_parent = cache.only_parent
             if not cache.insert(stamp_ns, numbers, parent, authority):
-                checks.log_old_data(self._tree.names[child], stamp_ns, authority)
+                validation.log_old_data(self._tree.names[child], stamp_ns, authority)
                 return False
             if cache.only_parent != only_parent:
                 self._shape_changed()
@@ -159,7 +159,7 @@ class BufferCore(Inspection):
             ExtrapolationException: a history on the way does not reach `stamp_ns`.
         """
         if type(stamp_ns) is not int:
-            stamp_ns = checks.whole_nanoseconds(stamp_ns)
+            stamp_ns = validation.whole_nanoseconds(stamp_ns)
         self._lock.acquire()  # a `with` would cost twice as much
         try:
             route = self._routes.known.get((target_frame, source_frame))
@@ -186,9 +186,9 @@ class BufferCore(Inspection):
             TransformException: as for lookup_transform.
         """
         with self._lock:
-            checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-            checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
-            checks.number_in_question(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
+            validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
+            validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+            validation.number_in_question(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
             fixed_T_source = self.lookup_transform(fixed_frame, source_frame, source_ns)
             target_T_fixed = self.lookup_transform(target_frame, fixed_frame, target_ns)
         outer, inner = target_T_fixed.transform, fixed_T_source.transform
@@ -231,11 +231,11 @@ class BufferCore(Inspection):
 
     def why_not(self, target_frame: str, source_frame: str, stamp_ns: int) -> tuple[bool, str]:
         """Return (can_transform, tf2's text why not), the text "" if it can."""
-        stamp_ns = checks.whole_nanoseconds(stamp_ns)
+        stamp_ns = validation.whole_nanoseconds(stamp_ns)
         if target_frame == source_frame:
             return True, ""
         with self._lock:
-            text = checks.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
+            text = validation.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
             if text:
                 return False, text
             way = find_way(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
@@ -247,9 +247,9 @@ class BufferCore(Inspection):
         self, target_frame: str, target_ns: int, source_frame: str, source_ns: int, fixed_frame: str
     ) -> tuple[bool, str]:
         """Return (can_transform_full, tf2's text why not), the text "" if it can."""
-        target_ns, source_ns = checks.whole_nanoseconds(target_ns), checks.whole_nanoseconds(source_ns)
+        target_ns, source_ns = validation.whole_nanoseconds(target_ns), validation.whole_nanoseconds(source_ns)
         with self._lock:
-            text = checks.fault_in_question(
+            text = validation.fault_in_question(
                 self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame
             )
             if text:
@@ -264,8 +264,8 @@ class BufferCore(Inspection):
             TransformException: a bad or unknown name, or no path.
         """
         with self._lock:
-            target = checks.number_in_question(self._tree, "get_latest_common_time", target_frame)
-            source = checks.number_in_question(self._tree, "get_latest_common_time", source_frame)
+            target = validation.number_in_question(self._tree, "get_latest_common_time", target_frame)
+            source = validation.number_in_question(self._tree, "get_latest_common_time", source_frame)
             common_ns = latest_common_time(self._tree, target, source)
             if isinstance(common_ns, Failure):
                 text = text_from_failure(self._tree, common_ns, target_frame, source_frame)
@@ -311,7 +311,7 @@ class BufferCore(Inspection):
         set_transform that decided it.  Return the handle, or
         `requests.POSSIBLE_NOW` or `requests.NEVER`, and then there is no call.
         """
-        stamp_ns = checks.whole_nanoseconds(stamp_ns)
+        stamp_ns = validation.whole_nanoseconds(stamp_ns)
         with self._lock:
             return self._requests.add(target_frame, source_frame, stamp_ns, callback)
 
@@ -327,9 +327,9 @@ class BufferCore(Inspection):
     ) -> tuple[Cache, int, int] | None:
         """Look closely at a transform that is new or odd; return its edge, or None if it is refused."""
         parent, child = stamped.frame_id, stamped.child_frame_id
-        if not (checks.are_ordinary_names(parent, child) and are_ordinary_numbers(numbers)):
-            parent, child = checks.without_slash(parent), checks.without_slash(child)
-            if not checks.is_acceptable(parent, child, numbers, authority):
+        if not (validation.are_ordinary_names(parent, child) and are_ordinary_numbers(numbers)):
+            parent, child = validation.without_slash(parent), validation.without_slash(child)
+            if not validation.is_acceptable(parent, child, numbers, authority):
                 return None
             if any(map(isinf, numbers)):
                 self._tree.has_infinity = True

@@ -1,4 +1,4 @@
-"""Where was the child at time t?  One edge of the tree, through time.
+"""Store the samples of one edge and interpolate between them.
 
 A frame's parent may move it, so every child frame keeps a short history of
 samples.  This page knows nothing of trees or names: parents are numbers.

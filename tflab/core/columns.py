@@ -1,4 +1,4 @@
-"""The same arithmetic for many moments at once, a column of numbers where the pages before have one.
+"""Compute poses and interpolation for many stamps at once, with NumPy columns.
 
     moments_ns  [ t0   t1   t2  ... ]
                   |    |    |                    which segment of the history?  (search)
@@ -24,10 +24,10 @@ import numpy as np
 
 from . import quaternions
 from .cache import Cache, StaticCache, TimeCache
-from .checks import are_ordinary_names
 from .poses import A_BIT, HALF_AND_A_BIT
 from .routes import Route
 from .stamps import LATEST
+from .validation import are_ordinary_names
 
 __all__ = ["Tables", "along", "columns_from_arrays", "integer_stamps", "is_plain", "signs"]
 

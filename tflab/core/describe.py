@@ -1,4 +1,4 @@
-"""What is in there?  The tree in words: as a list, as YAML, as a Graphviz drawing.
+"""Describe the tree as tf2's tools do: as a list, as YAML, as a Graphviz drawing.
 
     Frame base_link exists with parent odom.
 

@@ -1,4 +1,4 @@
-"""What can go wrong?  tf2's family of exceptions, each a different kind of "no".
+"""Define tf2's exceptions.
 
     TransformException
     |-- LookupException           the buffer has never heard of that name

@@ -1,11 +1,11 @@
-"""Why is there no answer?  tf2's words, and beside them what we know of the cause.
+"""Build tf2's exception for a failed lookup, with the cause in attributes.
 
     find_way  ->  Failure("future", laser, t, t_newest)  ->  ExtrapolationException
                           "disconnected"                 ->  ConnectivityException
                           "loop"                         ->  LookupException
 
 The texts are tf2's to the letter, so that a web search and a robot agree.  Names
-in a question are judged first: see `checks.py`.
+in a question are judged first: see `validation.py`.
 
 tf2: BufferCore::createExtrapolationException1..3, createConnectivityErrorString.
 """

@@ -1,11 +1,11 @@
-"""What is in the buffer?  Names, parents, histories and their weight; nothing here changes anything.
+"""Read the content of a buffer without changing it: names, parents, histories, memory, and a snapshot to draw.
 
     odom -> base_link    o---o---o--o---o      stamps, parents, authorities, transforms
-    base_link -> laser   ================      bolted on: one sample, good for any time
+    base_link -> laser   ================      static: one sample, valid at any time
 
-Tools, timelines and tests read a buffer through these methods; a lookup does not
-need them.  tf2 has some (allFramesAsYAML, getParent); histories it keeps to
-itself.
+A view never holds a buffer. It gets a `Snapshot`, the tree at one time as plain
+values, or a function to look transforms up. tf2 has some of these methods
+(allFramesAsYAML, getParent), but not the histories.
 """
 
 from __future__ import annotations
@@ -15,18 +15,87 @@ from typing import NamedTuple
 
 import numpy as np
 
-from . import checks, describe
+from . import describe, validation
 from .cache import Gap
 from .columns import Tables
+from .describe import edges
 from .failures import exception_from_failure
 from .routes import Routes
-from .snapshot import Snapshot, snapshot_of
 from .stamps import LATEST
-from .transforms import Transform
+from .transforms import Transform, transform_from_pose
 from .tree import FrameTree
 from .walk import Failure, Way, find_way, frames_on_way
 
-__all__ = ["History", "Inspection", "Memory"]
+__all__ = ["FrameSnapshot", "History", "Inspection", "Memory", "Snapshot", "snapshot_of"]
+
+
+class FrameSnapshot(NamedTuple):
+    """One child of the tree.
+
+    Attributes:
+        name, parent: the edge, as its newest sample has it.
+        is_static: whether it is good for any time.
+        owners: every (parent, authority) within its history, in alphabetical order; more than one is a fault.
+        samples: how many are stored.
+        rate_hz: how many a second, as tf2 reckons it; 0 for a static one.
+        oldest_ns, newest_ns: where its history begins and ends [ns]; 0 for a static one.
+        parent_T_frame: its newest transform.
+    """
+
+    name: str
+    parent: str
+    is_static: bool
+    owners: tuple[tuple[str, str], ...]
+    samples: int
+    rate_hz: float
+    oldest_ns: int
+    newest_ns: int
+    parent_T_frame: Transform
+
+    @property
+    def parents(self) -> tuple[str, ...]:
+        """Return every parent that it had, in alphabetical order."""
+        return tuple(sorted({parent for parent, _ in self.owners}))
+
+    def authorities(self, parent: str) -> tuple[str, ...]:
+        """Return everybody who set it under one parent, in alphabetical order; "" who is not known is left out."""
+        return tuple(sorted({who for each, who in self.owners if each == parent and who}))
+
+
+class Snapshot(NamedTuple):
+    """A tree at one moment.
+
+    Attributes:
+        roots: frames without a parent, in the order of first mention; more than one means separate trees.
+        frames: the others, in the order of first mention.
+    """
+
+    roots: tuple[str, ...]
+    frames: tuple[FrameSnapshot, ...]
+
+
+def snapshot_of(tree: FrameTree) -> Snapshot:
+    """Return what there is to draw of a tree now."""
+    rates_hz = {edge.child: edge.rate_hz for edge in edges(tree)}
+    roots, frames = [], []
+    for name, cache in zip(tree.names[1:], tree.caches[1:], strict=True):
+        if cache is None or (newest := cache.newest()) is None:
+            roots.append(name)
+            continue
+        frames.append(
+            FrameSnapshot(
+                name=name,
+                parent=tree.names[newest.parent],
+                is_static=cache.is_static,
+                owners=tuple(sorted((tree.names[parent], authority) for parent, authority in cache.owners())),
+                samples=len(cache),
+                rate_hz=0.0 if cache.is_static else rates_hz[name],
+                oldest_ns=cache.oldest_ns,
+                newest_ns=cache.newest_ns,
+                parent_T_frame=transform_from_pose(newest.pose),
+            )
+        )
+    return Snapshot(tuple(roots), tuple(frames))
 
 
 class History(NamedTuple):
@@ -107,7 +176,7 @@ class Inspection:
             TransformException: as for BufferCore.lookup_transform.
         """
         with self._lock:
-            way = self._way(target_frame, source_frame, checks.whole_nanoseconds(stamp_ns))
+            way = self._way(target_frame, source_frame, validation.whole_nanoseconds(stamp_ns))
             frames = frames_on_way(self._tree, way, self._tree.numbers[source_frame])
             return [self._tree.names[frame] for frame in frames]
 
@@ -119,7 +188,7 @@ class Inspection:
         """
         with self._lock:
             if frame not in self._tree.numbers:
-                raise checks.unknown_frame(self._tree, "history", frame)
+                raise validation.unknown_frame(self._tree, "history", frame)
             return _history_of(self._tree, self._tree.numbers[frame])
 
     def memory(self) -> Memory:
@@ -161,8 +230,8 @@ class Inspection:
 
     def _way(self, target_frame: str, source_frame: str, stamp_ns: int) -> Way:
         """Return tf2's way between two frames at a moment, or raise its reason why there is none."""
-        target = checks.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-        source = checks.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+        target = validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
+        source = validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
         way = find_way(self._tree, target, source, stamp_ns)
         if isinstance(way, Failure):
             raise exception_from_failure(self._tree, way, target_frame, source_frame)

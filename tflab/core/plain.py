@@ -1,4 +1,4 @@
-"""What is tf2's rule?  The whole buffer on one page, as slow as it likes, with nothing remembered.
+"""Implement tf2's rules in one module, without caches: the reference for the fast implementation.
 
     set_transform("odom", "base_link", t, odom_T_base)
         moving["base_link"] = [ newest | ... | oldest ]           each sample names its parent
@@ -9,7 +9,7 @@
         camera_T_laser = inverse(map_T_camera) @ map_T_laser
 
 Every page after this one does the same, faster, and in tf2's words where there
-is no answer.  The tests play the recordings of the real tf2 on this page too, and
+is no answer.  The tests play the recordings of the real tf2 on this module too, and
 hold the fast engine to it: it is their reference implementation, the oracle.
 (Two oddities are left to the fast pages: a frame that is called NO_PARENT, and
 translations that are infinite.)

@@ -1,4 +1,4 @@
-"""Seven numbers: how do two transforms make one?  Where, and which way round.
+"""Compose and invert poses of seven numbers.
 
     (x, y, z, qx, qy, qz, qw)        a step [m], and a turn of length one
 

@@ -1,4 +1,4 @@
-"""Which way round?  A rotation is four numbers: (x, y, z, w), in that order, always.
+"""Compute with quaternions (x, y, z, w).
 
     (x, y, z) = axis * sin(angle / 2)        w = cos(angle / 2)
 

@@ -1,4 +1,4 @@
-"""Call me when you can: waiting for a transform without asking again and again.
+"""Queue requests for transforms that are not available yet, and call back.
 
     request(map <- laser at t)  ->  handle 1, 2, 3, ...    queued
                                     POSSIBLE_NOW  (0)      ask at once, there will be no call

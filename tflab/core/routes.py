@@ -1,4 +1,4 @@
-"""The same way again?  Then there is no need to climb: a route, and all else that the engine remembers.
+"""Cache the paths between frames, and forget them when the tree changes.
 
     ("camera", "laser")  ->  Route    up    laser's history
                                       down  camera's history

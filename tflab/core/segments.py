@@ -1,4 +1,4 @@
-"""Where is the child between two samples?  On a straight line, turning along the shorter arc.
+"""Interpolate between two samples: linear in position, slerp in rotation.
 
     sample i                                sample i + 1
        o------------------x---------------------o

@@ -1,4 +1,4 @@
-"""When?  Time is a whole number of nanoseconds.
+"""Convert and format stamps: whole nanoseconds.
 
     seconds(1.5)  ->  1_500_000_000  ->  "1.500000"
     a person          the machine        tf2's error texts

@@ -1,25 +1,27 @@
-"""Where is it?  A transform: first a turn, then a step.
+"""Define a rigid transform, a transform with frames and stamp, and a transform as received.
 
-                        apply
-    source_p_tip  ------------------>  target_p_tip
-                 target_T_source
+    target_T_source = Transform(translation, rotation)
 
-`target_T_source` moves coordinates written in *source* into *target*; the same
-numbers are the pose of source as seen from target.  In a message, target is the
-parent (`header.frame_id`) and source is the child (`child_frame_id`).
-Neighbours must match, like dominoes:
+It gives the pose of source in target, and it converts coordinates from source to
+target: p_target = R p_source + t. In a message, target is the parent
+(`header.frame_id`) and source is the child (`child_frame_id`). Neighbouring frame
+names must match:
 
     map_T_base = map_T_odom @ odom_T_base
     map_p_tip = map_T_base.apply(base_p_tip)
 
-`Transform` and `StampedTransform` are what people hold in their hands; the
-arithmetic is that of the page before.  (REP-103 axes; geometry_msgs/Transform.)
+A `TransformRecord` is a transform as it arrived, valid or not: with slashes in names,
+zero quaternions or stamps that go backwards. Its `stamped.stamp_ns` is the time of the
+transform by the publisher's clock; its `receive_ns` is the time of arrival by the
+listener's clock. A stream is a `list[TransformRecord]` in the order of arrival.
+(REP-103 axes; geometry_msgs/Transform.)
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -27,7 +29,7 @@ from . import quaternions
 from .poses import Pose, compose, invert
 from .quaternions import Quaternion, Vector3
 
-__all__ = ["StampedTransform", "Transform"]
+__all__ = ["StampedTransform", "Transform", "TransformRecord"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -204,3 +206,21 @@ def _floats(values: Sequence[float], count: int, what: str) -> tuple[float, ...]
     if len(floats) != count:
         raise ValueError(f"{what} needs {count} numbers, not {len(floats)}: {values!r}")
     return floats
+
+
+class TransformRecord(NamedTuple):
+    """One transform of one message.
+
+    Attributes:
+        topic: as recorded, "/tf" or "/robot1/tf_static".
+        receive_ns: when it was heard [ns], by the listener's clock.
+        publisher: full name of the node, "/wheel_odometry"; "" if it is not known.
+        stamped: frame names, stamp and numbers exactly as sent, valid or not.
+        is_static: whether it came as a static transform: on a `/tf_static` topic.
+    """
+
+    topic: str
+    receive_ns: int
+    publisher: str
+    stamped: StampedTransform
+    is_static: bool

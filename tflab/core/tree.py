@@ -1,4 +1,4 @@
-"""Who is whose child?  Names, numbers, and one history for each child.
+"""Number the frames and keep one cache for each child.
 
             map  (1: no history, so a root)
              |

@@ -1,4 +1,4 @@
-"""How fast does it move?  The change of a transform over a short interval.
+"""Compute the velocity of a frame from two transforms.
 
          start            stamp             end
     -------|----------------|----------------|------->  time

@@ -1,4 +1,4 @@
-"""How do I get from one frame to another?  Up from the source, up from the target, until they meet.
+"""Find the path between two frames and their latest common time.
 
                  map                 lookup(target=camera, source=laser, t)
                   |

@@ -1,24 +1,22 @@
-"""Robots: what a robot is made of, where its parts are, and how it moves, measures and fails.
+"""Simulate robots: model, motion, sensors, nodes and faults.
 
-    model             what a URDF says: links, joints, shapes
-    xml_lines         XML that remembers its lines
-    urdf              a file -> a model, or an error that helps
-    kinematics        joint positions -> where every link is
+    model             links, joints and shapes
+    xml_lines         XML with line numbers
+    urdf              URDF -> model, or an error with its line
+    kinematics        joint positions -> poses of the links
     state_publisher   robot_state_publisher: a model and joint states -> /tf, /tf_static
 
-    chance            what is drawn, from a seed and a name
-    motion            where the teaching robot truly is
-    odometry          what its wheels make of that: slip and drift
-    localization      map -> odom, corrected now and then
-    world             a room, and rays that meet its walls
-    readings          what a sensor says, and when
-    sensors           laser, camera and imu
+    chance            random generators from a seed and a name
+    motion            the true motion of the teaching robot
+    odometry          wheel odometry with drift, and a localizer that corrects map -> odom
+    readings          values of sensors with their stamps
+    sensors           laser, camera and IMU in a room
     teaching          the whole robot, without ROS: buffers, records, readings
     reading_messages  readings as ROS messages
-    nodes             the same robot on ROS, one node for each source
+    nodes             the same robot on ROS, one node for each publisher
     circle            the lecture's circle, as written and as meant
 
-    faults/           what goes wrong, and how to make it go wrong
+    faults/           faults to inject into recordings
 
-Start with `model.py`.
+The list is the reading order.
 """

@@ -1,4 +1,4 @@
-"""What happens by chance here, and yet the same every time?  Whatever is drawn, from a seed and a name.
+"""Make a random generator from a seed and a name.
 
     chance(0, "laser")    a stream of numbers of its own      (a pseudo-random generator, seeded by name)
     chance(0, "camera")   another one, which has nothing to do with it

@@ -1,4 +1,4 @@
-"""Does the lecture's robot drive forward?  A circle, as written and as meant.
+"""Drive the lecture's circle, as the lecture writes it and as it is meant.
 
     theta grows by 0.01 rad, twenty times a second: 0.2 rad/s, and at 1 m radius 0.2 m/s
 

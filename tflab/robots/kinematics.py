@@ -1,4 +1,4 @@
-"""Joint positions in: where is every link?  (Forward kinematics.)
+"""Compute the poses of links from joint positions (forward kinematics).
 
     root_T_tool = root_T_shoulder @ shoulder_T_elbow @ elbow_T_tool
 

@@ -1,4 +1,4 @@
-"""What is a robot made of?  Links, and joints that hold them together.
+"""Define a robot model: links, joints and shapes.
 
     base_link ---[ joint: origin, axis, type ]---> arm_link
      (parent)                                       (child)

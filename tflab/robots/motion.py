@@ -1,4 +1,4 @@
-"""Where is the robot really?  A drive: the true pose as a function of time.
+"""Define the true motion of a robot: its pose as a function of time.
 
     Leg(4 s, 0.5 m/s straight)  Leg(2 s, turning left)  ...
     start o------------------------.

@@ -1,4 +1,4 @@
-"""The robot of the workbook on ROS: one node for each source.
+"""Run the teaching robot on ROS: one node for each publisher.
 
     joint_driver ----- /joint_states --> robot_state_publisher -- /tf, /tf_static
     wheel_odometry --- /odom, /tf (odom -> base_footprint)

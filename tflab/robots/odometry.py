@@ -1,29 +1,32 @@
-"""Where do the wheels think we are?  Counting turns, with slip and drift.
+"""Simulate wheel odometry with slip and drift, and a localizer that corrects map -> odom.
 
-    encoder ticks --> how far each wheel rolled --> one small arc after another --> odom_T_base
+    map ---- corrected now and then ---> odom ---- smooth, drifting ---> base_footprint
 
-    true path   o-----------.           odom   o----------.
-                            |                             '.     smooth, never jumps,
-                            |                               '.   and ever further off
+    encoder ticks --> distance of each wheel --> small arcs, added up --> odom_T_base
+    map_T_odom = map_T_base (measured) @ odom_T_base (at the same stamp).inverse()
 
-Two errors are enough for what a robot does: one wheel is a little larger than the
-other (a bias: the path bends), and the ground gives way by chance (slip).  Errors
-are added up and never taken back, which is why `odom` drifts (REP-105).
+The odometry has two errors: one wheel is a little larger than the other, and the
+wheels slip at random. Errors add up, so `odom` drifts and never jumps (REP-105).
 
-Everything is worked out once, from a seed, when the object is made: the same stamp
-always gives the same pose.
+A localizer, such as AMCL or SLAM, measures `map_T_base` from scans. It cannot publish
+that edge, because base_footprint already has a parent, so it publishes map -> odom.
+Each correction is a jump of `odom` in `map`.
+
+Everything is computed from a seed when the object is made: the same stamp always
+gives the same pose.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
-from tflab.core import NSEC_PER_SEC
+from tflab.core import NSEC_PER_SEC, seconds
 
 from .chance import chance
 from .motion import Drive, PlanarPose
 
-__all__ = ["STEP_NS", "TRACK_M", "WHEEL_RADIUS_M", "WheelOdometry"]
+__all__ = ["STEP_NS", "TRACK_M", "WHEEL_RADIUS_M", "Localizer", "WheelOdometry"]
+
 
 WHEEL_RADIUS_M = 0.10
 TRACK_M = 0.30  # from wheel to wheel
@@ -83,3 +86,46 @@ def _between(table: np.ndarray, elapsed_ns: int) -> tuple[float, ...]:
     before = min(int(place), len(table) - 2)
     ratio = place - before
     return tuple(((1.0 - ratio) * table[before] + ratio * table[before + 1]).tolist())
+
+
+class Localizer:
+    """Corrects the drift of a wheel odometry.
+
+    Args:
+        period_s: time between corrections [s].
+        delay_s: time from the scan to the correction that it leads to [s].
+        sigma_m, sigma_rad: standard deviation of the measured position [m] and heading [rad].
+        seed: of those errors.
+    """
+
+    def __init__(
+        self,
+        drive: Drive,
+        odometry: WheelOdometry,
+        period_s: float = 2.0,
+        delay_s: float = 0.1,
+        sigma_m: float = 0.01,
+        sigma_rad: float = 0.003,
+        seed: int = 0,
+    ) -> None:
+        self._drive, self._odometry = drive, odometry
+        self._period_ns, self._delay_ns = seconds(period_s), seconds(delay_s)
+        self._sigmas = np.array([sigma_m, sigma_m, sigma_rad])
+        self._seed = seed
+
+    def map_T_odom_at(self, stamp_ns: int) -> PlanarPose:
+        """Return the correction in force at `stamp_ns` [ns]."""
+        number = max((stamp_ns - self._delay_ns - self._drive.start_ns) // self._period_ns, 0)
+        scan_ns = self._drive.start_ns + number * self._period_ns
+        return self.measured_at(scan_ns).then(self._odometry.pose_at(scan_ns).back())
+
+    def measured_at(self, scan_ns: int) -> PlanarPose:
+        """Return `map_T_base_footprint` as a scan at `scan_ns` [ns] shows it: the truth, nearly.
+
+        The first pose is given, as a person does by hand at the start, so it is exact.
+        """
+        truth = self._drive.pose_at(scan_ns)
+        if scan_ns <= self._drive.start_ns:
+            return truth
+        error = chance(self._seed, "localization", scan_ns).standard_normal(3) * self._sigmas
+        return PlanarPose(*(np.array(truth) + error).tolist())

@@ -1,4 +1,4 @@
-"""How does a reading look on the wire?  The robot's values as ROS messages.
+"""Convert sensor readings to ROS messages.
 
     Scan -> sensor_msgs/LaserScan        Detection       -> geometry_msgs/PointStamped
     ImuReading -> sensor_msgs/Imu        OdometryReading -> nav_msgs/Odometry
@@ -15,7 +15,7 @@ from tflab.ros.convert import msg_from_stamp, msg_from_transform
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
 
 from .readings import Detection, ImuReading, JointReading, OdometryReading, Scan
-from .world import Room
+from .sensors import Room
 
 __all__ = ["imu_msg", "joint_state_msg", "laser_scan_msg", "occupancy_grid_msg", "odometry_msg", "point_msg"]
 

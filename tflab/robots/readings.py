@@ -1,4 +1,4 @@
-"""What did a sensor say, and when?  Values with the stamp of their measurement.
+"""Define sensor readings: values with the stamp of their measurement.
 
     measured at stamp_ns --- processing, network ---> heard at receive_ns
                              (never zero)

@@ -1,4 +1,4 @@
-"""Who tells TF where the links are?  robot_state_publisher: a URDF and joint states in, transforms out.
+"""Publish the transforms of a robot model, as robot_state_publisher does.
 
     robot_description (parameter) ---+--> /robot_description   latched, as text
                                      |--> /tf_static           fixed joints, once

@@ -1,4 +1,4 @@
-"""Which robot do we look at all through the book?  One with two wheels, four sensors and an arm.
+"""Define the workbook's robot: two wheels, four sensors and an arm.
 
     map --localization--> odom --wheel_odometry--> base_footprint --robot_state_publisher--> base_link
                                                                      laser_frame, camera_link, imu_link,
@@ -24,18 +24,16 @@ from typing import NamedTuple
 
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import Vector3
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 
 from .chance import chance
 from .kinematics import joint_transform, link_poses
-from .localization import Localizer
 from .model import Robot
 from .motion import Drive
-from .odometry import WheelOdometry
+from .odometry import Localizer, WheelOdometry
 from .readings import JointReading, OdometryReading, Reading
-from .sensors import Camera, Imu, Laser
+from .sensors import BALL, ROOM, Camera, Imu, Laser, Room
 from .urdf import parse_urdf
-from .world import BALL, ROOM, Room
 
 __all__ = ["SOURCES", "Source", "TeachingRobot", "teaching_urdf"]
 

@@ -1,4 +1,4 @@
-"""What does this URDF say?  A file, read as it is, or an error that helps.
+"""Read a URDF into a robot model, or report what is wrong with it and where.
 
     robot.urdf  -->  elements with lines  -->  links, joints  -->  one tree  -->  Robot
                       (xml_lines)               numbers, names      root, no loop

@@ -1,4 +1,4 @@
-"""Which line was that?  XML elements that remember where they stood in the file.
+"""Parse XML and keep the line numbers of its elements.
 
     <robot name="r">           Element("robot", {"name": "r"}, line=1)
       <link name="a"/>           Element("link", {"name": "a"}, line=2)

@@ -1,6 +1,6 @@
-"""ROS 2 in one process: nodes, topics, clocks and tf2_ros, import-compatible with the real ones.
+"""Run ROS 2 in one process: nodes, topics, clocks and tf2_ros, import-compatible with the real ones.
 
-In a script (wall time; stands aside beside a real ROS 2):
+In a script (wall time; steps aside for a real ROS 2):
 
     import tflab.ros
     tflab.ros.activate()
@@ -37,27 +37,23 @@ also init, create nodes and spin, and time passes while it does.
 
 In reading order:
 
-    activation  distro                                   modules put in place
-    messages/                                            what nodes send each other
-    clock_type  duration  time                           when, and for how long
-    process  virtual  wall  graph  threads  network      who lives here, and how time passes
-    qos  qos_compatibility  names  exceptions  arguments  context  logging  logging_filters
-    entity  event_handler  timer  guard_condition  publisher  subscription  service
-    action_goals  action_server  action_client           what takes longer than an answer
-    callback_groups  task  executors  signals
-    parameter  node_parameters  parameter_service  parameter_client  parameter_event_handler
+    activation  distro                                   import rclpy, %load_ext tflab
+    messages/                                            message types
+    time  process  virtual  wall  graph  network         processes, topics and the passing of time
+    qos  qos_compatibility  names  exceptions  arguments  context  logging
+    entity  event_handler  timer  topic_endpoints  service
+    action_goals  action_server  action_client           actions
+    task  executors
+    parameter  node_parameters  parameter_services
     clock  time_source
     node  node_entities  graph_queries  lifecycle_states  lifecycle
     client_library  wait_for_message  serialization
     convert  tf2/                                        engine values and messages; tf2_ros
-    snapshot  notebook  run                              looking at a graph, pages, scripts
-
-Start with `activation.py`.
+    snapshot  run                                        a graph as plain values; scripts
 """
 
-from .activation import activate, deactivate, is_active
+from .activation import activate, deactivate, is_active, load_in_notebook
 from .graph import Graph, Participant, current_graph, new_graph
-from .notebook import load_in_notebook
 from .run import run_files
 from .snapshot import snapshot
 

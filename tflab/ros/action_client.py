@@ -1,4 +1,4 @@
-"""Who asks for what takes long?  An action client: sends goals, hears how they go, waits for results, calls them off.
+"""Send goals to an action server, follow them and cancel them.
 
     send_goal_async(goal, feedback_callback)  -->  a handle: accepted?
     handle.get_result_async()                 -->  status and result, when it is done
@@ -16,8 +16,7 @@ from typing import Any
 
 from .action_goals import action_entity_name, goal_key, is_done
 from .action_server import FEEDBACK_QOS
-from .callback_groups import CallbackGroup
-from .entity import Kind
+from .entity import CallbackGroup, Kind
 from .messages.action_msgs import GoalInfo, GoalStatus
 from .messages.base import Action, Message, is_action_class
 from .messages.unique_identifier_msgs import UUID

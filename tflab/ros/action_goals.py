@@ -1,4 +1,4 @@
-"""How far is a goal?  The states of an action's goal, and what moves it from one to the next.
+"""Define the states of an action's goal and the transitions between them.
 
     ACCEPTED --execute--> EXECUTING --succeed--> SUCCEEDED
         |                     |------abort-----> ABORTED

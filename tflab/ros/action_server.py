@@ -1,4 +1,4 @@
-"""Who works on what takes long?  An action server: goals come in, feedback and one result go out.
+"""Serve an action: accept goals, publish feedback, return results.
 
     send_goal    goal_callback: accept?  -->  handle_accepted_callback  -->  execute_callback
     cancel_goal  cancel_callback: may it be given up?                          |  publish_feedback(...)
@@ -19,7 +19,7 @@ from typing import Any
 from tflab.core import NSEC_PER_SEC
 
 from .action_goals import GoalEvent, action_entity_name, goal_key, is_done, may_be_cancelled, next_status
-from .callback_groups import CallbackGroup, ReentrantCallbackGroup
+from .entity import CallbackGroup, ReentrantCallbackGroup
 from .messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
 from .messages.base import Action, Message, is_action_class
 from .node_entities import check_type

@@ -9,6 +9,8 @@ environment variable decides:
     TFLAB_ROS=in-process    always the in-process modules
     TFLAB_ROS=real          always the real ones, an error if there are none
 
+`load_in_notebook` is what `%load_ext tflab` calls: these modules on virtual time, with field checks.
+
 ROS 1 also has a `tf2_ros`, but no `rclpy`, so only `rclpy` tells that ROS 2 is here.
 """
 
@@ -23,10 +25,16 @@ from importlib.machinery import ModuleSpec
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
-from . import threads
+from . import distro
+from .graph import Graph, new_graph
+from .logging import write_to_stdout
+from .messages import set_field_checks
+from .process import restore_threads
 
-__all__ = ["PACKAGES", "activate", "deactivate", "is_active"]
+__all__ = ["PACKAGES", "activate", "deactivate", "is_active", "load_in_notebook"]
+
 
 FOLDER = Path(__file__).parent
 MESSAGES = f"{__package__}.messages"
@@ -159,7 +167,7 @@ def activate(which: str | None = None) -> str:
 
 def deactivate() -> None:
     """Undo activate(): the names belong to nobody again, and what was imported is forgotten."""
-    threads.uninstall()
+    restore_threads()
     if not is_active():
         return
     sys.meta_path.remove(_finder)
@@ -181,3 +189,18 @@ def _refuse_strangers() -> None:
 def _is_ours(name: str) -> bool:
     spec = getattr(sys.modules[name], "__spec__", None)
     return spec is not None and spec.loader is _finder
+
+
+def load_in_notebook(ipython: Any) -> Graph:
+    """Activate the in-process modules, make the kernel's current graph, and say so in one line.
+
+    Raises:
+        ImportError: a real ROS 2 module was imported before.
+    """
+    activate("in-process")
+    set_field_checks(True)
+    write_to_stdout(True)  # in pages a log line is an output like any other
+    graph = new_graph(virtual=True)
+    ipython.push({"graph": graph})
+    print(f"tflab: in-process ROS 2 ({distro.current().name}), virtual time, message fields checked.")
+    return graph

@@ -1,4 +1,4 @@
-"""What was said on the command line?  `--ros-args`: remappings, parameters, log levels.
+"""Parse `--ros-args`: remappings, parameters, log levels.
 
 node.py --ros-args -r __node:=robot1 -r /tf:=/robot1/tf -p use_sim_time:=true --params-file p.yaml
 """

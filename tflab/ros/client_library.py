@@ -1,4 +1,4 @@
-"""A program's life: init, node, spin, shutdown.  The functions of the module `rclpy`.
+"""Provide the functions of the module `rclpy`: init, create_node, spin, shutdown.
 
 ```
 rclpy.init()              the process's default context begins
@@ -16,12 +16,10 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
-from . import signals
-from .context import Context
+from .context import Context, SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .executors import Executor, SingleThreadedExecutor
 from .graph import current_process
 from .node import Node
-from .signals import SignalHandlerOptions
 from .task import Future
 
 __all__ = [
@@ -56,7 +54,7 @@ class InitContextManager:
         self.context.try_shutdown()
         if process.default_context is self.context:
             process.default_context = None
-        signals.uninstall_signal_handlers()
+        uninstall_signal_handlers()
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
@@ -82,7 +80,7 @@ def init(
     context = get_default_context() if context is None else context
     if signal_handler_options is None:
         signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
-    signals.install_signal_handlers(signal_handler_options)
+    install_signal_handlers(signal_handler_options)
     context.init(args, domain_id=domain_id)
     return InitContextManager(context)
 
@@ -102,7 +100,7 @@ def shutdown(*, context: Context | None = None, uninstall_handlers: bool | None 
     is_default = context is None
     (get_default_context(shutting_down=True) if context is None else context).shutdown()
     if uninstall_handlers or (uninstall_handlers is None and is_default):
-        signals.uninstall_signal_handlers()
+        uninstall_signal_handlers()
 
 
 def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | None = None) -> None:
@@ -113,7 +111,7 @@ def try_shutdown(*, context: Context | None = None, uninstall_handlers: bool | N
     if is_default and not context.ok():
         current_process().default_context = None
     if uninstall_handlers or (uninstall_handlers is None and is_default):
-        signals.uninstall_signal_handlers()
+        uninstall_signal_handlers()
 
 
 def rmw_implementation() -> str:

@@ -1,4 +1,4 @@
-"""What time is it?  rclpy's clocks, and those who want to know when time jumps.
+"""Provide rclpy's clocks and their time jump callbacks.
 
 ```
 SYSTEM_TIME   the graph's clock: virtual in pages, the machine's in real time
@@ -13,11 +13,9 @@ from collections.abc import Callable
 from enum import IntEnum
 from typing import Any
 
-from .clock_type import ClockType
-from .duration import Duration
 from .exceptions import NotInitializedException
 from .graph import current_process
-from .time import Time
+from .time import ClockType, Duration, Time
 
 __all__ = ["Clock", "ClockChange", "ClockType", "JumpHandle", "JumpThreshold", "ROSClock", "TimeJump"]
 

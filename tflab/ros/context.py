@@ -1,14 +1,21 @@
-"""From init to shutdown: a context, and what hangs on it.
+"""Manage contexts, from init to shutdown, and what Ctrl-C does to them.
 
-rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
+    rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
+
+Ctrl-C shuts the contexts down first, and then interrupts. So on ROS 2 a program that
+ends with `finally: rclpy.shutdown()` raises an RCLError there. In pages there is no
+signal: `graph.stop()` interrupts and leaves the context valid.
 """
 
 from __future__ import annotations
 
+import signal
 import threading
 import weakref
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from enum import IntEnum
+from types import FrameType
 from typing import Any
 
 from .arguments import Arguments, parse_arguments
@@ -16,7 +23,8 @@ from .exceptions import RCLError
 from .graph import current_process
 from .logging import set_logger_level
 
-__all__ = ["Context"]
+__all__ = ["Context", "SignalHandlerOptions", "install_signal_handlers", "uninstall_signal_handlers"]
+
 
 ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
 
@@ -157,3 +165,41 @@ class Context:
 
     def __exit__(self, *exc: object) -> None:
         self.try_shutdown()
+
+
+class SignalHandlerOptions(IntEnum):
+    """Which signals rclpy.init() listens to."""
+
+    NO = 0
+    SIGINT = 1
+    SIGTERM = 2
+    ALL = 3
+
+
+_before: Any = None
+
+
+def install_signal_handlers(options: SignalHandlerOptions = SignalHandlerOptions.ALL) -> None:
+    """Have Ctrl-C shut down the contexts of a script in real time; elsewhere do nothing."""
+    global _before
+    process = current_process()
+    in_script = process is process.graph.main and not process.driver.is_virtual
+    if not in_script or not options & SignalHandlerOptions.SIGINT or _before is not None:
+        return
+    if threading.current_thread() is threading.main_thread() and signal.getsignal(signal.SIGINT) is not None:
+        _before = signal.signal(signal.SIGINT, _on_interrupt)
+
+
+def uninstall_signal_handlers() -> None:
+    """Give Ctrl-C back to Python."""
+    global _before
+    if _before is not None and threading.current_thread() is threading.main_thread():
+        signal.signal(signal.SIGINT, _before)
+        _before = None
+
+
+def _on_interrupt(number: int, frame: FrameType | None) -> None:
+    for context in list(current_process().contexts):
+        context.signalled()
+    if callable(_before):
+        _before(number, frame)

@@ -1,4 +1,4 @@
-"""Where do messages and the engine meet?  Here, and nowhere else.
+"""Convert between messages and engine values. No other module does.
 
 ```
 geometry_msgs/TransformStamped  <->  StampedTransform

@@ -1,4 +1,4 @@
-"""Which ROS 2?  Every difference between distributions that a learner meets, in one table.
+"""List the differences between ROS 2 distributions that a learner meets.
 
     TFLAB_ROS_DISTRO=humble | jazzy | rolling        (jazzy if unset)
 

@@ -1,4 +1,4 @@
-"""What may an endpoint report besides messages?  That the other side's quality of service does not fit.
+"""Report incompatible QoS of endpoints, as rclpy.event_handler does.
 
     create_subscription(..., event_callbacks=SubscriptionEventCallbacks(incompatible_qos=callback))
 

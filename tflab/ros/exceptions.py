@@ -1,4 +1,4 @@
-"""What can go wrong with names, contexts and parameters?  rclpy's exceptions, with its texts."""
+"""Define rclpy's exceptions, with its texts."""
 
 from __future__ import annotations
 

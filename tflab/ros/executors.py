@@ -1,4 +1,4 @@
-"""Whose turn is it?  Executors: they wait until something of their nodes is ready, and call back.
+"""Wait until entities of nodes are ready, and run their callbacks.
 
     wait --> round: of each node, what is ready: timers, subscriptions, guards, clients, services
      ^         |    (one message per subscription)

@@ -1,4 +1,4 @@
-"""Everybody together: a graph of processes, nodes and topics in one Python.
+"""Hold the processes, nodes and topics of one ROS graph.
 
     graph = Graph()                    virtual time, stands at 1 s
     graph.start(main)                  a participant: a main function, as one would run it in a terminal
@@ -26,9 +26,8 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
-from . import threads
 from .network import Disturbance, Network
-from .process import Process, process_here, use_graph
+from .process import Process, patch_threads, process_here, use_graph
 from .virtual import EndlessLoop, VirtualTime
 from .wall import WallTime
 
@@ -109,7 +108,7 @@ class Graph:
         self.main = Process("main", self)
         self.participants: list[Participant] = []
         self._offsets_ns: dict[str, int] = {}
-        threads.install()
+        patch_threads()
 
     @property
     def now_ns(self) -> int:

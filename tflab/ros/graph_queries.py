@@ -1,4 +1,4 @@
-"""What does a node see of the others?  The questions about the graph that every node can ask.
+"""Answer the queries about the graph that every node has.
 
 One of the three mixins that Node is made of; see node.py for the other two.
 """

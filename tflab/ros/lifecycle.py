@@ -1,4 +1,4 @@
-"""Who may begin, and when?  A managed (lifecycle) node: it is configured, activated and shut down from outside.
+"""Provide managed (lifecycle) nodes.
 
 ```
 class Scanner(LifecycleNode):
@@ -28,7 +28,7 @@ from .lifecycle_states import (
 from .messages import lifecycle_msgs
 from .messages.lifecycle_msgs import Transition
 from .node import Node
-from .publisher import Publisher
+from .topic_endpoints import Publisher
 
 __all__ = ["LifecycleMixin", "LifecycleNode", "LifecyclePublisher", "ManagedEntity", "SimpleManagedEntity"]
 

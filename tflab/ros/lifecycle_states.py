@@ -1,4 +1,4 @@
-"""In which state is a managed node, and where may it go?  A state machine: four states that last, six on the way.
+"""Define the states and transitions of a managed node.
 
     unconfigured --configure--> [configuring] --success--> inactive --activate--> [activating] --> active
           ^       <--cleanup--  [cleaningup]                         <--deactivate--  [deactivating]

@@ -1,4 +1,4 @@
-"""What may it be called?  Names of topics, nodes and namespaces: the rules, and how they are completed.
+"""Validate and expand the names of topics, nodes and namespaces.
 
     in node /robot/camera     points     ->  /robot/points
                               ~/points   ->  /robot/camera/points

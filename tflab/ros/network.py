@@ -1,4 +1,4 @@
-"""How does a message get there?  Topics: who publishes, who listens, and what lies between.
+"""Deliver messages from publishers to subscriptions, with delay, jitter and loss.
 
     publisher --copy--> [stored samples] --> disturbance: delay, jitter, loss --> subscription's queue
 

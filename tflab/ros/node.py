@@ -1,4 +1,4 @@
-"""Who am I in the graph?  A node: a name, a clock, a log, and what it publishes, hears and answers.
+"""Provide rclpy.node.Node.
 
     Node("point_to_map", namespace="/robot")
       |-- publishers, subscriptions, timers, services, clients, guard conditions (node_entities.py)
@@ -16,11 +16,9 @@ import weakref
 from typing import Any
 
 from . import graph_queries
-from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from .clock import Clock, ROSClock
-from .clock_type import ClockType
 from .context import Context
-from .entity import Entity
+from .entity import CallbackGroup, Entity, MutuallyExclusiveCallbackGroup
 from .exceptions import NotInitializedException
 from .graph import current_process
 from .logging import RcutilsLogger
@@ -29,15 +27,15 @@ from .names import expanded, full_node_name, validate_namespace, validate_node_n
 from .node_entities import NodeEntities
 from .node_parameters import NodeParameters
 from .parameter import Parameter
-from .parameter_service import ParameterService
-from .publisher import Publisher
+from .parameter_services import ParameterService
 from .qos import (
     qos_profile_parameter_events,
     qos_profile_rosout_default,
 )
 from .qos_compatibility import QoSPolicyKind, qos_policy_name_from_kind
-from .time import Time
+from .time import ClockType, Time
 from .time_source import TimeSource
+from .topic_endpoints import Publisher
 
 __all__ = ["Node"]
 

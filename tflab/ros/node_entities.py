@@ -1,4 +1,4 @@
-"""What does a node own?  Publishers, subscriptions, timers, services, clients: made, listed and destroyed.
+"""Create, list and destroy the publishers, subscriptions, timers, services and clients of a node.
 
 One of the three mixins that Node is made of; see node.py for the other two.
 """
@@ -10,17 +10,15 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
-from .callback_groups import CallbackGroup, MutuallyExclusiveCallbackGroup
 from .clock import Clock
 from .context import Context
+from .entity import CallbackGroup, GuardCondition, MutuallyExclusiveCallbackGroup
 from .exceptions import NoTypeSupportImportedException
-from .guard_condition import GuardCondition
 from .messages.base import is_message_class, is_service_class
-from .publisher import Publisher
 from .qos import QoSProfile, profile_from, qos_profile_services_default
 from .service import Client, Service
-from .subscription import RawSubscription, Subscription
 from .timer import Rate, Timer
+from .topic_endpoints import Publisher, RawSubscription, Subscription
 
 __all__ = ["NodeEntities", "check_type"]
 

@@ -1,4 +1,4 @@
-"""How does a node keep its parameters?  Declared with a type, set through checks, announced.
+"""Declare, set and announce a node's parameters.
 
     declare -> [type, descriptor] -> set: pre-set, on-set (may refuse), post-set callbacks -> /parameter_events
 
@@ -23,7 +23,7 @@ from .exceptions import (
 )
 from .messages import copy_message, rcl_interfaces
 from .parameter import Parameter, parameter_value_to_python
-from .publisher import Publisher
+from .topic_endpoints import Publisher
 
 __all__ = ["NodeParameters"]
 

@@ -1,4 +1,4 @@
-"""What can be set from outside?  A parameter: a name, a type, a value."""
+"""Provide rclpy's Parameter: a name, a type, a value."""
 
 from __future__ import annotations
 

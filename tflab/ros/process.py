@@ -1,26 +1,33 @@
-"""Who am I?  Nodes that live in one Python still believe that each has a process of its own.
+"""Give each program in one Python process state of its own, as if it were a process.
 
     graph -- process "main" (the cell, the script)     default context, global executor
          |-- process "moving_robot"                    default context, global executor
          `-- process "point_to_map"                    ...
 
-A thread belongs to the process of whoever started it, so `rclpy.init()`,
-`rclpy.ok()` and `rclpy.spin(node)` need not be told: what a robot's processes have
-as globals hangs here on the thread (thread-local storage).  A process can be
-interrupted, which is what Ctrl-C does (SIGINT), and it ends when its main function
-does.
+A thread belongs to the process of the thread that started it. What rclpy keeps in
+globals is kept there in thread-local storage. A process can be interrupted, as by
+Ctrl-C (SIGINT), and it ends when its main function returns.
+
+With the first graph, three calls of Python are replaced, until `deactivate()`:
+
+    time.sleep(s)        in a process of a graph: lets the graph's time pass, can be interrupted
+    Thread(...).start()  the new thread belongs to the starter's process
+    thread.join()        lets the graph's time pass
 """
 
 from __future__ import annotations
 
 import sys
 import threading
+import time
 from collections.abc import Callable
 from typing import Any
 
+from tflab.core import NSEC_PER_SEC
+
 from .task import Future
 
-__all__ = ["Process", "process_here", "use_graph"]
+__all__ = ["Process", "patch_threads", "process_here", "restore_threads", "use_graph"]
 
 
 class Process:
@@ -164,3 +171,57 @@ def process_here() -> Process | None:
     if process is None and _graph is not None:
         return _graph.main
     return process
+
+
+_sleep, _start, _join = time.sleep, threading.Thread.start, threading.Thread.join
+
+
+def patch_threads() -> None:
+    """Put the three calls in place."""
+    time.sleep = sleep
+    threading.Thread.start = start
+    threading.Thread.join = join
+
+
+def restore_threads() -> None:
+    """Give Python its own calls back."""
+    time.sleep = _sleep
+    threading.Thread.start = _start
+    threading.Thread.join = _join
+
+
+def sleep(seconds: float) -> None:
+    """Sleep [s], on the time of whoever calls."""
+    process = process_here()
+    if process is None or not (process.driver.is_cooperative() or process.main_thread is threading.current_thread()):
+        _sleep(seconds)
+        return
+    if seconds < 0:
+        raise ValueError("sleep length must be non-negative")
+    process.sleep(round(seconds * NSEC_PER_SEC))
+
+
+def start(thread: threading.Thread) -> None:
+    """Start a thread in the process of whoever calls."""
+    process = process_here()
+    if process is not None and not hasattr(thread, "tflab_process"):
+        thread.tflab_process = process
+        if process.driver.is_virtual and (process.driver.is_cooperative() or _spins(thread)):
+            process.driver.adopt(thread, process)
+    _start(thread)
+
+
+def join(thread: threading.Thread, timeout: float | None = None) -> None:
+    """Wait for a thread, on the time of whoever calls."""
+    strand = getattr(thread, "tflab_strand", None)
+    if strand is not None and not strand.is_finished:
+        strand.process.driver.join(strand, None if timeout is None else round(timeout * NSEC_PER_SEC))
+        if not strand.is_finished:
+            return  # the timeout is over, in the graph's time
+    _join(thread, timeout)
+
+
+def _spins(thread: threading.Thread) -> bool:
+    """Return whether a thread was made to run one of our functions, such as rclpy.spin."""
+    target = getattr(thread, "_target", None)
+    return (getattr(target, "__module__", None) or "").startswith("tflab.ros")

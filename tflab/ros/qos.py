@@ -1,4 +1,4 @@
-"""How faithfully?  Quality of service: what a publisher offers, and a subscription requests.
+"""Define quality-of-service profiles and policies.
 
     publisher offers      subscription requests
     RELIABLE              RELIABLE, BEST_EFFORT       what is offered may be more,
@@ -14,7 +14,7 @@ from __future__ import annotations
 import warnings
 from enum import Enum, IntEnum
 
-from .duration import Duration
+from .time import Duration
 
 __all__ = [
     "CQoSProfile",

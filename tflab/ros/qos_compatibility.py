@@ -1,4 +1,4 @@
-"""Do the two sides fit?  What a publisher offers must not be less than what a subscription requests.
+"""Check whether the QoS of a publisher satisfies that of a subscription.
 
 If it is less, the two are not connected, and both say so in their logs.
 """
@@ -8,8 +8,8 @@ from __future__ import annotations
 from enum import IntEnum
 
 from . import distro
-from .duration import Duration
 from .qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+from .time import Duration
 
 __all__ = [
     "QoSCompatibility",

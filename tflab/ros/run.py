@@ -1,4 +1,4 @@
-"""Node files as they are, together, in real time.  What `tflab run a.py b.py` does.
+"""Run node files together in real time, as `tflab run a.py b.py` does.
 
     a.py  -->  participant "a"  --.
     b.py  -->  participant "b"  --+--  one graph, the machine's clock  -- Ctrl-C --> all of them
@@ -6,8 +6,6 @@
 Each file runs as `python file.py` would run it, in a process of its own, it
 believes.  Ctrl-C does what it does on ROS 2: it shuts the contexts down first,
 so a file that ends with `finally: rclpy.shutdown()` ends with an RCLError.
-
-This is the last page of the room.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""What is on the wire?  A message as bytes (CDR), and back.  rclpy.serialization.
+"""Serialize and deserialize messages (CDR), as rclpy.serialization does.
 
     serialize_message(msg) -> b"\\x00\\x01\\x00\\x00..."     deserialize_message(data, PointStamped) -> msg
 

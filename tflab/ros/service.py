@@ -1,4 +1,4 @@
-"""Who answers?  Services, and the clients that ask them.
+"""Provide services and their clients.
 
 A call blocks until the answer has come, so somebody else must spin the client's
 node meanwhile; `call_async` returns a Future instead.

@@ -1,4 +1,4 @@
-"""What is going on in a graph?  Nodes, topics, and who publishes which transform, as plain values.
+"""Describe the nodes, topics and transform publishers of a graph as plain values.
 
 Unlike anything on a robot, this knows the publisher of every transform: in one
 process nothing gets lost on the wire.  `BufferCore.snapshot` shows a buffer.

@@ -1,4 +1,4 @@
-"""What will it be, later?  Future, and Task: a future that an executor works on."""
+"""Provide rclpy.task: Future, and Task, a future that an executor runs."""
 
 from __future__ import annotations
 

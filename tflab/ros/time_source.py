@@ -1,4 +1,4 @@
-"""Whose time does a node follow?  The parameter use_sim_time, and the topic /clock.
+"""Set the clock of a node from the parameter use_sim_time and the topic /clock.
 
 ```
 use_sim_time: false   the graph's clock
@@ -11,12 +11,11 @@ from __future__ import annotations
 from typing import Any
 
 from .clock import ROSClock
-from .clock_type import ClockType
 from .messages import rcl_interfaces, rosgraph_msgs
 from .node_parameters import NodeParameters
 from .parameter import Parameter
 from .qos import QoSProfile, ReliabilityPolicy
-from .time import Time
+from .time import ClockType, Time
 
 __all__ = ["CLOCK_TOPIC", "USE_SIM_TIME_NAME", "TimeSource"]
 

@@ -1,4 +1,4 @@
-"""Again and again: timers, and rates.
+"""Provide timers and rates.
 
     created      1st call       2nd call         missed, not made up for     next
     |--- period ---|--- period ---|-----x-----x-----|----------- period ------|
@@ -15,11 +15,9 @@ from collections.abc import Callable
 from typing import Any
 
 from .clock import Clock, ClockChange, JumpThreshold, TimeJump
-from .clock_type import ClockType
-from .duration import Duration
 from .entity import Entity, Kind
 from .exceptions import InvalidHandle, ROSInterruptException
-from .time import Time
+from .time import ClockType, Duration, Time
 
 __all__ = ["Rate", "Timer", "TimerInfo"]
 

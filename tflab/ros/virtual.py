@@ -1,4 +1,4 @@
-"""What if time only passed when nobody has anything to do?  Virtual time, one thread at a time.
+"""Advance virtual time when all threads wait; run one thread at a time.
 
     driver ---- turn ----> strand A    runs until it sleeps, spins or returns
            <--- turn -----

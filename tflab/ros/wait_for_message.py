@@ -1,4 +1,4 @@
-"""How does one get just one message?  rclpy.wait_for_message.
+"""Wait for one message, as rclpy.wait_for_message does.
 
     found, scan = wait_for_message(LaserScan, node, "scan", time_to_wait=1.0)
 
@@ -16,7 +16,7 @@ from .messages import copy_message
 from .messages.base import Message
 from .network import Envelope
 from .qos import QoSProfile
-from .subscription import Subscription
+from .topic_endpoints import Subscription
 
 __all__ = ["wait_for_message"]
 

@@ -1,4 +1,4 @@
-"""What time is it, really?  Waiting and clocks in real time, for scripts and `tflab run`.
+"""Wait and read clocks in real time, for scripts and `tflab run`.
 
 Threads simply run beside each other.  The other driver, for pages, is
 `virtual.py`; both have the same methods.

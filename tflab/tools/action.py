@@ -17,8 +17,8 @@ from tflab.ros.action_client import ActionClient
 from tflab.ros.action_goals import action_entity_name, goal_key, status_name
 from tflab.ros.messages import type_named
 from tflab.ros.messages.base import Message, is_action_class
-from tflab.ros.messages.fill import fill
 from tflab.ros.messages.text import message_to_yaml
+from tflab.ros.messages.values import fill
 from tflab.ros.node import Node
 
 from .discovery import add_verb

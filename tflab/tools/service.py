@@ -14,7 +14,7 @@ import yaml
 
 from tflab.ros.messages import type_named
 from tflab.ros.messages.base import is_service_class
-from tflab.ros.messages.fill import fill
+from tflab.ros.messages.values import fill
 
 from .discovery import add_verb, full_type_name, visible
 from .session import answer_of, cli_node, spin_for

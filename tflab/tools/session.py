@@ -20,11 +20,11 @@ from typing import Any
 from tflab.core import NSEC_PER_SEC, BufferCore
 from tflab.ros import client_library
 from tflab.ros.clock import JumpThreshold, TimeJump
-from tflab.ros.duration import Duration
 from tflab.ros.graph import Graph, current_process
 from tflab.ros.logging import RcutilsLogger
 from tflab.ros.node import Node
 from tflab.ros.task import Future
+from tflab.ros.time import Duration
 
 __all__ = [
     "CPP_AUTHORITY",

@@ -17,7 +17,7 @@ from typing import Any
 
 import yaml
 
-from tflab.ros.messages.fill import fill
+from tflab.ros.messages.values import fill
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from tflab.core import sec_nanosec_from_stamp, seconds
-from tflab.ros.clock_type import ClockType
 from tflab.ros.messages import builtin_interfaces, geometry_msgs, std_msgs
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Time
 
 
 def ros_time(stamp_s):

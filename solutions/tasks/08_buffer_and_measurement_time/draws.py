@@ -5,11 +5,10 @@ from __future__ import annotations
 import math
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.ros.clock_type import ClockType
 from tflab.ros.convert import msg_from_stamp, msg_from_stamped
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Time
 
 
 def draw_drive(rng):

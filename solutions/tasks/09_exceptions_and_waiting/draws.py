@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from tflab.core import BufferCore, StampedTransform, Transform, TransformException, seconds
-from tflab.ros.duration import Duration
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 
 
 def edge(parent: str, child: str, *times_s: float, x: float = 0.1) -> list[StampedTransform]:

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.ros.duration import Duration
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.time import Time
+from tflab.ros.time import Duration, Time
 from tflab.workbook.tasks import Choice, Number, Parts, define_task
 
 KINDS = ("none", "LookupException", "ConnectivityException", "ExtrapolationException")

@@ -22,7 +22,7 @@ from markupsafe import Markup
 
 from tflab.bags.recording import Recording
 from tflab.core import NSEC_PER_SEC, Transform
-from tflab.core.snapshot import FrameSnapshot, Snapshot
+from tflab.core.inspection import FrameSnapshot, Snapshot
 from tflab.text import Texts
 from tflab.views.report_page import report_page
 from tflab.views.tree import draw_tree

@@ -30,7 +30,7 @@ PRELOADED = (
     "IPython.core.magics", "IPython.core.magics.execution", "IPython.core.magics.extension", "IPython.core.magics.osm",
     "IPython.core.completer", "IPython.core.pylabtools", "IPython.display", "pexpect",
     "ipywidgets", "comm", "tornado.platform.asyncio", "pygments.styles", "pygments.formatters",
-    "tflab.core", "tflab.ros", "tflab.ros.notebook", "tflab.tools.magic", "tflab.workbook", "tflab.workbook.checks",
+    "tflab.core", "tflab.ros", "tflab.ros.activation", "tflab.tools.magic", "tflab.workbook", "tflab.workbook.checks",
     "tflab.workbook.answers.forms", "tflab.workbook.tasks.task", "tflab.workbook.answers.values",
     "tflab.grading.kernels.probe",
 )  # fmt: skip

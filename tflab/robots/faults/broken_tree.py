@@ -1,4 +1,4 @@
-"""How does a tree break?  Two parents, two owners, a hole, a loop, a wrong name, a wrong topic.
+"""Inject faults into the tree: parents, publishers, missing edges, loops, names and topics.
 
 Each function takes a Patient and returns a stream that has this fault, with its
 diagnosis.
@@ -9,11 +9,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from tflab.core import NSEC_PER_SEC, StampedTransform, Transform
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 
 from .catalogue import Fault
-from .patient import FEWEST_SAMPLES, CannotInject, Injection, Patient
-from .streams import Stream, StreamEdge, restamped
+from .streams import FEWEST_SAMPLES, CannotInject, Injection, Patient, Stream, StreamEdge, restamped
 
 __all__ = [
     "close_loop",

@@ -1,4 +1,4 @@
-"""What can go wrong with TF, so that a recording shows it?  A catalogue, with one name for each cause.
+"""List the faults of a recording, with one name for each cause.
 
     clean records --- inject(records, Fault.GAP, seed) ---> broken records + Diagnosis
                                                                   |

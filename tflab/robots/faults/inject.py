@@ -1,53 +1,47 @@
-"""How is each fault made?  A recording in, a broken recording and the truth about it out.
+"""Inject faults into a recording and return the diagnosis.
 
     inject(records, Fault.GAP, seed=3)  ->  Injection(records, diagnosis)
     inject_all(records, [Fault.GAP, Fault.LOOP], seed=3)  ->  (records, [diagnosis, diagnosis])
 
-The records that come in are not touched.  The seed decides which edge (unless one is
-aimed at, by its child: `aim="base_footprint"`), when and how much; the same seed makes
-the same fault.  Not every stream can have every
-fault: without an optical frame there is none to leave unturned.  Then the error
-says so, and `possible_faults` lists what a stream can have.
-
-The faults themselves are made in `broken_tree.py`, `broken_values.py` and
-`broken_time.py`.
+The input is not changed. The seed decides the edge, the time and the amount; `aim` selects
+the edge by its child (`aim="base_footprint"`). The same seed makes the same fault. Not every
+stream can have every fault: `possible_faults` lists those it can have.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 
-from tflab.core.records import TransformRecord
+from tflab.core.transforms import TransformRecord
 
 from ..chance import chance
-from . import broken_time, broken_tree, broken_values
+from . import broken_samples, broken_tree
 from .catalogue import Diagnosis, Fault
-from .patient import CannotInject, Injection, Patient
-from .streams import Stream, edges_of
+from .streams import CannotInject, Injection, Patient, Stream, edges_of
 
 __all__ = ["INJECTORS", "CannotInject", "Injection", "inject", "inject_all", "possible_faults"]
 
 INJECTORS: dict[Fault, Callable[[Patient], Injection]] = {
     Fault.REPARENTED: broken_tree.reparent,
     Fault.SECOND_OWNER: broken_tree.second_owner,
-    Fault.DUPLICATE_STAMPS: broken_time.duplicate_stamps,
-    Fault.OUT_OF_ORDER: broken_time.out_of_order,
-    Fault.ZERO_QUATERNION: broken_values.zero_quaternion,
-    Fault.NAN: broken_values.nan,
-    Fault.NON_UNIT_QUATERNION: broken_values.non_unit_quaternion,
+    Fault.DUPLICATE_STAMPS: broken_samples.duplicate_stamps,
+    Fault.OUT_OF_ORDER: broken_samples.out_of_order,
+    Fault.ZERO_QUATERNION: broken_samples.zero_quaternion,
+    Fault.NAN: broken_samples.nan,
+    Fault.NON_UNIT_QUATERNION: broken_samples.non_unit_quaternion,
     Fault.MISSING_EDGE: broken_tree.remove_edge,
     Fault.LOOP: broken_tree.close_loop,
     Fault.LEADING_SLASH: broken_tree.leading_slash,
-    Fault.CLOCK_JUMPED_BACK: broken_time.clock_back,
-    Fault.CLOCK_OFFSET: broken_time.clock_offset,
+    Fault.CLOCK_JUMPED_BACK: broken_samples.clock_back,
+    Fault.CLOCK_OFFSET: broken_samples.clock_offset,
     Fault.STATIC_ON_TF: broken_tree.static_on_tf,
     Fault.MOVING_ON_TF_STATIC: broken_tree.moving_on_tf_static,
     Fault.NO_TF_STATIC: broken_tree.no_tf_static,
-    Fault.GAP: broken_time.gap,
+    Fault.GAP: broken_samples.gap,
     Fault.WRONG_NAME: broken_tree.wrong_name,
-    Fault.OPTICAL_IDENTITY: broken_values.optical_identity,
-    Fault.LATE_STAMPS: broken_time.late,
-    Fault.EARLY_STAMPS: broken_time.early,
+    Fault.OPTICAL_IDENTITY: broken_samples.optical_identity,
+    Fault.LATE_STAMPS: broken_samples.late,
+    Fault.EARLY_STAMPS: broken_samples.early,
 }
 
 

@@ -1,22 +1,21 @@
-"""Messages: what nodes send each other.  One table of definitions for each ROS package.
+"""Define the messages of ROS packages and their classes.
 
-    from tflab.ros.messages import geometry_msgs      # ours, always
+    from tflab.ros.messages import geometry_msgs      # always these
     from geometry_msgs.msg import TransformStamped    # the same class, after activate()
 
-    checks        are field types checked?
-    definition    what is in a message
+    checks        the switch for checks of field types
+    definition    parsed definitions
     fields        what a field may hold
     base          the classes
     builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs, visualization_msgs,
     tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs, action_msgs,
     lifecycle_msgs, trajectory_msgs, diagnostic_msgs, std_srvs, example_interfaces
-                  the tables
-    text          as `ros2 topic echo` prints them
-    fill          from what somebody typed
-    own           packages of a learner's own
-    values        to plain values and back: for bags
+                  the definitions
+    text          YAML, as `ros2 topic echo` prints it
+    own           packages defined at run time
+    values        conversion to and from plain data: for bags and the command line
 
-Start with `checks.py`.
+The list is the reading order.
 """
 
 from .base import copy_message, type_named

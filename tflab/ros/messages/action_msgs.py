@@ -1,4 +1,4 @@
-"""action_msgs: which goals there are, how far each is, and the wish that one be given up."""
+"""Define action_msgs: goals, their status, and cancellation."""
 
 from .base import message, service
 

@@ -1,4 +1,4 @@
-"""What is a message?  An object with exactly these fields, made from its definition.
+"""Build message classes from their definitions.
 
     Vector3 = message("geometry_msgs/msg/Vector3", '''
         float64 x

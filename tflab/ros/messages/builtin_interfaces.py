@@ -1,4 +1,4 @@
-"""builtin_interfaces: when, and for how long."""
+"""Define builtin_interfaces: Time and Duration."""
 
 from .base import message
 

@@ -1,4 +1,4 @@
-"""Are field types checked?  One switch for every message made from now on.
+"""Switch the checks of field types on or off.
 
     ROS_PYTHON_CHECK_FIELDS=1, or Humble   on from the start
     %load_ext tflab                        set_field_checks(True)

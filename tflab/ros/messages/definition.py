@@ -1,4 +1,4 @@
-"""What is in a message?  Its definition, read from the text that ROS keeps in .msg files.
+"""Parse message definitions in the format of .msg files.
 
     "geometry_msgs/Point position"        ->  Field("position", NamespacedType(("geometry_msgs", "msg"), "Point"))
     "float64[36] covariance"              ->  Field("covariance", Array(BasicType("double"), 36))

@@ -1,4 +1,4 @@
-"""diagnostic_msgs: how parts of a robot say that they are well."""
+"""Define diagnostic_msgs."""
 
 from .base import message
 

@@ -1,4 +1,4 @@
-"""example_interfaces: what ROS 2's own tutorials ask and answer."""
+"""Define example_interfaces, the types of ROS 2's tutorials."""
 
 from .base import action, message, service
 

@@ -1,4 +1,4 @@
-"""What may a field hold, and what is said when it holds something else?
+"""Check and store the values of message fields, with the error texts of rosidl.
 
                      check(value)              store(value)
     msg.x = 1   ->   "must be of type 'float'"     -

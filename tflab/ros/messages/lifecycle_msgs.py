@@ -1,4 +1,4 @@
-"""lifecycle_msgs: the states of a managed node, and the services that move it from one to another."""
+"""Define lifecycle_msgs: states of a managed node, and services to change them."""
 
 from .base import message, service
 

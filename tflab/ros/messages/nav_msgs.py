@@ -1,4 +1,4 @@
-"""nav_msgs: where a robot is, was, and may go."""
+"""Define nav_msgs."""
 
 from .base import message, service
 

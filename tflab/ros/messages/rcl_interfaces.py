@@ -1,4 +1,4 @@
-"""rcl_interfaces: parameters and logs, as nodes speak of them."""
+"""Define rcl_interfaces: parameters and logs."""
 
 from .base import message, service
 

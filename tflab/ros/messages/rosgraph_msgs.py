@@ -1,4 +1,4 @@
-"""rosgraph_msgs: the time that everybody follows under `use_sim_time`."""
+"""Define rosgraph_msgs: the time of /clock."""
 
 from .base import message
 

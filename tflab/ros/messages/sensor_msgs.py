@@ -1,4 +1,4 @@
-"""sensor_msgs: what a robot's sensors say, each in the frame of its header."""
+"""Define sensor_msgs."""
 
 from .base import message, service
 

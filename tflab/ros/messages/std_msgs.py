@@ -1,4 +1,4 @@
-"""std_msgs: one value, and the header that says when and in which frame."""
+"""Define std_msgs: single values and the header."""
 
 from .base import message
 

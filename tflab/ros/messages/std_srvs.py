@@ -1,4 +1,4 @@
-"""std_srvs: services that say do it, or do it or not."""
+"""Define std_srvs."""
 
 from .base import service
 

@@ -1,4 +1,4 @@
-"""What does a message look like in a terminal?  YAML, as `ros2 topic echo` prints it.
+"""Print messages as YAML, as `ros2 topic echo` does.
 
     header:
       stamp:

@@ -1,4 +1,4 @@
-"""tf2_msgs: what travels on /tf and /tf_static, and what a buffer can be asked from afar."""
+"""Define tf2_msgs: the messages of /tf and /tf_static, and the action LookupTransform."""
 
 from .base import action, message, service
 

@@ -1,4 +1,4 @@
-"""trajectory_msgs: where joints are to be, and when."""
+"""Define trajectory_msgs."""
 
 from .base import message
 

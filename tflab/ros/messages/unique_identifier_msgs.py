@@ -1,4 +1,4 @@
-"""unique_identifier_msgs: which one."""
+"""Define unique_identifier_msgs."""
 
 from .base import message
 

@@ -1,25 +1,33 @@
-"""How does a message become plain data, and data a message?  Field by field, by name.
+"""Convert messages to and from plain data and other libraries' objects, field by field.
 
     rosbags' object  --message_from_object-->  our message  --object_from_message-->  rosbags' object
 
-A bag library has classes of its own for the same definitions.  Only names are
-compared: what an object has beyond our fields (ROS 1's `seq`) is left out.
-This is the last page on messages; `../time.py` is about their stamps.
+    "{header: {frame_id: map, stamp: now}, point: {x: 1}}"
+        --yaml-->  {"header": {...}, "point": {"x": 1}}
+        --fill-->  PointStamped, and the stamps that are to be set when it is sent
+
+Only names are compared: fields that our definition lacks (ROS 1's `seq`) are left out.
+`fill` accepts an int for a float; fields that are not mentioned keep their defaults.
+upstream: rosidl_runtime_py/set_message.py.
 """
 
 from __future__ import annotations
 
+from array import array
 from collections.abc import Callable, Mapping
-from functools import cache
+from functools import cache, partial
+from typing import Any
 
 import numpy as np
 
 from .base import Message, type_named
+from .builtin_interfaces import Time
 from .checks import field_checks
-from .definition import BasicType, NamespacedType, SlotType
+from .definition import Array, BasicType, BoundedSequence, NamespacedType, SlotType, UnboundedSequence
 from .fields import array_converter
+from .std_msgs import Header
 
-__all__ = ["message_from_object", "object_from_message"]
+__all__ = ["fill", "message_from_object", "object_from_message"]
 
 
 def message_from_object(ros_type: str, source: object) -> Message:
@@ -100,3 +108,49 @@ def _plain_single(value: object, classes: Mapping[str, type]) -> object:
     if isinstance(value, Message):
         return object_from_message(value, classes)
     return value[0] if isinstance(value, bytes) else value
+
+
+StampSetter = Callable[[Time], None]
+
+
+def fill(message: Message, values: Mapping[str, Any]) -> list[StampSetter]:
+    """Set the fields of a message; return what sets the stamps of a Header given as "auto" and a Time given as "now".
+
+    Raises:
+        AttributeError: the message has no such field.
+        TypeError, ValueError: a value is not one of its field.
+    """
+    if not isinstance(values, Mapping):
+        kind = type(values).__name__
+        raise TypeError(f"Value '{values}' is expected to be a dictionary but is a {kind}")
+    setters: list[StampSetter] = []
+    slot_types = dict(zip(message.get_fields_and_field_types(), message.SLOT_TYPES, strict=True))
+    for name, value in values.items():
+        field = getattr(message, name)
+        if isinstance(field, Header) and value == "auto":
+            setters.append(partial(setattr, field, "stamp"))
+        elif isinstance(field, Time) and value == "now":
+            setters.append(partial(setattr, message, name))
+        elif isinstance(field, Message):
+            setters += fill(field, value)
+        else:
+            setattr(message, name, _value(field, value, slot_types[name], setters))
+    return setters
+
+
+def _value(field: Any, value: Any, slot_type: SlotType, setters: list[StampSetter]) -> Any:
+    """Return what the field takes for a value as YAML has it."""
+    if isinstance(field, array):
+        return array(field.typecode, value)
+    if isinstance(field, np.ndarray):
+        return np.array(value, dtype=field.dtype)
+    if isinstance(slot_type, Array | BoundedSequence | UnboundedSequence):
+        member_type = slot_type.value_type
+        if not isinstance(member_type, NamespacedType):
+            return list(value)
+        member_class = type_named("/".join((*member_type.namespaces, member_type.name)))
+        members = [member_class() for _ in value]
+        for member, values in zip(members, value, strict=True):
+            setters += fill(member, values)
+        return members
+    return type(field)(value)

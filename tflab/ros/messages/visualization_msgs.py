@@ -1,4 +1,4 @@
-"""visualization_msgs: shapes that a node would like to see in RViz."""
+"""Define visualization_msgs."""
 
 from .base import message
 

@@ -8,9 +8,8 @@
     client          BufferClient: lookups in the buffer of another node
     geometry        transform points, poses, vectors and wrenches
     clouds          transform a PointCloud2
-    conversions     register these types, as `import tf2_geometry_msgs` does
     filters         message_filters
     message_filter  hold a message until its transform is there
 
-Start with `core.py`.
+The list is the reading order.
 """

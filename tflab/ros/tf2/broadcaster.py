@@ -1,4 +1,4 @@
-"""How are transforms published?  tf2_ros.TransformBroadcaster, and the static one.
+"""Publish transforms: tf2_ros.TransformBroadcaster and StaticTransformBroadcaster.
 
     TransformBroadcaster         /tf          whatever it is given, again and again
     StaticTransformBroadcaster   /tf_static   once; latecomers get the last message of each broadcaster

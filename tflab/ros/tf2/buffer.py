@@ -1,4 +1,4 @@
-"""A buffer that can wait.  tf2_ros.Buffer.
+"""Look transforms up and wait for them: tf2_ros.Buffer.
 
 ```
 lookup_transform(..., timeout)       polls every 20 ms, and spins nothing: in a callback of the executor
@@ -14,12 +14,11 @@ from collections.abc import Callable
 from typing import Any
 
 from ..clock import Clock, JumpThreshold, TimeJump
-from ..duration import Duration
 from ..graph import current_process
 from ..logging import get_logger
 from ..messages import geometry_msgs, tf2_msgs
 from ..task import Future
-from ..time import Time
+from ..time import Duration, Time
 from .core import BufferCore
 from .interface import BufferInterface
 

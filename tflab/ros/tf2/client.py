@@ -1,4 +1,4 @@
-"""How does one ask a buffer that lives elsewhere?  tf2_ros.BufferClient.
+"""Look transforms up in the buffer of another node: tf2_ros.BufferClient.
 
     lookup_transform(...)  --goal-->   action server with a Buffer     (on a robot: ros2 run tf2_ros buffer_server)
                            <--result-- a transform, or the number and the text of what went wrong
@@ -22,10 +22,9 @@ from tflab.core import (
 )
 
 from ..action_client import ActionClient
-from ..duration import Duration
 from ..messages import builtin_interfaces, geometry_msgs, tf2_msgs
 from ..task import Future
-from ..time import Time
+from ..time import Duration, Time
 from .interface import BufferInterface
 
 __all__ = ["BufferClient"]

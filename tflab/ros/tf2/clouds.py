@@ -1,4 +1,4 @@
-"""What do a thousand points become in another frame?  tf2_sensor_msgs, and sensor_msgs_py's point_cloud2.
+"""Transform point clouds: tf2_sensor_msgs, and sensor_msgs_py's point_cloud2.
 
     PointCloud2.data   |x...y...z...i...|x...y...z...i...|     point_step bytes each
                             |  read_points: a view, one named column per field
@@ -25,6 +25,7 @@ from ..messages.geometry_msgs import Transform, TransformStamped
 from ..messages.sensor_msgs import PointCloud2, PointField
 from ..messages.std_msgs import Header
 from .geometry import from_msg_msg, rotation_matrix, to_msg_msg
+from .interface import ConvertRegistration, TransformRegistration
 
 __all__ = [
     "create_cloud",
@@ -35,6 +36,7 @@ __all__ = [
     "read_points",
     "read_points_list",
     "read_points_numpy",
+    "register_point_clouds",
     "to_msg_msg",
     "transform_points",
 ]
@@ -222,3 +224,10 @@ def dtype_from_fields(fields: Sequence[PointField], point_step: int | None = Non
         raise AssertionError("Duplicate field names are not allowed!")
     layout = {"names": names, "formats": formats, "offsets": offsets}
     return np.dtype(layout if point_step is None else layout | {"itemsize": point_step})
+
+
+def register_point_clouds() -> None:
+    """Register these functions for `Buffer.transform()`, as `import tf2_sensor_msgs` does."""
+    TransformRegistration().add(PointCloud2, do_transform_cloud)
+    ConvertRegistration().add_to_msg(PointCloud2, to_msg_msg)
+    ConvertRegistration().add_from_msg(PointCloud2, from_msg_msg)

@@ -1,4 +1,4 @@
-"""tf2 as Python sees it: the engine, asked and answered in messages.  The module `tf2_py`.
+"""Provide tf2_py.BufferCore: the engine with ROS messages.
 
 BufferCore(Duration(seconds=20))          tf2_py.BufferCore: positional arguments, *_core methods
     `-- .core                             the engine: tflab.core.BufferCore
@@ -11,11 +11,10 @@ from typing import Any
 from tflab import core
 from tflab.core.velocity import lookup_velocity_as_tf2
 
-from ..clock_type import ClockType
 from ..convert import duration_ns_from, msg_from_stamped, stamp_ns_from, stamped_from_msg
 from ..logging import show_engine_refusals
 from ..messages import geometry_msgs
-from ..time import Time
+from ..time import ClockType, Time
 
 __all__ = ["BufferCore"]
 

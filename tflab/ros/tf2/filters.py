@@ -1,4 +1,4 @@
-"""Which messages belong together?  message_filters: chains of "call me with ...".
+"""Match and filter messages of several topics: message_filters.
 
     Subscriber("image") --\\
                            TimeSynchronizer --> callback(image, camera_info)    equal stamps
@@ -6,7 +6,7 @@
     Subscriber("scan")  --> Cache(size) --> what was between two times
 
 Everything is a SimpleFilter: it has callbacks, and may be somebody's input.
-A filter that waits for a transform is `message_filter.py`; read it next.
+A filter that waits for a transform is `message_filter.py`.
 """
 
 from __future__ import annotations
@@ -16,11 +16,10 @@ import threading
 from collections.abc import Callable, Sequence
 
 from ..clock import ROSClock
-from ..duration import Duration
 from ..logging import LoggingSeverity, get_logger
 from ..messages.base import Message
-from ..subscription import Subscription
-from ..time import Time
+from ..time import Duration, Time
+from ..topic_endpoints import Subscription
 
 __all__ = ["ApproximateTimeSynchronizer", "Cache", "SimpleFilter", "Subscriber", "TimeSynchronizer"]
 

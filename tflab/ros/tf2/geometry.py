@@ -1,4 +1,4 @@
-"""What does a point, a vector, a pose become in another frame?  tf2_geometry_msgs.
+"""Transform points, vectors and poses: tf2_geometry_msgs.
 
     base_p_tip (PointStamped)  --do_transform_point(_, map_T_base)-->  map_p_tip
 
@@ -35,6 +35,7 @@ from ..messages.geometry_msgs import (
     Vector3,
     Vector3Stamped,
 )
+from .interface import ConvertRegistration, TransformRegistration
 
 __all__ = [
     "TRANSFORMS",
@@ -45,6 +46,7 @@ __all__ = [
     "do_transform_pose_with_covariance_stamped",
     "do_transform_vector3",
     "from_msg_msg",
+    "register_geometry_types",
     "rotation_matrix",
     "to_msg_msg",
     "transform_covariance",
@@ -193,3 +195,13 @@ def _xyz(point: Point | Point32 | Vector3) -> tuple[float, float, float]:
 
 def _wxyz(q: Quaternion) -> tuple[float, float, float, float]:
     return (q.w, q.x, q.y, q.z)
+
+
+def register_geometry_types() -> None:
+    """Register these functions for `Buffer.transform()`, as `import tf2_geometry_msgs` does."""
+    for message_type, transform in TRANSFORMS.items():
+        TransformRegistration().add(message_type, transform)
+    # The others have no conversions, upstream too: `new_type=` fails for them.
+    for message_type in (Vector3Stamped, PoseStamped, PointStamped):
+        ConvertRegistration().add_to_msg(message_type, to_msg_msg)
+        ConvertRegistration().add_from_msg(message_type, from_msg_msg)

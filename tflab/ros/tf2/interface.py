@@ -1,4 +1,4 @@
-"""How is a message moved to another frame?  By its type: each package registers its own.
+"""Transform a message by the functions that are registered for its type.
 
 ```
 import tf2_geometry_msgs                     registers PointStamped, PoseStamped, ...
@@ -12,9 +12,8 @@ from collections.abc import Callable
 from copy import deepcopy
 from typing import Any, ClassVar
 
-from ..duration import Duration
 from ..messages import geometry_msgs, std_msgs
-from ..time import Time
+from ..time import Duration, Time
 
 __all__ = [
     "BufferInterface",

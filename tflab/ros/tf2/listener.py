@@ -1,4 +1,4 @@
-"""How do transforms get into a buffer?  A listener subscribes, and stores.  tf2_ros.TransformListener.
+"""Store received transforms in a buffer: tf2_ros.TransformListener.
 
     /tf         reliable, depth 100                    -->  set_transform          as "default_authority"
     /tf_static  reliable, depth 100, transient local   -->  set_transform_static
@@ -13,12 +13,12 @@ import threading
 import weakref
 from typing import Any
 
-from ..callback_groups import ReentrantCallbackGroup
+from ..entity import ReentrantCallbackGroup
 from ..executors import ExternalShutdownException, SingleThreadedExecutor
 from ..messages import copy_message, tf2_msgs
 from ..network import Envelope
 from ..qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from ..subscription import Subscription
+from ..topic_endpoints import Subscription
 from .buffer import Buffer
 
 __all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]

@@ -1,4 +1,4 @@
-"""When can this message be transformed?  tf2's MessageFilter: hold each message until tf can answer.
+"""Hold messages until they can be transformed, as tf2's MessageFilter does.
 
     Subscriber("scan") --> [ scan 3 | scan 4 | scan 5 ] --> callback(scan 3), once map <- laser is known at its stamp
                                 waiting, oldest first    --> dropped, and the reason in the log
@@ -27,10 +27,9 @@ from typing import TYPE_CHECKING
 from tflab.core import NSEC_PER_SEC
 from tflab.core.requests import NEVER, POSSIBLE_NOW
 
-from ..duration import Duration
 from ..logging import get_logger
 from ..messages.base import Message
-from ..time import Time
+from ..time import Duration, Time
 from ..timer import Timer
 from .filters import SimpleFilter
 

@@ -34,11 +34,9 @@ import numpy as np
 
 from tflab.clinic.patient import SickRobot
 from tflab.core import BufferCore, StampedTransform, Transform
-from tflab.ros.clock_type import ClockType
-from tflab.ros.duration import Duration
 from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
-from tflab.ros.time import Time
+from tflab.ros.time import ClockType, Duration, Time
 
 __all__ = ["Plain", "from_plain", "is_raised", "is_unanswered", "outcome_of", "outcomes_of", "raised", "to_plain"]
 

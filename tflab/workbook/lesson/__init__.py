@@ -29,9 +29,9 @@ from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.robots.kinematics import link_poses
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
+from tflab.robots.sensors import BALL, ROOM
 from tflab.robots.teaching import Source, TeachingRobot, teaching_urdf
 from tflab.robots.urdf import parse_urdf
-from tflab.robots.world import BALL, ROOM
 from tflab.ros import new_graph
 from tflab.ros.graph import current_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk

@@ -17,8 +17,8 @@ from dataclasses import replace
 from tflab.core import Transform, seconds
 from tflab.robots.motion import Drive
 from tflab.robots.nodes import USUAL_NODES, launch
+from tflab.robots.sensors import ROOM
 from tflab.robots.teaching import TeachingRobot, teaching_urdf
-from tflab.robots.world import ROOM
 from tflab.ros.graph import Graph, current_graph, new_graph
 from tflab.tools.rviz import look
 from tflab.views.picture import Picture

@@ -16,8 +16,8 @@ import numpy as np
 from tflab.core import LATEST, NSEC_PER_SEC, Transform, seconds
 from tflab.robots.kinematics import link_poses
 from tflab.robots.motion import Drive
+from tflab.robots.sensors import ROOM
 from tflab.robots.teaching import TeachingRobot
-from tflab.robots.world import ROOM
 from tflab.ros.graph import Graph
 from tflab.tools.rviz import links_to_see, look
 from tflab.views.frames import draw_scene

@@ -1,4 +1,4 @@
-"""What may come in?  Transforms from those who publish, names from those who ask.
+"""Validate published transforms and the frame names of lookups.
 
     a publisher's transform  ->  accepted | refused, with a line in the log
     a name in a question     ->  its number | an exception with tf2's text

@@ -1,4 +1,4 @@
-"""How does one make a message of one's own?  A package defined in a cell, as ROS builds it from .msg files.
+"""Define message packages at run time, as ROS builds them from .msg files.
 
     define("my_msgs", {
         "Detection.msg": "std_msgs/Header header\\nstring label\\nfloat64 score 0.5   # 0 to 1",
