@@ -8,7 +8,7 @@ import pytest
 
 from tflab.ros import client_library as rclpy
 from tflab.ros import messages
-from tflab.ros.messages import own
+from tflab.ros.messages import packages
 from tflab.ros.messages.definition import parse_definition
 from tflab.ros.messages.text import type_hash
 from tflab.ros.node import Node
@@ -36,8 +36,8 @@ PACKAGE = {
 @pytest.fixture(autouse=True)
 def forget():
     yield
-    for package in list(own._defined):
-        del own._defined[package]
+    for package in list(packages._defined):
+        del packages._defined[package]
         for name in [name for name in sys.modules if name.partition(".")[0] == package]:
             del sys.modules[name]
 
@@ -92,7 +92,7 @@ def test_a_folder_is_taken_as_a_package_has_it(tmp_path):
 def test_what_is_wrong_with_a_definition_is_said(package, definitions, text):
     with pytest.raises(ValueError, match=text.replace(".", r"\.")):
         messages.define(package, definitions)
-    assert package not in own._defined
+    assert package not in packages._defined
 
 
 def test_a_type_that_there_is_none_of_is_named():

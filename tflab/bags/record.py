@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 
 from tflab.ros import distro
 from tflab.ros.messages.base import Message, type_named
-from tflab.ros.messages.own import type_store
+from tflab.ros.messages.packages import type_store
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
 from . import wire

@@ -12,7 +12,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from tflab.core import NSEC_PER_SEC
-from tflab.ros.messages.own import type_store
+from tflab.ros.messages.packages import type_store
 from tflab.ros.messages.values import message_from_object, object_from_message
 from tflab.ros.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.time import Duration

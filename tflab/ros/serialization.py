@@ -9,7 +9,7 @@ The bytes are made by the rosbags library.
 from __future__ import annotations
 
 from .messages.base import Message
-from .messages.own import type_store
+from .messages.packages import type_store
 from .messages.values import message_from_object, object_from_message
 
 __all__ = ["deserialize_message", "serialize_message"]

@@ -12,7 +12,7 @@
     lifecycle_msgs, trajectory_msgs, diagnostic_msgs, std_srvs, example_interfaces
                   the definitions
     text          YAML, as `ros2 topic echo` prints it
-    own           packages defined at run time
+    packages      the definitions of ROS (definitions.txt), and packages defined at run time
     values        conversion to and from plain data: for bags and the command line
 
 The list is the reading order.
@@ -20,6 +20,6 @@ The list is the reading order.
 
 from .base import copy_message, type_named
 from .checks import field_checks, set_field_checks
-from .own import define
+from .packages import define
 
 __all__ = ["copy_message", "define", "field_checks", "set_field_checks", "type_named"]

@@ -1,19 +1,5 @@
 """Define builtin_interfaces: Time and Duration."""
 
-from .base import message
+from .packages import ros_package
 
-Time = message(
-    "builtin_interfaces/msg/Time",
-    """
-    int32 sec
-    uint32 nanosec
-""",
-)
-
-Duration = message(
-    "builtin_interfaces/msg/Duration",
-    """
-    int32 sec
-    uint32 nanosec
-""",
-)
+globals().update(ros_package(__name__))

@@ -1,4 +1,4 @@
-"""Define message packages at run time, as ROS builds them from .msg files.
+"""Define the message packages of ROS, from definitions.txt, and packages defined at run time.
 
     define("my_msgs", {
         "Detection.msg": "std_msgs/Header header\\nstring label\\nfloat64 score 0.5   # 0 to 1",
@@ -8,8 +8,8 @@
     from my_msgs.srv import Locate
 
 On a robot the same texts are files of a package, and `colcon build` makes the classes
-(rosidl's code generation).  A folder that is laid out so, my_msgs/msg/Detection.msg,
-is taken as well.
+(rosidl's code generation). A folder with that layout, my_msgs/msg/Detection.msg, is
+accepted, too.
 """
 
 from __future__ import annotations
@@ -26,11 +26,34 @@ from typing import Any
 from .base import action, message, service
 from .definition import Field, NamespacedType, parse_definition
 
-__all__ = ["define", "type_store"]
+__all__ = ["define", "ros_package", "type_store"]
 
 KINDS = {".msg": ("msg", 1), ".srv": ("srv", 2), ".action": ("action", 3)}  # folder, and how many parts
 
+DEFINITIONS = Path(__file__).with_name("definitions.txt")
+MAKERS = {"msg": message, "srv": service, "action": action}
+
 _defined: dict[str, dict[str, str]] = {}
+
+
+def ros_package(module: str) -> dict[str, type]:
+    """Make the types of a package of ROS, named by the last part of `module`, from definitions.txt; return them."""
+    package = module.rpartition(".")[2]
+    types = {}
+    for ros_type, parts in _definitions()[package].items():
+        _, kind, name = ros_type.split("/")
+        types[name] = MAKERS[kind](ros_type, *parts)
+    return types
+
+
+@cache
+def _definitions() -> dict[str, dict[str, list[str]]]:
+    """Return the parts of each definition, by package and type."""
+    found: dict[str, dict[str, list[str]]] = {}
+    for block in DEFINITIONS.read_text(encoding="utf-8").split("==== ")[1:]:
+        ros_type, _, text = block.partition("\n")
+        found.setdefault(ros_type.partition("/")[0], {})[ros_type] = text.split("---\n")
+    return found
 
 
 def define(package: str, definitions: Mapping[str, str] | str | Path) -> ModuleType:
@@ -112,8 +135,7 @@ def _make(package: str, name: str, texts: Mapping[str, str], made: dict[str, typ
         for needed in (f"{_own(field, package)}.msg" for field in fields):
             if needed in texts:
                 _make(package, needed, texts, made, (*above, name))
-    make = {"msg": message, "srv": service, "action": action}[kind]
-    made[name] = make(f"{package}/{kind}/{stem}", *parts)
+    made[name] = MAKERS[kind](f"{package}/{kind}/{stem}", *parts)
 
 
 def _own(field: Field, package: str) -> str | None:

@@ -1,5 +1,5 @@
 """Define rosgraph_msgs: the time of /clock."""
 
-from .base import message
+from .packages import ros_package
 
-Clock = message("rosgraph_msgs/msg/Clock", "builtin_interfaces/Time clock")
+globals().update(ros_package(__name__))

@@ -1,22 +1,5 @@
 """Define std_srvs."""
 
-from .base import service
+from .packages import ros_package
 
-Empty = service("std_srvs/srv/Empty")
-
-SetBool = service(
-    "std_srvs/srv/SetBool",
-    request="bool data",
-    response="""
-        bool success
-        string message
-    """,
-)
-
-Trigger = service(
-    "std_srvs/srv/Trigger",
-    response="""
-        bool success
-        string message
-    """,
-)
+globals().update(ros_package(__name__))

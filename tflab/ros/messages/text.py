@@ -22,7 +22,7 @@ import yaml
 
 from .base import Message
 from .definition import Array, BoundedSequence, SlotType, UnboundedSequence, type_text
-from .own import type_store
+from .packages import type_store
 
 __all__ = ["TRUNCATE_LENGTH", "message_to_dict", "message_to_yaml", "type_hash"]
 

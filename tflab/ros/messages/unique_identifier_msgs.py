@@ -1,5 +1,5 @@
 """Define unique_identifier_msgs."""
 
-from .base import message
+from .packages import ros_package
 
-UUID = message("unique_identifier_msgs/msg/UUID", "uint8[16] uuid")
+globals().update(ros_package(__name__))
