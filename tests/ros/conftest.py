@@ -1,4 +1,4 @@
-"""What do tests of the graph need?  A fresh graph on virtual time, and nothing left behind."""
+"""Provide a fresh graph on virtual time, and a node on it."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 
 from tflab import ros
+from tflab.ros.client_library import init, try_shutdown
 from tflab.ros.logging import clear_config, show_engine_refusals
+from tflab.ros.node import Node
 from tflab.ros.process import use_graph
 
 LECTURE = Path(__file__).parent / "lecture"
@@ -16,7 +18,7 @@ LECTURE = Path(__file__).parent / "lecture"
 
 @pytest.fixture
 def graph() -> Iterator[ros.Graph]:
-    """The current graph: virtual time, 1 s."""
+    """Return the current graph: virtual time, 1 s."""
     graph = ros.new_graph()
     yield graph
     graph.stop()
@@ -27,7 +29,15 @@ def graph() -> Iterator[ros.Graph]:
 
 @pytest.fixture
 def activated(graph: ros.Graph) -> Iterator[ros.Graph]:
-    """The same, and `import rclpy` finds us."""
+    """Return the same; `import rclpy` finds the in-process modules."""
     ros.activate("in-process")
     yield graph
     ros.deactivate()
+
+
+@pytest.fixture
+def node(graph: ros.Graph) -> Iterator[Node]:
+    """Return a node of the name "node", between init and shutdown."""
+    init()
+    yield Node("node")
+    try_shutdown()

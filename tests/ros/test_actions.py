@@ -9,18 +9,10 @@ from tflab.ros.action_server import ActionServer, CancelResponse, GoalResponse
 from tflab.ros.entity import ReentrantCallbackGroup
 from tflab.ros.exceptions import NoTypeSupportImportedException, RCLError
 from tflab.ros.executors import MultiThreadedExecutor
-from tflab.ros.graph import new_graph
 from tflab.ros.messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
 from tflab.ros.messages.example_interfaces import AddTwoInts, Fibonacci
 from tflab.ros.node import Node
 from tflab.ros.time import Duration
-
-
-@pytest.fixture
-def graph():
-    made = new_graph()
-    yield made
-    made.stop()
 
 
 def count_up(pause_s=1.0):

@@ -231,6 +231,15 @@ def test_a_listener_feeds_the_buffer_it_has_now(node):
     assert (first._frameExists("odom"), second._frameExists("odom")) == (False, True)
 
 
+def test_a_replaced_set_transform_is_called(node):
+    buffer, calls = Buffer(), []
+    node.listener = TransformListener(buffer, node)
+    buffer.set_transform = lambda transform, authority: calls.append((transform.child_frame_id, authority))
+    TransformBroadcaster(node).sendTransform(transform("a", "b", 1.0))
+    rclpy.spin_once(node, timeout_sec=0.1)
+    assert calls == [("b", "default_authority")]
+
+
 def test_an_overridden_set_transform_is_called(node):
     class Counting(Buffer):
         count = 0

@@ -15,7 +15,6 @@ from tflab.core import (
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
 from tflab.ros.action_server import ActionServer, GoalResponse
-from tflab.ros.graph import new_graph
 from tflab.ros.messages.action_msgs import GoalStatus
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.messages.tf2_msgs import LookupTransform, TF2Error
@@ -31,13 +30,6 @@ NUMBERS = {
     ExtrapolationException: TF2Error.EXTRAPOLATION_ERROR,
     InvalidArgumentException: TF2Error.INVALID_ARGUMENT_ERROR,
 }
-
-
-@pytest.fixture
-def graph():
-    made = new_graph()
-    yield made
-    made.stop()
 
 
 def known_buffer():

@@ -9,19 +9,12 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.entity import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tflab.ros.exceptions import RCLError, ROSInterruptException
 from tflab.ros.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from tflab.ros.graph import new_graph
 from tflab.ros.messages.rcl_interfaces import GetParameters
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.task import Future, Task
 from tflab.ros.timer import TimerInfo
-
-
-@pytest.fixture
-def node(graph):
-    rclpy.init()
-    node = Node("node")
-    yield node
-    rclpy.try_shutdown()
 
 
 def test_spin_once_executes_one_callback(node, graph):
@@ -352,3 +345,29 @@ def test_without_a_server_one_waits_in_vain(node, graph):
     assert graph.now_ns == seconds(1.5)
     with pytest.raises(TypeError, match="Expected <class"):
         client.call_async(String())
+
+
+@pytest.mark.parametrize("executor_class", [SingleThreadedExecutor, MultiThreadedExecutor])
+def test_each_tick_and_each_message_is_handled_once_even_in_a_reentrant_group(executor_class):
+    ticks, heard = [], []
+
+    def main():
+        rclpy.init()
+        node, group = Node("n"), ReentrantCallbackGroup()
+        publisher = node.create_publisher(String, "chatter", 10)
+        node.create_subscription(String, "chatter", heard.append, 10, callback_group=group)
+
+        def tick():
+            ticks.append(1)
+            publisher.publish(String())
+
+        node.create_timer(0.5, tick, callback_group=group)
+        executor = executor_class()
+        executor.add_node(node)
+        executor.spin()
+
+    graph = new_graph()
+    graph.start(main)
+    graph.run(seconds=2.2)
+    graph.stop()
+    assert (len(ticks), len(heard)) == (4, 4)

@@ -313,20 +313,27 @@ def test_a_repeated_stamp_replaces_and_nobody_is_warned(graph, monkeypatch, caps
 # -- quality of service -----------------------------------------------------------------
 
 
-def test_an_offer_that_is_less_than_the_request_is_warned_about_on_both_sides(graph, capsys):
+@pytest.mark.parametrize(
+    ("offered", "requested", "policy"),
+    [
+        ({"reliability": ReliabilityPolicy.BEST_EFFORT}, {}, "RELIABILITY"),
+        ({}, {"durability": DurabilityPolicy.TRANSIENT_LOCAL}, "DURABILITY"),
+    ],
+)
+def test_incompatible_qos_is_logged_by_both_nodes(graph, capsys, offered, requested, policy):
     rclpy.init()
-    talker, hearer = Node("talker"), Node("hearer")
-    publisher = talker.create_publisher(String, "/t", QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))
-    heard = []
-    hearer.create_subscription(String, "/t", heard.append, 10)
+    talker, listener = Node("talker"), Node("listener")
+    publisher = talker.create_publisher(String, "/t", QoSProfile(depth=1, **offered))
+    received = []
+    listener.create_subscription(String, "/t", received.append, QoSProfile(depth=10, **requested))
     publisher.publish(String())
-    rclpy.spin_once(hearer, timeout_sec=0.1)
-    assert heard == []
+    rclpy.spin_once(listener, timeout_sec=0.1)
+    assert received == []
     assert capsys.readouterr().err == (
-        "[WARN] [1.000000000] [hearer]: New publisher discovered on topic '/t', offering incompatible QoS. No messages "
-        "will be received from it. Last incompatible policy: RELIABILITY\n"
-        "[WARN] [1.000000000] [talker]: New subscription discovered on topic '/t', requesting incompatible QoS. No "
-        "messages will be sent to it. Last incompatible policy: RELIABILITY\n"
+        "[WARN] [1.000000000] [listener]: New publisher discovered on topic '/t', offering incompatible QoS. "
+        f"No messages will be received from it. Last incompatible policy: {policy}\n"
+        "[WARN] [1.000000000] [talker]: New subscription discovered on topic '/t', requesting incompatible QoS. "
+        f"No messages will be sent to it. Last incompatible policy: {policy}\n"
     )
     rclpy.shutdown()
 

@@ -1,9 +1,11 @@
-"""QoS profiles: what must be given, what fits together, and what the presets are."""
-
-import warnings
+"""QoS profiles: required policies, compatibility, presets, and events of incompatible QoS."""
 
 import pytest
 
+from tflab.ros import client_library as rclpy
+from tflab.ros.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks, UnsupportedEventTypeError
+from tflab.ros.messages.std_msgs import String
+from tflab.ros.node import Node
 from tflab.ros.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -18,7 +20,13 @@ from tflab.ros.qos import (
     profile_from,
     qos_profile_sensor_data,
 )
-from tflab.ros.qos_compatibility import QoSCompatibility, incompatible_policy, qos_check_compatible
+from tflab.ros.qos_compatibility import (
+    QoSCompatibility,
+    QoSPolicyKind,
+    incompatible_policy,
+    qos_check_compatible,
+    qos_policy_name_from_kind,
+)
 from tflab.ros.time import Duration
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
@@ -49,14 +57,6 @@ def test_neither_depth_nor_history_is_not_enough():
     with pytest.raises(InvalidQoSProfileException):
         QoSProfile(history=HistoryPolicy.KEEP_LAST)
     assert QoSProfile(history=HistoryPolicy.KEEP_ALL).history == HistoryPolicy.KEEP_ALL
-
-
-def test_a_depth_of_zero_is_warned_about():
-    with pytest.warns(UserWarning, match="A zero depth with KEEP_LAST doesn't make sense; no data could be stored"):
-        QoSProfile(depth=0)
-    with warnings.catch_warnings():
-        warnings.simplefilter("error")
-        QoSProfile(depth=1)
 
 
 @pytest.mark.parametrize(
@@ -216,3 +216,61 @@ def test_liveliness_that_is_requested_by_topic_must_be_offered_by_topic():
     automatic = profile(liveliness=QoSLivelinessPolicy.AUTOMATIC)
     assert incompatible_policy(by_topic, automatic) is None
     assert incompatible_policy(automatic, by_topic) == "LIVELINESS"
+
+
+STRICT = QoSProfile(depth=1, reliability=ReliabilityPolicy.RELIABLE)
+LOOSE = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+
+#   publisher, best effort --x--> subscription, reliable
+
+
+@pytest.fixture
+def node(graph):
+    rclpy.init()
+    yield Node("ends")
+    rclpy.shutdown()
+
+
+def told(infos):
+    return [(info.total_count, info.total_count_change, info.last_policy_kind) for info in infos]
+
+
+def test_the_executor_tells_both_sides_which_policy_it_was_and_the_log_says_nothing(node, capsys):
+    subscription, publisher = [], []
+    node.create_subscription(
+        String, "t", print, STRICT, event_callbacks=SubscriptionEventCallbacks(incompatible_qos=subscription.append)
+    )
+    for _ in range(2):
+        node.create_publisher(
+            String, "t", LOOSE, event_callbacks=PublisherEventCallbacks(incompatible_qos=publisher.append)
+        )
+    assert (subscription, publisher) == ([], [])
+    for _ in range(4):
+        rclpy.spin_once(node, timeout_sec=0)
+    assert told(subscription) == [(1, 1, QoSPolicyKind.RELIABILITY), (2, 1, QoSPolicyKind.RELIABILITY)]
+    assert told(publisher) == [(1, 1, QoSPolicyKind.RELIABILITY)] * 2
+    assert qos_policy_name_from_kind(subscription[0].last_policy_kind) == "RELIABILITY"
+    assert "incompatible QoS" not in capsys.readouterr().err
+
+
+def test_without_a_callback_the_log_says_it_unless_that_is_not_wanted(node, capsys):
+    node.create_subscription(String, "t", print, STRICT, event_callbacks=SubscriptionEventCallbacks())
+    silent = PublisherEventCallbacks(use_default_callbacks=False)
+    node.create_publisher(String, "t", LOOSE, event_callbacks=silent)
+    logged = capsys.readouterr().err
+    assert "New publisher discovered on topic '/t', offering incompatible QoS." in logged
+    assert "New subscription discovered" not in logged
+
+
+@pytest.mark.parametrize(
+    ("callbacks", "event"),
+    [
+        (PublisherEventCallbacks, "deadline"),
+        (PublisherEventCallbacks, "matched"),
+        (SubscriptionEventCallbacks, "message_lost"),
+        (SubscriptionEventCallbacks, "liveliness"),
+    ],
+)
+def test_an_event_that_nobody_would_report_is_refused(callbacks, event):
+    with pytest.raises(UnsupportedEventTypeError, match=f"nobody reports the event '{event}'"):
+        callbacks(**{event: print})

@@ -1,6 +1,8 @@
-"""What rclpy's own tests ask of logging, names, clocks, profiles and callback groups."""
+"""Logging, names, clocks, profiles, parameters and callback groups behave as in rclpy."""
 
+import warnings
 from pathlib import Path
+from unittest.mock import Mock
 
 import pytest
 
@@ -8,16 +10,19 @@ from tflab.ros import client_library as rclpy
 from tflab.ros import logging as ros_logging
 from tflab.ros.clock import ROSClock
 from tflab.ros.entity import ReentrantCallbackGroup
-from tflab.ros.exceptions import RCLError
+from tflab.ros.exceptions import ParameterAlreadyDeclaredException, ParameterNotDeclaredException, RCLError
 from tflab.ros.executors import MultiThreadedExecutor
 from tflab.ros.logging import LoggingSeverity, get_logger
+from tflab.ros.messages import rcl_interfaces
 from tflab.ros.messages.std_msgs import Empty
 from tflab.ros.names import expand_topic_name
 from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
 from tflab.ros.qos import CQoSProfile, HistoryPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 from tflab.ros.task import Future
-from tflab.ros.time import Duration, Time
+from tflab.ros.time import ClockType, Duration, Time
 from tflab.ros.time_source import TimeSource
+from tflab.ros.timer import TimerInfo
 
 # -- logging ------------------------------------------------------------------------
 
@@ -238,3 +243,113 @@ def test_a_timer_of_a_millisecond_says_how_long_it_is_to_the_next_call(graph):
     timer.cancel()
     assert timer.time_until_next_call() is None
     rclpy.shutdown()
+
+
+DYNAMIC = rcl_interfaces.ParameterDescriptor(dynamic_typing=True)
+
+
+# -- what is made can be used with `with` ---------------------------------------------
+
+
+def test_a_timer_ends_with_its_with_statement(node):
+    calls = []
+    with node.create_timer(0.1, lambda: calls.append(1)):
+        rclpy.spin_once(node, timeout_sec=0.15)
+    rclpy.spin_once(node, timeout_sec=0.5)
+    assert calls == [1]
+
+
+def test_a_destroyed_timer_keeps_nobody_from_waiting(node, graph):
+    with node.create_timer(0.1, Mock()):
+        pass
+    before_ns = graph.driver.now_ns()
+    rclpy.spin_once(node, timeout_sec=2.0)
+    assert graph.driver.now_ns() - before_ns == 2_000_000_000
+
+
+def test_services_and_clients_leave_with_their_with_statement(node):
+    kind = rcl_interfaces.GetParameters
+    with (
+        node.create_service(kind, "ask", lambda request, response: response),
+        node.create_client(kind, "ask") as client,
+    ):
+        assert client.service_is_ready()
+    assert node.count_services("ask") == node.count_clients("ask") == 0
+
+
+# -- timer info -------------------------------------------------------------------------
+
+
+def test_timer_info_is_given_nanoseconds_and_shows_times():
+    info = TimerInfo(expected_call_time=5, actual_call_time=6, clock_type=ClockType.STEADY_TIME)
+    assert info.expected_call_time == Time(nanoseconds=5, clock_type=ClockType.STEADY_TIME)
+    assert info.actual_call_time == Time(nanoseconds=6, clock_type=ClockType.STEADY_TIME)
+    assert TimerInfo().expected_call_time == Time()
+
+
+# -- quality of service -------------------------------------------------------------------
+
+
+def make_shallow():
+    QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=0)
+
+
+def make_shallow_later():
+    QoSProfile(depth=1).depth = 0
+
+
+@pytest.mark.parametrize("make", [make_shallow, make_shallow_later])
+def test_a_depth_of_zero_warns_once_where_it_was_written(make):
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        make()
+    assert [str(each.message) for each in caught] == [
+        "A zero depth with KEEP_LAST doesn't make sense; no data could be stored. "
+        "This will be interpreted as SYSTEM_DEFAULT"
+    ]
+    assert caught[0].filename == __file__
+
+
+# -- parameters -----------------------------------------------------------------------------
+
+
+def test_several_parameters_are_declared_all_or_none(node):
+    node.declare_parameter("b", 1)
+    with pytest.raises(ParameterAlreadyDeclaredException, match=r"Parameter\(s\) already declared: \['b'\]"):
+        node.declare_parameters("", [("a", 1), ("b", 2)])
+    assert not node.has_parameter("a")
+
+
+def test_a_descriptor_must_be_one(node):
+    with pytest.raises(TypeError, match="descriptor must be a ParameterDescriptor, not 'metres'"):
+        node.declare_parameter("length", 1.0, "metres")
+
+
+def test_setting_a_dynamic_parameter_to_nothing_undeclares_it(node):
+    node.declare_parameter("a", 1, DYNAMIC)
+    (result,) = node.set_parameters([Parameter("a", Parameter.Type.NOT_SET)])
+    assert result.successful
+    assert not node.has_parameter("a")
+
+
+def test_setting_a_typed_parameter_to_nothing_is_refused(node):
+    node.declare_parameter("a", 1)
+    (result,) = node.set_parameters([Parameter("a", Parameter.Type.NOT_SET)])
+    assert result.reason == "Static parameter cannot be undeclared"
+    assert node.get_parameter("a").value == 1
+
+
+def test_types_of_several_parameters_are_told(node):
+    node.declare_parameter("a", 1)
+    assert node.get_parameter_types(["a", "use_sim_time"]) == [Parameter.Type.INTEGER, Parameter.Type.BOOL]
+    with pytest.raises(ParameterNotDeclaredException):
+        node.get_parameter_types(["b"])
+
+
+# -- names of modules ---------------------------------------------------------------------------
+
+
+def test_rcl_error_can_be_imported_from_where_it_says_it_lives(activated):
+    from rclpy._rclpy_pybind11 import RCLError
+
+    assert RCLError.__module__ == "rclpy._rclpy_pybind11"

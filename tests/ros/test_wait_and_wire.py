@@ -1,11 +1,14 @@
-"""One message to wait for, and messages as bytes."""
+"""Wait for a message, serialize messages, and print them as `ros2 topic echo` does."""
 
+import numpy as np
 import pytest
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.graph import new_graph
-from tflab.ros.messages.geometry_msgs import TransformStamped
-from tflab.ros.messages.std_msgs import String
+from tflab.ros.messages.geometry_msgs import PoseWithCovariance, TransformStamped
+from tflab.ros.messages.sensor_msgs import JointState, LaserScan
+from tflab.ros.messages.std_msgs import Byte, String
+from tflab.ros.messages.text import TRUNCATE_LENGTH, message_to_dict, message_to_yaml, type_hash
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
@@ -87,3 +90,84 @@ def test_a_raw_subscription_gets_bytes(node):
     while not received:
         rclpy.spin_once(node)
     assert deserialize_message(received[0], String) == String(data="1")
+
+
+def laser_mounting():
+    transform = TransformStamped(child_frame_id="laser_frame")
+    transform.header.frame_id = "base_link"
+    transform.header.stamp.sec = 1639634982
+    transform.header.stamp.nanosec = 150475886
+    transform.transform.translation.x = 0.2
+    transform.transform.translation.z = 0.15
+    return transform
+
+
+def test_a_static_transform_reads_as_echo_prints_it():
+    assert message_to_yaml(TFMessage(transforms=[laser_mounting()])) == (
+        "transforms:\n"
+        "- header:\n"
+        "    stamp:\n"
+        "      sec: 1639634982\n"
+        "      nanosec: 150475886\n"
+        "    frame_id: base_link\n"
+        "  child_frame_id: laser_frame\n"
+        "  transform:\n"
+        "    translation:\n"
+        "      x: 0.2\n"
+        "      y: 0.0\n"
+        "      z: 0.15\n"
+        "    rotation:\n"
+        "      x: 0.0\n"
+        "      y: 0.0\n"
+        "      z: 0.0\n"
+        "      w: 1.0\n"
+    )
+
+
+def test_empty_text_and_empty_sequences_are_written_out():
+    assert message_to_yaml(TFMessage()) == "transforms: []\n"
+    assert message_to_yaml(String()) == "data: ''\n"
+
+
+def test_numbers_in_arrays_are_plain_numbers():
+    covariance = message_to_dict(PoseWithCovariance(covariance=np.arange(36.0)))["covariance"]
+    assert covariance == [float(i) for i in range(36)]
+    assert all(type(value) is float for value in covariance)
+
+
+def test_what_is_longer_than_128_is_cut_and_says_so():
+    assert TRUNCATE_LENGTH == 128
+    cut = message_to_dict(LaserScan(ranges=[1.0] * 129), truncate_length=128)["ranges"]
+    assert cut == [1.0] * 128 + ["..."]
+    assert message_to_dict(LaserScan(ranges=[1.0] * 128), truncate_length=128)["ranges"] == [1.0] * 128
+    assert message_to_dict(String(data="x" * 130), truncate_length=128)["data"] == "x" * 128 + "..."
+    assert message_to_yaml(JointState(name=["a", "b"]), truncate_length=1).splitlines()[5:8] == [
+        "name:",
+        "- a",
+        "- '...'",
+    ]
+
+
+def test_without_arrays_and_strings_their_type_and_length_is_left():
+    values = message_to_dict(LaserScan(ranges=[1.0, 2.0]), no_arr=True, no_str=True)
+    assert values["ranges"] == "<sequence type: float, length: 2>"
+    assert values["header"]["frame_id"] == "<string length: <0>>"
+    assert message_to_dict(PoseWithCovariance(), no_arr=True)["covariance"] == "<array type: double[36]>"
+    assert message_to_dict(TFMessage(), no_arr=True)["transforms"] == (
+        "<sequence type: geometry_msgs/msg/TransformStamped, length: 0>"
+    )
+
+
+def test_flow_style_is_one_line():
+    assert message_to_yaml(String(data="hi"), flow_style=True) == "{data: hi}\n"
+
+
+def test_hangul_is_written_as_it_is_and_a_byte_as_a_character():
+    assert message_to_yaml(String(data="지도")) == "data: 지도\n"
+    assert message_to_dict(Byte(data=b"A"))["data"] == "A"
+
+
+def test_the_type_hash_of_tf_messages_is_the_one_that_ros2_topic_info_shows():
+    assert type_hash("tf2_msgs/msg/TFMessage") == (
+        "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
+    )

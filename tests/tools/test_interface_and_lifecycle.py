@@ -5,7 +5,7 @@ from tools_robot import spin
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.lifecycle import LifecycleNode, TransitionCallbackReturn
-from tflab.ros.messages.own import define
+from tflab.ros.messages.packages import define
 
 STAMPED = """\
 std_msgs/Header header

@@ -1,4 +1,4 @@
-"""After activate(), ROS 2's own import lines reach these messages and transforms, and importing registers them."""
+"""Imports of ROS packages find these messages and transforms, and register the transforms."""
 
 import importlib.util
 
