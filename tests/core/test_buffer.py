@@ -1,4 +1,4 @@
-"""Promises of the buffer that the recordings of tf2 do not cover."""
+"""Properties of the buffer that the recordings of tf2 do not cover."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_lookup_a_b_inverts_lookup_b_a(a: str, b: str, stamp_ns: int) -> None:
 
 @given(st.sampled_from(FRAMES), st.sampled_from(FRAMES), st.sampled_from(FRAMES), stamps_in_reach)
 @settings(deadline=None)
-def test_a_way_over_any_third_frame_is_the_same_way(a: str, b: str, c: str, stamp_ns: int) -> None:
+def test_a_lookup_equals_the_product_over_any_third_frame(a: str, b: str, c: str, stamp_ns: int) -> None:
     direct = ROBOT.lookup_transform(a, c, stamp_ns).transform
     over_b = ROBOT.lookup_transform(a, b, stamp_ns).transform @ ROBOT.lookup_transform(b, c, stamp_ns).transform
     assert np.allclose(direct.matrix(), over_b.matrix(), atol=1e-9)
@@ -90,7 +90,7 @@ def test_a_batch_of_seconds_is_refused_with_the_remedy() -> None:
         ROBOT.lookup_transforms("map", "laser", np.array([1.5, 2.5]))
 
 
-def test_many_at_once_are_stored_as_one_by_one() -> None:
+def test_set_transforms_stores_what_single_calls_store() -> None:
     stamps = [5, 7, 7, 3, 30, 19, 20]
     translations = np.arange(21.0).reshape(7, 3)
     rotations = np.array([[0, 0, 0, 1.0]] * 7)
@@ -109,7 +109,7 @@ def test_arrays_that_do_not_fit_together_are_refused() -> None:
         BufferCore().set_transforms("a", "b", [1, 2], np.zeros((3, 3)), np.zeros((2, 4)))
 
 
-def test_a_refused_transform_is_a_line_in_the_log_and_nothing_else(caplog: pytest.LogCaptureFixture) -> None:
+def test_a_rejected_transform_is_logged_and_not_stored(caplog: pytest.LogCaptureFixture) -> None:
     buffer = BufferCore()
     zero = StampedTransform("base_link", "laser_frame", 1, Transform(rotation=(0, 0, 0, 0)))
     assert not buffer.set_transform(zero, "static_sensor_broadcaster")
@@ -118,7 +118,7 @@ def test_a_refused_transform_is_a_line_in_the_log_and_nothing_else(caplog: pytes
     assert buffer.frame_names() == []
 
 
-def test_a_second_sample_with_the_same_stamp_is_kept_and_the_one_that_came_last_answers() -> None:
+def test_of_two_samples_with_one_stamp_the_last_answers() -> None:
     buffer = BufferCore()
     for x in (1.0, 2.0):
         assert buffer.set_transform(StampedTransform("odom", "base_link", seconds(1), Transform((x, 0, 0))))
@@ -148,7 +148,7 @@ def test_the_chain_goes_up_and_down_without_detours() -> None:
     assert ROBOT.chain("map", "map") == ["map"]
 
 
-def test_history_tells_who_said_what_and_when() -> None:
+def test_history_has_stamps_parents_and_authorities() -> None:
     buffer = BufferCore()
     for stamp_ns, parent, authority in ((1, "odom", "wheels"), (2, "odom", "ekf"), (3, "map", "amcl")):
         buffer.set_transform(StampedTransform(parent, "base_link", stamp_ns, Transform((stamp_ns, 0, 0))), authority)
@@ -193,13 +193,13 @@ def test_a_sample_takes_at_most_eighty_bytes_and_memos_are_bounded() -> None:
     assert buffer.memory().memo_bytes < 1_000_000
 
 
-def test_a_stale_trunk_does_not_hurt_two_sensors_on_one_robot() -> None:
+def test_a_stale_edge_above_does_not_affect_a_lookup_below_it() -> None:
     buffer = robot()
     assert buffer.can_transform("camera", "laser", seconds(99)) is True
     assert buffer.can_transform("map", "laser", seconds(99)) is False
 
 
-def test_callbacks_may_use_the_buffer_and_an_error_in_one_does_not_silence_the_others() -> None:
+def test_callbacks_may_use_the_buffer_and_an_exception_does_not_stop_the_others() -> None:
     buffer = BufferCore()
     called = []
 

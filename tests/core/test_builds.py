@@ -1,4 +1,4 @@
-"""Which build runs, and is it the one that was asked for?"""
+"""The pure and the compiled build behave alike, and the environment selects one."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ WHAT_RUNS = (
 )
 
 
-def test_the_build_that_is_said_to_run_is_the_one_that_does() -> None:
+def test_build_names_the_build_that_runs() -> None:
     files = [importlib.import_module(f"tflab.core.{module}").__file__ for module in COMPILED_MODULES]
     suffixes = tuple(EXTENSION_SUFFIXES) if BUILD == "compiled" else (".py",)
     assert all(file.endswith(suffixes) for file in files), files
 
 
-def test_one_word_in_the_environment_takes_the_modules_as_they_stand() -> None:
+def test_an_environment_variable_selects_the_sources() -> None:
     environment = {**os.environ, "TFLAB_COMPILED": "0"}
     probe = subprocess.run(
         [sys.executable, "-c", WHAT_RUNS], env=environment, capture_output=True, text=True, check=True
@@ -60,7 +60,7 @@ QUESTIONS = {
 
 
 @pytest.mark.parametrize("question", QUESTIONS)
-def test_a_float_where_an_int_belongs_gets_one_text_on_both_builds(buffer: BufferCore, question: str) -> None:
+def test_a_float_stamp_raises_the_same_text_on_both_builds(buffer: BufferCore, question: str) -> None:
     for stamp in (1001e9, np.float64(1001e9)):
         with pytest.raises(TypeError) as raised:
             QUESTIONS[question](buffer, stamp)
@@ -85,7 +85,7 @@ def test_answers_are_pickled_and_copied_and_buffers_are_not_on_both_builds(buffe
             refused(buffer)
 
 
-def test_a_buffer_can_be_subclassed_and_weakly_held_on_both_builds() -> None:
+def test_a_buffer_can_be_subclassed_and_weakly_referenced_on_both_builds() -> None:
     class Recorder(BufferCore):
         def set_transform(self, stamped, authority="default_authority", is_static=False):
             self.heard = stamped
@@ -99,7 +99,7 @@ def test_a_buffer_can_be_subclassed_and_weakly_held_on_both_builds() -> None:
     assert BufferCore.__doc__.startswith("Transforms between frames")
 
 
-def test_what_contributing_tells_to_type_is_there() -> None:
+def test_the_make_targets_of_contributing_exist() -> None:
     makefile = Path(__file__).parents[2] / "Makefile"
     if makefile.exists():  # not beside an installed wheel
         commands = [line.partition(":")[0] for line in makefile.read_text(encoding="utf-8").splitlines()]

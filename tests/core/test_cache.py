@@ -1,4 +1,4 @@
-"""Two moments at which the order of the samples does not decide, also after a segment was remembered."""
+"""Samples with equal stamps, and stamp zero, also after interpolation was cached."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def test_time_zero_is_the_newest_sample_even_between_negative_and_positive_stamp
     assert cache.at(0)[0] == 10.0
 
 
-def test_of_twins_that_become_the_oldest_the_first_answers() -> None:
+def test_of_two_oldest_samples_with_one_stamp_the_first_answers() -> None:
     cache = moving_along_x((1, 0.0), (5, 1.0), (5, 2.0), (9, 6.0), (15, 12.0))
     assert cache.at(6)[0] == 3.0
     assert cache.at(5)[0] == 2.0  # in the middle, the last to come

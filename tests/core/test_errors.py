@@ -1,4 +1,4 @@
-"""What an exception knows beyond tf2's text."""
+"""Attributes of exceptions beyond tf2's text."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def test_an_unknown_name_suggests_the_one_that_was_meant(buffer: BufferCore) -> 
     assert "base_link" in error.hint
 
 
-def test_a_name_like_no_other_is_answered_with_the_known_ones(buffer: BufferCore) -> None:
+def test_an_unknown_name_without_a_close_match_lists_the_known_names(buffer: BufferCore) -> None:
     hint = error_of(buffer, "map", "zebra", 0).hint
     assert 'Who publishes "zebra"' in hint
     assert "map, odom" in hint or "odom, map" in hint
@@ -68,18 +68,18 @@ def test_an_extrapolation_names_the_edge_and_the_distance(buffer, stamp_ns, dire
     assert word in error.hint
 
 
-def test_a_slash_is_a_malformed_question(buffer: BufferCore) -> None:
+def test_a_leading_slash_is_an_invalid_argument(buffer: BufferCore) -> None:
     error = error_of(buffer, "/map", "base_link", 0)
     assert isinstance(error, InvalidArgumentException)
     assert "'map', not '/map'" in error.hint
 
 
-def test_exceptions_travel_between_processes(buffer: BufferCore) -> None:
+def test_exceptions_can_be_pickled(buffer: BufferCore) -> None:
     error = error_of(buffer, "map", "base_link", seconds(3))
     copy = pickle.loads(pickle.dumps(error))
     assert (type(copy), str(copy), vars(copy)) == (type(error), str(error), vars(error))
 
 
-def test_they_are_called_as_on_a_robot() -> None:
+def test_exceptions_have_tf2s_names() -> None:
     assert repr(LookupException) == "<class 'tf2.LookupException'>"
     assert issubclass(ExtrapolationException, TransformException)

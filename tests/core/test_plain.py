@@ -1,4 +1,4 @@
-"""Is the plain engine the rule?  It plays the recordings of the real tf2: every answer and every kind of "no"."""
+"""The reference implementation reproduces the recordings of tf2."""
 
 from __future__ import annotations
 

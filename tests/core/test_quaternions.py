@@ -63,7 +63,7 @@ def test_angles_are_recovered_as_a_rotation_even_when_looking_straight_up_or_dow
 
 
 @given(rotations, rotations, st.floats(0, 1))
-def test_halfway_is_the_same_seen_from_q_and_from_minus_q(a, b, ratio) -> None:
+def test_slerp_is_the_same_from_q_and_from_minus_q(a, b, ratio) -> None:
     if abs(sum(x * y for x, y in zip(a, b, strict=True))) < 1e-6:
         return  # half a turn apart: both ways round are equally short
     minus_b = tuple(-c for c in b)
@@ -78,7 +78,7 @@ def test_scaling_and_sign_are_canonical() -> None:
 
 
 @pytest.mark.parametrize("bad", [(0, 0, 0, 0), (math.nan, 0, 0, 1), (math.inf, 0, 0, 0)])
-def test_what_has_no_direction_cannot_be_scaled_to_one(bad) -> None:
+def test_a_zero_quaternion_cannot_be_normalized(bad) -> None:
     with pytest.raises(ValueError, match=r"'No rotation' is \(0, 0, 0, 1\)"):
         q.normalized(bad)
 
@@ -88,7 +88,7 @@ def test_order_is_changed_by_name_at_the_border() -> None:
     assert q.wxyz_from_xyzw((2, 3, 4, 1)) == (1, 2, 3, 4)
 
 
-def test_an_axis_and_an_angle_make_a_turn() -> None:
+def test_a_rotation_from_axis_and_angle() -> None:
     assert q.from_axis_angle((0, 0, 9), math.pi / 2) == pytest.approx((0, 0, HALF, HALF))
     assert q.angle(q.from_axis_angle((1, 1, 0), 0.3)) == pytest.approx(0.3)
     with pytest.raises(ValueError, match="no direction"):

@@ -1,4 +1,4 @@
-"""Whole nanoseconds: nothing is lost on the way in, and tf2's printing on the way out."""
+"""Whole nanoseconds: exact conversion, and tf2's format."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_seconds_rounds_to_the_nearest_nanosecond_also_long_after_1970() -> None
 
 
 @pytest.mark.parametrize("value", [math.nan, math.inf])
-def test_no_moment_is_not_a_moment(value: float) -> None:
+def test_infinity_and_nan_are_refused(value: float) -> None:
     with pytest.raises(ValueError, match="finite number of seconds"):
         seconds(value)
 
@@ -52,7 +52,7 @@ def test_stamps_are_printed_as_tf2_prints_them(stamp_ns: int, text: str) -> None
 
 
 @pytest.mark.parametrize("text", ["", "x", "0", "-1", "nan", "inf"])
-def test_what_somebody_typed_for_a_time_must_be_one(text: str) -> None:
+def test_a_typed_time_must_be_a_number(text: str) -> None:
     assert seconds_typed("2.5") == 2.5
     with pytest.raises(ValueError, match="needs a time in seconds"):
         seconds_typed(text)

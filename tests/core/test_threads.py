@@ -1,4 +1,4 @@
-"""One thread writes while others read: no answer is ever half old and half new."""
+"""Lookups stay consistent while another thread writes."""
 
 from __future__ import annotations
 

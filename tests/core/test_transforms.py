@@ -1,4 +1,4 @@
-"""A turn and a step: which numbers, in which order, and what the laws are."""
+"""Transforms: composition, inverse, points and interpolation."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ transforms = st.builds(
 )
 
 
-def test_the_laser_turned_left_sees_ahead_what_is_to_the_robots_left() -> None:
+def test_a_laser_yawed_left_measures_ahead_what_is_left_of_the_robot() -> None:
     base_T_laser = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
     assert base_T_laser.apply((2.0, 0.0, 0.0)) == pytest.approx((0.20, 2.0, 0.15))
 
 
-def test_an_inverse_turns_back_before_it_undoes_the_step() -> None:
+def test_the_inverse_translation_is_rotated_back() -> None:
     base_T_laser = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
     assert base_T_laser.inverse().translation == pytest.approx((0.0, 0.20, -0.15))
 
@@ -37,7 +37,7 @@ def test_a_product_applies_its_right_factor_first(a, b, point) -> None:
 
 
 @given(transforms, vectors)
-def test_there_and_back_again(a, point) -> None:
+def test_inverse_times_transform_is_identity(a, point) -> None:
     assert a.inverse().apply(a.apply(point)) == pytest.approx(point, abs=1e-9)
     assert np.allclose((a.inverse() @ a).matrix(), np.eye(4), atol=1e-9)
     assert np.allclose(Transform.from_matrix(a.matrix()).matrix(), a.matrix(), atol=1e-9)
@@ -51,7 +51,7 @@ def test_an_array_of_points_stays_an_array() -> None:
         Transform().apply(np.zeros((3, 4)))
 
 
-def test_between_two_transforms_lies_a_straight_line_and_the_shorter_arc() -> None:
+def test_interpolation_is_linear_in_position_and_takes_the_shorter_arc() -> None:
     start, end = Transform((0, 0, 0)), Transform.from_rpy(yaw=3.0, translation=(2, 0, 0))
     halfway = start.interpolate(end, 0.5)
     assert halfway.translation == (1, 0, 0)
@@ -85,7 +85,7 @@ def test_values_are_frozen_plain_and_comparable() -> None:
         (lambda: Transform.from_matrix(np.diag([1, 1, -1, 1])), ValueError, "mirror"),
     ],
 )
-def test_what_cannot_be_a_transform_is_refused_with_what_was_expected(make, error, text) -> None:
+def test_an_invalid_transform_is_refused_with_what_was_expected(make, error, text) -> None:
     with pytest.raises(error, match=text):
         make()
 

@@ -1,4 +1,4 @@
-"""The lecture's circle slides sideways; the corrected one drives forward."""
+"""The lecture's circle slides sideways; the corrected circle drives forward."""
 
 import pytest
 

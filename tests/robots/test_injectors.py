@@ -1,4 +1,4 @@
-"""Each fault is really in the stream it was put into, where its diagnosis says, and nothing else is touched."""
+"""Each injected fault is in the stream, where its diagnosis reports it, and nowhere else."""
 
 import math
 from collections import defaultdict
@@ -54,7 +54,7 @@ def test_every_fault_of_the_catalogue_has_an_injector():
     assert set(INJECTORS) == set(Fault)
 
 
-def test_a_fault_added_to_the_catalogue_or_moved_in_it_changes_nothing_of_how_the_others_are_made(monkeypatch):
+def test_the_order_of_the_catalogue_does_not_change_injected_faults(monkeypatch):
     before = {fault: repr(inject(CLEAN, fault, 1)) for fault in Fault}
     reordered = {"NEW": "new", **{fault.name: fault.value for fault in reversed(Fault)}}
     monkeypatch.setattr(injecting, "Fault", Enum("Fault", reordered, type=str))
@@ -275,7 +275,7 @@ def test_faults_add_up_and_each_has_its_diagnosis():
 
 
 @pytest.mark.parametrize("seed", range(10))
-def test_any_three_faults_can_be_put_in_one_after_the_other_or_it_is_said_why_not(seed):
+def test_any_three_faults_can_be_injected_in_sequence_or_raise(seed):
     faults = np.random.default_rng(seed).choice(list(Fault), 3, replace=False)
     with suppress(CannotInject):
         records, diagnoses = inject_all(CLEAN, faults, seed)
@@ -283,7 +283,7 @@ def test_any_three_faults_can_be_put_in_one_after_the_other_or_it_is_said_why_no
         assert [r.receive_ns for r in records] == sorted(r.receive_ns for r in records)
 
 
-def test_what_was_spoilt_before_is_not_computed_with():
+def test_corrupted_samples_are_not_used_for_later_faults():
     spoilt, _ = inject(small_stream(), Fault.ZERO_QUATERNION)
     bad = {record.stamped.stamp_ns for record in spoilt if record.stamped.transform.rotation[3] == 0.0}
     records, _ = inject(spoilt, Fault.LOOP)
@@ -297,7 +297,7 @@ def test_a_robot_can_have_every_fault_and_a_single_edge_only_some():
     assert not {Fault.NO_TF_STATIC, Fault.OPTICAL_IDENTITY, Fault.MISSING_EDGE, Fault.CLOCK_OFFSET} & set(few)
 
 
-def test_what_cannot_be_broken_says_what_is_missing():
+def test_an_impossible_fault_names_what_is_missing():
     with pytest.raises(CannotInject, match="it needs a frame called optical"):
         inject(small_stream(), Fault.OPTICAL_IDENTITY)
     with pytest.raises(CannotInject, match="it needs a moving edge of at least 20 samples"):
@@ -310,7 +310,7 @@ def test_an_unknown_fault_is_refused():
 
 
 @pytest.mark.parametrize("fault", [f for f in Fault if f not in (Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC)])
-def test_a_fault_can_be_aimed_at_an_edge(fault):
+def test_aim_selects_the_edge(fault):
     hit = 0
     for child in edges_of(CLEAN):
         with suppress(CannotInject):
@@ -321,12 +321,12 @@ def test_a_fault_can_be_aimed_at_an_edge(fault):
 
 
 @pytest.mark.parametrize("fault", [Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC])
-def test_what_takes_every_edge_with_it_cannot_be_aimed(fault):
+def test_a_fault_of_all_edges_cannot_be_aimed(fault):
     with pytest.raises(CannotInject, match="it cannot be aimed at one"):
         inject(CLEAN, fault, aim="base_footprint")
 
 
-def test_an_aim_that_misses_says_so():
+def test_an_aim_at_an_unsuitable_edge_raises():
     with pytest.raises(ValueError, match="nobody sends 'bse_link' as a child; there is base_footprint, base_link"):
         inject(CLEAN, Fault.GAP, aim="bse_link")
     with pytest.raises(CannotInject, match="laser_frame cannot have the fault: it needs a moving edge"):

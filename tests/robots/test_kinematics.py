@@ -1,4 +1,4 @@
-"""Joint positions give link poses, as worked out by hand and as an independent library has them."""
+"""Link poses from joint positions, by hand and by an independent library."""
 
 import math
 
@@ -72,12 +72,12 @@ def test_a_floating_joint_takes_a_whole_pose():
     assert joint_transform(joint, (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 2.0)) == Transform((1.0, 2.0, 0.0))
 
 
-def test_a_joint_that_nobody_mentions_stands_at_its_origin():
+def test_a_joint_without_a_position_is_at_its_origin():
     robot = parse_urdf(ROBOT)
     assert link_poses(robot)["arm"] == robot.joint("swing").origin
 
 
-def test_a_transform_between_two_links_undoes_the_one_and_does_the_other():
+def test_link_transform_inverts_one_pose_and_applies_the_other():
     robot = parse_urdf(ROBOT)
     poses = link_poses(robot, {"swing": 0.4})
     hand_T_arm = link_transform(robot, "hand", "arm", {"swing": 0.4})
@@ -92,7 +92,7 @@ def test_a_transform_between_two_links_undoes_the_one_and_does_the_other():
         ({"swing": "left"}, "joint 'swing' is continuous and takes one number, not 'left'"),
     ],
 )
-def test_a_position_that_does_not_fit_says_what_would(positions, words):
+def test_an_invalid_position_names_the_expected_type(positions, words):
     with pytest.raises(ValueError, match=words.replace("(", r"\(")):
         link_poses(parse_urdf(ROBOT), positions)
 

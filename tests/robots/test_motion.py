@@ -1,4 +1,4 @@
-"""The true pose is a function of time alone, and can be worked out with a pencil."""
+"""The true pose is a function of time, computed by hand."""
 
 import math
 

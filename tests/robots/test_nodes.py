@@ -1,4 +1,4 @@
-"""On ROS the robot says what the pure simulation knows, with true moments and real delays."""
+"""The robot on ROS publishes what the pure simulation computes, with its stamps and delays."""
 
 import math
 
@@ -61,7 +61,7 @@ def test_every_edge_is_the_simulations_at_its_stamp(graph):
     assert core.lookup_transform("base_link", "laser_frame", LATEST).transform.translation == (0.20, 0.0, 0.15)
 
 
-def test_messages_come_as_late_as_their_sources_are_and_say_what_was_true_then(graph):
+def test_messages_have_the_delay_of_their_source_and_the_truth_at_their_stamp(graph):
     launch(graph)
     robot = TeachingRobot()
     heard = Audience(
@@ -121,7 +121,7 @@ def test_a_wrong_clock_changes_the_stamps_and_not_what_is_true(graph):
     assert message.pose.pose.position.x == truth.pose.translation[0]
 
 
-def test_a_filter_beside_the_odometry_is_a_second_owner_until_one_of_them_is_told_to_stop(graph):
+def test_filter_and_odometry_are_two_owners_unless_one_does_not_publish_tf(graph):
     launch(graph, only=["wheel_odometry", "ekf_filter_node"])
     graph.run(seconds=5.0)
     rclpy.init(args=[])
@@ -142,7 +142,7 @@ def test_a_filter_beside_the_odometry_is_a_second_owner_until_one_of_them_is_tol
     assert len(stamps) == 20
 
 
-def test_the_localiser_keeps_its_edge_to_itself_if_it_is_told_to(graph):
+def test_the_localizer_does_not_publish_tf_if_disabled(graph):
     launch(graph, only=["localization"])
     (localizer,) = (each for each in graph.nodes if each.get_name() == "localization")
     localizer.set_parameters([Parameter("tf_broadcast", value=False)])
@@ -180,7 +180,7 @@ def test_an_unknown_node_is_refused_before_anything_starts(graph):
     assert graph.participants == []
 
 
-def test_a_map_server_tells_the_room_to_whoever_comes_late(graph):
+def test_a_map_server_publishes_the_map_to_late_subscribers(graph):
     launch(graph, only=["map_server"])
     graph.run(seconds=5.0)
     rclpy.init(args=[])

@@ -1,4 +1,4 @@
-"""Odometry is smooth and drifts; localisation jumps and does not (REP-105)."""
+"""Odometry is smooth and drifts; localization jumps and does not drift (REP-105)."""
 
 import itertools
 import math

@@ -1,4 +1,4 @@
-"""robot_state_publisher publishes what the real node would, when it would, and says what it would say."""
+"""robot_state_publisher publishes and logs what the real node does, at the same times."""
 
 import math
 from typing import NamedTuple
@@ -144,7 +144,7 @@ def test_the_period_is_cut_to_whole_milliseconds():
     assert len(stage.moving) == 2
 
 
-def test_a_joint_state_without_a_stamp_is_never_published_unless_told_to_ignore_stamps():
+def test_a_joint_state_without_a_stamp_is_published_only_with_ignore_timestamp():
     stage = staged()
     stage.say(0.0, slide=0.0)
     assert stage.moving == []
@@ -162,7 +162,7 @@ def test_the_prefix_goes_before_every_frame_as_it_is():
     assert stage.moving[0].transforms[0].header.frame_id == "robot1/arm"
 
 
-def test_what_it_says_about_bad_joint_states(capfd):
+def test_bad_joint_states_are_logged(capfd):
     stage = staged()
     stage.publisher.on_joint_state(sensor_msgs.JointState(name=["turn", "slide"]))
     stage.publisher.on_joint_state(sensor_msgs.JointState(name=["turn", "slide"], position=[1.0]))
@@ -261,7 +261,7 @@ def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
     assert not participant.is_running
 
 
-def test_as_a_program_it_ends_with_the_last_words_of_a_cpp_program(capfd):
+def test_as_a_program_it_prints_the_last_line_of_a_cpp_program(capfd):
     participant = new_graph().start(main)
     assert not participant.is_running
     words = "terminate called after throwing an instance of 'std::runtime_error'\n"

@@ -1,4 +1,4 @@
-"""The robot of the workbook: its frames, its stamps and delays, and the same answer every time."""
+"""The teaching robot: frames, stamps, delays, and reproducibility."""
 
 import math
 from dataclasses import replace
@@ -55,7 +55,7 @@ def test_the_arm_keeps_within_its_limits():
             assert limit.lower <= positions[name] <= limit.upper
 
 
-def test_the_believed_pose_stays_near_the_true_one():
+def test_the_estimated_pose_stays_near_the_true_pose():
     robot = TeachingRobot()
     buffer = robot.buffer(until_s=60.0)
     stamp_ns = buffer.latest_common_time_ns("map", "laser_frame")
@@ -77,7 +77,7 @@ def test_a_detection_transformed_at_its_stamp_finds_the_ball():
         assert math.dist(map_T_optical.apply(detection.point), (6.5, -1.5, 0.30)) < 0.25
 
 
-def test_every_message_is_heard_after_its_stamp_by_its_delay():
+def test_every_message_is_received_after_its_stamp_plus_delay():
     robot = TeachingRobot()
     for reading in robot.readings(until_s=4.0):
         if isinstance(reading.value, Detection):
@@ -161,7 +161,7 @@ def test_the_same_seed_gives_the_same_stream_and_another_seed_another():
     assert first != other
 
 
-def test_a_drive_of_ones_own_is_driven():
+def test_a_custom_drive_is_used():
     robot = TeachingRobot(Drive([Leg(5.0, speed_mps=1.0)]))
     x0 = robot.truth_at(seconds(1.0))["base_link"].translation[0]
     assert robot.truth_at(seconds(3.0))["base_link"].translation[0] == pytest.approx(x0 + 2.0)
@@ -177,13 +177,13 @@ def test_the_urdf_survives_a_command_line_where_parameters_are_yaml():
     assert replace(on_one_line, line=0) == replace(TeachingRobot().model.joint("base_to_laser"), line=0)
 
 
-def test_a_source_added_before_all_others_changes_nothing_of_what_they_say(monkeypatch):
+def test_adding_a_source_does_not_change_the_other_sources(monkeypatch):
     before = TeachingRobot().records(until_s=3.0), TeachingRobot().readings(until_s=3.0)
     monkeypatch.setattr(teaching, "SOURCES", {"sonar": Source("sonar_driver", 5.0, 0.010, 0.002), **SOURCES})
     assert (TeachingRobot().records(until_s=3.0), TeachingRobot().readings(until_s=3.0)) == before
 
 
-def test_sensors_that_measure_at_one_moment_do_not_share_their_chance():
+def test_sensors_with_one_stamp_have_independent_noise():
     robot = TeachingRobot()
     laser, imu = robot.laser.scan_at(seconds(2.0)), robot.imu.reading_at(seconds(2.0))
     quiet = replace(robot.laser, sigma_m=0.0).scan_at(seconds(2.0))
@@ -193,7 +193,7 @@ def test_sensors_that_measure_at_one_moment_do_not_share_their_chance():
     assert of_laser != pytest.approx(of_imu)
 
 
-def test_a_sensor_bolted_on_otherwise_measures_there_while_tf_repeats_the_drawing():
+def test_a_misplaced_sensor_measures_from_there_while_tf_follows_the_urdf():
     turned = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))
     robot, usual = TeachingRobot(screws={"laser_frame": turned}), TeachingRobot()
     assert robot.records(until_s=3.0) == usual.records(until_s=3.0)
@@ -204,12 +204,12 @@ def test_a_sensor_bolted_on_otherwise_measures_there_while_tf_repeats_the_drawin
     assert robot.truth_at(seconds(1.0))["laser_frame"].rpy()[2] == pytest.approx(math.pi / 2)
 
 
-def test_screws_of_what_is_not_there_are_refused():
+def test_an_unknown_misplaced_sensor_is_refused():
     with pytest.raises(ValueError, match="nothing is bolted on as 'lazer'; there is base_link, camera_link"):
         TeachingRobot(screws={"lazer": Transform()})
 
 
-def test_another_drawing_is_what_tf_repeats():
+def test_tf_follows_a_changed_urdf():
     urdf = teaching_urdf().replace('<origin xyz="0.20 0.0 0.15"', '<origin xyz="0.25 0.0 0.15"')
     assert urdf != teaching_urdf()
     buffer = TeachingRobot(urdf=urdf).buffer(until_s=3.0)
@@ -217,7 +217,7 @@ def test_another_drawing_is_what_tf_repeats():
     assert laser.translation == (0.25, 0.0, 0.15)
 
 
-def test_what_a_drawing_leaves_out_is_there_all_the_same_and_tf_does_not_know_it():
+def test_parts_missing_from_the_urdf_exist_but_are_not_in_tf():
     box = '<robot name="box"><link name="base_footprint"/></robot>'
     robot = TeachingRobot(urdf=box)
     assert robot.laser.mount == TeachingRobot().laser.mount
@@ -225,7 +225,7 @@ def test_what_a_drawing_leaves_out_is_there_all_the_same_and_tf_does_not_know_it
     assert set(robot.truth_at(seconds(2.0))) == {"base_footprint"}
 
 
-def test_two_robots_can_be_made_to_share_what_they_should_not():
+def test_shared_frames_can_be_chosen():
     robot = TeachingRobot(prefix="robot1/", shared=("map", "odom"))
     assert [robot.frame(name) for name in ("map", "odom", "base_link")] == ["map", "odom", "robot1/base_link"]
     alone = TeachingRobot(prefix="robot1/", shared=())

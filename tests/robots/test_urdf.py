@@ -1,4 +1,4 @@
-"""A robot is read from a file as it is, or the error says where and what to do."""
+"""A URDF becomes a model, or an error with line and remedy."""
 
 import math
 
@@ -148,7 +148,7 @@ def test_a_revolute_joint_without_limits_is_read_and_noted():
         '<link name="a"/><link name="b"/>' + joint_text("j", "$(arg p)a", "b"),
     ],
 )
-def test_xacro_left_in_is_an_error_that_says_to_run_xacro(body):
+def test_unexpanded_xacro_raises_with_the_command_to_run(body):
     error = fault(robot_text(body))
     assert error.line == 2
     assert "Expand it first: xacro robot.urdf > expanded.urdf" in str(error)
@@ -207,7 +207,7 @@ def test_a_link_with_two_parents_names_both_joints():
         ),
     ],
 )
-def test_a_name_used_twice_says_where_the_first_is(body, name):
+def test_a_duplicate_name_raises_with_the_line_of_the_first(body, name):
     error = fault(robot_text(body))
     assert error.line == 3
     assert name in str(error)
@@ -235,7 +235,7 @@ def test_a_bad_number_names_the_attribute_and_the_joint(written):
         ('<link name="a"><visual><geometry><sphere/></geometry></visual></link>', '<sphere> needs a radius="..."'),
     ],
 )
-def test_something_missing_or_unknown_says_what_is_needed(body, words):
+def test_missing_or_unknown_elements_name_what_is_needed(body, words):
     assert words in str(fault(robot_text(body)))
 
 
@@ -272,7 +272,7 @@ def test_two_hyphens_in_a_comment_are_explained_with_their_line():
         ('<!DOCTYPE r [<!ENTITY e "x">]>\n<robot name="&e;"/>', "the entity &e; is declared here"),
     ],
 )
-def test_what_is_no_urdf_says_so_in_one_line(text, words):
+def test_a_file_that_is_not_a_urdf_raises_in_one_line(text, words):
     error = str(fault(text))
     assert words in error
     assert "\n" not in error

@@ -1,4 +1,4 @@
-"""What a sensor sees follows from where it is mounted, when it looks, and what is there."""
+"""Readings follow from the mounting, the stamp and the room."""
 
 import math
 
@@ -73,7 +73,7 @@ def test_ranges_beyond_the_laser_are_infinite_and_have_no_point():
     assert np.isnan(scan.points()[180]).all()
 
 
-def test_a_moment_looks_the_same_every_time():
+def test_a_reading_at_one_stamp_is_always_the_same():
     laser = Laser(STANDING, BOX, Transform((0.0, 0.0, 0.25)), seed=5)
     assert laser.scan_at(seconds(1.0)) == laser.scan_at(seconds(1.0))
     assert laser.scan_at(seconds(1.0)).ranges != laser.scan_at(seconds(1.1)).ranges
@@ -88,7 +88,7 @@ def test_a_detection_is_written_in_optical_axes():
 
 
 @pytest.mark.parametrize("ball", [(-1.0, 0.0, 0.5), (0.5, 2.0, 0.5), (4.5, 0.0, 0.5)])
-def test_behind_the_camera_beside_the_picture_and_behind_a_wall_is_nothing(ball):
+def test_a_hidden_ball_is_not_detected(ball):
     assert Camera(STANDING, BOX, OPTICAL, ball).detection_at(seconds(1.0)) is None
 
 

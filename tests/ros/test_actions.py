@@ -1,4 +1,4 @@
-"""Actions: a node accepts goals, tells how they go, can be called off, and gives one result."""
+"""Actions: goals, feedback, cancellation and results."""
 
 import pytest
 
@@ -93,7 +93,7 @@ def test_feedback_arrives_while_the_goal_is_worked_on_and_the_result_at_the_end(
     ]
 
 
-def test_feedback_of_another_goal_is_not_mine(graph):
+def test_feedback_goes_to_the_client_of_its_goal(graph):
     seen = {"one": [], "two": []}
 
     def script(node, action_client, wait):
@@ -122,7 +122,7 @@ def cancelling(answers, after_s=2.5):
     return script
 
 
-def test_a_goal_is_given_up_when_its_server_agrees_and_has_a_second_thread(graph):
+def test_a_goal_is_canceled_if_the_server_accepts_and_has_a_second_thread(graph):
     answers = []
     run(
         graph,
@@ -136,7 +136,7 @@ def test_a_goal_is_given_up_when_its_server_agrees_and_has_a_second_thread(graph
     assert (result.status, list(result.result.sequence)) == (GoalStatus.STATUS_CANCELED, [0, 1, 1, 2, 3])
 
 
-def test_with_one_thread_a_callback_that_blocks_hears_of_it_too_late(graph):
+def test_a_blocking_callback_in_one_thread_sees_the_cancel_request_too_late(graph):
     answers = []
     run(graph, cancelling(answers), cancel_callback=lambda handle: CancelResponse.ACCEPT)
     answer, result, _ = answers
@@ -144,7 +144,7 @@ def test_with_one_thread_a_callback_that_blocks_hears_of_it_too_late(graph):
     assert (list(answer.goals_canceling), result.status) == ([], GoalStatus.STATUS_SUCCEEDED)
 
 
-def test_without_a_cancel_callback_nothing_is_given_up(graph):
+def test_without_a_cancel_callback_goals_are_not_canceled(graph):
     answers = []
     run(graph, cancelling(answers), threads=True)
     assert list(answers[0].goals_canceling) == []
@@ -171,7 +171,7 @@ def test_cancel_without_an_id_means_all_with_a_time_those_accepted_until_then(gr
     assert cancelled == [[ids[0]], [ids[1]], [ids[2]]]  # who was called off before is not again
 
 
-def test_an_unknown_goal_cannot_be_called_off(graph):
+def test_an_unknown_goal_cannot_be_canceled(graph):
     answers = []
 
     def script(node, action_client, wait):
@@ -197,7 +197,7 @@ def test_a_rejected_goal_is_not_worked_on(graph):
     assert answers == [False]
 
 
-def test_a_goal_callback_that_answers_something_else_rejects_with_a_warning(graph, capsys):
+def test_an_invalid_response_of_a_goal_callback_rejects_with_a_warning(graph, capsys):
     answers = []
     run(
         graph,
@@ -252,7 +252,7 @@ def test_an_accepted_goal_may_be_kept_and_begun_later(graph):
     assert order == [2, 1]
 
 
-def test_what_cannot_happen_to_a_goal_is_refused_with_rcl_s_text(graph):
+def test_invalid_goal_transitions_raise_with_rcl_s_text(graph):
     errors = []
 
     def execute(handle):
@@ -271,7 +271,7 @@ def test_what_cannot_happen_to_a_goal_is_refused_with_rcl_s_text(graph):
     assert errors == [f"{text}CANCELED", f"{text}EXECUTE"]
 
 
-def test_every_end_is_an_end():
+def test_terminal_goal_states_have_no_transitions():
     for status in (GoalStatus.STATUS_SUCCEEDED, GoalStatus.STATUS_CANCELED, GoalStatus.STATUS_ABORTED):
         for event in GoalEvent:
             with pytest.raises(RCLError):

@@ -1,4 +1,4 @@
-"""Putting modules in the place of a ROS 2 that is not there, and taking them away again."""
+"""activate() makes the ROS 2 modules importable, and deactivate() removes them."""
 
 import importlib
 import sys
@@ -40,7 +40,7 @@ def test_every_package_can_be_imported_and_is_gone_afterwards():
         importlib.import_module("rclpy")
 
 
-def test_a_module_that_we_lack_is_an_error_that_says_what_there_is():
+def test_a_missing_module_raises_and_lists_the_existing_modules():
     ros.activate()
     with pytest.raises(ModuleNotFoundError, match=r"No module named 'rclpy\.nodes' .*; rclpy has .*, node, "):
         importlib.import_module("rclpy.nodes")
@@ -71,7 +71,7 @@ def test_the_submodules_that_users_import_are_there():
         importlib.import_module(f"tf2_ros.{name}")
 
 
-def test_classes_are_the_same_however_one_reaches_them():
+def test_classes_are_identical_by_every_import_path():
     ros.activate()
     import rclpy.node
     import tf2_py
@@ -85,24 +85,24 @@ def test_classes_are_the_same_however_one_reaches_them():
     assert repr(tf2_ros.LookupException) == "<class 'tf2.LookupException'>"
 
 
-def test_it_stands_aside_beside_a_real_ros_2(real_rclpy):
+def test_it_steps_aside_for_a_real_ros_2(real_rclpy):
     assert ros.activate() == "real"
     assert importlib.import_module("rclpy").REAL
 
 
-def test_the_environment_may_ask_for_ours_all_the_same(real_rclpy, monkeypatch):
+def test_the_environment_variable_selects_the_in_process_modules(real_rclpy, monkeypatch):
     monkeypatch.setenv("TFLAB_ROS", "in-process")
     assert ros.activate() == "in-process"
     assert not hasattr(importlib.import_module("rclpy"), "REAL")
 
 
-def test_asking_for_the_real_one_where_there_is_none_says_what_to_do(monkeypatch):
+def test_requesting_a_missing_real_ros_2_raises_with_a_remedy(monkeypatch):
     monkeypatch.setenv("TFLAB_ROS", "real")
     with pytest.raises(ImportError, match="Source its setup file first"):
         ros.activate()
 
 
-def test_another_word_is_refused(monkeypatch):
+def test_an_unknown_value_of_the_variable_is_refused(monkeypatch):
     monkeypatch.setenv("TFLAB_ROS", "virtual")
     with pytest.raises(ValueError, match='"in-process" or "real"'):
         ros.activate()
@@ -132,7 +132,7 @@ def test_an_unknown_distribution_is_refused(monkeypatch):
         distro.current()
 
 
-def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys, undone):
+def test_loading_in_a_notebook_prints_one_line_and_provides_the_graph(capsys, undone):
     class Shell:
         def push(self, names):
             self.names = names
@@ -144,7 +144,7 @@ def test_loading_in_a_notebook_says_so_in_one_line_and_leaves_the_graph(capsys, 
     assert graph.driver.is_virtual and field_checks()
 
 
-def test_deactivating_gives_python_its_own_sleep_back(graph):
+def test_deactivate_restores_time_sleep(graph):
     import time
 
     assert time.sleep.__module__ == "tflab.ros.process"
@@ -159,7 +159,7 @@ def test_no_module_of_a_package_is_empty():
         assert not row or [each for each in vars(module) if not each.startswith("__")], name
 
 
-def test_the_lower_half_has_what_programs_ask_of_it():
+def test_the_pybind_module_has_the_names_that_programs_use():
     ros.activate()
     from rclpy.impl.implementation_singleton import rclpy_implementation
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden

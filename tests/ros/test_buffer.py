@@ -47,7 +47,7 @@ def buffer(graph):
         Duration(seconds=1.5),
     ],
 )
-def test_a_time_is_anything_with_seconds_and_nanoseconds(buffer, time):
+def test_a_time_is_any_object_with_seconds_and_nanoseconds(buffer, time):
     assert buffer.lookup_transform("odom", "base_link", time).transform.translation.x == 1.5
 
 
@@ -94,7 +94,7 @@ def test_set_transform_returns_none_even_if_it_refuses(buffer, capsys):
     )
 
 
-def test_can_transform_says_why_not_if_asked(buffer):
+def test_can_transform_returns_the_reason_on_request(buffer):
     assert buffer.can_transform("odom", "base_link", Time()) == 1
     assert buffer.can_transform("odom", "nobody", Time(), return_debug_tuple=True) == (
         0,
@@ -102,7 +102,7 @@ def test_can_transform_says_why_not_if_asked(buffer):
     )
 
 
-def test_a_wait_that_is_over_raises_the_reason_never_a_timeout(buffer, graph):
+def test_an_expired_wait_raises_the_cause_not_a_timeout(buffer, graph):
     with pytest.raises(LookupException):
         buffer.lookup_transform("odom", "nobody", Time(), timeout=Duration(seconds=0.5))
     assert graph.now_ns == seconds(1.5)
@@ -173,7 +173,7 @@ def test_a_coroutine_waits_for_a_transform(buffer):
     assert end.value.value.transform.translation.x == 2.5
 
 
-def test_a_future_is_done_by_what_a_listener_hears(graph):
+def test_a_future_completes_when_a_listener_receives_the_transform(graph):
     rclpy.init()
     node = Node("node")
     buffer = Buffer(node=node)
@@ -203,7 +203,7 @@ def test_tf_is_absolute_whatever_the_namespace_but_can_be_remapped(graph):
     rclpy.shutdown()
 
 
-def test_a_broadcaster_takes_one_a_list_or_anything_to_go_through(node):
+def test_a_broadcaster_accepts_a_transform_a_list_or_an_iterable(node):
     sent = []
     node.create_subscription(TFMessage, "/tf", lambda msg: sent.append(len(msg.transforms)), 10)
     broadcaster = TransformBroadcaster(node)
@@ -214,7 +214,7 @@ def test_a_broadcaster_takes_one_a_list_or_anything_to_go_through(node):
     assert sent == [1, 2, 2]
 
 
-def test_who_published_is_not_on_the_wire(node):
+def test_received_transforms_have_the_default_authority(node):
     buffer = Buffer()
     node.listener = TransformListener(buffer, node)
     TransformBroadcaster(node).sendTransform(transform("odom", "base_link", 1.0))
@@ -222,7 +222,7 @@ def test_who_published_is_not_on_the_wire(node):
     assert "broadcaster: 'default_authority'" in buffer.all_frames_as_yaml()
 
 
-def test_a_listener_feeds_the_buffer_it_has_now(node):
+def test_a_listener_stores_into_its_current_buffer(node):
     first, second = Buffer(), Buffer()
     listener = TransformListener(first, node)
     listener.buffer = second
@@ -255,7 +255,7 @@ def test_an_overridden_set_transform_is_called(node):
     assert buffer.count == 2
 
 
-def test_a_listener_that_nobody_holds_stops_listening(node):
+def test_a_listener_without_references_stops_listening(node):
     import gc
 
     buffer = Buffer()
@@ -266,7 +266,7 @@ def test_a_listener_that_nobody_holds_stops_listening(node):
     assert not buffer._frameExists("odom")
 
 
-def test_a_static_listener_hears_only_static_transforms(node):
+def test_a_static_listener_subscribes_only_to_tf_static(node):
     buffer = Buffer()
     node.listener = StaticTransformListener(buffer, node)
     assert node.count_subscribers("/tf") == 0
@@ -298,7 +298,7 @@ def test_an_unknown_type_is_not_a_transform_exception():
     assert not isinstance(refused.value, TransformException)
 
 
-def test_velocity_of_a_turned_frame_is_as_wrong_as_on_a_robot():
+def test_velocity_of_a_rotated_frame_has_the_fault_of_tf2():
     # Driving along y at 1 m/s, turned left by 90 degrees: tf2 turns the velocity once too often.
     from tflab.core import quaternions
 

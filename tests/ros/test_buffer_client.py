@@ -1,4 +1,4 @@
-"""A BufferClient asks a buffer that lives in another node, through an action."""
+"""BufferClient looks transforms up in the buffer of another node, by an action."""
 
 import threading
 
@@ -107,7 +107,7 @@ def test_a_lookup_is_answered_by_the_other_buffer(graph):
     assert (result.header.frame_id, result.child_frame_id, result.transform.translation.x) == ("map", "base_link", 2.0)
 
 
-def test_the_full_question_travels_too(graph):
+def test_lookups_with_two_times_are_forwarded(graph):
     graph.start(server())
     result = answer_to(
         graph,
@@ -125,26 +125,26 @@ def test_the_full_question_travels_too(graph):
         (("", "base_link", Time()), InvalidArgumentException, "in tf2 frame_ids cannot be empty"),
     ],
 )
-def test_what_went_wrong_there_is_raised_here_with_its_text(graph, question, error, text):
+def test_exceptions_of_the_server_are_raised_at_the_client_with_their_text(graph, question, error, text):
     graph.start(server())
     answer = answer_to(graph, lambda client: client.lookup_transform(*question))
     assert type(answer) is error
     assert text in str(answer)
 
 
-def test_whether_there_is_an_answer_can_be_asked_without_exceptions(graph):
+def test_can_transform_does_not_raise(graph):
     graph.start(server())
     assert answer_to(graph, lambda client: client.can_transform("map", "base_link", Time(seconds=2))) is True
     assert answer_to(graph, lambda client: client.can_transform("map", "nowhere", Time())) is False
 
 
-def test_without_a_server_it_says_so_at_once(graph):
+def test_without_a_server_it_raises_at_once(graph):
     answer = answer_to(graph, lambda client: client.lookup_transform("map", "base_link", Time()))
     assert type(answer) is TimeoutException
     assert str(answer) == "The BufferServer is not ready."
 
 
-def test_a_server_that_does_not_answer_in_time_is_given_up(graph):
+def test_a_slow_server_raises_a_timeout(graph):
     async def think_forever(handle):
         await Future()
 
@@ -206,7 +206,7 @@ def test_a_goal_that_is_aborted_still_has_a_result(graph):
     assert (status, result.error.error_string) == (GoalStatus.STATUS_ABORTED, "no map")
 
 
-def test_a_goal_that_nobody_settles_counts_as_aborted_and_an_exception_is_reported(graph, capsys):
+def test_a_goal_without_an_end_counts_as_aborted_and_its_exception_is_logged(graph, capsys):
     def broken(handle):
         raise RuntimeError("out of order")
 
@@ -217,7 +217,7 @@ def test_a_goal_that_nobody_settles_counts_as_aborted_and_an_exception_is_report
     assert "Goal state not set, assuming aborted" in printed
 
 
-def test_something_that_is_no_goal_is_refused(graph):
+def test_an_object_that_is_not_a_goal_is_refused(graph):
     rclpy.init(args=[])
     client = ActionClient(Node("client"), LookupTransform, "tf2_buffer_server")
     with pytest.raises(TypeError):

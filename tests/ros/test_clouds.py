@@ -1,4 +1,4 @@
-"""Point clouds: reading and making them as sensor_msgs_py does, moving them as tf2_sensor_msgs does."""
+"""Point clouds are read and made as by sensor_msgs_py and transformed as by tf2_sensor_msgs."""
 
 import math
 
@@ -67,7 +67,7 @@ def test_a_cloud_of_xyz_is_one_row_of_twelve_bytes_a_point():
 
 
 @pytest.mark.parametrize("points", [POINTS, np.array(POINTS, dtype=np.float32), np.array(POINTS)])
-def test_what_is_put_in_is_read_out(points):
+def test_points_are_read_as_they_were_written(points):
     cloud = create_cloud_xyz32(header(), points)
     assert read_points_numpy(cloud).tolist() == [list(point) for point in POINTS]
     assert read_points_list(cloud) == POINTS
@@ -160,7 +160,7 @@ def test_a_field_of_several_values_becomes_several_columns_and_one_without_a_nam
         ),
     ],
 )
-def test_what_cannot_be_done_is_refused_in_upstreams_words(attempt, text):
+def test_invalid_arguments_raise_with_upstreams_text(attempt, text):
     with pytest.raises(AssertionError) as refusal:
         attempt()
     assert str(refusal.value) == text
@@ -169,16 +169,16 @@ def test_what_cannot_be_done_is_refused_in_upstreams_words(attempt, text):
 # Moving ---------------------------------------------------------------------------
 
 
-def test_points_are_turned_then_moved():
+def test_points_are_rotated_then_translated():
     moved = transform_points(np.array([[1.0, 2.0, 3.0]]), quarter_left_then_up().transform)
     assert moved.tolist() == [pytest.approx([-2.0, 1.0, 13.0])]
 
 
-def test_a_stamped_transform_moves_points_alike_and_a_list_will_do():
+def test_a_stamped_transform_and_a_list_of_points_are_accepted():
     assert transform_points([[1.0, 2.0, 3.0]], quarter_left_then_up()).tolist() == [pytest.approx([-2.0, 1.0, 13.0])]
 
 
-def test_a_moved_cloud_has_its_own_stamp_and_the_transforms_frame():
+def test_a_transformed_cloud_has_its_own_stamp_and_the_transforms_frame():
     result = do_transform_cloud(lidar_cloud(), quarter_left_then_up())
     assert (result.header.frame_id, result.header.stamp.sec) == ("map", 5)
     assert read_points_numpy(result, ["x", "y", "z"]).tolist() == [
@@ -197,14 +197,14 @@ def test_other_columns_and_the_gap_between_points_are_kept():
     assert result.point_step == 16
 
 
-def test_the_cloud_that_is_moved_stays_as_it_was():
+def test_the_input_cloud_is_not_changed():
     cloud = lidar_cloud()
     before = copy_message(cloud)
     do_transform_cloud(cloud, quarter_left_then_up())
     assert cloud == before
 
 
-def test_a_moved_cloud_is_one_row_whatever_it_was():
+def test_a_transformed_cloud_has_one_row():
     cloud = create_cloud_xyz32(header(), np.zeros((2, 3, 3), dtype=np.float32))
     cloud.is_dense = True
     result = do_transform_cloud(cloud, quarter_left_then_up())

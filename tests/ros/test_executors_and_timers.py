@@ -42,7 +42,7 @@ def test_in_a_round_timers_come_first_and_a_subscription_gives_one_message(node)
     assert done == ["timer", "1", "guard", "timer", "2"]
 
 
-def test_a_full_queue_forgets_its_oldest(node):
+def test_a_full_queue_drops_its_oldest_message(node):
     heard = []
     publisher = node.create_publisher(String, "chatter", 10)
     node.create_subscription(String, "chatter", lambda msg: heard.append(msg.data), 3)
@@ -67,7 +67,7 @@ def test_publishing_copies_and_each_callback_gets_its_own(node):
     assert heard[0] is not heard[1]
 
 
-def test_a_callback_with_two_arguments_hears_how_the_message_came(node, graph):
+def test_a_callback_with_two_arguments_receives_message_info(node, graph):
     heard = []
     graph.disturb("/chatter", delay=0.5)
     publisher = node.create_publisher(String, "chatter", 10)
@@ -90,7 +90,7 @@ def test_a_shutdown_from_a_callback_ends_spin(node):
     assert not rclpy.ok()
 
 
-def test_after_a_shutdown_one_may_begin_again(node):
+def test_init_works_again_after_shutdown(node):
     rclpy.shutdown()
     with pytest.raises(RuntimeError, match="Context must be initialized before it can be shutdown"):
         rclpy.shutdown()
@@ -106,7 +106,7 @@ def test_shutting_one_context_down_twice_is_an_rcl_error(node):
         rclpy.shutdown()
 
 
-def test_spinning_after_a_shutdown_by_somebody_else_is_an_external_shutdown(node):
+def test_spinning_after_an_external_shutdown_raises(node):
     executor = SingleThreadedExecutor()
     executor.add_node(node)
     rclpy.get_default_context().try_shutdown()
@@ -140,7 +140,7 @@ def test_missed_calls_are_skipped_not_replayed(node, graph):
     assert calls == [seconds(1.1), seconds(1.45), seconds(1.5)]
 
 
-def test_a_cancelled_timer_stands_still_until_it_is_reset(node, graph):
+def test_a_canceled_timer_does_not_run_until_reset(node, graph):
     calls = []
     timer = node.create_timer(0.5, lambda: calls.append(graph.now_ns))
     timer.cancel()
@@ -167,7 +167,7 @@ def test_a_new_period_counts_from_the_next_call_on(node, graph):
     assert calls == [seconds(1.5), seconds(1.6)]
 
 
-def test_a_timer_tells_a_callback_that_asks_when_it_was_due(node):
+def test_a_timer_callback_with_an_argument_receives_timer_info(node):
     infos = []
 
     def on_timer(info: TimerInfo):
@@ -178,7 +178,7 @@ def test_a_timer_tells_a_callback_that_asks_when_it_was_due(node):
     assert infos[0].expected_call_time.nanoseconds == infos[0].actual_call_time.nanoseconds == seconds(1.5)
 
 
-def test_a_rate_needs_somebody_else_to_spin(graph):
+def test_a_rate_sleeps_while_another_thread_spins(graph):
     import threading
 
     ticks = []
@@ -197,7 +197,7 @@ def test_a_rate_needs_somebody_else_to_spin(graph):
     assert ticks == [seconds(1.25), seconds(1.5), seconds(1.75)]
 
 
-def test_a_rate_says_when_the_context_is_gone_and_is_positive(node):
+def test_a_rate_raises_after_shutdown_and_must_be_positive(node):
     rate = node.create_rate(1)
     rclpy.shutdown()
     with pytest.raises(ROSInterruptException):
@@ -243,7 +243,7 @@ def test_many_threads_run_callbacks_of_a_reentrant_group_together(graph):
     assert run_two_sleepy_timers(graph, [reentrant] * 2, MultiThreadedExecutor) == [seconds(1.5), seconds(1.5)]
 
 
-def test_many_threads_do_not_help_within_one_mutually_exclusive_group(graph):
+def test_callbacks_of_a_mutually_exclusive_group_never_run_together(graph):
     group = MutuallyExclusiveCallbackGroup()
     assert run_two_sleepy_timers(graph, [group] * 2, MultiThreadedExecutor) == [seconds(1.5), seconds(1.8)]
 
@@ -266,7 +266,7 @@ def test_an_exception_in_another_thread_comes_out_of_spin(graph, capsys):
 # -- futures, tasks, coroutines -------------------------------------------------------
 
 
-def test_a_future_calls_back_at_once_when_nobody_executes_it():
+def test_a_future_without_an_executor_calls_back_at_once():
     future, done = Future(), []
     future.add_done_callback(lambda each: done.append(each.result()))
     assert future.result() is None and not future.done()
@@ -275,7 +275,7 @@ def test_a_future_calls_back_at_once_when_nobody_executes_it():
     assert done == [3, 4]
 
 
-def test_an_exception_that_nobody_fetches_is_printed(capsys):
+def test_an_exception_that_is_never_retrieved_is_printed(capsys):
     future = Future()
     future.set_exception(ValueError("lost"))
     del future
@@ -339,7 +339,7 @@ def test_a_service_answers_a_future(node, graph):
     assert [(value.type, value.bool_value) for value in future.result().values] == [(1, False)]
 
 
-def test_without_a_server_one_waits_in_vain(node, graph):
+def test_wait_for_service_returns_false_without_a_server(node, graph):
     client = node.create_client(GetParameters, "/nobody/get_parameters")
     assert not client.wait_for_service(timeout_sec=0.5)
     assert graph.now_ns == seconds(1.5)

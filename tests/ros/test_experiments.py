@@ -74,14 +74,14 @@ def test_b_a_misspelt_parent_makes_two_trees(graph, listen):
     )
 
 
-def test_c_of_two_static_owners_the_last_one_heard_wins(graph, listen):
+def test_c_of_two_static_publishers_the_last_received_wins(graph, listen):
     graph.start(static_publisher("odom", "base_link", 1.0))
     graph.start(static_publisher("odom", "base_link", 2.0))
     buffer = listen(1.0)
     assert buffer.lookup_transform("odom", "base_link", Time()).transform.translation.x == 2.0
 
 
-def test_c_of_two_moving_owners_both_are_stored_and_between_them_tf_is_in_between(graph, listen):
+def test_c_samples_of_two_dynamic_publishers_are_interpolated(graph, listen):
     def owner(x, begins_after_s):
         def main():
             rclpy.init()

@@ -1,4 +1,4 @@
-"""message_filters: messages that belong together, by their stamps."""
+"""message_filters: subscribers, caches and synchronizers."""
 
 import pytest
 

@@ -67,17 +67,17 @@ def wxyz(q):
 # One worked example each ----------------------------------------------------------
 
 
-def test_a_point_is_turned_then_moved():
+def test_a_point_is_rotated_then_translated():
     result = do_transform_point(stamped(PointStamped, point=Point(x=1.0, y=2.0, z=3.0)), transform())
     assert xyz(result.point) == pytest.approx((8.0, 21.0, 33.0))
 
 
-def test_a_vector_is_turned_and_not_moved():
+def test_a_vector_is_rotated_and_not_translated():
     result = do_transform_vector3(stamped(Vector3Stamped, vector=Vector3(x=1.0, y=2.0, z=3.0)), transform())
     assert xyz(result.vector) == pytest.approx((-2.0, 1.0, 3.0))
 
 
-def test_a_pose_is_turned_and_moved_and_its_heading_turns_along():
+def test_a_pose_is_rotated_and_translated_with_its_orientation():
     pose = Pose(position=Point(x=1.0, y=2.0, z=3.0), orientation=Quaternion(**QUARTER_LEFT))
     result = do_transform_pose(pose, transform())
     assert isinstance(result, Pose)
@@ -85,7 +85,7 @@ def test_a_pose_is_turned_and_moved_and_its_heading_turns_along():
     assert wxyz(result.orientation) == pytest.approx((0.0, 0.0, 0.0, 1.0))  # two quarters make a half
 
 
-def test_a_polygon_is_turned_and_moved_point_by_point():
+def test_each_point_of_a_polygon_is_rotated_and_translated():
     polygon = stamped(PolygonStamped)
     polygon.polygon.points = [Point32(x=1.0, y=2.0, z=3.0), Point32()]
     result = do_transform_polygon_stamped(polygon, transform())
@@ -123,7 +123,7 @@ def test_the_result_has_the_very_header_of_the_transform(cls):
 
 
 @pytest.mark.parametrize("cls", list(TRANSFORMS), ids=lambda cls: cls.__name__)
-def test_what_is_transformed_stays_as_it_was(cls):
+def test_the_input_is_not_changed(cls):
     message = stamped(cls)
     before = copy_message(message)
     TRANSFORMS[cls](message, transform())
@@ -144,7 +144,7 @@ def test_transforming_a_vector_zeroes_the_translation_of_the_transform_as_upstre
     assert xyz(through.transform.translation) == (0.0, 0.0, 0.0)
 
 
-def test_that_surprise_can_be_switched_off(monkeypatch):
+def test_zeroing_the_translation_can_be_switched_off(monkeypatch):
     monkeypatch.setattr(geometry, "VECTOR3_ZEROES_TRANSLATION", False)
     through = transform()
     result = do_transform_vector3(stamped(Vector3Stamped, vector=Vector3(x=1.0)), through)
@@ -191,14 +191,14 @@ def inverse(of):
 
 
 @given(points, transforms())
-def test_there_and_back_is_where_it_was(position, there):
+def test_the_inverse_returns_a_point_to_its_position(position, there):
     point = stamped(PointStamped, point=Point(x=position[0], y=position[1], z=position[2]))
     back = do_transform_point(do_transform_point(point, there), inverse(there))
     assert xyz(back.point) == pytest.approx(position, abs=1e-9)
 
 
 @given(points, rotations, transforms())
-def test_a_pose_goes_there_and_back_too(position, q, there):
+def test_the_inverse_returns_a_pose_to_its_position(position, q, there):
     pose = Pose(
         position=Point(x=position[0], y=position[1], z=position[2]),
         orientation=Quaternion(x=q[0], y=q[1], z=q[2], w=q[3]),
@@ -229,7 +229,7 @@ def test_each_block_of_a_covariance_becomes_r_b_rt(values, there):
 
 
 @given(rotations)
-def test_matrix_and_quaternion_are_two_writings_of_one_rotation(q):
+def test_matrix_and_quaternion_conversions_are_inverse(q):
     matrix = geometry._get_mat_from_quat(np.array(quaternions.wxyz_from_xyzw(q)))
     again = quaternions.xyzw_from_wxyz(geometry._get_quat_from_mat(matrix).tolist())
     assert quaternions.angle(again, q) == pytest.approx(0.0, abs=1e-6)

@@ -1,4 +1,4 @@
-"""The graph: time that passes when asked, participants that do not hurt each other, trouble that repeats."""
+"""The graph: virtual time, isolated participants, reproducible delay and loss."""
 
 import contextlib
 import itertools
@@ -46,7 +46,7 @@ def recorder(heard, topic="chatter", name="recorder", qos=10):
     return main
 
 
-def test_time_begins_at_one_second_and_passes_only_in_run(graph):
+def test_time_begins_at_one_second_and_advances_only_in_run(graph):
     assert graph.now_ns == seconds(1)
     time.sleep(0.01)  # the notebook's own sleep is real
     assert graph.now_ns == seconds(1)
@@ -100,7 +100,7 @@ def test_a_name_is_numbered_if_it_is_taken(graph):
     assert names == ["main", "main_2", "main_3"]
 
 
-def test_when_a_participant_ends_everything_of_it_leaves_the_graph(graph):
+def test_nodes_and_publishers_of_an_ended_participant_leave_the_graph(graph):
     def forgetful():
         rclpy.init()
         node = Node("forgetful")
@@ -115,7 +115,7 @@ def test_when_a_participant_ends_everything_of_it_leaves_the_graph(graph):
     assert graph.network.topics["/chatter"].publishers == []
 
 
-def test_an_exception_is_reported_by_name_and_does_not_hurt_the_others(graph, capsys):
+def test_an_exception_is_reported_by_name_and_others_continue(graph, capsys):
     heard = []
 
     def clumsy():
@@ -135,7 +135,7 @@ def test_an_exception_is_reported_by_name_and_does_not_hurt_the_others(graph, ca
     assert report.rstrip().endswith("ZeroDivisionError: division by zero")
 
 
-def test_an_endless_loop_is_stopped_and_named_and_the_others_go_on(graph, capsys):
+def test_an_endless_loop_is_stopped_and_located_and_others_continue(graph, capsys):
     graph.driver.patience_s = 0.2
     heard = []
 
@@ -154,7 +154,7 @@ def test_an_endless_loop_is_stopped_and_named_and_the_others_go_on(graph, capsys
     assert len(heard) == 2
 
 
-def test_an_endless_loop_that_catches_every_exception_is_named_too(graph, capsys):
+def test_an_endless_loop_that_catches_every_exception_is_stopped(graph, capsys):
     graph.driver.patience_s = 0.2
 
     def stubborn():
@@ -169,7 +169,7 @@ def test_an_endless_loop_that_catches_every_exception_is_named_too(graph, capsys
     assert 'participant "stubborn"' in capsys.readouterr().err
 
 
-def test_polling_without_a_timeout_passes_a_millisecond_so_that_it_gets_somewhere(graph):
+def test_polling_without_a_timeout_advances_time_by_a_millisecond(graph):
     heard = []
 
     def poller():
@@ -203,7 +203,7 @@ def test_two_nodes_that_answer_each_other_at_once_do_not_stop_time(graph):
     assert graph.now_ns == seconds(1.002)
 
 
-def test_stop_interrupts_a_spin_and_a_sleep_and_lets_them_tidy_up(graph):
+def test_stop_interrupts_spin_and_sleep_and_runs_their_cleanup(graph):
     seen = []
 
     def spinner():
@@ -248,7 +248,7 @@ def test_a_participant_that_ignores_ctrl_c_is_ended(graph, capsys):
     assert capsys.readouterr().err == ('participant "stubborn" went on after it was interrupted, and was ended.\n')
 
 
-def test_the_cell_itself_may_spin_and_time_passes_meanwhile(graph):
+def test_spinning_in_the_cell_advances_time(graph):
     graph.start(talker())
     rclpy.init()
     heard = []
@@ -261,7 +261,7 @@ def test_the_cell_itself_may_spin_and_time_passes_meanwhile(graph):
     rclpy.shutdown()
 
 
-def test_a_wait_in_the_cell_that_can_never_end_says_so(graph):
+def test_a_wait_that_can_never_end_raises(graph):
     rclpy.init()
     node = Node("cell")
     with pytest.raises(RuntimeError, match="this would wait for ever: nobody in the graph has anything left to do"):
@@ -296,7 +296,7 @@ def test_threads_of_a_participant_take_turns_with_everybody_else(graph):
     assert seen == [("worker", seconds(1.5)), ("main", seconds(1.5))]
 
 
-def test_what_was_called_instead_of_passed_is_refused_with_the_remedy(graph):
+def test_starting_a_result_instead_of_a_function_raises_with_a_remedy(graph):
     def main():
         pass
 
@@ -405,7 +405,7 @@ def test_a_snapshot_knows_who_publishes_what(graph):
     assert [topic.name for topic in seen.topics] == ["/parameter_events", "/rosout", "/tf"]
 
 
-def test_best_effort_is_no_reason_to_lose_anything_by_itself(graph):
+def test_best_effort_alone_loses_no_message(graph):
     heard = []
     graph.start(talker())
     graph.start(recorder(heard, qos=QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)))
@@ -420,7 +420,7 @@ def press_stop_after(seconds_real):
     timer.start()
 
 
-def test_the_stop_button_stops_everything(graph):
+def test_the_stop_button_stops_all_participants(graph):
     tidied = []
 
     def slow():
@@ -459,7 +459,7 @@ def test_a_clock_before_zero_is_refused_with_the_remedy(graph):
     graph.set_clock_offset("wheel_odometry", -2.0)
 
 
-def test_a_participant_that_gets_little_of_the_machine_is_not_taken_for_an_endless_loop(graph, monkeypatch):
+def test_a_participant_with_little_cpu_time_is_not_reported_as_endless_loop(graph, monkeypatch):
     computed_s = itertools.count(0.0, 0.001)  # a hundredth of what passes: others have the processor
     monkeypatch.setattr(virtual, "cpu_s_of", lambda thread: next(computed_s))
     graph.driver.patience_s = 0.3

@@ -1,4 +1,4 @@
-"""The lecture's nodes and snippets, to the letter, on virtual time."""
+"""The lecture's nodes and snippets run unchanged on virtual time."""
 
 import runpy
 from pathlib import Path

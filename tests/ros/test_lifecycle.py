@@ -1,4 +1,4 @@
-"""Managed nodes: which transitions there are, who is told, and who may ask for them."""
+"""Managed nodes: transitions, callbacks and services."""
 
 import pytest
 
@@ -81,7 +81,7 @@ def test_a_managed_node_goes_through_its_states_and_back():
     assert node.trigger_shutdown() is None
 
 
-def test_a_callback_is_told_the_state_before():
+def test_a_callback_receives_the_previous_state():
     node = Talker()
     node.trigger_configure()
     node.trigger_activate()
@@ -105,7 +105,7 @@ def test_a_failure_leads_back_and_an_error_asks_where_to():
         (None, "Original error: TypeError: on_configure() returned None; return TransitionCallbackReturn.SUCCESS"),
     ],
 )
-def test_what_a_callback_raises_or_forgets_to_return_is_an_error_and_stands_in_the_log(capsys, answer, text):
+def test_an_exception_or_missing_return_value_of_a_callback_is_logged_as_error(capsys, answer, text):
     node = Talker(on_configure=answer)
     assert (node.trigger_configure(), state_of(node)) == (ERROR, "unconfigured")
     logged = capsys.readouterr().err
@@ -113,7 +113,7 @@ def test_what_a_callback_raises_or_forgets_to_return_is_an_error_and_stands_in_t
     assert text in logged
 
 
-def test_a_transition_that_is_not_there_changes_nothing_and_says_so(capsys):
+def test_an_invalid_transition_is_refused_and_changes_nothing(capsys):
     node = LifecycleNode("talker")
     assert (node.trigger_activate(), state_of(node)) == (ERROR, "unconfigured")
     logged = capsys.readouterr().err
@@ -121,7 +121,7 @@ def test_a_transition_that_is_not_there_changes_nothing_and_says_so(capsys):
     assert "[talker]: Unable to start transition 3 from current state (1, 'unconfigured')" in logged
 
 
-def test_others_move_it_by_its_services():
+def test_its_services_change_the_state():
     node = LifecycleNode("talker")
     by_id = ChangeState.Request(transition=Transition(id=Transition.TRANSITION_CONFIGURE))
     assert ask(node, ChangeState, "change_state", by_id).success
@@ -133,7 +133,7 @@ def test_others_move_it_by_its_services():
         assert not ask(node, ChangeState, "change_state", ChangeState.Request(transition=impossible)).success
 
 
-def test_its_states_and_ways_can_be_asked_for():
+def test_its_services_list_states_and_transitions():
     node = LifecycleNode("talker")
     node.trigger_configure()
     states = ask(node, GetAvailableStates, "get_available_states").available_states
@@ -195,7 +195,7 @@ def test_a_lifecycle_publisher_is_silent_unless_its_node_is_active():
         node.create_lifecycle_publisher(String, "chatter", 10, publisher_class=None)
 
 
-def test_a_managed_entity_goes_along_and_can_refuse():
+def test_a_managed_entity_follows_the_node_and_can_refuse():
     class Motor(SimpleManagedEntity):
         def __init__(self):
             super().__init__()

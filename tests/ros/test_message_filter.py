@@ -1,4 +1,4 @@
-"""tf2's MessageFilter: messages come out once they can be transformed, or the log says why not."""
+"""tf2's MessageFilter passes messages once they can be transformed, or logs why not."""
 
 from types import SimpleNamespace
 
@@ -126,7 +126,7 @@ def test_a_full_queue_drops_the_oldest_even_for_one_that_is_ready_at_once():
     assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
 
 
-def test_a_queue_of_size_zero_has_no_end():
+def test_a_queue_of_size_zero_is_unbounded():
     setup = Setup(queue_size=0)
     for i in range(50):
         setup.message(2.0 + i)
@@ -145,7 +145,7 @@ def test_a_message_older_than_the_cache_is_dropped_when_it_comes(capsys):
     )
 
 
-def test_a_message_is_dropped_while_it_waits_once_time_has_left_it_behind():
+def test_a_waiting_message_is_dropped_when_it_is_older_than_the_cache():
     setup = Setup()
     setup.transform(5.0)
     setup.message(4.0)
@@ -183,7 +183,7 @@ def test_leading_slashes_are_stripped_from_targets_and_frames():
     assert setup.passed == [2.0]
 
 
-def test_without_a_target_nothing_is_taken():
+def test_without_a_target_no_message_is_accepted():
     setup = Setup()
     setup.filter.setTargetFrames([])
     setup.message(2.0)
@@ -212,7 +212,7 @@ def test_a_message_that_comes_out_in_time_leaves_no_timer():
     assert setup.node.timers == []
 
 
-def test_clear_forgets_what_waits_without_a_word(capsys):
+def test_clear_drops_waiting_messages_silently(capsys):
     setup = Setup(buffer_timeout=Duration(seconds=1.0))
     setup.message(2.0)
     setup.filter.clear()
@@ -221,7 +221,7 @@ def test_clear_forgets_what_waits_without_a_word(capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_a_transform_that_is_gone_again_when_the_last_one_comes_drops_the_message_for_an_unknown_reason():
+def test_a_message_whose_transform_disappeared_is_dropped_for_an_unknown_reason():
     setup = Setup()
     setup.filter.setTargetFrames(["map", "odom"])
     setup.transform(1.0, 3.0)
@@ -241,7 +241,7 @@ def test_the_queue_can_be_made_smaller_on_the_way():
     assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
 
 
-def test_at_debug_level_each_step_is_told(capsys):
+def test_debug_level_logs_each_step(capsys):
     set_logger_level("tf2_ros_message_filter", LoggingSeverity.DEBUG)
     try:
         setup = Setup(queue_size=1)
@@ -260,7 +260,7 @@ def test_at_debug_level_each_step_is_told(capsys):
     )
 
 
-def test_on_a_graph_no_scan_is_lost_though_tf_arrives_later_than_the_scans():
+def test_no_scan_is_lost_if_tf_arrives_later_than_the_scans():
     #  odom --(published at 20 Hz, 0.15 s under way)--> base_link      scans at 10 Hz, at once
     graph = new_graph()
     graph.disturb("/tf", delay=0.15)

@@ -155,7 +155,7 @@ def test_repr_of_a_service_answer_is_the_line_that_view_frames_logs():
         (tf2_msgs.LookupTransform.Goal, "tf2_msgs.action._lookup_transform"),
     ],
 )
-def test_a_class_says_it_comes_from_where_rosidl_puts_it(cls, module):
+def test_the_module_of_a_class_is_that_of_rosidl(cls, module):
     assert cls.__module__ == module
 
 
@@ -206,7 +206,7 @@ def test_an_assigned_sub_message_is_shared_not_copied():
     assert a.header.frame_id == "odom"
 
 
-def test_a_line_that_is_no_definition_is_refused_with_the_line():
+def test_an_invalid_line_of_a_definition_is_refused_with_the_line():
     with pytest.raises(ValueError, match='cannot read "float64 x y z"'):
         parse_definition("float64 x y z", "geometry_msgs")
 
@@ -304,7 +304,7 @@ def test_unchecked_a_wrong_type_is_stored_and_unknown_keywords_are_ignored():
         (lambda: Vector3(foo=1.0, X=2.0), "Invalid arguments passed to constructor: X, foo"),
     ],
 )
-def test_checked_a_wrong_value_is_refused_in_rosidls_words(checked, make, text):
+def test_checked_a_wrong_value_is_refused_with_rosidls_text(checked, make, text):
     with pytest.raises(AssertionError) as refusal:
         make()
     assert str(refusal.value) == text
@@ -410,7 +410,7 @@ def test_a_copy_has_arrays_of_its_own(duplicate):
     assert (pose_twin.covariance[0], scan_twin.ranges[0]) == (0.0, 1.0)
 
 
-def test_a_message_filled_unlooked_at_is_like_one_made_with_keywords_and_checks_what_is_set_later(checked):
+def test_filled_makes_the_message_that_keywords_make_and_checks_later_assignments(checked):
     filled_one = filled(Vector3, 1.0, 2.0, 3.0)
     assert filled_one == Vector3(x=1.0, y=2.0, z=3.0)
     with pytest.raises(AssertionError, match="The 'x' field must be of type 'float'"):
@@ -425,7 +425,7 @@ def test_deepcopy_keeps_what_was_shared_inside_shared():
     assert twin[0] is twin[1].header
 
 
-def test_what_travels_as_float32_arrives_rounded():
+def test_float32_fields_arrive_rounded():
     assert copy_message(geometry_msgs.Point32(x=0.1)).x == 0.10000000149011612
     assert copy_message(Polygon(points=[geometry_msgs.Point32(x=0.1)])).points[0].x == 0.10000000149011612
     assert copy_message(Vector3(x=0.1)).x == 0.1
@@ -452,7 +452,7 @@ def test_numpys_floats_arrive_as_plain_floats():
     ],
     ids=["number", "sub message", "sequence", "deep inside"],
 )
-def test_what_does_not_fit_its_field_cannot_be_sent(message, text):
+def test_a_message_with_an_invalid_field_cannot_be_sent(message, text):
     with pytest.raises(AssertionError, match=text):
         copy_message(message)
 
@@ -472,13 +472,13 @@ def test_what_does_not_fit_its_field_cannot_be_sent(message, text):
     ],
     ids=lambda message: message.ROS_TYPE,
 )
-def test_a_message_survives_the_way_through_a_bag_librarys_bytes(message):
+def test_a_message_survives_serialization_by_rosbags(message):
     store = get_typestore(Stores.ROS2_JAZZY)
     data = store.serialize_cdr(object_from_message(message, store.types), message.ROS_TYPE)
     assert message_from_object(message.ROS_TYPE, store.deserialize_cdr(data, message.ROS_TYPE)) == message
 
 
-def test_an_object_that_lacks_a_field_is_refused():
+def test_an_object_without_a_field_is_refused():
     with pytest.raises(AttributeError, match="frame_id"):
         message_from_object("std_msgs/msg/Header", type("Half", (), {"stamp": builtin_interfaces.Time()})())
 

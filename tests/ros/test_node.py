@@ -1,4 +1,4 @@
-"""Nodes: names, remapping, errors with a caret, logs, and what they see of each other."""
+"""Nodes: names, remapping, errors with a caret, logs, and graph queries."""
 
 import pytest
 
@@ -34,7 +34,7 @@ def test_without_init_there_is_no_node(graph):
     assert str(refused.value) == "rclpy.init() has not been called. msg:cannot create node"
 
 
-def test_a_node_whose_making_fails_is_taken_away_without_a_second_error(graph, tmp_path):
+def test_a_node_that_fails_to_construct_is_removed_without_a_second_error(graph, tmp_path):
     mixed = tmp_path / "parameters.yaml"
     mixed.write_text("early:\n  ros__parameters:\n    x: [1, a]\n", encoding="utf-8")
     rclpy.init(args=["--ros-args", "--params-file", str(mixed)])
@@ -97,7 +97,7 @@ def test_a_command_line_that_is_not_understood_is_refused(graph):
         ),
     ],
 )
-def test_a_bad_name_is_answered_with_a_finger_on_the_character(node, make, error, text):
+def test_an_invalid_name_is_refused_with_a_caret_under_the_character(node, make, error, text):
     with pytest.raises(error) as refused:
         make(node)
     assert str(refused.value) == text
@@ -170,7 +170,7 @@ def test_a_node_sees_the_others_and_who_is_on_a_topic(node):
     assert (node.count_publishers("/t"), node.count_subscribers("/t")) == (1, 0)
 
 
-def test_what_is_destroyed_is_gone_and_only_once(node):
+def test_destroying_twice_returns_false(node):
     publisher = node.create_publisher(String, "t", 1)
     assert node.destroy_publisher(publisher)
     assert not node.destroy_publisher(publisher)
@@ -182,7 +182,7 @@ def test_what_is_destroyed_is_gone_and_only_once(node):
 # -- logs ------------------------------------------------------------------------------
 
 
-def test_a_line_in_the_log_looks_as_on_a_robot(node, capsys):
+def test_a_log_line_has_the_format_of_ros_2(node, capsys):
     node.get_logger().warning("low battery")
     node.get_logger().get_child("driver").error("gone")
     assert capsys.readouterr().err == (
@@ -204,7 +204,7 @@ def test_a_message_that_is_no_text_is_refused(node):
         node.get_logger().error(ZeroDivisionError("x"))
 
 
-def test_logs_go_to_rosout_and_latecomers_hear_them(node, capsys):
+def test_logs_go_to_rosout_also_for_late_subscribers(node, capsys):
     node.get_logger().info("early")
     heard = []
     late = Node("late")
@@ -214,7 +214,7 @@ def test_logs_go_to_rosout_and_latecomers_hear_them(node, capsys):
     capsys.readouterr()
 
 
-def test_standard_output_is_used_if_the_environment_says_so(node, capsys, monkeypatch):
+def test_logs_go_to_standard_output_if_the_environment_variable_is_set(node, capsys, monkeypatch):
     monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
     node.get_logger().info("here")
     assert capsys.readouterr().out == "[INFO] [1.000000000] [robot.camera]: here\n"

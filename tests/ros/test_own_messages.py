@@ -1,4 +1,4 @@
-"""Messages that learners define: from the text of .msg files, or from a class that rosidl would make."""
+"""Message packages that learners define from .msg texts, or from classes."""
 
 import importlib
 import sys
@@ -42,7 +42,7 @@ def forget():
             del sys.modules[name]
 
 
-def test_a_package_of_ones_own_is_imported_as_one_that_was_built():
+def test_a_defined_package_is_imported_like_a_built_package():
     messages.define("my_msgs", PACKAGE)
     detection = importlib.import_module("my_msgs.msg").Detection()
     assert (detection.label, detection.score, detection.UNKNOWN, detection.MODEL) == ("no # name", 0.5, 255, "small")
@@ -89,13 +89,13 @@ def test_a_folder_is_taken_as_a_package_has_it(tmp_path):
         ("my_msgs", {"A.msg": "int32"}, 'cannot read "int32": expected "type name"'),
     ],
 )
-def test_what_is_wrong_with_a_definition_is_said(package, definitions, text):
+def test_an_invalid_definition_raises_with_its_fault(package, definitions, text):
     with pytest.raises(ValueError, match=text.replace(".", r"\.")):
         messages.define(package, definitions)
     assert package not in packages._defined
 
 
-def test_a_type_that_there_is_none_of_is_named():
+def test_an_unknown_type_is_named():
     with pytest.raises(KeyError, match="nope_msgs/msg/Nope"):
         messages.define("my_msgs", {"A.msg": "nope_msgs/Nope x"})
 
@@ -142,7 +142,7 @@ def test_a_class_that_looks_like_a_generated_message_travels(graph):
     assert [each.data.tolist() for each in received] == [[1.0]]
 
 
-def test_a_service_of_ones_own_answers(graph):
+def test_a_defined_service_answers(graph):
     srv = messages.define("my_msgs", PACKAGE).srv.Locate
     answers = []
 
@@ -165,7 +165,7 @@ def test_a_service_of_ones_own_answers(graph):
     assert answers == [True]
 
 
-def test_a_message_of_ones_own_becomes_bytes_and_comes_back():
+def test_a_defined_message_survives_serialization():
     module = messages.define("my_msgs", PACKAGE)
     sent = module.msg.Detection(label="cup", boxes=[module.msg.Box(width=2.0)])
     assert deserialize_message(serialize_message(sent), module.msg.Detection) == sent

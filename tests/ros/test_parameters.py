@@ -169,7 +169,7 @@ def test_a_range_is_kept():
         node.declare_parameter("ratio", 2.0, half_open)
 
 
-def test_a_callback_may_refuse_and_says_why():
+def test_a_callback_may_reject_with_a_reason():
     node = create_node("n")
     node.declare_parameter("rate", 20.0)
     node.add_on_set_parameters_callback(
@@ -302,7 +302,7 @@ def test_a_callback_gets_the_future_when_the_answer_is_there(nodes):
     assert got == [future]
 
 
-def test_services_that_never_come_are_waited_for_no_longer_than_was_said(nodes, graph):
+def test_waiting_for_missing_services_ends_after_the_timeout(nodes, graph):
     before_ns = graph.now_ns
     assert AsyncParameterClient(nodes[0], "nobody").wait_for_services(timeout_sec=1.0) is False
     assert graph.now_ns - before_ns == 1_000_000_000
@@ -316,7 +316,7 @@ def test_events_can_be_subscribed_to_from_the_client(nodes):
     assert [(event.node, event.changed_parameters[0].name) for event in heard] == [("/lab/robot", "speed")]
 
 
-def test_a_watcher_hears_of_one_parameter_of_one_node_what_was_added_last_first(nodes):
+def test_callbacks_for_one_parameter_run_in_reverse_order_of_registration(nodes):
     heard = []
     handler = ParameterEventHandler(nodes[0])
     handler.add_parameter_callback("speed", "robot", lambda parameter: heard.append(("first", parameter)))
@@ -329,7 +329,7 @@ def test_a_watcher_hears_of_one_parameter_of_one_node_what_was_added_last_first(
     ]  # fmt: skip
 
 
-def test_a_watcher_of_its_own_node_needs_no_name(nodes):
+def test_a_callback_for_the_own_node_needs_no_node_name(nodes):
     heard = []
     ParameterEventHandler(nodes[0]).add_parameter_callback("mode", "", heard.append)
     nodes[0].declare_parameter("mode", "idle")
@@ -337,7 +337,7 @@ def test_a_watcher_of_its_own_node_needs_no_name(nodes):
     assert [parameter.value.string_value for parameter in heard] == ["idle"]
 
 
-def test_a_watcher_of_events_hears_every_node_until_it_is_taken_away(nodes):
+def test_an_event_callback_receives_events_of_every_node_until_removed(nodes):
     heard = []
     handler = ParameterEventHandler(nodes[0])
     handle = handler.add_parameter_event_callback(lambda event: heard.append(event.node))
@@ -352,7 +352,7 @@ def test_a_watcher_of_events_hears_every_node_until_it_is_taken_away(nodes):
         handler.remove_parameter_event_callback(handle)
 
 
-def test_a_callback_may_take_itself_away(nodes):
+def test_a_callback_may_remove_itself(nodes):
     heard = []
     handler = ParameterEventHandler(nodes[0])
 
@@ -369,7 +369,7 @@ def test_a_callback_may_take_itself_away(nodes):
         handler.remove_parameter_callback(handle)
 
 
-def test_a_destroyed_watcher_hears_nothing(nodes):
+def test_a_destroyed_event_handler_receives_nothing(nodes):
     heard = []
     handler = ParameterEventHandler(nodes[0])
     handler.add_parameter_event_callback(heard.append)

@@ -1,4 +1,4 @@
-"""What surprises people on a robot surprises them here: waiting, clocks, late joiners, bad quaternions."""
+"""Known pitfalls of ROS 2 occur here, too: waiting, clocks, late joiners, bad quaternions."""
 
 import time
 
@@ -80,7 +80,7 @@ def asker(graph, outcome, executor_type):
 # -- waiting for a transform -----------------------------------------------------------
 
 
-def test_a_timeout_in_a_callback_of_a_single_threaded_executor_burns_and_fails(graph):
+def test_a_timeout_in_a_callback_of_a_single_threaded_executor_expires(graph):
     outcome = []
     graph.start(moving(graph))
     graph.start(asker(graph, outcome, SingleThreadedExecutor))
@@ -97,7 +97,7 @@ def test_with_many_threads_transforms_arrive_while_a_callback_waits(graph):
     assert outcome == [0.99, seconds(0.02)]
 
 
-def test_with_a_thread_of_its_own_a_listener_serves_whoever_waits(graph):
+def test_a_listener_with_spin_thread_serves_a_waiting_lookup(graph):
     outcome = []
 
     def main():
@@ -117,7 +117,7 @@ def test_with_a_thread_of_its_own_a_listener_serves_whoever_waits(graph):
 # -- simulated time ---------------------------------------------------------------------
 
 
-def test_use_sim_time_without_clock_stands_at_zero_and_timers_are_dead(graph):
+def test_use_sim_time_without_clock_stays_at_zero_and_timers_never_run(graph):
     calls = []
 
     def main():
@@ -248,7 +248,7 @@ def hear_late(graph, static_qos):
     return found
 
 
-def test_a_late_listener_still_hears_static_transforms(graph):
+def test_a_late_listener_receives_static_transforms(graph):
     assert hear_late(graph, static_qos=None)
 
 
@@ -256,7 +256,7 @@ def test_a_late_subscriber_without_transient_local_misses_them(graph):
     assert not hear_late(graph, static_qos=10)
 
 
-def test_what_is_kept_for_latecomers_dies_with_its_publisher(graph):
+def test_latched_messages_are_lost_with_their_publisher(graph):
     def short_lived():
         rclpy.init()
         node = Node("short_lived")
@@ -280,7 +280,7 @@ def test_what_is_kept_for_latecomers_dies_with_its_publisher(graph):
         ("rolling", {"lidar": 2.0, "camera": 3.0}),
     ],
 )
-def test_what_latecomers_hear_of_a_resend_depends_on_the_distribution(graph, monkeypatch, distro, known):
+def test_late_listeners_receive_a_resend_depending_on_the_distribution(graph, monkeypatch, distro, known):
     monkeypatch.setenv("TFLAB_ROS_DISTRO", distro)
     rclpy.init()
     sender, late = Node("sender"), Node("late")
@@ -301,7 +301,7 @@ def test_what_latecomers_hear_of_a_resend_depends_on_the_distribution(graph, mon
 
 
 @pytest.mark.parametrize("distro", ["humble", "jazzy"])
-def test_a_repeated_stamp_replaces_and_nobody_is_warned(graph, monkeypatch, capsys, distro):
+def test_a_repeated_stamp_replaces_without_a_warning(graph, monkeypatch, capsys, distro):
     monkeypatch.setenv("TFLAB_ROS_DISTRO", distro)
     buffer = Buffer()
     for x in (1.0, 2.0):

@@ -80,7 +80,7 @@ def test_a_profile_names_its_policies_in_text():
     assert "depth=3" in text
 
 
-def test_the_policies_have_the_numbers_of_the_library_below_and_their_old_names():
+def test_policies_have_the_numbers_of_rmw_and_their_old_names():
     assert [(p.name, p.value) for p in ReliabilityPolicy] == [
         ("SYSTEM_DEFAULT", 0),
         ("RELIABLE", 1),
@@ -185,7 +185,7 @@ def test_an_offer_fits_if_it_is_no_less_than_the_request(offered, requested, pol
         ("liveliness", AUTOMATIC, 0, "Publisher's liveliness is automatic, but subscription's is system_default"),
     ],
 )
-def test_a_policy_left_open_gives_a_warning(policy, offered, requested, reason):
+def test_an_undetermined_policy_gives_a_warning(policy, offered, requested, reason):
     sides = [profile(**{"liveliness": AUTOMATIC, policy: value}) for value in (offered, requested)]
     assert qos_check_compatible(*sides) == (QoSCompatibility.WARNING, f"WARNING: {reason};")
 
@@ -193,12 +193,12 @@ def test_a_policy_left_open_gives_a_warning(policy, offered, requested, reason):
 @pytest.mark.parametrize(
     ("policy", "offered", "requested"), [("reliability", 0, BEST_EFFORT), ("durability", 0, VOLATILE)]
 )
-def test_a_policy_left_open_is_no_matter_where_every_value_would_fit(policy, offered, requested):
+def test_an_undetermined_policy_is_ok_if_every_value_is_compatible(policy, offered, requested):
     sides = [profile(**{"liveliness": AUTOMATIC, policy: value}) for value in (offered, requested)]
     assert qos_check_compatible(*sides) == (QoSCompatibility.OK, "")
 
 
-def test_history_and_depth_never_stand_in_the_way():
+def test_history_and_depth_do_not_affect_compatibility():
     keep_all = QoSProfile(history=HistoryPolicy.KEEP_ALL)
     assert incompatible_policy(QoSProfile(depth=1), keep_all) is None
     assert incompatible_policy(keep_all, QoSProfile(depth=1)) is None
@@ -235,7 +235,7 @@ def told(infos):
     return [(info.total_count, info.total_count_change, info.last_policy_kind) for info in infos]
 
 
-def test_the_executor_tells_both_sides_which_policy_it_was_and_the_log_says_nothing(node, capsys):
+def test_event_callbacks_receive_the_incompatible_policy_and_nothing_is_logged(node, capsys):
     subscription, publisher = [], []
     node.create_subscription(
         String, "t", print, STRICT, event_callbacks=SubscriptionEventCallbacks(incompatible_qos=subscription.append)
@@ -253,7 +253,7 @@ def test_the_executor_tells_both_sides_which_policy_it_was_and_the_log_says_noth
     assert "incompatible QoS" not in capsys.readouterr().err
 
 
-def test_without_a_callback_the_log_says_it_unless_that_is_not_wanted(node, capsys):
+def test_without_event_callbacks_a_warning_is_logged_unless_disabled(node, capsys):
     node.create_subscription(String, "t", print, STRICT, event_callbacks=SubscriptionEventCallbacks())
     silent = PublisherEventCallbacks(use_default_callbacks=False)
     node.create_publisher(String, "t", LOOSE, event_callbacks=silent)
@@ -271,6 +271,6 @@ def test_without_a_callback_the_log_says_it_unless_that_is_not_wanted(node, caps
         (SubscriptionEventCallbacks, "liveliness"),
     ],
 )
-def test_an_event_that_nobody_would_report_is_refused(callbacks, event):
+def test_an_unsupported_event_type_is_refused(callbacks, event):
     with pytest.raises(UnsupportedEventTypeError, match=f"nobody reports the event '{event}'"):
         callbacks(**{event: print})

@@ -48,16 +48,16 @@ def printed(graph, calls=5, step_s=0.3, **options):
         ({"skip_first": True, "once": True}, [False, True, False, False, False]),
     ],
 )
-def test_filters_are_asked_in_order_throttle_skip_first_once(graph, options, expected):
+def test_filters_run_in_the_order_throttle_skip_first_once(graph, options, expected):
     assert printed(graph, **options) == expected
 
 
-def test_each_place_in_the_code_has_filters_of_its_own(graph):
+def test_each_call_site_has_its_own_filters(graph):
     logger = get_logger("test")
     assert [logger.info("a", once=True), logger.info("b", once=True)] == [True, True]
 
 
-def test_what_a_place_asks_for_must_stay(graph):
+def test_the_filters_of_a_call_site_must_not_change(graph):
     logger = get_logger("test")
     with pytest.raises(ValueError, match="parameters cannot be changed between"):
         for period_s in (1, 2):
@@ -149,7 +149,7 @@ def test_a_timeout_in_nanoseconds_is_truncated_and_negative_for_ever():
     assert [rclpy.timeout_sec_to_nsec(each) for each in (None, -1, 0, 0.5e-9, 1.5)] == [-1, -1, 0, 0, 1_500_000_000]
 
 
-def test_a_profile_goes_through_the_lower_half_and_comes_back():
+def test_a_profile_survives_conversion_to_rmw():
     profile = QoSProfile(
         history=HistoryPolicy.KEEP_ALL,
         depth=12,
@@ -164,7 +164,7 @@ def test_a_profile_goes_through_the_lower_half_and_comes_back():
         CQoSProfile.predefined("qos_profile_loud")
 
 
-def test_a_time_source_says_whom_it_follows(graph):
+def test_a_time_source_knows_its_node(graph):
     rclpy.init()
     node = Node("node")
     source = TimeSource(node=node)
@@ -207,7 +207,7 @@ def test_in_a_reentrant_group_a_short_callback_runs_during_a_long_one(graph):
     assert order == ["short", "long"]
 
 
-def test_one_subscription_of_a_reentrant_group_runs_beside_itself(graph):
+def test_a_subscription_of_a_reentrant_group_runs_in_parallel_with_itself(graph):
     running, most = [], []
 
     def main():
@@ -259,7 +259,7 @@ def test_a_timer_ends_with_its_with_statement(node):
     assert calls == [1]
 
 
-def test_a_destroyed_timer_keeps_nobody_from_waiting(node, graph):
+def test_a_destroyed_timer_does_not_wake_an_executor(node, graph):
     with node.create_timer(0.1, Mock()):
         pass
     before_ns = graph.driver.now_ns()
@@ -339,7 +339,7 @@ def test_setting_a_typed_parameter_to_nothing_is_refused(node):
     assert node.get_parameter("a").value == 1
 
 
-def test_types_of_several_parameters_are_told(node):
+def test_get_parameter_types_returns_the_types(node):
     node.declare_parameter("a", 1)
     assert node.get_parameter_types(["a", "use_sim_time"]) == [Parameter.Type.INTEGER, Parameter.Type.BOOL]
     with pytest.raises(ParameterNotDeclaredException):
@@ -349,7 +349,7 @@ def test_types_of_several_parameters_are_told(node):
 # -- names of modules ---------------------------------------------------------------------------
 
 
-def test_rcl_error_can_be_imported_from_where_it_says_it_lives(activated):
+def test_rcl_error_can_be_imported_from_its_module(activated):
     from rclpy._rclpy_pybind11 import RCLError
 
     assert RCLError.__module__ == "rclpy._rclpy_pybind11"

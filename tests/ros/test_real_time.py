@@ -80,7 +80,7 @@ def test_the_three_nodes_run_together_and_end_as_on_ros_2(capfd):
     assert "run.py" not in err  # a traceback begins in the reader's own file
 
 
-def test_something_may_run_beside_the_files_and_see_them(capfd):
+def test_a_function_can_run_with_the_files_and_see_their_nodes(capfd):
     from tflab.ros import client_library as rclpy
     from tflab.ros.node import Node
 

@@ -1,4 +1,4 @@
-"""rclpy's Time, Duration and Clock: what can be mixed, what cannot, and what is said then."""
+"""rclpy's Time, Duration and Clock: conversion, arithmetic and errors."""
 
 import pytest
 from hypothesis import given
@@ -50,7 +50,7 @@ def test_a_message_becomes_a_ros_time_and_a_default_time_is_of_the_system():
 
 
 @given(st.integers(0, (2**31 - 1) * 10**9 + 999_999_999))
-def test_a_time_survives_the_way_through_a_message(nanoseconds):
+def test_a_time_survives_conversion_to_a_message(nanoseconds):
     assert Time.from_msg(Time(nanoseconds=nanoseconds).to_msg()).nanoseconds == nanoseconds
 
 
@@ -103,7 +103,7 @@ def test_arithmetic_of_times_and_durations():
         (lambda: Time() + 1, TypeError, None),
     ],
 )
-def test_arithmetic_that_leads_nowhere_is_refused(attempt, error, text):
+def test_invalid_arithmetic_is_refused(attempt, error, text):
     with pytest.raises(error, match=text):
         attempt()
 
@@ -111,7 +111,7 @@ def test_arithmetic_that_leads_nowhere_is_refused(attempt, error, text):
 # Duration -------------------------------------------------------------------------
 
 
-def test_a_duration_may_be_negative_and_says_what_it_is():
+def test_a_duration_may_be_negative_and_has_a_repr():
     assert Duration(seconds=-0.5).nanoseconds == -500_000_000
     assert repr(Duration(nanoseconds=5)) == "Duration(nanoseconds=5)"
     assert str(Duration(nanoseconds=5)) == "5 nanoseconds"
@@ -159,7 +159,7 @@ def at(seconds):
     return Time(seconds=seconds, clock_type=ClockType.ROS_TIME)
 
 
-def test_a_ros_clock_stands_at_zero_until_it_is_told_the_time():
+def test_a_ros_clock_stays_at_zero_until_its_override_is_set():
     clock = ROSClock()
     clock._set_ros_time_is_active(True)
     assert clock.ros_time_is_active
@@ -200,14 +200,14 @@ def jumps_heard(threshold, *times, start=100):
     return [delta_ns / 1e9 for delta_ns in heard]
 
 
-def test_a_callback_hears_of_jumps_as_large_as_its_threshold():
+def test_a_jump_callback_is_called_for_jumps_of_at_least_its_threshold():
     back = JumpThreshold(min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=True)
     assert jumps_heard(back, 99.5, 98.5, 97.6, 200.0) == [-1.0]
     forward = JumpThreshold(min_forward=Duration(seconds=2), min_backward=None)
     assert jumps_heard(forward, 101, 103, 50) == [2.0]
 
 
-def test_turning_simulated_time_on_is_a_jump_for_who_asked_for_it():
+def test_turning_simulated_time_on_calls_jump_callbacks_that_request_it():
     clock, heard = ROSClock(), []
     deaf = JumpThreshold(min_forward=Duration(seconds=1), min_backward=None, on_clock_change=False)
     curious = JumpThreshold(min_forward=None, min_backward=None, on_clock_change=True)

@@ -97,7 +97,7 @@ def test_a_point_may_be_asked_for_as_its_own_type_but_a_pose_with_covariance_as_
         buffer.transform(pose, "map", new_type=PoseStamped)
 
 
-def test_a_type_that_nobody_registered_is_refused_with_upstreams_text():
+def test_an_unregistered_type_is_refused_with_upstreams_text():
     from geometry_msgs.msg import QuaternionStamped
     from tf2_ros import TransformException, TypeException
 

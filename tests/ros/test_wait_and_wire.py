@@ -50,7 +50,7 @@ def test_one_message_is_waited_for_without_spinning(node):
     assert wait_for_message(String, node, "chatter", time_to_wait=1.0) == (True, String(data="2"))
 
 
-def test_after_its_time_the_wait_is_given_up(node):
+def test_the_wait_ends_after_its_timeout(node):
     before = node.get_clock().now()
     assert wait_for_message(String, node, "silence", time_to_wait=0.3) == (False, None)
     assert (node.get_clock().now() - before).nanoseconds == 300_000_000
@@ -62,14 +62,14 @@ def test_what_was_published_before_comes_only_between_transient_locals(node):
     assert wait_for_message(String, node, "map_name", qos_profile=latched) == (True, String(data="kitchen"))
 
 
-def test_nothing_is_left_of_the_subscription(node):
+def test_the_subscription_is_destroyed_afterwards(node):
     wait_for_message(String, node, "chatter")
     assert [
         subscription.topic_name for subscription in node.subscriptions if subscription.topic_name == "/chatter"
     ] == []
 
 
-def test_a_message_survives_the_wire():
+def test_a_message_survives_serialization():
     message = TFMessage(transforms=[TransformStamped(child_frame_id="base_link")])
     assert deserialize_message(serialize_message(message), TFMessage) == message
 
@@ -135,7 +135,7 @@ def test_numbers_in_arrays_are_plain_numbers():
     assert all(type(value) is float for value in covariance)
 
 
-def test_what_is_longer_than_128_is_cut_and_says_so():
+def test_sequences_and_strings_longer_than_128_are_truncated():
     assert TRUNCATE_LENGTH == 128
     cut = message_to_dict(LaserScan(ranges=[1.0] * 129), truncate_length=128)["ranges"]
     assert cut == [1.0] * 128 + ["..."]
