@@ -8,7 +8,7 @@ from tools_robot import fixed
 
 from tflab.tools.page import run_words
 from tflab.tools.view_frames import dot_from_frames, parser, write_pictures
-from tflab.views.upstream_tree import draw_upstream_tree
+from tflab.views.view_frames_tree import draw_upstream_tree
 
 ANSWER = """\
 laser_frame: 

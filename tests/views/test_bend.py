@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tflab.views.bend import Bend, deepest, draw_bend, gap_m, wait_s
+from tflab.views.motion_error import Bend, deepest, draw_bend, gap_m, wait_s
 from tflab.views.panels import rate_panel
 
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import Transform
-from tflab.views.card import draw_card
+from tflab.views.axes import draw_card
 
 
 def test_the_card_names_both_conventions_and_the_turn_between_them():

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.climb import describe_walk, draw_walk, snapshot_of_parents, walk_between
+from tflab.views.tree_path import describe_walk, draw_walk, snapshot_of_parents, walk_between
 
 ROBOT = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "optical": "camera"}
 DOG = {"body": "odom", "odom": "body", "head": "body"}

@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tflab.views.dominoes import describe_dominoes, draw_dominoes, mismatches
+from tflab.views.transform_chain import describe_dominoes, draw_dominoes, mismatches
 
 
 def words_in(picture):

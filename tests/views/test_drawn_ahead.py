@@ -11,7 +11,7 @@ from matplotlib import rcParams
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.views.panels import cameras_panel, sentence_panel, timeline_panel
-from tflab.views.panels.drawn_ahead import KEPT, At, Drawing, DrawnAhead
+from tflab.views.panels.prefetch import KEPT, At, Drawing, DrawnAhead
 from tflab.views.style import our_settings
 from tflab.views.timeline import Lane
 

@@ -8,7 +8,7 @@ import pytest
 
 from tflab.core import Transform
 from tflab.views import panels
-from tflab.views.film import Film
+from tflab.views.slider_frames import Film
 
 
 def pictures_of(film: Film) -> list[bytes]:

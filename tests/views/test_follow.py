@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pytest
 
-from tflab.views.film import javascript
+from tflab.views.slider_frames import javascript
 
 pytestmark = pytest.mark.browser
 

@@ -7,8 +7,8 @@ import pytest
 
 from tflab.core import Transform
 from tflab.views import style
-from tflab.views.eye import FROM_ABOVE, eye_at
 from tflab.views.frames import draw_arrow, draw_frames, draw_points, draw_scene
+from tflab.views.projection import FROM_ABOVE, eye_at
 
 
 @pytest.fixture(name="ax")

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.gain import describe_gain, draw_gain
+from tflab.views.slope_chart import describe_gain, draw_gain
 
 BEFORE = {"1": "wrong", "2": "right", "3": "gap", "4": "guessed right"}
 AFTER = {"1": "right", "2": "right", "3": "wrong", "4": "gap"}

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.joins import Letter, Sender, draw_joins, frames_known, letters_heard
+from tflab.views.late_joiner import Letter, Sender, draw_joins, frames_known, letters_heard
 from tflab.views.panels import joins_panel
 
 #  calibrator: camera_1 at 1 s, camera_2 at 2 s, ends at 4 s     driver: VOLATILE, one letter at 1 s

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import Transform
-from tflab.views.joints import Step, describe_joints, draw_joints, poses_along
+from tflab.views.transform_chain import Step, describe_joints, draw_joints, poses_along
 
 UP = Transform((0.0, 0.0, 1.0))
 AHEAD = Transform((2.0, 0.0, 0.0))

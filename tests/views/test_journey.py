@@ -1,6 +1,6 @@
 """The four moments of a message."""
 
-from tflab.views.journey import Journey, draw_journeys
+from tflab.views.ages import Journey, draw_journeys
 
 MS = 1_000_000
 GOOD = Journey("scan 1", 1000 * MS, 1020 * MS, 1035 * MS, 1060 * MS)

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import seconds
-from tflab.views.latency import Sight, describe_latency, draw_latency, drive, latency_error
+from tflab.views.motion_error import Sight, describe_latency, draw_latency, drive, latency_error
 
 
 def test_a_robot_that_does_not_turn_drives_straight():

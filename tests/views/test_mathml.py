@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.mathml import with_mathml
+from tflab.views.export import with_mathml
 
 pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tflab.views.misread import describe_extent, draw_misread
+from tflab.views.wrong_frames import describe_extent, draw_misread
 
 WALL = np.array([(2.0, -1.0, 0.0), (2.0, 1.0, 1.5)])
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import Transform
-from tflab.views.moments import beside, describe_moments, draw_moments
+from tflab.views.coordinates import beside, describe_moments, draw_moments
 
 # The object rests at (3, 1).  First the robot looks along x; then it stands at (3, 0) and looks along y.
 POSES = {"then": Transform(), "now": Transform.from_rpy(yaw=math.pi / 2, translation=(3.0, 0.0, 0.0))}

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import Transform
-from tflab.views.mount import describe_mount, draw_mount, seen_from
+from tflab.views.wrong_frames import describe_mount, draw_mount, seen_from
 
 LASER_AT = (0.2, 0.0, 0.15)
 

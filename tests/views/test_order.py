@@ -1,6 +1,6 @@
 """Questions in their order: minutes, who was left, and what told nothing more."""
 
-from tflab.views.order import describe_minutes, describe_order, draw_minutes, draw_order
+from tflab.views.diagnosis_log import describe_minutes, describe_order, draw_minutes, draw_order
 
 LOG = [("view_frames", 3, 3), ("delay /scan", 1, 1), ("monitor", 4, 1)]
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.owners import Owner, describe_owners, draw_owners
+from tflab.views.fault_tables import Owner, describe_owners, draw_owners
 
 TWO = [
     Owner("map -> odom", "localization", "scan", "tf_broadcast", "10.2 Hz"),

@@ -7,8 +7,8 @@ import weakref
 import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
-from tflab.views.joins import Letter, Sender
-from tflab.views.joints import Step
+from tflab.views.diagnosis_log import VisitStep
+from tflab.views.late_joiner import Letter, Sender
 from tflab.views.panels import (
     Travel,
     cameras_panel,
@@ -25,9 +25,9 @@ from tflab.views.panels import (
     tree_panel,
     visit_panel,
 )
-from tflab.views.panels.sentence import between
+from tflab.views.panels.lookups import between
 from tflab.views.timeline import Lane
-from tflab.views.visited import VisitStep
+from tflab.views.transform_chain import Step
 
 POSES = {
     "map": Transform(),

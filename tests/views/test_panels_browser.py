@@ -4,7 +4,10 @@ import pytest
 
 pytestmark = pytest.mark.browser
 
-SETUP = "from tflab.core import StampedTransform, Transform, seconds\nfrom tflab.views import latency, panels, timeline"
+SETUP = """
+from tflab.core import StampedTransform, Transform, seconds
+from tflab.views import motion_error, panels, timeline
+"""
 LOOKUP = """
 def lookup(target, source, stamp_ns):
     return StampedTransform(target, source, stamp_ns, Transform())
@@ -14,7 +17,7 @@ poses = {"map": Transform(), "odom": Transform((2.0, 1.0, 0.0)), "base_link": Tr
 """
 CELLS = [
     SETUP + LOOKUP,
-    "latency.draw_latency(latency.Sight())",
+    "motion_error.draw_latency(motion_error.Sight())",
     "panels.latency_panel()",
     "panels.timeline_panel('map', 'odom', lanes, lookup)",
     "panels.sentence_panel(poses, 'map', 'base_link', language='ko')",

@@ -6,9 +6,9 @@ import pytest
 from matplotlib.text import Text
 
 from tflab.core import ExtrapolationException, Transform
-from tflab.views import axes, frames, journey, latency, sentence, style, timeline
+from tflab.views import ages, axes, frames, motion_error, sentence, style, timeline
+from tflab.views.number_table import TypedBlock
 from tflab.views.picture import Picture
-from tflab.views.typed import TypedBlock
 
 POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translation=(2.0, 1.0, 0.0))}
 
@@ -55,8 +55,8 @@ PICTURES = {
         lookup,
         1_700_000_003_000_000_000,
     ),
-    "journeys": lambda: journey.draw_journeys([journey.Journey("scan", 0, 10_000_000, 20_000_000)]),
-    "latency": lambda: latency.draw_latency(latency.Sight()),
+    "journeys": lambda: ages.draw_journeys([ages.Journey("scan", 0, 10_000_000, 20_000_000)]),
+    "latency": lambda: motion_error.draw_latency(motion_error.Sight()),
 }
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tflab.views.placed import distances_to, draw_placed, offs
+from tflab.views.map_error import distances_to, draw_placed, offs
 
 WALL = ((0.0, 0.0), (4.0, 0.0))
 

@@ -3,7 +3,7 @@
 import math
 
 from tflab.core import Transform
-from tflab.views.readings import describe_readings, draw_readings
+from tflab.views.sentence import describe_readings, draw_readings
 from tflab.views.style import fmt_all
 
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tflab.core import Transform
+from tflab.views.coordinates import describe_rulers, draw_rulers, readings_of
 from tflab.views.panels import rulers_panel
-from tflab.views.rulers import describe_rulers, draw_rulers, readings_of
 
 # map --(6.2, -1.7, 0.10)--> base_link --(0.20, 0, 0.15)--> laser_frame, and a thing 2 m ahead of the laser
 MAP_T_BASE = Transform(translation=(6.2, -1.7, 0.10))

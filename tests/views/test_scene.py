@@ -28,8 +28,7 @@ from tflab.views.scene import (
     draw_robot,
     draw_scan,
 )
-from tflab.views.scene.meshes import grid
-from tflab.views.scene.shapes import ball, mug
+from tflab.views.scene.shapes import ball, grid, mug
 
 FORWARD = Transform((1.0, 0.0, 0.0))
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))

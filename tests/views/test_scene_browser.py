@@ -242,7 +242,7 @@ swept
 FILM = """
 from io import BytesIO
 from PIL import Image
-from tflab.views.film import Film
+from tflab.views.slider_frames import Film
 
 def picture(colour):
     png = BytesIO()

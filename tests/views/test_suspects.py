@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.suspects import describe_suspects, draw_suspects
+from tflab.views.fault_tables import describe_suspects, draw_suspects
 
 TABLE = {
     "clock ahead": {"delay /scan": "ahead", "hz /odom": "as on the card", "hz /scan": "as on the card"},

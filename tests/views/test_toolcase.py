@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
+from tflab.views.fault_tables import Suitability, ToolOutput, draw_tools
 from tflab.views.panels import tools_panel
-from tflab.views.toolcase import Suitability, ToolOutput, draw_tools
 
 TOOLS = [
     ToolOutput("echo", "ros2 run tf2_ros tf2_echo a b", "At time 1.0"),

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tflab.views.tracks import describe_tracks, draw_tracks, smoothness
+from tflab.views.map_error import describe_tracks, draw_tracks, smoothness
 
 # The robot drives along x, 1 m a second.  One track is 1 cm short each second, the other leaps by half a metre once.
 TIMES_S = np.arange(5.0)

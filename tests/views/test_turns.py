@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tflab.views.turns import (
+from tflab.views.rotations import (
     describe_drives,
     describe_orders,
     describe_turns,

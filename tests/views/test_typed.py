@@ -3,7 +3,7 @@
 import pytest
 
 from tflab.views import style
-from tflab.views.typed import TypedBlock
+from tflab.views.number_table import TypedBlock
 
 
 @pytest.fixture(name="figure")

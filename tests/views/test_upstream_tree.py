@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tflab.views.marks import BoxMark, TextMark, text_width
-from tflab.views.upstream_tree import draw_upstream_tree
+from tflab.views.view_frames_tree import draw_upstream_tree
 
 
 def child_of(parent, rate=10.2):

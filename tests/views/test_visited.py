@@ -2,7 +2,7 @@
 
 import pytest
 
-from tflab.views.visited import VisitStep, describe_visit, draw_visit
+from tflab.views.diagnosis_log import VisitStep, describe_visit, draw_visit
 
 STEPS = [
     VisitStep("RViz", 0.0, "into the future", "", ("ahead", "late", "slow")),

@@ -1,6 +1,6 @@
 """Rows of work and moments."""
 
-from tflab.views.work import Work, draw_work
+from tflab.views.busy_chart import Work, draw_work
 
 S = 1_000_000_000
 WAITING = Work("on_scan", ((1 * S, 3 * S),))

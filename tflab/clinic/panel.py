@@ -19,12 +19,12 @@ from contextlib import redirect_stdout
 from html import escape
 from io import StringIO
 
-from tflab.views.film import Film
+from tflab.views.diagnosis_log import describe_order, draw_order
+from tflab.views.fault_tables import draw_suspects
 from tflab.views.libraries import ipywidgets as widgets
-from tflab.views.order import describe_order, draw_order
-from tflab.views.panels.drawn_ahead import At
 from tflab.views.panels.panel import Panel, side_by_side
-from tflab.views.suspects import draw_suspects
+from tflab.views.panels.prefetch import At
+from tflab.views.slider_frames import Film
 
 from .examples import MINUTES
 from .patient import SickRobot

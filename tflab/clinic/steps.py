@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 
-from tflab.views.visited import VisitStep
+from tflab.views.diagnosis_log import VisitStep
 
 from .examples import EXAMPLES
 from .findings import AS_ON_THE_CARD, READERS

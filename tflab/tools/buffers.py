@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 
 from tflab.core import LATEST, BufferCore, Snapshot, Transform, TransformException
 from tflab.ros.tf2.core import BufferCore as RosBuffer
-from tflab.views import climb
+from tflab.views import tree_path
 from tflab.views.tree import TreePicture, draw_tree
 
 if TYPE_CHECKING:
@@ -37,7 +37,7 @@ def draw_walk(buffer: BufferCore | RosBuffer, target_frame: str, source_frame: s
     Raises:
         ValueError: there is no such frame.
     """
-    return climb.draw_walk(_core(buffer).snapshot(), target_frame, source_frame)
+    return tree_path.draw_walk(_core(buffer).snapshot(), target_frame, source_frame)
 
 
 def draw_history(

@@ -26,7 +26,7 @@ import yaml
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.node import Node
 from tflab.views.tree import TreePicture
-from tflab.views.upstream_tree import draw_upstream_tree
+from tflab.views.view_frames_tree import draw_upstream_tree
 
 from .session import spin_for, spin_until_done, tool_node, zone_here
 

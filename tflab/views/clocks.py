@@ -1,16 +1,13 @@
-"""Which clock does each node live in?  A bag is played; a line for each node says what its clock shows.
+"""Draw what each node's clock shows while a bag is played.
 
-    86 401 s |----------------------  detector   on wall time: right by itself, and a day away from the bag
+    86 401 s |----------------------  detector   on wall time: a day away from the bag
              //
         16 s |      .-'|      .-'     rviz2      use_sim_time: the bag's time, back at the start in a loop
-         1 s |   .-'   |   .-'
          0 s |......................  detector   use_sim_time, and nobody publishes /clock: stopped
              +----------------------> seconds of playing
 
-To ask "now" is to ask for what one's own clock shows.  A stopped clock shows 0, and
-0 is how tf2 writes "latest": so it always gets an answer, to another question.
-
-The field speaks of *ROS time*: system time, unless `use_sim_time` says to follow /clock.
+A lookup at "now" uses the node's own clock. A stopped clock shows 0, and 0 means "latest" to tf2.
+ROS time is system time unless `use_sim_time` selects /clock.
 """
 
 from __future__ import annotations

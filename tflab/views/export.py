@@ -1,16 +1,14 @@
-"""How does a page live on without a kernel and without a network?  As HTML that brings along all it needs.
+"""Export an executed notebook as HTML that works without a kernel and without a network.
 
     executed notebook  -->  03_target_and_source.html        text, figures, the state of its live views
                             assets/meshcat-1f2e3d4c.js       the 3D viewer      \\
                             assets/module-5a6b7c8d.js        our JavaScript      > once for all pages
                             assets/style-9e8f7a6b.css        Jupyter's style    /
 
-The page works from a disk (file://): 3D turns, a click picks, and each view keeps its
-scrubber; other inputs stand as text at their stored values (`export_widgets.py`).
-With `single_file` everything is in one file that can be mailed.
-
-The notebook must have been run with its widgets' state stored, as nbclient does.
-Files in `assets` are named after their content, so pages can share a folder.
+The page works from a disk (file://): 3D turns, a click picks, and each view keeps its scrubber;
+other inputs stand as text at their stored values (`export_widgets.py`), and formulas as MathML.
+With `single_file` everything is in one file. The notebook must have been run with its widgets'
+state stored, as nbclient does. Files in `assets` are named after their content.
 """
 
 from __future__ import annotations
@@ -25,10 +23,9 @@ from pathlib import Path
 from typing import Any
 
 from .export_widgets import NOT_STORED, STANDS_STILL, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
-from .mathml import with_mathml
 from .scene import viewer_file
 
-__all__ = ["NotANotebook", "export_html", "main", "page_language", "page_title", "read_notebook"]
+__all__ = ["NotANotebook", "export_html", "main", "page_language", "page_title", "read_notebook", "with_mathml"]
 
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -298,3 +295,27 @@ def _script_text(value: Any) -> str:
 
 def _hash(text: str) -> str:
     return hashlib.sha256(text.encode()).hexdigest()[:8]
+
+
+FENCES, SPAN, INDENTED = r"```.*?```|~~~.*?~~~", r"(?<!`)(`+)(?!`).*?(?<!`)\1(?!`)", r"^(?: {4}|\t)[^\n]*$"
+CODE = re.compile(f"{FENCES}|{SPAN}|{INDENTED}", re.DOTALL | re.MULTILINE)
+FORMULA = re.compile(r"(?<![\\$])\$\$(?P<block>[^$]+)\$\$|(?<![\\\w$])\$(?=\S)(?P<line>[^$\n]+?)(?<=\S)\$(?![\w$])")
+
+
+def with_mathml(markdown: str) -> str:
+    """Return Markdown with its formulas as MathML."""
+    parts, at = [], 0
+    for code in CODE.finditer(markdown):
+        parts += [_set(markdown[at : code.start()]), code[0]]
+        at = code.end()
+    return "".join([*parts, _set(markdown[at:])])
+
+
+def _set(text: str) -> str:
+    return FORMULA.sub(lambda found: _mathml(found["block"] or found["line"], found["block"] is not None), text)
+
+
+def _mathml(formula: str, block: bool) -> str:
+    from latex2mathml.converter import convert  # only where a page has a formula
+
+    return convert(formula.strip(), display="block" if block else "inline")

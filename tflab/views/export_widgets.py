@@ -1,13 +1,11 @@
-"""What is left of a widget when there is no kernel?  The live views, and every other input as words.
+"""Convert widgets to notebook outputs that work without a kernel.
 
     VBox                       "speed: 0.50"          a slider, at its stored value
-    |-- FloatSlider speed  =>  <live view view-0>     drawn by its own JavaScript; it brings its scrubber
+    |-- FloatSlider speed  =>  <live view view-0>     drawn by its own JavaScript, with its scrubber
     |-- Scene                  (image)                what an Output widget held
-    `-- Button                                        nothing: it could do nothing
+    `-- Button                                        nothing
 
-A widget that draws itself in the browser (an anywidget) goes on living in the page.
-All others would be dead controls, so they stand as text.  The result is a list of
-ordinary notebook outputs, in the order of the widgets, which any exporter can show.
+A widget that draws itself in the browser (an anywidget) stays live. All others become text.
 """
 
 from __future__ import annotations

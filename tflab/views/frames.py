@@ -1,18 +1,15 @@
-"""How does one draw a frame?  Three arrows, told apart by letter, line and colour, and a name.
+"""Draw frames, points, arrows and the ground on matplotlib axes.
 
         z
         :      y                 poses:  name -> where it is in the drawing's own frame
-        :    /                   eye:    from where we look
+        :    /                   eye:    the projection
         :  /                     (.)     an arrow that comes out of the paper
         :/____________ x         (x)     an arrow that goes into it
      base_link
 
-`draw_frames`, `draw_points` and `draw_arrow` put artists on any matplotlib axes
-and return them; each can `move`, so a slider need not draw anything anew.  A
-ghost is the wrong answer: the same shape in grey outline beside the right one.
-`draw_scene` makes a whole picture of them.
-
-RViz draws the same with its TF and Axes displays.
+`draw_frames`, `draw_points` and `draw_arrow` return artists that can `move`, so a slider need not
+draw anything again. A ghost is the wrong answer: the same shape in grey outline. `draw_scene`
+makes a whole picture. RViz draws the same with its TF and Axes displays.
 """
 
 from __future__ import annotations
@@ -28,9 +25,9 @@ from tflab.core import Transform
 from tflab.core.quaternions import Vector3
 
 from . import style
-from .eye import SLANTING, Eye
 from .labels import FloatingLabel, place_labels
 from .picture import Picture
+from .projection import SLANTING, Eye
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

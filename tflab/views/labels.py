@@ -1,10 +1,7 @@
-"""Where may a name stand?  Beside its thing, and on nothing else.
+"""Place names beside their things, so that they cover no line and no other name.
 
-        [name]               eight places around a thing, then eight farther away, and in a crowd
-    [name] o [name]          eight more, and more: the first that covers no line and no other name,
-        [name]               and is on the paper
-
-Every name tries its places in the same order, so a figure is the same each time.
+Every name tries eight positions around its thing, then eight farther away, and so on, always in
+the same order, so that a figure is the same each time.
 """
 
 from __future__ import annotations

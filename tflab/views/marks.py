@@ -1,14 +1,9 @@
-"""How does one drawing become an SVG for a page and a PDF for a file?
+"""Write a drawing of lines, boxes and text as SVG and as PDF, the same bytes every time.
 
-    LineMark, BoxMark, TextMark  -->  Sheet  -->  svg_from_sheet   text, the same bytes every time
-                                  -->  pdf_from_sheet   bytes, the same every time
+    LineMark, BoxMark, TextMark  -->  Sheet  -->  svg_from_sheet, pdf_from_sheet
 
-A view that is made of lines, boxes and words lists them as marks, in points, with
-y pointing down, and leaves the writing to this page.  Every line says by its style
-what it also says by its colour, so the marks can be read without colour.
-
-Letters are of one width, so that a view can know how much room a word takes before
-any font is loaded.
+Marks are in points, y pointing down. Letters have one width, so that the width of a text is known
+before a font is loaded. Line styles repeat what colours say.
 """
 
 from __future__ import annotations

@@ -1,13 +1,12 @@
-"""What does a view hand back?  A picture: a figure, the same in words, and how to show it.
+"""Hold a figure together with its text, and show it in Jupyter.
 
     picture            in a page     the card, sharp, at its size
-    picture.text       anywhere      what a screen reader or a terminal gets
+    picture.text       anywhere      what a screen reader, a terminal or nbval gets
     picture.png()      a file        the same bytes every time
     picture.figure     matplotlib    everything that was drawn
 
-A view makes its artists once and then only moves them, so the picture that
-stands still in a printed page and the one that follows a slider are the same.
-Jupyter shows the PNG; whoever cannot see it, and nbval, get the text.
+A view makes its artists once and then only moves them, so the printed figure and the one that
+follows a slider are the same.
 """
 
 from __future__ import annotations

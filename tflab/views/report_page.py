@@ -1,14 +1,7 @@
-"""What do our reports in a browser have in common?  One file, light, dark or printed, nothing from elsewhere.
+"""Write an HTML report as one file that loads and runs nothing from elsewhere.
 
-    +--------------------------------+
-    | paper, ink                     |    the reader's system says whether it is day or night
-    |  +--------------------------+  |
-    |  | card        quiet, line  |  |    six colours, each with its twin for the dark
-    |  +--------------------------+  |
-    +--------------------------------+
-
-A policy in the page (Content-Security-Policy) lets it load nothing and run nothing,
-whatever was written into it.
+It follows the reader's light or dark theme and can be printed. A Content-Security-Policy in the
+page forbids loading and scripts, whatever was written into it.
 """
 
 from __future__ import annotations

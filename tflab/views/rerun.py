@@ -1,11 +1,7 @@
-"""What becomes of what a cell showed, when it runs again?  It is let go.
+"""Free the views that a cell showed when the cell runs again.
 
-    In [7]:  lesson.draw_rotation(...)     ->  Out[7], a picture
-    In [9]:  the same cell, again          ->  Out[9];  Out[7] is forgotten, a panel in it closed
-
-IPython keeps every result in `Out` for as long as the kernel lives, and ipywidgets
-every widget: a page that is run ten times would hold ten of each of its pictures.
-Only what this room draws is let go; a learner's own results stay where they are.
+IPython keeps every result in `Out` and ipywidgets every widget for as long as the kernel lives.
+Only views of this package are freed; a learner's own results stay.
 """
 
 from __future__ import annotations

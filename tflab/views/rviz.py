@@ -1,20 +1,8 @@
-"""What is RViz?  A window that turns everything into one frame, and says what it could not turn.
+"""Show a small RViz in a page: a menu of Fixed Frames, a 3D scene and the list of statuses.
 
-    Fixed Frame [ map    ]                    pick another: the picture changes, the data do not
-    +------------------------------+
-    |   map ---> odom ---> base    |          scene.py
-    +------------------------------+
-    Global Status: Ok                         rviz_status.py
-    LaserScan (/scan): Error
-      Transform: No transform to fixed frame [map]. TF error: [...]
-
-While a page is built for export (TFLAB_FILMS=1), where nobody will answer, `RViz`
-is drawn for every Fixed Frame, and its scrubber goes through them.
-
-`RViz` gets plain values and a function to ask; it holds no buffer.  What a view of
-one's own graph looks like is wired up in `tflab.tools`.
-
-(https://github.com/ros2/rviz)
+While a page is built for export (TFLAB_FILMS=1), `RViz` is drawn for every Fixed Frame, and its
+scrubber goes through them. It gets plain values and a lookup function; `tflab.tools` connects it
+to a graph. (https://github.com/ros2/rviz)
 """
 
 from __future__ import annotations

@@ -1,17 +1,11 @@
-"""What would RViz show, and what would it say?  Both are decided here, without a picture.
+"""Decide what RViz would show and report, without a picture.
 
     frames, displays, ask(target, source, stamp)  +  Fixed Frame
-        |
-        v
-    Shown: where each thing is in the Fixed Frame     and RViz's own words:
-           or nowhere                                 "No transform from [laser_frame] to [map]"
+        --> Shown: the pose of each thing in the Fixed Frame, or none, and RViz's statuses
 
-RViz turns everything it draws into one frame, the Fixed Frame, each message at its
-own stamp.  What it cannot turn it leaves out, and says so in the display's status.
-The data themselves never change: choose another Fixed Frame, and only the answers of
-`ask` are others.
-
-The texts are those of rviz2 (rviz_common, rviz_default_plugins).
+RViz transforms everything into the Fixed Frame, each message at its own stamp. What it cannot
+transform it leaves out, and reports in the display's status. The texts are those of rviz2
+(rviz_common, rviz_default_plugins).
 """
 
 from __future__ import annotations

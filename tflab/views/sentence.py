@@ -1,19 +1,15 @@
-"""Which one is the target?  One question, said in five ways.
+"""Draw a lookup with its target and source, and the two readings of "from A to B".
 
     data expressed in [laser_frame], wanted in [map]
                   source                  target
     lookup_transform('map', 'laser_frame', t)
-    laser_frame o------------------------> map           the way the data goes
+    laser_frame o------------------------> map           the direction of the data
     4x4 matrix        map_p = map_T_laser_frame.apply(laser_frame_p)
-    tf2_echo map laser_frame                             where laser_frame sits in map
+    tf2_echo map laser_frame                             the pose of laser_frame in map
 
-"From A to B" can be read both ways, and for ten years people have reported tf2
-as reversed.  The sentence without "from" and "to" cannot: what the data is
-written in is the source, what it is wanted in is the target, and the target comes
-first in every call.
-
-The help of tf2_echo itself calls its first argument "source_frame"; it is the
-target of the lookup.
+"From A to B" can be read both ways: `A_T_B` is the pose of B in A, and it moves data from B to A.
+The sentence without "from" and "to" is unambiguous. The help of tf2_echo itself calls its first
+argument "source_frame"; it is the target of the lookup.
 """
 
 from __future__ import annotations
@@ -27,10 +23,12 @@ import numpy as np
 from tflab.core import LATEST, NSEC_PER_SEC, StampedTransform, Transform
 
 from . import style
-from .eye import SLANTING
-from .frames import draw_arrow, draw_frames, draw_ground, show_all
+from .frames import clear_paper, draw_arrow, draw_frames, draw_ground, show_all, write_caption
 from .labels import place_labels
 from .picture import Picture
+from .projection import SLANTING
+
+__all__ = ["describe_readings", "draw_readings"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +130,7 @@ class SentencePicture(Picture):
 
     def __init__(self, poses: Mapping[str, Transform], language: str = "en") -> None:
         """Draw the frames; `language` is that of `text`."""
-        from .typed import TypedBlock
+        from .number_table import TypedBlock
 
         super().__init__((style.WIDE[0], 4.3))
         self.poses, self._language = dict(poses), language
@@ -183,3 +181,44 @@ def draw_sentence(poses: Mapping[str, Transform], stamped: StampedTransform, ask
         stamped: the answer of lookup_transform.
     """
     return SentencePicture(poses).show(stamped, asked_ns)
+
+
+CAPTIONS = ("reading 1: where {b} sits in {a}", "reading 2: data of {a}, wanted in {b}")
+DASHES = (0, (4.0, 2.0))
+
+
+def describe_readings(a: str, b: str, a_T_b: Transform) -> str:
+    """Return both readings of "from a to b" in words, with their matrices."""
+    lines = [f'"from {a} to {b}"']
+    for caption, name, transform in zip(CAPTIONS, _names(a, b), (a_T_b, a_T_b.inverse()), strict=True):
+        lines += [f"{caption.format(a=a, b=b)}: {name}", *(f"  {row}" for row in matrix_rows(transform))]
+    return "\n".join(lines)
+
+
+def draw_readings(a: str, b: str, a_T_b: Transform) -> Picture:
+    """Draw both readings of "from a to b" beside each other."""
+    picture = Picture((style.WIDE[0], 3.3))
+    span_m = float(np.abs(a_T_b.translation).max()) or 1.0
+    places = np.array(((0.0, 0.0, 0.0), a_T_b.translation))
+    length_m = 0.4 * span_m
+    with style.our_settings():
+        readings = zip(CAPTIONS, _names(a, b), (a_T_b, a_T_b.inverse()), (a, b), strict=True)
+        for column, (caption, name, transform, axes_of) in enumerate(readings):
+            ax = clear_paper(picture.figure.add_axes((0.015 + 0.495 * column, 0.15, 0.475, 0.81)))
+            reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
+            show_all(ax, SLANTING.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.5 * length_m)
+            draw_ground(ax, SLANTING, (-span_m, 2 * span_m), (-span_m, span_m), 0.5 * span_m)
+            draw_frames(ax, {a: Transform(), b: a_T_b}, SLANTING, length_m)
+            draw_arrow(ax, *places, curve=0.0 if column == 0 else 0.18, line="solid" if column == 0 else DASHES)
+            write_caption(ax, caption.format(a=a, b=b))
+            numbers = f"{style.fmt_all(transform.translation, digits=2)} along the axes of {axes_of}"
+            middle = {"x": 0.25 + 0.495 * column, "ha": "center", "va": "center", "color": style.ACCENT}
+            picture.figure.text(y=0.105, s=name, fontsize=style.TITLE_PT, family="monospace", **middle)
+            picture.figure.text(y=0.04, s=numbers, fontsize=style.TEXT_PT, **middle)
+    picture.text = describe_readings(a, b, a_T_b)
+    return picture
+
+
+def _names(a: str, b: str) -> tuple[str, str]:
+    """Return the transforms of both readings."""
+    return f"{a}_T_{b}", f"{b}_T_{a}"

@@ -1,21 +1,13 @@
-"""What do our figures look like?  Sizes, fonts, colours, and how a number is printed.
+"""Hold the sizes, fonts and colours of all figures, and format numbers.
 
     x  solid   -------->  x     reddish
     y  dashed  - - - -->  y     greenish
     z  dotted  .......->  z     blue
 
-An axis is told apart three times, by its letter, its line and its colour, so
-that a figure can be read in print, by the colour-blind and through a bad
-projector.  Everything else is ink and grey, and one accent marks the thing that
-is being taught.
-
-A figure is a card of its own light paper with rounded corners, so it looks the
-same on a light and on a dark page.  Nothing here touches matplotlib's global
-settings: `our_settings()` holds them only while one of our figures is at work, and
-one at a time: a slider's callback may run in another thread than a cell, and
-matplotlib's settings are of all threads.
-
-The colours are those of Okabe and Ito.
+An axis can be recognised by its letter, its line and its colour. Everything else is ink and grey,
+and one accent marks what is being taught. A figure is a card of light paper, the same on a light
+and on a dark page. `our_settings()` sets matplotlib's settings only while a figure is drawn, for
+one thread at a time, because they are global. The colours are those of Okabe and Ito.
 """
 
 from __future__ import annotations

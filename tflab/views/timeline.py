@@ -1,17 +1,14 @@
-"""What did the buffer know, and when?  One lane for each edge between two frames.
+"""Draw what a buffer holds between two frames over time, and the answer to a query.
 
     map -> odom          |  [o====o====o====o]     |   a window, a mark for each sample
     odom -> base_link    |     [ooooooooooooooo]   |
-    base_link -> laser   |<=======================>|   static: good for any time
+    base_link -> laser   |<=======================>|   static: valid at any time
     all of them          |     [-----------]       |   the common interval
     query                |          ^              |   inside: there is an answer
 
-A lookup walks several edges, and each must cover the moment asked for.  Inside
-the common interval there is an answer, between two samples too; outside it tf2
-refuses, and says so in the words that stand in the picture.  The end of the
-common interval is what LATEST means; statics do not count.
-
-tf2 calls a lane a TimeCache.
+Each edge of the path must cover the time of a lookup. Inside the common interval there is an
+answer, between two samples too; outside it tf2 raises, and its text stands in the picture. LATEST
+is the end of the common interval; static edges do not count. tf2 calls a lane a TimeCache.
 """
 
 from __future__ import annotations
@@ -271,7 +268,7 @@ class TimelinePicture(Picture):
             ax.plot(times, [row] * len(times), color=style.INK, linestyle="none", marker="o", markersize=3.5, zorder=3)
 
     def _draw_query(self) -> None:
-        from .typed import TypedBlock
+        from .number_table import TypedBlock
 
         ax = self.ax
         (self.query,) = ax.plot([], [], color=style.ACCENT, linewidth=2.0, zorder=10, clip_on=False)

@@ -1,19 +1,14 @@
-"""Who is whose child?  The frame tree, drawn and in words.
+"""Draw the frame tree, with its publishers and faults, as SVG, PDF and text.
 
     map
     └─ odom             D   10.0 Hz   0.050 s   /amcl
        └─ base_link     D   20.0 Hz   0.010 s   /moving_robot_broadcaster
           └─ laser      S                       /static_sensor_broadcaster
 
-One row for each frame, a child below its parent, so that forty frames with long
-names still do not touch.  D is a dynamic transform (a solid line), S a static one
-(a dashed line).  What a healthy tree never has is drawn as a fault and said in a
-sentence: several roots, a loop, two publishers of one child, two parents.
-
-This is our picture; the one that `view_frames` gives is in `upstream_tree.py`.  Here the
-publishers are real, and belong to an edge, not to its child: two nodes that publish
-one frame from two parents are no two owners of either edge.  `marks.py` writes the
-SVG and the PDF.
+One row for each frame, a child below its parent. D is a dynamic transform (a solid line), S a
+static one (a dashed line). Faults are drawn and described: several roots, a loop, two publishers
+of one edge, two parents. Publishers belong to an edge: two nodes that publish one frame under two
+parents are not two owners of either edge. `view_frames_tree.py` draws what `view_frames` shows.
 """
 
 from __future__ import annotations

@@ -1,16 +1,13 @@
-"""What do all panels share?  Controls above, a picture below, and the same in words on request.
+"""Share what all panels have: controls above, a picture below, and its text on request.
 
     speed  ----o---  1.00 m/s   delay  --o---  0.20 s
     +-----------------------------+
     |           picture           |      [as text]
     +-----------------------------+
 
-A page that is exported has no kernel to redraw for it.  While it is built, with
-TFLAB_FILMS=1, a panel shows itself as a film: drawn for every place of its first
-slider, the other controls standing still.
-
-All controls can be reached and moved with the keyboard: Tab goes from one to the
-next, the arrow keys move a slider.
+While a page is built for export (TFLAB_FILMS=1), a panel shows itself as slider frames: drawn for
+every position of its first slider. All controls can be reached and moved with the keyboard. Their
+texts are in `panel.yaml`; names of frames, joints and ROS 2 options are the same in both languages.
 """
 
 from __future__ import annotations
@@ -22,11 +19,12 @@ from html import escape
 
 import numpy as np
 
-from ..film import Film
 from ..libraries import ipywidgets as widgets
 from ..picture import Picture
-from .drawn_ahead import At, Drawing, DrawnAhead, place_of
-from .words import said
+from ..slider_frames import Film
+from .prefetch import At, Drawing, DrawnAhead, place_of
+
+__all__ = ["LANGUAGES", "said"]
 
 FILM_STEPS = 13
 PANEL_WIDTH = "780px"  # of the picture, and two sliders
@@ -209,3 +207,49 @@ def _close_all(widget: widgets.DOMWidget) -> None:
 
 def _nothing(at: At) -> None:
     """Do nothing: a closed panel has nothing to move."""
+
+
+LANGUAGES = ("en", "ko")
+KOREAN = {
+    "as text": "글로 보기",
+    "the same in words": "같은 내용을 글로",
+    "robot x": "로봇 x",
+    "robot yaw": "로봇 yaw",
+    "thing x": "물체 x",
+    "thing y": "물체 y",
+    "rests on": "놓인 곳",
+    "floor": "바닥",
+    "tray: it rides along": "쟁반: 로봇과 함께 움직임",
+    "forward": "앞",
+    "left": "왼쪽",
+    "up": "위",
+    "mount yaw": "장착 yaw",
+    "speed": "속도",
+    "yaw rate": "각속도",
+    "range": "거리",
+    "delay": "지연",
+    "rate": "발행률",
+    "query": "요청 시각",
+    "Ask for the newest common time": "최신 공통 시각을 묻습니다",
+    "join": "참여 시각",
+    "source": "원본",
+    "target": "목표",
+    "arrow": "화살표",
+    "shell": "터미널",
+    "played": "재생 시간",
+    "step": "단계",
+    "a visit": "진료",
+    "the arrow keys go on and back": "화살표 키로 앞뒤로 넘깁니다",
+    "choose, and the others follow": "고르면 나머지가 따라 바뀝니다",
+}
+
+
+def said(words: str, language: str) -> str:
+    """Return words of a control in a language; what has no other name stays as it is.
+
+    Raises:
+        ValueError: the language is unknown.
+    """
+    if language not in LANGUAGES:
+        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(LANGUAGES)}')
+    return KOREAN.get(words, words) if language == "ko" else words

@@ -1,13 +1,9 @@
-"""In three dimensions, inside the page: a scene, and what is drawn into it.
+"""Show a 3D scene inside a page.
 
-    shapes    what arrows and axes are made of
-    meshes    the same, as meshcat wants it
-    state     the last word on everything in a scene
-    words     the scene, said
-    widget    Scene: meshcat's viewer in a cell, without a server
-    drawing   frames, scans, cameras and robots
-
-Start with `shapes.py`.
+shapes    meshes of arrows, axes and bodies, for meshcat
+state     the last command on every part of a scene, and the scene as text
+widget    Scene: meshcat's viewer in a cell, without a server
+drawing   frames, scans, cameras and robots
 """
 
 from .drawing import (

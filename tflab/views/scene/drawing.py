@@ -1,18 +1,14 @@
-"""How does one put frames, scans, cameras and robots into a 3D scene?
+"""Draw frames, scans, cameras and robots into a 3D scene.
 
     draw_frame(scene, "base_link", map_T_base)           three axes and a name
     draw_frames(scene, poses, parents)                   many, with arrows between them
-    draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners say
+    draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners publish
     draw_camera                                          what a camera sees, and its image plane
     draw_ball, draw_mug                                  something to be seen
     draw_robot                                           links, from boxes, cylinders, spheres
     ... is_ghost=True                                    the wrong answer: grey, translucent, hatched
 
-All poses and points are in the scene's own frame; whoever draws decides which frame
-that is.  Drawing the same path again moves what is there.  Each function takes a
-`Scene`, and leaves on what it draws the words that `words.py` reads.
-
-This is the last page of the folder.
+All poses and points are in the scene's own frame. Drawing the same path again moves what is there.
 """
 
 from __future__ import annotations
@@ -28,7 +24,7 @@ from tflab.core import Transform
 
 from .. import style
 from . import shapes
-from .meshes import triangles
+from .shapes import triangles
 from .widget import Scene
 
 IDENTITY = Transform()

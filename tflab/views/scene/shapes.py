@@ -1,26 +1,33 @@
-"""What are arrows, axes and mugs made of?  Triangles: bars, cones, and dashes of both.
+"""Build meshes of arrows, axes, balls and mugs, and pass them to meshcat.
 
-    bar      o=========o          a prism of eight sides
-    cone     |>                   its base first, then its tip
-    dashes   o==  ==  ==o         several bars
-    axes     x solid, y dashed, z dotted, each ending in a cone
-    mug      a wall, a bottom, a handle
-
-Browsers draw every line one pixel wide, so whatever must be seen from afar is a
-mesh.  All functions here are arithmetic on arrays: points in, triangles out.
+Browsers draw every line one pixel wide, so whatever must be seen from afar is a mesh. The shapes
+are arithmetic on arrays; only `triangles` and `grid` load meshcat.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from .. import style
 
-__all__ = ["Triangles", "across", "arrow", "axes", "bar", "frustum", "joined", "mug", "polyline", "rgb"]
+__all__ = [
+    "Triangles",
+    "across",
+    "arrow",
+    "axes",
+    "bar",
+    "frustum",
+    "grid",
+    "joined",
+    "mug",
+    "polyline",
+    "rgb",
+    "triangles",
+]
 
 SIDES = 8
 DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
@@ -166,3 +173,32 @@ def frustum(half_width_m: float, half_height_m: float, depth_m: float, radius_m:
     edges = [bar((0.0, 0.0, 0.0), corner, radius_m, colour) for corner in corners]
     rim = [bar(corners[i], corners[(i + 1) % 4], radius_m, colour) for i in range(4)]
     return joined(edges + rim)
+
+
+GRID_COLOUR = "#8C9196"
+GRID_OPACITY = 0.45
+
+
+def triangles(mesh: Triangles, opacity: float = 1.0) -> tuple[Any, Any]:
+    """Return a mesh as meshcat wants it: its geometry, and a material without shading."""
+    from meshcat.geometry import MeshBasicMaterial, TriangularMeshGeometry
+
+    return (
+        TriangularMeshGeometry(mesh.points, mesh.faces, mesh.colours),
+        MeshBasicMaterial(vertexColors=True, opacity=opacity, depthWrite=opacity == 1.0),
+    )
+
+
+def grid(step_m: float = 1.0, cells: int = 10) -> Any:
+    """Return the ground: a square of `cells` by `cells` squares around the origin, each `step_m` [m] wide.
+
+    A line goes along one square: of one that began behind the camera, some drivers draw nothing at all.
+    """
+    from meshcat.geometry import LineBasicMaterial, LineSegments, PointsGeometry
+
+    half = 0.5 * cells * step_m
+    at = np.linspace(-half, half, cells + 1)
+    along = [((x, y0, 0.0), (x, y1, 0.0)) for x in at for y0, y1 in pairwise(at)]
+    ends = along + [tuple((y, x, z) for x, y, z in line) for line in along]
+    material = LineBasicMaterial(color=int(GRID_COLOUR[1:], 16), opacity=GRID_OPACITY)
+    return LineSegments(PointsGeometry(np.array(ends, np.float32).reshape(-1, 3).T), material)

@@ -1,29 +1,31 @@
-"""What must a late viewer be told?  The shortest list of commands that gives the same scene.
+"""Keep the shortest list of commands that gives a scene, and describe the scene in text.
 
     set_transform  robot   (1, 0, 0)      \\
     set_transform  robot   (2, 0, 0)       >   set_object     robot   box
     set_object     robot   box            /    set_transform  robot   (2, 0, 0)
 
-A meshcat scene is what a stream of commands has made of it.  Each command has a
-subject, such as "the transform of robot"; only the last word on a subject counts,
-and the order of the last words is kept.  A browser that opens the page later, or
-reloads it, or has no kernel at all, replays this list.
+Each command has a subject, such as "the transform of robot"; only the last command on a subject
+counts. A browser that opens the page later, or has no kernel, replays this list. Commands are
+dictionaries, as meshcat's `lower()` makes them, packed with MessagePack.
 
-Commands are plain dictionaries, as meshcat's `lower()` makes them, and packed with
-MessagePack, which is what the viewer reads.
+For `describe`, the `draw_...` functions set two properties: `frame` on a frame, with its parent,
+and `words` on anything else.
 """
 
 from __future__ import annotations
 
 import struct
 from collections.abc import Iterable, Mapping
+from math import degrees
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from tflab.core import Transform
 
-__all__ = ["SceneState", "joined", "pack", "plain", "with_stable_ids"]
+from .. import style
+
+__all__ = ["SceneState", "describe", "joined", "pack", "plain", "pose_in_words", "with_stable_ids"]
 
 AT_THE_END = ("set_animation", "sweep")  # they refer to objects, which must be there first
 ID_KEYS = ("uuid", "geometry", "material", "map", "image")
@@ -148,3 +150,37 @@ def pack(command: Mapping[str, Any]) -> bytes:
     import umsgpack  # comes with meshcat
 
     return umsgpack.packb(command)
+
+
+def describe(state: SceneState) -> str:
+    """Return the frames with their parents and poses, then everything else that has a name."""
+    frames = state.properties("frame")
+    things = state.properties("words")
+    path_of = {frame["name"]: path for path, frame in frames.items()}
+    lines = [(frame["name"], _frame_in_words(state, path, frame, path_of)) for path, frame in frames.items()]
+    lines += [(path.removeprefix("/meshcat/"), words) for path, words in things.items()]
+    width = max((len(name) for name, _ in lines), default=0)
+    head = f"3D scene: {_counted(len(frames), 'frame')}, {_counted(len(things), 'other thing')}"
+    return "\n".join([head] + [f"  {name:<{width}}  {words}" for name, words in lines])
+
+
+def pose_in_words(pose: Transform) -> str:
+    """Return a pose as a person reads it: metres, degrees about the fixed axes."""
+    x, y, z = (style.fmt(value, "") for value in pose.translation)
+    roll, pitch, yaw = (style.fmt(degrees(angle), "", 1) for angle in pose.rpy())
+    return f"x {x} m, y {y} m, z {z} m; roll {roll} deg, pitch {pitch} deg, yaw {yaw} deg"
+
+
+def _frame_in_words(state: SceneState, path: str, frame: dict, path_of: dict[str, str]) -> str:
+    kind = "ghost frame" if frame["ghost"] else "frame"
+    scene_T_frame = state.pose(path)
+    parent = frame["parent"]
+    if parent in path_of:
+        return f"{kind} in {parent}: {pose_in_words(state.pose(path_of[parent]).inverse() @ scene_T_frame)}"
+    if scene_T_frame == Transform():
+        return kind
+    return f"{kind} at {pose_in_words(scene_T_frame)}"
+
+
+def _counted(count: int, what: str) -> str:
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"

@@ -32,11 +32,10 @@ from typing import TYPE_CHECKING, Any
 from weakref import WeakSet
 
 from .. import style
-from ..film import STATIC, javascript
 from ..libraries import anywidget, ipywidgets, traitlets
-from .meshes import grid
-from .state import SceneState, joined, pack, plain, with_stable_ids
-from .words import describe
+from ..slider_frames import STATIC, javascript
+from .shapes import grid
+from .state import SceneState, describe, joined, pack, plain, with_stable_ids
 
 if TYPE_CHECKING:
     import numpy as np

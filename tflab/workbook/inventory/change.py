@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from tflab.views.gain import state_of
+from tflab.views.slope_chart import state_of
 
 from .items import Item
 from .replies import Reply, replies_to

@@ -20,7 +20,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from tflab.views.gain import draw_gain
+from tflab.views.slope_chart import draw_gain
 
 from ...text import Text
 from ..paths import chapters

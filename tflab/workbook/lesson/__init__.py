@@ -37,39 +37,33 @@ from tflab.ros.graph import current_graph
 from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
-from tflab.views.ages import Curve, draw_ages
+from tflab.views.ages import Curve, Journey, draw_ages, draw_journeys
 from tflab.views.axes import (
     BODY_T_OPTICAL,
     draw_body_axes,
     draw_cameras,
+    draw_card,
     draw_right_hand,
     draw_rotation,
     optical_from_body,
     straight_ahead,
 )
-from tflab.views.bend import Bend, draw_bend
-from tflab.views.card import draw_card
 from tflab.views.clocks import Play, draw_clocks
-from tflab.views.dominoes import draw_dominoes
-from tflab.views.eye import FROM_ABOVE
+from tflab.views.coordinates import draw_moments, draw_rulers, readings_of
+from tflab.views.fault_tables import draw_owners
 from tflab.views.frames import draw_scene
-from tflab.views.joins import Letter, Sender, draw_joins
-from tflab.views.journey import Journey, draw_journeys
-from tflab.views.latency import Sight, draw_latency, drive, latency_error
-from tflab.views.misread import describe_extent, draw_misread
-from tflab.views.moments import draw_moments
-from tflab.views.mount import draw_mount, seen_from
-from tflab.views.owners import draw_owners
-from tflab.views.placed import draw_placed
-from tflab.views.readings import draw_readings
-from tflab.views.rulers import draw_rulers, readings_of
+from tflab.views.late_joiner import Letter, Sender, draw_joins
+from tflab.views.map_error import draw_placed, draw_tracks
+from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, drive, latency_error
+from tflab.views.projection import FROM_ABOVE
+from tflab.views.rotations import draw_drives, draw_orders, draw_turns
 from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_camera, draw_frame, draw_mug, draw_path, draw_scan
 from tflab.views.scene.drawing import ACCENT
-from tflab.views.sentence import draw_sentence
+from tflab.views.sentence import draw_readings, draw_sentence
 from tflab.views.style import fmt, fmt_all
 from tflab.views.timeline import lane_from_history
-from tflab.views.tracks import draw_tracks
-from tflab.views.turns import draw_drives, draw_orders, draw_turns
+from tflab.views.transform_chain import draw_dominoes
+from tflab.views.wrong_frames import describe_extent, draw_misread, draw_mount, seen_from
 
 from ..copy.environment import check_environment
 from ..course.course_map import draw_course

@@ -22,8 +22,8 @@ from tflab.robots.teaching import TeachingRobot, teaching_urdf
 from tflab.ros.graph import Graph, current_graph, new_graph
 from tflab.tools.rviz import look
 from tflab.views.picture import Picture
+from tflab.views.rviz_figure import draw_shown
 from tflab.views.rviz_status import look_through
-from tflab.views.shown import draw_shown
 
 __all__ = ["ROBOTS", "draw_rviz", "start_robot", "stop_node"]
 

@@ -15,9 +15,9 @@ from tflab.robots.kinematics import joint_transform
 from tflab.robots.model import JOINT_TYPES, Joint
 from tflab.robots.teaching import teaching_urdf
 from tflab.robots.urdf import parse_urdf
-from tflab.views import joints, panels
-from tflab.views.joints import JointsPicture, Step
+from tflab.views import panels, transform_chain
 from tflab.views.panels import Panel, Travel
+from tflab.views.transform_chain import JointsPicture, Step
 
 from ..paths import read_workbook, workbook_root
 
@@ -70,7 +70,7 @@ def draw_joints(
     Args:
         ghosts: wrong places of the tip in `base` (x, y, z) [m], by their name.
     """
-    return joints.draw_joints(steps_of(positions, tip, base, urdf), touched, ghosts)
+    return transform_chain.draw_joints(steps_of(positions, tip, base, urdf), touched, ghosts)
 
 
 def joints_panel(

@@ -10,10 +10,9 @@ from collections.abc import Mapping, Sequence
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException
 from tflab.views import panels
-from tflab.views.bend import Bend
 from tflab.views.clocks import Play
-from tflab.views.joins import Sender
-from tflab.views.latency import Sight
+from tflab.views.late_joiner import Sender
+from tflab.views.motion_error import Bend, Sight
 from tflab.views.panels import Panel, SentencePanel
 from tflab.views.style import fmt_all
 from tflab.views.timeline import Ask, Lane

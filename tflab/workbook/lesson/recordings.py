@@ -32,7 +32,7 @@ from tflab.robots.nodes import launch
 from tflab.ros.graph import Graph, new_graph
 from tflab.ros.node import Node
 from tflab.tools.page import run_words
-from tflab.views.work import Work, WorkPicture, draw_work
+from tflab.views.busy_chart import Work, WorkPicture, draw_work
 
 from .waiting import run_node
 

@@ -21,9 +21,9 @@ from tflab.robots.teaching import TeachingRobot
 from tflab.ros.graph import Graph
 from tflab.tools.rviz import links_to_see, look
 from tflab.views.frames import draw_scene
-from tflab.views.latency import drive
+from tflab.views.map_error import draw_placed
+from tflab.views.motion_error import drive
 from tflab.views.picture import Picture
-from tflab.views.placed import draw_placed
 from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_path, draw_robot, draw_scan
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.style import GREY

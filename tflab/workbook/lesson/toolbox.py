@@ -18,10 +18,10 @@ from tflab.ros.graph import Graph, current_graph
 from tflab.tools.page import run_words
 from tflab.tools.rviz import look
 from tflab.views import panels
+from tflab.views.fault_tables import Suitability, ToolOutput, draw_tools
 from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 from tflab.views.rviz_status import look_through, statuses_as_text
-from tflab.views.toolcase import Suitability, ToolOutput, draw_tools
 
 from ...text import Text
 from ..paths import read_workbook, workbook_root

@@ -29,8 +29,8 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.listener import TransformListener
 from tflab.ros.time import Time
 from tflab.views.ages import Curve
+from tflab.views.busy_chart import Work, WorkPicture, draw_work
 from tflab.views.scene import Scene, draw_frame, draw_scan
-from tflab.views.work import Work, WorkPicture, draw_work
 
 from .room import GRID_CELLS, draw_walls
 

@@ -29,11 +29,11 @@ from tflab.clinic.trolley import BUDGET_MIN, no_such
 from tflab.clinic.visit import Visit
 from tflab.clinic.visit import admit as admitted
 from tflab.views import panels
-from tflab.views.order import draw_minutes, draw_order
+from tflab.views.diagnosis_log import draw_minutes, draw_order
+from tflab.views.diagnosis_log import draw_visit as drawn_visit
+from tflab.views.fault_tables import SuspectsPicture, draw_suspects
 from tflab.views.panels import Panel
 from tflab.views.picture import Picture
-from tflab.views.suspects import SuspectsPicture, draw_suspects
-from tflab.views.visited import draw_visit as drawn_visit
 
 from ..paths import read_workbook, workbook_root
 

@@ -1,0 +1,291 @@
+"""Draw how far points and tracks in a map are from what is really there.
+
+    at the stamp               with the newest pose
+    +------------------+       +------------------+
+    |        wall      |       |  : : wall . :    |      dots: where the points were put
+    |   o              |       |   o  . .. .      |      lines and rings: what is really there
+    +------------------+       +------------------+
+    off by 0.004 m on average  off by 0.210 m on average
+
+`draw_tracks` compares one drive in several frames (REP-105): odom drifts and never jumps, map
+jumps and never drifts. Its lower curve is the absolute trajectory error.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from . import style
+from .picture import Picture
+
+__all__ = [
+    "Offs",
+    "Smoothness",
+    "describe_placed",
+    "describe_tracks",
+    "distances_to",
+    "draw_placed",
+    "draw_tracks",
+    "errors_of",
+    "offs",
+    "smoothness",
+    "steps_of",
+]
+
+Point2 = tuple[float, float]
+Wall = tuple[Point2, Point2]
+
+CAPTION_PX, TITLE_PX, GAP_PX, EDGE_PX = 46, 34, 18, 16
+LOWEST_PX, HIGHEST_PX = 130, 360
+MARGIN_M = 0.3
+RING_PT = 11.0
+SCALES_M = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
+SCALE_PART, SCALE_PT = 0.2, 8.0  # of a panel, at most; how far below it
+
+
+class Offs(NamedTuple):
+    """How far a group of points lies from what is really there [m]."""
+
+    count: int
+    mean_m: float
+    worst_m: float
+
+
+def distances_to(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()) -> np.ndarray:
+    """Return how far each point is from the nearest wall or thing [m].
+
+    Args:
+        points: shape (n, 2) or (n, 3); only x and y count [m].
+        walls: each from a point (x, y) to another [m].
+        things: (x, y) or (x, y, z) of each [m].
+
+    Raises:
+        ValueError: there is neither a wall nor a thing.
+    """
+    if not len(walls) and not len(things):
+        raise ValueError("nothing is really there: give walls, things or both, and points are measured from them")
+    points = _flat(points)
+    each = [np.linalg.norm(points - thing, axis=1) for thing in _flat(things)] if len(things) else []
+    for begin, end in np.asarray(walls, dtype=float).reshape(-1, 2, 2):
+        along = end - begin
+        share = np.clip((points - begin) @ along / max(along @ along, 1e-12), 0.0, 1.0)
+        each.append(np.linalg.norm(points - (begin + share[:, None] * along), axis=1))
+    return np.min(each, axis=0)
+
+
+def offs(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()) -> Offs:
+    """Return how far points lie from the nearest wall or thing, on average and at worst; NaN rows are left out."""
+    points = _seen(points)
+    if not len(points):
+        return Offs(0, 0.0, 0.0)
+    distances = distances_to(points, walls, things)
+    return Offs(len(points), float(distances.mean()), float(distances.max()))
+
+
+def describe_placed(
+    placed: Mapping[str, np.ndarray], walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()
+) -> str:
+    """Return the same in words: for each way, how many points, and how far off they are."""
+    width = max(map(len, placed))
+    lines = []
+    for name, points in placed.items():
+        off = offs(points, walls, things)
+        lines.append(
+            f"{name:<{width}}  {off.count:>5} points, off by {style.fmt(off.mean_m)} on average, "
+            f"{style.fmt(off.worst_m)} at worst"
+        )
+    return "\n".join(lines)
+
+
+def draw_placed(
+    placed: Mapping[str, np.ndarray],
+    walls: Sequence[Wall] = (),
+    things: Sequence[Sequence[float]] = (),
+    shown_m: tuple[float, float, float, float] | None = None,
+) -> Picture:
+    """Draw points as each way puts them, in panels side by side, from above.
+
+    Args:
+        placed: by the name of the way, shape (n, 2) or (n, 3) [m] in the fixed frame.
+        walls, things: what is really there.
+        shown_m: x from, y from, x to, y to [m]; all there is if None.
+    """
+    x_low, y_low, x_high, y_high = shown_m or _everything(placed, walls, things)
+    width_px = round(style.WIDE[0] * style.SCREEN_DPI)
+    panel_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(placed) - 1)) / len(placed)
+    tall_px = round(np.clip(panel_px * (y_high - y_low) / (x_high - x_low), LOWEST_PX, HIGHEST_PX))
+    height_px = TITLE_PX + tall_px + CAPTION_PX
+    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    with style.our_settings():
+        for i, (name, points) in enumerate(placed.items()):
+            left = EDGE_PX + i * (panel_px + GAP_PX)
+            box = (left / width_px, CAPTION_PX / height_px, panel_px / width_px, tall_px / height_px)
+            ax = picture.figure.add_axes(box)
+            _draw_panel(ax, _seen(points), walls, things)
+            _show_box(ax, (x_low, y_low, x_high, y_high), panel_px / tall_px)
+            ax.set_title(name, loc="left", pad=7)
+            _draw_scale(ax)
+            off = offs(points, walls, things)
+            ax.set_xlabel(f"off by {style.fmt(off.mean_m)} on average\n{style.fmt(off.worst_m)} at worst", loc="left")
+    picture.text = describe_placed(placed, walls, things)
+    return picture
+
+
+def _draw_panel(ax, points: np.ndarray, walls: Sequence[Wall], things: Sequence[Sequence[float]]) -> None:
+    ax.set_xticks([])
+    ax.set_yticks([])
+    for spine in ax.spines.values():
+        spine.set_color(style.HAIR)
+    for wall in np.asarray(walls, dtype=float).reshape(-1, 2, 2):
+        ax.plot(*wall.T, color=style.FAINT, linewidth=2.0, zorder=1, solid_capstyle="round")
+    size = 5.0 if len(points) < 200 else 1.4
+    ax.plot(*points.T, "o", color=style.ACCENT, markersize=size, markeredgewidth=0.0, alpha=0.75, zorder=2)
+    for thing in things:
+        ax.plot(*thing[:2], "o", color=style.INK, markersize=RING_PT, markerfacecolor="none", markeredgewidth=1.6)
+
+
+def _show_box(ax, shown_m: tuple[float, float, float, float], width_per_height: float) -> None:
+    """Choose the limits so that the box is in full sight and a metre is as long upwards as sideways."""
+    x_low, y_low, x_high, y_high = shown_m
+    half_y = max(y_high - y_low, (x_high - x_low) / width_per_height) / 2
+    half_x = half_y * width_per_height
+    middle_x, middle_y = (x_low + x_high) / 2, (y_low + y_high) / 2
+    ax.set_xlim(middle_x - half_x, middle_x + half_x)
+    ax.set_ylim(middle_y - half_y, middle_y + half_y)
+
+
+def _draw_scale(ax) -> None:
+    """Draw how long a metre is, or what is near it: a bar below the lower right corner, with its length."""
+    from matplotlib.transforms import ScaledTranslation
+
+    left, right = ax.get_xlim()
+    length_m = max(length for length in SCALES_M if length <= max(SCALE_PART * (right - left), SCALES_M[0]))
+    below = ax.get_xaxis_transform() + ScaledTranslation(0.0, -SCALE_PT / 72.0, ax.figure.dpi_scale_trans)
+    ax.plot([right - length_m, right], [0.0, 0.0], color=style.GREY, linewidth=2.0, solid_capstyle="butt",
+            transform=below, clip_on=False)  # fmt: skip
+    ax.annotate(f"{length_m:g} m", (right - length_m / 2, 0.0), (0, -3), xycoords=below, textcoords="offset points",
+                ha="center", va="top", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
+
+
+def _everything(
+    placed: Mapping[str, np.ndarray], walls: Sequence[Wall], things: Sequence[Sequence[float]]
+) -> tuple[float, float, float, float]:
+    """Return the corners of a box around everything, with a margin [m]."""
+    groups = [*(_seen(points) for points in placed.values()), np.asarray(walls, dtype=float).reshape(-1, 2)]
+    if len(things):
+        groups.append(_flat(things))
+    both = np.vstack(groups)
+    (x_low, y_low), (x_high, y_high) = both.min(axis=0) - MARGIN_M, both.max(axis=0) + MARGIN_M
+    return x_low, y_low, x_high, y_high
+
+
+def _flat(points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
+    return np.asarray(points, dtype=float)[:, :2]
+
+
+def _seen(points: np.ndarray) -> np.ndarray:
+    """Return the points that are any, x and y only: a ray that hit nothing has NaN."""
+    points = np.asarray(points, dtype=float).reshape(len(points), -1)[:, :2]
+    return points[np.isfinite(points).all(axis=1)]
+
+
+LINES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)))
+COLOURS = (style.ACCENT, style.INK, style.AXIS_COLOURS["z"])
+TRUTH_WIDTH, TRACK_WIDTH = 5.0, 1.6
+
+
+class Smoothness(NamedTuple):
+    """What a track is like [m]: its largest step between two samples, and how far from the truth it is at worst."""
+
+    largest_step_m: float
+    worst_error_m: float
+
+
+def steps_of(track: np.ndarray) -> np.ndarray:
+    """Return how far each sample of a track, shape (n, 2), is from the one before it [m], shape (n - 1,)."""
+    return np.linalg.norm(np.diff(track, axis=0), axis=1)
+
+
+def errors_of(track: np.ndarray, truth: np.ndarray) -> np.ndarray:
+    """Return how far each sample of a track is from the truth's, both of shape (n, 2) [m]."""
+    return np.linalg.norm(track - truth, axis=1)
+
+
+def smoothness(track: np.ndarray, truth: np.ndarray) -> Smoothness:
+    """Return the largest step and the worst error of a track [m]."""
+    track, truth = _flat(track), _flat(truth)
+    return Smoothness(float(steps_of(track).max()), float(errors_of(track, truth).max()))
+
+
+def describe_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> str:
+    """Return the same in words: for each track its largest step and its worst error."""
+    width = max(map(len, tracks))
+    rows = {name: smoothness(track, truth) for name, track in tracks.items()}
+    return "\n".join(
+        f"{name:<{width}}  largest step {style.fmt(row.largest_step_m)}, worst error {style.fmt(row.worst_error_m)}"
+        for name, row in rows.items()
+    )
+
+
+def draw_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Sequence[float]) -> Picture:
+    """Draw tracks from above beside their steps and their errors through time.
+
+    Args:
+        tracks: by the name of the frame that tells them, at most three; each of shape (n, 2) or (n, 3) [m], all laid
+            onto the same ground.
+        truth: where the robot really was, of the same shape [m].
+        times_s: when [s], shape (n,).
+
+    Raises:
+        ValueError: no track, more than three, or one of another length.
+    """
+    tracks = {name: _flat(track) for name, track in tracks.items()}
+    truth, times = _flat(truth), np.asarray(times_s, dtype=float)
+    if not 1 <= len(tracks) <= len(LINES):
+        raise ValueError(f"between one and {len(LINES)} tracks can be told apart, not {len(tracks)}")
+    for name, track in {**tracks, "truth": truth}.items():
+        if len(track) != len(times):
+            raise ValueError(f"{name} has {len(track)} samples, and there are {len(times)} times")
+    picture = Picture(style.WIDE)
+    with style.our_settings():
+        _draw_ground(picture.figure.add_axes((0.03, 0.05, 0.46, 0.86)), tracks, truth)
+        steps = _curves(picture.figure.add_axes((0.575, 0.60, 0.39, 0.29)), "step [m]")
+        errors = _curves(picture.figure.add_axes((0.575, 0.14, 0.39, 0.29)), "error [m]")
+        errors.set_xlabel("time [s]", loc="right")
+        for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
+            how = {"color": colour, "linestyle": line, "linewidth": TRACK_WIDTH, "label": name}
+            steps.plot(times[1:], steps_of(track), **how)
+            errors.plot(times, errors_of(track, truth), **how)
+        for ax in (steps, errors):
+            ax.set_xlim(times[0], times[-1])
+            ax.set_ylim(bottom=0.0)
+    picture.text = describe_tracks(tracks, truth)
+    return picture
+
+
+def _draw_ground(ax, tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> None:
+    """Draw the paths from above, the truth as a broad grey way below them."""
+    ax.set_axis_off()
+    ax.set_aspect("equal", adjustable="datalim")
+    ax.plot(*truth.T, color=style.HAIR, linewidth=TRUTH_WIDTH, label="truth", zorder=1, solid_capstyle="round")
+    for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
+        ax.plot(*track.T, color=colour, linestyle=line, linewidth=TRACK_WIDTH, label=name, zorder=2)
+        ax.plot(*track[-1], "o", color=colour, markersize=6.0, zorder=3)
+    ax.margins(0.06)
+    ax.legend(loc="lower left", bbox_to_anchor=(0.0, 1.0), ncols=4, frameon=False, fontsize=style.SMALL_PT,
+              borderaxespad=0.0, handlelength=2.4)  # fmt: skip
+
+
+def _curves(ax, title: str):
+    """Make a small graph with its title above it."""
+    for side in ("top", "right"):
+        ax.spines[side].set_visible(False)
+    ax.set_title(title, loc="left", fontsize=style.TEXT_PT, pad=6)
+    return ax
+
+
+def _flat(track: np.ndarray) -> np.ndarray:
+    return np.asarray(track, dtype=float)[:, :2]

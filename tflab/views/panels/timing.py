@@ -1,0 +1,164 @@
+"""Panels for time: transform rate, latency, the buffer's timeline, clocks while a bag plays, late joiners."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from tflab.core import LATEST, NSEC_PER_SEC, seconds
+
+from ..clocks import PASSES, WORDS, ClocksPicture, Play
+from ..late_joiner import JoinsPicture, Sender
+from ..libraries import ipywidgets as widgets
+from ..motion_error import Bend, BendPicture, LatencyPicture, Sight, deepest
+from ..timeline import Ask, Lane, Timeline, TimelinePicture
+from .panel import Panel, said, slider
+from .prefetch import At
+
+SLOWEST_HZ, FASTEST_RADPS = 1.0, 1.5
+
+
+def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
+    """Return a panel that shows what TF's straight line misses of a bend, starting from `bend`."""
+    start = bend or Bend()
+    rate = slider("rate", start.rate_hz, SLOWEST_HZ, 20.0, 0.5, "Hz", language)
+    speed = slider("speed", start.speed_mps, 0.0, 2.0, 0.05, "m/s", language)
+    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -FASTEST_RADPS, FASTEST_RADPS, 0.05, "rad/s", language)
+    room = deepest(FASTEST_RADPS / SLOWEST_HZ)
+    picture = BendPicture(-room, room)
+
+    def move(at: At) -> None:
+        picture.show(Bend(at(speed), at(yaw_rate), at(rate)))
+
+    title = "The arc that a robot drives and the chord that TF draws"
+    return Panel(title, picture, (rate, speed, yaw_rate), move, language=language)
+
+
+def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
+    """Return a panel in which a robot's motion and its delay can be changed, starting from `sight`."""
+    start = sight or Sight()
+    speed = slider("speed", start.speed_mps, 0.0, 3.0, 0.05, "m/s", language)
+    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.0, 1.0, 0.05, "rad/s", language)
+    range_ = slider("range", start.range_m, 1.0, 10.0, 0.1, "m", language)
+    delay = slider("delay", start.delay_s, 0.0, 0.5, 0.01, "s", language)
+    picture = LatencyPicture()
+
+    def move(at: At) -> None:
+        picture.show(Sight(at(speed), at(yaw_rate), at(range_), seconds(at(delay))))
+
+    title = "An object drawn with the pose at the stamp and now"
+    return Panel(title, picture, (speed, yaw_rate, range_, delay), move, language=language)
+
+
+STEPS = 400  # of the slider, from end to end
+
+
+def timeline_panel(
+    target_frame: str,
+    source_frame: str,
+    lanes: Sequence[Lane],
+    ask: Ask,
+    stamp_ns: int | None = None,
+    language: str = "en",
+) -> Panel:
+    """Return a panel whose query can be dragged past either end of the buffer.
+
+    Args:
+        lanes: the edges between the two frames.
+        ask: lookup_transform of whoever holds the data.
+        stamp_ns: where the query begins [ns]; the middle of the common interval if None.
+        language: of the controls, "en" or "ko".
+
+    Raises:
+        ValueError: the language is unknown.
+    """
+    timeline = Timeline(target_frame, source_frame, tuple(lanes))
+    left_ns, right_ns = timeline.shown_ns
+    if stamp_ns is None:
+        stamp_ns = sum(timeline.common_ns or timeline.shown_ns) // 2
+    step_s = max(round((right_ns - left_ns) / STEPS / NSEC_PER_SEC, 2), 0.001)
+    left_s, right_s = left_ns / NSEC_PER_SEC, right_ns / NSEC_PER_SEC
+    query = slider("query", stamp_ns / NSEC_PER_SEC, left_s, right_s, step_s, "s", language)
+    query.readout_format = ".3f"
+    latest = widgets.Checkbox(
+        description="LATEST", tooltip=said("Ask for the newest common time", language), indent=False
+    )
+    latest.observe(lambda change: setattr(query, "disabled", change.new), names="value")
+    picture = TimelinePicture(timeline, ask)
+
+    def move(at: At) -> None:
+        picture.show(LATEST if at(latest) else seconds(at(query)))
+
+    title = f"What the buffer knows between {target_frame} and {source_frame}"
+    return Panel(title, picture, (query, latest), move, layout=[widgets.HBox([query, latest])], language=language)
+
+
+NODES = ("rviz2", "detector")
+
+
+def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str = "en") -> Panel:
+    """Return a panel in which two nodes' clocks, and how the bag is played, can be changed.
+
+    Args:
+        play: what to begin with; a bag in a loop if None.
+        played_s: the moment to begin with [s].
+        language: of the words, "en" or "ko".
+
+    Raises:
+        ValueError: the language is unknown.
+    """
+    if language not in WORDS:
+        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(WORDS)}')
+    start = play or Play(loops=True)
+    played = slider("played", played_s, 0.0, PASSES * start.length_s, 0.1, "s", language)
+    rate = slider("--rate", start.rate, 0.5, 3.0, 0.1, "x")
+    follows = [_box(f"{name}: use_sim_time", True) for name in NODES]
+    follows[1].value = False
+    loop, clock = _box("--loop", start.loops), _box("--clock", start.publishes_clock)
+    picture = ClocksPicture(NODES)
+
+    def move(at: At) -> None:
+        how = replace(start, rate=at(rate), loops=at(loop), publishes_clock=at(clock))
+        nodes = {name: at(box) for name, box in zip(NODES, follows, strict=True)}
+        picture.show(nodes, how, at(played), language)
+
+    title = "What each node's clock shows while a bag is played"
+    return Panel(title, picture, (played, rate, *follows, loop, clock), move, language=language)
+
+
+def _box(description: str, value: bool) -> widgets.Checkbox:
+    return widgets.Checkbox(
+        value=value, description=description, tooltip=description, indent=False, layout={"width": "190px"}
+    )
+
+
+STEP_S = 0.05
+
+
+def joins_panel(
+    senders: Sequence[Sender], join_s: float, until_s: float, start_s: float = 0.0, language: str = "en"
+) -> Panel:
+    """Return a panel in which a listener can join earlier or later, and ask for what is stored or not.
+
+    Args:
+        senders: who publishes.
+        join_s: when the listener joins at first [s].
+        start_s, until_s: what is shown [s].
+        language: of the controls, "en" or "ko".
+
+    Raises:
+        ValueError: the language is unknown.
+    """
+    join = slider("join", join_s, start_s, until_s, STEP_S, "s", language)
+    durability = widgets.Dropdown(
+        options=[("TRANSIENT_LOCAL", True), ("VOLATILE", False)],
+        description="durability",
+        tooltip="durability that the listener requests on /tf_static",
+        style={"description_width": "110px"},
+    )
+    picture = JoinsPicture(senders, until_s, start_s)
+
+    def move(at: At) -> None:
+        picture.show(at(join), at(durability))
+
+    return Panel("What a listener knows that joins", picture, (join, durability), move, language=language)
