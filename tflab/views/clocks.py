@@ -18,6 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from tflab.text import Texts
+
 from . import style
 from .picture import Picture
 
@@ -34,20 +36,7 @@ BETWEEN_PASSES_S = 0.01  # a player opens its files again
 HEIGHT_PX, ROW_PX = 380, 24
 LEFT_PX, RIGHT_PX, TOP_PX, WALL_PX, GAP_PX, BOTTOM_PX = 82, 24, 54, 64, 26, 52
 
-WORDS = {
-    "en": {
-        "node": "node", "now": "its now", "newest": "newest TF", "asked": "asked for now",
-        "latest": "answered, with the latest (0)", "answered": "answered",
-        "future": "future extrapolation, {gap}", "past": "past extrapolation, {gap}",
-        "after": "after {played} of playing",
-    },
-    "ko": {
-        "node": "노드", "now": "노드의 현재 시각", "newest": "최신 TF", "asked": "현재 시각을 조회하면",
-        "latest": "응답함, 최신 변환으로(0)", "answered": "응답함",
-        "future": "미래 외삽, {gap}", "past": "과거 외삽, {gap}",
-        "after": "재생 {played} 뒤",
-    },
-}  # fmt: skip
+TEXTS = Texts(__file__)
 
 
 @dataclass(frozen=True)
@@ -123,10 +112,10 @@ def asked_now(play: Play, follows_clock: bool, played_s: float) -> NowAnswer:
 
 def describe_clocks(nodes: Mapping[str, bool], play: Play, played_s: float, language: str = "en") -> str:
     """Return the same in words: for each node its now, the newest transform, and what comes of asking for now."""
-    words = WORDS[language]
-    rows = [(words["node"], words["now"], words["newest"], words["asked"]), *_rows(nodes, play, played_s, language)]
+    head = tuple(TEXTS[key].say(language) for key in ("node", "now", "newest", "asked"))
+    rows = [head, *_rows(nodes, play, played_s, language)]
     widths = [max(len(row[i]) for row in rows) for i in range(3)]
-    lines = [words["after"].format(played=style.fmt(played_s, "s", 2))]
+    lines = [TEXTS["after"].say(language, played=style.fmt(played_s, "s", 2))]
     for row in rows:
         cells = [
             f"{cell:<{width}}" if i == 0 else f"{cell:>{width}}"
@@ -262,6 +251,6 @@ def _rows(nodes: Mapping[str, bool], play: Play, played_s: float, language: str)
     for name, follows_clock in nodes.items():
         now_s, newest_s = clock_of(play, follows_clock, played_s), newest_tf(play, played_s)
         asked = asked_now(play, follows_clock, played_s)
-        said = WORDS[language][asked.kind].format(gap=style.fmt(asked.gap_s, "s"))
+        said = TEXTS[asked.kind].say(language, gap=style.fmt(asked.gap_s, "s"))
         rows.append((name, style.fmt(now_s, "s"), style.fmt(newest_s, "s"), said))
     return rows

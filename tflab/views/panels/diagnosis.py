@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from html import escape
 
+from tflab.text import Texts
+
 from ..diagnosis_log import VisitPicture, VisitStep
 from ..fault_tables import SIGNS, Suitabilities, ToolOutput, ToolPicture
 from ..libraries import ipywidgets as widgets
-from .panel import Panel, menu, said
+from .panel import Panel, menu
 from .prefetch import At
+
+TEXTS = Texts(__file__)
 
 
 def tools_panel(
@@ -19,7 +23,7 @@ def tools_panel(
     names: tuple[str, str],
     language: str = "en",
 ) -> Panel:
-    """Return a panel in which a question is put to a tool: what it prints, and whether that is an answer.
+    """Return a panel that shows what a tool prints for a question, and whether that is an answer.
 
     Args:
         asked: each question, in the reader's language, by its term.
@@ -35,44 +39,34 @@ def tools_panel(
         for tool in tools:
             if tool.name not in verdicts.get(term, {}):
                 raise ValueError(f"there is no verdict on {tool.name!r} for {term!r}")
-    question = _menu(names[0], [(text, term) for term, text in asked.items()], "500px")
-    tool = _menu(names[1], [(each.name, each) for each in tools], "500px")
+    options = ([(text, term) for term, text in asked.items()], [(each.name, each) for each in tools])
+    question, tool = (
+        menu(name, rows, language, label_width="60px", width="500px") for name, rows in zip(names, options, strict=True)
+    )
     why = widgets.HTML()
     picture = ToolPicture(tuple(verdicts))
 
     def move(at: At) -> None:
         picture.show(at(tool), at(question), verdicts)
 
-    def say_why(_change: object = None) -> None:
+    def explain(_change: object = None) -> None:
         verdict = verdicts[question.value][tool.value.name]
         why.value = f"<b>{SIGNS[verdict.level]}</b> {escape(verdict.why)}"
 
     for control in (question, tool):
-        control.observe(say_why, names="value")
-    say_why()
+        control.observe(explain, names="value")
+    explain()
     return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why], language=language)
 
 
-def _menu(description: str, options: list, width: str) -> widgets.Dropdown:
-    return widgets.Dropdown(
-        options=options,
-        description=description,
-        tooltip=description,
-        style={"description_width": "60px"},
-        layout={"width": width, "max_width": "100%"},
-    )
-
-
 def visit_panel(steps: Sequence[VisitStep], budget_min: float, language: str = "en") -> Panel:
-    """Return a panel that plays a visit step by step; on an exported page it is a film.
+    """Return a panel that plays a visit step by step; on an exported page it becomes slider frames.
 
     Raises:
         ValueError: the language is unknown.
     """
     picture = VisitPicture(steps, budget_min)
     options = [(f"{number + 1}. {step.name}", number) for number, step in enumerate(steps)]
-    step = menu(
-        said("step", language), options, 0, said("the arrow keys go on and back", language),
-        label_width="60px", width="420px",
-    )  # fmt: skip
-    return Panel(said("a visit", language), picture, (step,), lambda at: picture.show(at(step)), language=language)
+    step = menu(TEXTS["step"], options, language, 0, TEXTS["keys"], "60px", "420px")
+    title = TEXTS["a visit"].say(language)
+    return Panel(title, picture, (step,), lambda at: picture.show(at(step)), language=language)

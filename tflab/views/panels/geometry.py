@@ -10,43 +10,39 @@ import numpy as np
 
 from tflab.core import Transform
 from tflab.core.quaternions import Vector3
+from tflab.text import Texts
 
 from ..axes import CamerasPicture, RotationPicture
 from ..coordinates import RulersPicture, readings_of
-from ..libraries import ipywidgets as widgets
 from ..transform_chain import JointsPicture, Step
 from ..wrong_frames import LASER_AT, MountPicture
-from .panel import SLIDER_WIDTH, STEP_RAD, Panel, said, slider
+from .panel import STEP_RAD, Panel, menu, slider
 from .prefetch import At
 
-__all__ = ["Travel", "joints_panel"]
+TEXTS = Texts(__file__)
+
+BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
+ON_THE_TRAY = (-0.10, 0.0, 0.20)  # in base_link [m]
+IN_SIGHT = np.array([(-0.5, -2.5), (8.0, 2.5)])  # of the map's ground [m]
 
 
 def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0, language: str = "en") -> Panel:
     """Return a panel that turns a robot by roll, pitch and yaw [rad] and shows its quaternion and its matrix."""
-    roll = slider("roll", roll_rad, -math.pi, math.pi, STEP_RAD, "rad")
-    pitch = slider("pitch", pitch_rad, -math.pi, math.pi, STEP_RAD, "rad")
-    yaw = slider("yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad")
+    angles = {"roll": roll_rad, "pitch": pitch_rad, "yaw": yaw_rad}
+    sliders = [slider(name, angle, -math.pi, math.pi, STEP_RAD, "rad") for name, angle in angles.items()]
     picture = RotationPicture()
-
-    def move(at: At) -> None:
-        picture.show(at(roll), at(pitch), at(yaw))
-
-    return Panel("A robot turned by roll, pitch and yaw", picture, (roll, pitch, yaw), move, language=language)
+    title = "A robot turned by roll, pitch and yaw"
+    return Panel(title, picture, sliders, lambda at: picture.show(*map(at, sliders)), language=language)
 
 
 def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0, language: str = "en") -> Panel:
     """Return a panel that moves a point in front of a camera and shows it in the body and in the optical frame."""
-    forward = slider("forward", forward_m, 0.5, 4.0, 0.05, "m", language)
-    left = slider("left", left_m, -1.5, 1.5, 0.05, "m", language)
-    up = slider("up", up_m, -1.0, 1.0, 0.05, "m", language)
-    picture = CamerasPicture()
-
-    def move(at: At) -> None:
-        picture.show((at(forward), at(left), at(up)))
-
+    forward = slider(TEXTS["forward"], forward_m, 0.5, 4.0, 0.05, "m", language)
+    left = slider(TEXTS["left"], left_m, -1.5, 1.5, 0.05, "m", language)
+    up = slider(TEXTS["up"], up_m, -1.0, 1.0, 0.05, "m", language)
+    picture, sliders = CamerasPicture(), (forward, left, up)
     title = "One camera with its body frame and its optical frame"
-    return Panel(title, picture, (forward, left, up), move, language=language)
+    return Panel(title, picture, sliders, lambda at: picture.show(tuple(map(at, sliders))), language=language)
 
 
 def mount_panel(
@@ -56,34 +52,19 @@ def mount_panel(
     language: str = "en",
 ) -> Panel:
     """Return a panel that turns a laser on its robot by yaw [rad], and shows a corner and two wrong answers."""
-    yaw = slider("mount yaw", yaw_rad, -math.pi, math.pi, STEP_RAD, "rad", language)
+    yaw = slider(TEXTS["mount yaw"], yaw_rad, -math.pi, math.pi, STEP_RAD, "rad", language)
     picture = MountPicture(laser_p, laser_at)
-
-    def move(at: At) -> None:
-        picture.show(at(yaw))
-
     title = "A turned laser, the corner that it sees, and two wrong answers"
-    return Panel(title, picture, (yaw,), move, language=language)
-
-
-BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
-ON_THE_TRAY = (-0.10, 0.0, 0.20)  # in base_link [m]
-IN_SIGHT = np.array([(-0.5, -2.5), (8.0, 2.5)])  # of the map's ground [m]
-
-
-def placed(robot_x_m: float, yaw_rad: float) -> dict[str, Transform]:
-    """Return where the three frames are in map, for a robot at (x, 0) [m] that is turned by yaw [rad]."""
-    map_T_base = Transform.from_rpy(yaw=yaw_rad, translation=(robot_x_m, 0.0, 0.0))
-    return {"map": Transform(), "base_link": map_T_base, "laser_frame": map_T_base @ BASE_T_LASER}
+    return Panel(title, picture, (yaw,), lambda at: picture.show(at(yaw)), language=language)
 
 
 def rulers_panel(
     robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[float, float] = (6.5, -1.5), language: str = "en"
 ) -> Panel:
-    """Return a panel that moves a robot and a thing, and says in which frame the thing's numbers stay the same.
+    """Return a panel that moves a robot and a thing, and shows in which frame the thing's numbers stay the same.
 
     Args:
-        robot_x_m: where the robot is at first, along map's x [m].
+        robot_x_m: the robot's position at first, along map's x [m].
         yaw_rad: how far it is turned at first [rad].
         thing_m: where on the floor the thing lies at first, in map (x, y) [m].
         language: of the controls, "en" or "ko".
@@ -92,40 +73,38 @@ def rulers_panel(
         ValueError: the language is unknown.
     """
     half_turn = round(math.pi, 2)
-    robot_x = slider("robot x", robot_x_m, 0.0, 5.0, 0.05, "m", language)
-    yaw = slider("robot yaw", yaw_rad, -half_turn, half_turn, 0.01, "rad", language)
-    thing_x = slider("thing x", thing_m[0], 0.0, 7.5, 0.05, "m", language)
-    thing_y = slider("thing y", thing_m[1], -2.0, 2.0, 0.05, "m", language)
-    places = {"floor": "floor", "tray: it rides along": "tray"}  # what the menu says: why a slider is grey, too
-    rests_on = widgets.Dropdown(
-        options=[(said(words, language), place) for words, place in places.items()],
-        description=said("rests on", language),
-        tooltip=said("rests on", language),
-        style={"description_width": "110px"},
-        layout={"width": SLIDER_WIDTH, "max_width": "100%"},
-    )
+    robot_x = slider(TEXTS["robot x"], robot_x_m, 0.0, 5.0, 0.05, "m", language)
+    yaw = slider(TEXTS["robot yaw"], yaw_rad, -half_turn, half_turn, 0.01, "rad", language)
+    thing_x = slider(TEXTS["thing x"], thing_m[0], 0.0, 7.5, 0.05, "m", language)
+    thing_y = slider(TEXTS["thing y"], thing_m[1], -2.0, 2.0, 0.05, "m", language)
+    options = [(TEXTS["floor"].say(language), "floor"), (TEXTS["tray"].say(language), "tray")]
+    rests_on = menu(TEXTS["rests on"], options, language)
     picture = RulersPicture(("map", "base_link", "laser_frame"), "thing", keep=IN_SIGHT)
 
     def thing(poses: dict[str, Transform], on: str, on_the_floor: tuple[float, float]) -> Vector3:
         return poses["base_link"].apply(ON_THE_TRAY) if on == "tray" else (*on_the_floor, 0.0)
 
     def move(at: At) -> None:
-        first = placed(robot_x_m, yaw_rad)
+        first, poses = _three_frames(robot_x_m, yaw_rad), _three_frames(at(robot_x), at(yaw))
         before = readings_of(first, thing(first, at(rests_on), thing_m))
-        poses = placed(at(robot_x), at(yaw))
         picture.show(poses, thing(poses, at(rests_on), (at(thing_x), at(thing_y))), before)
 
-    def let_go(change: dict[str, object]) -> None:
-        for place in (thing_x, thing_y):
-            place.disabled = change["new"] == "tray"
+    def disable_thing(change: dict[str, object]) -> None:
+        thing_x.disabled = thing_y.disabled = change["new"] == "tray"
 
+    rests_on.observe(disable_thing, names="value")
     controls = (robot_x, yaw, thing_x, thing_y, rests_on)
-    rests_on.observe(let_go, names="value")
     return Panel("A thing, measured from three frames", picture, controls, move, language=language)
 
 
+def _three_frames(robot_x_m: float, yaw_rad: float) -> dict[str, Transform]:
+    """Return `map_T_frame` of the three frames, for a robot at (x, 0) [m] that is turned by yaw [rad]."""
+    map_T_base = Transform.from_rpy(yaw=yaw_rad, translation=(robot_x_m, 0.0, 0.0))
+    return {"map": Transform(), "base_link": map_T_base, "laser_frame": map_T_base @ BASE_T_LASER}
+
+
 class Travel(NamedTuple):
-    """How far a joint may go, and where it stands at first [unit]."""
+    """The range of a joint, and its position at first [unit]."""
 
     joint: str
     low: float

@@ -19,12 +19,14 @@ from html import escape
 
 import numpy as np
 
+from tflab.text import LANGUAGES, Text, Texts
+
 from ..libraries import ipywidgets as widgets
 from ..picture import Picture
 from ..slider_frames import Film
 from .prefetch import At, Drawing, DrawnAhead, place_of
 
-__all__ = ["LANGUAGES", "said"]
+TEXTS = Texts(__file__)
 
 FILM_STEPS = 13
 PANEL_WIDTH = "780px"  # of the picture, and two sliders
@@ -64,9 +66,8 @@ class Panel:
         self.controls = {control.description: control for control in controls}
         self._move = move
         self.shown = DrawnAhead(controls, picture.size_px, self._draw)
-        self._as_text = widgets.ToggleButton(
-            description=said("as text", language), tooltip=f"{title}: {said('the same in words', language)}"
-        )
+        same = say(TEXTS["the same in words"], language)
+        self._as_text = widgets.ToggleButton(description=say(TEXTS["as text"], language), tooltip=f"{title}: {same}")
         self._words = widgets.HTML()
         self._words.layout.display = "none"
         self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self.shown, self._as_text, self._words])
@@ -157,10 +158,10 @@ def _stations(control: widgets.FloatSlider | widgets.Dropdown, steps: int) -> li
 
 
 def slider(
-    description: str, value: float, low: float, high: float, step: float, unit: str, language: str = "en"
+    description: Text | str, value: float, low: float, high: float, step: float, unit: str, language: str = "en"
 ) -> widgets.FloatSlider:
     """Return a slider from `low` to `high` that says what it is, in which unit, and follows while dragged."""
-    description = said(description, language)
+    description = say(description, language)
     digits = 2 if step >= 0.01 else 3
     return widgets.FloatSlider(
         value=value,
@@ -177,17 +178,37 @@ def slider(
 
 
 def menu(
-    description: str, options: Sequence, value: object, tooltip: str, *, label_width: str, width: str
+    description: Text | str,
+    options: Sequence,
+    language: str,
+    value: object = None,
+    hint: Text | str = "",
+    label_width: str = "110px",
+    width: str = SLIDER_WIDTH,
 ) -> widgets.Dropdown:
-    """Return a menu that says what it is, and what choosing does."""
-    return widgets.Dropdown(
+    """Return a menu that names what is chosen; its tooltip adds the `hint`. Without a `value`, the first is chosen."""
+    name = say(description, language)
+    control = widgets.Dropdown(
         options=options,
-        value=value,
-        description=description,
-        tooltip=f"{description}: {tooltip}",
+        description=name,
+        tooltip=f"{name}: {say(hint, language)}" if hint else name,
         style={"description_width": label_width},
         layout={"width": width, "max_width": "100%"},
     )
+    if value is not None:
+        control.value = value
+    return control
+
+
+def say(text: Text | str, language: str) -> str:
+    """Return a text in a language; a name, which is the same in all, stays as it is.
+
+    Raises:
+        ValueError: the language is unknown.
+    """
+    if language not in LANGUAGES:
+        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(LANGUAGES)}')
+    return text.say(language) if isinstance(text, Text) else text
 
 
 def side_by_side(controls: Sequence[widgets.Widget]) -> widgets.Box:
@@ -207,49 +228,3 @@ def _close_all(widget: widgets.DOMWidget) -> None:
 
 def _nothing(at: At) -> None:
     """Do nothing: a closed panel has nothing to move."""
-
-
-LANGUAGES = ("en", "ko")
-KOREAN = {
-    "as text": "글로 보기",
-    "the same in words": "같은 내용을 글로",
-    "robot x": "로봇 x",
-    "robot yaw": "로봇 yaw",
-    "thing x": "물체 x",
-    "thing y": "물체 y",
-    "rests on": "놓인 곳",
-    "floor": "바닥",
-    "tray: it rides along": "쟁반: 로봇과 함께 움직임",
-    "forward": "앞",
-    "left": "왼쪽",
-    "up": "위",
-    "mount yaw": "장착 yaw",
-    "speed": "속도",
-    "yaw rate": "각속도",
-    "range": "거리",
-    "delay": "지연",
-    "rate": "발행률",
-    "query": "요청 시각",
-    "Ask for the newest common time": "최신 공통 시각을 묻습니다",
-    "join": "참여 시각",
-    "source": "원본",
-    "target": "목표",
-    "arrow": "화살표",
-    "shell": "터미널",
-    "played": "재생 시간",
-    "step": "단계",
-    "a visit": "진료",
-    "the arrow keys go on and back": "화살표 키로 앞뒤로 넘깁니다",
-    "choose, and the others follow": "고르면 나머지가 따라 바뀝니다",
-}
-
-
-def said(words: str, language: str) -> str:
-    """Return words of a control in a language; what has no other name stays as it is.
-
-    Raises:
-        ValueError: the language is unknown.
-    """
-    if language not in LANGUAGES:
-        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(LANGUAGES)}')
-    return KOREAN.get(words, words) if language == "ko" else words

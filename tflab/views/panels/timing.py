@@ -6,26 +6,32 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from tflab.core import LATEST, NSEC_PER_SEC, seconds
+from tflab.text import Texts
 
-from ..clocks import PASSES, WORDS, ClocksPicture, Play
+from ..clocks import PASSES, ClocksPicture, Play
 from ..late_joiner import JoinsPicture, Sender
 from ..libraries import ipywidgets as widgets
 from ..motion_error import Bend, BendPicture, LatencyPicture, Sight, deepest
 from ..timeline import Ask, Lane, Timeline, TimelinePicture
-from .panel import Panel, said, slider
+from .panel import Panel, slider
 from .prefetch import At
 
+TEXTS = Texts(__file__)
+
 SLOWEST_HZ, FASTEST_RADPS = 1.0, 1.5
+STEPS = 400  # of the timeline's slider, from end to end
+NODES = ("rviz2", "detector")
 
 
 def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
     """Return a panel that shows what TF's straight line misses of a bend, starting from `bend`."""
     start = bend or Bend()
-    rate = slider("rate", start.rate_hz, SLOWEST_HZ, 20.0, 0.5, "Hz", language)
-    speed = slider("speed", start.speed_mps, 0.0, 2.0, 0.05, "m/s", language)
-    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -FASTEST_RADPS, FASTEST_RADPS, 0.05, "rad/s", language)
-    room = deepest(FASTEST_RADPS / SLOWEST_HZ)
-    picture = BendPicture(-room, room)
+    rate = slider(TEXTS["rate"], start.rate_hz, SLOWEST_HZ, 20.0, 0.5, "Hz", language)
+    speed = slider(TEXTS["speed"], start.speed_mps, 0.0, 2.0, 0.05, "m/s", language)
+    fastest = FASTEST_RADPS
+    yaw_rate = slider(TEXTS["yaw rate"], start.yaw_rate_radps, -fastest, fastest, 0.05, "rad/s", language)
+    height = deepest(FASTEST_RADPS / SLOWEST_HZ)
+    picture = BendPicture(-height, height)
 
     def move(at: At) -> None:
         picture.show(Bend(at(speed), at(yaw_rate), at(rate)))
@@ -37,10 +43,10 @@ def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
 def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
     """Return a panel in which a robot's motion and its delay can be changed, starting from `sight`."""
     start = sight or Sight()
-    speed = slider("speed", start.speed_mps, 0.0, 3.0, 0.05, "m/s", language)
-    yaw_rate = slider("yaw rate", start.yaw_rate_radps, -1.0, 1.0, 0.05, "rad/s", language)
-    range_ = slider("range", start.range_m, 1.0, 10.0, 0.1, "m", language)
-    delay = slider("delay", start.delay_s, 0.0, 0.5, 0.01, "s", language)
+    speed = slider(TEXTS["speed"], start.speed_mps, 0.0, 3.0, 0.05, "m/s", language)
+    yaw_rate = slider(TEXTS["yaw rate"], start.yaw_rate_radps, -1.0, 1.0, 0.05, "rad/s", language)
+    range_ = slider(TEXTS["range"], start.range_m, 1.0, 10.0, 0.1, "m", language)
+    delay = slider(TEXTS["delay"], start.delay_s, 0.0, 0.5, 0.01, "s", language)
     picture = LatencyPicture()
 
     def move(at: At) -> None:
@@ -48,9 +54,6 @@ def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
 
     title = "An object drawn with the pose at the stamp and now"
     return Panel(title, picture, (speed, yaw_rate, range_, delay), move, language=language)
-
-
-STEPS = 400  # of the slider, from end to end
 
 
 def timeline_panel(
@@ -65,8 +68,8 @@ def timeline_panel(
 
     Args:
         lanes: the edges between the two frames.
-        ask: lookup_transform of whoever holds the data.
-        stamp_ns: where the query begins [ns]; the middle of the common interval if None.
+        ask: lookup_transform of the caller's buffer.
+        stamp_ns: the query's time at first [ns]; the middle of the common interval if None.
         language: of the controls, "en" or "ko".
 
     Raises:
@@ -78,11 +81,9 @@ def timeline_panel(
         stamp_ns = sum(timeline.common_ns or timeline.shown_ns) // 2
     step_s = max(round((right_ns - left_ns) / STEPS / NSEC_PER_SEC, 2), 0.001)
     left_s, right_s = left_ns / NSEC_PER_SEC, right_ns / NSEC_PER_SEC
-    query = slider("query", stamp_ns / NSEC_PER_SEC, left_s, right_s, step_s, "s", language)
+    query = slider(TEXTS["query"], stamp_ns / NSEC_PER_SEC, left_s, right_s, step_s, "s", language)
     query.readout_format = ".3f"
-    latest = widgets.Checkbox(
-        description="LATEST", tooltip=said("Ask for the newest common time", language), indent=False
-    )
+    latest = widgets.Checkbox(description="LATEST", tooltip=TEXTS["newest"].say(language), indent=False)
     latest.observe(lambda change: setattr(query, "disabled", change.new), names="value")
     picture = TimelinePicture(timeline, ask)
 
@@ -93,34 +94,27 @@ def timeline_panel(
     return Panel(title, picture, (query, latest), move, layout=[widgets.HBox([query, latest])], language=language)
 
 
-NODES = ("rviz2", "detector")
-
-
 def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str = "en") -> Panel:
     """Return a panel in which two nodes' clocks, and how the bag is played, can be changed.
 
     Args:
-        play: what to begin with; a bag in a loop if None.
-        played_s: the moment to begin with [s].
-        language: of the words, "en" or "ko".
+        play: how the bag is played at first; in a loop if None.
+        played_s: the time to begin with [s].
+        language: of the controls and the text, "en" or "ko".
 
     Raises:
         ValueError: the language is unknown.
     """
-    if language not in WORDS:
-        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(WORDS)}')
     start = play or Play(loops=True)
-    played = slider("played", played_s, 0.0, PASSES * start.length_s, 0.1, "s", language)
+    played = slider(TEXTS["played"], played_s, 0.0, PASSES * start.length_s, 0.1, "s", language)
     rate = slider("--rate", start.rate, 0.5, 3.0, 0.1, "x")
-    follows = [_box(f"{name}: use_sim_time", True) for name in NODES]
-    follows[1].value = False
+    follows = [_box(f"{name}: use_sim_time", name == NODES[0]) for name in NODES]
     loop, clock = _box("--loop", start.loops), _box("--clock", start.publishes_clock)
     picture = ClocksPicture(NODES)
 
     def move(at: At) -> None:
         how = replace(start, rate=at(rate), loops=at(loop), publishes_clock=at(clock))
-        nodes = {name: at(box) for name, box in zip(NODES, follows, strict=True)}
-        picture.show(nodes, how, at(played), language)
+        picture.show(dict(zip(NODES, map(at, follows), strict=True)), how, at(played), language)
 
     title = "What each node's clock shows while a bag is played"
     return Panel(title, picture, (played, rate, *follows, loop, clock), move, language=language)
@@ -132,13 +126,10 @@ def _box(description: str, value: bool) -> widgets.Checkbox:
     )
 
 
-STEP_S = 0.05
-
-
 def joins_panel(
     senders: Sequence[Sender], join_s: float, until_s: float, start_s: float = 0.0, language: str = "en"
 ) -> Panel:
-    """Return a panel in which a listener can join earlier or later, and ask for what is stored or not.
+    """Return a panel in which a listener can join earlier or later, and request stored messages or not.
 
     Args:
         senders: who publishes.
@@ -149,7 +140,7 @@ def joins_panel(
     Raises:
         ValueError: the language is unknown.
     """
-    join = slider("join", join_s, start_s, until_s, STEP_S, "s", language)
+    join = slider(TEXTS["join"], join_s, start_s, until_s, 0.05, "s", language)
     durability = widgets.Dropdown(
         options=[("TRANSIENT_LOCAL", True), ("VOLATILE", False)],
         description="durability",
