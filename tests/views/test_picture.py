@@ -7,7 +7,7 @@ from matplotlib.text import Text
 
 from tflab.core import ExtrapolationException, Transform
 from tflab.views import ages, axes, frames, motion_error, sentence, style, timeline
-from tflab.views.number_table import TypedBlock
+from tflab.views.number_table import NumberTable
 from tflab.views.picture import Picture
 
 POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translation=(2.0, 1.0, 0.0))}
@@ -135,7 +135,7 @@ def dark(picture):
 
 def visible_texts(figure):
     """Yield everything with letters that can be seen."""
-    yield from (block for block in figure.findobj(TypedBlock) if block.text)
+    yield from (block for block in figure.findobj(NumberTable) if block.text)
     for text in figure.findobj(Text):
         on_axis_off = text.axes is not None and not text.axes.axison and text not in text.axes.texts
         if text.get_visible() and text.get_text().strip() and not on_axis_off:

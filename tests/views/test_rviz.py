@@ -12,14 +12,14 @@ import pytest
 import umsgpack
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
-from tflab.views.rviz import (
+from tflab.views.rviz import RViz
+from tflab.views.rviz_status import (
     Display,
     LaserScan,
     MapCells,
     Path,
     PointCloud2,
     RobotModel,
-    RViz,
     look_through,
     statuses_as_text,
 )

@@ -3,7 +3,7 @@
 import pytest
 
 from tflab.views import style
-from tflab.views.number_table import TypedBlock
+from tflab.views.number_table import NumberTable
 
 
 @pytest.fixture(name="figure")
@@ -12,7 +12,7 @@ def figure_fixture():
 
 
 def test_a_block_hangs_from_its_upper_left_corner_at_any_resolution(figure):
-    block = TypedBlock(figure, 0.1, 0.8)
+    block = NumberTable(figure, 0.1, 0.8)
     block.write("MMM\nMMM")
     for dpi in (100, 150):
         figure.set_dpi(dpi)
@@ -23,7 +23,7 @@ def test_a_block_hangs_from_its_upper_left_corner_at_any_resolution(figure):
 
 def test_letters_are_as_wide_as_in_matplotlibs_text(figure):
     words = "lookup_transform('map', 'odom', Time())"
-    block = TypedBlock(figure, 0.1, 0.8)
+    block = NumberTable(figure, 0.1, 0.8)
     block.write(words)
     with style.our_settings():
         text = figure.text(0.1, 0.5, words, family="monospace", fontsize=style.TEXT_PT)
@@ -34,7 +34,7 @@ def test_letters_are_as_wide_as_in_matplotlibs_text(figure):
 
 
 def test_writing_again_replaces_what_was_there(figure):
-    block = TypedBlock(figure, 0.1, 0.8)
+    block = NumberTable(figure, 0.1, 0.8)
     block.write("a long line of words")
     wide = block.get_window_extent().width
     block.write("a")

@@ -59,16 +59,13 @@ class AgesPicture(Picture):
         super().__init__((style.WIDE[0], HEIGHT_PX / style.SCREEN_DPI))
         self.text = describe_ages(curves, what, limit_s)
         with style.our_settings():
-            self.ax = self.figure.add_axes((
-                LEFT_PX / width_px, BOTTOM_PX / HEIGHT_PX,
-                1 - (LEFT_PX + RIGHT_PX) / width_px, 1 - (TOP_PX + BOTTOM_PX) / HEIGHT_PX,
-            ))  # fmt: skip
+            inside_px = (width_px - LEFT_PX - RIGHT_PX, HEIGHT_PX - TOP_PX - BOTTOM_PX)
+            self.ax = self.add_axes_px(LEFT_PX, BOTTOM_PX, *inside_px)
             self._draw(curves, what, limit_s)
 
     def _draw(self, curves: Sequence[Curve], what: str, limit_s: float | None) -> None:
         ax = self.ax
-        for side in ("right", "top"):
-            ax.spines[side].set_visible(False)
+        style.hide_spines(ax, "right", "top")
         ax.grid(axis="y", color=style.HAIR)
         colours = (style.ACCENT, style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"])
         for i, curve in enumerate(curves):
@@ -149,14 +146,11 @@ class JourneyPicture(Picture):
     def __init__(self, journeys: Sequence[Journey]) -> None:
         width_px = style.WIDE[0] * style.SCREEN_DPI
         height_px = KEY_PX + LANE_PX * len(journeys) + SCALE_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         self.text = describe_journeys(journeys)
         name_px = style.room_px(journey.name for journey in journeys)
         with style.our_settings():
-            self.ax = self.figure.add_axes((
-                name_px / width_px, SCALE_PX / height_px,
-                1 - (name_px + AGE_PX) / width_px, LANE_PX * len(journeys) / height_px,
-            ))  # fmt: skip
+            self.ax = self.add_axes_px(name_px, SCALE_PX, width_px - name_px - AGE_PX, LANE_PX * len(journeys))
             self._draw(journeys)
 
     def _draw(self, journeys: Sequence[Journey]) -> None:
@@ -165,11 +159,7 @@ class JourneyPicture(Picture):
         first_ns, last_ns = min(moments), max(moments)
         margin_s = max((last_ns - first_ns) / 1e9 * 0.08, 0.005)
         ax.set_xlim(-margin_s, (last_ns - first_ns) / 1e9 + 1.6 * margin_s)
-        ax.set_ylim(len(journeys) - 0.5, -0.5)
-        for side in ("left", "right", "top"):
-            ax.spines[side].set_visible(False)
-        ax.set_yticks(range(len(journeys)), [journey.name for journey in journeys])
-        ax.tick_params(axis="y", length=0, pad=10, labelcolor=style.INK, labelsize=style.TEXT_PT)
+        style.label_rows(ax, [journey.name for journey in journeys])
         ax.set_xlabel(f"seconds after {style.fmt_stamp(first_ns)}", loc="right")
         for row, journey in enumerate(journeys):
             places = {step: (moment - first_ns) / 1e9 for step, moment in journey.moments_ns.items()}

@@ -27,8 +27,6 @@ from .frames import FrameArtists, clear_paper, draw_frames, draw_ground, write_c
 from .picture import Picture
 from .projection import SLANTING, Eye, RobotArtists, eye_at
 
-__all__ = ["draw_card"]
-
 BODY_T_OPTICAL = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
 FROM_BEHIND = Eye(right=(0.0, -1.0, 0.0), up=(0.0, 0.0, 1.0), towards=(-1.0, 0.0, 0.0))
 FROM_FRONT = eye_at(math.radians(35.0), math.radians(25.0))
@@ -124,8 +122,6 @@ class RotationPicture(Picture):
     """A robot turned by roll, pitch and yaw about the fixed axes, with the same as numbers."""
 
     def __init__(self) -> None:
-        from .number_table import TypedBlock
-
         super().__init__(style.WIDE)
         with style.our_settings():
             ax = clear_paper(self.figure.add_axes((0.02, 0.03, 0.5, 0.94)))
@@ -136,7 +132,7 @@ class RotationPicture(Picture):
             ax.set_xlim(-1.4, 1.4)
             ax.set_ylim(-1.1, 1.5)
             write_caption(ax, "grey: fixed axes")
-            self.numbers = TypedBlock(self.figure, 0.56, 0.92)
+            self.numbers = self.add_number_table(0.56, 0.92)
         self.moving = [*self.robot.artists, *self.frame.artists, self.numbers]
 
     def show(self, roll_rad: float, pitch_rad: float, yaw_rad: float) -> RotationPicture:

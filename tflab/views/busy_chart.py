@@ -75,24 +75,17 @@ class WorkPicture(Picture):
     def __init__(self, rows: Sequence[Work], start_ns: int, end_ns: int) -> None:
         width_px = style.WIDE[0] * style.SCREEN_DPI
         height_px = TOP_PX + ROW_PX * len(rows) + BOTTOM_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         self.text = describe_work(rows, start_ns, end_ns)
         name_px = style.room_px(row.name for row in rows)
         with style.our_settings():
-            self.ax = self.figure.add_axes((
-                name_px / width_px, BOTTOM_PX / height_px,
-                1 - (name_px + RIGHT_PX) / width_px, ROW_PX * len(rows) / height_px,
-            ))  # fmt: skip
+            self.ax = self.add_axes_px(name_px, BOTTOM_PX, width_px - name_px - RIGHT_PX, ROW_PX * len(rows))
             self._draw([_within(row, start_ns, end_ns) for row in rows], start_ns, end_ns)
 
     def _draw(self, rows: Sequence[Work], start_ns: int, end_ns: int) -> None:
         ax = self.ax
         ax.set_xlim(start_ns / 1e9, end_ns / 1e9)
-        ax.set_ylim(len(rows) - 0.5, -0.5)
-        for side in ("left", "right", "top"):
-            ax.spines[side].set_visible(False)
-        ax.set_yticks(range(len(rows)), [row.name for row in rows])
-        ax.tick_params(axis="y", length=0, pad=10, labelcolor=style.INK, labelsize=style.TEXT_PT)
+        style.label_rows(ax, [row.name for row in rows])
         ax.set_xlabel("time [s]", loc="right")
         for i, row in enumerate(rows):
             ax.axhline(i, color=style.HAIR, linewidth=1.0, zorder=0)

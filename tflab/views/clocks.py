@@ -23,8 +23,6 @@ from tflab.text import Texts
 from . import style
 from .picture import Picture
 
-__all__ = ["ClocksPicture", "NowAnswer", "Play", "asked_now", "bag_time", "clock_of", "describe_clocks", "draw_clocks"]
-
 LINES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)))
 WIDTHS = (7.0, 2.4, 1.6)  # wide and pale below, narrow on top: clocks that agree lie on each other
 ALPHAS = (0.45, 1.0, 1.0)
@@ -147,27 +145,21 @@ class ClocksPicture(Picture):
         self.names = names
         width_px = style.WIDE[0] * style.SCREEN_DPI
         height_px = HEIGHT_PX + ROW_PX * (len(names) + 1)
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         table_px = ROW_PX * (len(names) + 1) + 6
         inside_px = width_px - LEFT_PX - RIGHT_PX
         bag_px = height_px - TOP_PX - WALL_PX - GAP_PX - BOTTOM_PX - table_px
         with style.our_settings():
-            self.bag = self._axes(table_px + BOTTOM_PX, bag_px, inside_px, height_px)
-            self.wall = self._axes(table_px + BOTTOM_PX + bag_px + GAP_PX, WALL_PX, inside_px, height_px)
+            self.bag = self.add_axes_px(LEFT_PX, table_px + BOTTOM_PX, inside_px, bag_px)
+            self.wall = self.add_axes_px(LEFT_PX, table_px + BOTTOM_PX + bag_px + GAP_PX, inside_px, WALL_PX)
             self._dress()
             self._make_lines()
             self._make_table(height_px, table_px)
 
-    def _axes(self, bottom_px: float, tall_px: float, inside_px: float, height_px: float):
-        width_px = style.WIDE[0] * style.SCREEN_DPI
-        box = (LEFT_PX / width_px, bottom_px / height_px, inside_px / width_px, tall_px / height_px)
-        return self.figure.add_axes(box)
-
     def _dress(self) -> None:
         """Write what stands at the axes; what moves is made afterwards."""
         for ax in (self.bag, self.wall):
-            for side in ("top", "right"):
-                ax.spines[side].set_visible(False)
+            style.hide_spines(ax, "top", "right")
             ax.grid(axis="y", color=style.HAIR)
         self.wall.spines["bottom"].set_visible(False)
         self.wall.tick_params(axis="x", length=0, labelbottom=False)

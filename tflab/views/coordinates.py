@@ -29,16 +29,6 @@ from .projection import FROM_ABOVE, OUTLINE, PostArtists, RobotArtists
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = [
-    "RulersPicture",
-    "beside",
-    "describe_moments",
-    "describe_rulers",
-    "draw_moments",
-    "draw_rulers",
-    "readings_of",
-]
-
 ROBOT = "base_link"
 ROBOT_SCALE = 2.4  # larger than life: what lies on its tray must not cover it
 CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
@@ -88,7 +78,7 @@ class RulersPicture(Picture):
             keep: places that are always in sight, shape (n, 2) [m], fixed frame; None to follow what is shown.
         """
         height_px = CAPTION_PX + TALL_PX + EDGE_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         self._name, self._keep = name, keep
         width_px = style.WIDE[0] * style.SCREEN_DPI
         map_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(frames) - 1)) / len(frames)
@@ -96,8 +86,7 @@ class RulersPicture(Picture):
         with style.our_settings():
             for i, frame in enumerate(frames):
                 left_px = EDGE_PX + i * (map_px + GAP_PX)
-                box = (left_px / width_px, EDGE_PX / height_px, map_px / width_px, TALL_PX / height_px)
-                ax = clear_paper(self.figure.add_axes(box))
+                ax = clear_paper(self.add_axes_px(left_px, EDGE_PX, map_px, TALL_PX))
                 self._maps[frame] = _Map(self, ax, frame, (left_px / width_px, height_px))
         self.moving = [artist for each in self._maps.values() for artist in each.artists]
 
@@ -258,14 +247,13 @@ def draw_moments(poses: Mapping[str, Transform], point: Sequence[float], name: s
     width_px = style.WIDE[0] * style.SCREEN_DPI
     height_px = HEADING_PX + PANEL_PX + RIM_PX
     panel_px = (width_px - 2 * RIM_PX - BETWEEN_PX * (len(poses) - 1)) / len(poses)
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     point = tuple(float(each) for each in point)
     shown = np.array([point, *(pose.translation for pose in poses.values())])[:, :2]
     with style.our_settings():
         for i, (moment, pose) in enumerate(poses.items()):
             left_px = RIM_PX + i * (panel_px + BETWEEN_PX)
-            box = (left_px / width_px, RIM_PX / height_px, panel_px / width_px, PANEL_PX / height_px)
-            ax = clear_paper(picture.figure.add_axes(box))
+            ax = clear_paper(picture.add_axes_px(left_px, RIM_PX, panel_px, PANEL_PX))
             show_all(ax, shown, margin_m=0.8)
             draw_ground(ax, FROM_ABOVE, ax.get_xlim(), ax.get_ylim())
             _draw_moment(ax, pose, point, name)

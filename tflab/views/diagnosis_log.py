@@ -17,18 +17,6 @@ from typing import NamedTuple
 from . import style
 from .picture import Picture
 
-__all__ = [
-    "Question",
-    "VisitPicture",
-    "VisitStep",
-    "describe_minutes",
-    "describe_order",
-    "describe_visit",
-    "draw_minutes",
-    "draw_order",
-    "draw_visit",
-]
-
 ROW_PX, HEAD_PX, FOOT_PX, EDGE_PX = 58, 104, 34, 18
 CLOCK_PX, SLANT_PX, LANE_PX, STROKE_PX = 150, 96, 46, 7
 MOST_NAMES, LONGEST = 6, 52  # of lanes that bear a name; letters of a row
@@ -81,7 +69,7 @@ class VisitPicture(Picture):
     def __init__(self, steps: Sequence[VisitStep], budget_min: float) -> None:
         self._steps, self._suspects, self._budget_min = tuple(steps), steps[0].left, budget_min
         height_px = HEAD_PX + ROW_PX * len(steps) + FOOT_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         self._width_px, self._height_px = style.WIDE[0] * style.SCREEN_DPI, height_px
         with style.our_settings():
             self.ax = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
@@ -195,27 +183,17 @@ def draw_order(log: Sequence[Question]) -> Picture:
     """Draw the questions of a visit one after the other."""
     log = [Question(*question) for question in log]
     height_px = TOP_PX + BOTTOM_PX + BAR_PX * max(len(log), 1)
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     picture.text = describe_order(log)
     left_px, width_px = style.room_px([question.check for question in log]), style.WIDE[0] * style.SCREEN_DPI
     with style.our_settings():
-        ax = picture.figure.add_axes((
-            left_px / width_px, BOTTOM_PX / height_px,
-            1 - (left_px + RIGHT_PX) / width_px, 1 - (TOP_PX + BOTTOM_PX) / height_px,
-        ))  # fmt: skip
+        ax = picture.add_axes_px(left_px, BOTTOM_PX, width_px - left_px - RIGHT_PX, height_px - TOP_PX - BOTTOM_PX)
         _bare(ax)
         begin, is_done = 0.0, False
         for row, (_, takes, left) in enumerate(log):
             colour = style.FAINT if is_done else style.ACCENT
-            ax.barh(
-                row,
-                takes,
-                left=begin,
-                height=0.62,
-                color=colour,
-                hatch="////" if is_done else "",
-                edgecolor=style.PAPER,
-            )
+            hatch = "////" if is_done else ""
+            ax.barh(row, takes, left=begin, height=0.62, color=colour, hatch=hatch, edgecolor=style.PAPER)
             begin += takes
             star = " ★" if left <= 1 and not is_done else ""
             ax.text(begin, row, f"  {left} left{star}", va="center", color=style.INK, fontsize=style.SMALL_PT)
@@ -251,15 +229,12 @@ def draw_minutes(ways: Mapping[str, Mapping[str, float]], budget_min: float) -> 
     suspects = list(next(iter(ways.values())))
     row_px = 10 * len(ways) + 12
     height_px = TOP_PX + BOTTOM_PX + 30 + row_px * len(suspects)
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     picture.text = describe_minutes(ways, budget_min)
     left_px, width_px = style.room_px(suspects), style.WIDE[0] * style.SCREEN_DPI
     colours = (style.ACCENT, style.FAINT, style.AXIS_COLOURS["z"])
     with style.our_settings():
-        ax = picture.figure.add_axes((
-            left_px / width_px, BOTTOM_PX / height_px,
-            1 - (left_px + 24) / width_px, 1 - (TOP_PX + BOTTOM_PX + 30) / height_px,
-        ))  # fmt: skip
+        ax = picture.add_axes_px(left_px, BOTTOM_PX, width_px - left_px - 24, height_px - TOP_PX - BOTTOM_PX - 30)
         _bare(ax)
         thick = 0.8 / len(ways)
         for number, (way, minutes) in enumerate(ways.items()):
@@ -277,8 +252,7 @@ def draw_minutes(ways: Mapping[str, Mapping[str, float]], budget_min: float) -> 
 
 
 def _bare(ax) -> None:
-    for side in ("right", "top", "left"):
-        ax.spines[side].set_visible(False)
+    style.hide_spines(ax, "right", "top", "left")
     ax.tick_params(left=False)
     ax.grid(axis="x", color=style.HAIR)
     ax.set_axisbelow(True)

@@ -25,8 +25,6 @@ from typing import Any
 from .export_widgets import NOT_STORED, STANDS_STILL, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .scene import viewer_file
 
-__all__ = ["NotANotebook", "export_html", "main", "page_language", "page_title", "read_notebook", "with_mathml"]
-
 STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
 VIEWER_LICENCES = "meshcat.LICENSE.txt"

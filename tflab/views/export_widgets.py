@@ -13,8 +13,6 @@ from __future__ import annotations
 from html import escape
 from typing import Any, NamedTuple
 
-__all__ = ["NOT_STORED", "STANDS_STILL", "LiveView", "Model", "Models", "live_view", "outputs_from_widget"]
-
 WIDGET_VIEW = "application/vnd.jupyter.widget-view+json"
 REFERENCE = "IPY_MODEL_"
 NOT_STORED = {

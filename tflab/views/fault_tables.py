@@ -14,21 +14,6 @@ from typing import NamedTuple
 from . import style
 from .picture import Picture
 
-__all__ = [
-    "SIGNS",
-    "Owner",
-    "Suitability",
-    "SuspectsPicture",
-    "ToolOutput",
-    "ToolPicture",
-    "describe_owners",
-    "describe_suspects",
-    "describe_tools",
-    "draw_owners",
-    "draw_suspects",
-    "draw_tools",
-]
-
 ROW_PX, HEAD_PX, BORDER_PX, SLANT_PX = 30, 112, 14, 96
 
 Findings = Mapping[str, Mapping[str, str]]  # of each suspect what it would say to each check
@@ -71,7 +56,7 @@ class SuspectsPicture(Picture):
         self._checks = list(next(iter(findings.values())))
         self._names_px = style.room_px(findings) + BORDER_PX
         height_px = HEAD_PX + ROW_PX * len(findings) + BORDER_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         with style.our_settings():
             self.ax = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
             self._height_px, self._width_px = height_px, style.WIDE[0] * style.SCREEN_DPI
@@ -192,7 +177,7 @@ def draw_owners(owners: Sequence[Owner | tuple[str, ...]]) -> Picture:
         )
     owners = [Owner(*owner) for owner in owners]
     height_px = HEADING_PX + OWNER_PX * len(owners) + RIM_PX
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     picture.text = describe_owners(owners)
     width_px = style.WIDE[0] * style.SCREEN_DPI
     with style.our_settings():
@@ -253,12 +238,10 @@ class ToolPicture(Picture):
     """One tool's output, and below it a sign for each question."""
 
     def __init__(self, terms: Sequence[str]) -> None:
-        from .number_table import TypedBlock
-
         super().__init__(style.TALL)
         with style.our_settings():
-            self._command = TypedBlock(self.figure, 0.025, 0.965, style.ACCENT)
-            self._output = TypedBlock(self.figure, 0.025, 0.905)
+            self._command = self.add_number_table(0.025, 0.965, style.ACCENT)
+            self._output = self.add_number_table(0.025, 0.905)
             self._signs = [
                 self.figure.text(0.0, 0.045, "", fontsize=style.SMALL_PT, va="center", bbox={"pad": 4.0}) for _ in terms
             ]
@@ -302,7 +285,7 @@ def draw_tools(verdicts: Suitabilities) -> Picture:
     tools = list(next(iter(verdicts.values())))
     width_px = style.WIDE[0] * style.SCREEN_DPI
     height_px = NAMES_PX + QUESTION_PX * len(verdicts) + 34
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     column_px = (width_px - FIRST_PX - 60) / len(tools)
     with style.our_settings():
 

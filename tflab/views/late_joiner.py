@@ -19,8 +19,6 @@ from typing import NamedTuple
 from . import style
 from .picture import Picture
 
-__all__ = ["JoinsPicture", "Letter", "Sender", "describe_joins", "draw_joins", "frames_known", "letters_heard"]
-
 STATIC_TOPIC = "/tf_static"
 INCOMPATIBLE = "incompatible QoS"
 COLUMNS = 60  # how wide a row is in words
@@ -120,15 +118,12 @@ class JoinsPicture(Picture):
         """
         width_px = style.WIDE[0] * style.SCREEN_DPI
         height_px = TOP_PX + ROW_PX * len(senders) + BOTTOM_PX
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         self._senders, self._start_s, self._until_s = tuple(senders), start_s, until_s
         name_px = style.room_px(max((sender.name, sender.topic), key=len) for sender in senders)
         axis_px = width_px - name_px - KNOWS_PX
         with style.our_settings():
-            self.ax = self.figure.add_axes((
-                name_px / width_px, BOTTOM_PX / height_px,
-                axis_px / width_px, ROW_PX * len(senders) / height_px,
-            ))  # fmt: skip
+            self.ax = self.add_axes_px(name_px, BOTTOM_PX, axis_px, ROW_PX * len(senders))
             self._draw_rows(axis_px / (until_s - start_s))
             self._draw_moving(1 - (KNOWS_PX - 14) / width_px, height_px)
 
@@ -148,12 +143,7 @@ class JoinsPicture(Picture):
         """Draw what stands still: when each letter was sent, what hung on the board meanwhile, and the end."""
         ax = self.ax
         ax.set_xlim(self._start_s, self._until_s)
-        ax.set_ylim(len(self._senders) - 0.5, -0.5)
-        for side in ("left", "right", "top"):
-            ax.spines[side].set_visible(False)
-        names = [f"{sender.name}\n{sender.topic}" for sender in self._senders]
-        ax.set_yticks(range(len(names)), names)
-        ax.tick_params(axis="y", length=0, pad=10, labelcolor=style.INK, labelsize=style.SMALL_PT)
+        style.label_rows(ax, [f"{sender.name}\n{sender.topic}" for sender in self._senders], style.SMALL_PT)
         ax.set_xlabel("time [s]", loc="right")
         how = {"facecolor": style.SHADE, "edgecolor": style.FAINT, "linewidth": 1.0, "zorder": 1}
         for i, sender in enumerate(self._senders):

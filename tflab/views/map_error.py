@@ -21,20 +21,6 @@ import numpy as np
 from . import style
 from .picture import Picture
 
-__all__ = [
-    "Offs",
-    "Smoothness",
-    "describe_placed",
-    "describe_tracks",
-    "distances_to",
-    "draw_placed",
-    "draw_tracks",
-    "errors_of",
-    "offs",
-    "smoothness",
-    "steps_of",
-]
-
 Point2 = tuple[float, float]
 Wall = tuple[Point2, Point2]
 
@@ -118,12 +104,11 @@ def draw_placed(
     panel_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(placed) - 1)) / len(placed)
     tall_px = round(np.clip(panel_px * (y_high - y_low) / (x_high - x_low), LOWEST_PX, HIGHEST_PX))
     height_px = TITLE_PX + tall_px + CAPTION_PX
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     with style.our_settings():
         for i, (name, points) in enumerate(placed.items()):
             left = EDGE_PX + i * (panel_px + GAP_PX)
-            box = (left / width_px, CAPTION_PX / height_px, panel_px / width_px, tall_px / height_px)
-            ax = picture.figure.add_axes(box)
+            ax = picture.add_axes_px(left, CAPTION_PX, panel_px, tall_px)
             _draw_panel(ax, _seen(points), walls, things)
             _show_box(ax, (x_low, y_low, x_high, y_high), panel_px / tall_px)
             ax.set_title(name, loc="left", pad=7)
@@ -180,10 +165,6 @@ def _everything(
     both = np.vstack(groups)
     (x_low, y_low), (x_high, y_high) = both.min(axis=0) - MARGIN_M, both.max(axis=0) + MARGIN_M
     return x_low, y_low, x_high, y_high
-
-
-def _flat(points: Sequence[Sequence[float]] | np.ndarray) -> np.ndarray:
-    return np.asarray(points, dtype=float)[:, :2]
 
 
 def _seen(points: np.ndarray) -> np.ndarray:
@@ -281,8 +262,7 @@ def _draw_ground(ax, tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> Non
 
 def _curves(ax, title: str):
     """Make a small graph with its title above it."""
-    for side in ("top", "right"):
-        ax.spines[side].set_visible(False)
+    style.hide_spines(ax, "top", "right")
     ax.set_title(title, loc="left", fontsize=style.TEXT_PT, pad=6)
     return ax
 

@@ -17,8 +17,6 @@ from xml.sax.saxutils import escape
 
 from . import style
 
-__all__ = ["BoxMark", "LineMark", "Sheet", "TextMark", "pdf_from_sheet", "svg_from_sheet", "text_width"]
-
 FONT_SIZE = 13.0
 LETTER_WIDTH = 0.602  # of the font's size; the widest of the common monospaced fonts (DejaVu Sans Mono)
 FONTS = "'DejaVu Sans Mono', Menlo, Consolas, monospace"

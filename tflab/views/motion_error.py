@@ -30,8 +30,6 @@ from .labels import FloatingLabel, place_labels
 from .picture import Picture
 from .projection import FROM_ABOVE, OUTLINE, Eye, PostArtists, RobotArtists, eye_at
 
-__all__ = ["Bend", "BendPicture", "deepest", "describe_bend", "draw_bend", "gap_m", "wait_s"]
-
 DASHES = (0, (3.0, 2.0))
 ASIDE = eye_at(math.radians(-70.0), math.radians(30.0))  # from the robot's right-hand side
 ROBOT_SCALE = 1.6  # a little larger than life, to be seen from so far
@@ -321,7 +319,7 @@ class BendPicture(Picture):
         """Make room for arcs that reach from `lowest` to `highest`, in chords, 0 being the chord itself."""
         arc_px = CHORD_PX * (highest - lowest)
         height_px = max(LEGEND_PX + arc_px + 2 * RIM_PX, LEAST_PX)
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         width_px = self.size_px[0]
         middle, half = (lowest + highest) / 2, (height_px - LEGEND_PX) / CHORD_PX / 2
         box = (0.04, 0.0, 1.24 * CHORD_PX / width_px, 1.0 - LEGEND_PX / height_px)

@@ -22,7 +22,7 @@ ROW_HEIGHT = 1.55
 POINTS_PER_INCH = 72.0
 
 
-class TypedBlock(PathPatch):
+class NumberTable(PathPatch):
     """Rows of letters of one width, hanging from their upper left corner.
 
     Attributes:

@@ -22,6 +22,9 @@ from . import style
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+
+    from .number_table import NumberTable
 
 require("matplotlib", "PIL")
 
@@ -47,6 +50,17 @@ class Picture:
         """How large it stands on the page: width, height."""
         width, height = self.figure.get_size_inches()
         return round(width * style.SCREEN_DPI), round(height * style.SCREEN_DPI)
+
+    def add_axes_px(self, left: float, bottom: float, width: float, height: float) -> Axes:
+        """Return new axes with this lower left corner and this size [screen pixels]."""
+        full_width, full_height = self.figure.get_size_inches() * style.SCREEN_DPI
+        return self.figure.add_axes((left / full_width, bottom / full_height, width / full_width, height / full_height))
+
+    def add_number_table(self, x: float, y: float, colour: str = style.INK) -> NumberTable:
+        """Return an empty block of numbers whose upper left corner is at (x, y), in parts of the figure."""
+        from .number_table import NumberTable
+
+        return NumberTable(self.figure, x, y, colour)
 
     def png(self, dpi: int = style.PRINT_DPI) -> bytes:
         """Return the picture as a PNG of at most 256 colours: small, and the same bytes every time."""

@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterable
 from html import escape
 
-__all__ = ["report_page"]
-
 SHELL = """
 :root { color-scheme: light dark; --paper: #fdfdfb; --ink: #1f2328; --quiet: #5b6168; --line: #d5d8dc;
   --card: #f3f4f2; --code: #eff0ec; }

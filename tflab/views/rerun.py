@@ -12,8 +12,6 @@ import sys
 from itertools import count
 from typing import Any
 
-__all__ = ["register"]
-
 ROOM = __name__.rpartition(".")[0]
 
 SWEEP_AFTER = 5  # views; a figure is in many circles, which only a sweep finds, and a sweep takes a tenth of a second

@@ -20,8 +20,6 @@ from .motion_error import drive
 from .picture import Picture
 from .projection import FROM_ABOVE, SLANTING, RobotArtists
 
-__all__ = ["describe_drives", "describe_orders", "describe_turns", "draw_drives", "draw_orders", "draw_turns", "turn"]
-
 NOSE = (1.0, 0.0, 0.0)
 WAYS = ((NOSE, "forward"), ((-1, 0, 0), "backward"), ((0, 1, 0), "left"), ((0, -1, 0), "right"), ((0, 0, 1), "up"),
         ((0, 0, -1), "down"))  # fmt: skip

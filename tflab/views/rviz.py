@@ -24,30 +24,12 @@ from .rviz_status import (
     MapCells,
     Message,
     Path,
-    PointCloud2,
-    RobotModel,
     Shown,
-    Status,
     look_through,
     statuses_as_text,
 )
 from .scene import Scene
 from .scene.drawing import draw_arrow, draw_frame, draw_path, draw_points, draw_robot, draw_scan, edge_path, frame_path
-
-__all__ = [
-    "Display",
-    "LaserScan",
-    "MapCells",
-    "Path",
-    "PointCloud2",
-    "RViz",
-    "RobotModel",
-    "Shown",
-    "Status",
-    "draw_in_scene",
-    "look_through",
-    "statuses_as_text",
-]
 
 SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#009E73", "Warn": "#D08700", "Error": "#D55E00"}

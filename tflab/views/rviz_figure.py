@@ -22,8 +22,6 @@ from .picture import Picture
 from .rviz_status import LaserScan, MapCells, Message, Path, RobotModel, Shown, statuses_as_text
 from .scene.drawing import Part
 
-__all__ = ["describe_shown", "draw_shown", "points_of"]
-
 SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#00694E", "Warn": "#8A5A00", "Error": "#B34700"}
 SEEN_COLOURS = (style.ACCENT, style.AXIS_COLOURS["z"])
@@ -75,7 +73,7 @@ def draw_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> Picture:
     rows = list(_list_of(shown))
     width_px = round(style.WIDE[0] * style.SCREEN_DPI)
     height_px = max(LEAST_PX, TOP_PX + LINE_PX * len(rows) + 20)
-    picture = Picture((style.WIDE[0], height_px / style.SCREEN_DPI))
+    picture = Picture(style.wide(height_px))
     with style.our_settings():
         ax = picture.figure.add_axes((0.02, 16 / height_px, 0.48, 1 - 32 / height_px))
         _draw_ground(ax, shown, walls)

@@ -20,20 +20,6 @@ from tflab.core import LATEST, Transform, TransformException
 
 from .scene.drawing import Part
 
-__all__ = [
-    "Ask",
-    "Display",
-    "LaserScan",
-    "MapCells",
-    "Path",
-    "PointCloud2",
-    "RobotModel",
-    "Shown",
-    "Status",
-    "look_through",
-    "statuses_as_text",
-]
-
 Ask = Callable[[str, str, int], Transform]  # (target_frame, source_frame, stamp_ns), or raises TransformException
 LEVELS = ("Ok", "Warn", "Error")
 

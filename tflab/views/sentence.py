@@ -28,8 +28,6 @@ from .labels import place_labels
 from .picture import Picture
 from .projection import SLANTING
 
-__all__ = ["describe_readings", "draw_readings"]
-
 
 @dataclass(frozen=True, slots=True)
 class Sentence:
@@ -130,8 +128,6 @@ class SentencePicture(Picture):
 
     def __init__(self, poses: Mapping[str, Transform], language: str = "en") -> None:
         """Draw the frames; `language` is that of `text`."""
-        from .number_table import TypedBlock
-
         super().__init__((style.WIDE[0], 4.3))
         self.poses, self._language = dict(poses), language
         places = np.array([pose.translation for pose in self.poses.values()])
@@ -148,8 +144,8 @@ class SentencePicture(Picture):
             self.frames = draw_frames(ax, self.poses, SLANTING, length_m)
             self.arrow = draw_arrow(ax, (0, 0, 0), (1, 0, 0), "", SLANTING, curve=-0.25)
             self.words = self.figure.text(0.03, 0.31, "", fontsize=style.TITLE_PT, va="top", color=style.ACCENT)
-            self.lines = TypedBlock(self.figure, 0.03, 0.235)
-            self.matrix = TypedBlock(self.figure, 0.66, 0.78)
+            self.lines = self.add_number_table(0.03, 0.235)
+            self.matrix = self.add_number_table(0.66, 0.78)
         self.moving = [self.arrow.arrow, *(part for frame in self.frames.values() for part in frame.label.artists)]
         self.moving += [self.words, self.lines, self.matrix]
 

@@ -12,8 +12,6 @@ from pathlib import Path
 
 from .libraries import anywidget, traitlets
 
-__all__ = ["STATIC", "Film", "javascript"]
-
 STATIC = Path(__file__).parent / "static"
 
 

@@ -19,8 +19,6 @@ from . import style
 if TYPE_CHECKING:
     from .picture import Picture
 
-__all__ = ["KINDS", "describe_gain", "draw_gain", "state_of"]
-
 KINDS = {"right": "right, sure", "guessed right": "right, guessed", "gap": "not known", "wrong": "wrong, sure"}
 RIGHT = ("right", "guessed right")
 STATES = {(False, True): "cured", (True, True): "held", (False, False): "stuck", (True, False): "lost"}

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 from tflab.core import format_stamp
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 AXES = ("x", "y", "z")
@@ -88,7 +89,6 @@ _SETTINGS = {
     "ytick.direction": "out",
 }
 
-
 ONE_AT_A_TIME = RLock()  # held by a thread while it moves a figure, draws it or reads it
 
 
@@ -126,6 +126,25 @@ def shorten_card(fig: Figure, height_inch: float) -> None:
     _, full = fig.get_size_inches()
     card.set_y(full - height_inch + 0.02)
     card.set_height(height_inch - 0.04)
+
+
+def wide(height_px: float) -> tuple[float, float]:
+    """Return the size of a card of the usual width and this height [inch]."""
+    return (WIDE[0], height_px / SCREEN_DPI)
+
+
+def hide_spines(ax: Axes, *sides: str) -> None:
+    """Hide the lines at these sides of a graph: "left", "right", "top", "bottom"."""
+    for side in sides:
+        ax.spines[side].set_visible(False)
+
+
+def label_rows(ax: Axes, names: Sequence[str], size_pt: float = TEXT_PT) -> None:
+    """Make one row for each name, from the top, and a time axis below."""
+    ax.set_ylim(len(names) - 0.5, -0.5)
+    hide_spines(ax, "left", "right", "top")
+    ax.set_yticks(range(len(names)), names)
+    ax.tick_params(axis="y", length=0, pad=10, labelcolor=INK, labelsize=size_pt)
 
 
 def room_px(names: Iterable[str], at_least_px: int = 110) -> int:

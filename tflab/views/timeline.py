@@ -196,13 +196,11 @@ class TimelinePicture(Picture):
         self._answer_px = AXIS_PX + HEADLINE_PX + ROW_PX * rows + FOOT_PX
         height_px = TOP_PX + LANE_PX * (len(timeline.lanes) + 1) + self._answer_px
         width_px = style.WIDE[0] * style.SCREEN_DPI
-        super().__init__((style.WIDE[0], height_px / style.SCREEN_DPI))
+        super().__init__(style.wide(height_px))
         lanes_px = height_px - TOP_PX - self._answer_px
         name_px = style.room_px(lane.name for lane in timeline.lanes)
         with style.our_settings():
-            right_px = width_px - name_px - RIGHT_PX
-            box = (name_px / width_px, self._answer_px / height_px, right_px / width_px, lanes_px / height_px)
-            self.ax = self.figure.add_axes(box)
+            self.ax = self.add_axes_px(name_px, self._answer_px, width_px - name_px - RIGHT_PX, lanes_px)
             self._draw_lanes()
             self._draw_query()
         self.moving = [self.query, self.handle, self.moment, self.headline, self.body]
@@ -235,8 +233,7 @@ class TimelinePicture(Picture):
         ax, rows = self.ax, len(lanes)
         ax.set_xlim(0.0, (right_ns - left_ns) / 1e9)
         ax.set_ylim(rows + 0.5, -0.5)
-        for side in ("left", "right", "top"):
-            ax.spines[side].set_visible(False)
+        style.hide_spines(ax, "left", "right", "top")
         ax.set_yticks([*range(rows), rows], [*(lane.name for lane in lanes), "all of them"])
         ax.tick_params(axis="y", length=0, pad=10, labelcolor=style.INK, labelsize=style.TEXT_PT)
         _label_time(ax, left_ns, right_ns)
@@ -268,8 +265,6 @@ class TimelinePicture(Picture):
             ax.plot(times, [row] * len(times), color=style.INK, linestyle="none", marker="o", markersize=3.5, zorder=3)
 
     def _draw_query(self) -> None:
-        from .number_table import TypedBlock
-
         ax = self.ax
         (self.query,) = ax.plot([], [], color=style.ACCENT, linewidth=2.0, zorder=10, clip_on=False)
         (self.handle,) = ax.plot([], [], color=style.ACCENT, marker="o", markersize=10, zorder=11, clip_on=False,
@@ -280,7 +275,7 @@ class TimelinePicture(Picture):
         head, body = self._answer_px - AXIS_PX, self._answer_px - AXIS_PX - HEADLINE_PX
         self.headline = self.figure.text(0.025, head / height, "", fontsize=style.TITLE_PT, fontweight="bold", va="top",
                                          color=style.ACCENT)  # fmt: skip
-        self.body = TypedBlock(self.figure, 0.025, body / height)
+        self.body = self.add_number_table(0.025, body / height)
 
 
 def _fitting(lines: Sequence[str], most: int) -> list[str]:

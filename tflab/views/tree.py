@@ -23,8 +23,6 @@ from . import style
 from .marks import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
 from .style import fmt_name
 
-__all__ = ["Row", "TreeFault", "TreePicture", "draw_tree", "rows_of", "text_from_tree", "tree_faults"]
-
 QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"
 MARGIN, TRUNK, ROW, PILL = 18.0, 14.0, 34.0, 24.0  # [pt] rim, stem from the left, height of a row and of a box
 STEP, NARROWEST_STEP, WIDEST_INDENT = 46.0, 28.0, 460.0  # [pt] indent of a child; deep trees get less, down to this

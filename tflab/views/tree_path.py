@@ -25,8 +25,6 @@ from .picture import Picture
 from .style import fmt_name
 from .tree import Row, rows_of, tree_faults
 
-__all__ = ["TreeWalkPicture", "Walk", "describe_walk", "draw_walk", "snapshot_of_parents", "walk_between"]
-
 WIDTH_PT = 72.0 * style.WIDE[0]
 ROW, PILL, RIM, HEAD = 30.0, 21.0, 22.0, 30.0  # a row, a name's box, the margin, the room for a title [pt]
 WIDEST_STEP, INDENT = 62.0, 300.0  # of a child, and of the deepest one [pt]

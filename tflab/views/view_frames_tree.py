@@ -15,8 +15,6 @@ from . import style
 from .marks import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
 from .tree import TreePicture
 
-__all__ = ["draw_upstream_tree"]
-
 MARGIN, GAP, OVAL = 18.0, 10.0, 30.0  # [pt] rim, between neighbours, height of a frame
 SMALL, LINE = 9.0, 11.5  # [pt] size and height of a line of an edge's label
 LABELS = {

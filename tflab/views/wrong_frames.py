@@ -24,8 +24,6 @@ from .labels import place_labels
 from .picture import Picture
 from .projection import FROM_ABOVE, OUTLINE, Eye, RobotArtists, eye_at
 
-__all__ = ["LASER_AT", "MountPicture", "describe_extent", "describe_mount", "draw_misread", "draw_mount", "seen_from"]
-
 LASER_AT: Vector3 = (0.20, 0.0, 0.15)  # of laser_frame in base_link [m]
 BODY_SCALE = 1.2
 READINGS = ("corner", "swapped", "turn forgotten")
@@ -61,8 +59,6 @@ class MountPicture(Picture):
     """The robot from above, its turned laser, the corner, and the ghosts of two mistakes."""
 
     def __init__(self, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT) -> None:
-        from .number_table import TypedBlock
-
         super().__init__((style.WIDE[0], 4.2))
         self.laser_p, self.laser_at = tuple(laser_p), tuple(laser_at)
         reach = float(np.linalg.norm(self.laser_p)) + float(np.linalg.norm(self.laser_at)) + 0.35
@@ -83,7 +79,7 @@ class MountPicture(Picture):
             ax.set_ylim(-reach, reach)
             ax.apply_aspect()  # now, not at the first drawing: names look for their places before
             write_caption(ax, "from above, grid of 0.5 m")
-            self.numbers = TypedBlock(self.figure, 0.565, 0.9)
+            self.numbers = self.add_number_table(0.565, 0.9)
         parts = [*self.points.values(), self.laser]
         self.moving = [*(artist for part in parts for artist in part.artists), *self.base.label.artists]
         self.moving += [self.beam, self.numbers]

@@ -22,8 +22,6 @@ from ..libraries import ipywidgets as widgets
 from ..slider_frames import STATIC, javascript
 from ..style import ONE_AT_A_TIME
 
-__all__ = ["At", "Drawing", "DrawnAhead"]
-
 KEPT = 300  # drawings of one panel, some ten kilobytes each
 PAUSE_S = 0.001  # between two drawings, for messages to come in
 DIGITS = 6  # of a slider's place: what the browser adds up is off in the last ones

@@ -14,21 +14,6 @@ import numpy as np
 
 from .. import style
 
-__all__ = [
-    "Triangles",
-    "across",
-    "arrow",
-    "axes",
-    "bar",
-    "frustum",
-    "grid",
-    "joined",
-    "mug",
-    "polyline",
-    "rgb",
-    "triangles",
-]
-
 SIDES = 8
 DASHES = {"solid": 1, "dashed": 4, "dotted": 8}
 FILLED = {"solid": 1.0, "dashed": 0.66, "dotted": 0.42}  # part of each dash's length that is there

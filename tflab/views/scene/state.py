@@ -25,8 +25,6 @@ from tflab.core import Transform
 
 from .. import style
 
-__all__ = ["SceneState", "describe", "joined", "pack", "plain", "pose_in_words", "with_stable_ids"]
-
 AT_THE_END = ("set_animation", "sweep")  # they refer to objects, which must be there first
 ID_KEYS = ("uuid", "geometry", "material", "map", "image")
 LASTING = ("frame", "labels", "words")  # properties that nothing but their own word changes

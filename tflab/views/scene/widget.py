@@ -43,8 +43,6 @@ if TYPE_CHECKING:
     from meshcat import Visualizer
     from meshcat.animation import Animation
 
-__all__ = ["Scene", "viewer_file"]
-
 COMMANDS_BETWEEN_SNAPSHOTS = 500  # what a browser has to remember while a slider is dragged
 
 

@@ -1,4 +1,4 @@
-// One picture of many, and a scrubber to go through them.  The Python half is film.py.
+// One picture of many, and a scrubber to go through them.  The Python half is slider_frames.py.
 
 function picturesIn(data) { // each after its length
   const bytes = new Uint8Array(data.buffer, data.byteOffset, data.byteLength);

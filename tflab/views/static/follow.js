@@ -6,7 +6,7 @@
 //                                      hears of every move, has drawn it
 //
 // A drawing belongs to the places of all controls, and to the one that was moved.  The Python half is
-// panels/drawn_ahead.py; near.js comes before this file.
+// panels/prefetch.py; near.js comes before this file.
 
 const KEPT = 600;      // drawings; some ten kilobytes each
 const ASKED = 200;     // places at a time
