@@ -12,8 +12,8 @@ from tflab.grading.judging.marks import judged
 from tflab.grading.judging.pack import Pack, read_pack
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import TaskCases
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 
 @pytest.fixture(scope="module")

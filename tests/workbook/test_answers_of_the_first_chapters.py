@@ -8,7 +8,7 @@ import pytest
 
 from tflab.core import Transform
 from tflab.ros.time import Time
-from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.diagnosis.mistake import Mistake
 
 from .whole_answers import slips_of, verdict_on
 

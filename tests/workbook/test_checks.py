@@ -19,12 +19,12 @@ from tflab.workbook import check, checks, hint, solution, task, trying
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence, Vector
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.diagnosis import comparison
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.tasks.task import variant_of
-from tflab.workbook.verdicts import comparison
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from . import small_chapter as chapter
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.workbook.answers.forms import Angle, Choice, Message, Number, Parts, Vector
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.verdicts.comparison import picture_of
+from tflab.workbook.diagnosis.comparison import picture_of
 
 POINTS = Parts({"base_link": Vector(3, "m", "base_link", 0.005), "map": Vector(3, "m", "map", 0.005)})
 PLANAR = Parts({"x": Number("m", 0.001), "y": Number("m", 0.001), "yaw": Angle(0.001)})

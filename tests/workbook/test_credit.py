@@ -8,6 +8,8 @@ from tflab.core import LookupException
 from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
 from tflab.workbook.answers.values import raised, to_plain
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.tasks.credit import (
     asked_alike,
@@ -18,8 +20,6 @@ from tflab.workbook.tasks.credit import (
     habit,
     usual_among,
 )
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import READS, cases_of, each_task, task_in
 from .small_chapter import bare

@@ -25,10 +25,10 @@ from tflab.workbook.answers.forms import (
     Vector,
 )
 from tflab.workbook.answers.values import outcome_of, raised, to_plain
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import StoredPairs, bare
 

@@ -8,9 +8,9 @@ from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.answers.forms import Choice, Command, Message, Name, Number, Parts, Quaternion, Sequence, Vector
 from tflab.workbook.answers.values import raised
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, judged_function, words

@@ -9,9 +9,9 @@ import pytest
 from tflab.core import Transform
 from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import raised
-from tflab.workbook.mistakes.python_errors import tip_for
+from tflab.workbook.diagnosis.python_errors import tip_for
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, words

@@ -8,12 +8,12 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequence
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.explaining.together import Found, together
-from tflab.workbook.mistakes.python_errors import tip_for
+from tflab.workbook.diagnosis.explanation import Found, together
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.python_errors import tip_for
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, judged_function

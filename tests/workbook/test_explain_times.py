@@ -9,9 +9,9 @@ import pytest
 from tflab.ros.messages import builtin_interfaces
 from tflab.ros.time import Duration, Time
 from tflab.workbook.answers.forms import Number, Parts
+from tflab.workbook.diagnosis.mistake import Mistake
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Feedback
-from tflab.workbook.verdicts.mistake import Mistake
 
 from .test_explain import judged
 

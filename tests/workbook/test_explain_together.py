@@ -6,11 +6,11 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.explaining.together import Found, together
+from tflab.workbook.diagnosis.explanation import Found, together
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 from .test_explain import judged, judged_function

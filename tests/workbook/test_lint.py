@@ -7,7 +7,7 @@ import math
 
 import pytest
 
-from tflab.workbook.mistakes import lint
+from tflab.workbook.diagnosis import lint
 
 COUNT = iter(range(1_000_000))
 

@@ -8,9 +8,9 @@ import pytest
 
 from tflab.workbook.answers.forms import Number, Urdf
 from tflab.workbook.answers.values import raised
+from tflab.workbook.diagnosis.mistake import REPLIES, WITHOUT_THE_ANSWER, Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
-from tflab.workbook.verdicts.mistake import REPLIES, WITHOUT_THE_ANSWER, Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

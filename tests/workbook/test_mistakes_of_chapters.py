@@ -8,11 +8,11 @@ import pytest
 
 from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import from_plain, is_raised
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import AND, TaskCases, values_of
 from tflab.workbook.tasks.pairs import combinable
 from tflab.workbook.tasks.reference import in_process_ros
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import READS, cases_of, each_task, task_in
 

@@ -8,12 +8,12 @@ from types import SimpleNamespace
 import pytest
 
 from tflab.workbook.answers.values import outcome_of, to_plain
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Number, Parts, Task, Text, WrongAnswer, WrongStep, pairs
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.generate_cases import task_cases
 from tflab.workbook.tasks.pairs import PairSearch, combinable
 from tflab.workbook.tasks.reference import CodeCell, Solution, in_process_ros
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

@@ -4,8 +4,8 @@ from tflab.clinic.proof import flaw_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
 from tflab.workbook.answers.values import to_plain
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

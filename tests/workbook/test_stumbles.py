@@ -14,10 +14,10 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import ClockType, Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
-from tflab.workbook.mistakes.python_errors import TIPS, tip_for
+from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.python_errors import TIPS, tip_for
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
-from tflab.workbook.verdicts.mistake import Mistake
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .small_chapter import bare
 

@@ -7,10 +7,10 @@ import re
 import pytest
 
 from tflab.workbook.answers.forms import form_from_plain
+from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import read_tasks
-from tflab.workbook.verdicts.verdict import judge_outcomes
 
 from .each_task import READS, SOLUTIONS, STEMS, each_task, solution_of, task_in
 from .small_chapter import make_cases

@@ -8,12 +8,12 @@ from types import SimpleNamespace
 from typing import Any
 
 from tflab.workbook.answers.values import from_plain, outcome_of
+from tflab.workbook.diagnosis.verdict import Verdict, judge_outcomes
 from tflab.workbook.paths import chapters, stems_called, workbook_data
 from tflab.workbook.tasks.case_types import TaskCases
 from tflab.workbook.tasks.catalog import solution_of, tasks_of
 from tflab.workbook.tasks.generate_cases import PUBLIC_SEED, make_variant, outline_of
 from tflab.workbook.tasks.reference import in_process_ros
-from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
 
 IMPORTS = """
 import math, re

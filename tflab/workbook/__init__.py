@@ -8,9 +8,8 @@ In an exercise one calls four functions:
     paths         where the workbook and its files are
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones, what it is tried on
-    mistakes/     those that any answer can have: a bug library
-    explaining/   how a wrong answer came about
-    verdicts/     what became of an answer, in words
+    diagnosis/    judges an answer, and explains a wrong one by the mistakes that would produce it
+    replies       texts that `check` prints besides
     trying        what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task

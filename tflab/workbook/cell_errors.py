@@ -23,7 +23,7 @@ from types import SimpleNamespace, TracebackType
 from typing import Any
 
 from ..text import Text
-from .mistakes.python_errors import tip_for
+from .diagnosis.python_errors import tip_for
 from .paths import language_here
 from .reply import show_reply
 

@@ -24,8 +24,11 @@ from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
+from .diagnosis.mistake import Mistake
+from .diagnosis.verdict import Verdict
 from .inventory.taking_part import NO_HELP, say_taken_part
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
+from .replies import PHRASES
 from .reply import show_reply
 from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
 from .tasks.credit import beyond_one_word
@@ -33,9 +36,6 @@ from .tasks.reference import answer_cell_name, given_name
 from .tasks.strip_solution import without_marks
 from .tasks.task import TaskError
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
-from .verdicts.mistake import Mistake
-from .verdicts.replies import LATER, PHRASES
-from .verdicts.verdict import Verdict
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
 
@@ -165,7 +165,7 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
     if names := _said_too_often(assigned, outcomes):
         more.append(assigned.phrase("one word", names=", ".join(f'"{name}"' for name in names)))
     if verdict.mistake is None:
-        more.append(assigned.words(LATER[_what_was_tried(assigned)], of=verdict.of))
+        more.append(assigned.phrase(f"passed, {_what_was_tried(assigned)}", of=verdict.of))
     elif assigned.workbook.edition == "self-study" and tries >= TRIES_BEFORE_SOLUTION:
         more.append(assigned.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):

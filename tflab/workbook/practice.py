@@ -30,6 +30,7 @@ from ..text import Texts
 from .answers.showing import show_all
 from .answers.values import from_plain
 from .checks import TRIES_BEFORE_SOLUTION, solution_text
+from .diagnosis.mistake import Mistake
 from .paths import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
 from .progress import mark_of, read_progress
 from .reply import in_notebook, shell, show_reply
@@ -39,7 +40,6 @@ from .tasks.generate_cases import PUBLIC_SEED, CasesError, task_cases
 from .tasks.reference import given_name, in_process_ros
 from .tasks.task import Task, TaskError, slug
 from .trying import AssignedTask, say_verdict, show_hint, tried_on
-from .verdicts.mistake import Mistake
 
 __all__ = ["DrawnQuestion", "ask", "check", "draw_question", "given", "hint", "practice_tasks", "solution"]
 

@@ -20,14 +20,14 @@ from ..text import Text
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
-from .explaining.changes import gave
-from .mistakes.lint import said_of_its_text
+from .diagnosis.calls import gave
+from .diagnosis.lint import said_of_its_text
+from .diagnosis.mistake import REPLIES, Mistake
+from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
 from .paths import Workbook
+from .replies import PHRASES
 from .reply import in_notebook, shell, show_caption, show_reply
 from .tasks.case_types import TaskCases, Variant
-from .verdicts.mistake import REPLIES, Mistake
-from .verdicts.replies import PHRASES
-from .verdicts.verdict import Verdict, judge_outcomes, kind_of
 
 __all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
@@ -198,7 +198,7 @@ def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) 
     if not outcomes or verdict.mistake not in DRAWN or shell() is None:
         return
     try:
-        from .verdicts.comparison import picture_of
+        from .diagnosis.comparison import picture_of
     except ModuleNotFoundError as missing:  # the reply is complete without the figure
         show_caption(str(missing))
         return

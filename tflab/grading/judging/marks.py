@@ -18,12 +18,12 @@ from typing import Any
 from tflab.text import Text
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.values import is_raised
+from tflab.workbook.diagnosis.mistake import WITHOUT_THE_ANSWER, Mistake
+from tflab.workbook.diagnosis.verdict import Verdict, judge_outcomes
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case_types import Feedback, TaskCases
 from tflab.workbook.tasks.catalog import pair_search
 from tflab.workbook.tasks.credit import beyond_guessing, beyond_the_usual
-from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER, Mistake
-from tflab.workbook.verdicts.verdict import Verdict, judge_outcomes
 
 from ..submissions.remarks import Remark
 from .draw import asks_of

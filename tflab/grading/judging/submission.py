@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from tflab.text import LANGUAGES
-from tflab.workbook.verdicts.mistake import Mistake
+from tflab.workbook.diagnosis.mistake import Mistake
 
 from ..submissions.remarks import Remark
 from .cells import VOID

@@ -15,7 +15,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.text import Text
-from tflab.workbook.verdicts.mistake import WITHOUT_THE_ANSWER
+from tflab.workbook.diagnosis.mistake import WITHOUT_THE_ANSWER
 
 __all__ = ["KINDS", "REASONS", "Remark", "printable"]
 

@@ -15,10 +15,10 @@ from ...text import Text
 from .. import progress
 from ..answers.form import Form
 from ..answers.values import Plain
+from ..diagnosis.mistake import Mistake
+from ..diagnosis.verdict import Verdict
 from ..paths import workbook_data
 from ..reply import show_page, show_reply
-from ..verdicts.mistake import Mistake
-from ..verdicts.verdict import Verdict
 from .opened import opened
 from .replies import chosen
 

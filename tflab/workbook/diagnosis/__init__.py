@@ -1,0 +1,25 @@
+"""Judge an answer, and explain a wrong one by the mistakes that would produce it.
+
+verdict          judge outcomes, and say what is wrong, from coarse to fine
+mistake          the kinds of mistakes, and what is said of each
+explain          the table of explanations
+explanation      what an explanation is, and several merged
+parts            the parts of an answer, each by itself
+part_mistakes    mistakes of a task that explain some parts
+calls            what a function does in some of its calls
+options          options that are confused, and their order
+coding_patterns  results of common coding patterns
+lookup_time      which time was passed to a lookup
+vector_terms     how a point was computed
+links            the links of a robot
+wrong_types      answers of another type
+bounds           what is certain where nothing explains an answer
+matching         outcomes compared with what a mistake gives
+generic          mistakes that any answer can have
+precision        what got lost and cannot be undone
+trees            trees of frames
+command_lines    command lines
+python_errors    what Python's errors mean
+lint             what is wrong in a function's text
+comparison       a wrong pose drawn with the right one
+"""

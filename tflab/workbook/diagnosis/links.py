@@ -1,0 +1,117 @@
+"""Explain a wrong robot link by link: its parent, its position, its rotation, how it moves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from tflab.core import Transform
+
+from ...text import Text, Texts
+from ..answers.form import Row
+from ..answers.forms import Form, Quaternion, Urdf, Vector
+from ..answers.values import Plain
+from ..tasks.case_types import Feedback, TaskCases
+from .bounds import certain
+from .explanation import Explanation
+from .matching import undone_to, words_of
+
+__all__ = ["of_robots"]
+
+TEXTS = Texts(__file__)
+
+KINDS = ("turns", "slides", "fixed")  # of joints
+POSE = 7  # marks of a place and a rotation
+SMALL = 1e-6
+ALONG_AN_AXIS = 1e-4  # by so much less than all of a step along it
+
+
+def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | None:
+    """Return what is wrong with each link of a robot; None if the answer is none."""
+    form = task.form
+    given = form.read(answer) if isinstance(form, Urdf) else None
+    if not given:
+        return None
+    slips, said = {}, []
+    for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
+        row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
+        for name, words in [] if any(_fits(row, right[0]) for row in rows) else _of_link(task, row, right[0]):
+            slips[f"{link}: {name}"] = Feedback(words, "")
+            said.append(Text(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
+    return Explanation(slips, Text.joined(*said)) if said else None
+
+
+def _fits(row: Row, right: Row) -> bool:
+    return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
+
+
+def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
+    """Yield what is wrong with one link: what it hangs on alone, or its place and its turn, or how it moves."""
+    if not _fits(row[:2], right[:2]):
+        yield "hangs", _of_joint(str(row[0].value), str(row[1].value), str(right[1].value))
+        return
+    is_placed = True
+    for name, start, form in (("place", 2, Vector(3, "m")), ("turn", 5, Quaternion())):
+        values = [[float(mark.value) for mark in marks[start : start + len(_names(form))]] for marks in (row, right)]
+        if not form.same(*values):
+            is_placed = False
+            yield name, _filled(TEXTS[name], _of_numbers(task, form, *values))
+    if is_placed:
+        yield "moves", _filled(TEXTS["moves"], _movement(row))
+
+
+def _names(form: Form) -> str:
+    return "xyz" if isinstance(form, Vector) else "xyzw"
+
+
+def _of_joint(root: str, hangs: str, right: str) -> Text:
+    """Return what is wrong with what a link hangs on."""
+    kind, _, parent = hangs.partition(" on ")
+    if not parent:
+        return TEXTS["nowhere"]
+    if hangs == right:
+        return _filled(TEXTS["root"], root.removeprefix("root "))
+    if parent != right.partition(" on ")[2]:
+        return _filled(TEXTS["parent"], parent)
+    return _filled(TEXTS["kind"], TEXTS[kind] if kind in KINDS else Text(f"is {kind}", f"{kind}입니다"))
+
+
+def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Text:
+    """Return what any answer can have wrong, or else what is certain."""
+    name = next(undone_to(form, [given], [wanted]), None)
+    if name:
+        return words_of(task, name).reply
+    bounds = certain(form, given, wanted) or Text("", "")
+    axes = _axes(given) if isinstance(form, Quaternion) else ""
+    return TEXTS["axes"].filled(said=bounds, name=axes) if axes else bounds
+
+
+def _axes(rotation: Plain) -> str:
+    """Return along which of its parent's axes those of a link point, if each of them lies along one; else nothing."""
+    turned = Transform((0.0, 0.0, 0.0), tuple(rotation))
+    rows = [list(turned.apply(axis)) for axis in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))]
+    is_along = all(max(map(abs, row)) > 1.0 - ALONG_AN_AXIS for row in rows)
+    return ", ".join(_axis(row) for row in rows) if is_along else ""
+
+
+def _movement(row: Row) -> Text:
+    """Return how a link moves from its first setting to its second."""
+    first, second = (
+        Transform(tuple(numbers[:3]), tuple(numbers[3:]))
+        for numbers in ([float(mark.value) for mark in row[start : start + POSE]] for start in (2, 2 + POSE))
+    )
+    step = first.inverse() @ second
+    turned, moved = step.rotation[:3], step.translation
+    if max(map(abs, turned)) > SMALL:
+        sign = 1.0 if step.rotation[3] >= 0.0 else -1.0
+        return _filled(TEXTS["about"], _axis([sign * number for number in turned]))
+    return _filled(TEXTS["along"], _axis(list(moved))) if max(map(abs, moved)) > SMALL else TEXTS["stays"]
+
+
+def _axis(numbers: list[float]) -> str:
+    """Return the axis that a direction is nearest to, with its sign."""
+    most = max(numbers, key=abs)
+    return ("" if most > 0.0 else "-") + "xyz"[numbers.index(most)]
+
+
+def _filled(words: Text, name: Text | str) -> Text:
+    return words.filled(name=name, said=name)

@@ -1,0 +1,223 @@
+"""Compare outcomes with what a mistake gives, and name the mistake."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from ...text import Texts
+from ..answers.form import Form, inside, member, numbers_of, pose_of
+from ..answers.forms import Angle, Command, Message, Name, Number, Parts, Pose, Quaternion, Vector
+from ..answers.forms import Sequence as ListForm
+from ..answers.values import Plain, is_raised
+from ..tasks.case_types import Feedback, TaskCases
+from . import generic
+from .generic import PLAIN_TO_SEE, said_of_letters, undone
+from .precision import TOLD, by_comparison, words_of_loss
+
+__all__ = [
+    "ANY_BUG",
+    "IN_SOME",
+    "alike",
+    "all_alike",
+    "in_some",
+    "is_just",
+    "row_of",
+    "section",
+    "sections",
+    "split",
+    "undone_to",
+    "words_of",
+]
+
+TEXTS = Texts(__file__)
+
+# A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
+ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
+IN_SOME = "in some: "
+MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
+FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
+ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
+COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
+
+
+def row_of(form: Form, given: Plain, wanted: Plain) -> list[bool]:
+    """Return for each probe of `wanted` whether `given` has it; either may be anything."""
+    if is_raised(wanted):
+        return form.judge(given, wanted)
+    read = form.read(wanted)
+    if read is None or not all(read):  # a mistake need not be of the form at all, nor all of its members
+        return [given == wanted]
+    return form.has(given, read)
+
+
+def alike(form: Form, given: Plain, wanted: Plain) -> bool:
+    """Return whether an outcome is what is wanted, and not some bug that looks like it."""
+    if isinstance(given, dict) and given.get("raises") in ANY_BUG:
+        return False
+    return all(row_of(form, given, wanted))
+
+
+def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> bool:
+    """Return whether all outcomes are what is wanted."""
+    return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
+
+
+def is_just(form: Form, outcomes: Sequence[Plain], answers: Sequence[Plain], share: float = ONE) -> bool:
+    """Return whether all outcomes are what a mistake gives, and not only by a tolerance that is wide beside them."""
+    return all_alike(form, outcomes, answers) and all(
+        _is_near(form, *pair, share) for pair in zip(outcomes, answers, strict=True)
+    )
+
+
+def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
+    if isinstance(form, Parts):
+        rows = [(part, section(form, given, name), section(form, wanted, name))
+                for name, part in form.parts.items()]  # fmt: skip
+        return all(_is_near(*row, share) for row in rows)
+    if not isinstance(form, Number | Vector):
+        return True
+    size = form.size if isinstance(form, Vector) else None
+    one, other = numbers_of(given, size), numbers_of(wanted, size)
+    if one is None or other is None:
+        return True
+    size = math.hypot(*other)
+    closest = [max(10.0 ** -_decimals(number), COMPUTED * size) + 1e-9 for number in one]
+    is_close = all(abs(a - b) <= allowed for a, b, allowed in zip(one, other, closest, strict=True))
+    return is_close and math.dist(one, other) <= share * size + 1e-9
+
+
+def _decimals(number: float) -> int:
+    """Return to how many digits behind its point a number is written: the more, the closer a slip has to fit."""
+    return len(f"{number:.9f}".rstrip("0").partition(".")[2])
+
+
+def undone_to(
+    form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain], *, only_plain_to_see: bool = False
+) -> Iterator[str]:
+    """Yield the universal mistakes without which the outcomes would be what is wanted."""
+    values = _values(form, outcomes, wanted)
+    wrong = next((given for given, want in values if not alike(form, given, want)), None)
+    if wrong is None:
+        return
+    is_all_wrong = not any(alike(form, given, want) for given, want in values)
+    for name, unit in dict.fromkeys(way[:2] for way in undone(form, wrong)):
+        if (only_plain_to_see and name not in PLAIN_TO_SEE) or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
+            continue
+        if all(_fits(form, name, unit, *pair) for pair in values):
+            yield f"{name} {unit}".strip()
+    if not only_plain_to_see:
+        yield from by_comparison(form, *map(list, zip(*values, strict=True)))
+
+
+def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:
+    """Return each outcome with the value that is wanted; none of them if an exception is wanted and did not come."""
+    pairs = list(zip(outcomes, wanted, strict=True))
+    if not all(alike(form, given, want) for given, want in pairs if is_raised(want)):
+        return []
+    return [(given, want) for given, want in pairs if not is_raised(want)]
+
+
+def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Iterator[str]:
+    """Yield the universal mistakes that explain all that is wrong, while other outcomes are right without them."""
+    wrong = [
+        (given, want)
+        for given, want in zip(outcomes, wanted, strict=True)
+        if is_raised(want) or not alike(form, given, want)
+    ]
+    if not isinstance(form, MEASURED) or (isinstance(form, Number) and not form.unit):
+        return
+    if 0 < len(wrong) < len(outcomes) and not any(is_raised(want) for _, want in wrong):
+        names = undone_to(form, *map(list, zip(*wrong, strict=True)))
+        yield from (IN_SOME + name for name in names if len(wrong) > 1 or name != "rounded")  # one is round by chance
+
+
+def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool:
+    """Return whether an answer without this mistake is what is wanted; what cannot have it has to be right."""
+    ways = [way.left for way in undone(form, given) if way[:2] == (name, unit)]
+    return any(is_just(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
+
+
+def words_of(task: TaskCases, name: str) -> Feedback:
+    """Return what is said of a slip, the task's or one that any answer can have, and what is behind it."""
+    if name in task.feedback:
+        return task.feedback[name]
+    if name.startswith(IN_SOME):
+        words = words_of(task, name.removeprefix(IN_SOME))
+        return Feedback(TEXTS["some"].filled(said=words.reply), words.misconception)
+    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"])):
+        if name.startswith(start):
+            rest = name.removeprefix(start)
+            return Feedback(words.filled(unit=rest, name=rest), "")
+    if (words := words_of_loss(name)) is not None:
+        return Feedback(words, "")
+    kind, _, told = name.partition(TOLD)
+    return Feedback(said_of_letters(kind, told) or generic.TEXTS[kind], generic.UNIVERSAL[kind].misconception)
+
+
+OF_A_MOUNT = {
+    "--frame-id": Name(), "--child-frame-id": Name(), "translation": Vector(3, "m"), "rotation": Quaternion(),
+}  # fmt: skip
+
+
+def sections(form: Form, like: Plain) -> dict[str, Form]:
+    """Return the parts of an answer that are judged each on its own; of a message its fields, as `like` has them."""
+    if isinstance(form, Parts):
+        return dict(form.parts)
+    if isinstance(form, Message):
+        held = {path: section(form, like, path) for path in form.fields}
+        return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
+    if isinstance(form, Pose) and not form.frames and not form.stamp:
+        return {"translation": Vector(3, "m", "", form.tolerance_m), "rotation": Quaternion(form.tolerance_rad)}
+    return dict(OF_A_MOUNT) if isinstance(form, Command) and _mount(form, like) else {}
+
+
+def split(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
+    """Return the same parts, with each member of a list a part of its own, where all answers have as many."""
+    found: dict[str, Form] = {}
+    for name, part in parts.items():
+        lists = [inside(section(form, answer, name)) for answer in answers]
+        lengths = {len(held) if isinstance(held, list) else None for held in lists}
+        is_split = isinstance(form, Parts) and isinstance(part, ListForm) and len(lengths) == 1 and None not in lengths
+        found |= {f"{name}[{place}]": part.of for place in range(len(lists[0]))} if is_split else {name: part}
+    return found
+
+
+def section(form: Form, plain: Plain, name: str) -> Plain:
+    """Return one of an answer's parts, as it is meant beside the others; of something else, None."""
+    if isinstance(form, Command):
+        return _mount(form, plain).get(name)
+    if isinstance(form, Pose):
+        parts = pose_of(plain)
+        return None if parts is None else list(parts[2 if name == "translation" else 3])
+    if isinstance(form, Parts):
+        held = inside(plain)
+        if not isinstance(held, dict):
+            return None
+        name, _, place = name.partition("[")
+        part = form.part(held, name)
+        return _member(part, int(place[:-1])) if place else part
+    return member(plain, *name.split("."))
+
+
+def _member(plain: Plain, place: int) -> Plain:
+    held = inside(plain)
+    return held[place] if isinstance(held, list) and place < len(held) else None
+
+
+def _mount(form: Command, plain: Plain) -> dict[str, Plain]:
+    """Return what a line publishes as a static transform, by parts; nothing of another line."""
+    read = form.read(plain)
+    words = [mark.value for mark in read[0][0]] if read else []
+    if words[:1] != ["static"]:
+        return {}
+    return dict(zip(OF_A_MOUNT, (words[1], words[2], words[3:6], words[6:]), strict=True))
+
+
+def _form_of_field(path: str, held: Plain, tolerance: float) -> Form:
+    """Return the form of a message's field: its numbers are metres, its rotation a quaternion, its texts words."""
+    if numbers_of(held, 4) is not None or path.endswith("rotation"):
+        return Quaternion(tolerance)
+    if numbers_of(held, 3) is not None or path.endswith(("translation", "point", "position")):
+        return Vector(3, "m", "", tolerance)
+    return Number("", tolerance) if numbers_of(held, None) is not None else Name()

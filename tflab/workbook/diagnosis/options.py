@@ -1,0 +1,285 @@
+"""Explain which options a function or a value confuses, and options in another order."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from itertools import permutations
+from typing import Any, NamedTuple
+
+from ...text import Text, Texts
+from ..answers.form import Form, inside
+from ..answers.forms import Choice
+from ..answers.forms import Sequence as ListForm
+from ..answers.values import Plain, is_raised
+from .explanation import Found
+
+__all__ = [
+    "CARD",
+    "confused",
+    "confused_in_lists",
+    "named_twice",
+    "never_said",
+    "of_orders",
+    "of_places",
+    "parents_named",
+    "seen_of",
+    "word_of",
+]
+
+TEXTS = Texts(__file__)
+
+MOST_NAMED = 4  # words that never come, by name
+
+
+class Confusion(NamedTuple):
+    """Which words are confused, in a word or two, what to say of it, the word that is asked for and that is said, and
+    whether that word is said for several.
+
+    Two that have changed places are none of these: both are as much asked for as said.
+    """
+
+    name: str
+    said: Text
+    wanted: str = ""
+    word: str = ""
+    is_of_several: bool = False
+
+
+def confused(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
+    """Return which words a function confuses, the one that it confuses most first; None if it says others."""
+    asked = [word_of(form, want) for want in wanted]
+    said = [word_of(form, outcome) for outcome in outcomes]
+    pairs = _different(asked, said)
+    wrong = Counter(pair for pair in pairs if None not in pair)
+    if not wrong or None in pairs[0]:  # what comes first is no word at all
+        return None
+    whole = {pair: count for pair, count in wrong.items() if count == asked.count(pair[0])}
+    if swapped := next((pair for pair in whole if pair[::-1] in whole), None):
+        one, other = swapped
+        words = TEXTS["swapped"].filled(one=one, other=other)
+        back = [
+            {one: other, other: one}.get(word, word) if want in swapped else word
+            for want, word in zip(asked, said, strict=True)
+        ]
+        rest = _others_confused(asked, back)
+        return Confusion(f"{one} and {other} swapped", Text.joined(words, rest))
+    return _most_confused(asked, said, wrong, whole)
+
+
+def _most_confused(
+    asked: Sequence[str | None],
+    said: Sequence[str | None],
+    wrong: Counter,
+    whole: Mapping[tuple[str, str], int],
+) -> Confusion:
+    """Return the word that is said most for another, and whether it stands for several that never come."""
+    (want, word), count = max((whole or wrong).items(), key=lambda row: row[1])
+    never = [one for one in dict.fromkeys(asked) if (one, word) in whole and one not in said]
+    if len(never) > 1:
+        quoted = [f'"{one}"' for one in never[:MOST_NAMED]]
+        more = len(never) - len(quoted)
+        names = Text(*(", ".join(quoted) + (text if more else "") for text in (f" and {more} more", f" 외 {more}개")))
+        return Confusion(
+            f"{word} for all of them",
+            TEXTS["none_of_them"].filled(wanted=names, said=word),
+            want,
+            word,
+            True,
+        )
+    words = TEXTS["sometimes"] if not whole else TEXTS["instead"] if want in said else TEXTS["never"]
+    named = words.filled(wanted=want, said=word, wrong=count, of=asked.count(want))
+    return Confusion(f"{word} for {want}", named, want, word)
+
+
+def _others_confused(asked: Sequence[str | None], said: Sequence[str | None]) -> Text | None:
+    """Return which word is said besides for another, wherever that one is asked for."""
+    wrong = Counter(_different(asked, said))
+    whole = {pair: count for pair, count in wrong.items() if None not in pair and count == asked.count(pair[0])}
+    return _most_confused(asked, said, wrong, whole).said if whole else None
+
+
+def _different(asked: Sequence[str | None], said: Sequence[str | None]) -> list[tuple[str | None, str | None]]:
+    return [(want, word) for want, word in zip(asked, said, strict=True) if want != word]
+
+
+def seen_of(found: Confusion, seen: Mapping[str, Text]) -> Text | None:
+    """Return what there is to see where the word that is asked for is right; of several words, of which one it is."""
+    words = seen.get(found.wanted)
+    if words is None or not found.is_of_several:
+        return words
+    return Text(f'"{found.wanted}": {words.en}', f'"{found.wanted}": {words.ko}')
+
+
+def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Confusion | None:
+    """Return the same of lists of words, all their members together; None if a list is too long or too short."""
+    if not isinstance(form.of, Choice) or any(map(is_raised, wanted)):
+        return None
+    pairs = [(inside(outcome), inside(want)) for outcome, want in zip(outcomes, wanted, strict=True)]
+    if not all(isinstance(said, list) and len(said) == len(asked) for said, asked in pairs):
+        return None
+    return confused(
+        form.of, [word for said, _ in pairs for word in said], [word for _, asked in pairs for word in asked]
+    )
+
+
+def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
+    """Return the only word for which a function returns nothing, if it does so wherever that one is asked for."""
+    pairs = {(word_of(form, want), outcome is None) for want, outcome in zip(wanted, outcomes, strict=True)}
+    words = {word for word, is_nothing in pairs if is_nothing}
+    if len(words) != 1 or None in words or (word := words.pop(), False) in pairs:
+        return None
+    return TEXTS["nothing"].filled(wanted=word)
+
+
+def word_of(form: Choice, plain: Plain) -> str | None:
+    """Return the option that this is; None if it is none."""
+    if is_raised(plain):
+        return None
+    probes = form.read(plain)
+    return str(probes[0][0][0].value) if probes else None
+
+
+CARD = {  # child -> parent, of the robot that every chapter meets
+    "odom": "map", "base_footprint": "odom", "base_link": "base_footprint", "laser_frame": "base_link",
+}  # fmt: skip
+FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
+
+
+def parents_named(
+    forms: Mapping[str, Form], given: Mapping[str, Plain], wanted: Mapping[str, str | None]
+) -> list[Found]:
+    """Return that edges were named by their parents: of parts that ask for one, all that are wrong.
+
+    Args:
+        given: the answers that are wrong, by part.
+        wanted: the word that is asked for, of these parts at least.
+    """
+    named = {name: inside(answer) for name, answer in given.items()}
+    if not named or not all(name.split()[-1] == "edge" for name in named):
+        return []
+    if not all(answer is not None and CARD.get(str(wanted[name])) == answer for name, answer in named.items()):
+        return []
+    is_no_child = any(
+        isinstance(form, Choice) and named.get(name, "") not in (*form.options, "") for name, form in forms.items()
+    )
+    if len(named) < FEWEST and not is_no_child:
+        return []
+    quoted = ", ".join(f'"{answer}"' for answer in dict.fromkeys(named.values()))
+    said = TEXTS["by_its_child"].filled(named=quoted)
+    return [Found.of("parents for children", said, *named)]
+
+
+FEWEST_OF_ORDERS = 3  # places, for an order to be more than two words that are exchanged
+
+Row = Sequence[Any]
+
+ORDERS: dict[str, Callable[[Row, Row], bool]] = {
+    "order reversed": lambda given, want: given == want[::-1],
+    "one place too late": lambda given, want: given[1:] == want[:-1],
+    "one place too early": lambda given, want: given[:-1] == want[1:],
+}
+MOST_PLACES = 5  # of a list: with more of them there are too many orders
+ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
+
+
+def of_orders(
+    forms: Mapping[str, Form],
+    given: Mapping[str, Sequence[Plain]],
+    wanted: Mapping[str, Sequence[Plain]],
+    means: Mapping[str, Text] | None = None,
+) -> list[Found]:
+    """Return what is wrong with places that are filled from the same words, all of them together.
+
+    Args:
+        means: what is said of a word, by the word.
+    """
+    found = []
+    for names in _asked_in_order(forms):
+        if len(given[names[0]]) != 1:  # a function: its words are confused, and no places
+            continue
+        want = [word_of(forms[name], wanted[name][0]) for name in names]
+        have = [word_of(forms[name], given[name][0]) for name in names]
+        wrong = [name for name, one, other in zip(names, have, want, strict=True) if one != other]
+        is_order = len(names) >= FEWEST_OF_ORDERS and len(set(want)) == len(want) and ORDINALS.issuperset(names)
+        order = _of_an_order(have, want, means or {}) if wrong and is_order else None
+        if order is not None:
+            found.append(Found.of(*order, *wrong))
+        else:
+            found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
+    return found
+
+
+def _of_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
+    """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
+    for name, fits in ORDERS.items():
+        if fits(have, want):
+            return name, TEXTS[name]
+    moved = _out_of_place(have, want, means)
+    return ("one out of place", moved) if moved else None
+
+
+def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | None:
+    """Return which one word stands elsewhere than it should, by two places or more, while the others are in order."""
+    if sorted(map(str, have)) != sorted(map(str, want)):
+        return None
+    for at, word in enumerate(have):
+        place = want.index(word)
+        others = ([one for one in row if one != word] for row in (have, want))
+        if abs(place - at) > 1 and next(others) == next(others):
+            return Text.joined(
+                TEXTS["comes_earlier" if place < at else "comes_later"].filled(word=word), means.get(word)
+            )
+    return None
+
+
+def of_places(
+    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
+) -> list[Found]:
+    """Return that each of several lists is right once its members are put in one other order, the same for all."""
+    rows = _lists_of_words(forms, given)
+    if len(rows) < FEWEST_OF_ORDERS or len({len(row) for row in rows}) > 1 or len(rows[0]) > MOST_PLACES:
+        return []
+    want, have = ([[word_of(forms[name], held[name][0]) for name in row] for row in rows] for held in (wanted, given))
+    order = _order_of(want, have)
+    wrong = [row[place] for row in rows for place, at in enumerate(order) if place != at]
+    return [Found.of("places exchanged", TEXTS["places"], *wrong)] if wrong else []
+
+
+def _order_of(want: list[Row], have: list[Row]) -> tuple[int, ...]:
+    """Return in which order the members of each list were put, the first way that fits all; nothing if none does."""
+    orders = permutations(range(len(want[0])))  # as it is comes first
+    return next((order for order in orders if [[row[place] for place in order] for row in want] == have), ())
+
+
+def _lists_of_words(forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]]) -> list[list[str]]:
+    """Return the names of the members of each list of choices that a value holds."""
+    lists: dict[str, list[str]] = {}
+    for name in forms:
+        if "[" in name and isinstance(forms[name], Choice) and len(given[name]) == 1:
+            lists.setdefault(name.partition("[")[0], []).append(name)
+    return list(lists.values())
+
+
+def named_twice(
+    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]], name: str
+) -> Text | None:
+    """Return that a part's word stands in other places, too, where each place has a word of its own; None if not."""
+    form = forms[name]
+    names = next((names for names in _asked_in_order(forms) if name in names), [])
+    if not isinstance(form, Choice) or len(names) < FEWEST_OF_ORDERS or not ORDINALS.issuperset(names):
+        return None  # where no order is asked for, a word may come twice
+    want, have = ([word_of(form, held[one][0]) for one in names] for held in (wanted, given))
+    word = word_of(form, given[name][0])
+    if word is None or len(set(want)) < len(want) or have.count(word) < 2:
+        return None
+    return TEXTS["named_twice"].filled(word=word, count=have.count(word))
+
+
+def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:
+    """Yield the names of the parts that are choices between the same words."""
+    alike: dict[tuple[str, ...], list[str]] = {}
+    for name, form in forms.items():
+        if isinstance(form, Choice) and form.options:
+            alike.setdefault(form.options, []).append(name)
+    yield from alike.values()

@@ -1,0 +1,230 @@
+"""Find the mistakes of a task that explain some parts of an answer, and what follows from them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from itertools import combinations
+from typing import NamedTuple
+
+from ...text import Texts
+from ..answers.form import Form, numbers_of
+from ..answers.forms import Angle, Message, Number, Parts, Vector
+from ..answers.values import Plain, is_raised
+from ..tasks.case_types import AND, Case, Feedback, TaskCases
+from .explanation import Found, each_part_once, said_of
+from .matching import MEASURED, ONE, TWO, alike, is_just, section, undone_to, words_of
+
+__all__ = ["Table", "after_a_slip", "followers", "is_something", "only_follows", "slips_in_parts"]
+
+TEXTS = Texts(__file__)
+
+LABELS = ("header.", "child_frame_id")  # fields of a message that say what its numbers are
+
+
+class Table(NamedTuple):
+    """An answer by its parts: the form of each, what came out in each case, what was wanted, and the arguments."""
+
+    forms: dict[str, Form]
+    given: dict[str, list[Plain]]
+    wanted: dict[str, list[Plain]]
+    args: list[list[Plain]]
+
+
+def slips_in_parts(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> list[Found]:
+    """Return what slips explain, most parts and fewest slips first; pairs, unless one or two slips explain all."""
+    single = {name: [case.wrong[name] for case in cases] for name in cases[0].wrong}
+    found = _in_order(_causes(task, table, cases, wrong, single))
+    if task.pairs is None or _is_explained(found, wrong):
+        return found
+    return _in_order(found + _causes(task, table, cases, wrong, _pairs(task, table, cases, wrong, given)))
+
+
+def _in_order(found: list[Found]) -> list[Found]:
+    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+
+
+def _is_explained(found: list[Found], wrong: set[str]) -> bool:
+    """Return whether one or two slips explain all wrong parts."""
+    causes = each_part_once(found, wrong)
+    return wrong <= set().union(*(cause.parts for cause in causes)) and len(causes) <= 2
+
+
+def _pairs(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> dict[str, list[Plain]]:
+    """Return what those two slips give, case by case, that give one of the wrong parts at least."""
+    assert task.pairs is not None
+    parts = [name for name in table.forms if name in wrong]
+
+    def fits(case: int, value: Plain) -> list[str]:
+        if is_raised(value):
+            return []
+        return [
+            name
+            for name in parts
+            if is_just(table.forms[name], [table.given[name][case]], [section(task.form, value, name)], TWO)
+        ]
+
+    def is_right(case: int) -> bool:
+        return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
+
+    return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
+
+
+def _causes(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], rows: dict[str, list[Plain]]
+) -> list[Found]:
+    """Return what each slip, or each two, explain of the wrong parts."""
+    found = []
+    for key, answers in rows.items():
+        slips = {name: words_of(task, name) for name in key.split(AND)}
+        changed, same = _shown(task.form, table, answers, TWO if AND in key else ONE)
+        same = _of_whole_lists(same, changed)
+        if changed and changed <= same & wrong:
+            found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
+        elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in slips.items()):
+            found.append(Found(slips, said_of(task, list(slips)), same & changed & wrong))
+        elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
+            found.append(Found(slips, said_of(task, list(slips)), {made_in}))
+        elif len(slips) == 1:
+            found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
+    return found
+
+
+def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:
+    """Return the parts without members of lists of which another member is not what the slip gives."""
+    others = {name.partition("[")[0] for name in changed - same if "[" in name}
+    return {name for name in same if name.partition("[")[0] not in others}
+
+
+def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: Feedback) -> bool:
+    """Return whether a slip's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
+    return words.partly or (
+        bool(words.part) and _shown(form, table, [case.wrong.get(name) for case in cases], ONE)[0] == {words.part}
+    )
+
+
+def _held_together(found: list[Found]) -> list[Found]:
+    return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
+
+
+def _of_one_slip(
+    form: Form,
+    table: Table,
+    name: str,
+    words: Feedback,
+    changed: set[str],
+    same: set[str],
+    wrong: set[str],
+) -> list[Found]:
+    """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
+    values = {part for part in changed if not part.startswith(LABELS)}
+    same = _more_than_zero(table, same)
+    if isinstance(form, Message) and values and values <= same:
+        return [Found({name: words}, words.reply, values)]
+    made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
+    if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
+        return []
+    return [Found({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
+
+
+def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
+    """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
+    single = [cause for cause in found if len(cause.slips) == 1]
+    alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
+    if len(alone) < len(both.slips) or set.intersection(*alone) or not both.parts <= set.union(*alone):
+        return False
+    return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
+
+
+def _shown(form: Form, table: Table, answers: Sequence[Plain], share: float) -> tuple[set[str], set[str]]:
+    """Return in which parts a mistake gives something else than what is right, and in which it gives what came out."""
+    changed: set[str] = set()
+    same: set[str] = set()
+    if any(map(is_raised, answers)) or any(answer is None for answer in answers):
+        return changed, same
+    for name, part in table.forms.items():
+        row = [section(form, answer, name) for answer in answers]
+        if not all(map(part.alike, row, table.wanted[name])):
+            changed.add(name)
+        if is_just(part, table.given[name], row, share):
+            same.add(name)
+    return changed, same
+
+
+def _more_than_zero(table: Table, parts: set[str]) -> set[str]:
+    """Return those of the parts in which something else than zeros was given, which many mistakes come to."""
+    return {part for part in parts if any(is_something(table.forms[part], value) for value in table.given[part])}
+
+
+def is_something(form: Form, value: Plain) -> bool:
+    """Return whether a value is more than zeros, which many answers are."""
+    row = numbers_of(value, form.size if isinstance(form, Vector) else None)
+    return row is None or any(row)
+
+
+CLOSE = 1e-7  # as a share
+JOINED: tuple[Callable[[float, float], float], ...] = (
+    math.hypot,
+    lambda a, b: a + b,
+    lambda a, b: a - b,
+    lambda a, b: b - a,
+    lambda a, b: a * b,
+    lambda a, b: a / b,
+    lambda a, b: b / a,
+)
+
+
+def after_a_slip(
+    task: TaskCases, name: str, form: Form, outcomes: Sequence[Plain], made_in: str, row: Sequence[Plain]
+) -> list[Found]:
+    """Return what a part is beside a slip that another part shows; nothing if it is none of it.
+
+    Args:
+        name: of the part, and its `form` and `outcomes`.
+        made_in: the part in which the slip was made.
+        row: what the slip gives in this part, case by case.
+    """
+    if not isinstance(form, MEASURED) or any(value is None for value in row):
+        return []
+    if is_just(form, outcomes, row):
+        return [only_follows(name, made_in)]
+    way = next(undone_to(form, outcomes, row, only_plain_to_see=True), None)
+    return [Found({way: words_of(task, way)}, words_of(task, way).reply, {name})] if way else []
+
+
+def only_follows(name: str, made_in: str) -> Found:
+    """Return that a part is wrong only because of another; a cause comes first."""
+    return Found.of(f"{name} follows", TEXTS["only_follows"].filled(part=made_in), name)._replace(is_of_words=True)
+
+
+def followers(
+    forms: dict[str, Form], given: dict[str, list[Plain]], wanted: dict[str, list[Plain]], wrong: set[str]
+) -> dict[str, str]:
+    """Return the wrong parts of a value that come of two before them as they have to, and which of those is wrong."""
+    if any(len(row) > 1 for row in wanted.values()):
+        return {}
+    names = [name for name, form in forms.items() if isinstance(form, Number | Angle)]
+    found: dict[str, str] = {}
+    for *before, made in combinations(names, 3):
+        first = next((name for name in before if name in wrong - found.keys()), None)
+        if first and made in wrong and _is_made_alike(given, wanted, (*before, made)):
+            found[made] = first
+    return found
+
+
+def _is_made_alike(given: dict[str, list[Plain]], wanted: dict[str, list[Plain]], names: Sequence[str]) -> bool:
+    """Return whether the third of these parts comes of the first two in the answer as it does in what is right."""
+    rows = [[numbers_of(held[name][0], None) for name in names] for held in (given, wanted)]
+    return any(all(_comes_of(row, of) for row in rows) for of in JOINED)
+
+
+def _comes_of(row: Sequence[tuple[float, ...] | None], of: Callable[[float, float], float]) -> bool:
+    """Return whether the third number is made of the first two in this way; not where one is zero, or no number."""
+    if not all(numbers and numbers[0] for numbers in row):
+        return False
+    one, other, made = (numbers[0] for numbers in row if numbers)
+    return abs(of(one, other) - made) <= CLOSE * abs(made)

@@ -1,0 +1,368 @@
+"""How did the wrong parts of an answer come about?  Each part of a dict, each field of a message, by itself.
+
+    {"base_link": right, "map": wrong}     a slip of the task that shows in "map" alone
+                                           a mistake that any answer can have, in that part
+                                           the answer of another part, or what was given
+
+A value has one case, a function several: a part is explained where it is in all of
+them.  What only follows from an earlier slip costs nothing: *error carried forward*.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from itertools import combinations
+
+from ...text import Text, Texts
+from ..answers.form import Form, inside
+from ..answers.forms import Choice, Message, Parts
+from ..answers.forms import Sequence as ListForm
+from ..answers.structures import named_beside
+from ..answers.values import Plain, is_raised
+from ..tasks.case_types import Case, Feedback, TaskCases
+from .bounds import certain
+from .coding_patterns import constant_of, given_to, habit_of
+from .explanation import Explanation, Found, each_part_once, said_of, together
+from .matching import MEASURED, alike, all_alike, in_some, is_just, section, sections, split, undone_to, words_of
+from .options import confused, named_twice, of_orders, of_places, seen_of, word_of
+from .part_mistakes import Table, after_a_slip, followers, is_something, only_follows, slips_in_parts
+from .precision import TOLD, stamp_of, time_of
+from .vector_terms import turned_in_all
+from .wrong_types import kinds_said
+
+__all__ = ["changed_places", "of_lists", "of_members", "plain_in_one"]
+
+TEXTS = Texts(__file__)
+
+
+def of_members(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return how the wrong parts of an answer came about, or None if nothing explains any of them."""
+    form = task.form
+    every = list(zip(cases, outcomes, strict=True))
+    if not all(alike(form, outcome, case.expected) for case, outcome in every if is_raised(case.expected)):
+        return None
+    asked = [pair for pair in every if not is_raised(pair[0].expected)]
+    stopped, going = ([pair for pair in asked if is_raised(pair[1]) is stops] for stops in (True, False))
+    if not going or len(going) < len(stopped) or any(form.read(outcome) is None for _, outcome in going):
+        return None
+    of_going, came = map(list, zip(*going, strict=True))
+    return _beside_stops(task, stopped, of_going, came) if stopped else _of_table(task, of_going, came, given)
+
+
+def _beside_stops(
+    task: TaskCases, stopped: Sequence[tuple[Case, Plain]], going: Sequence[Case], outcomes: Sequence[Plain]
+) -> Explanation | None:
+    """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
+    names = {name for name in going[0].wrong if all(alike(task.form, was, case.wrong[name]) for case, was in stopped)}
+    only = [case._replace(wrong={name: case.wrong[name] for name in case.wrong if name in names}) for case in going]
+    found = _of_table(task._replace(pairs=None), only, outcomes, None) if names else None
+    return found if found and found.slips.keys() <= task.feedback.keys() else None
+
+
+def _of_table(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return the same where each case asks for a value, and each outcome can be read."""
+    table = _table(task.form, cases, outcomes)
+    names, wrong = list(table.forms), set(_wrong_in(table))
+    several, follow = _of_several_and_what_follows(task, table, cases, wrong, given)
+    wrong -= follow.keys()
+    found = each_part_once(several, wrong)
+    left = wrong.difference(*(cause.parts for cause in found))
+    for name in names:
+        if name in left:
+            found += (
+                _by_itself(task, table, name, given, cases[0].wrong, wrong - left)
+                or _as_it_came(task.form, table, name, cases)
+                or _after_a_slip(task, table, name, cases, found)
+                or _slip_and_then(task, table, name, cases)
+            )
+    left -= {name for cause in found for name in cause.parts}
+    found += [only_follows(*pair) for pair in follow.items()] if found else []
+    return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
+
+
+def _of_several_and_what_follows(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> tuple[list[Found], dict[str, str]]:
+    """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
+    several = _of_several(task, table, cases, wrong, given)
+    is_of_all = any(wrong <= cause.parts for cause in several)
+    follow = {} if is_of_all else followers(table.forms, table.given, table.wanted, wrong)
+    return (_of_several(task, table, cases, wrong - follow.keys(), given) if follow else several), follow
+
+
+def _of_several(
+    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
+) -> list[Found]:
+    """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
+    slips = slips_in_parts(task, table, cases, wrong, given)
+    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
+    rows = (table.forms, table.given, table.wanted)
+    orders = [*of_places(*rows), *of_orders(*rows, task.means)]
+    is_one_slip = any(wrong <= slip.parts for slip in slips)
+    return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
+
+
+def changed_places(
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
+) -> Explanation | None:
+    """Return that two parts hold each other's answer, if that is all that is wrong."""
+    if not isinstance(task.form, Parts) or any(is_raised(case.expected) for case in cases):
+        return None
+    table = _table(task.form, cases, outcomes)
+    names = list(table.forms)
+    wrong = set(_wrong_in(table))
+    found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
+    return together([found], {}, names) if found else None
+
+
+def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return what is plain to see in the only part that is wrong: no two slips have to meet for a sign alone."""
+    if not isinstance(task.form, Parts) or any(map(is_raised, (*outcomes, *(case.expected for case in cases)))):
+        return None
+    if any(task.form.read(outcome) is None for outcome in outcomes):
+        return None
+    table = _table(task.form, cases, outcomes)
+    wrong = _wrong_in(table)
+    if len(wrong) != 1:
+        return None
+    (name,) = wrong
+    way = next(undone_to(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None)
+    if way is None:
+        return None
+    words = words_of(task, way)
+    found = Found({way: words}, _shown_too(task, name, words.reply), {name})
+    return together([found], {}, list(table.forms))
+
+
+def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
+    forms = split(form, sections(form, cases[0].expected), [*outcomes, *(case.expected for case in cases)])
+    given = {name: [section(form, plain, name) for plain in outcomes] for name in forms}
+    wanted = {name: [section(form, case.expected, name) for case in cases] for name in forms}
+    return Table(forms, given, wanted, [case.args or [] for case in cases])
+
+
+def _wrong_in(table: Table) -> list[str]:
+    return [name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])]
+
+
+# -- what explains a part ------------------------------------------------------------------
+
+
+def _changed_places(table: Table, wrong: set[str]) -> Iterator[Found]:
+    """Yield two parts of which each holds the other's answer."""
+    names = [name for name in table.forms if name in wrong and not isinstance(table.forms[name], Choice | ListForm)]
+    for one, other in combinations(names, 2):
+        is_alike = type(table.forms[one]) is type(table.forms[other])
+        if is_alike and _holds(table, one, other) and _holds(table, other, one):
+            key = f"{one} and {other} changed places"
+            yield Found({key: Feedback(TEXTS["changed_places"], "")}, TEXTS["changed_places"], {one, other})
+
+
+def _holds(table: Table, one: str, other: str) -> bool:
+    return all_alike(table.forms[other], table.given[one], table.wanted[other])
+
+
+def _by_itself(
+    task: TaskCases,
+    table: Table,
+    name: str,
+    given: dict[str, Plain] | None,
+    wrong_answers: dict[str, Plain],
+    known: set[str],
+) -> list[Found]:
+    """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
+    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
+    hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
+    twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
+    if hint is not None and isinstance(form, Choice):
+        hint = Text.joined(hint, form.remark(outcomes[0], {}), twice)
+        return [Found({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
+    if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
+        return found
+    if len(outcomes) > 1:
+        return _summed_in_all(table, name) or _of_words(task, table, name)
+    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
+        task, table, name, wrong_answers, known
+    )
+    return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
+
+
+def _summed_in_all(table: Table, name: str) -> list[Found]:
+    """Return what a function computes for one part in every call."""
+    form, outcomes = table.forms[name], table.given[name]
+    found = turned_in_all(form, table.args, outcomes, table.wanted[name])
+    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
+
+
+def _of_kinds(table: Table, name: str) -> list[Found]:
+    """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
+    said = kinds_said(table.forms[name], table.given[name])[:2]
+    texts = (". ".join(row) + "." for row in zip(*said, strict=True))
+    return [Found.of(f"{name}: no word", Text(*texts), name)] if said else []
+
+
+def _after_a_slip(
+    task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[Found]
+) -> list[Found]:
+    """Return what a part is beside the slips of the task that were found in others."""
+    known = {part for cause in found for part in cause.parts} - {name}
+    for slip, part in ((slip, words.part) for slip, words in task.feedback.items() if words.part in known):
+        rows = {one: [section(task.form, case.wrong[slip], one) for case in cases] for one in (part, name)}
+        more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
+        if more and is_just(table.forms[part], table.given[part], rows[part]):
+            return more
+    return []
+
+
+def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+    """Return a slip of the task and what is plain to see on top of it, if both give one part."""
+    form = table.forms[name]
+    for slip in task.feedback if isinstance(form, MEASURED) else ():
+        row = [section(task.form, twin, name) for twin in (case.wrong.get(slip) for case in cases)]
+        if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
+            continue
+        for way in undone_to(form, table.given[name], row, only_plain_to_see=True):
+            return [Found({each: words_of(task, each) for each in (slip, way)}, said_of(task, [slip, way]), {name})]
+    return []
+
+
+def _remarked(table: Table, name: str) -> list[Found]:
+    """Return what a form itself says of a wrong answer, beside the other parts that speak of the same one."""
+    form, outcomes = table.forms[name], table.given[name]
+    beside = named_beside(name, table.given)
+    wrong = [n for n, pair in enumerate(zip(outcomes, table.wanted[name], strict=True)) if not alike(form, *pair)]
+    remarks = (form.remark(outcomes[n], {part: table.given[part][n] for part in beside}) for n in wrong)
+    words = next(filter(None, remarks), None)
+    return [Found.of(f"{name}: no proof", words, name)] if words else []
+
+
+def _of_any(task: TaskCases, table: Table, name: str) -> list[Found]:
+    """Return what any answer can have: a habit, something universal, another part's answer."""
+    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
+    if len(outcomes) > 1 and (habit := habit_of(form, table.args, outcomes, wanted)):
+        return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
+    if same := constant_of(form, outcomes, wanted):
+        return [Found.of(f"{name}: {same[0]}", same[1], name)]
+    for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
+        words = words_of(task, way)
+        return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
+    if (other := _anothers(table, name)) is not None:
+        return [Found.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
+    return []
+
+
+def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
+    """Return which words a function confuses in one part of what it gives, and in which calls."""
+    form = table.forms[name]
+    confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
+    if confusion is None:
+        return []
+    said = Text.joined(confusion.said, seen_of(confusion, task.seen))
+    return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
+
+
+def _anothers(table: Table, name: str) -> str | None:
+    """Return the part whose answer stands here, if it is that of one other part: what several have is chance."""
+    found = []
+    form = table.forms[name]
+    for other, part in table.forms.items():
+        is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
+        is_more = is_like and any(is_something(part, value) for value in table.given[name])
+        if is_more and is_just(part, table.given[name], table.wanted[other]):  # near to it may be chance
+            found.append(other)
+    return found[0] if len(found) == 1 else None
+
+
+def _of_the_given(
+    task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
+) -> list[Found]:
+    """Return that a part is what was given."""
+    held = given_to(form, outcome, wanted, given)
+    if not held:
+        return []
+    way = f"given {held}"
+    return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
+
+
+def _as_another_is(
+    task: TaskCases, table: Table, name: str, wrong_answers: dict[str, Plain], known: set[str]
+) -> list[Found]:
+    """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
+    form = table.forms[name]
+    for other, part in table.forms.items():
+        is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
+        is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
+        if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
+            continue
+        for key, answer in wrong_answers.items():
+            is_made_here = words_of(task, key).part == name
+            if is_made_here and alike(form, section(task.form, answer, name), table.wanted[other][0]):
+                return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
+    return []
+
+
+def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+    """Return whether a part of what a function gives is that part of an argument, in every case."""
+    for place in range(len(cases[0].args or ())):
+        came = [section(form, case.args[place], name) for case in cases]
+        if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
+            return [Found({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
+        times = [time_of(case.args[place]) for case in cases]
+        if None not in times and times == [stamp_of(value) for value in table.given[name]]:
+            said = TEXTS["time_of"].filled(number=place + 1)
+            return [Found({f"{name}: a time": Feedback(said, "")}, said, {name})]
+    return []
+
+
+def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Text | None:
+    """Return what an option would mean, and what the part shows: why one is not the other."""
+    option = (
+        form.option(answer) if isinstance(form, Choice) else str(answer) if isinstance(answer, str | bool) else None
+    )
+    means = task.means.get(option or "")
+    right = word_of(form, wanted) if isinstance(form, Choice) else None
+    shows = _shows(task, part) or task.seen.get(right or "")
+    if means is None and shows is None:
+        return None
+    return Text.joined(means, shows)
+
+
+def _shows(task: TaskCases, part: str) -> Text | None:
+    """Return what there is to see in a part: of "c[0]", what was written for it, for c, or for each list's first."""
+    name, bracket, place = part.partition("[")
+    return task.shows.get(part) or task.shows.get(name) or task.shows.get(bracket + place)
+
+
+def _shown_too(task: TaskCases, part: str, said: Text) -> Text:
+    """Return what is said of a part that is no choice, and what there is to see in it, if that was written."""
+    return Text.joined(said, task.shows.get(part))
+
+
+def _certain(table: Table, name: str) -> Text | None:
+    """Return what is certain of a part that nothing explains, where it goes wrong first."""
+    pairs = zip(table.given[name], table.wanted[name], strict=True)
+    wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
+    return certain(table.forms[name], *wrong) if wrong else None
+
+
+def of_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+    """Return what all members of lists of messages have wrong; None if nothing explains it."""
+    form = task.form
+    if not isinstance(form, ListForm) or not isinstance(form.of, Message):
+        return None
+    wanted = [None if is_raised(case.expected) else inside(case.expected) for case in cases]
+    given = [inside(outcome) for outcome in outcomes]
+    for members in (*wanted, *given):
+        if not isinstance(members, list):
+            return None
+    if list(map(len, wanted)) != list(map(len, given)):
+        return None
+    flat = [Case([], member, {}) for members in wanted for member in members]
+    answers = [member for members in given for member in members]
+    if not flat:
+        return None
+    return of_members(task._replace(form=form.of, feedback={}), flat, answers, None)

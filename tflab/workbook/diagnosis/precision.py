@@ -1,0 +1,263 @@
+"""Compare for what cannot be undone: digits, zeros, members or an order that got lost."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+from collections import Counter
+from collections.abc import Callable, Iterator
+from itertools import permutations
+
+from ...text import Text, Texts
+from ..answers.form import Row as Marks
+from ..answers.form import inside, member, numbers_of
+from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
+from ..answers.members import members_of
+from ..answers.values import Plain
+from . import command_lines, trees
+from .generic import OF_FORM, holds_angles
+
+__all__ = ["NEW", "TEXTS", "TOLD", "by_comparison", "misplaced", "stamp_of", "time_of", "words_of_loss"]
+
+TEXTS = Texts(__file__)
+
+Numbers = tuple[float, ...]
+TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
+
+TOO_MANY = ("members twice", "members too many")
+MOST_TOLD = 3
+
+
+def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    """Yield the mistakes that lose something and cannot be undone."""
+    if answers == [""] * len(answers):
+        yield "empty"
+    elif isinstance(form, Sequence):
+        yield from _told(_of_lists(form, answers, wanted))
+    elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
+        yield "members twice"
+    elif isinstance(form, Tree):
+        yield from _told(trees.of_trees(form, answers, wanted))
+    elif isinstance(form, Name | Command):
+        yield from _of_stamps(answers, wanted) if isinstance(form, Name) else _of_lines(form, answers, wanted)
+    elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
+        size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
+        rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
+        yield from _lost(form, rows)
+
+
+def words_of_loss(name: str) -> Text | None:
+    """Return what is said of a loss, and what is told of it; None if this is the name of none."""
+    kind, _, told = name.partition(TOLD)
+    if kind in ("written over", "stands twice"):
+        place, of = told.split(", ")
+        return TEXTS[kind].filled(place=place, of=of)
+    if kind in TEXTS:
+        return Text.joined(TEXTS[kind], TEXTS["shows_at"].filled(told=told) if told else None)
+    for texts, explain in ((trees.TEXTS, trees.told_of_a_tree), (command_lines.TEXTS, command_lines.told_of_a_line)):
+        if kind in texts:
+            return Text.joined(texts[kind], explain(kind, told) if told else None)
+    return None
+
+
+def _told(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
+    yield from (kind + TOLD + told if told else kind for kind, told in rows)
+
+
+def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
+    if None in sum(rows, ()):
+        return
+    is_empty = not any(any(given) for given, _ in rows)
+    if isinstance(form, Vector) and _left_at_zero(rows, form.tolerance):
+        yield "empty" if is_empty else "left at zero"
+    elif is_empty and isinstance(form, Number | Angle):
+        yield "zero"
+    if len(rows[0][1]) in NEW and not isinstance(form, Number | Angle):
+        yield from _told(misplaced(rows, form.tolerance))
+    yield from _lost_by_kind(form, rows)
+    if not is_empty and _all_rounded(form, rows):
+        yield "rounded"
+
+
+def _lost_by_kind(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
+    if isinstance(form, Number):
+        pairs = [(given[0], want[0]) for given, want in rows]
+        yield from _counted_or_signed(pairs, form)
+    elif isinstance(form, Quaternion) and all(holds_angles(*row) for row in rows):
+        yield "angles for a quaternion"
+
+
+def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
+    """Yield whether counts are one off in every call, or only signs are wrong."""
+    off = {given - want for given, want in pairs}
+    if not form.unit and len(pairs) > 1 and off in ({1}, {-1}):
+        yield "one too many" if off == {1} else "one too few"
+    sizes_fit = all(abs(abs(given) - abs(want)) <= form.tolerance for given, want in pairs)
+    wanted = [want for _, want in pairs]
+    if sizes_fit and min(wanted) < 0 < max(wanted) and all(given >= 0 for given, _ in pairs):
+        yield "no sign"
+
+
+def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool:
+    """Return whether each place is right in all rows, or 0 in all of them."""
+    places = zip(*(zip(*row, strict=True) for row in rows), strict=True)
+    return all(
+        not any(number for number, _ in pairs) or all(abs(number - want) <= tolerance for number, want in pairs)
+        for pairs in map(list, places)
+    )
+
+
+def _all_rounded(form: Form, rows: list[tuple[Numbers, Numbers]]) -> bool:
+    """Return whether all were rounded to as many digits; in a quaternion 0 and 1 are near everything."""
+    places = (1, 2, 3) if isinstance(form, Quaternion) else (0, 1, 2, 3)
+    return any(all(_rounded(*row, digits) for row in rows) for digits in places)
+
+
+def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:
+    """Return whether each number was rounded to so many digits, up or down from a half, or cut there."""
+    half, step = 0.5 * 10.0**-digits, 10**digits
+    return all(
+        abs(number * step - round(number * step)) < 1e-6
+        and (abs(number - want) <= half + 1e-9 or abs(number - math.trunc(want * step) / step) < 1e-9)
+        for number, want in zip(given, wanted, strict=True)
+    )
+
+
+def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with all of these lists, and the members of the first in which it shows."""
+    pairs = [(_ways(form, answer), _ways(form, want)) for answer, want in zip(answers, wanted, strict=True)]
+    if any(None in pair for pair in pairs) or not any(given for given, _ in pairs):
+        return
+    place = next((place for place, (given, want) in enumerate(pairs) if given != want), 0)
+    ends = ENDS if len(pairs) > 1 and max(len(want) for _, want in pairs) > 2 else {}
+    for name, fits in (ends | LISTS).items():
+        if all(fits(given, want) for given, want in pairs):
+            yield name, _too_many(answers[place], *pairs[place]) if name in TOO_MANY else ""
+
+
+def _too_many(answer: Plain, given: list[str], want: list[str]) -> str:
+    """Return the members of a list that nobody asked for, or not so often, as they are written; nothing of others."""
+    lacking, found = Counter(want), []
+    for plain, way in zip(inside(answer), given, strict=True):
+        lacking[way] -= 1
+        if lacking[way] < 0:
+            found.append(_written(plain))
+    return ", ".join(list(dict.fromkeys(found))[:MOST_TOLD]) if all(found) else ""
+
+
+def _written(plain: Plain) -> str:
+    """Return a member as it is written in Python: a word, or words that belong together; nothing of anything else."""
+    held = inside(plain)
+    if isinstance(held, str):
+        return f'"{held}"'
+    is_row = isinstance(held, list) and all(isinstance(one, str) for one in held)
+    return "(" + ", ".join(f'"{one}"' for one in held) + ")" if is_row else ""
+
+
+def _is_within(few: list[str], many: list[str]) -> bool:
+    """Return whether these members stand among those, in the same order."""
+    rest = iter(many)
+    return all(member in rest for member in few)
+
+
+def _by_text(members: list[str]) -> list[str]:
+    """Return numbers in the order in which texts would sort; `members` are the JSON that `_ways` wrote."""
+    values = {member: json.loads(member)[0][0] for member in members}
+    is_of_numbers = all(isinstance(value, float) for value in values.values())
+    return sorted(members, key=lambda member: f"{values[member]:g}") if is_of_numbers else members
+
+
+ENDS: dict[str, Callable[[list[str], list[str]], bool]] = {  # of a function: one list may miss anything
+    "first alone": lambda given, want: given == want[:1],
+    "last alone": lambda given, want: given == want[-1:],
+    "all but the last": lambda given, want: given == want[:-1],
+    "all but the first": lambda given, want: given == want[1:],
+}
+LISTS: dict[str, Callable[[list[str], list[str]], bool]] = {
+    "other order": lambda given, want: given in (want, want[::-1]),
+    "in order of text": lambda given, want: given in (want, _by_text(want)),
+    "another order": lambda given, want: sorted(given) == sorted(want),
+    "members twice": lambda given, want: list(dict.fromkeys(given)) == want,
+    "members once": lambda given, want: list(dict.fromkeys(want)) == given,
+    "members once, in another order": lambda given, want: sorted(set(want)) == sorted(given),
+    "members missing": lambda given, want: _is_within(given, want),
+    "members too many": lambda given, want: _is_within(want, given),
+}
+
+
+def _ways(form: Sequence, plain: Plain) -> list[str] | None:
+    """Return each member of a list as one word that says how it can be written; None if it is no such list."""
+    held = inside(plain)
+    if not isinstance(held, list):
+        return None
+    read = [form.of.read(one) for one in held]
+    return None if None in read else [json.dumps([_plain(row) for probe in probes for row in probe]) for probes in read]
+
+
+def _plain(row: Marks) -> list[float | str]:
+    return [mark.value if isinstance(mark.value, str) else round(mark.value, 9) + 0.0 for mark in row]
+
+
+def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
+    """Return whether an answer is right once each of its members counts once, or right as it is."""
+    members = members_of(answer)
+    return members is not None and Set(form.of).same(members, wanted)
+
+
+def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    given, right = form.read(answers[0]), form.read(wanted[0])
+    if given and right and len(answers) == 1:
+        lines = ([mark.value for mark in probes[0][0]] for probes in (given, right))
+        typed = {word.removeprefix("/"): word for word in str(answers[0]).split()}  # a topic is read without its slash
+        yield from _told((kind, re.sub(r"(?<=`)[^`,]+(?=`)", lambda word: typed.get(word[0], word[0]), told))
+                         for kind, told in command_lines.wrong_in(*lines))  # fmt: skip
+
+
+def _of_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    rows = [(stamp_of(answer), stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
+    if any(None in row for row in rows):
+        return
+    if all(want == (0, 0) for _, want in rows):
+        yield "stamp: written"
+    elif all(given == (0, 0) for given, _ in rows):
+        yield "stamp: zero"
+    elif all(given == (sec, 0) for given, (sec, _) in rows):
+        yield "stamp: seconds alone"
+    elif all(given == (0, nanosec) for given, (_, nanosec) in rows):
+        yield "stamp: nanoseconds alone"
+
+
+def stamp_of(plain: Plain) -> tuple[int, int] | None:
+    """Return the seconds and nanoseconds of a stamp, None if this is none."""
+    sec, nanosec = member(plain, "sec"), member(plain, "nanosec")
+    return (sec, nanosec) if isinstance(sec, int) and isinstance(nanosec, int) else None
+
+
+def time_of(plain: Plain) -> tuple[int, int] | None:
+    """Return the seconds and nanoseconds of a Time, None if this is none."""
+    held = plain.get("Time") if isinstance(plain, dict) else None
+    return divmod(held[0], 10**9) if held else None
+
+
+Numbers = tuple[float, ...]
+
+NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
+
+
+def misplaced(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> Iterator[tuple[str, str]]:
+    """Yield which place holds the number of which other, in all of these points, where nothing else is wrong."""
+    size = len(rows[0][1])
+    for place, of in permutations(range(size), 2):
+        twice: list[int | None] = [of if one == place else one for one in range(size)]
+        over = [None if one == of else held for one, held in enumerate(twice)]
+        for kind, held in (("written over", over), ("stands twice", twice)):
+            if all(_holds(given, want, held, tolerance) for given, want in rows):
+                yield kind, f"{'xyzw'[place]}, {'xyzw'[of]}"
+
+
+def _holds(given: Numbers, wanted: Numbers, held: list[int | None], tolerance: float) -> bool:
+    """Return whether each place holds the wanted number of the place that is named, or what it is new with."""
+    new = NEW[len(wanted)]
+    want = [new[place] if of is None else wanted[of] for place, of in enumerate(held)]
+    return all(abs(one - other) <= tolerance for one, other in zip(given, want, strict=True))

@@ -1,0 +1,147 @@
+"""Recognise what is wrong with a tree of frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from ...text import Text, Texts
+from ..answers.form import inside
+from ..answers.forms import Tree
+from ..answers.members import belonging, edges_of, members_of
+from ..answers.values import Plain
+
+__all__ = ["TEXTS", "of_trees", "told_of_a_tree"]
+
+TEXTS = Texts(__file__)
+
+Parents = dict[str, str]  # child -> parent
+MOST_NAMED = 4  # frames
+TOLD = {"tree: not whole": "orphans", "tree: more than asked for": "not_asked", "tree: other names": "not_asked"}
+
+
+def told_of_a_tree(kind: str, names: str) -> Text:
+    """Return what is told of the frames in which a fault shows."""
+    return TEXTS[TOLD.get(kind, "so")].filled(names=names)
+
+
+def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with trees, and the names of the first one in which it shows."""
+    if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
+        yield "parent for child", ""
+    elif any(map(_has_lists, answers)):
+        yield "tree: a list for a name", ""
+    elif any(map(_has_none, answers)):
+        yield "tree: None for a name", ""
+    elif all(edges_of(answer) is not None for answer in answers):
+        pairs = [(_parents(answer), _parents(want)) for answer, want in zip(answers, wanted, strict=True)]
+        yield from _fitting([pair for pair in pairs if pair[0] != pair[1]])
+
+
+def _fitting(wrong: list[tuple[Parents, Parents]]) -> Iterator[tuple[str, str]]:
+    """Yield what all wrong trees have in common, given beside wanted, and the names of the first."""
+    for name, fits in FITS.items():
+        if wrong and all(fits(*pair) for pair in wrong):
+            yield name, ", ".join(f'"{frame}"' for frame in _shown_in(name, *wrong[0])[:MOST_NAMED])
+
+
+def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
+    edges = edges_of(answer) or []
+    turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
+    return len(edges) >= 2 and all(belonging(form, turned, want))
+
+
+def _has_lists(answer: Plain) -> bool:
+    """Return whether a dict has a list for one of its values."""
+    is_dict = isinstance(answer, dict) and "dict" in answer
+    return is_dict and any(isinstance(inside(parent), list) for parent in answer["dict"].values())
+
+
+def _has_none(answer: Plain) -> bool:
+    """Return whether one parent of a dict, or of pairs (parent, child), is None, and every other one a name."""
+    if isinstance(answer, dict) and "dict" in answer:
+        parents = list(answer["dict"].values())
+    else:
+        pairs = list(map(inside, members_of(answer) or []))
+        parents = [pair[0] for pair in pairs if isinstance(pair, list) and len(pair) == 2]
+    return None in parents and all(parent is None or isinstance(parent, str) for parent in parents)
+
+
+def _parents(plain: Plain) -> Parents:
+    return dict(edges_of(plain) or [])
+
+
+def _names(tree: Parents) -> set[str]:
+    return {*tree, *tree.values()}
+
+
+def _above(tree: Parents, frame: str) -> list[str]:
+    """Return the frames above one, the nearest first; a loop ends where it began."""
+    found: list[str] = []
+    while (frame := tree.get(frame, "")) and frame not in found:
+        found.append(frame)
+    return found
+
+
+def _is_left_out(given: Parents, want: Parents) -> bool:
+    """Return whether a tree is what is wanted without some frames, what hung on them hanging above them."""
+    gone = _names(want) - _names(given)
+    kept = {child: [each for each in _above(want, child) if each not in gone] for child in want if child not in gone}
+    below = gone & set(want.values())
+    return bool(below) and given == {child: above[0] for child, above in kept.items() if above}
+
+
+def _hang(given: Parents, want: Parents, is_so: Callable[[str, str], bool]) -> bool:
+    """Return whether the frames are those wanted, and each that hangs wrong `is_so`: child, and its parent now."""
+    wrong = [(child, parent) for child, parent in given.items() if want.get(child) != parent]
+    return set(given) == set(want) and all(is_so(child, parent) for child, parent in wrong)
+
+
+def _shape(tree: Parents) -> str:
+    """Return how a tree branches, without any names; none for what is no tree."""
+    roots = sorted(_names(tree) - set(tree))
+
+    def below(frame: str) -> str:
+        return "(" + "".join(sorted(below(child) for child, parent in tree.items() if parent == frame)) + ")"
+
+    is_tree = all(_above(tree, child)[-1] in roots for child in tree)
+    return "".join(sorted(map(below, roots))) if is_tree else ""
+
+
+def _has_shape(given: Parents, want: Parents) -> bool:
+    return bool(_shape(want)) and _shape(given) == _shape(want)
+
+
+def _shown_in(kind: str, given: Parents, want: Parents) -> list[str]:
+    """Return the frames of an answer in which a fault shows: those without a parent, those nobody asked for, or those
+    that hang wrong.
+    """
+    if kind == "tree: not whole":
+        return sorted(frame for frame in _names(given) & set(want) if frame not in given)
+    if kind.startswith(("tree: names", "tree: other names")):
+        return sorted(_names(given) - _names(want))
+    return sorted(child for child, parent in given.items() if want.get(child) != parent)
+
+
+def _names_end_alike(given: Parents, want: Parents, longer: Callable[[str, str], bool]) -> bool:
+    """Return whether each name that nobody asked for is one that is asked for, but for what stands before it."""
+    odd, lacking = _names(given) - _names(want), _names(want) - _names(given)
+    return _has_shape(given, want) and all(any(longer(name, other) for other in lacking) for name in odd)
+
+
+FITS: dict[str, Callable[[Parents, Parents], bool]] = {
+    "tree: not whole": lambda given, want: bool(given) and given.items() <= want.items(),
+    "tree: more than asked for": lambda given, want: given.items() >= want.items(),
+    "tree: a frame left out": _is_left_out,
+    "tree: too high": lambda given, want: _hang(given, want, lambda child, parent: parent in _above(want, child)),
+    "tree: too low": lambda given, want: _hang(
+        given, want, lambda child, parent: want[child] in _above(want, parent) and child not in _above(want, parent)
+    ),
+    "tree: places changed": lambda given, want: _names(given) == _names(want) and _has_shape(given, want),
+    "tree: names without a robot's": lambda given, want: _names_end_alike(
+        given, want, lambda name, other: other.endswith(f"/{name}")
+    ),
+    "tree: names with a robot's": lambda given, want: _names_end_alike(
+        given, want, lambda name, other: name.endswith(f"/{other}")
+    ),
+    "tree: other names": lambda given, want: _names(given) != _names(want) and _has_shape(given, want),
+}
