@@ -11,17 +11,16 @@ from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import Transform
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.gate.annotations import annotations_from_reports
-from tflab.doctor.gate.deviations import changes_between, deviations_from
 from tflab.doctor.gate.expectations import (
     ExpectationError,
+    changes_between,
+    deviations_from,
     expectations_from,
     read_expectations,
     toml_from,
 )
 from tflab.doctor.gate.filters import let_pass
-from tflab.doctor.gate.junit import junit_from_reports
-from tflab.doctor.gate.sarif import sarif_from_reports
+from tflab.doctor.gate.formats import annotations_from_reports, junit_from_reports, sarif_from_reports
 from tflab.doctor.profile import profile_of, text_from_profile
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot

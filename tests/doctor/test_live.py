@@ -8,8 +8,8 @@ import tflab.ros as ros
 from tflab.bags.listen import Heard
 from tflab.cli import main
 from tflab.doctor import examine
+from tflab.doctor.api import recording_from_ros
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.live import recording_from_ros
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
 from tflab.ros.messages import sensor_msgs

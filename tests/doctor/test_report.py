@@ -13,12 +13,11 @@ from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
+from tflab.doctor.collect_evidence import evidence_from_recording
 from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.gather import evidence_from_recording
-from tflab.doctor.report import scene3d
-from tflab.doctor.report.history import draw_timeline
+from tflab.doctor.report import drawings
+from tflab.doctor.report.drawings import draw_frames_at, draw_timeline
 from tflab.doctor.report.html import html_from_report
-from tflab.doctor.report.scene3d import draw_frames_at
 from tflab.doctor.report.sentences import descriptions
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
@@ -168,7 +167,7 @@ def test_frames_far_away_are_in_the_first_picture_and_not_in_the_one_from_nearer
 
 def test_names_in_the_picture_do_not_cover_each_other():
     places = {"base_link": (10.0, 10.0), "laser": (12.0, 11.0), "odom": (300.0, 10.0)}
-    drawn = "".join(scene3d._names(places, ("laser",)))
+    drawn = "".join(drawings._names(places, ("laser",)))
     assert re.findall(r"<text [^>]*>(\w+)<", drawn) == ["laser", "odom"]
     assert re.findall(r"<title>(\w+)<", drawn) == ["laser", "base_link", "odom"]
 

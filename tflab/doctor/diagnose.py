@@ -1,12 +1,7 @@
-"""What is wrong with this TF?  Every check, and then the causes apart from their effects.
+"""Run every check on a recording or a buffer, and separate causes from their effects.
 
-```
-checks/ in their order -> findings
-                             |
-                             v
-one cause has many effects: a misspelt name also makes two trees,
-two owners also bring stamps out of order.  Only the cause is told.
-```
+One cause has many effects: a misspelt name also makes two trees, two owners also bring stamps out of order.
+Only the cause is reported, with its effects in a line.
 """
 
 from __future__ import annotations
@@ -19,10 +14,10 @@ from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 from tflab.text import Text
 
-from .checks import clocks, delay, names, owners, silence, statics, timing, tree, values
+from .checks import clocks, names, owners, silence, stamps, statics, tree, values
+from .collect_evidence import evidence_from_buffer, evidence_from_recording
 from .evidence import Evidence
 from .findings import SEVERITIES, Finding, NotMade, Report, Seen
-from .gather import evidence_from_buffer, evidence_from_recording
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 
@@ -49,16 +44,16 @@ CHECKS = (
     Check("numbers", values.not_numbers, "raw"),
     Check("rotations", values.bad_rotations, "raw"),
     Check("optical frames", values.unturned_optical_frames),
-    Check("stamps that are not set", timing.unset_stamps),
-    Check("repeated stamps", timing.repeated_stamps),
-    Check("order of stamps", timing.unordered_stamps, "arrival"),
-    Check("stamps in the future", timing.future_stamps, "arrival"),
+    Check("stamps that are not set", stamps.unset_stamps),
+    Check("repeated stamps", stamps.repeated_stamps),
+    Check("order of stamps", stamps.unordered_stamps, "arrival"),
+    Check("stamps in the future", stamps.future_stamps, "arrival"),
     Check("gaps", silence.gaps),
     Check("edges that begin late", silence.late_starts, "arrival"),
     Check("rates", silence.slow_edges),
-    Check("stamps of another day", delay.other_times, "arrival"),
-    Check("delays", delay.odd_delays, "arrival"),
-    Check("delays of other messages", delay.odd_message_delays, "recording"),
+    Check("stamps of another day", stamps.other_times, "arrival"),
+    Check("delays", stamps.odd_delays, "arrival"),
+    Check("delays of other messages", stamps.odd_message_delays, "recording"),
     Check("jumps of a clock", clocks.jumping_clocks, "arrival"),
     Check("source of time", clocks.other_time_source, "recording"),
     Check("agreement of clocks", clocks.clock_offset, "arrival"),

@@ -1,10 +1,9 @@
-"""How is each edge on an ordinary day?  Its rate, its delays, its longest hole, its owners, as figures.
+"""Summarise each edge in figures: its rate, its delays, its longest silence, its owners.
 
-    edge                rate    delay p50  p95  max    longest hole   owners
-    odom -> base_link   20.0    4 ms  6 ms  9 ms       0.10 s         /wheel_odometry
+    edge                rate    delay p50  p95  max    longest silence   owners
+    odom -> base_link   20.0    4 ms  6 ms  9 ms       0.10 s            /wheel_odometry
 
-The table stands in every report; expectations are written from it, and two
-recordings are compared by it.
+`--edges` prints the table. Expectations are written from it, and two recordings are compared by it.
 """
 
 from __future__ import annotations
@@ -18,8 +17,8 @@ from tflab.core import NSEC_PER_SEC
 
 from .checks.clocks import settled_delays_s
 from .checks.motion import unit
+from .collect_evidence import evidence_from_recording
 from .evidence import Edge, Evidence
-from .gather import evidence_from_recording
 
 __all__ = ["EdgeProfile", "RecordingProfile", "name_of", "profile_of", "text_from_profile"]
 

@@ -1,10 +1,11 @@
-"""Whose clock is it?  Question 5: stamps and receipt must tell the same story.
+"""Check the clocks (question 5): stamps and times of receipt must agree.
 
     receipt   |----|----|----|----|----|
     stamps    |----|----|  |----|----|        the clock was set back: a bag in a loop, a simulator
                           back                that was reset, NTP after the start
 
-All publishers together: it is the time source.  One of them: it is that computer.
+If all publishers jump together, it is the time source. If one does, it is that computer. Whether all nodes read the
+same clock can only be seen in a graph: a recording has no nodes.
 """
 
 from __future__ import annotations
@@ -17,13 +18,21 @@ import numpy as np
 
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
+from tflab.ros.snapshot import GraphSnapshot
 from tflab.text import Text
 
-from ..evidence import Edge, Evidence, is_stamped
+from ..evidence import Edge, Evidence, Jump, is_stamped
 from ..findings import Finding, times_of
-from ..jumps import Jump
 
-__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "other_time_source", "settled_delays_s"]
+__all__ = [
+    "JumpEvent",
+    "clock_offset",
+    "jump_events",
+    "jumping_clocks",
+    "mixed_time_sources",
+    "other_time_source",
+    "settled_delays_s",
+]
 
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
@@ -50,7 +59,7 @@ def jump_events(evidence: Evidence) -> list[JumpEvent]:
     """Return each moment at which a clock was set.
 
     One edge alone that leaps ahead is not among them: it may as well have begun to
-    stamp ahead, and that is told as such (see timing.odd_delays).
+    stamp ahead, and that is told as such (see stamps.odd_delays).
     """
     jumps = sorted(
         ((int(edge.receive_ns[jump.index]), edge, jump) for edge in evidence.moving for jump in edge.jumps),
@@ -123,7 +132,7 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     delays = [delay_s for edge, delay_s in settled if _has_stamps(edge)]
     delays += [evidence.delay_s(header) for header in evidence.headers if _has_stamps(header)]
     usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
-    if len(usual_s) < 2:  # one source alone: nothing to compare it with, see timing.odd_delays
+    if len(usual_s) < 2:  # one source alone: nothing to compare it with, see stamps.odd_delays
         return
     sign = math.copysign(1.0, float(np.median(usual_s)))
     common_s = sign * float(np.percentile(sign * usual_s, 20, method="lower"))
@@ -140,3 +149,16 @@ def _has_stamps(source: Edge | Headers) -> bool:
 
 def _same_way(a: Jump, b: Jump) -> bool:
     return abs(a.size_s - b.size_s) < 0.2 * max(abs(a.size_s), abs(b.size_s)) + 0.05
+
+
+TRANSFORM_TOPICS = ("/tf", "/tf_static")
+
+
+def mixed_time_sources(snapshot: GraphSnapshot) -> Iterator[Finding]:
+    """Yield a finding if, of the nodes that deal with transforms, some follow /clock and others do not."""
+    nodes = [n for n in snapshot.nodes if {*n.publishes, *n.subscribes} & set(TRANSFORM_TOPICS)]
+    following = [node.name for node in nodes if node.follows_clock]
+    others = [node.name for node in nodes if not node.follows_clock]
+    if following and others:
+        facts = {"following": ", ".join(following), "others": ", ".join(others), "node": others[0]}
+        yield Finding("mixed-time", "error", topic="/clock", facts=facts)

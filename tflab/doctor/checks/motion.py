@@ -1,4 +1,4 @@
-"""How does it move?  Steps, and two stories told at once.
+"""Measure steps and turns of poses, and find two sequences of values on one edge.
 
     one owner      o--o--o--o--o--o          steps of one size
     two owners     o     o     o             back and forth, again and again:

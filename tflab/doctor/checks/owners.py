@@ -1,4 +1,4 @@
-"""Who says so?  Question 6: each transform has one owner.
+"""Check that each transform has one owner (question 6).
 
     /wheel_odometry  --o---o---o---.
                                     >-- odom -> base_link    o x o x o x   the robot trembles in RViz

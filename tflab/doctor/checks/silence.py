@@ -1,4 +1,4 @@
-"""Is it there in time?  Question 4, second part: who fell silent, who began late, who is too slow?
+"""Check for edges that fall silent, begin late or are too slow (question 4).
 
     o--o--o        o--o       a gap: no lookup in there, and a straight line across
        o--o--o--o--o          began late

@@ -1,4 +1,4 @@
-"""Is what is fixed published as fixed?  Question 7: /tf_static says it once, for all times and late listeners.
+"""Check that fixed transforms are on /tf_static, once and for late listeners, and moving ones on /tf (question 7).
 
     /tf_static   base_link -> laser        once, latched
     /tf          odom -> base_link         again and again, each with its stamp

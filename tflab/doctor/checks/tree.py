@@ -1,4 +1,4 @@
-"""Is it one tree?  Question 2: one parent for each child, one root, no circle.
+"""Check that the frames are one tree (question 2): one parent for each child, one root, no loop.
 
       map            map   odm          map <-.
        |              |     |            |     |
@@ -22,7 +22,7 @@ from tflab.text import Text
 
 from ..evidence import Evidence
 from ..findings import Finding, first_of
-from .spelling import differ_in_side
+from .names import differ_in_side
 
 __all__ = ["loops", "self_transforms", "separate_trees", "several_parents", "upside_down"]
 

@@ -1,4 +1,4 @@
-"""Are the numbers transforms at all?  Question 3: finite, of length one, and turned as the name says.
+"""Check that the numbers are transforms (question 3): finite, of length one, and rotated as the name says.
 
 ```
 rotation (0, 0, 0, 0)     no direction: tf2 refuses it, and the frame "does not exist"

@@ -1,12 +1,6 @@
-"""How does a machine use the doctor?  What is expected, what is let pass, and the forms that others read.
+"""Let programs use the doctor.
 
-    expectations  what a good recording looks like, as a small file
-    deviations    where a recording is not as expected; two recordings beside each other
-    filters       what is let pass: --ignore, a baseline
-    junit         the report as a test run
-    sarif         the report as static analysis gives it
-    annotations   the report as GitHub shows it beside a commit
-    table         many recordings, a line each
-
-Start with `expectations.py`.
+expectations  what a good recording looks like, as a small file, and deviations from it
+filters       findings that are ignored: --ignore, a baseline
+formats       JUnit, SARIF, GitHub annotations, and a table of many recordings
 """

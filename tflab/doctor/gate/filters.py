@@ -1,12 +1,12 @@
-r"""What is let pass?  Findings that somebody has looked at and decided to live with.
+r"""Leave findings out that somebody has looked at and accepted.
 
     --ignore unknown-frame                 whatever it is about
     --ignore unknown-frame:/diagnostics    on this topic
     --ignore "gap:map -> odom"             of this edge; * and ? stand for letters
     --baseline known.json                  all that were there when the file was written
 
-A baseline lets an old robot into CI today: only what is new fails.  A finding is
-known by code, edge and topic (its fingerprint), not by its figures.
+With a baseline, only new findings fail. A finding is identified by code, edge and topic (its fingerprint), not by its
+figures.
 """
 
 from __future__ import annotations

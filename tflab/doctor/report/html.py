@@ -28,11 +28,10 @@ from tflab.views.report_page import report_page
 from tflab.views.tree import draw_tree
 
 from ..checks.clocks import settled_delays_s
+from ..collect_evidence import evidence_from_recording
 from ..evidence import Edge, Evidence
 from ..findings import Finding, Report
-from ..gather import evidence_from_recording
-from .history import draw_distribution, draw_moment, draw_timeline
-from .scene3d import draw_frames_at
+from .drawings import draw_distribution, draw_frames_at, draw_moment, draw_timeline
 from .sentences import describe
 from .text import certainty_text, effects_text, headline, moments_text
 

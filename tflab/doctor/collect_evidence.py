@@ -1,14 +1,14 @@
-"""Where does the evidence come from?  Rows of a recording, or histories of a buffer, sorted by child.
+"""Collect the evidence of a recording or a buffer: rows sorted by child.
 
     received minus stamp  =  delay  +  recorder's clock minus the stamping clock
                               ^             ^ in simulation: years
                               what we look for
 
 So the difference of the clocks is estimated first, from /clock if it was recorded,
-else from what all publishers have in common, and taken off.
+else from what all publishers have in common, and subtracted.
 
-A buffer has forgotten the order of arrival, the times of receipt and whatever it
-refused; checks that need those are then not made.
+A buffer does not keep the order of arrival, the times of receipt or what it refused. Checks that need those are
+not made.
 """
 
 from __future__ import annotations
