@@ -43,7 +43,8 @@ def test_a_faulty_file_is_refused_with_its_line(tmp_path, content, message):
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_texts_of_a_module_are_all_used_and_name_the_same_in_both_languages(module):
-    source = module.read_text(encoding="utf-8")
+    readers = [module, *module.parent.glob("templates/*.html")]
+    source = "".join(reader.read_text(encoding="utf-8") for reader in readers)
     for key, text in Texts(str(module)).items():
         assert f'"{key}"' in source, f"{key} is never read"
         named = [{name for _, name, _, _ in string.Formatter().parse(part) if name} for part in text]

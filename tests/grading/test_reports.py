@@ -4,20 +4,24 @@ from __future__ import annotations
 
 import csv
 import io
+import re
+from pathlib import Path
 from typing import Any
 
 import pytest
 import tiny
 
+from tflab import grading
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.reports.class_figures import bars, histogram
-from tflab.grading.reports.class_page import LEARNERS, NAMED, class_page, mistakes
+from tflab.grading.reports.class_page import TEXTS, class_page, mistakes
 from tflab.grading.reports.feedback import LEVELS, feedback_page
 from tflab.grading.reports.gradebook import file_name, file_names, grades_csv
 from tflab.grading.reports.html import prose, text
-from tflab.grading.submissions.remarks import REASONS, Remark
-from tflab.text import Text
+from tflab.grading.submissions import remarks
+from tflab.grading.submissions.remarks import KINDS, Remark
+from tflab.text import Text, Texts
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
 
 
@@ -54,7 +58,7 @@ def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_l
     refused = Remark("file", file="a.zip: ../x", why=Remark("leads out"))
     wall = (Sandbox("bubblewrap").announce(), *Sandbox("bubblewrap").gaps)
     page = class_page([], language="ko", wall=wall, remarks=[refused])
-    assert REASONS["leads out"].ko in page and REASONS["leads out"].en not in page
+    assert KINDS["leads out"].ko in page and KINDS["leads out"].en not in page
     assert all(line.ko in page and line.en not in page for line in wall)
 
 
@@ -111,10 +115,12 @@ def test_names_that_differ_in_their_case_only_are_two_files_on_any_disk() -> Non
 
 
 def test_bars_say_their_numbers_in_words() -> None:
-    picture = bars([(Text("added", "더함"), 3), (Text("E3.1", "E3.1"), 1)], LEARNERS, most=5, title=NAMED)
+    picture = bars(
+        [(Text("added", "더함"), 3), (Text("E3.1", "E3.1"), 1)], TEXTS["learners"], most=5, title=TEXTS["named"]
+    )
     assert picture.text == "named mistakes, learners:\n  added: 3\n  E3.1: 1"
     assert picture.png().startswith(b"\x89PNG")
-    korean = bars([(Text("added", "더함"), 3)], LEARNERS, most=5, title=NAMED, language="ko")
+    korean = bars([(Text("added", "더함"), 3)], TEXTS["learners"], most=5, title=TEXTS["named"], language="ko")
     assert korean.text == "이름 붙은 실수, 명:\n  더함: 3"
 
 
@@ -124,3 +130,11 @@ def test_a_histogram_says_its_numbers_in_words() -> None:
     assert "  0 to 10: 2" in picture.text
     assert "  90 to 100: 1" in picture.text
     assert histogram([], "ko").png()
+
+
+def test_each_text_of_a_remark_is_used_and_has_the_same_names_in_both_languages() -> None:
+    texts = Texts(remarks.__file__)
+    sources = "".join(path.read_text(encoding="utf-8") for path in Path(grading.__file__).parent.rglob("*.py"))
+    assert [kind for kind in texts if f'"{kind}"' not in sources and not kind.startswith("by ")] == []
+    named = {kind: [set(re.findall(r"\{(\w+)\}", part)) for part in text] for kind, text in texts.items()}
+    assert {kind: names for kind, names in named.items() if names[0] != names[1]} == {}

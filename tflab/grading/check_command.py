@@ -1,4 +1,4 @@
-"""What will grading see?  `tflab check NOTEBOOK`, for a learner who is about to hand it in.
+"""Grade a learner's own notebook on the public cases: `tflab check NOTEBOOK`.
 
     E3.1  ✓ 4/4
     E3.2  ✗ 0/2   You swapped target and source.
@@ -21,7 +21,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from tflab import __version__
-from tflab.text import Text
+from tflab.text import Text, Texts
 from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
@@ -33,7 +33,8 @@ from .judging.job import HandedIn, Job, RunCells
 from .judging.pack import MALFORMED
 from .judging.submission import grade_with_retry, graded
 from .kernels.limits import Limits
-from .reports.feedback import STATUS, WRONG
+from .reports.feedback import SIGNS
+from .reports.feedback import TEXTS as FEEDBACK
 from .reports.html import points
 from .submissions.reader import Unreadable, read_bytes, read_notebook
 from .submissions.remarks import Remark
@@ -42,23 +43,8 @@ __all__ = ["Checked", "check_notebook", "main"]
 
 PLAIN_LIMITS = Limits(cell_s=20.0, notebook_s=120.0)  # a kernel may be the first of the day on a slow disk
 MENDS = "`tflab lab --update` brings it"
-SUM = Text("{points} of {most} points on the public cases.", "공개 문제 기준 {most}점 만점에 {points}점입니다.")
-LATER = Text(
-    "Grading asks functions for inputs that are not here.",
-    "채점할 때는 여기에 없는 입력으로도 함수를 시험합니다.",
-)
-ANSWERED = Text("{passed} of {of} answered", "{of}개 중 {passed}개에 답함")
-AS_SAVED = Text(
-    "This is the file as it was last saved: what you have written since is seen once you save it (Ctrl+S).",
-    "마지막으로 저장한 파일을 보았습니다. 그 뒤에 쓴 것은 저장해야(Ctrl+S) 보입니다.",
-)
-IGNORED = Text("What grading would do with this notebook:", "이 노트북을 채점할 때 달라지는 점:")
-PLAIN = Text(
-    "Checked in an ordinary kernel ({why}).",
-    "일반 커널에서 확인했습니다({why}).",
-)
+TEXTS = Texts(__file__)
 SYSTEMS = {"win32": "Windows", "darwin": "macOS"}
-NOT_LINUX = Text("this is {platform}, grading is on Linux", "이 컴퓨터는 {platform}, 채점은 Linux")
 
 
 class Checked(NamedTuple):
@@ -167,23 +153,25 @@ def report(checked: Checked) -> tuple[list[str], bool]:
     remarks = [Remark.from_plain(remark).say(language) for remark in (*checked.record["remarks"], *chapter["remarks"])]
     remarks = list(dict.fromkeys(remarks))
     if remarks:
-        lines += ["", IGNORED.say(language), *(f"  {line}" for line in remarks)]
+        lines += ["", TEXTS["ignored"].say(language), *(f"  {line}" for line in remarks)]
     got, most = (sum(row[name] for row in rows.values()) for name in ("points", "most"))
-    lines += ["", f"{SUM.say(language, points=points(got), most=points(most))} {LATER.say(language)}"]
+    total = TEXTS["sum"].say(language, points=points(got), most=points(most))
+    lines += ["", " ".join([total, TEXTS["later"].say(language)])]
     if any(row["status"] == "unanswered" for row in rows.values()):
-        lines.append(AS_SAVED.say(language))
+        lines.append(TEXTS["as_saved"].say(language))
     return lines, got == most and not remarks
 
 
 def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], language: str) -> str:
-    sign, status = STATUS[row["status"]]
+    sign, status = SIGNS[row["status"]], FEEDBACK[row["status"]]
     if task.get("counts") and row["passed"]:
-        return f"{task_id}  {sign} {ANSWERED.say(language, passed=row['passed'], of=row['of'])}"
+        counted = TEXTS["answered"].say(language, passed=row["passed"], of=row["of"])
+        return f"{task_id}  {sign} {counted}"
     if row["status"] == "right":
         return f"{task_id}  ✓ {row['passed']}/{row['of']}"
     said = [Text(**row["said"]).say(language)] if row["said"] else []
     said += [Remark.from_plain(remark).say(language, with_task=False) for remark in row["remarks"]]
-    said = said or [WRONG.say(language)]
+    said = said or [FEEDBACK["not_right"].say(language)]
     count = status.say(language) if row["status"] == "unanswered" else f"{row['passed']}/{row['of']}"
     return f"{task_id}  {sign} {count}" + ("" if row["status"] == "unanswered" else f"   {' '.join(said)}")
 
@@ -208,7 +196,7 @@ def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:
 
 def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
     """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
-    why = "--plain" if plainly else NOT_LINUX.say(language, platform=SYSTEMS.get(sys.platform, sys.platform))
+    why = "--plain" if plainly else TEXTS["not_linux"].say(language, platform=SYSTEMS.get(sys.platform, sys.platform))
     if not plainly and sys.platform == "linux":
         from .batch import run_behind
         from .kernels.kernel_pool import KernelError, choose_sandbox
@@ -220,4 +208,4 @@ def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
             why = str(error)
     from .judging.plain_kernel import run_plainly
 
-    return run_plainly, PLAIN_LIMITS, PLAIN.say(language, why=why)
+    return run_plainly, PLAIN_LIMITS, TEXTS["plain"].say(language, why=why)

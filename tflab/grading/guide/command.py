@@ -20,10 +20,9 @@ from tflab.workbook.pages.html import PageFailed
 from tflab.workbook.paths import TASKS, WorkbookError, read_workbook, workbook_data
 from tflab.workbook.tasks.catalog import tasks_of
 
-from ..reports.html import text
 from .chapter import board_patients, chapter_guide, patients_section
 from .deck import write_deck
-from .layout import STATIC, markdown, sheet
+from .layout import STATIC, render, sheet
 from .lecture import lectured_page
 from .plans import CoursePlan, cells_of, plan_lines, plan_sheet, read_plans
 from .teaching import Teaching, TeachingError, votes_of
@@ -67,22 +66,18 @@ def write_guide(out: Path, teachings: Sequence[Teaching], language: str) -> Path
     marked_in = {
         marking.question: int(teaching.stem[:2]) for teaching in teachings_called([]) for marking in teaching.markings
     }
-    guides, contents = [], []
+    guides, chapters = [], []
     for teaching, page in lectures:
-        chapter = next(one for one in course.chapters if one.stem == teaching.stem)
+        chapter = next(chapter for chapter in course.chapters if chapter.stem == teaching.stem)
         tasks = tasks_of(data, teaching.stem) if (data / TASKS / teaching.stem).is_dir() else {}
         guides.append(chapter_guide(teaching, page, course, tasks, marked_in))
-        title = f"{chapter.number:02} · {text(chapter.title.say(language))}"
-        contents.append(f'<li><a href="#ch{chapter.number:02}">{title}</a></li>')
-    if any(one.stem == CLINIC for one in teachings):
+        chapters.append(chapter)
+    if any(teaching.stem == CLINIC for teaching in teachings):
         guides.append(patients_section(board_patients(), language))
-    head = [
-        f"<h1>{text(TITLE.say(language))}</h1>",
-        markdown((STATIC / f"front.{language}.md").read_text(encoding="utf-8")),
-        f"<nav><ul>{''.join(contents)}</ul></nav>",
-    ]
+    title, front = TITLE.say(language), (STATIC / f"front.{language}.md").read_text(encoding="utf-8")
+    body = render("guide.html", {}, language, title=title, front=front, chapters=chapters, guides=guides)
     path = out / "guide.html"
-    write_whole(path, sheet(TITLE.say(language), language, [*head, *guides]))
+    write_whole(path, sheet(title, language, body))
     return path
 
 

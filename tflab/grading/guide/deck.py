@@ -17,7 +17,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from tflab.text import Text
+from tflab.text import Texts
 from tflab.workbook.pages.slides import deck_from_notebook
 
 from .layout import STATIC, inline, markdown
@@ -27,22 +27,8 @@ __all__ = ["only", "with_votes", "write_deck"]
 
 BEGINS, FRAGMENT = ("slide", "subslide"), "fragment"
 HEADING = re.compile(r"#{1,6} .*\S")
-VOTE = Text("Vote", "투표")
-SAYS = {
-    "expected": Text("expected", "예상"),
-    "voters": Text("votes", "표"),
-    "again": Text("Vote again", "다시 투표"),
-    "say": Text("What to say", "할 말"),
-    "clear": Text("Clear", "지우기"),
-    "right": Text("right", "정답"),
-    "later": Text("Counted. The answer comes later.", "세었습니다. 답은 나중에 나옵니다."),
-    "do0": Text("Once more, explained another way.", "다르게 다시 설명합니다."),
-    "do1": Text(
-        "Convince a neighbour who chose otherwise, then vote again.",
-        "다른 답을 고른 옆 사람을 설득해 보고 다시 투표합니다.",
-    ),
-    "do2": Text("On we go.", "다음으로 넘어갑니다."),
-}
+TEXTS = Texts(__file__)
+SHOWN = ("expected", "voters", "again", "say", "clear", "right", "later", "do0", "do1", "do2")  # what votes.js shows
 
 
 def write_deck(
@@ -132,9 +118,8 @@ def _take_its_place(cell: dict[str, Any], vote: Vote, number: int, language: str
 
 
 def _slide(vote: Vote, number: int, language: str) -> dict[str, Any]:
-    source = (
-        f'## {VOTE.say(language)} {number}\n\n{vote.question}\n\n<div class="tflab-vote" data-vote="{vote.name}"></div>'
-    )
+    called = TEXTS["vote"].say(language)
+    source = f'## {called} {number}\n\n{vote.question}\n\n<div class="tflab-vote" data-vote="{vote.name}"></div>'
     return {
         "cell_type": "markdown",
         "id": f"vote-{vote.name}",
@@ -158,7 +143,7 @@ def _flat(words: str) -> str:
 
 
 def _scripts(votes: Sequence[Vote], language: str) -> str:
-    words = {name: said.say(language) for name, said in SAYS.items()}
+    words = {name: TEXTS[name].say(language) for name in SHOWN}
     rows = [
         {
             "stem": vote.stem,

@@ -1,4 +1,4 @@
-"""How is the course held in two hours, in a day, in a term?  Plans: minutes, cells, tasks, what to bring.
+"""Read plans of a course in two hours, a day or a term: minutes, cells, tasks, what to bring.
 
     solutions/teaching/plans.yaml
       talk:  title, about, minutes, parts
@@ -17,28 +17,18 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from tflab.text import LANGUAGES, Text
+from tflab.text import LANGUAGES, Text, Texts
 from tflab.workbook.paths import workbook_data
 
-from ..reports.html import text
-from .layout import grid, inline, sheet
+from .layout import render, sheet
 from .lecture import lectured_page
 from .teaching import TEACHING, TeachingError, as_words, read_yaml, said_once
 
 __all__ = ["CoursePlan", "PlanPart", "cells_of", "plan_lines", "plan_sheet", "read_plans"]
 
+TEXTS = Texts(__file__)
 FILE = "plans.yaml"
 NEEDED, ALLOWED = {"minutes", "do"}, {"minutes", "do", "label", "cells", "tasks", "bring"}
-HEADS = (
-    Text("Minute", "분"),
-    Text("What happens", "하는 일"),
-    Text("Shown", "화면"),
-    Text("Tasks", "과제"),
-    Text("Bring", "준비물"),
-)
-WHOLE = Text("all of {chapter}", "{chapter}장 전체")
-SOME = Text("{chapter}: {count} cells", "{chapter}장: 셀 {count}개")
-LENGTH = Text("{minutes} minutes.", "모두 {minutes}분입니다.")
 
 
 class PlanPart(NamedTuple):
@@ -89,7 +79,7 @@ def cells_of(plan: CoursePlan) -> dict[str, tuple[str, ...]]:
 
 def plan_lines(plan: CoursePlan, language: str) -> list[str]:
     """Return a plan as it is printed into a terminal."""
-    lines = [f"{plan.title.say(language)} · {LENGTH.say(language, minutes=plan.minutes)}"]
+    lines = [f"{plan.title.say(language)} · {TEXTS['length'].say(language, minutes=plan.minutes)}"]
     for when, part in zip(_times(plan), plan.parts, strict=True):
         named = f"{part.label.say(language)} ({when})" if part.label else when
         lines.append(f"{named:>12}  {part.do.say(language)}")
@@ -98,24 +88,8 @@ def plan_lines(plan: CoursePlan, language: str) -> list[str]:
 
 def plan_sheet(plan: CoursePlan, language: str) -> str:
     """Return a plan as a page to print."""
-    rows = []
-    for when, part in zip(_times(plan), plan.parts, strict=True):
-        label = f"<b>{text(part.label.say(language))}</b><br>" if part.label else ""
-        shown = "<br>".join(_shown(plan.name, stem, cells, language) for stem, cells in part.cells.items())
-        bring = inline(part.bring.say(language)) if part.bring else ""
-        rows.append((label + when, inline(part.do.say(language)), shown, text(", ".join(part.tasks)), bring))
-    body = [
-        f"<h1>{text(plan.title.say(language))}</h1>",
-        f"<p>{text(LENGTH.say(language, minutes=plan.minutes))} {inline(plan.about.say(language))}</p>",
-        grid([head.say(language) for head in HEADS], rows),
-    ]
-    return sheet(plan.title.say(language), language, body)
-
-
-def _shown(plan: str, stem: str, cells: Sequence[str], language: str) -> str:
-    """Return the deck that is shown, with a link to it."""
-    words = (SOME if cells else WHOLE).say(language, chapter=stem[:2], count=len(cells))
-    return f'<a href="{plan}-{stem}.html">{text(words)}</a>'
+    parts = list(zip(_times(plan), plan.parts, strict=True))
+    return sheet(plan.title.say(language), language, render("plan.html", TEXTS, language, plan=plan, parts=parts))
 
 
 def _times(plan: CoursePlan) -> list[str]:

@@ -35,7 +35,7 @@ from typing import Any
 
 import yaml
 
-from tflab.text import LANGUAGES, Text
+from tflab.text import LANGUAGES, Text, Texts
 from tflab.workbook.paths import workbook_data
 
 from .lecture import LecturedPage
@@ -61,6 +61,7 @@ __all__ = [
     "votes_of",
 ]
 
+TEXTS = Texts(__file__)
 TEACHING = Path("solutions", "teaching")
 LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the safe one, ten times as fast where it is there
 WHO = ("you", "room", "pairs", "each")
@@ -267,25 +268,9 @@ def _marking(row: Mapping[str, Any]) -> Marking:
 
 
 EXPLAIN_BELOW, ARGUE_BELOW = 35, 70  # percent of a room that are right
-LATER = Text(
-    "A prediction: only count. What to say is for the slide “{slide}”, where it is answered.",
-    "예측이므로 세기만 합니다. 할 말은 답이 나오는 슬라이드 “{slide}”에서 합니다.",
-)
-RULES = (
-    Text(
-        "Below 35 % right: explain it again, another way, then vote anew.",
-        "정답이 35 % 미만이면 다르게 다시 설명하고 새로 투표합니다.",
-    ),
-    Text(
-        "35 to 70 %: say nothing yet. Two minutes with a neighbour who chose otherwise, then vote again.",
-        "35–70 %이면 아직 설명하지 않습니다. 다른 답을 고른 옆 사람과 2분 동안 이야기하게 하고 다시 투표합니다.",
-    ),
-    Text(
-        "Above 70 %: say one sentence to each wrong option, and go on.",
-        "70 %를 넘으면 오답마다 한 문장씩 말하고 넘어갑니다.",
-    ),
-)
-UNSURE = Text("I do not know", "모르겠습니다")
+LATER = TEXTS["later"]
+RULES = (TEXTS["explain"], TEXTS["argue"], TEXTS["go_on"])
+UNSURE = TEXTS["unsure"]
 
 
 @dataclass(frozen=True)

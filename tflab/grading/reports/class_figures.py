@@ -6,25 +6,18 @@ What is drawn is in English; the words are in the reader's language.
 from __future__ import annotations
 
 import statistics
+from collections import Counter
 from collections.abc import Sequence
 
-from tflab.text import Text
+from tflab.text import Text, Texts
 from tflab.views import style
 from tflab.views.picture import Picture
 
 __all__ = ["bars", "histogram", "scores"]
 
+TEXTS = Texts(__file__)
 BINS = 10
 ROW_INCH = 0.3
-SUMMARY = Text(
-    "{count} learners, points [%]: mean {mean}, median {middle}", "{count}명의 점수[%]: 평균 {mean}, 중앙값 {middle}"
-)
-SCORES = Text(
-    "{count} learners, right of {of}: before mean {before}, after mean {after}; guessing alone gives {by_guessing}",
-    "{count}명, {of}문제 중 맞힌 수: 처음 평균 {before}, 끝 평균 {after}. 짐작만 하면 {by_guessing}",
-)
-SCORE = Text("  {right} right: {before} before, {after} after", "  {right}개 맞힘: 처음 {before}명, 끝 {after}명")
-BIN = Text("  {low} to {high}: {count}", "  {low}~{high}: {count}명")
 
 
 def bars(
@@ -86,8 +79,8 @@ def histogram(values: Sequence[float], language: str = "en") -> Picture:
     mean, middle = (statistics.mean(values), statistics.median(values)) if values else (0.0, 0.0)
     picture.text = "\n".join(
         [
-            SUMMARY.say(language, count=len(values), mean=f"{mean:.0f}", middle=f"{middle:.0f}"),
-            *(BIN.say(language, low=10 * n, high=10 * n + 10, count=count) for n, count in enumerate(counts)),
+            TEXTS["summary"].say(language, count=len(values), mean=f"{mean:.0f}", middle=f"{middle:.0f}"),
+            *(TEXTS["bin"].say(language, low=10 * n, high=10 * n + 10, count=count) for n, count in enumerate(counts)),
         ]
     )
     return picture
@@ -113,16 +106,17 @@ def scores(before: Sequence[int], after: Sequence[int], of: int, by_guessing: fl
         ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, frameon=False, fontsize=style.SMALL_PT)
         for side in ("top", "right"):
             ax.spines[side].set_visible(False)
+    had, has = Counter(before), Counter(after)
     mean_before, mean_after = (f"{statistics.mean(values):.1f}" for values in (before, after))
     picture.text = "\n".join(
         [
-            SCORES.say(
+            TEXTS["scores"].say(
                 language, count=len(before), of=of, before=mean_before, after=mean_after, by_guessing=by_guessing
             ),
             *(
-                SCORE.say(language, right=right, before=list(before).count(right), after=list(after).count(right))
+                TEXTS["score"].say(language, right=right, before=had[right], after=has[right])
                 for right in range(of + 1)
-                if right in before or right in after
+                if had[right] or has[right]
             ),
         ]
     )

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from statistics import mean
 from typing import Any, NamedTuple
 
-from tflab.text import Text
+from tflab.text import Text, Texts
 from tflab.workbook.inventory.items import FORMS, Item
 from tflab.workbook.inventory.replies import Reply, replies_to
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
@@ -35,28 +35,12 @@ __all__ = [
     "unused_options",
 ]
 
+TEXTS = Texts(__file__)
+ONLY = {"A": "only_a", "B": "only_b"}
 BY_GUESSING = 3.75  # of 15, with four options each
 LOW, HIGH = 0.3, 0.7
 HARDEST, EASIEST, FEWEST_CHOOSE = 0.2, 0.8, 0.05  # of a class, before: else an item tells nothing
 MOST_NAMES = 12
-
-ONLY = {
-    "A": Text("Only the first form, no second: {who}.", "A형만 있고 B형이 없음: {who}."),
-    "B": Text("Only the second form, no first: {who}.", "B형만 있고 A형이 없음: {who}."),
-}
-NEITHER = Text("Neither form: {who}.", "A형과 B형이 모두 없음: {who}.")
-INCOMPLETE = Text("Not all questions answered: {who}.", "답하지 않은 문제가 있음: {who}.")
-TWICE = Text("Handed in more than once: {learner}. {said}", "두 번 이상 제출함: {learner}. {said}")
-OTHER_LANGUAGE = Text(
-    "In another language than the roster's: {who}. The letters are the same, so it counts.",
-    "명단과 다른 언어로 답함: {who}. 보기의 글자(a~e)는 같으므로 그대로 셉니다.",
-)
-AND_MORE = Text("{names} and {more} more", "{names} 외 {more}명")
-BANDS = {
-    "low": Text("low (below 0.3)", "낮음(0.3 미만)"),
-    "medium": Text("medium (0.3 to 0.7)", "중간(0.3~0.7)"),
-    "high": Text("high (above 0.7)", "높음(0.7 초과)"),
-}
 
 
 class Matched(NamedTuple):
@@ -115,7 +99,7 @@ def normalised_gain(before: float, after: float, of: int) -> float | None:
 
 def band(gain: float) -> Text:
     """Return in which of the three bands a gain is."""
-    return BANDS["low" if round(gain, 6) < LOW else "medium" if round(gain, 6) <= HIGH else "high"]
+    return TEXTS["low" if round(gain, 6) < LOW else "medium" if round(gain, 6) <= HIGH else "high"]
 
 
 def believed(items: Sequence[Item], matched: Sequence[Matched]) -> list[Believed]:
@@ -184,13 +168,14 @@ def _answers(record: Mapping[str, Any], form: str) -> Mapping[str, str]:
 
 def _lines(records: Sequence[Mapping[str, Any]], answers: Mapping[str, Mapping[str, Any]]) -> list[Text]:
     """Return a line for whoever is not matched, and for what is odd about those who are."""
-    found: dict[Text, list[str]] = {words: [] for words in (INCOMPLETE, *ONLY.values(), NEITHER, OTHER_LANGUAGE)}
+    kinds = ("incomplete", *ONLY.values(), "neither", "other_language")
+    found: dict[Text, list[str]] = {TEXTS[kind]: [] for kind in kinds}
     for record in records:
         words = _why_not_matched(record, answers[record["learner"]])
         if words is not None:
             found[words].append(record["learner"])
         if _is_in_another_language(record):
-            found[OTHER_LANGUAGE].append(record["learner"])
+            found[TEXTS["other_language"]].append(record["learner"])
     lines = [_line(words, who) for words, who in found.items() if who]
     return lines + [line for record in records for line in _twice(record)]
 
@@ -199,13 +184,13 @@ def _why_not_matched(record: Mapping[str, Any], both: Mapping[str, Any]) -> Text
     if all(both.values()):
         return None
     if any(_row(record, form).get("passed") and not both[form] for form in FORMS):
-        return INCOMPLETE
-    return next((ONLY[form] for form in FORMS if both[form]), NEITHER)
+        return TEXTS["incomplete"]
+    return next((TEXTS[ONLY[form]] for form in FORMS if both[form]), TEXTS["neither"])
 
 
 def _line(words: Text, who: Sequence[str]) -> Text:
     names, more = ", ".join(who[:MOST_NAMES]), len(who) - MOST_NAMES
-    return words.filled(who=AND_MORE.filled(names=names, more=more) if more > 0 else names)
+    return words.filled(who=TEXTS["and_more"].filled(names=names, more=more) if more > 0 else names)
 
 
 def _is_in_another_language(record: Mapping[str, Any]) -> bool:
@@ -217,4 +202,6 @@ def _twice(record: Mapping[str, Any]) -> list[Text]:
     remarks = [remark for form in FORMS for remark in _chapter(record, form).get("remarks", ())]
     said = [Remark.from_plain(remark) for remark in remarks if remark["kind"] == "several"]
     names = {"learner": record["learner"]}
-    return [Text(*(TWICE.say(tongue, said=one.say(tongue), **names) for tongue in ("en", "ko"))) for one in said]
+    return [
+        Text(*(TEXTS["twice"].say(tongue, said=one.say(tongue), **names) for tongue in ("en", "ko"))) for one in said
+    ]
