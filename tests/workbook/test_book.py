@@ -14,11 +14,9 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 
 import tflab
-from tflab.workbook.book.frame import STATIC, BookPage, framed, shell
-from tflab.workbook.book.front import conventions_text
-from tflab.workbook.book.gallery import last_line
-from tflab.workbook.book.reading import sections_of
+from tflab.workbook.book.pages import STATIC, BookPage, conventions_text, framed, last_line, shell
 from tflab.workbook.book.reference import sentences_kept, write_reference
+from tflab.workbook.book.search_index import sections_of
 from tflab.workbook.pages.build import build
 from tflab.workbook.pages.site import twins_marked
 
@@ -103,7 +101,7 @@ def test_formulas_are_mathml(site: Path) -> None:
 def test_the_gallery_shows_each_figure_with_its_line_and_its_place(site: Path) -> None:
     text = (site / "en" / "gallery.html").read_text(encoding="utf-8")
     assert text.count("<figure ") == 1
-    assert "SVG(&#x27;&lt;svg" in text
+    assert "SVG(&#39;&lt;svg" in text
     assert 'href="03_target_and_source.html#cell-id=figure"' in text
 
 

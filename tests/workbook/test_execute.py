@@ -11,8 +11,7 @@ import pytest
 import zmq.asyncio
 from making_pages import TITLE, code, page
 
-from tflab.workbook.pages.execute import Outputs, run_page
-from tflab.workbook.pages.kernel import wait_for
+from tflab.workbook.pages.execute import Outputs, run_page, wait_for
 from tflab.workbook.pages.source import PageFault
 
 DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"

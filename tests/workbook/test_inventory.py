@@ -19,11 +19,9 @@ from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import PRISTINE, lay_out
 from tflab.workbook.course.progress_page import progress, show_progress
-from tflab.workbook.inventory.balance import imbalances
-from tflab.workbook.inventory.change import changes, relearnt
-from tflab.workbook.inventory.items import FORMS, RIGHT, inventory_file, parsed, read_inventory
-from tflab.workbook.inventory.opened import Opened, opened, waiting
-from tflab.workbook.inventory.replies import FORM, chosen, replies_to
+from tflab.workbook.inventory.items import FORMS, RIGHT, imbalances, inventory_file, parsed, read_inventory
+from tflab.workbook.inventory.participation import Opened, opened, waiting
+from tflab.workbook.inventory.replies import FORM, changes, chosen, relearnt, replies_to
 from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.paths import Workbook, workbook_data

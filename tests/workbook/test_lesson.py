@@ -11,7 +11,7 @@ import pytest
 from tflab.core import Transform, seconds
 from tflab.robots.motion import Drive
 from tflab.workbook import lesson
-from tflab.workbook.lesson.room import STRAIGHT_S
+from tflab.workbook.lesson.scenes import STRAIGHT_S
 from tflab.workbook.paths import MARK, Workbook
 
 POSES = {"base_link": Transform(), "laser_frame": Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))}

@@ -11,9 +11,8 @@ import pytest
 
 from tflab.workbook import progress
 from tflab.workbook.copy.lay_out import lay_out
-from tflab.workbook.course.progress_page import ProgressPage
+from tflab.workbook.course.progress_page import ProgressPage, course_progress
 from tflab.workbook.course.progress_page import progress as progress_command
-from tflab.workbook.course.standing import standing
 from tflab.workbook.progress import Attempts, attempts, record_hint, record_try
 from tflab.workbook.tasks.task import task_file
 
@@ -126,7 +125,7 @@ def test_only_passed_checks_tick_and_what_is_not_here_is_later(handed_out: Hande
     give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.2", "E3.5", "E3.10")
     record_try(copy, "E3.1", 4, 4)
     record_try(copy, "E3.5", 3, 4)
-    stands = standing(copy)
+    stands = course_progress(copy)
     chapter = stands.chapters[3]
     assert [task.id for task in chapter.tasks] == ["E3.1", "E3.2", "E3.5", "E3.10"]
     assert chapter.passed == 1
@@ -134,27 +133,27 @@ def test_only_passed_checks_tick_and_what_is_not_here_is_later(handed_out: Hande
     assert (echo.state, echo.passed, echo.here) == ("open", 1, ["E3.1", "E3.5"])
     assert stands.checklist[0].state == "later"
     record_try(copy, "E3.5", 4, 4)
-    assert standing(copy).checklist[1].state == "passed"
-    assert standing(copy).objectives[1].state == "open"  # its tasks of chapter 4 are not here
+    assert course_progress(copy).checklist[1].state == "passed"
+    assert course_progress(copy).objectives[1].state == "open"  # its tasks of chapter 4 are not here
 
 
 def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(handed_out: HandedOut, copy: Path) -> None:
     give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5")
     record_try(copy, "E3.1", 4, 4)
-    text = ProgressPage(standing(copy)).text
+    text = ProgressPage(course_progress(copy)).text
     assert "Your progress: 1 of 2 tasks passed" in text
     assert "03  ■ □   1/2   Target and source" in text
     assert "1 of 2 · to pass: E3.5" in text
     assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in text
     assert "ros2 bag record" not in text  # later
-    assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(standing(copy)).html
+    assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(course_progress(copy)).html
 
 
 def test_every_sign_of_the_page_is_explained_where_it_stands(handed_out: HandedOut, copy: Path) -> None:
     give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5", "E3.6")
     record_try(copy, "E3.1", 4, 4)
     record_try(copy, "E3.5", 1, 4)
-    page = ProgressPage(standing(copy))
+    page = ProgressPage(course_progress(copy))
     assert "Chapters (■ passed, ◧ tried and not passed yet, □ not tried)" in page.text.splitlines()
     assert "03  ■ ◧ □   1/3" in page.text
     assert page.html.index("◧ tried") < page.html.index(">◧</span>")
@@ -163,7 +162,7 @@ def test_every_sign_of_the_page_is_explained_where_it_stands(handed_out: HandedO
 
 def test_the_page_is_in_the_language_of_the_copy(handed_out: HandedOut, tmp_path: Path) -> None:
     copy = lay_out(tmp_path / "copy", "ko")
-    text = ProgressPage(standing(copy)).text
+    text = ProgressPage(course_progress(copy)).text
     assert "학습 현황" in text
     assert "What you can do" not in text
 

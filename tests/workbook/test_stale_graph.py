@@ -26,7 +26,7 @@ CELLS = {"load": LOAD, "start": START, "run": RUN, "look": LOOK, "stop": "graph.
 @pytest.fixture
 def said(monkeypatch: pytest.MonkeyPatch) -> Iterator[Callable[..., list[str]]]:
     """Return what runs cells by their names, and returns those of which something was said, and what."""
-    monkeypatch.setattr(stale_graph, "_begun", stale_graph._Begun("", stale_graph.NEW))
+    monkeypatch.setattr(stale_graph, "_begun", stale_graph._Begun("", stale_graph.TEXTS["new"]))
     monkeypatch.setattr(stale_graph, "_ran_in", {})
     heard: list[str] = []
     monkeypatch.setattr(stale_graph, "show_reply", lambda _head, text: heard.append(text))

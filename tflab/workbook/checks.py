@@ -26,7 +26,7 @@ from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .diagnosis.mistake import Mistake
 from .diagnosis.verdict import Verdict
-from .inventory.taking_part import NO_HELP, say_taken_part
+from .inventory.participation import NO_HELP, say_taken_part
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
 from .replies import PHRASES
 from .reply import show_reply

@@ -18,25 +18,14 @@ from typing import Any, NamedTuple
 
 from tflab.ros.process import process_here
 
-from ..text import Text
+from ..text import Text, Texts
 from .paths import language_here
 from .reply import show_reply
 
 __all__ = ["register"]
 
 STOPS_ALL = re.compile(r"\bgraph\.stop\(\)")
-FROM_ABOVE = Text(
-    "For what the page says of it: Run → Run All Above Selected Cell, then this cell.",
-    "페이지에서 말하는 결과를 보려면 Run → Run All Above Selected Cell을 누른 다음 이 셀을 실행하십시오.",
-)
-NEW = Text(
-    "Since this cell ran, another one has begun a new world.",
-    "이 셀을 실행한 뒤에 다른 셀이 가상 세계를 새로 만들었습니다.",
-)
-OVER = Text(
-    "Since this cell ran, `graph.stop()` has ended every program of its world.",
-    "이 셀을 실행한 뒤에 `graph.stop()`이 이 가상 세계의 프로그램을 모두 끝냈습니다.",
-)
+TEXTS = Texts(__file__)
 
 
 class _Seen(NamedTuple):
@@ -55,7 +44,7 @@ class _Begun(NamedTuple):
     said: Text
 
 
-_begun = _Begun("", NEW)
+_begun = _Begun("", TEXTS["new"])
 _ran_in: dict[str, str] = {}  # the cell that began the world in which a cell ran last
 _before: list[_Seen] = []
 
@@ -78,12 +67,12 @@ def _compare(result: Any) -> None:
     now = _seen()
     before = _before[0] if _before else _Seen(None, frozenset(), None, False)
     if now.graph is not before.graph:
-        _begun = _Begun(cell, NEW)
+        _begun = _Begun(cell, TEXTS["new"])
     elif before.runs and not now.runs and STOPS_ALL.search(result.info.raw_cell):
-        _begun = _Begun(cell, OVER)
+        _begun = _Begun(cell, TEXTS["over"])
     elif now.began - before.began or now.now_ns != before.now_ns:
         if _ran_in.get(cell, _begun.cell) != _begun.cell:
-            show_reply("graph", f"{_begun.said.say(language_here())} {FROM_ABOVE.say(language_here())}")
+            show_reply("graph", Text.joined(_begun.said, TEXTS["from_above"]).say(language_here()))
             return  # until its own world is there again
     else:
         return

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..text import Text
+from ..text import Text, Texts
 from .answers.forms import Vector
 from .paths import read_workbook, workbook_root
 from .reply import show_reply
@@ -19,19 +19,7 @@ from .trying import AssignedTask, say_verdict, tried_on
 
 __all__ = ["ask_first"]
 
-NAME = Text(en="First question", ko="첫 질문")
-GO_ON = Text(
-    en="Change the answer, and run the cell again. Another mistake gets another reply: try one.",
-    ko="답을 고쳐 셀을 다시 실행해 보세요. 실수가 다르면 돌아오는 말도 다릅니다. 일부러 틀려 봐도 됩니다.",
-)
-UNANSWERED = Text(
-    en="Write three numbers (x, y, z) in place of the dots, and run the cell again.",
-    ko="점 세 개(`...`) 자리에 숫자 세 개 (x, y, z)를 쓰고 셀을 다시 실행해 보세요.",
-)
-DONE = Text(
-    en="From the laser to the middle of the robot is a step, and the step was added. That is half of TF.",
-    ko="레이저를 단 위치를 더했습니다. TF가 하는 일의 절반이 바로 이것입니다.",
-)
+TEXTS = Texts(__file__)
 LASER_P_POST, BASE_P_LASER = (2.0, 0.5, 0.0), (0.2, 0.0, 0.15)
 RIGHT = [round(seen + mount, 3) for seen, mount in zip(LASER_P_POST, BASE_P_LASER, strict=True)]
 MISTAKES = {
@@ -80,7 +68,7 @@ QUESTION = TaskCases(
     points=0,
     answer="base_p_post",
     is_function=False,
-    title=NAME,
+    title=TEXTS["name"],
     form=Vector(3, unit="m", frame="base_link", tolerance=0.003),
     hints=(),
     misconceptions=(),
@@ -93,11 +81,11 @@ def ask_first(base_p_post: Any) -> None:
     """Say what is right or wrong about where the post is, counted from the robot's middle (x, y, z) [m]."""
     root = workbook_root()
     workbook = read_workbook(root)
-    name = NAME.say(workbook.language)
+    name = TEXTS["name"].say(workbook.language)
     if base_p_post is ...:
-        show_reply(name, UNANSWERED.say(workbook.language))
+        show_reply(name, TEXTS["unanswered"].say(workbook.language))
         return
     assigned = AssignedTask(name, "", QUESTION, QUESTION.variants[0], root, workbook)
     verdict, outcomes = tried_on(assigned, base_p_post)
-    said = GO_ON if verdict.mistake else DONE
+    said = TEXTS["go_on"] if verdict.mistake else TEXTS["done"]
     say_verdict(assigned, verdict, outcomes, [said.say(workbook.language)], draws=False)

@@ -1,10 +1,6 @@
-"""The pages as a book: a front page, a frame around each page, a search without a server, a gallery.
+"""The web book of all pages: layout, search index, and the reference of the code.
 
-    reading      what stands on a page: its headings, and words to search
-    frame        title, contents, the way on, the other language
-    front        the first page, and the conventions on one page
-    gallery      every figure, with the line that draws it
-    reference    what the docstrings say
-
-Nothing here runs a page: `pages/` does, and hands over its HTML.  Start with `reading.py`.
+search_index    the headings of a page and the text below each, for the search
+pages           the frame of a page, the first page, the gallery
+reference       the docstrings as pages, by pdoc
 """

@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from ...text import Text
+from ...text import Text, Texts
 from ..paths import MARK, language_here, workbook_root
 
 __all__ = ["check_environment", "missing"]
@@ -40,26 +40,14 @@ NEEDED = (
 LEAST_PYTHON = (3, 10)
 LEAST = ".".join(map(str, LEAST_PYTHON))
 OUR_PYTHON = Text(f"Python {LEAST} or later", f"Python {LEAST} 이상")
-A_PLACE = Text("a place to keep your progress", "학습 기록을 저장할 곳")
-OLD_PYTHON = Text(
-    "this is Python {found}: install a later one, and tflab in it",
-    "지금은 Python {found}입니다. 새 Python을 설치하고 거기에 tflab을 설치하십시오",
-)
-ABSENT = Text(
-    'missing: {names}. Type: pip install "{brought_by}"',
-    '없음: {names}. 이렇게 설치하십시오: pip install "{brought_by}"',
-)
-LOCKED = Text(
-    "{folder} cannot be written to: copy it elsewhere, and open it there",
-    "{folder}에 쓸 수 없습니다. 다른 곳에 복사해서 여십시오",
-)
+TEXTS = Texts(__file__)
 
 
 def check_environment() -> None:
     """Print what is there and what is missing."""
     language = language_here()
     faults = dict(missing())
-    for what in (OUR_PYTHON, *(need.what for need in NEEDED), A_PLACE):
+    for what in (OUR_PYTHON, *(need.what for need in NEEDED), TEXTS["a_place"]):
         name = what.say(language)
         print(f"✗  {name}: {faults[what].say(language)}" if what in faults else f"✓  {name}")
 
@@ -67,11 +55,11 @@ def check_environment() -> None:
 def missing() -> Iterator[tuple[Text, Text]]:
     """Yield what is not as the pages need it, and what to do."""
     if sys.version_info < LEAST_PYTHON:
-        yield OUR_PYTHON, OLD_PYTHON.filled(found=".".join(str(part) for part in sys.version_info[:2]))
+        yield OUR_PYTHON, TEXTS["old_python"].filled(found=".".join(str(part) for part in sys.version_info[:2]))
     for what, brought_by, modules in NEEDED:
         absent = [name for name in modules if importlib.util.find_spec(name) is None]
         if absent:
-            yield what, ABSENT.filled(names=", ".join(absent), brought_by=brought_by)
+            yield what, TEXTS["absent"].filled(names=", ".join(absent), brought_by=brought_by)
     folder = workbook_root()
     if (Path(folder) / MARK).is_file() and not os.access(folder, os.W_OK):
-        yield A_PLACE, LOCKED.filled(folder=folder)
+        yield TEXTS["a_place"], TEXTS["locked"].filled(folder=folder)

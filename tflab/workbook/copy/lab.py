@@ -28,7 +28,7 @@ from shutil import which
 from tflab import __version__
 from tflab.extras import require
 
-from ...text import LANGUAGES, Text
+from ...text import LANGUAGES, Texts
 from ..paths import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from .lay_out import Change, handed_out_in, has_language, lay_out, update
 
@@ -46,54 +46,7 @@ OUR_OPTIONS = (
 FIRST_PAGE = "00_start.ipynb"
 PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier
 
-MADE = Text(
-    en="tflab lab: your own copy of the workbook is in {folder}.",
-    ko="tflab lab: 내 워크북을 {folder}에 만들었습니다.",
-)
-OPENED = Text(
-    en="tflab lab: opening your copy in {folder}.",
-    ko="tflab lab: {folder}에 있는 내 워크북을 엽니다.",
-)
-BROUGHT_BACK = Text(en="  {page}: was missing, laid out again", ko="  {page}: 없어서 다시 만들었습니다")
-OTHER_VERSION = Text(
-    en="This copy was made by tflab {theirs}; you have tflab {ours}. It opens as it is.\n"
-    "To bring in what is new: tflab lab {folder} --update (what you wrote stays).",
-    ko="이 워크북은 tflab {theirs}로 만들었고, 지금 설치된 것은 tflab {ours}입니다. 일단 그대로 엽니다.\n"
-    "새 내용을 받으려면 tflab lab {folder} --update를 실행하십시오. 직접 쓴 내용은 그대로 남습니다.",
-)
-UP_TO_DATE = Text(
-    en="Nothing to bring in: everything is as in tflab {version}.",
-    ko="받을 내용이 없습니다. 모두 tflab {version}과 같습니다.",
-)
-INSTRUCTORS = Text(
-    en="The exercises stay in the language in which your instructor handed them out.",
-    ko="연습 문제는 강사가 나눠 준 언어 그대로입니다.",
-)
-CHANGES = {
-    "new": Text(en="new", ko="새 파일"),
-    "replaced": Text(
-        en="replaced by the new version; nothing in it was yours", ko="새 버전으로 바꿈(직접 쓴 내용 없음)"
-    ),
-    "merged": Text(
-        en="new version, with {kept} of your cells kept", ko="새 버전으로 바꾸고 직접 쓴 셀 {kept}개를 남김"
-    ),
-    "kept": Text(
-        en="yours is no notebook that tflab can read; it stays, and the new one is beside it",
-        ko="읽을 수 없는 노트북이라 그대로 두고, 새 버전을 옆에 따로 저장함",
-    ),
-}
-BESIDE = Text(
-    en='; {beside} changed on both sides, look for "New in tflab"',
-    ko=". {beside}개는 양쪽에서 바뀌었으니 “바뀐 내용입니다”를 찾아보십시오",
-)
-ROOT = Text(
-    en="JupyterLab does not run as root unless it is told to: {command}",
-    ko="JupyterLab은 root 계정에서는 따로 허락해야 열립니다: {command}",
-)
-BACKUP = Text(
-    en="What was there before is in {folder}.",
-    ko="바뀌기 전의 파일은 {folder}에 있습니다.",
-)
+TEXTS = Texts(__file__)
 
 
 def lab(words: Sequence[str]) -> int:
@@ -128,7 +81,7 @@ def lab(words: Sequence[str]) -> int:
         start_jupyterlab([*OUR_OPTIONS, root, *_terminal(), *first_page, *own_options])
     except SystemExit as stop:
         if stop.code == 1 and _is_root() and "--allow-root" not in own_options:
-            return _refuse(ROOT.say(language, command=f"{tflab} lab {join(_with_root(given))}"))
+            return _refuse(TEXTS["root"].say(language, command=f"{tflab} lab {join(_with_root(given))}"))
         raise
     return 0
 
@@ -232,7 +185,7 @@ def _prepare(folder: Path, language: str | None, bring_in: bool, handed_out: str
         lay_out(folder, language)
     except WorkbookError as error:
         raise WorkbookError(f'{error}\nTo open it as it is: tflab lab "{folder}" --as-is') from None
-    print(MADE.say(language, folder=folder))
+    print(TEXTS["made"].say(language, folder=folder))
     return language
 
 
@@ -240,18 +193,18 @@ def _open(folder: Path, language: str | None, bring_in: bool, handed_out: str | 
     found = read_workbook(folder)
     new = handed_out_in(Path(handed_out).resolve(), folder) if handed_out else {}
     language = language or found.language
-    print(OPENED.say(language, folder=folder))
+    print(TEXTS["opened"].say(language, folder=folder))
     if language != found.language or (found.tflab == __version__ and not bring_in):
         before = _pages(folder)
         lay_out(folder, language)  # what is missing
         for page in sorted(_pages(folder) - before) if language == found.language else ():
-            print(BROUGHT_BACK.say(language, page=page))
+            print(TEXTS["brought_back"].say(language, page=page))
     if found.edition == "class" and not (folder / "exercises" / language).is_dir():
-        print(INSTRUCTORS.say(language))
+        print(TEXTS["instructors"].say(language))
     if bring_in:
         _tell(update(folder, new), folder, language)
     elif found.tflab != __version__:
-        print(OTHER_VERSION.say(language, theirs=found.tflab, ours=__version__, folder=folder))
+        print(TEXTS["other_version"].say(language, theirs=found.tflab, ours=__version__, folder=folder))
     return language if has_language(folder, language) else found.language
 
 
@@ -261,14 +214,16 @@ def _pages(folder: Path) -> set[str]:
 
 def _tell(changes: Sequence[Change], folder: Path, language: str) -> None:
     if not changes:
-        print(UP_TO_DATE.say(language, version=__version__))
+        print(TEXTS["up_to_date"].say(language, version=__version__))
         return
     for change in changes:
-        said = CHANGES[change.what].say(language, kept=change.kept)
-        print(f"  {change.path}: {said}{BESIDE.say(language, beside=change.beside) if change.beside else ''}")
+        # change.what is "new", "replaced", "merged" or "kept"
+        said = TEXTS[change.what].say(language, kept=change.kept)
+        said += TEXTS["beside"].say(language, beside=change.beside) if change.beside else ""
+        print(f"  {change.path}: {said}")
     backups = sorted((folder / ".tflab" / "backups").glob("*"), key=lambda path: path.name.zfill(9))
     if backups and any(change.what in ("replaced", "merged") for change in changes):
-        print(BACKUP.say(language, folder=backups[-1]))
+        print(TEXTS["backup"].say(language, folder=backups[-1]))
 
 
 def _is_root() -> bool:

@@ -1,11 +1,8 @@
-"""The course as a whole: chapters, objectives, checklist, terms, and where a learner stands.
+"""The course as a whole: chapters, objectives, checklist, terms, and what a learner has passed.
 
-    course          the chapters, as course.yaml has them
-    standing        what a learner has shown of them
-    glossary        the terms, as glossary.yaml has them
-    contents        what of the pages is made from these files
-    course_map      which chapter builds on which, drawn
-    progress_page   the same, with what was passed
-
-Start with `course.py`.
+course          the chapters, objectives and misconceptions, from `course.yaml`
+glossary        the terms, from `glossary.yaml`
+contents        the parts of the pages that are made from these files
+course_map      draw which chapter builds on which
+progress_page   what a learner has passed
 """

@@ -15,11 +15,10 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from ...text import LANGUAGES, Text
+from ...text import LANGUAGES, Text, Texts
 from ..atomic_files import write_whole
-from ..inventory.items import read_inventory
-from ..inventory.questions import SOURCES as FORM_PAGES
-from ..inventory.questions import with_questions
+from ..inventory.items import SOURCES as FORM_PAGES
+from ..inventory.items import read_inventory, with_questions
 from ..paths import exercise_file, workbook_data
 from .course import Chapter, read_course
 from .glossary import Term, read_glossary
@@ -43,30 +42,12 @@ READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
 README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
 README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
-HEAD = Text(
-    en="| no. | chapter | its question | minutes | builds on | exercise |",
-    ko="| 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |",
-)
-TO_COME = Text(en="To come: {chapters}.", ko="준비 중인 장: {chapters}.")
-GLOSSARY_TITLE = Text(
-    en="# Glossary\n\n"
-    "Every term of the course, in the order in which the chapters need them.\n"
-    "On the pages, rest the pointer on a dotted word, or come to it by Tab, to read the same sentence.\n"
-    "In brackets stands the Korean word.",
-    ko="# 용어집\n\n"
-    "이 워크북에 나오는 용어를 장의 순서대로 모았습니다.\n"
-    "본문에서 점선이 그어진 낱말에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.",
-)
-GLOSSARY_INDEX = Text(
-    en="In the order of the alphabet, each with the number of its chapter:",
-    ko="가나다순으로 찾기(숫자는 그 용어를 설명한 장입니다):",
-)
-GLOSSARY_CHAPTER = Text(en="## Chapter {number} · {title}", ko="## {number}장 · {title}")
+TEXTS = Texts(__file__)
 
 
 def chapter_table(language: str, root: Path) -> str:
     """Return the chapters that have a page as a markdown table with links, and the others in one line."""
-    lines, to_come = [HEAD.say(language), "|--:|:--|:--|--:|:--|:--|"], []
+    lines, to_come = [TEXTS["head"].say(language), "|--:|:--|:--|--:|:--|:--|"], []
     for chapter in read_course().chapters[1:]:
         title = chapter.title.say(language)
         if not (root / SOURCES / f"{chapter.stem}.py").is_file():
@@ -86,7 +67,7 @@ def chapter_table(language: str, root: Path) -> str:
         )
         lines.append(f"| {' | '.join(cells)} |")
     if to_come:
-        lines += ["", TO_COME.say(language, chapters=" · ".join(to_come))]
+        lines += ["", TEXTS["to_come"].say(language, chapters=" · ".join(to_come))]
     return "\n".join(lines)
 
 
@@ -107,7 +88,7 @@ def glossary_page() -> str:
     """Return the source of the glossary as a page."""
     terms = read_glossary().values()
     index = Text(*(_index(terms, language) for language in LANGUAGES))
-    cells = [_cells("title", GLOSSARY_TITLE, "slide"), _cells("index", index, "skip")]
+    cells = [_cells("title", TEXTS["glossary_title"], "slide"), _cells("index", index, "skip")]
     for chapter in read_course().chapters:
         own = [term for term in terms if term.chapter == chapter.stem]
         if own:
@@ -128,7 +109,7 @@ def readme(language: str, root: Path) -> str:
             to_come.append(f"{chapter.number:02} {title}")
     text = (root / READMES[language]).read_text(encoding="utf-8")
     text = README_ROWS.sub(lambda found: "".join(rows), text)
-    coming = TO_COME.say(language, chapters="; ".join(to_come)) + "\n" if to_come else ""
+    coming = TEXTS["to_come"].say(language, chapters="; ".join(to_come)) + "\n" if to_come else ""
     return README_TO_COME.sub(lambda found: coming, text)
 
 
@@ -156,7 +137,7 @@ def form_pages(root: Path) -> dict[Path, str]:
 
 
 def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:
-    head = GLOSSARY_CHAPTER.say(language, number=chapter.number, title=chapter.title.say(language))
+    head = TEXTS["glossary_chapter"].say(language, number=chapter.number, title=chapter.title.say(language))
     lines = [f"- **{_shown(term, language)}**: {term.definition.say(language)}" for term in terms]
     return "\n".join([head, "", *lines])
 
@@ -164,10 +145,9 @@ def _terms(chapter: Chapter, terms: list[Term], language: str) -> str:
 def _index(terms: Iterable[Term], language: str) -> str:
     numbers = {chapter.stem: chapter.number for chapter in read_course().chapters}
     words = [(term.word.en if term.code else term.word.say(language), numbers[term.chapter]) for term in terms]
-    words.sort(
-        key=lambda one: (language == "ko" and one[0][0].isascii(), one[0].lower())
-    )  # in Korean, Latin letters last
-    return "\n\n".join([GLOSSARY_INDEX.say(language), " · ".join(f"{word} {number}" for word, number in words)])
+    words.sort(key=lambda row: (language == "ko" and row[0][0].isascii(), row[0].lower()))  # Latin letters last
+    index = " · ".join(f"{word} {number}" for word, number in words)
+    return "\n\n".join([TEXTS["glossary_index"].say(language), index])
 
 
 def _shown(term: Term, language: str) -> str:

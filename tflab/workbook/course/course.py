@@ -1,11 +1,11 @@
-"""What does the course hold?  Thirteen chapters, eight objectives, fourteen things to have done, fifteen questions.
+"""Read the course: chapters, objectives, checklist and practice questions.
 
-    chapters    stem, title, the one question, what it builds on
-    objectives  each with the tasks that show it
-    checklist   each with the tasks that tick it, and what to type on a robot
-    practice    the questions at the chapters' ends
+    chapters        stem, title, the one question, what it builds on
+    objectives      each with the tasks that show it
+    checklist       each with the tasks that tick it, and what to type on a robot
+    questions       the practice questions at the chapters' ends
 
-All of it stands in `course.yaml`; the index page and the progress page show it.
+All of it is in `course.yaml`.
 """
 
 from __future__ import annotations

@@ -1,13 +1,8 @@
-"""A test before and after: fifteen questions in everyday words, one for each misconception, in two parallel forms.
+"""A concept inventory before and after the course: fifteen questions, one for each misconception, in two forms.
 
-    items       what is asked, and what each wrong option shows
-    balance     whether the two forms weigh the same
-    questions   the questions as an exercise's page has them
-    replies     which options somebody chose, and how sure they were
-    change      what came of it between the two: cured, held, stuck, lost
-    opened      what a learner is shown once both are in
-    taking_part what `check` says meanwhile
+    items           the items of `solutions/inventory.yaml`, their balance, and their questions on a page
+    replies         which options somebody chose, how sure they were, and what changed between the forms
+    participation   reply to an answered form, and show both forms once both are answered
 
-Nothing in it is marked, and nothing of the key is in a learner's copy.  The field
-calls such a test a *concept inventory*.  Start with `items.py`.
+Nothing in it is marked, and a learner's copy holds nothing of the key.
 """

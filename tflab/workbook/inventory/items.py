@@ -7,20 +7,61 @@ Every wrong option is what somebody really believes, a *distractor*; with each s
 what to say of it when both forms are in.  All of it is in `solutions/inventory.yaml`,
 beside the solutions: a learner's copy holds the questions (see `questions.py`), and
 nothing that tells their key.
+
+---
+Do the two forms weigh the same?  Whatever is out of balance is a fault, and the build says it.
+
+```
+one right option an item                        a form in which "b" is always right is soon seen through
+every wrong option shows a misconception        what shows nothing teaches nobody anything
+an item looks for one misconception, in A as in B, and each of the fifteen has its item
+at most five right options of one letter
+```
+
+---
+How do the questions stand on a page?  A cell for each, in both languages, made from the items.
+
+    **3.** Seen from A, B is at (2, 0) and turned 90° to the left. Where is A, seen from B?
+
+    - **a** (−2, 0)  ...  - **e** I do not know
+
+The sources of the two exercises hold them between the cells "questions" and "e0-1-answer";
+`python -m tflab.workbook.course.contents` writes them there, and a test holds them in step.
 """
 
 from __future__ import annotations
 
+import re
+from collections import Counter
+from collections.abc import Iterator, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import yaml
 
-from ...text import Text
+from ...text import LANGUAGES, Text
 from ..paths import workbook_data
+from ..tasks.task import slug
 
-__all__ = ["FORMS", "LETTERS", "RIGHT", "Item", "Option", "Wording", "inventory_file", "parsed", "read_inventory"]
+__all__ = [
+    "DO_NOT_KNOW",
+    "FORMS",
+    "LETTERS",
+    "MISCONCEPTIONS_ASKED",
+    "MOST_OF_A_LETTER",
+    "RIGHT",
+    "SOURCES",
+    "Item",
+    "Option",
+    "Wording",
+    "imbalances",
+    "inventory_file",
+    "parsed",
+    "question",
+    "read_inventory",
+    "with_questions",
+]
 
 FORMS = {"A": "E0.1", "B": "E12.8"}  # and the task that each is: before, and after
 LETTERS = "abcd"
@@ -100,3 +141,73 @@ def _wording(line: dict[str, Any]) -> Wording:
 def _words(held: Any) -> Text:
     """Return a text in both languages; numbers alone are the same in both."""
     return Text(str(held), str(held)) if not isinstance(held, dict) else Text(held["en"], held["ko"])
+
+
+MISCONCEPTIONS_ASKED = tuple(f"M{number}" for number in range(1, 16))
+MOST_OF_A_LETTER = 5
+
+
+def imbalances(items: Sequence[Item], form: str) -> Iterator[str]:
+    """Yield what is out of balance in a form, and where it is no match for the other."""
+    asked = tuple(item.misconception for item in items)
+    if asked != MISCONCEPTIONS_ASKED:
+        yield f"its items look for {', '.join(asked)}, and one for each of M1 to M15 is wanted, in this order"
+    for number, item in enumerate(items, start=1):
+        yield from (f"form {form}, item {number}: {fault}" for fault in _of_item(item, form))
+    letters = Counter(item.forms[form].right for item in items)
+    for letter, count in sorted(letters.items()):
+        if count > MOST_OF_A_LETTER:
+            yield f'form {form}: "{letter}" is right {count} times, more than {MOST_OF_A_LETTER}'
+
+
+def _of_item(item: Item, form: str) -> Iterator[str]:
+    options = item.forms[form].options
+    right = [letter for letter, option in options.items() if option.shows == RIGHT]
+    if "".join(options) != LETTERS:
+        yield f"it has the options {', '.join(options)}, not {', '.join(LETTERS)}"
+    if len(right) != 1:
+        yield f"{len(right)} options are right ({', '.join(right) or 'none'}), and one has to be"
+    for letter, option in options.items():
+        if option.shows != RIGHT and option.shows not in MISCONCEPTIONS_ASKED:
+            yield f'option "{letter}" shows no misconception of M1 to M15 ("{option.shows}")'
+    for other in FORMS:
+        shown = {option.shows for option in item.forms[other].options.values()}
+        if item.misconception not in shown:
+            yield f"it looks for {item.misconception}, which no option of form {other} shows"
+
+
+SOURCES = {"A": "solutions/src/00_start.py", "B": "solutions/src/12_owners_and_diagnosis.py"}
+DO_NOT_KNOW = Text("I do not know", "모르겠습니다")
+
+
+def question(item: Item, number: int, form: str, language: str) -> str:
+    """Return one question with its options, as a page has it."""
+    wording = item.forms[form]
+    options = [(letter, option.says) for letter, option in wording.options.items()] + [("e", DO_NOT_KNOW)]
+    lines = [f"- **{letter}** {says.say(language)}" for letter, says in options]
+    return "\n".join([f"**{number}.** {wording.stem.say(language)}", "", *lines])
+
+
+def with_questions(source: str, items: Sequence[Item], form: str) -> str:
+    """Return a page's source with the questions of a form as they should be.
+
+    Raises:
+        LookupError: the page has no place for them.
+    """
+    answer = rf'# %% name="{slug(FORMS[form])}-answer"'
+    place = re.compile(rf'(?s)(# %% \[markdown\] lang="ko" name="questions".*?\n)# %% \[m.*?(?={re.escape(answer)})')
+    if place.search(source) is None:
+        raise LookupError(f'{SOURCES[form]} has no cells between "questions" and "{slug(FORMS[form])}-answer"')
+    cells = [
+        _cell(item, number, form, language) for number, item in enumerate(items, start=1) for language in LANGUAGES
+    ]
+    return place.sub(lambda found: found[1] + "\n\n".join([*cells, ""]) + "\n", source, count=1)
+
+
+def _cell(item: Item, number: int, form: str, language: str) -> str:
+    text = _commented(question(item, number, form, language))
+    return f'# %% [markdown] lang="{language}" name="question-{number}"\n{text}'
+
+
+def _commented(text: str) -> str:
+    return "\n".join(f"# {line}".rstrip() for line in text.splitlines())

@@ -1,21 +1,17 @@
-"""What does a page draw, drive and look at?  One line at its top brings all of it:
+"""Give a page all that it draws, drives and shows, through one line at its top:
 
     from tflab.workbook import lesson
 
-What a page calls as `lesson.…` is this workbook's; everything else on it is Python or ROS 2, and runs on a robot.
+What a page calls as `lesson.…` is this workbook's.  Everything else on it is Python or ROS 2, and runs
+on a robot.
 
-    room      our robot drives through its room
-    panels    a panel in the language of the copy
-    joints    the chain of joints of its arm
-    clouds    what a depth camera sees of a wall and of the floor
-    toolbox   seven tools, seven questions
-    disguised three robots that look healthy
-    recordings    what a bag holds, and what it can place
-    ward_rounds   patients in the language of the copy; two ways of asking
-    capstone  a robot that was only written down
-    waiting   robots whose data is late, and nodes that wait for it
-
-Start with `room.py`.
+    scenes          the teaching robot in its room, and the point clouds of its camera
+    panels          panels in the language of the copy, and the joints of the arm
+    robots          robots with faults, and nodes that record what happens to them
+    toolbox         which of seven tools answers which of seven questions
+    recordings      what a bag holds, and what it can place
+    clinic_visits   patients in the language of the copy, and two orders of questions
+    capstone        launch a robot as the answer to E12.5 describes it
 """
 
 from __future__ import annotations
@@ -70,36 +66,7 @@ from ..course.course_map import draw_course
 from ..course.progress_page import show_progress
 from ..warm_up import ask_first
 from .capstone import launch_answer
-from .clouds import floor_cloud, wall_cloud
-from .disguised import draw_rviz, start_robot, stop_node
-from .joints import draw_joints, joint_in_file, joints_panel
-from .panels import (
-    cameras_panel,
-    clocks_panel,
-    joins_panel,
-    latency_panel,
-    mount_panel,
-    rate_panel,
-    rotation_panel,
-    rulers_panel,
-    sentence_panel,
-    timeline_panel,
-    tree_panel,
-)
-from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
-from .room import draw_body, draw_now, draw_room, draw_walls, scan_on_map, show_drive, show_latency
-from .toolbox import draw_toolbox, tools_panel
-from .waiting import (
-    GapWatcher,
-    WaitingNode,
-    ages_of_decisions,
-    draw_lanes,
-    on_robot_c,
-    run_node,
-    show_clock_error,
-    walls_seen,
-)
-from .ward_rounds import (
+from .clinic_visits import (
     LECTURES_ORDER,
     admit,
     best_questions,
@@ -114,6 +81,48 @@ from .ward_rounds import (
     show_trolley,
     visit_panel,
 )
+from .panels import (
+    cameras_panel,
+    clocks_panel,
+    draw_joints,
+    joins_panel,
+    joint_in_file,
+    joints_panel,
+    latency_panel,
+    mount_panel,
+    rate_panel,
+    rotation_panel,
+    rulers_panel,
+    sentence_panel,
+    timeline_panel,
+    tree_panel,
+)
+from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
+from .robots import (
+    GapWatcher,
+    WaitingNode,
+    ages_of_decisions,
+    draw_lanes,
+    draw_rviz,
+    on_robot_c,
+    run_node,
+    show_clock_error,
+    start_robot,
+    stop_node,
+    walls_seen,
+)
+from .scenes import (
+    draw_body,
+    draw_now,
+    draw_room,
+    draw_walls,
+    floor_cloud,
+    scan_on_map,
+    show_drive,
+    show_latency,
+    wall_cloud,
+)
+from .toolbox import draw_toolbox, tools_panel
 
 __all__ = [
     "ACCENT",

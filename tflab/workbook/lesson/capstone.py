@@ -36,7 +36,7 @@ from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text
 
 from ..paths import read_workbook, workbook_root
-from .clouds import wall_cloud
+from .scenes import wall_cloud
 
 __all__ = ["launch_answer"]
 

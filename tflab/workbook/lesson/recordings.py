@@ -34,7 +34,7 @@ from tflab.ros.node import Node
 from tflab.tools.page import run_words
 from tflab.views.busy_chart import Work, WorkPicture, draw_work
 
-from .waiting import run_node
+from .robots import run_node
 
 __all__ = ["PlacedTopic", "doctor", "draw_heard", "fresh_folder", "place_messages", "replay"]
 

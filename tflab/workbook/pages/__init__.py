@@ -1,17 +1,13 @@
-"""From a page's source to its notebooks in two languages, its HTML and its deck.
+"""Build the notebooks of a page in two languages, its HTML and its slides.
 
-    source          a page as text, read
-    rules           what a page must keep to
-    exercise_rules  what an exercise must, besides
-    editions        one page, in English and in Korean, as lecture, exercise and solution
-    kernel          a kernel that prints the same every time
-    execute         a notebook, run
-    one_page        all of this for one page
-    stale           what was built of another source
-    build           all of this for all pages
-    html            pages for reading without Python
-    site            all pages as one book
-    slides          a page as a deck
-
-Start with `source.py`.
+source          read a page's source
+rules           check what every page must keep to
+exercise_rules  check what an exercise must keep to
+editions        make a page's notebooks: lecture, exercise and solution, in each language
+execute         run a page in a kernel
+stale           compare what was built with what would be built
+build           build one page, or all of them
+html            write a notebook as HTML
+site            write all pages as one book
+slides          write a page as slides
 """

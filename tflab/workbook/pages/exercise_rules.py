@@ -19,9 +19,7 @@ from typing import Any
 import yaml
 
 from ...text import LANGUAGES
-from ..inventory.balance import imbalances
-from ..inventory.items import FORMS, parsed
-from ..inventory.questions import with_questions
+from ..inventory.items import FORMS, imbalances, parsed, with_questions
 from ..tasks.strip_solution import BlankError, blank, regions
 from ..tasks.task import Task, slug
 from .editions import Outputs, task_of

@@ -19,8 +19,7 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ..paths import Workbook, stems_called, workbook_data, write_workbook
-from .execute import merged_streams
-from .kernel import running_kernel, wait_for
+from .execute import merged_streams, running_kernel, wait_for
 
 __all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
 

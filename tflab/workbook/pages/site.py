@@ -23,11 +23,21 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from ...text import Text
-from ..book.frame import STATIC, BookPage, framed, shell
-from ..book.front import CONVENTIONS, conventions_text, door, front_page
-from ..book.gallery import GALLERY, ShownFigure, gallery_page, pictures_of
-from ..book.reading import search_index, sections_of
+from ..book.pages import (
+    STATIC,
+    TEXTS,
+    BookPage,
+    ShownFigure,
+    conventions_text,
+    door,
+    framed,
+    front_page,
+    gallery_page,
+    pictures_of,
+    shell,
+)
 from ..book.reference import write_reference
+from ..book.search_index import search_index, sections_of
 from ..course.course import read_course
 from ..paths import chapter_of, workbook_data
 from .editions import live_and_still
@@ -36,6 +46,7 @@ from .html import PageFailed, run_with_films
 __all__ = ["write_book"]
 
 KERNELS = 2
+CONVENTIONS = Text(en="Conventions", ko="규약")
 EXERCISE = Text(en="Exercise {number}", ko="연습 문제 {number}")
 BESIDE_THE_CHAPTERS = {
     "90_glossary": Text(en="Glossary", ko="용어집"),
@@ -79,7 +90,7 @@ def _write_language(out_dir: Path, language: str, made: Sequence[_Ran], *, has_r
         (out_dir / "assets" / picture.file).write_bytes(picture.data)
     book = [one.page for one in made]
     book += [
-        _plain("gallery.html", GALLERY.say(language), gallery_page(pictures, language), language),
+        _plain("gallery.html", TEXTS["gallery"].say(language), gallery_page(pictures, language), language),
         _plain("conventions.html", CONVENTIONS.say(language), _html(conventions_text(language)), language),
     ]
     front = _plain("index.html", "tflab", front_page(book, language, has_reference=has_reference), language)

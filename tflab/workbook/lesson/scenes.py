@@ -7,6 +7,15 @@ scan_on_map(robot, at_s=1.0)   where its drawing puts what its laser measured
 draw_now(graph, "map")   every frame of a graph, where it is now
 show_latency()           a ball that was seen a moment ago, drawn with the pose of now
 ```
+
+---
+What does a depth camera see?  A wall 2 m ahead, and the floor before it, in the camera's own axes.
+
+```
+optical frame: x right, y down, z forward
+wall_cloud()    273 points, 2 m ahead
+floor_cloud()   252 points, 0.4 m below
+```
 """
 
 from __future__ import annotations
@@ -28,7 +37,17 @@ from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_pat
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.style import GREY
 
-__all__ = ["draw_body", "draw_now", "draw_room", "draw_walls", "scan_on_map", "show_drive", "show_latency"]
+__all__ = [
+    "draw_body",
+    "draw_now",
+    "draw_room",
+    "draw_walls",
+    "floor_cloud",
+    "scan_on_map",
+    "show_drive",
+    "show_latency",
+    "wall_cloud",
+]
 
 NOW_AXIS_M = 0.3  # of each frame of a whole robot: its parts stand a hand apart
 GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
@@ -116,3 +135,21 @@ def draw_walls(scene: Scene) -> None:
     """Draw the walls of the room into a scene, as lines a hand above the floor."""
     for i, wall in enumerate(ROOM.walls):
         draw_path(scene, f"walls/{i}", np.array([(*end, 0.2) for end in wall]), colour=WALL_COLOUR, radius_m=0.04)
+
+
+def wall_cloud() -> np.ndarray:
+    """Return points of a wall, 2 m wide, in the optical frame [m], shape (n, 3)."""
+    right, down = _grid(np.linspace(-1.0, 1.0, 21), np.linspace(-0.8, 0.4, 13))
+    return np.column_stack([right, down, np.full(right.size, 2.0)])
+
+
+def floor_cloud() -> np.ndarray:
+    """Return points of the floor between camera and wall, in the optical frame [m], shape (n, 3)."""
+    right, forward = _grid(np.linspace(-1.0, 1.0, 21), np.linspace(0.8, 1.9, 12))
+    return np.column_stack([right, np.full(right.size, 0.4), forward])
+
+
+def _grid(one: np.ndarray, other: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return both coordinates of each point of a grid."""
+    first, second = np.meshgrid(one, other)
+    return first.ravel(), second.ravel()
