@@ -23,7 +23,7 @@ def test_age_is_counted_from_the_stamp_to_the_last_step():
 
 def test_each_step_has_its_own_shape_at_its_own_place():
     picture = draw_journeys([GOOD])
-    marks = {line.get_gid(): (line.get_marker(), float(line.get_xdata()[0])) for line in picture.ax.lines}
+    marks = {line.get_gid(): (line.get_marker(), float(line.get_xdata()[0])) for line in picture.figure.axes[0].lines}
     assert marks["scan 1 stamped"] == ("o", 0.0)
     assert marks["scan 1 sent"] == (">", 0.02)
     assert marks["scan 1 received"] == ("s", 0.035)
@@ -31,5 +31,5 @@ def test_each_step_has_its_own_shape_at_its_own_place():
 
 
 def test_a_dropped_message_says_so():
-    words = [text.get_text() for text in draw_journeys([CLOCKS_APART]).ax.texts]
+    words = [text.get_text() for text in draw_journeys([CLOCKS_APART]).figure.axes[0].texts]
     assert words == ["28 ms, dropped"]

@@ -17,6 +17,7 @@ from typing import NamedTuple
 from . import style
 from .picture import Picture
 
+COLOURS = (style.ACCENT, style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"])
 LINES = ("solid", (0, (4.0, 1.6)), (0, (1.0, 1.1)), (0, (6.0, 1.5, 1.0, 1.5)))
 MARKS = ("o", "s", "D", "^")
 LEFT_PX, RIGHT_PX, TOP_PX, BOTTOM_PX, HEIGHT_PX = 70, 24, 50, 52, 320
@@ -37,7 +38,7 @@ class Curve(NamedTuple):
 
 
 def describe_ages(curves: Sequence[Curve], what: str, limit_s: float | None) -> str:
-    """Return the same in words: where each curve begins, its largest value, where it ends."""
+    """Return the figure's text: where each curve begins, its largest value, where it ends."""
     width = max(len("curve"), *(len(curve.name) for curve in curves))
     lines = [f"{what}", f"{'curve':<{width}} {'first':>10} {'largest':>10} {'last':>10}"]
     for curve in curves:
@@ -51,25 +52,17 @@ def describe_ages(curves: Sequence[Curve], what: str, limit_s: float | None) -> 
     return "\n".join(lines)
 
 
-class AgesPicture(Picture):
-    """Curves that differ in colour, line and mark, and a limit."""
-
-    def __init__(self, curves: Sequence[Curve], what: str, limit_s: float | None) -> None:
-        width_px = style.WIDE[0] * style.SCREEN_DPI
-        super().__init__((style.WIDE[0], HEIGHT_PX / style.SCREEN_DPI))
-        self.text = describe_ages(curves, what, limit_s)
-        with style.our_settings():
-            inside_px = (width_px - LEFT_PX - RIGHT_PX, HEIGHT_PX - TOP_PX - BOTTOM_PX)
-            self.ax = self.add_axes_px(LEFT_PX, BOTTOM_PX, *inside_px)
-            self._draw(curves, what, limit_s)
-
-    def _draw(self, curves: Sequence[Curve], what: str, limit_s: float | None) -> None:
-        ax = self.ax
+def draw_ages(curves: Sequence[Curve], what: str = "age", limit_s: float | None = None) -> Picture:
+    """Draw how old something is as time goes by [s]; `limit_s` is what a robot allows."""
+    picture = Picture(style.wide(HEIGHT_PX))
+    picture.text = describe_ages(curves, what, limit_s)
+    inside_px = (style.WIDE[0] * style.SCREEN_DPI - LEFT_PX - RIGHT_PX, HEIGHT_PX - TOP_PX - BOTTOM_PX)
+    with style.our_settings():
+        ax = picture.add_axes_px(LEFT_PX, BOTTOM_PX, *inside_px)
         style.hide_spines(ax, "right", "top")
         ax.grid(axis="y", color=style.HAIR)
-        colours = (style.ACCENT, style.INK, style.AXIS_COLOURS["z"], style.AXIS_COLOURS["x"])
         for i, curve in enumerate(curves):
-            ax.plot(curve.times_s, curve.values_s, label=curve.name, color=colours[i % 4], linestyle=LINES[i % 4],
+            ax.plot(curve.times_s, curve.values_s, label=curve.name, color=COLOURS[i % 4], linestyle=LINES[i % 4],
                     linewidth=1.6, marker=MARKS[i % 4], markersize=4.5, markerfacecolor=style.PAPER,
                     markevery=max(len(curve.times_s) // 25, 1), gid=curve.name)  # fmt: skip
         values = [value for curve in curves for value in curve.values_s] + [limit_s or 0.0, 0.0]
@@ -83,12 +76,8 @@ class AgesPicture(Picture):
                         textcoords="offset points", ha="right", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
         ax.set_xlabel("time [s]", loc="right")
         ax.set_ylabel(f"{what} [s]", loc="top")
-        self.figure.legend(loc="upper left", ncols=len(curves), frameon=False, borderaxespad=0.8)
-
-
-def draw_ages(curves: Sequence[Curve], what: str = "age", limit_s: float | None = None) -> AgesPicture:
-    """Draw how far behind something is as time goes by [s]; `limit_s` is what a robot allows."""
-    return AgesPicture(curves, what, limit_s)
+        picture.figure.legend(loc="upper left", ncols=len(curves), frameon=False, borderaxespad=0.8)
+    return picture
 
 
 STEPS = ("stamped", "sent", "received", "transformed")
@@ -123,7 +112,7 @@ class Journey(NamedTuple):
 
 
 def describe_journeys(journeys: Sequence[Journey]) -> str:
-    """Return the same in words: the stamp, and how long after it each other step came."""
+    """Return the figure's text: the stamp, and how long after it each other step came."""
     width = max(len("message"), *(len(journey.name) for journey in journeys))
     lines = [f"{'message':<{width}} {'stamped':>12} {'sent':>12} {'received':>12} {'transformed':>12}"]
     for journey in journeys:
@@ -140,61 +129,54 @@ def describe_journeys(journeys: Sequence[Journey]) -> str:
     return "\n".join(lines)
 
 
-class JourneyPicture(Picture):
-    """One row for each message, one mark for each step."""
-
-    def __init__(self, journeys: Sequence[Journey]) -> None:
-        width_px = style.WIDE[0] * style.SCREEN_DPI
-        height_px = KEY_PX + LANE_PX * len(journeys) + SCALE_PX
-        super().__init__(style.wide(height_px))
-        self.text = describe_journeys(journeys)
-        name_px = style.room_px(journey.name for journey in journeys)
-        with style.our_settings():
-            self.ax = self.add_axes_px(name_px, SCALE_PX, width_px - name_px - AGE_PX, LANE_PX * len(journeys))
-            self._draw(journeys)
-
-    def _draw(self, journeys: Sequence[Journey]) -> None:
-        ax = self.ax
-        moments = [moment for journey in journeys for moment in journey.moments_ns.values()]
-        first_ns, last_ns = min(moments), max(moments)
-        margin_s = max((last_ns - first_ns) / 1e9 * 0.08, 0.005)
+def draw_journeys(journeys: Sequence[Journey]) -> Picture:
+    """Draw messages from the time each was stamped to the time it was transformed."""
+    picture = Picture(style.wide(KEY_PX + LANE_PX * len(journeys) + SCALE_PX))
+    picture.text = describe_journeys(journeys)
+    name_px = style.room_px(journey.name for journey in journeys)
+    inside_px = style.WIDE[0] * style.SCREEN_DPI - name_px - AGE_PX
+    moments = [moment for journey in journeys for moment in journey.moments_ns.values()]
+    first_ns, last_ns = min(moments), max(moments)
+    margin_s = max((last_ns - first_ns) / 1e9 * 0.08, 0.005)
+    with style.our_settings():
+        ax = picture.add_axes_px(name_px, SCALE_PX, inside_px, LANE_PX * len(journeys))
         ax.set_xlim(-margin_s, (last_ns - first_ns) / 1e9 + 1.6 * margin_s)
         style.label_rows(ax, [journey.name for journey in journeys])
         ax.set_xlabel(f"seconds after {style.fmt_stamp(first_ns)}", loc="right")
         for row, journey in enumerate(journeys):
-            places = {step: (moment - first_ns) / 1e9 for step, moment in journey.moments_ns.items()}
-            is_late_clock = journey.received_ns < journey.sent_ns
-            ax.plot(
-                [min(places.values()), max(places.values())], [row, row], linewidth=1.4, zorder=1,
-                color=style.ACCENT if is_late_clock else style.FAINT, linestyle=(0, (3, 2)) if is_late_clock else "-",
-            )  # fmt: skip
-            for step, place in places.items():
-                is_stamp = step == "stamped"
-                ax.plot([place], [row], STEP_MARKS[step], color=style.ACCENT if is_stamp else style.INK, markersize=9,
-                        markerfacecolor=style.ACCENT if is_stamp else style.PAPER, markeredgewidth=1.6,
-                        zorder=3, gid=f"{journey.name} {step}")  # fmt: skip
-            age = style.fmt(journey.age_ns / 1e6, "ms", 0) + (", dropped" if journey.transformed_ns is None else "")
-            ax.annotate(age, (max(places.values()), row), (12, 0), textcoords="offset points", va="center",
-                        color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
-        self._draw_key()
-
-    def _draw_key(self) -> None:
-        """Write what the marks mean, above the rows."""
-        from matplotlib.lines import Line2D
-
-        marks = [
-            Line2D([], [], linestyle="none", marker=STEP_MARKS[step], markersize=8, markeredgewidth=1.6,
-                   color=style.ACCENT if step == "stamped" else style.INK,
-                   markerfacecolor=style.ACCENT if step == "stamped" else style.PAPER, label=step)
-            for step in STEPS
-        ]  # fmt: skip
-        self.figure.legend(handles=marks, loc="upper left", ncols=len(STEPS), frameon=False, borderaxespad=0.8,
-                           handletextpad=0.2, columnspacing=1.6)  # fmt: skip
+            _draw_journey(ax, row, journey, first_ns)
+        _draw_key(picture.figure)
+    return picture
 
 
-def draw_journeys(journeys: Sequence[Journey]) -> JourneyPicture:
-    """Draw messages from the moment each was stamped to the moment it was transformed."""
-    return JourneyPicture(journeys)
+def _draw_journey(ax, row: int, journey: Journey, first_ns: int) -> None:
+    """Draw one row: a line, a mark for each step, and the age at the last one."""
+    places = {step: (moment - first_ns) / 1e9 for step, moment in journey.moments_ns.items()}
+    is_late_clock = journey.received_ns < journey.sent_ns
+    ax.plot(
+        [min(places.values()), max(places.values())], [row, row], linewidth=1.4, zorder=1,
+        color=style.ACCENT if is_late_clock else style.FAINT, linestyle=(0, (3, 2)) if is_late_clock else "-",
+    )  # fmt: skip
+    for step, place in places.items():
+        ax.plot([place], [row], markersize=9, zorder=3, gid=f"{journey.name} {step}", **_mark(step))
+    age = style.fmt(journey.age_ns / 1e6, "ms", 0) + (", dropped" if journey.transformed_ns is None else "")
+    ax.annotate(age, (max(places.values()), row), (12, 0), textcoords="offset points", va="center",
+                color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
+
+
+def _draw_key(figure) -> None:
+    """Write what the marks mean, above the rows."""
+    from matplotlib.lines import Line2D
+
+    marks = [Line2D([], [], linestyle="none", markersize=8, label=step, **_mark(step)) for step in STEPS]
+    figure.legend(handles=marks, loc="upper left", ncols=len(STEPS), frameon=False, borderaxespad=0.8,
+                  handletextpad=0.2, columnspacing=1.6)  # fmt: skip
+
+
+def _mark(step: str) -> dict:
+    colour = style.ACCENT if step == "stamped" else style.INK
+    face = style.ACCENT if step == "stamped" else style.PAPER
+    return {"marker": STEP_MARKS[step], "color": colour, "markerfacecolor": face, "markeredgewidth": 1.6}
 
 
 def _plus_ms(duration_ns: int) -> str:

@@ -36,7 +36,7 @@ class Work(NamedTuple):
 
 
 def describe_work(rows: Sequence[Work], start_ns: int, end_ns: int) -> str:
-    """Return the same in words: `#` for busy, `o` for a moment."""
+    """Return the figure's text: `#` for busy, `o` for a moment."""
     width = max(len(row.name) for row in rows)
 
     def column(moment_ns: int) -> int:
@@ -69,25 +69,18 @@ def _remark(row: Work) -> str:
     return ", ".join(parts)
 
 
-class WorkPicture(Picture):
-    """Rows of bars and marks on one axis of time."""
-
-    def __init__(self, rows: Sequence[Work], start_ns: int, end_ns: int) -> None:
-        width_px = style.WIDE[0] * style.SCREEN_DPI
-        height_px = TOP_PX + ROW_PX * len(rows) + BOTTOM_PX
-        super().__init__(style.wide(height_px))
-        self.text = describe_work(rows, start_ns, end_ns)
-        name_px = style.room_px(row.name for row in rows)
-        with style.our_settings():
-            self.ax = self.add_axes_px(name_px, BOTTOM_PX, width_px - name_px - RIGHT_PX, ROW_PX * len(rows))
-            self._draw([_within(row, start_ns, end_ns) for row in rows], start_ns, end_ns)
-
-    def _draw(self, rows: Sequence[Work], start_ns: int, end_ns: int) -> None:
-        ax = self.ax
+def draw_work(rows: Sequence[Work], start_ns: int, end_ns: int) -> Picture:
+    """Draw who was busy, and what happened, from `start_ns` to `end_ns` [ns]."""
+    picture = Picture(style.wide(TOP_PX + ROW_PX * len(rows) + BOTTOM_PX))
+    picture.text = describe_work(rows, start_ns, end_ns)
+    name_px = style.room_px(row.name for row in rows)
+    inside_px = style.WIDE[0] * style.SCREEN_DPI - name_px - RIGHT_PX
+    with style.our_settings():
+        ax = picture.add_axes_px(name_px, BOTTOM_PX, inside_px, ROW_PX * len(rows))
         ax.set_xlim(start_ns / 1e9, end_ns / 1e9)
         style.label_rows(ax, [row.name for row in rows])
         ax.set_xlabel("time [s]", loc="right")
-        for i, row in enumerate(rows):
+        for i, row in enumerate(_within(row, start_ns, end_ns) for row in rows):
             ax.axhline(i, color=style.HAIR, linewidth=1.0, zorder=0)
             ax.broken_barh(
                 [(first / 1e9, (last - first) / 1e9) for first, last in row.spans_ns], (i - BAR / 2, BAR),
@@ -97,8 +90,4 @@ class WorkPicture(Picture):
             ax.plot(moments, [i] * len(moments), color=style.INK, linestyle="none", marker="o", markersize=5.5,
                     markerfacecolor=style.PAPER, markeredgewidth=1.5, zorder=3, clip_on=False,
                     gid=row.name)  # fmt: skip
-
-
-def draw_work(rows: Sequence[Work], start_ns: int, end_ns: int) -> WorkPicture:
-    """Draw who was busy, and what happened, from `start_ns` to `end_ns` [ns]."""
-    return WorkPicture(rows, start_ns, end_ns)
+    return picture

@@ -109,7 +109,7 @@ def asked_now(play: Play, follows_clock: bool, played_s: float) -> NowAnswer:
 
 
 def describe_clocks(nodes: Mapping[str, bool], play: Play, played_s: float, language: str = "en") -> str:
-    """Return the same in words: for each node its now, the newest transform, and what comes of asking for now."""
+    """Return the figure's text: for each node its now, the newest transform, and what comes of asking for now."""
     head = tuple(TEXTS[key].say(language) for key in ("node", "now", "newest", "asked"))
     rows = [head, *_rows(nodes, play, played_s, language)]
     widths = [max(len(row[i]) for row in rows) for i in range(3)]

@@ -56,7 +56,7 @@ def describe_rulers(
     name: str = "thing",
     before: Mapping[str, Sequence[float]] | None = None,
 ) -> str:
-    """Return the same in words: a line for each frame; with `before`, whether its numbers are still the same."""
+    """Return the figure's text: a line for each frame; with `before`, whether its numbers are still the same."""
     width = max(map(len, poses))
     lines = [f"{name}, measured from each frame:"]
     for frame, reading in readings_of(poses, point).items():
@@ -231,7 +231,7 @@ def beside(point: Sequence[float]) -> str:
 
 
 def describe_moments(poses: Mapping[str, Transform], point: Sequence[float]) -> str:
-    """Return the same in words: at each moment, where the robot has the object."""
+    """Return the figure's text: at each moment, where the robot has the object."""
     width = max(map(len, poses))
     return "\n".join(f"{name:<{width}}  {beside(pose.inverse().apply(point))}" for name, pose in poses.items())
 

@@ -169,7 +169,7 @@ class Question(NamedTuple):
 
 
 def describe_order(log: Sequence[Question]) -> str:
-    """Return the same in words: a line for each question, and when one suspect was left."""
+    """Return the figure's text: a line for each question, and when one suspect was left."""
     lines, minutes, is_done = [], 0.0, False
     for number, (check, takes, left) in enumerate(log, start=1):
         minutes += takes

@@ -25,7 +25,7 @@ def left_of(findings: Findings, asked: Mapping[str, str]) -> list[str]:
 
 
 def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
-    """Return the same in words: a line for each suspect, then what was said, and how each other check would split."""
+    """Return the figure's text: a line for each suspect, then what was said, and how each other check would split."""
     left = left_of(findings, asked)
     width = max(map(len, findings))
     lines = [f"{len(left)} of {len(findings)} suspects left"]

@@ -338,7 +338,7 @@ def describe_scene(
     fixed_frame: str,
     arrows: Mapping[str, tuple[str, Sequence[float]]],
 ) -> str:
-    """Return the same in words, one line each."""
+    """Return the figure's text, one line each."""
     lines = [f"As seen from {fixed_frame}:"]
     for title, frames in (("frame", poses), ("ghost", ghosts)):
         for name, pose in frames.items():

@@ -80,7 +80,7 @@ def frames_known(senders: Sequence[Sender], join_s: float, until_s: float, asks_
 def describe_joins(
     senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True, start_s: float = 0.0
 ) -> str:
-    """Return the same in words: `o` a letter, `@` a letter heard, `=` the board, `x` the end, `^` the join."""
+    """Return the figure's text: `o` a letter, `@` a letter heard, `=` the board, `x` the end, `^` the join."""
     width = max(len("listener"), *(len(sender.name) for sender in senders))
 
     def column(at_s: float) -> int:

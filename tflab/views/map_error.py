@@ -74,7 +74,7 @@ def offs(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequence[Sequen
 def describe_placed(
     placed: Mapping[str, np.ndarray], walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()
 ) -> str:
-    """Return the same in words: for each way, how many points, and how far off they are."""
+    """Return the figure's text: for each way, how many points, and how far off they are."""
     width = max(map(len, placed))
     lines = []
     for name, points in placed.items():
@@ -202,7 +202,7 @@ def smoothness(track: np.ndarray, truth: np.ndarray) -> Smoothness:
 
 
 def describe_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray) -> str:
-    """Return the same in words: for each track its largest step and its worst error."""
+    """Return the figure's text: for each track its largest step and its worst error."""
     width = max(map(len, tracks))
     rows = {name: smoothness(track, truth) for name, track in tracks.items()}
     return "\n".join(

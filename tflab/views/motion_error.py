@@ -103,7 +103,7 @@ def latency_error(sight: Sight) -> LatencyError:
 
 
 def describe_latency(sight: Sight) -> str:
-    """Return the same in words."""
+    """Return the figure's text."""
     error = latency_error(sight)
     return "\n".join(
         (
@@ -301,7 +301,7 @@ def wait_s(bend: Bend, transform_travels_s: float = 0.004, scan_travels_s: float
 
 
 def describe_bend(bend: Bend) -> str:
-    """Return the same in words: what happens between two samples, the gap, and the wait."""
+    """Return the figure's text: what happens between two samples, the gap, and the wait."""
     between = f"{style.fmt(bend.speed_mps / bend.rate_hz)} driven, {bend.yaw_rate_radps / bend.rate_hz:.3f} rad turned"
     return "\n".join(
         (

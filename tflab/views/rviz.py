@@ -48,7 +48,7 @@ class RViz(ipywidgets.VBox):
     Attributes:
         scene: the 3D view.
         shown: what became of each display.
-        text: the same in words.
+        text: its text.
     """
 
     def __init__(

@@ -44,7 +44,7 @@ def state_of(before: str, after: str) -> str:
 
 
 def describe_gain(before: Mapping[str, str], after: Mapping[str, str]) -> str:
-    """Return the same in words: a line for each row, and how many there are of each state."""
+    """Return the figure's text: a line for each row, and how many there are of each state."""
     states = {name: state_of(before[name], after[name]) for name in before}
     width, middle = max(map(len, before)), max(map(len, KINDS.values()))
     rows = [

@@ -138,7 +138,7 @@ def describe_answer(timeline: Timeline, reply: Answer) -> list[str]:
 
 
 def describe_timeline(timeline: Timeline, reply: Answer) -> str:
-    """Return the same in words: every lane in letters, its window, and the answer."""
+    """Return the figure's text: every lane in letters, its window, and the answer."""
     left_ns, right_ns = timeline.shown_ns
     names = [lane.name for lane in timeline.lanes] + ["all of them", "query"]
     width = max(map(len, names))

@@ -41,7 +41,7 @@ def mismatches(tiles: Sequence[Tile]) -> list[int]:
 
 
 def describe_dominoes(tiles: Sequence[Tile]) -> str:
-    """Return the same in words: the row, the product, and what is left or what does not fit."""
+    """Return the figure's text: the row, the product, and what is left or what does not fit."""
     row = "".join(f"[{target}|{source}]" for target, source in tiles)
     product = " @ ".join(f"{target}_T_{source}" for target, source in tiles)
     apart = [f"{tiles[i][1]} is not {tiles[i + 1][0]}" for i in mismatches(tiles)]
@@ -149,7 +149,7 @@ def poses_along(steps: Sequence[Step]) -> dict[str, Transform]:
 def describe_joints(
     steps: Sequence[Step], touched: str = "", ghosts: Mapping[str, Sequence[float]] | None = None
 ) -> str:
-    """Return the same in words: where the tip is, a line for each joint, and what is written of the touched one."""
+    """Return the figure's text: where the tip is, a line for each joint, and what is written of the touched one."""
     tip, base = steps[-1].child, steps[0].parent
     lines = [f"{tip} in {base}: {style.fmt_all(poses_along(steps)[tip].translation)}"]
     lines += [f"{name} (ghost) at {style.fmt_all(place)}" for name, place in (ghosts or {}).items()]

@@ -13,7 +13,7 @@ parents are not two owners of either edge. `view_frames_tree.py` draws what `vie
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -187,7 +187,7 @@ def _loops(snapshot: Snapshot) -> tuple[tuple[str, ...], ...]:
     return tuple(sorted(loops))
 
 
-# -- in words -------------------------------------------------------------
+# -- as text ------------------------------------------------------------
 
 
 def text_from_tree(snapshot: Snapshot, now_ns: int | None = None) -> str:
@@ -196,7 +196,7 @@ def text_from_tree(snapshot: Snapshot, now_ns: int | None = None) -> str:
     if not rows:
         return "(no frames yet)"
     branches = _branches(rows)
-    table = [(branch + _name(row), *_cells(row, now_ns)) for branch, row in zip(branches, rows, strict=True)]
+    table = [(branch + row_name(row), *_cells(row, now_ns)) for branch, row in zip(branches, rows, strict=True)]
     widths = [max(len(line[column]) for line in table) for column in range(5)]
     lines = ["  ".join(cell.ljust(width) for cell, width in zip(line, widths, strict=True)).rstrip() for line in table]
     return "\n".join([*lines, *(f"! {fault.text}" for fault in tree_faults(snapshot))])
@@ -217,7 +217,8 @@ def _branches(rows: tuple[Row, ...]) -> list[str]:
     return branches
 
 
-def _name(row: Row) -> str:
+def row_name(row: Row) -> str:
+    """Return a frame's name, and its role if it is repeated."""
     return fmt_name(row.frame) if row.role == "frame" else f"{fmt_name(row.frame)} ({row.role})"
 
 
@@ -257,7 +258,7 @@ class _Layout:
 
 def _layout(rows: tuple[Row, ...], faults: tuple[TreeFault, ...], now_ns: int | None) -> _Layout:
     cells = tuple(_cells(row, now_ns) for row in rows)
-    depths = _depths(rows)
+    depths = depths_of(rows)
     step = min(STEP, max(NARROWEST_STEP, WIDEST_INDENT / (max(depths) or 1)))
     right = max(depth * step + _pill_width(row) for depth, row in zip(depths, rows, strict=True))
     columns = _columns(MARGIN + right + 30, _headings(now_ns), cells)
@@ -320,7 +321,7 @@ def _frame_marks(layout: _Layout, number: int) -> Iterator[Mark]:
     is_alarming = is_repeated or is_faulty or (is_root and ("roots", row.frame) in layout.faulty)
     colour, fill = (ALARM, WASH) if is_alarming else (style.INK, style.PAPER)
     yield BoxMark(x, y - PILL / 2, _pill_width(row), PILL, colour, fill, "dotted" if is_repeated else "solid")
-    yield TextMark(x + 10, y, _name(row), colour, bold=is_root)
+    yield TextMark(x + 10, y, row_name(row), colour, bold=is_root)
 
 
 def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
@@ -336,7 +337,8 @@ def _figure_marks(layout: _Layout, number: int) -> Iterator[Mark]:
         yield TextMark(x_owners, y, owners, ALARM if has_two else style.INK, bold=has_two)
 
 
-def _depths(rows: tuple[Row, ...]) -> tuple[int, ...]:
+def depths_of(rows: Sequence[Row]) -> tuple[int, ...]:
+    """Return how far below its root each row is."""
     depths: list[int] = []
     for row in rows:
         depths.append(0 if row.parent_row is None else depths[row.parent_row] + 1)
@@ -357,4 +359,4 @@ def _columns(x: float, headings: tuple[str, ...], cells: tuple[tuple[str, ...], 
 
 
 def _pill_width(row: Row) -> float:
-    return text_width(_name(row), FONT_SIZE) + 20
+    return text_width(row_name(row), FONT_SIZE) + 20

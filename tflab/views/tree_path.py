@@ -23,7 +23,7 @@ from . import style
 from .frames import clear_paper
 from .picture import Picture
 from .style import fmt_name
-from .tree import Row, rows_of, tree_faults
+from .tree import Row, depths_of, row_name, rows_of, tree_faults
 
 WIDTH_PT = 72.0 * style.WIDE[0]
 ROW, PILL, RIM, HEAD = 30.0, 21.0, 22.0, 30.0  # a row, a name's box, the margin, the room for a title [pt]
@@ -66,7 +66,7 @@ def walk_between(parent_of: Mapping[str, str], target: str, source: str) -> Walk
 
 
 def describe_walk(walk: Walk, parent_of: Mapping[str, str]) -> str:
-    """Return the same in words: every step with its number, and where the ways meet or end."""
+    """Return the figure's text: every step with its number, and where the ways meet or end."""
     steps = [("up", frame, parent_of[frame]) for frame in walk.up]
     steps += [("down", parent_of[frame], frame) for frame in walk.down] if walk.met is not None else []
     lines = [f"from {fmt_name(walk.source)} to {fmt_name(walk.target)}"]
@@ -151,9 +151,7 @@ class _Drawing:
 
     def __init__(self, ax, rows: Sequence[Row], walk: Walk, faulty: set[str]) -> None:
         self._ax, self._rows, self._walk, self._faulty = ax, rows, walk, faulty
-        self._depths: list[int] = []
-        for row in rows:
-            self._depths.append(0 if row.parent_row is None else self._depths[row.parent_row] + 1)
+        self._depths = depths_of(rows)
         self._step = min(WIDEST_STEP, INDENT / (max(self._depths, default=0) or 1))
         numbers = count(1)
         self._up = {frame: next(numbers) for frame in walk.up}
@@ -201,7 +199,7 @@ class _Drawing:
         from matplotlib.patches import FancyBboxPatch
 
         x, y = self._place(number)
-        said = fmt_name(row.frame) if row.role == "frame" else f"{fmt_name(row.frame)} ({row.role})"
+        said = row_name(row)
         width = LETTER * len(said) + 16.0
         is_odd = row.role != "frame" or row.frame in self._faulty
         colour = style.ACCENT if is_odd else style.INK
@@ -239,10 +237,4 @@ def _climb(parent_of: Mapping[str, str], frame: str, until: set[str]) -> tuple[l
 
 def _listing(rows: Sequence[Row]) -> str:
     """Return the tree as indented lines."""
-    depths: list[int] = []
-    for row in rows:
-        depths.append(0 if row.parent_row is None else depths[row.parent_row] + 1)
-    return "\n".join(
-        f"{'   ' * depth}{fmt_name(row.frame)}{'' if row.role == 'frame' else f' ({row.role})'}"
-        for depth, row in zip(depths, rows, strict=True)
-    )
+    return "\n".join(f"{'   ' * depth}{row_name(row)}" for depth, row in zip(depths_of(rows), rows, strict=True))

@@ -41,7 +41,7 @@ def seen_from(base_T_laser: Transform, laser_p: Sequence[float]) -> dict[str, Ve
 
 
 def describe_mount(yaw_rad: float, laser_p: Sequence[float], laser_at: Sequence[float] = LASER_AT) -> str:
-    """Return the same in words: what the laser said, and three places in base_link."""
+    """Return the figure's text: what the laser said, and three places in base_link."""
     places = seen_from(Transform.from_rpy(yaw=yaw_rad, translation=laser_at), laser_p)
     truth = np.array(places["corner"])
     lines = [

@@ -35,7 +35,7 @@ STEP_RAD = math.pi / 36.0  # 5 degrees a key: a quarter turn is 18 of them
 
 
 class Panel:
-    """Controls, a picture that follows them, and the same in words.
+    """Controls, a picture that follows them, and its text.
 
     Attributes:
         picture: what is moved.

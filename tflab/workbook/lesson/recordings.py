@@ -32,7 +32,8 @@ from tflab.robots.nodes import launch
 from tflab.ros.graph import Graph, new_graph
 from tflab.ros.node import Node
 from tflab.tools.page import run_words
-from tflab.views.busy_chart import Work, WorkPicture, draw_work
+from tflab.views.busy_chart import Work, draw_work
+from tflab.views.picture import Picture
 
 from .robots import run_node
 
@@ -72,7 +73,7 @@ def fresh_folder() -> Path:
     return folder
 
 
-def draw_heard(recording: Recording, for_s: float = 3.0) -> WorkPicture:
+def draw_heard(recording: Recording, for_s: float = 3.0) -> Picture:
     """Draw when each topic of a recording was heard, in its first `for_s` [s], counted from its first message."""
     heard = {headers.topic: headers.receive_ns for headers in recording.headers}
     table = recording.transforms

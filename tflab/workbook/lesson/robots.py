@@ -43,7 +43,7 @@ from tflab.ros.tf2.listener import TransformListener
 from tflab.ros.time import Time
 from tflab.tools.rviz import look
 from tflab.views.ages import Curve
-from tflab.views.busy_chart import Work, WorkPicture, draw_work
+from tflab.views.busy_chart import Work, draw_work
 from tflab.views.picture import Picture
 from tflab.views.rviz_figure import draw_shown
 from tflab.views.rviz_status import look_through
@@ -223,7 +223,7 @@ def on_robot_c(make_node: Callable[[], Node], make_executor: Callable | None = N
     return run_node(make_node, 3.0, make_executor)
 
 
-def draw_lanes(node: WaitingNode, start_s: float = 1.0, end_s: float = 3.0) -> WorkPicture:
+def draw_lanes(node: WaitingNode, start_s: float = 1.0, end_s: float = 3.0) -> Picture:
     """Draw when transforms are sent, when the node's callback is busy, and when transforms are stored."""
     sent_ns = tuple(range(seconds(start_s), seconds(end_s), seconds(0.05)))  # odometry, 20 times a second
     rows = (
