@@ -1,4 +1,4 @@
-"""Body axes, optical axes, and turning."""
+"""Axes of bodies and cameras, rotations, and the card of conventions."""
 
 import math
 
@@ -10,6 +10,7 @@ from tflab.views.axes import (
     FROM_BEHIND,
     draw_body_axes,
     draw_cameras,
+    draw_card,
     draw_right_hand,
     draw_rotation,
     optical_from_body,
@@ -131,3 +132,10 @@ def test_turn_words_agree_with_the_engine():
     assert Transform.from_rpy(pitch=0.1).apply((1.0, 0.0, 0.0))[2] < 0.0
     assert Transform.from_rpy(roll=0.1).apply((0.0, 1.0, 0.0))[2] > 0.0
     assert "nose goes down" in draw_right_hand().text and "left side goes up" in draw_right_hand().text
+
+
+def test_the_card_names_both_conventions_and_the_turn_between_them():
+    text = draw_card().text
+    assert "base_link, camera_link: x forward, y left, z up" in text
+    assert "..._optical_frame: x right, y down, z forward" in text
+    assert "xyzw  (-0.5, 0.5, -0.5, 0.5)" in text

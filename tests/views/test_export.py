@@ -8,7 +8,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from tflab.views.export import export_html, main
+from tflab.views.export import export_html, main, with_mathml
 from tflab.views.export_widgets import outputs_from_widget
 
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -216,3 +216,27 @@ def test_the_command_says_how_many_views_were_not_stored_and_how_to_have_them(tm
     said = capsys.readouterr().err
     assert "2 live views are missing" in said
     assert f'tflab build --html "{notebook}"' in said
+
+
+pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")
+
+
+def test_a_formula_in_a_line_and_one_on_its_own():
+    text = with_mathml("It turns by $\\theta$.\n\n$$p = R q + t$$\n")
+    assert text.startswith('It turns by <math xmlns="http://www.w3.org/1998/Math/MathML" display="inline">')
+    assert 'display="block"' in text
+    assert "$" not in text
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "in xacro: `${pi/2}` and `$HOME`",
+        "```\n$ ros2 topic list $x$\n```",
+        "    $ source $HOME/setup.bash $x$",
+        "it costs 5$ or 6$ a piece",
+        r"a price of \$5 and \$6",
+    ],
+)
+def test_code_and_prices_stay_as_they_are(text):
+    assert with_mathml(text) == text

@@ -286,12 +286,6 @@ def test_a_frame_can_be_hung_somewhere_else_and_what_tf2_says_stands_below():
     assert "('map', 'odom'), ('odom', 'base_link')" in panel.text and "('laser_frame', 'odom')]" in panel.text
 
 
-def test_the_menus_of_a_tree_speak_the_language_of_the_copy():
-    assert list(one_tree_panel("ko").controls) == ["옮길 frame", "새 부모", "원본", "목표"]
-    with pytest.raises(ValueError, match="languages are en, ko"):
-        one_tree_panel("fr")
-
-
 def test_whatever_is_asked_of_a_tree_it_and_tf2s_words_stand_on_its_card_and_the_panel_fits_a_laptop():
     def looped(edges, target, source):  # tf2's longest answer: it names every edge
         named = (f"Frame {child} exists with parent {parent}." for parent, child in edges[:-1])

@@ -6,9 +6,23 @@ import pytest
 from matplotlib.text import Text
 
 from tflab.core import ExtrapolationException, Transform
-from tflab.views import ages, axes, frames, motion_error, sentence, style, timeline
+from tflab.views import (
+    ages,
+    axes,
+    coordinates,
+    frames,
+    map_error,
+    motion_error,
+    rotations,
+    sentence,
+    style,
+    timeline,
+    tree_path,
+)
+from tflab.views.late_joiner import Letter, Sender, draw_joins
 from tflab.views.number_table import NumberTable
 from tflab.views.picture import Picture
+from tflab.views.transform_chain import Step, draw_joints
 
 POSES = {"map": Transform(), "base_link": Transform.from_rpy(yaw=0.5, translation=(2.0, 1.0, 0.0))}
 
@@ -58,6 +72,35 @@ PICTURES = {
     "journeys": lambda: ages.draw_journeys([ages.Journey("scan", 0, 10_000_000, 20_000_000)]),
     "latency": lambda: motion_error.draw_latency(motion_error.Sight()),
 }
+
+
+PARENTS = {"odom": "map", "base": "odom", "laser": "base"}
+SENDER = Sender("driver", (Letter(1.0, ("laser_frame",)),))
+ARM = [
+    Step("neck", "base", "arm", Transform((0.0, 0.0, 1.0)), 0.3),
+    Step("weld", "arm", "tool", Transform((2.0, 0, 0))),
+]
+LINE = np.linspace((0.0, 0.0), (4.0, 1.0), 5)
+DRAWINGS = {
+    "card": axes.draw_card,
+    "tree path": lambda: tree_path.draw_walk(tree_path.snapshot_of_parents(PARENTS), "map", "laser"),
+    "late joiner": lambda: draw_joins([SENDER], 2.5, 6.0),
+    "arm": lambda: draw_joints(ARM, "neck", {"wrong": (1.0, 1.0, 1.0)}),
+    "rulers": lambda: coordinates.draw_rulers(POSES, (3.0, 1.0, 0.0)),
+    "two times": lambda: coordinates.draw_moments(POSES, (3.0, 1.0, 0.0)),
+    "tracks": lambda: map_error.draw_tracks({"odom": LINE}, LINE + 0.1, range(5)),
+    "many points": lambda: map_error.draw_placed(
+        {"here": np.random.default_rng(1).normal(size=(5000, 3))}, walls=[((0.0, 0.0), (4.0, 0.0))]
+    ),
+    "orders": lambda: rotations.draw_orders(("roll", 1.5), ("yaw", 1.5)),
+    "drives": lambda: rotations.draw_drives({"left": 0.4, "right": -0.4}),
+}
+
+
+@pytest.mark.parametrize("name", DRAWINGS)
+def test_a_drawing_is_small_and_has_the_same_bytes_every_time(name):
+    first, again = (DRAWINGS[name]().png() for _ in range(2))
+    assert first == again and len(first) < 60_000
 
 
 @pytest.fixture(scope="module", params=PICTURES, name="drawn")

@@ -159,15 +159,6 @@ ipywidgets.VBox([slider, scene])
     assert linked == [linked[0]] * 4 and linked[0] > 0  # the first links the program of the quick renderer, too
 
 
-def test_a_view_that_opens_late_shows_the_scene_as_it_is_by_then(lab, page):
-    show_late = "for x_m in (0.2, 0.5, 1.0):\n    scene['robot'].set_transform(at(x_m))\nscene"
-    lab.write_notebook("late.ipynb", [SETUP, "scene = box_scene()", show_late])
-    lab.open(page, "late.ipynb")
-    lab.run_all(page)
-    wait_for_views(page)
-    wait_for_colour(page, ORANGE, *AT_1_M)
-
-
 def test_twenty_views_share_their_webgl_context_and_none_is_lost(lab, page):
     page.add_init_script(COUNT_CONTEXTS)
     twenty = "for i in range(20):\n    display(box_scene(0x0072B2 if i % 2 else 0xD55E00, height_px=60))"
@@ -402,7 +393,7 @@ scene
 WRITTEN = "[...globalThis.tflabViews][0].names.map((name) => name.frame).sort().join(' ')"
 
 
-def test_from_afar_one_name_stands_for_a_crowd_and_from_near_each_has_its_own(lab, page) -> None:
+def test_labels_are_grouped_when_zoomed_out(lab, page) -> None:
     lab.write_notebook("crowd.ipynb", [SETUP, CROWD])
     lab.open(page, "crowd.ipynb")
     lab.run_all(page)

@@ -31,11 +31,6 @@ def test_a_stamp_is_printed_in_seconds():
     assert style.fmt_stamp(20_000_000) == "0.020 s"
 
 
-def test_axes_differ_in_letter_colour_and_line():
-    assert len(set(style.AXES)) == len(set(style.AXIS_COLOURS.values())) == len(set(style.AXIS_LINES.values())) == 3
-    assert style.AXIS_COLOURS == {"x": "#D55E00", "y": "#009E73", "z": "#0072B2"}
-
-
 def test_our_settings_hold_only_while_we_draw():
     before = dict(matplotlib.rcParams)
     with style.our_settings():

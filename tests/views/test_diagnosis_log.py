@@ -1,8 +1,16 @@
-"""A visit is drawn step by step: what each said, and where a suspect's line ends."""
+"""The steps of a visit, and the order of its checks."""
 
 import pytest
 
-from tflab.views.diagnosis_log import VisitStep, describe_visit, draw_visit
+from tflab.views.diagnosis_log import (
+    VisitStep,
+    describe_minutes,
+    describe_order,
+    describe_visit,
+    draw_minutes,
+    draw_order,
+    draw_visit,
+)
 
 STEPS = [
     VisitStep("RViz", 0.0, "into the future", "", ("ahead", "late", "slow")),
@@ -70,3 +78,30 @@ def test_a_long_finding_ends_in_dots_in_the_picture_alone():
 def test_nothing_is_no_visit():
     with pytest.raises(ValueError, match="no step to draw"):
         draw_visit([], 12.0)
+
+
+LOG = [("view_frames", 3, 3), ("delay /scan", 1, 1), ("monitor", 4, 1)]
+
+
+def test_the_words_are_a_list_with_the_moment_at_which_it_was_clear():
+    assert describe_order([]) == "nothing was asked"
+    assert draw_order(LOG).text.splitlines() == [
+        "1. view_frames: 3 min, 3 in all, 3 left",
+        "2. delay /scan: 1 min, 4 in all, 1 left  one suspect left",
+        "3. monitor: 4 min, 8 in all, 1 left  told nothing more",
+    ]
+
+
+def test_a_bar_begins_where_the_one_before_ends():
+    bars = draw_order(LOG).figure.axes[0].patches
+    assert [(bar.get_x(), bar.get_width()) for bar in bars] == [(0, 3), (3, 1), (4, 4)]
+    assert [str(bar.get_hatch()) for bar in bars] == ["", "", "////"]
+
+
+def test_ways_of_asking_are_compared_by_mean_worst_and_budget():
+    ways = {"in order": {"a": 6, "b": 14}, "best next": {"a": 2, "b": 4}}
+    assert describe_minutes(ways, 12).splitlines() == [
+        "in order   mean 10.0 min, worst 14, 1 of 2 within 12",
+        "best next  mean 3.0 min, worst 4, 2 of 2 within 12",
+    ]
+    assert draw_minutes(ways, 12).text == describe_minutes(ways, 12)

@@ -1,11 +1,12 @@
-"""Where a turned laser sees a corner, and where two mistakes put it."""
+"""Points read in a wrong frame, by a swapped lookup, or with the rotation forgotten."""
 
 import math
 
+import numpy as np
 import pytest
 
 from tflab.core import Transform
-from tflab.views.wrong_frames import describe_mount, draw_mount, seen_from
+from tflab.views.wrong_frames import describe_extent, describe_mount, draw_misread, draw_mount, seen_from
 
 LASER_AT = (0.2, 0.0, 0.15)
 
@@ -28,7 +29,7 @@ def test_without_a_turn_forgetting_the_turn_is_no_mistake():
     assert places["turn forgotten"] == pytest.approx(places["corner"])
 
 
-def test_a_laser_that_looks_backwards_hides_a_swap_from_everybody_who_does_not_look_at_z():
+def test_swapped_lookup_is_visible_only_in_z_for_rear_facing_laser():
     places = seen_from(turned(math.pi), (2.0, 0.7, 0.0))
     assert places["swapped"][:2] == pytest.approx(places["corner"][:2])
     assert places["swapped"][2] == pytest.approx(-0.15)
@@ -45,7 +46,7 @@ def test_the_picture_in_words():
 
 
 @pytest.mark.parametrize("yaw_rad", [-math.pi, -1.0, 0.0, 0.7, math.pi])
-def test_whatever_the_slider_chooses_stays_in_the_picture(yaw_rad):
+def test_points_stay_in_the_picture_for_any_yaw(yaw_rad):
     picture = draw_mount(yaw_rad)
     low, high = picture.figure.axes[0].get_xlim()
     for x, y, _ in seen_from(turned(yaw_rad), (2.0, 0.0, 0.0)).values():
@@ -56,3 +57,25 @@ def test_a_mistake_that_hides_behind_the_truth_is_a_ring_around_it():
     picture = draw_mount(math.pi)
     assert picture.points["swapped"].mark.get_markersize() > picture.points["corner"].mark.get_markersize()
     assert picture.points["swapped"].mark.get_zorder() < picture.points["corner"].mark.get_zorder()
+
+
+WALL = np.array([(2.0, -1.0, 0.0), (2.0, 1.0, 1.5)])
+
+
+def test_a_cloud_is_described_by_how_far_it_reaches_and_a_flat_side_by_one_number():
+    assert (
+        describe_extent({"wall": WALL}) == "In base_link:\n  wall: x 2.000 m, y -1.000 to 1.000 m, z 0.000 to 1.500 m"
+    )
+
+
+def test_both_readings_are_in_the_words_and_the_picture_fits_on_a_page():
+    picture = draw_misread({"wall": WALL}, {"wall": WALL[:, [1, 2, 0]]}, ("as it is", "as misread"))
+    assert picture.text == (
+        "as it is. In base_link:\n  wall: x 2.000 m, y -1.000 to 1.000 m, z 0.000 to 1.500 m\n"
+        "as misread. In base_link:\n  wall: x -1.000 to 1.000 m, y 0.000 to 1.500 m, z 2.000 m"
+    )
+    assert len(picture.png()) < 60_000
+
+
+def test_a_side_may_be_empty():
+    assert draw_misread({"wall": WALL}, {}, ("all", "none")).text.endswith("none. In base_link:")

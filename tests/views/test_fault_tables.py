@@ -1,0 +1,134 @@
+"""Tables of suspects, owners and tools."""
+
+from __future__ import annotations
+
+import pytest
+
+from tflab.views.fault_tables import (
+    Owner,
+    Suitability,
+    ToolOutput,
+    describe_owners,
+    describe_suspects,
+    draw_owners,
+    draw_suspects,
+    draw_tools,
+)
+from tflab.views.panels import tools_panel
+
+TABLE = {
+    "clock ahead": {"delay /scan": "ahead", "hz /odom": "as on the card", "hz /scan": "as on the card"},
+    "late": {"delay /scan": "as on the card", "hz /odom": "trembles", "hz /scan": "as on the card"},
+    "slow": {"delay /scan": "as on the card", "hz /odom": "too seldom", "hz /scan": "as on the card"},
+}
+
+
+def test_the_words_say_who_is_left_and_which_questions_tell_something():
+    assert describe_suspects(TABLE, {"delay /scan": "as on the card"}).splitlines() == [
+        "2 of 3 suspects left",
+        "  clock ahead  struck: delay /scan would be ahead",
+        "  late         left",
+        "  slow         left",
+        "asked: delay /scan: as on the card",
+        "not asked: hz /odom: would tell 2 apart",
+        "not asked: hz /scan: nothing",
+    ]
+
+
+def test_a_struck_row_has_a_line_through_it_and_an_unasked_column_is_hatched():
+    picture = draw_suspects(TABLE, {"delay /scan": "ahead"})
+    assert len(picture.ax.lines) == 2
+    assert sum(patch.get_hatch() is not None for patch in picture.ax.patches) == 6
+    picture.tell({"delay /scan": "ahead", "hz /odom": "as on the card"})
+    assert sum(patch.get_hatch() is not None for patch in picture.ax.patches) == 3
+    assert picture.text.startswith("1 of 3 suspects left")
+
+
+def test_what_is_no_column_is_refused():
+    with pytest.raises(ValueError, match="nobody to suspect"):
+        draw_suspects({})
+    with pytest.raises(ValueError, match=r"no column 'tape'; there is delay /scan"):
+        draw_suspects(TABLE, {"tape": "x"})
+
+
+TWO = [
+    Owner("map -> odom", "localization", "scan", "tf_broadcast", "10.2 Hz"),
+    Owner("odom -> base_footprint", "wheel_odometry", "wheels", "publish_tf", "20.2 Hz"),
+    Owner("odom -> base_footprint", "ekf_filter_node", "wheels, imu", "publish_tf", "30.1 Hz"),
+    Owner("base_link -> laser_frame", ""),
+]
+
+
+def test_the_words_mark_an_edge_with_two_owners_and_one_with_none():
+    assert describe_owners(TWO).splitlines() == [
+        "map -> odom               localization     scan         tf_broadcast  10.2 Hz",
+        "odom -> base_footprint    wheel_odometry   wheels       publish_tf    20.2 Hz  ! 2",
+        "odom -> base_footprint    ekf_filter_node  wheels, imu  publish_tf    30.1 Hz  ! 2",
+        "base_link -> laser_frame  nobody           -            -             -        ! 0",
+    ]
+
+
+def test_the_picture_says_the_same():
+    picture = draw_owners([tuple(owner) for owner in TWO])
+    assert picture.text == describe_owners(TWO)
+    drawn = [text.get_text() for text in picture.figure.axes[0].texts]
+    assert drawn.count("! 2") == 2 and "nobody" in drawn
+    with pytest.raises(ValueError, match="needs a row"):
+        draw_owners([])
+
+
+TOOLS = [
+    ToolOutput("echo", "ros2 run tf2_ros tf2_echo a b", "At time 1.0"),
+    ToolOutput("hz", "ros2 topic hz /tf", "50"),
+]
+VERDICTS = {
+    "value": {"echo": Suitability("answers", "the pose"), "hz": Suitability("cannot", "it counts")},
+    "rate": {"echo": Suitability("cannot", "its own rate"), "hz": Suitability("half", "of everybody")},
+}
+ASKED = {"value": "Where is b?", "rate": "How often?"}
+
+
+@pytest.fixture
+def panel():
+    made = tools_panel(ASKED, TOOLS, VERDICTS, ("question", "tool"))
+    yield made
+    made.close()
+
+
+def said(panel):
+    return panel.widget.children[2].value
+
+
+def test_a_panel_shows_what_the_tool_printed_and_says_whether_it_answers(panel):
+    assert panel.text == "value: ✓ answers. the pose\n$ ros2 run tf2_ros tf2_echo a b\nAt time 1.0"
+    assert said(panel) == "<b>✓</b> the pose"
+
+
+def test_another_question_or_tool_has_another_verdict(panel):
+    panel.controls["question"].value = "rate"
+    assert said(panel) == "<b>✗</b> its own rate"
+    panel.controls["tool"].index = 1
+    assert said(panel) == "<b>~</b> of everybody" and "$ ros2 topic hz /tf\n50" in panel.text
+
+
+def test_a_missing_verdict_is_refused():
+    with pytest.raises(ValueError, match="no verdict on 'hz' for 'rate'"):
+        tools_panel(ASKED, TOOLS, {**VERDICTS, "rate": {"echo": Suitability("half", "")}}, ("question", "tool"))
+
+
+def test_the_table_says_in_words_who_answers_what():
+    assert draw_tools(VERDICTS).text == "value: answers echo; cannot hz\nrate: half hz; cannot echo"
+
+
+def test_the_table_has_a_sign_for_each_pair():
+    texts = [text.get_text() for text in draw_tools(VERDICTS).figure.texts]
+    assert texts[:2] == ["echo", "hz"]
+    assert texts[2:8] == ["value", "✓", "✗", "rate", "✗", "~"]
+
+
+def test_a_long_line_is_folded_as_a_terminal_does_it():
+    tool = ToolOutput("echo", "x", "a" * 100 + "\n" + "\n".join("b" * 30))
+    panel = tools_panel({"value": "?"}, [tool], {"value": {"echo": Suitability("half", "")}}, ("question", "tool"))
+    rows = panel.picture._output.text.split("\n")
+    assert rows[:2] == ["a" * 92, "a" * 8] and rows[-1] == "..." and len(rows) == 20
+    panel.close()
