@@ -47,7 +47,7 @@ def test_a_figure_is_an_opaque_card_in_a_transparent_corner():
 
 
 def test_importing_a_view_loads_neither_pyplot_nor_widgets():
-    names = "style picture eye frames labels bodies axes sentence timeline journey latency"
+    names = "style picture projection frames labels axes sentence timeline ages motion_error fault_tables busy_chart"
     code = f"import sys\nfor n in '{names}'.split(): __import__('tflab.views.' + n)\n"
     code += "print(sorted({'matplotlib', 'ipywidgets', 'IPython'} & set(sys.modules)))"
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
