@@ -76,7 +76,7 @@ def define_task(
 
 
 class _Definition:
-    """The YAML file of one task."""
+    """Reads the YAML file of one task."""
 
     def __init__(self, path: Path, form: Form, model: Callable[..., Any] | None, answers: Mapping[str, Any]) -> None:
         self.path = path
@@ -87,7 +87,7 @@ class _Definition:
         self.answers = answers
 
     def read(self) -> dict[str, Any]:
-        """Return the fields of the Task that stand in the file."""
+        """Return the fields of the Task that the file holds."""
         root = compose_yaml(self.path)
         nodes = self.fields(root, KEYS)
         if "title" not in nodes:
@@ -127,22 +127,22 @@ class _Definition:
         pairs = [pair for pair in node.value if pair[0].value in LANGUAGES]
         reply = text_of_node(yaml.MappingNode(node.tag, pairs, node.start_mark), self.path)
         values = {key: _value(nodes[key]) for key in ("combines", "partly", "answer") if key in nodes}
-        name = nodes["name"].value if "name" in nodes else self.fail(node, "a mistake has a `name`")
+        if "name" not in nodes:
+            self.fail(node, "a mistake has a `name`")
+        name = nodes["name"].value
         common = {"reply": reply, "partly": values.get("partly", False)}
         if "misconception" in nodes:
             common["misconception"] = self.misconception(nodes["misconception"])
         if "part" in nodes:
             common["part"] = self.one_of(nodes["part"], self.parts, "part")
-        if "at" in nodes:
-            at = self.steps_at(nodes["at"])
-            if values.get("combines", True):
-                return WrongStep(name, at, **common)
-            return WrongAnswer(name, partial(self.model, **at), **common)
-        if "answer" in values:
-            return WrongAnswer(name, values["answer"], **common)
-        if name not in self.answers:
-            self.fail(node, f'"{name}" has no `at` and no `answer`, and {self.path.stem}.py computes none')
-        return WrongAnswer(name, self.answers[name], **common)
+        if ("at" in nodes) + ("answer" in nodes) + (name in self.answers) != 1:
+            self.fail(node, f'"{name}" has one of `at`, `answer` and an entry in ANSWERS of {self.path.stem}.py')
+        if "at" not in nodes:
+            return WrongAnswer(name, values["answer"] if "answer" in values else self.answers[name], **common)
+        at = self.steps_at(nodes["at"])
+        if values.get("combines", True):
+            return WrongStep(name, at, **common)
+        return WrongAnswer(name, partial(self.model, **at), **common)
 
     def steps_at(self, node: yaml.Node) -> dict[str, Any]:
         nodes = self.fields(node)
@@ -181,7 +181,7 @@ class _Definition:
 
 
 def _value(node: yaml.Node) -> Any:
-    """Return what a node means: a number, a string, a list."""
+    """Return the value of a node: a number, a string, a list or a mapping."""
     from yaml.constructor import SafeConstructor
 
     return SafeConstructor().construct_document(node)
