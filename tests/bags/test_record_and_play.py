@@ -19,7 +19,7 @@ from tflab.bags.reader import read_bag
 from tflab.bags.record import BagWriter, adapted_profile
 from tflab.bags.wire import bytes_of, message_of, profile_of, qos_of
 from tflab.core import Transform
-from tflab.robots.kinematics import joint_transform
+from tflab.robots.model import joint_transform
 from tflab.robots.nodes import launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.robots.urdf import parse_urdf
@@ -30,7 +30,7 @@ from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import TransformListener
 from tflab.ros.time import Duration, Time
 from tflab.tools import ros2
 

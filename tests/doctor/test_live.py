@@ -13,8 +13,8 @@ from tflab.doctor.diagnose import diagnose_recording
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
 from tflab.ros.messages import sensor_msgs
+from tflab.ros.messages.values import serialize_message
 from tflab.ros.node import Node
-from tflab.ros.serialization import serialize_message
 from tflab.tools import ros2
 
 STATIC = ["run", "tf2_ros", "static_transform_publisher", "--frame-id", "base_link", "--child-frame-id"]

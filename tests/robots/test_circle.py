@@ -8,7 +8,7 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.graph import new_graph
 from tflab.ros.node import Node
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import TransformListener
 
 
 @pytest.mark.parametrize(

@@ -8,8 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tflab.core import Transform
-from tflab.robots.kinematics import all_positions, joint_transform, link_poses, link_transform
-from tflab.robots.model import Joint
+from tflab.robots.model import Joint, all_positions, joint_transform, link_poses, link_transform
 from tflab.robots.urdf import parse_urdf
 
 # base --swing(z) at (1, 0, 0)--> arm --slide(x) at (0, 0, 1), turned on its side--> hand

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from tflab.core import LATEST, quaternions, seconds
-from tflab.robots.kinematics import joint_transform
+from tflab.robots.model import joint_transform
 from tflab.robots.nodes import USUAL_NODES, launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros import client_library as rclpy
@@ -16,7 +16,7 @@ from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import TransformListener
 
 
 class Audience:

@@ -8,7 +8,7 @@ import yaml
 
 from tflab.core import LATEST, Transform, seconds
 from tflab.robots import teaching
-from tflab.robots.kinematics import link_transform
+from tflab.robots.model import link_transform
 from tflab.robots.motion import Drive, Leg
 from tflab.robots.readings import Detection, JointReading, OdometryReading, Scan
 from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf

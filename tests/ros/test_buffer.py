@@ -13,11 +13,10 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.messages.geometry_msgs import Point, Quaternion, TransformStamped, Vector3
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage
 from tflab.ros.node import Node
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.core import BufferCore
 from tflab.ros.tf2.interface import BufferInterface, NotImplementedException, TransformRegistration, TypeException
-from tflab.ros.tf2.listener import StaticTransformListener, TransformListener
+from tflab.ros.tf2.topics import StaticTransformListener, TransformBroadcaster, TransformListener
 from tflab.ros.time import ClockType, Duration, Time
 
 

@@ -7,9 +7,8 @@ from tflab.ros import client_library as rclpy
 from tflab.ros import snapshot
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.node import Node
-from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 from tflab.ros.time import Time
 
 

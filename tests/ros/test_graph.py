@@ -388,7 +388,7 @@ def test_clocks_sleep_on_virtual_time(graph):
 
 def test_a_snapshot_knows_who_publishes_what(graph):
     from tflab.ros.messages.geometry_msgs import TransformStamped
-    from tflab.ros.tf2.broadcaster import TransformBroadcaster
+    from tflab.ros.tf2.topics import TransformBroadcaster
 
     def robot():
         rclpy.init()

@@ -10,11 +10,10 @@ from tflab.ros.graph import new_graph
 from tflab.ros.logging import LoggingSeverity, get_logger, set_logger_level
 from tflab.ros.messages.geometry_msgs import PointStamped, TransformStamped
 from tflab.ros.node import Node
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.filters import SimpleFilter, Subscriber
-from tflab.ros.tf2.listener import TransformListener
 from tflab.ros.tf2.message_filter import DropReason, MessageFilter
+from tflab.ros.tf2.topics import TransformBroadcaster, TransformListener
 from tflab.ros.time import Duration, Time
 
 

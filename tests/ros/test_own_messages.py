@@ -11,8 +11,8 @@ from tflab.ros import messages
 from tflab.ros.messages import packages
 from tflab.ros.messages.definition import parse_definition
 from tflab.ros.messages.text import type_hash
+from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
-from tflab.ros.serialization import deserialize_message, serialize_message
 
 DETECTION = """
 # What a detector saw.

@@ -13,9 +13,8 @@ from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
-from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformBroadcaster, TransformListener
 from tflab.ros.time import Duration, Time
 
 

@@ -3,7 +3,6 @@
 import pytest
 
 from tflab.ros import client_library as rclpy
-from tflab.ros.event_handler import PublisherEventCallbacks, SubscriptionEventCallbacks, UnsupportedEventTypeError
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.qos import (
@@ -21,8 +20,11 @@ from tflab.ros.qos import (
     qos_profile_sensor_data,
 )
 from tflab.ros.qos_compatibility import (
+    PublisherEventCallbacks,
     QoSCompatibility,
     QoSPolicyKind,
+    SubscriptionEventCallbacks,
+    UnsupportedEventTypeError,
     incompatible_policy,
     qos_check_compatible,
     qos_policy_name_from_kind,

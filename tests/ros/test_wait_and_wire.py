@@ -4,16 +4,16 @@ import numpy as np
 import pytest
 
 from tflab.ros import client_library as rclpy
+from tflab.ros.client_library import wait_for_message
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.geometry_msgs import PoseWithCovariance, TransformStamped
 from tflab.ros.messages.sensor_msgs import JointState, LaserScan
 from tflab.ros.messages.std_msgs import Byte, String
 from tflab.ros.messages.text import TRUNCATE_LENGTH, message_to_dict, message_to_yaml, type_hash
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage
+from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
-from tflab.ros.serialization import deserialize_message, serialize_message
-from tflab.ros.wait_for_message import wait_for_message
 
 
 @pytest.fixture

@@ -5,7 +5,7 @@ import math
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.node import Node
-from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
+from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformBroadcaster
 
 
 def transform(node, parent, child, x=0.0, y=0.0, z=0.0, yaw=0.0):

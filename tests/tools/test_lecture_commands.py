@@ -13,7 +13,7 @@ from tools_robot import fixed, moving, transform
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.messages.tf2_msgs import TFMessage
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.ros.tf2.topics import TransformBroadcaster
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
 

@@ -26,7 +26,7 @@ from tflab.ros.convert import msg_from_stamped
 from tflab.ros.messages import tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.ros.tf2.topics import TransformBroadcaster
 
 __all__ = ["CAUSES", "HEALTHY", "Launch", "Numbers", "draw_numbers"]
 

@@ -9,8 +9,7 @@
     plain        the reference implementation; the modules below are fast
     segments     interpolation between two samples
     cache        the samples of one edge
-    tree         frames, their numbers and their caches
-    walk         the path from one frame to another
+    tree         frames, their caches, and the path from one to another
     failures     tf2's text for a failed lookup
     routes       cached paths, and when they are forgotten
     buffer       BufferCore: publish and look up

@@ -1,15 +1,14 @@
 """Look up transforms at many stamps at once.
 
-    stamps_ns   [ t0   t1   t2  ... ]      one question each
-    answer      [ translations, rotations ], and, for the rows that are NaN, why not
+    stamps_ns   [ t0   t1   t2  ... ]      one lookup each
+    result      [ translations, rotations ]; failed rows are NaN, with their exceptions
 
-Questions are answered in blocks that fit the processor's cache, each block in the
-order of time, because a search that walks forward is several times faster than
-one that jumps.  A few, or those about frames that changed their parents, are asked
-one by one.
+Lookups run in blocks that fit the processor's cache, each block in the order of time,
+because a search that moves forward is several times faster than random access. Small
+batches, and frames that changed their parents, are looked up one by one.
 
-This page holds no buffer: it gets `ask(stamp_ns)`, the single lookup between the two
-frames, for whatever columns cannot answer.  tf2 has nothing of the kind.  (Batch
+This module does not hold a buffer. It gets `ask(stamp_ns)`, the single lookup between
+the two frames, for what columns cannot compute. tf2 has no counterpart. (Batch
 processing; cache blocking.)
 """
 

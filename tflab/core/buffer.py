@@ -4,17 +4,16 @@
                               |
                        [ tree of histories ]
                               |
-    ask     -->  lookup_transform(target, source, stamp)   target_T_source
+    look up -->  lookup_transform(target, source, stamp)   target_T_source
 
-Read a question aloud: "data expressed in *source*, wanted in *target*".  Both
-stamps and answers are integer nanoseconds; LATEST (0) asks for the newest moment
-at which the whole way is known.
+A lookup converts data expressed in *source* into *target*. Stamps are integer
+nanoseconds; LATEST (0) requests the newest time at which the whole path is known.
 
-A bad transform is not an error but refused: it is reported to the logger
-`tflab.tf2` and set_transform returns False, because that is what tf2 does, and
-on a robot nobody catches an exception in another process.
+A bad transform is rejected without an exception, as in tf2: it is reported to the
+logger `tflab.tf2`, and set_transform returns False. On a robot, the publisher is in
+another process and could not catch an exception.
 
-One thread may write while others read.  tf2 calls this BufferCore
+One thread may write while others read. tf2 calls this BufferCore
 (tf2/src/buffer_core.cpp, 0.39.1).
 """
 
@@ -34,7 +33,7 @@ from .poses import IDENTITY_POSE, Pose, are_ordinary_numbers, canonical_pose, co
 from .requests import RequestCallback, RequestQueue
 from .stamps import NSEC_PER_SEC
 from .transforms import StampedTransform, Transform, stamped_from_pose
-from .walk import Failure, find_way, latest_common_time, pose_along
+from .tree import Failure, find_way, latest_common_time, pose_along
 
 __all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore"]
 

@@ -1,7 +1,7 @@
 """Store the samples of one edge and interpolate between them.
 
-A frame's parent may move it, so every child frame keeps a short history of
-samples.  This page knows nothing of trees or names: parents are numbers.
+Every child frame keeps a short history of samples. This module knows no trees and no
+names: parents are numbers.
 
        insert                                  at(t)
          |                                       |
@@ -9,12 +9,12 @@ samples.  This page knows nothing of trees or names: parents are numbers.
     ----[+]----[ o-----o-------o-----o-----------?-----o-----o ]---->  time
      too old    `---------- at most cache_time ------------'
 
-Between two samples the child moves on a straight line and turns along the
-shorter arc.  Outside them there is no answer: tf2 never extrapolates.
+Between two samples the position is interpolated linearly and the rotation along the
+shorter arc. Outside of them a lookup fails: tf2 never extrapolates.
 
-A history is kept in columns, 68 bytes a sample, as it was sent (a structure of
-arrays).  Samples at the old end that were dropped stay in them for a while,
-before index `_first`, and are cut off many at a time.
+A history is stored in columns, 68 bytes a sample, as it was sent (a structure of
+arrays). Samples dropped at the old end stay in them for a while, before index
+`_first`, and are removed many at a time.
 
 tf2 calls these classes TimeCache and StaticCache, with one interface between them
 (tf2/src/cache.cpp, static_cache.cpp, time_cache.hpp).
@@ -164,16 +164,16 @@ class TimeCache:
         """Keep a sample that is not newer than all others, unless an equal one is there, as in tf2's step 3."""
         i = bisect_right(self._stamps, stamp_ns, self._first)
         sample = (through_matrix(numbers), parent)
-        twin = i - 1
-        while twin >= self._first and self._stamps[twin] == stamp_ns:
-            if sample == (through_matrix(self._as_sent(twin)), self._parent(twin)):
+        same = i - 1
+        while same >= self._first and self._stamps[same] == stamp_ns:
+            if sample == (through_matrix(self._as_sent(same)), self._parent(same)):
                 return
-            twin -= 1
+            same -= 1
         label = self._label(parent, authority)
         self._stamps.insert(i, stamp_ns)
         self._numbers[7 * i : 7 * i] = array("d", numbers)
         self._labels.insert(i, label)
-        if i == len(self._stamps) - 1:  # a twin of the newest: it came last, so it answers
+        if i == len(self._stamps) - 1:  # equal to the newest: it came last, so it answers
             self.newest_parent, self._newest_authority, self._newest_label = parent, authority, label
         self.oldest_ns = self._stamps[self._first]
         self._renumbered()

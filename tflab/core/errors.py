@@ -1,17 +1,17 @@
 """Define tf2's exceptions.
 
     TransformException
-    |-- LookupException           the buffer has never heard of that name
-    |-- ConnectivityException     both names are known, but no path joins them
-    |-- ExtrapolationException    there is a path, but no data for that moment
-    |-- InvalidArgumentException  the question itself is malformed
-    `-- TimeoutException          somebody else did not answer in time
+    |-- LookupException           a frame name was never published
+    |-- ConnectivityException     both frames are known, but no path connects them
+    |-- ExtrapolationException    there is a path, but no data at that time
+    |-- InvalidArgumentException  a frame name is malformed
+    `-- TimeoutException          another node did not answer in time
 
-The text of each is tf2's to the letter, so that a web search and a robot agree.
-What we know beyond that text is kept beside it, in attributes and in `hint`.
+The texts are tf2's to the letter, so that a web search finds them and a robot prints
+the same. Additional information is in attributes and in `hint`.
 
-C++ has three kinds of extrapolation; Python sees one class, here with a
-`direction`.  (tf2/exceptions.hpp)
+C++ has three kinds of extrapolation; Python has one class, here with a `direction`.
+(tf2/exceptions.hpp)
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class TransformException(Exception):
         return ""
 
     def __reduce__(self) -> tuple[Any, ...]:
-        # No module is called `tf2`, so pickle needs to be told where the class lives.
+        # No module is called `tf2`, so pickle needs the module of the class.
         return (_rebuild, (type(self).__name__, self.args, self.__dict__))
 
 
@@ -160,15 +160,15 @@ class ExtrapolationException(TransformException):
     @property
     def hint(self) -> str:
         edge = f"{self.parent} -> {self.frame}" if self.parent else self.frame
-        apart = f"{abs(self.requested_ns - self.bound_ns) / 1e6:.1f} ms"
+        distance = f"{abs(self.requested_ns - self.bound_ns) / 1e6:.1f} ms"
         if self.direction == "future":
             return (
-                f"The newest {edge} is {apart} older than the moment asked for. If it is merely on its way, a short "
+                f"The newest {edge} is {distance} older than the moment asked for. If it is merely on its way, a short "
                 "wait helps; if two clocks disagree, no wait will."
             )
         if self.direction == "past":
             return (
-                f"The oldest {edge} is {apart} newer than the moment asked for. Was the data processed too late, is "
+                f"The oldest {edge} is {distance} newer than the moment asked for. Was the data processed too late, is "
                 "the buffer too short, or does the stamp come from another clock?"
             )
         if self.direction == "no_data" and self.bound_ns:

@@ -15,8 +15,7 @@ from __future__ import annotations
 from .describe import all_frames_as_string
 from .errors import ConnectivityException, ExtrapolationException, LookupException, TransformException
 from .stamps import format_stamp
-from .tree import FrameTree
-from .walk import Failure
+from .tree import Failure, FrameTree
 
 __all__ = ["exception_from_failure", "extrapolation_text", "text_from_failure"]
 
@@ -50,7 +49,7 @@ def extrapolation_text(direction: str, requested_ns: int, bound_ns: int, target_
 def exception_from_failure(
     tree: FrameTree, failure: Failure, target_frame: str, source_frame: str
 ) -> TransformException:
-    """Return the exception that tf2 raises for a failure, with what we know of the cause beside its text."""
+    """Return the exception that tf2 raises for a failure, with the cause in attributes."""
     text = text_from_failure(tree, failure, target_frame, source_frame)
     if failure.kind == "loop":
         return LookupException(text, target_frame=target_frame, source_frame=source_frame)

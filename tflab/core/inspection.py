@@ -23,8 +23,7 @@ from .failures import exception_from_failure
 from .routes import Routes
 from .stamps import LATEST
 from .transforms import Transform, transform_from_pose
-from .tree import FrameTree
-from .walk import Failure, Way, find_way, frames_on_way
+from .tree import Failure, FrameTree, Way, find_way, frames_on_way
 
 __all__ = ["FrameSnapshot", "History", "Inspection", "Memory", "Snapshot", "snapshot_of"]
 
@@ -119,7 +118,7 @@ class History(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """What a buffer holds, and apart from that what it merely remembers to be fast.
+    """The memory of a buffer: its samples, and separately its caches.
 
     Attributes:
         samples: how many transforms are stored.
@@ -192,7 +191,7 @@ class Inspection:
             return _history_of(self._tree, self._tree.numbers[frame])
 
     def memory(self) -> Memory:
-        """Return how much is stored, and, apart from it, how much is merely remembered to be fast."""
+        """Return the memory of the samples, and separately of the caches."""
         with self._lock:
             caches = [cache for cache in self._tree.caches if cache is not None]
             weights = [cache.memory() for cache in caches]

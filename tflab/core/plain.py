@@ -8,11 +8,9 @@
         up from the target      camera -> base_link -> odom -> map     until both meet
         camera_T_laser = inverse(map_T_camera) @ map_T_laser
 
-Every page after this one does the same, faster, and in tf2's words where there
-is no answer.  The tests play the recordings of the real tf2 on this module too, and
-hold the fast engine to it: it is their reference implementation, the oracle.
-(Two oddities are left to the fast pages: a frame that is called NO_PARENT, and
-translations that are infinite.)
+The other modules do the same faster, with tf2's texts for failures. Tests play the
+recordings of tf2 on this module, too, and compare the fast engine with it. Two cases
+are left to the fast modules: a frame called NO_PARENT, and infinite translations.
 
 tf2: TimeCache, BufferCore::walkToTopParent.
 """

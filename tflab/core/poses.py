@@ -1,13 +1,12 @@
 """Compose and invert poses of seven numbers.
 
-    (x, y, z, qx, qy, qz, qw)        a step [m], and a turn of length one
+    (x, y, z, qx, qy, qz, qw)        a translation [m] and a unit quaternion
 
-    map_T_base = compose(map_T_odom, odom_T_base)      first the inner one, then the outer
+    map_T_base = compose(map_T_odom, odom_T_base)
     odom_T_map = invert(map_T_odom)
 
-The next page gives these numbers a name and a face; the engine hands them around
-as a plain tuple, because a lookup may touch thousands of them.  (The rigid motions
-SE(3), as a vector and a unit quaternion.)
+`Transform` is the public class of these numbers. The engine passes them as a plain
+tuple, because a lookup may touch thousands of them. (The rigid motions SE(3).)
 """
 
 from __future__ import annotations

@@ -105,9 +105,9 @@ def angle(a: Quaternion, b: Quaternion = IDENTITY) -> float:
     """Return the angle [rad] between two rotations, in [0, pi]."""
     ax, ay, az, aw = a
     bx, by, bz, bw = b
-    apart = math.hypot(ax - bx, ay - by, az - bz, aw - bw)
+    distance = math.hypot(ax - bx, ay - by, az - bz, aw - bw)
     opposite = math.hypot(ax + bx, ay + by, az + bz, aw + bw)
-    return 4.0 * atan2(min(apart, opposite), max(apart, opposite))
+    return 4.0 * atan2(min(distance, opposite), max(distance, opposite))
 
 
 def slerp(a: Quaternion, b: Quaternion, ratio: float) -> Quaternion:

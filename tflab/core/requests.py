@@ -1,17 +1,15 @@
 """Queue requests for transforms that are not available yet, and call back.
 
     request(map <- laser at t)  ->  handle 1, 2, 3, ...    queued
-                                    POSSIBLE_NOW  (0)      ask at once, there will be no call
-                                    NEVER  (2**64 - 1)     that moment has gone for good
+                                    POSSIBLE_NOW  (0)      available now; there will be no call
+                                    NEVER  (2**64 - 1)     older than the cache
 
-After every transform that the buffer accepts, each waiting request is judged
-anew: "available" if a lookup would now succeed, "failure" if its moment lies
-further back than the cache reaches.  A request for LATEST that has to wait can
-therefore fail: its moment is 0, and that is long ago.
+After every transform that the buffer accepts, each waiting request is evaluated again:
+"available" if a lookup would succeed, "failure" if its stamp is older than the cache.
+A waiting request for LATEST can therefore fail: its stamp is 0.
 
-tf2: BufferCore::addTransformableRequest, testTransformableRequests.  (There,
-cancelling one request can take away the callback of another; that is a bug, and
-not copied here.)
+tf2: BufferCore::addTransformableRequest, testTransformableRequests. (There, cancelling
+one request can remove the callback of another. This bug is not copied.)
 """
 
 from __future__ import annotations
@@ -19,8 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .tree import FrameTree
-from .walk import Failure, find_way, latest_common_time
+from .tree import Failure, FrameTree, find_way, latest_common_time
 
 __all__ = ["NEVER", "POSSIBLE_NOW", "RequestCallback", "RequestQueue"]
 

@@ -24,8 +24,7 @@ from __future__ import annotations
 
 from .cache import Cache, TimeCache, chained
 from .poses import Pose, canonical_pose, compose, invert
-from .tree import FrameTree
-from .walk import MAX_DEPTH, histories_of
+from .tree import MAX_DEPTH, FrameTree, histories_of
 
 __all__ = ["Route", "Routes", "plan_route"]
 

@@ -6,13 +6,12 @@
        `---- ratio ------'                           position: (1 - ratio) * start + ratio * end
                                                      rotation: slerp(start, end, ratio)
 
-What does not depend on the moment, a `Segment`, is worked out once for two
-neighbours and remembered, and so is the pose at a sample: asked a second time,
-one edge costs a third.  `Segments` is all that a history remembers besides its
-samples.  It goes by their index, so it has to be forgotten when samples get other
-indices, and never else: see `TimeCache._renumbered`, the only place that does.
+A `Segment` holds what does not depend on the stamp. It is computed once for two
+neighbours and cached, as is the pose at a sample: the second lookup of an edge takes a
+third of the time. `Segments` is the cache of one history, by index, so it must be
+cleared when samples get other indices, and only then (`TimeCache._renumbered`).
 
-tf2 works everything out anew each time (TimeCache::interpolate).  (Spherical linear
+tf2 computes everything anew each time (TimeCache::interpolate). (Spherical linear
 interpolation; memoization.)
 """
 

@@ -1,11 +1,11 @@
 """Convert and format stamps: whole nanoseconds.
 
     seconds(1.5)  ->  1_500_000_000  ->  "1.500000"
-    a person          the machine        tf2's error texts
+    a person          the engine         tf2's error texts
 
-A float of seconds since 1970 can only tell apart moments about 240 ns from each
-other, so the engine never stores one.  The number 0 does not mean "1970": tf2
-keeps it for "the latest there is", and we call it LATEST.
+A float of seconds since 1970 has a resolution of about 240 ns, so the engine never
+stores one. The number 0 does not mean 1970: tf2 uses it for the latest transform, and
+here it is called LATEST.
 
 tf2 calls this `TimePoint` (tf2/time.h).
 """

@@ -1,11 +1,11 @@
 """Validate published transforms and the frame names of lookups.
 
-    a publisher's transform  ->  accepted | refused, with a line in the log
-    a name in a question     ->  its number | an exception with tf2's text
+    a published transform     ->  accepted | rejected, with a line in the log
+    a frame name of a lookup  ->  its number | an exception with tf2's text
 
-tf2 refuses quietly: the publisher may be in another process, so there is nobody
-to raise an exception at.  Whoever asks is here, and is told.  Every fault of a
-transform is reported, not just the first; the logger is `tflab.tf2`.
+tf2 rejects a transform without an exception, because the publisher may be in another
+process. Every fault of a transform is logged, not only the first; the logger is
+`tflab.tf2`.
 
 tf2: BufferCore::setTransformImpl, validateFrameId.
 """

@@ -4,18 +4,18 @@
     -------|----------------|----------------|------->  time
            `------- averaging interval ------'
 
-The velocity is what happens to `tracking_frame`, as seen from
-`observation_frame`, between two lookups.  Near the newest data the interval is
-moved back so that it ends there, as in tf2.
+The velocity is the motion of `tracking_frame`, seen from `observation_frame`, between
+two lookups. Near the newest data the interval is moved back so that it ends there, as
+in tf2.
 
-tf2's BufferCore::lookupVelocity (0.39.1) finds the same interval, but then turns
-both vectors by the wrong rotation, and multiplies two vectors number by number
-where a cross product is meant: it is right only for frames that are not turned
-against each other.  `lookup_velocity` computes what the names say;
-`lookup_velocity_as_tf2` what a robot answers, for code that has to agree with one.
+tf2's BufferCore::lookupVelocity (0.39.1) uses the same interval, but rotates both
+vectors by the wrong rotation, and multiplies two vectors element by element instead of
+using the cross product. It is right only for frames that are not rotated against each
+other. `lookup_velocity` computes the velocity; `lookup_velocity_as_tf2` computes what
+a robot returns, for code that must agree with one.
 
-Neither holds a buffer: they get two of its functions, to ask and for the newest
-moment.  (Finite differences; a twist.)
+Both get functions for the lookup and the newest stamp instead of a buffer. (Finite
+differences; a twist.)
 """
 
 from __future__ import annotations

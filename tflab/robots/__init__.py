@@ -1,9 +1,8 @@
 """Simulate robots: model, motion, sensors, nodes and faults.
 
-    model             links, joints and shapes
+    model             links, joints and shapes; joint positions -> poses of the links
     xml_lines         XML with line numbers
     urdf              URDF -> model, or an error with its line
-    kinematics        joint positions -> poses of the links
     state_publisher   robot_state_publisher: a model and joint states -> /tf, /tf_static
 
     chance            random generators from a seed and a name

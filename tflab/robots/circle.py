@@ -27,7 +27,7 @@ from tflab.ros import client_library as rclpy
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.executors import ExternalShutdownException
 from tflab.ros.node import Node
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.ros.tf2.topics import TransformBroadcaster
 
 __all__ = ["FORWARD", "SIDEWAYS", "CircleBroadcaster", "body_velocity", "buffer", "main", "main_forward", "pose"]
 

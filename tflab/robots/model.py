@@ -1,21 +1,27 @@
-"""Define a robot model: links, joints and shapes.
+"""Define a robot model of links, joints and shapes, and compute link poses from joint positions.
 
     base_link ---[ joint: origin, axis, type ]---> arm_link
      (parent)                                       (child)
 
-A link is a rigid part and at the same time a frame.  A joint says where its child
-is in its parent: first the origin, which never changes, then the movement along or
-about the axis.  Every link but one, the root, is the child of exactly one joint.
+    parent_T_child = origin @ movement(position)           one joint
+    root_T_tool = root_T_shoulder @ shoulder_T_elbow @ elbow_T_tool
 
-The field calls this URDF (http://wiki.ros.org/urdf/XML).  All values are frozen.
+A link is a rigid part and a frame. A joint gives the pose of its child in its parent:
+the fixed origin, then the movement along or about the axis. Every link but the root is
+the child of one joint. A joint that mimics another takes its position from it; a joint
+without a position is at zero. Limits are not enforced.
+
+The format is URDF (http://wiki.ros.org/urdf/XML); the computation is called forward
+kinematics. All values are frozen.
 """
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from tflab.core import Transform
-from tflab.core.quaternions import Vector3
+from tflab.core import Transform, quaternions
+from tflab.core.quaternions import Quaternion, Vector3
 
 __all__ = [
     "JOINT_TYPES",
@@ -31,7 +37,12 @@ __all__ = [
     "Robot",
     "Shape",
     "Sphere",
+    "all_positions",
+    "joint_transform",
+    "link_poses",
+    "link_transform",
 ]
+
 
 # How many numbers describe a joint of each type.
 JOINT_TYPES = {"revolute": 1, "continuous": 1, "prismatic": 1, "fixed": 0, "floating": 7, "planar": 3}
@@ -196,3 +207,116 @@ def _named(things: tuple, name: str, complaint: str):
         if thing.name == name:
             return thing
     raise KeyError(f"{complaint} {name!r}; it has {', '.join(sorted(thing.name for thing in things))}")
+
+
+Position = float | Sequence[float]
+
+NUMBERS_OF = {
+    "floating": "seven numbers: x, y, z, qx, qy, qz, qw",
+    "planar": "three numbers: x, y [m] and a turn [rad]",
+}
+
+
+def link_poses(robot: Robot, positions: Mapping[str, Position] | None = None) -> dict[str, Transform]:
+    """Return `root_T_link` of every link, parents first, for joint positions by name [rad or m].
+
+    Args:
+        positions: one number for a revolute, continuous or prismatic joint; (x, y, turn)
+            for a planar one; (x, y, z, qx, qy, qz, qw) for a floating one.
+
+    Raises:
+        ValueError: a joint that the robot has not got, or a position that does not fit it.
+    """
+    complete = all_positions(robot, positions or {})
+    poses = {robot.root: Transform()}
+    for joint in robot.joints:
+        poses[joint.child] = poses[joint.parent] @ joint_transform(joint, complete.get(joint.name))
+    return poses
+
+
+def link_transform(
+    robot: Robot, target_link: str, source_link: str, positions: Mapping[str, Position] | None = None
+) -> Transform:
+    """Return `target_T_source` between two links of the robot.
+
+    Raises:
+        KeyError: there is no such link.
+        ValueError: as for link_poses.
+    """
+    target, source = robot.link(target_link).name, robot.link(source_link).name
+    poses = link_poses(robot, positions)
+    return poses[target].inverse() @ poses[source]
+
+
+def all_positions(robot: Robot, positions: Mapping[str, Position]) -> dict[str, Position]:
+    """Return `positions` with those of mimic joints added; one that was given stays as given.
+
+    Raises:
+        ValueError: a joint that the robot has not got.
+    """
+    joints = {joint.name: joint for joint in robot.joints}
+    for name in positions:
+        if name not in joints:
+            raise ValueError(f"robot {robot.name!r} has no joint {name!r}; it has {', '.join(sorted(joints))}")
+    complete = dict(positions)
+    for joint in robot.joints:
+        chain = [joint]
+        while chain[-1].name not in complete and chain[-1].mimic is not None:
+            chain.append(joints[chain[-1].mimic.joint])
+        for follower, leader in zip(reversed(chain[:-1]), reversed(chain[1:]), strict=False):
+            mimic = follower.mimic
+            complete[follower.name] = mimic.multiplier * complete.get(leader.name, 0.0) + mimic.offset
+    return complete
+
+
+def joint_transform(joint: Joint, position: Position | None = None) -> Transform:
+    """Return `parent_T_child` of one joint; None stands for its zero position.
+
+    Raises:
+        ValueError: the position does not fit the type of the joint.
+    """
+    if joint.type == "fixed" or position is None:
+        return joint.origin
+    return joint.origin @ _movement(joint, _numbers(joint, position))
+
+
+def _movement(joint: Joint, numbers: tuple[float, ...]) -> Transform:
+    x, y, z = joint.axis
+    match joint.type:
+        case "revolute" | "continuous":
+            return Transform(rotation=quaternions.from_axis_angle(joint.axis, numbers[0]))
+        case "prismatic":
+            return Transform((x * numbers[0], y * numbers[0], z * numbers[0]))
+        case "planar":
+            return _planar(joint.axis, *numbers)
+        case _:  # floating
+            return Transform(numbers[:3], quaternions.normalized(numbers[3:]))
+
+
+def _planar(axis: Vector3, x: float, y: float, turn: float) -> Transform:
+    """Slide in the plane square to `axis`, and turn about it.
+
+    URDF does not say which way x and y point in that plane; we tip the x-y plane
+    over by the shortest way, so that for the usual axis 0 0 1 they are x and y.
+    """
+    tip = Transform(rotation=_shortest_turn_of_z_to(axis))
+    return tip @ Transform.from_rpy(yaw=turn, translation=(x, y, 0.0)) @ tip.inverse()
+
+
+def _shortest_turn_of_z_to(axis: Vector3) -> Quaternion:
+    x, y, z = axis
+    if z < -1.0 + 1e-12:
+        return (1.0, 0.0, 0.0, 0.0)  # half a turn about x
+    return quaternions.normalized((-y, x, 0.0, 1.0 + z))
+
+
+def _numbers(joint: Joint, position: Position) -> tuple[float, ...]:
+    count = JOINT_TYPES[joint.type]
+    try:
+        numbers = tuple(map(float, position)) if isinstance(position, Sequence) else (float(position),)
+    except (TypeError, ValueError):
+        numbers = ()
+    if len(numbers) != count:
+        wanted = NUMBERS_OF.get(joint.type, "one number")
+        raise ValueError(f"joint {joint.name!r} is {joint.type} and takes {wanted}, not {position!r}")
+    return numbers

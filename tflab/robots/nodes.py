@@ -32,7 +32,7 @@ from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
-from tflab.ros.tf2.broadcaster import TransformBroadcaster
+from tflab.ros.tf2.topics import TransformBroadcaster
 
 from .motion import Drive
 from .reading_messages import (
@@ -83,7 +83,7 @@ class JointDriver(Driver):
 
 
 class OdometryDriver(Driver):
-    """Says where the robot is in odom, as a message and, unless told not to, as a transform.
+    """Publishes the pose of the robot in odom, as a message and, unless disabled, as a transform.
 
     Parameters (of ROS): publish_tf, because odom -> base_footprint may have one owner only.
     """

@@ -6,7 +6,7 @@
 
     ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
 
-It keeps nothing but what it was told: a joint that no JointState ever names has no
+It stores only received positions: a joint that no JointState ever names has no
 transform, so its link is missing from TF.  And it is in no hurry: a message whose
 stamp is less than a period after the last one that it published is passed over.
 Quirks are those of the real node (robot_state_publisher 3.x, in C++), and so are its
@@ -28,8 +28,7 @@ from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_parameter_events, qos_profile_sensor_data
 
-from .kinematics import joint_transform
-from .model import JOINT_TYPES, Joint, Robot
+from .model import JOINT_TYPES, Joint, Robot, joint_transform
 from .urdf import UrdfError, parse_urdf
 
 __all__ = ["RobotStatePublisher", "main"]

@@ -27,8 +27,7 @@ from tflab.core.quaternions import Vector3
 from tflab.core.transforms import TransformRecord
 
 from .chance import chance
-from .kinematics import joint_transform, link_poses
-from .model import Robot
+from .model import Robot, joint_transform, link_poses
 from .motion import Drive
 from .odometry import Localizer, WheelOdometry
 from .readings import JointReading, OdometryReading, Reading

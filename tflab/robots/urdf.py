@@ -168,7 +168,7 @@ class _Reader:
         return by_child
 
     def only_root(self, links: dict[str, Link], joint_to: dict[str, Joint]) -> str:
-        """Return the one link without a parent, or raise: none, several, or a loop beside it."""
+        """Return the one link without a parent, or raise: none, several, or a separate loop."""
         self.refuse_loops(links, joint_to)
         roots = [link for link in links.values() if link.name not in joint_to]
         if len(roots) > 1:

@@ -41,13 +41,13 @@ In reading order:
     messages/                                            message types
     time  process  virtual  wall  graph  network         processes, topics and the passing of time
     qos  qos_compatibility  names  exceptions  arguments  context  logging
-    entity  event_handler  timer  topic_endpoints  service
+    entity  timer  topic_endpoints  service
     action_goals  action_server  action_client           actions
     task  executors
     parameter  node_parameters  parameter_services
     clock  time_source
     node  node_entities  graph_queries  lifecycle_states  lifecycle
-    client_library  wait_for_message  serialization
+    client_library
     convert  tf2/                                        engine values and messages; tf2_ros
     snapshot  run                                        a graph as plain values; scripts
 """

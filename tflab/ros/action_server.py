@@ -64,7 +64,7 @@ class ServerGoalHandle:
     def __eq__(self, other: object) -> bool:
         return isinstance(other, ServerGoalHandle) and self.goal_id == other.goal_id
 
-    __hash__ = None  # as upstream: handles are told apart by their goal's id
+    __hash__ = None  # as upstream: handles are distinguished by their goal's id
 
     @property
     def goal_id(self) -> Message:

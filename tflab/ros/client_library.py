@@ -1,11 +1,14 @@
-"""Provide the functions of the module `rclpy`: init, create_node, spin, shutdown.
+"""Provide the functions of the module `rclpy`: init, create_node, spin, shutdown; and wait_for_message.
 
-```
-rclpy.init()              the process's default context begins
-node = Node("name")       a node joins the graph
-rclpy.spin(node)          its callbacks run, until Ctrl-C
-rclpy.shutdown()          the context ends
-```
+    rclpy.init()              the process's default context begins
+    node = Node("name")       a node joins the graph
+    rclpy.spin(node)          its callbacks run, until Ctrl-C
+    rclpy.shutdown()          the context ends
+
+    found, scan = wait_for_message(LaserScan, node, "scan", time_to_wait=1.0)
+
+`wait_for_message` blocks and needs no spin: the message is taken where it arrives.
+Messages published before are missed, unless both sides are transient local.
 """
 
 from __future__ import annotations
@@ -19,8 +22,13 @@ from tflab.core import NSEC_PER_SEC
 from .context import Context, SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .executors import Executor, SingleThreadedExecutor
 from .graph import current_process
+from .messages import copy_message
+from .messages.base import Message
+from .network import Envelope
 from .node import Node
+from .qos import QoSProfile
 from .task import Future
+from .topic_endpoints import Subscription
 
 __all__ = [
     "create_node",
@@ -35,6 +43,7 @@ __all__ = [
     "spin_until_future_complete",
     "timeout_sec_to_nsec",
     "try_shutdown",
+    "wait_for_message",
 ]
 
 
@@ -176,3 +185,45 @@ def spin_until_future_complete(
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
         executor.remove_node(node)
+
+
+class _FirstOnly(Subscription):
+    """Keeps the first envelope, and wakes whoever waits for it."""
+
+    first: Envelope | None = None
+    waiter: Any = None
+
+    def put(self, envelope: Envelope) -> None:
+        if self.first is None:
+            self.first = envelope
+        if self.waiter is not None:
+            self.waiter.wake()
+
+
+def wait_for_message(
+    msg_type: type[Message],
+    node: Any,
+    topic: str,
+    *,
+    qos_profile: QoSProfile | int = 1,
+    time_to_wait: float = -1,
+) -> tuple[bool, Message | None]:
+    """Block until a message comes; return (True, the message), or (False, None) after `time_to_wait` [s].
+
+    A negative time is for ever.
+    """
+    process = node.context.process
+    subscription = node.create_subscription(
+        msg_type, topic, lambda message: None, qos_profile, subscription_class=_FirstOnly
+    )
+    subscription.waiter = process.driver.new_waiter()
+    limit_ns = None if time_to_wait < 0 else round(time_to_wait * NSEC_PER_SEC)
+    try:
+        process.wait_until(
+            lambda: subscription.first is not None or not node.context.ok(), subscription.waiter, limit_ns
+        )
+    finally:
+        node.destroy_subscription(subscription)
+    if subscription.first is None:
+        return False, None
+    return True, copy_message(subscription.first.message)

@@ -202,7 +202,7 @@ class Clock:
 
 
 class ROSClock(Clock):
-    """A clock that can be told the time."""
+    """A clock whose time can be set."""
 
     def __new__(cls, *, clock_type: ClockType = ClockType.ROS_TIME) -> ROSClock:
         return super().__new__(cls, clock_type=ClockType.ROS_TIME)

@@ -324,7 +324,7 @@ class Executor:
 
 
 def _pending(node: Any) -> list[Entity]:
-    """Return what of a node has something to do, timers apart; those that no longer have are forgotten."""
+    """Return the entities of a node that are ready, without timers; forget those that are no longer ready."""
     pending = []
     for entity in sorted(node.pending, key=lambda entity: entity.rank):
         if not entity.is_pending():

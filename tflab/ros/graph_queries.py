@@ -95,7 +95,7 @@ class GraphQueries:
     def get_subscriber_names_and_types_by_node(
         self, node_name: str, node_namespace: str, no_demangle: bool = False
     ) -> list[tuple[str, list[str]]]:
-        """Return (topic, types) of what one node hears."""
+        """Return (topic, types) of the subscriptions of one node."""
         return self.network.topic_names_and_types(_of(node_name, node_namespace, "SUBSCRIPTION"))
 
     def get_service_names_and_types_by_node(self, node_name: str, node_namespace: str) -> list[tuple[str, list[str]]]:
@@ -127,7 +127,7 @@ class GraphQueries:
         return [endpoint_info(each) for each in self.network.topic(self.resolve_topic_name(topic_name)).publishers]
 
     def get_subscriptions_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
-        """Return who hears a topic, and how."""
+        """Return the subscriptions of a topic, with their QoS."""
         return [endpoint_info(each) for each in self.network.topic(self.resolve_topic_name(topic_name)).subscriptions]
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:

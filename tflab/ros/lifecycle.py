@@ -36,7 +36,7 @@ SUCCESS = TransitionCallbackReturn.SUCCESS
 
 
 class ManagedEntity:
-    """What goes along with a managed node: told of each of its transitions, with the state before."""
+    """An entity of a managed node: called at each of its transitions, with the previous state."""
 
     def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
         """Get ready."""

@@ -21,7 +21,7 @@ __all__ = ["STATES", "TRANSITIONS", "LifecycleState", "LifecycleTransition", "St
 
 
 class LifecycleState(NamedTuple):
-    """A state, as callbacks are told it."""
+    """A state, as callbacks receive it."""
 
     label: str
     state_id: int

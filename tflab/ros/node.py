@@ -48,7 +48,7 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
         context: the process's default one if None.
         cli_args: `--ros-args` for this node alone.
         namespace: put before its name and its relative topics.
-        use_global_arguments: whether what rclpy.init() was told concerns it.
+        use_global_arguments: whether the arguments of rclpy.init() apply to it.
         enable_rosout: whether its log lines go to /rosout, too.
         start_parameter_services: whether its parameters can be reached from outside.
         parameter_overrides: values that win over the defaults of declare_parameter.

@@ -148,7 +148,7 @@ class Process:
         return self.wait_until(future.done, waiter, duration_ns)
 
     def check(self) -> None:
-        """Raise what the process has been told meanwhile; see wait()."""
+        """Raise a pending interruption of the process; see wait()."""
         if self.ended and self.main_thread is not None:
             raise SystemExit
         if threading.current_thread() is self.main_thread and self.take_interrupt():

@@ -6,7 +6,7 @@
     TRANSIENT_LOCAL       TRANSIENT_LOCAL, VOLATILE   is requested
     VOLATILE              VOLATILE
 
-TRANSIENT_LOCAL is why somebody who comes late still hears /tf_static.
+TRANSIENT_LOCAL is why a late subscriber still receives /tf_static.
 """
 
 from __future__ import annotations

@@ -1,23 +1,41 @@
-"""Check whether the QoS of a publisher satisfies that of a subscription.
+"""Check whether the QoS of a publisher satisfies a subscription, and report where it does not.
 
-If it is less, the two are not connected, and both say so in their logs.
+    create_subscription(..., event_callbacks=SubscriptionEventCallbacks(incompatible_qos=callback))
+
+If the offer is less than the request, the two are not connected. Each side then calls
+its event callback from the executor, or logs a warning if it has none. The other
+events of ROS 2 (a missed deadline, a lost message) never occur here, so requests for
+them are refused.
 """
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Callable
+from dataclasses import dataclass
 from enum import IntEnum
+from typing import Any
 
 from . import distro
+from .entity import Entity, Kind
+from .exceptions import RCLError
 from .qos import DurabilityPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from .time import Duration
 
 __all__ = [
+    "EventHandler",
+    "PublisherEventCallbacks",
     "QoSCompatibility",
     "QoSPolicyKind",
+    "QoSRequestedIncompatibleQoSInfo",
+    "SubscriptionEventCallbacks",
+    "UnsupportedEventTypeError",
     "incompatible_policy",
     "qos_check_compatible",
     "qos_policy_name_from_kind",
+    "reporter",
 ]
+
 
 OPEN = ("SYSTEM_DEFAULT", "UNKNOWN")  # a value that leaves the decision to others
 ZERO = Duration()  # a span of zero means: no limit
@@ -136,3 +154,102 @@ def _warnings_of(
     if offered == least_offer[0] and requested in OPEN:
         return [f"{least_offer[1]} {requested.lower()}"]
     return []
+
+
+Callback = Callable[[Any], Any] | None
+
+
+class UnsupportedEventTypeError(RCLError):
+    """Nobody reports such an event here."""
+
+
+@dataclass(frozen=True, slots=True)
+class QoSRequestedIncompatibleQoSInfo:
+    """What an event callback receives: the total count, the new ones, and the last incompatible policy."""
+
+    total_count: int
+    total_count_change: int
+    last_policy_kind: int
+
+
+@dataclass(kw_only=True)
+class PublisherEventCallbacks:
+    """`incompatible_qos(info)` is called when a subscription requests more than is offered.
+
+    Raises:
+        UnsupportedEventTypeError: a callback for anything else.
+    """
+
+    deadline: Callback = None
+    liveliness: Callback = None
+    incompatible_qos: Callback = None
+    incompatible_type: Callback = None
+    matched: Callback = None
+    use_default_callbacks: bool = True
+
+    def __post_init__(self) -> None:
+        _refuse_others(self, ("deadline", "liveliness", "incompatible_type", "matched"))
+
+
+@dataclass(kw_only=True)
+class SubscriptionEventCallbacks:
+    """`incompatible_qos(info)` is called when a publisher offers less than is requested.
+
+    Raises:
+        UnsupportedEventTypeError: a callback for anything else.
+    """
+
+    deadline: Callback = None
+    incompatible_qos: Callback = None
+    liveliness: Callback = None
+    message_lost: Callback = None
+    incompatible_type: Callback = None
+    matched: Callback = None
+    use_default_callbacks: bool = True
+
+    def __post_init__(self) -> None:
+        _refuse_others(self, ("deadline", "liveliness", "message_lost", "incompatible_type", "matched"))
+
+
+class EventHandler(Entity):
+    """Calls back with each event of one endpoint, in its turn among the callbacks of the node."""
+
+    kind = Kind.WAITABLE
+
+    def __init__(self, node: Any, callback: Callable[[Any], Any], callback_group: Any) -> None:
+        super().__init__(node, callback_group)
+        self.callback = callback
+        self._infos: deque[QoSRequestedIncompatibleQoSInfo] = deque()
+        self._count = 0
+
+    def report(self, policy: str) -> None:
+        """Note that another endpoint does not fit."""
+        self._count += 1
+        self._infos.append(QoSRequestedIncompatibleQoSInfo(self._count, 1, int(QoSPolicyKind[policy])))
+        self.mark_ready()
+
+    def is_pending(self) -> bool:
+        return bool(self._infos)
+
+    def take(self) -> Callable[[], Any]:
+        info = self._infos.popleft()
+        return lambda: self.callback(info)
+
+
+def reporter(
+    node: Any, callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks | None, group: Any, warn: Callable
+) -> Callable[[str], Any]:
+    """Return the callback for incompatible policies: the user's, `warn`, or None."""
+    if callbacks is not None and callbacks.incompatible_qos is not None:
+        return EventHandler(node, callbacks.incompatible_qos, group).report
+    if callbacks is not None and not callbacks.use_default_callbacks:
+        return lambda policy: None
+    return warn
+
+
+def _refuse_others(callbacks: Any, events: tuple[str, ...]) -> None:
+    for event in events:
+        if getattr(callbacks, event) is not None:
+            raise UnsupportedEventTypeError(
+                f"nobody reports the event '{event}' in the in-process ROS 2; what can be reported is incompatible_qos"
+            )

@@ -55,7 +55,7 @@ def run_files(
             raise FileNotFoundError(f"no such node file: {path}")
     activate("in-process")
     graph = new_graph(virtual=False)
-    is_ignored = signal.getsignal(signal.SIGINT) == signal.SIG_IGN  # in the background of a shell nobody hears it
+    is_ignored = signal.getsignal(signal.SIGINT) == signal.SIG_IGN  # in the background of a shell it is ignored
     with _importing_beside(paths), contextlib.nullcontext([]) if is_ignored else counting_ctrl_c() as pressed:
         files = [
             graph.start(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])

@@ -8,12 +8,12 @@ from collections.abc import Callable
 from typing import Any
 
 from .entity import Entity, Kind
-from .event_handler import reporter
 from .exceptions import InvalidHandle
 from .messages import copy_message, tf2_msgs
+from .messages.values import serialize_message
 from .network import PUBLISHER_KIND, SUBSCRIPTION_KIND, Envelope
 from .qos import QoSProfile
-from .serialization import serialize_message
+from .qos_compatibility import reporter
 
 __all__ = ["Publisher", "RawSubscription", "Subscription"]
 

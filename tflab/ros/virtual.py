@@ -298,7 +298,7 @@ class VirtualTime:
             # Where other programs take the machine, a thread gets less of it than has passed, and less counts.
             worked_s = 0.0 if before_s is None else cpu_s - before_s
             waited_s += min(max(worked_s, LEAST_SHARE * SLICE_S), SLICE_S) if worked_s else SLICE_S
-            if self._presses:  # it hears of it, too, in the middle of what it does
+            if self._presses:  # interrupt it, too, while it runs
                 raise_in(strand.thread, KeyboardInterrupt)
                 self._wait_for_turn_of(strand)
                 return
@@ -341,7 +341,7 @@ def counting_ctrl_c() -> Iterator[list[int]]:
     """Yield a list that grows by one for each Ctrl-C, instead of an exception that may come between any two lines."""
     pressed: list[int] = []
     if threading.current_thread() is not threading.main_thread():
-        yield pressed  # only the main thread hears of it
+        yield pressed  # only the main thread receives the signal
         return
     before = signal.signal(signal.SIGINT, lambda number, frame: pressed.append(number))
     try:

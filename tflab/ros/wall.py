@@ -1,6 +1,6 @@
 """Wait and read clocks in real time, for scripts and `tflab run`.
 
-Threads simply run beside each other.  The other driver, for pages, is
+Threads run in parallel.  The other driver, for pages, is
 `virtual.py`; both have the same methods.
 """
 

@@ -79,7 +79,7 @@ def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0)
 
 def _watch(seconds: float, decay_s: float) -> Look:
     from tflab.ros.tf2.buffer import Buffer
-    from tflab.ros.tf2.listener import TransformListener
+    from tflab.ros.tf2.topics import TransformListener
 
     with tool_node("rviz", start_parameter_services=False) as node:
         buffer = Buffer()

@@ -165,7 +165,7 @@ class _CppNode(Node):
 def cpp_listener(node: Node) -> Iterator[BufferCore]:
     """Listen to the transforms as rclcpp's listener does: with a node of its own, which `ros2 node list` shows."""
     from tflab.ros.tf2.buffer import Buffer
-    from tflab.ros.tf2.listener import TransformListener
+    from tflab.ros.tf2.topics import TransformListener
 
     # Upstream's name ends with an address on the heap, in hexadecimal digits.
     name = unused_name("transform_listener_impl_55", [node.get_name()], digits=string.hexdigits[:16], length=10)

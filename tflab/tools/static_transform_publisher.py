@@ -173,7 +173,7 @@ def main(arguments: Sequence[str]) -> int:
 
 def _publish(request: Request, arguments: Sequence[str]) -> int:
     from tflab.ros.messages.geometry_msgs import Quaternion, TransformStamped, Vector3
-    from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster
+    from tflab.ros.tf2.topics import StaticTransformBroadcaster
 
     with tool_node(unused_name("static_transform_publisher_", arguments)) as node:
         if request.frame_id == request.child_frame_id:

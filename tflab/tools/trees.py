@@ -50,7 +50,7 @@ def _with_publishers(frame: FrameSnapshot, edges: Sequence[EdgeSnapshot]) -> Fra
 
 def _listen(seconds: float) -> Snapshot:
     from tflab.ros.tf2.buffer import Buffer
-    from tflab.ros.tf2.listener import TransformListener
+    from tflab.ros.tf2.topics import TransformListener
 
     with tool_node("frame_tree", start_parameter_services=False) as node:
         buffer = Buffer()

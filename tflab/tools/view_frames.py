@@ -87,7 +87,7 @@ def main(arguments: Sequence[str], pictures: list[Any]) -> int:
 def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
     from tflab.ros.messages.tf2_msgs import FrameGraph
     from tflab.ros.tf2.buffer import Buffer
-    from tflab.ros.tf2.listener import TransformListener
+    from tflab.ros.tf2.topics import TransformListener
 
     log = node.get_logger()
     buffer = Buffer(node=node)

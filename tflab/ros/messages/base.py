@@ -229,12 +229,12 @@ def copy_message(message: Message) -> Message:
     """
     if not isinstance(message, Message):
         return deepcopy(message)
-    twin = object.__new__(message.__class__)
-    twin._check_fields = checks.on
+    copied = object.__new__(message.__class__)
+    copied._check_fields = checks.on
     for slot, as_is, received in message._WIRE:
         value = getattr(message, slot)
-        setattr(twin, slot, value if value.__class__ is as_is else received(value))
-    return twin
+        setattr(copied, slot, value if value.__class__ is as_is else received(value))
+    return copied
 
 
 def filled(cls: type[Message], *values: object) -> Message:
@@ -363,11 +363,11 @@ def message_in(slot_type: SlotType) -> type[Message] | None:
 def _rebuilt(ros_type: str, values: dict[str, object], check_fields: bool) -> Message:
     """Make a message again from what `Message.__reduce__` took of it."""
     cls = type_named(ros_type)
-    twin = object.__new__(cls)
-    twin._check_fields = check_fields
+    message = object.__new__(cls)
+    message._check_fields = check_fields
     for name, slot, *_ in cls._FIELDS:
-        setattr(twin, slot, values[name])
-    return twin
+        setattr(message, slot, values[name])
+    return message
 
 
 def _equal(a: object, b: object) -> bool:

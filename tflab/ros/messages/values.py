@@ -9,6 +9,9 @@
 Only names are compared: fields that our definition lacks (ROS 1's `seq`) are left out.
 `fill` accepts an int for a float; fields that are not mentioned keep their defaults.
 upstream: rosidl_runtime_py/set_message.py.
+
+`serialize_message` and `deserialize_message` convert messages to and from bytes (CDR), with
+the rosbags library. Bags use them, and subscriptions with raw=True.
 """
 
 from __future__ import annotations
@@ -25,9 +28,10 @@ from .builtin_interfaces import Time
 from .checks import field_checks
 from .definition import Array, BasicType, BoundedSequence, NamespacedType, SlotType, UnboundedSequence
 from .fields import array_converter
+from .packages import type_store
 from .std_msgs import Header
 
-__all__ = ["fill", "message_from_object", "object_from_message"]
+__all__ = ["deserialize_message", "fill", "message_from_object", "object_from_message", "serialize_message"]
 
 
 def message_from_object(ros_type: str, source: object) -> Message:
@@ -154,3 +158,23 @@ def _value(field: Any, value: Any, slot_type: SlotType, setters: list[StampSette
             setters += fill(member, values)
         return members
     return type(field)(value)
+
+
+def serialize_message(message: Message) -> bytes:
+    """Return a message as it travels.
+
+    Raises:
+        KeyError: its type is neither one that ROS 2 brings along nor defined here.
+    """
+    store = type_store()
+    return bytes(store.serialize_cdr(object_from_message(message, store.types), message.ROS_TYPE))
+
+
+def deserialize_message(serialized_message: bytes, message_type: type[Message]) -> Message:
+    """Return the message of some bytes.
+
+    Raises:
+        KeyError: its type is neither one that ROS 2 brings along nor defined here.
+    """
+    ros_type = message_type.ROS_TYPE
+    return message_from_object(ros_type, type_store().deserialize_cdr(serialized_message, ros_type))

@@ -3,8 +3,7 @@
     core            tf2_py.BufferCore: the engine with ROS messages
     interface       BufferInterface: transform() and the registration of types
     buffer          Buffer, and waiting for a transform
-    listener        /tf and /tf_static -> a buffer
-    broadcaster     transforms -> /tf and /tf_static
+    topics          listeners and broadcasters of /tf and /tf_static
     client          BufferClient: lookups in the buffer of another node
     geometry        transform points, poses, vectors and wrenches
     clouds          transform a PointCloud2

@@ -17,8 +17,7 @@ from functools import lru_cache
 from itertools import product
 
 from tflab.core import Transform
-from tflab.robots.kinematics import joint_transform
-from tflab.robots.model import Joint, Robot
+from tflab.robots.model import Joint, Robot, joint_transform
 from tflab.robots.urdf import UrdfError, parse_urdf
 
 from ...text import Text

@@ -22,7 +22,7 @@ from tflab.clinic.causes import BaseLocalizer
 from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
-from tflab.robots.kinematics import link_poses
+from tflab.robots.model import link_poses
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.nodes import launch
 from tflab.robots.sensors import BALL, ROOM

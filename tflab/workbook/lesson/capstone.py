@@ -29,8 +29,8 @@ from tflab.ros.messages import sensor_msgs, std_msgs, tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 from tflab.ros.snapshot import snapshot
-from tflab.ros.tf2.broadcaster import StaticTransformBroadcaster, TransformBroadcaster
 from tflab.ros.tf2.clouds import create_cloud_xyz32
+from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformBroadcaster
 from tflab.tools.rviz import look
 from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text

@@ -18,8 +18,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException
-from tflab.robots.kinematics import joint_transform
-from tflab.robots.model import JOINT_TYPES, Joint
+from tflab.robots.model import JOINT_TYPES, Joint, joint_transform
 from tflab.robots.teaching import teaching_urdf
 from tflab.robots.urdf import parse_urdf
 from tflab.views import panels, transform_chain

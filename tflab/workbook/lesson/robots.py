@@ -39,7 +39,7 @@ from tflab.ros.messages import sensor_msgs
 from tflab.ros.node import Node
 from tflab.ros.qos import qos_profile_sensor_data
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.listener import TransformListener
+from tflab.ros.tf2.topics import TransformListener
 from tflab.ros.time import Time
 from tflab.tools.rviz import look
 from tflab.views.ages import Curve

@@ -23,7 +23,7 @@ from __future__ import annotations
 import numpy as np
 
 from tflab.core import LATEST, NSEC_PER_SEC, Transform, seconds
-from tflab.robots.kinematics import link_poses
+from tflab.robots.model import link_poses
 from tflab.robots.motion import Drive
 from tflab.robots.sensors import ROOM
 from tflab.robots.teaching import TeachingRobot

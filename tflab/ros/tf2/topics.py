@@ -1,27 +1,41 @@
-"""Store received transforms in a buffer: tf2_ros.TransformListener.
+"""Publish transforms and store received transforms: tf2_ros's broadcasters and listeners.
 
-    /tf         reliable, depth 100                    -->  set_transform          as "default_authority"
-    /tf_static  reliable, depth 100, transient local   -->  set_transform_static
+    TransformBroadcaster         -->  /tf         reliable, depth 100
+    StaticTransformBroadcaster   -->  /tf_static  reliable, transient local
+    /tf          -->  TransformListener  -->  set_transform          as "default_authority"
+    /tf_static   -->  TransformListener  -->  set_transform_static
 
-Who published a transform is not on the wire, so tf2 cannot know: the authority is
-always the same, "Authority undetectable" in a program in C++.
+A late listener receives the last message of each static broadcaster, so a static
+broadcaster repeats in it what it sent before. How completely depends on the
+distribution (distro.py). The publisher of a transform is not part of the message, so
+the authority is always the same, "Authority undetectable" in a program in C++.
 """
 
 from __future__ import annotations
 
 import threading
 import weakref
+from collections.abc import Iterable
 from typing import Any
 
+from .. import distro
 from ..entity import ReentrantCallbackGroup
 from ..executors import ExternalShutdownException, SingleThreadedExecutor
-from ..messages import copy_message, tf2_msgs
+from ..messages import copy_message, geometry_msgs, tf2_msgs
 from ..network import Envelope
 from ..qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from ..topic_endpoints import Subscription
 from .buffer import Buffer
 
-__all__ = ["DEFAULT_STATIC_TF_TOPIC", "DEFAULT_TF_TOPIC", "StaticTransformListener", "TransformListener"]
+__all__ = [
+    "DEFAULT_STATIC_TF_TOPIC",
+    "DEFAULT_TF_TOPIC",
+    "StaticTransformBroadcaster",
+    "StaticTransformListener",
+    "TransformBroadcaster",
+    "TransformListener",
+]
+
 
 DEFAULT_TF_TOPIC = "/tf"
 DEFAULT_STATIC_TF_TOPIC = "/tf_static"
@@ -174,3 +188,47 @@ def _spin(executor: SingleThreadedExecutor, node: Any) -> None:
         pass
     finally:
         executor.remove_node(node)
+
+
+TransformStamped = geometry_msgs.TransformStamped
+
+
+class TransformBroadcaster:
+    """Publishes transforms that change."""
+
+    def __init__(self, node: Any, qos: QoSProfile | int | None = None) -> None:
+        self.pub_tf = node.create_publisher(
+            tf2_msgs.TFMessage, DEFAULT_TF_TOPIC, QoSProfile(depth=100) if qos is None else qos
+        )
+
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
+        """Publish one transform, or several in one message."""
+        self.pub_tf.publish(tf2_msgs.TFMessage(transforms=_listed(transform)))
+
+
+class StaticTransformBroadcaster:
+    """Publishes transforms that never change."""
+
+    def __init__(self, node: Any, qos: QoSProfile | int | None = None) -> None:
+        if qos is None:
+            qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
+        self.pub_tf = node.create_publisher(tf2_msgs.TFMessage, DEFAULT_STATIC_TF_TOPIC, qos)
+        self.net_message = tf2_msgs.TFMessage()
+
+    def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
+        """Publish one transform, or several, together with what was sent before."""
+        resend = distro.current().static_resend
+        sent = [] if resend == "forgets" else self.net_message.transforms
+        place = {each.child_frame_id: index for index, each in enumerate(sent)}
+        for each in _listed(transform):
+            if resend == "forgets" or each.child_frame_id not in place:
+                place[each.child_frame_id] = len(sent)
+                sent.append(each)
+            elif resend == "replaces":
+                sent[place[each.child_frame_id]] = each
+        self.net_message = tf2_msgs.TFMessage(transforms=sent)
+        self.pub_tf.publish(self.net_message)
+
+
+def _listed(transform: TransformStamped | Iterable[TransformStamped]) -> list[TransformStamped]:
+    return list(transform) if hasattr(transform, "__iter__") else [transform]
