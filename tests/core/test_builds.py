@@ -10,7 +10,6 @@ import subprocess
 import sys
 import weakref
 from importlib.machinery import EXTENSION_SUFFIXES
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -97,10 +96,3 @@ def test_a_buffer_can_be_subclassed_and_weakly_referenced_on_both_builds() -> No
     assert recorder.heard is sample
     assert weakref.ref(recorder)() is recorder
     assert BufferCore.__doc__.startswith("Transforms between frames")
-
-
-def test_the_make_targets_of_contributing_exist() -> None:
-    makefile = Path(__file__).parents[2] / "Makefile"
-    if makefile.exists():  # not beside an installed wheel
-        commands = [line.partition(":")[0] for line in makefile.read_text(encoding="utf-8").splitlines()]
-        assert {"fast", "test-compiled"} <= set(commands)

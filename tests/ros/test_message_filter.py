@@ -61,32 +61,85 @@ class Setup:
             self.engine.set_transform(StampedTransform(parent, child, seconds(stamp_s), Transform()))
 
 
-def test_a_message_waits_for_its_transform_and_then_comes_out():
+# What arrives, in order: message(stamp, frame), transform(*stamps, parent, child), or another step.
+SEQUENCES = {
+    "a message waits for its transform": [
+        lambda f: f.message(2.0), lambda f: f.transform(1.0), [], lambda f: f.transform(3.0), [2.0],
+    ],
+    "a message that can be transformed passes at once": [
+        lambda f: f.transform(1.0, 3.0), lambda f: f.message(2.0), [2.0],
+    ],
+    "messages pass in the order of their transforms": [
+        lambda f: f.transform(1.0), lambda f: f.transform(1.0, child="camera"),
+        lambda f: f.message(2.0), lambda f: f.message(1.5, "camera"),
+        lambda f: f.transform(3.0, child="camera"), lambda f: f.transform(3.0), [1.5, 2.0],
+    ],
+    "with a tolerance a message waits until that much later is known": [
+        lambda f: f.filter.setTolerance(Duration(seconds=0.5)),
+        lambda f: f.transform(1.0, 2.4), lambda f: f.message(2.0), [], lambda f: f.transform(2.5), [2.0],
+    ],
+    "with two targets a message waits for both": [
+        lambda f: f.filter.setTargetFrames(["map", "odom"]),
+        lambda f: f.transform(1.0, 3.0), lambda f: f.message(2.0), [],
+        lambda f: f.transform(1.0, 3.0, child="odom"), [2.0],
+    ],
+    "without a target no message is accepted": [
+        lambda f: f.filter.setTargetFrames([]), lambda f: f.transform(1.0, 3.0), lambda f: f.message(2.0), [],
+    ],
+    "leading slashes are stripped": [
+        lambda f: f.filter.setTargetFrames(["/map"]),
+        lambda f: f.transform(1.0, 3.0), lambda f: f.message(2.0, frame_id="/laser"), [2.0],
+    ],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("steps", SEQUENCES.values(), ids=SEQUENCES)
+def test_messages_pass_once_they_can_be_transformed(steps):
     setup = Setup()
-    setup.message(2.0)
-    setup.transform(1.0)
-    assert setup.passed == []
-    setup.transform(3.0)
-    assert setup.passed == [2.0]
-    assert (setup.filter.incoming_message_count, setup.filter.successful_transform_count) == (1, 1)
+    for step in steps:
+        if isinstance(step, list):
+            assert setup.passed == step
+        else:
+            step(setup)
+    assert setup.filter.dropped == {}
+    assert setup.filter.successful_transform_count == len(setup.passed)
 
 
-def test_a_message_that_can_be_transformed_comes_out_at_once():
-    setup = Setup()
-    setup.transform(1.0, 3.0)
-    setup.message(2.0)
-    assert setup.passed == [2.0]
+DROPS = {
+    "a full queue drops the oldest even for a message that is ready": (
+        1, [lambda f: f.transform(1.0, 3.0), lambda f: f.message(4.0), lambda f: f.message(2.0)],
+        [2.0], {DropReason.QUEUE_FULL: 1},
+    ),
+    "a queue of size zero is unbounded": (
+        0, [lambda f: [f.message(2.0 + i) for i in range(50)]], [], {},
+    ),
+    "a queue can be made smaller": (
+        5, [lambda f: f.filter.setQueueSize(1), lambda f: f.message(2.0), lambda f: f.message(3.0)],
+        [], {DropReason.QUEUE_FULL: 1},
+    ),
+    "a waiting message is dropped when it is older than the cache": (
+        10, [lambda f: f.transform(5.0), lambda f: f.message(4.0), lambda f: f.transform(14.1)],
+        [], {DropReason.OUT_THE_BACK: 1},
+    ),
+    "a message whose transform disappeared is dropped for an unknown reason": (
+        10,
+        [
+            lambda f: f.filter.setTargetFrames(["map", "odom"]), lambda f: f.transform(1.0, 3.0),
+            lambda f: f.message(2.0), lambda f: f.engine.clear(),
+            lambda f: f.transform(1.0, 3.0, parent="odom"),  # the laser's only parent is odom now
+        ],
+        [], {DropReason.UNKNOWN: 1},
+    ),
+}  # fmt: skip
 
 
-def test_messages_come_out_in_the_order_of_their_transforms():
-    setup = Setup()
-    setup.transform(1.0, parent="map", child="laser")
-    setup.transform(1.0, parent="map", child="camera")
-    setup.message(2.0, "laser")
-    setup.message(1.5, "camera")
-    setup.transform(3.0, child="camera")
-    setup.transform(3.0, child="laser")
-    assert setup.passed == [1.5, 2.0]
+@pytest.mark.parametrize(("queue_size", "steps", "passed", "dropped"), DROPS.values(), ids=DROPS)
+def test_messages_are_dropped_for_tf2s_reasons(queue_size, steps, passed, dropped):
+    setup = Setup(queue_size=queue_size)
+    for step in steps:
+        step(setup)
+    assert (setup.passed, setup.filter.dropped) == (passed, dropped)
+    assert setup.filter.getQueueSize() == (1 if queue_size == 5 else queue_size)
 
 
 def test_a_message_without_a_frame_is_dropped_at_once(capsys):
@@ -116,22 +169,6 @@ def test_a_full_queue_drops_the_oldest_to_admit_the_new(capsys):
     assert sorted(setup.passed) == [3.0, 4.0]
 
 
-def test_a_full_queue_drops_the_oldest_even_for_one_that_is_ready_at_once():
-    setup = Setup(queue_size=1)
-    setup.transform(1.0, 3.0)
-    setup.message(4.0)
-    setup.message(2.0)
-    assert setup.passed == [2.0]
-    assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
-
-
-def test_a_queue_of_size_zero_is_unbounded():
-    setup = Setup(queue_size=0)
-    for i in range(50):
-        setup.message(2.0 + i)
-    assert setup.filter.dropped == {}
-
-
 def test_a_message_older_than_the_cache_is_dropped_when_it_comes(capsys):
     setup = Setup()
     setup.transform(20.0, 21.0)  # the cache reaches back ten seconds, to 11 s
@@ -142,51 +179,6 @@ def test_a_message_older_than_the_cache_is_dropped_when_it_comes(capsys):
         "Message Filter dropping message: frame 'laser' at time 10.900 for reason "
         "'the timestamp on the message is earlier than all the data in the transform cache'",
     )
-
-
-def test_a_waiting_message_is_dropped_when_it_is_older_than_the_cache():
-    setup = Setup()
-    setup.transform(5.0)
-    setup.message(4.0)
-    assert setup.filter.dropped == {}
-    setup.transform(14.1)
-    assert setup.filter.dropped == {DropReason.OUT_THE_BACK: 1}
-    assert setup.passed == []
-
-
-def test_with_a_tolerance_a_message_waits_until_that_much_later_is_known_too():
-    setup = Setup()
-    setup.filter.setTolerance(Duration(seconds=0.5))
-    setup.transform(1.0, 2.4)
-    setup.message(2.0)
-    assert setup.passed == []
-    setup.transform(2.5)
-    assert setup.passed == [2.0]
-
-
-def test_with_two_targets_a_message_waits_for_both():
-    setup = Setup()
-    setup.filter.setTargetFrames(["map", "odom"])
-    setup.transform(1.0, 3.0)
-    setup.message(2.0)
-    assert setup.passed == []
-    setup.transform(1.0, 3.0, parent="map", child="odom")
-    assert setup.passed == [2.0]
-
-
-def test_leading_slashes_are_stripped_from_targets_and_frames():
-    setup = Setup(target_frame="/map")
-    assert setup.filter.getTargetFramesString() == "map "
-    setup.transform(1.0, 3.0)
-    setup.message(2.0, frame_id="/laser")
-    assert setup.passed == [2.0]
-
-
-def test_without_a_target_no_message_is_accepted():
-    setup = Setup()
-    setup.filter.setTargetFrames([])
-    setup.message(2.0)
-    assert setup.filter.incoming_message_count == 0
 
 
 def test_a_message_that_waits_longer_than_the_timeout_is_dropped():
@@ -218,26 +210,6 @@ def test_clear_drops_waiting_messages_silently(capsys):
     setup.transform(1.0, 3.0)
     assert (setup.passed, setup.filter.dropped, setup.node.timers) == ([], {}, [])
     assert capsys.readouterr().err == ""
-
-
-def test_a_message_whose_transform_disappeared_is_dropped_for_an_unknown_reason():
-    setup = Setup()
-    setup.filter.setTargetFrames(["map", "odom"])
-    setup.transform(1.0, 3.0)
-    setup.message(2.0)
-    setup.engine.clear()
-    setup.transform(1.0, 3.0, parent="odom", child="laser")  # the laser's only parent is odom now
-    assert setup.passed == []
-    assert setup.filter.dropped == {DropReason.UNKNOWN: 1}
-
-
-def test_the_queue_can_be_made_smaller_on_the_way():
-    setup = Setup(queue_size=5)
-    setup.filter.setQueueSize(1)
-    assert setup.filter.getQueueSize() == 1
-    setup.message(2.0)
-    setup.message(3.0)
-    assert setup.filter.dropped == {DropReason.QUEUE_FULL: 1}
 
 
 def test_debug_level_logs_each_step(capsys):

@@ -2,7 +2,6 @@
 
 import pytest
 
-from tflab.core import seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.exceptions import (
     InvalidNamespaceException,
@@ -218,13 +217,3 @@ def test_logs_go_to_standard_output_if_the_environment_variable_is_set(node, cap
     monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
     node.get_logger().info("here")
     assert capsys.readouterr().out == "[INFO] [1.000000000] [robot.camera]: here\n"
-
-
-def test_a_late_message_is_seen_at_its_time(node, graph):
-    graph.disturb("/robot/t", delay=0.2)
-    heard = []
-    publisher = node.create_publisher(String, "t", 1)
-    node.create_subscription(String, "t", lambda msg: heard.append(graph.now_ns), 1)
-    publisher.publish(String())
-    rclpy.spin_once(node, timeout_sec=1.0)
-    assert heard == [seconds(1.2)]
