@@ -261,12 +261,9 @@ def test_spinning_in_the_cell_advances_time(graph):
     rclpy.shutdown()
 
 
-def test_a_wait_that_can_never_end_raises(graph):
-    rclpy.init()
-    node = Node("cell")
+def test_a_wait_that_can_never_end_raises(node, graph):
     with pytest.raises(RuntimeError, match="this would wait for ever: nobody in the graph has anything left to do"):
         rclpy.spin_once(node)
-    rclpy.shutdown()
 
 
 def test_time_cannot_be_run_from_within_a_participant(graph, capsys):
@@ -376,14 +373,11 @@ def test_the_clock_of_one_node_can_be_wrong(graph, capsys):
     rclpy.shutdown()
 
 
-def test_clocks_sleep_on_virtual_time(graph):
-    rclpy.init()
-    node = Node("sleeper")
+def test_clocks_sleep_on_virtual_time(node, graph):
     clock = node.get_clock()
     assert clock.clock_type == ClockType.ROS_TIME
     assert clock.sleep_for(Duration(seconds=1.5))
     assert graph.now_ns == seconds(2.5)
-    rclpy.shutdown()
 
 
 def test_a_snapshot_knows_who_publishes_what(graph):
@@ -439,9 +433,7 @@ def test_the_stop_button_stops_all_participants(graph):
     assert tidied == ["slow"]
 
 
-def test_an_endless_spin_in_the_cell_passes_time_as_fast_as_it_really_does(graph):
-    rclpy.init()
-    node = Node("cell")
+def test_an_endless_spin_in_the_cell_passes_time_as_fast_as_it_really_does(node, graph):
     ticks = []
     node.create_timer(0.05, lambda: ticks.append(graph.now_ns))
     press_stop_after(0.5)
@@ -449,7 +441,6 @@ def test_an_endless_spin_in_the_cell_passes_time_as_fast_as_it_really_does(graph
         rclpy.spin(node)
     assert rclpy.ok()
     assert 1 <= len(ticks) <= 1000  # at full speed it would be ten thousands
-    rclpy.shutdown()
 
 
 def test_a_clock_before_zero_is_refused_with_the_remedy(graph):

@@ -210,9 +210,7 @@ def test_a_buffer_without_a_node_does_not_clear_and_then_refuses_what_is_too_old
     ) in capsys.readouterr().err
 
 
-def test_use_sim_time_can_be_set_while_running_and_clears_the_buffer(graph, capsys):
-    rclpy.init()
-    node = Node("node")
+def test_use_sim_time_can_be_set_while_running_and_clears_the_buffer(node, capsys):
     buffer = Buffer(node=node)
     buffer.set_transform(transform("odom", "base_link", seconds(1)), "test")
     results = node.set_parameters([Parameter("use_sim_time", Parameter.Type.BOOL, True)])
@@ -220,7 +218,6 @@ def test_use_sim_time_can_be_set_while_running_and_clears_the_buffer(graph, caps
     assert node.get_clock().now().nanoseconds == 0
     assert not buffer.can_transform("odom", "base_link", Time())
     assert capsys.readouterr().err.count("Detected jump back in time. Clearing tf buffer.") == 1
-    rclpy.shutdown()
 
 
 # -- late joiners -------------------------------------------------------------------------

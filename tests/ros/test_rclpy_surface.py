@@ -164,14 +164,11 @@ def test_a_profile_survives_conversion_to_rmw():
         CQoSProfile.predefined("qos_profile_loud")
 
 
-def test_a_time_source_knows_its_node(graph):
-    rclpy.init()
-    node = Node("node")
+def test_a_time_source_knows_its_node(node):
     source = TimeSource(node=node)
     assert source._get_node() is node
     source.detach_node()
     assert source._get_node() is None
-    rclpy.shutdown()
 
 
 # -- callbacks beside each other ------------------------------------------------------
@@ -233,16 +230,13 @@ def test_a_subscription_of_a_reentrant_group_runs_in_parallel_with_itself(graph)
     assert max(most) == 3
 
 
-def test_a_timer_of_a_millisecond_says_how_long_it_is_to_the_next_call(graph):
-    rclpy.init()
-    node = Node("node")
+def test_a_timer_of_a_millisecond_says_how_long_it_is_to_the_next_call(node):
     timer = node.create_timer(0.001, lambda: None)
     assert timer.time_until_next_call() == 1_000_000
     rclpy.spin_once(node)
     assert 0 < timer.time_until_next_call() <= 1_000_000
     timer.cancel()
     assert timer.time_until_next_call() is None
-    rclpy.shutdown()
 
 
 DYNAMIC = rcl_interfaces.ParameterDescriptor(dynamic_typing=True)
