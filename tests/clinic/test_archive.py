@@ -18,7 +18,7 @@ import sys
 opened = set()
 sys.addaudithook(lambda name, args: opened.add(str(args[0])) if name == "open" else None)
 from tflab.clinic.causes import Numbers
-from tflab.clinic.ward import make_patient
+from tflab.clinic.simulate_patient import make_patient
 make_patient(["mount wrong"], Numbers())
 loaded = {module.__file__ for module in list(sys.modules.values()) if getattr(module, "__file__", None)}
 print(*sorted(opened | loaded), sep="\\n")
@@ -35,7 +35,7 @@ def test_a_patient_is_made_once(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "page", ["clinic/ward.py", "tools/tf2_monitor.py", "robots/data/tf_lab_robot.urdf", "ros/tf2/buffer.py"]
+    "page", ["clinic/simulate_patient.py", "tools/tf2_monitor.py", "robots/data/tf_lab_robot.urdf", "ros/tf2/buffer.py"]
 )
 def test_after_an_edit_of_what_makes_patients_none_is_found_again(tmp_path, page):
     for room in archive.MADE_BY:

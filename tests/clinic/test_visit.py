@@ -6,14 +6,14 @@ import pytest
 
 from tflab.clinic.causes import Numbers
 from tflab.clinic.examples import EXAMPLES
-from tflab.clinic.patient import SickRobot
+from tflab.clinic.patient import NOTES, SickRobot, translate_output
 from tflab.clinic.practice import answer_of, night_shift, practice_patient, second_opinion, worked_patient
 from tflab.clinic.proof import fitting, shortest_proof
+from tflab.clinic.simulate_patient import examined
 from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, kind_expected
-from tflab.clinic.told import done
 from tflab.clinic.trolley import TROLLEY
-from tflab.clinic.visit import CARD, WORDS, Visit, admit
-from tflab.clinic.ward import examined
+from tflab.clinic.visit import TEXTS, Visit, admit, steps_of
+from tflab.text import LANGUAGES
 
 
 @pytest.fixture(scope="module")
@@ -32,7 +32,7 @@ def test_at_the_door_one_hears_the_complaint_the_screen_the_card_and_the_budget(
     admit(ahead)
     printed = capsys.readouterr().out
     assert "The scan flickers" in printed and "extrapolation into the future" in printed
-    assert CARD["en"] in printed and "You have 12 minutes." in printed
+    assert TEXTS["card"].en in printed and "You have 12 minutes." in printed
     assert "Transform OK" not in printed  # what is Ok is folded
 
 
@@ -78,7 +78,7 @@ def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
     assert "RViz: all Ok" in refusal("laser clock ahead")
 
 
-@pytest.mark.parametrize("language", WORDS)
+@pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("truth", SUSPECTS)
 def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, capsys):
     own = next(key for key, each in COMPLAINTS.items() if truth in each.suspects)
@@ -92,8 +92,8 @@ def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, ca
             visit.take(check)
         visit.say(wrong)
         said = capsys.readouterr().out
-        assert [check for check in TROLLEY.values() if f"`{done(check, language)}`" in said], said
-        assert truth not in said and WORDS[language]["noted"] not in said
+        assert [check for check in TROLLEY.values() if f"`{check.instruction(language)}`" in said], said
+        assert truth not in said and TEXTS["noted"].say(language) not in said
 
 
 def test_a_cause_that_is_no_suspect_is_refused(visit):
@@ -183,10 +183,6 @@ def test_only_a_patient_is_let_in():
         admit("a robot")
 
 
-def test_both_languages_say_the_same_things():
-    assert WORDS["en"].keys() == WORDS["ko"].keys() and CARD.keys() == WORDS.keys()
-
-
 @pytest.mark.proof
 def test_a_practice_patient_is_the_same_wherever_it_is_made():
     assert practice_patient(5).packed() == practice_patient(5).packed()
@@ -233,3 +229,59 @@ def test_every_fix_can_be_read(visit, capsys):
     visit.fixes()
     fixes = capsys.readouterr().out.splitlines()
     assert "set the laser's clock" in fixes and "stamp on arrival" in fixes and len(fixes) == 21
+
+
+# -- in Korean -----------------------------------------------------------------
+
+
+def test_commands_are_the_same_in_korean_and_what_is_done_by_hand_is_translated():
+    by_hand = {check.key for check in TROLLEY.values() if check.instruction("ko") != check.command}
+    assert by_hand == {check.key for check in TROLLEY.values() if not check.command.startswith("ros2 ")}
+
+
+def test_notes_are_translated_and_what_a_tool_printed_is_not():
+    text = "RViz: all Ok\nScan on the map: up to 0.47 m beside the walls\n$ ros2 topic delay /scan\n  average delay: 1"
+    assert translate_output(text) == text
+    assert translate_output(text, "ko").splitlines() == [
+        "RViz: 모두 Ok", "지도 위의 스캔: 벽에서 최대 0.47 m 벗어남", "$ ros2 topic delay /scan", "  average delay: 1",
+    ]  # fmt: skip
+    for note in NOTES.values():
+        blanks = dict.fromkeys(("distance", "ahead", "side", "up"), "0.20")
+        assert translate_output(note.en.format(**blanks), "ko") == note.ko.format(**blanks)
+
+
+# -- steps ---------------------------------------------------------------------
+
+
+def test_each_question_and_each_fix_is_a_row_and_the_readings_strike(ahead, capsys):
+    visit = Visit(ahead, "ko")
+    visit.take("node list")
+    visit.take("delay /scan")
+    for fix in ("timeout of 1 s", "set the laser's clock"):
+        visit.say("laser clock ahead", fix=fix)
+        visit.try_fix()
+    door, nodes, delay, plaster, cure = steps_of(visit)
+    assert (door.said, len(door.left)) == ("extrapolation into the future", 3)
+    assert (nodes.name, nodes.said, len(nodes.left)) == ("node list", "as on the card", 3)
+    assert delay.said.startswith("-0.") and delay.beside == "card: 0.105 s, std dev 0.000 s"
+    assert delay.left == plaster.left == cure.left == ("laser clock ahead",)
+    assert plaster.is_fix and plaster.said.startswith("RViz all Ok, scan up to 0.")
+    assert plaster.beside == f"delay /scan: {delay.said}" and cure.beside == "delay /scan: 0.105 s, std dev 0.000 s"
+    far, near = (float(step.said.split("up to ")[1].split(" m")[0]) for step in (plaster, cure))
+    assert far > 3 * near
+
+
+def test_a_fix_that_was_refused_is_no_row(ahead, capsys):
+    visit = Visit(ahead)
+    visit.say("laser clock ahead", fix="set the laser's clock")
+    visit.try_fix()
+    assert len(steps_of(visit)) == 1
+
+
+def test_one_who_does_not_complain_has_nothing_at_the_door_and_eighteen_suspects():
+    silent = SickRobot("", "", 12.0, {"use_sim_time": (1.0, "Boolean value is: True", "True")}, {})
+    visit = Visit(silent)
+    visit.take("use_sim_time")
+    door, asked = steps_of(visit)
+    assert (door.name, door.said, len(door.left)) == ("it does not work", "", 18)
+    assert asked.left == ("localizer waits for /clock",)

@@ -1,21 +1,18 @@
-"""The clinic: sick robots as plain data, tools with prices, and the proof of a diagnosis.
+"""Diagnosis exercises: simulated faulty robots as plain data, tools with prices, and the proof of a diagnosis.
 
-    causes     eighteen changes to how a robot is launched
-    findings   what a tool's text says, in a line
-    trolley    what one can ask, and what it costs
-    told       the same in the learner's language
-    table      what each suspect would answer
-    examples   what a finding looks like, and the tables in print
-    proof      when a diagnosis is proved
-    cures      what one can do about it
-    patient    a sick robot as plain data
-    ward       how a patient is made
-    archive    many patients, none made twice
-    visit      how one examines a patient, and treats it
-    steps      a visit, step by step
-    practice   patients without end
-    panel      a visit with controls
+    causes            eighteen changes to how a robot is launched
+    findings          a tool's text in a line
+    trolley           the tools, and what each costs
+    table             what each suspect would answer
+    examples          what findings look like, and the tables in print
+    proof             when a diagnosis is proved
+    cures             the fixes
+    patient           a faulty robot as plain data
+    simulate_patient  how a patient is made
+    archive           many patients, none made twice
+    visit             an examination of a patient, and its steps
+    practice          patients to practise on
+    panel             a visit with controls
 
-A cause is made on a running robot, every tool is run on it, and what they print is
-all that leaves the ward.  Start with `causes.py`.
+A cause is made on a running robot, every tool is run on it, and only what they print is kept.
 """

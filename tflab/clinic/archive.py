@@ -1,4 +1,4 @@
-"""How are many patients made without making them twice?  On all cores, and kept on disk by what they were made from.
+"""Make patients on all cores, and keep them on disk by what they are made from.
 
     admissions --known?--> file           a hash of causes, numbers, and of the code that makes patients
                --new-----> ward --> file
@@ -24,7 +24,7 @@ from tflab import __version__
 
 from .causes import Numbers
 from .patient import SickRobot
-from .ward import make_patient
+from .simulate_patient import make_patient
 
 __all__ = ["Admission", "digest_of", "pages_of", "patients"]
 

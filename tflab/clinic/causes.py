@@ -1,4 +1,4 @@
-"""What makes a robot sick?  Eighteen small changes to how it is launched, each of them one cause.
+"""Change how a robot is launched: eighteen causes, each a small change.
 
     HEALTHY --no_localizer--> the same launch without a node
             --late_network--> the same nodes, and a network that takes its time

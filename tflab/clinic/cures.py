@@ -1,4 +1,4 @@
-"""What can one do about it?  Sixteen fixes, each for its cause, and five plasters for any.
+"""List the fixes: sixteen, each for its cause, and five plasters that take a symptom away at most.
 
     "set the laser's clock"    the cause is gone
     "stamp on arrival"         the error is gone; the points are still in the wrong place

@@ -1,4 +1,4 @@
-"""What does a finding look like?  Of each check and each kind one line, as the ward reads it.
+"""Show what findings look like: one line for each kind of each check.
 
     delay /scan   1 min   ros2 topic delay /scan
         0.105 s, std dev 0.000 s       (card)
@@ -13,7 +13,6 @@ from __future__ import annotations
 
 from .findings import AS_ON_THE_CARD, DENORMALIZED, INCOMPATIBLE
 from .table import COMPLAINTS, SUSPECTS, kind_expected
-from .told import done
 from .trolley import TROLLEY, no_such
 
 __all__ = ["EXAMPLES", "findings_as_text", "suspects_as_text", "trolley_as_text"]
@@ -133,7 +132,7 @@ def trolley_as_text(language: str = "en") -> str:
     """Return each check by its short name, what it costs, and what is typed."""
     width = max(map(len, TROLLEY))
     return "\n".join(
-        f"{key:<{width}} {MINUTES[language].format(minutes=check.minutes)}   {done(check, language)}"
+        f"{key:<{width}} {MINUTES[language].format(minutes=check.minutes)}   {check.instruction(language)}"
         for key, check in TROLLEY.items()
     )
 
@@ -158,7 +157,9 @@ def findings_as_text(complaint: str = "", language: str = "en") -> str:
         if complaint and sum(map(bool, who.values())) < 2:
             continue
         rows = [(EXAMPLES[key][kind], ", ".join(who[kind]) if kind != check.usual else CARD[language]) for kind in who]
-        blocks.append(f"{key}  {MINUTES[language].format(minutes=check.minutes).strip()}  $ {done(check, language)}")
+        blocks.append(
+            f"{key}  {MINUTES[language].format(minutes=check.minutes).strip()}  $ {check.instruction(language)}"
+        )
         width = max(len(line) for line, _ in rows)
         between = "   " if width <= WIDEST else "\n        "  # a list of nodes leaves no room beside it
         blocks += [f"    {line:<{width if width <= WIDEST else 0}}{between}{names}" for line, names in rows]

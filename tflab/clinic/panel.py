@@ -1,4 +1,4 @@
-"""How does one examine a patient without typing?  A trolley to choose from, a clock that runs down, a table that fills.
+"""Show a visit with controls: checks to choose from, a clock that runs down, a table that fills.
 
     check [ delay /scan ]  because [ laser clock ahead ]  ( Ask )      [=======   ] 10 of 12 left
     cause [ laser clock ahead ]  fix [ set the laser's clock ]  ( Try )
@@ -29,7 +29,6 @@ from tflab.views.slider_frames import Film
 from .examples import MINUTES
 from .patient import SickRobot
 from .table import kind_expected
-from .told import done
 from .trolley import TROLLEY
 from .visit import Visit
 
@@ -145,7 +144,8 @@ class ClinicPanel(Panel):
 
     def _priced(self, key: str) -> str:
         language = self.visit.language
-        return f"{done(TROLLEY[key], language)} ({MINUTES[language].format(minutes=TROLLEY[key].minutes).strip()})"
+        minutes = MINUTES[language].format(minutes=TROLLEY[key].minutes).strip()
+        return f"{TROLLEY[key].instruction(language)} ({minutes})"
 
     def _menu(self, name: str, options: list, width: str) -> widgets.Dropdown:
         words = self._labels[name]

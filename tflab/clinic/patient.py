@@ -1,4 +1,4 @@
-"""What is a patient?  Plain texts: a complaint, RViz's screen, and what each question would be answered.
+"""Hold a patient as plain texts: a complaint, RViz's screen, and the answer to each check.
 
     patient.ask("delay /scan")           "-0.295 s, std dev 0.000 s"       a minute
     patient.verdict("laser clock ahead", "laser_frame")
@@ -12,16 +12,35 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 import zlib
 from collections.abc import Mapping
 from copy import copy
 from functools import lru_cache
 from typing import Any
 
+from tflab.text import Text
+
 from .trolley import TROLLEY, check_named
 
-__all__ = ["SickRobot", "rows_of", "seen_after"]
+__all__ = ["NOTES", "SickRobot", "rows_of", "seen_after", "translate_output"]
 
+# what is written down without a tool of ROS
+NOTES = {
+    "all ok": Text("RViz: all Ok", "RViz: 모두 Ok"),
+    "off the walls": Text(
+        "Scan on the map: up to {distance} m beside the walls", "지도 위의 스캔: 벽에서 최대 {distance} m 벗어남"
+    ),
+    "not placed": Text("Scan on the map: nothing can be placed", "지도 위의 스캔: 놓을 수 있는 점이 없음"),
+    "tape": Text(
+        "{ahead} m ahead, {side} m to the side, {up} m up: where the drawing has it",
+        "앞 {ahead} m, 옆 {side} m, 위 {up} m: 도면에 있는 그 자리",
+    ),
+    "cable": Text(
+        "360 points ten times a second, as with the cable before",
+        "점 360개가 1초에 열 번, 케이블을 바꾸기 전과 같음",
+    ),
+}
 KNOWN = 128  # patients that are held open: a ward is asked over and over
 
 
@@ -93,6 +112,20 @@ def seen_after(patient: SickRobot, fix: str) -> tuple[float, str]:
 def rows_of(patient: SickRobot) -> list[Any]:
     """Return what a patient is made of, as JSON has it: the arguments of `SickRobot`."""
     return _unpacked(patient.packed())
+
+
+def translate_output(text: str, language: str = "en") -> str:
+    """Return what a patient's tools printed, with our own notes in a language; what a tool printed stays as it is."""
+    return text if language == "en" else "\n".join(_translate_line(line, language) for line in text.split("\n"))
+
+
+def _translate_line(line: str, language: str) -> str:
+    bare = line.lstrip(" ")
+    for note in NOTES.values():
+        pattern = re.sub(r"\\{(\w+)\\}", r"(?P<\1>\\S+)", re.escape(note.en))
+        if match := re.fullmatch(pattern, bare):
+            return line[: len(line) - len(bare)] + note.say(language, **match.groupdict())
+    return line
 
 
 def _packed(rows: list[Any]) -> str:

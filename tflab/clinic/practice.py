@@ -1,4 +1,4 @@
-"""Where does one practise?  On patients without end, each made while one waits, from a public number.
+"""Draw patients to practise on, each from a public number.
 
     practice_patient(7)                       of any complaint
     practice_patient(7, complaint="jumps")
@@ -16,9 +16,9 @@ import numpy as np
 from .causes import CAUSES, Numbers, draw_numbers
 from .patient import SickRobot
 from .proof import fitting
+from .simulate_patient import examined, make_patient
 from .table import COMPLAINTS
 from .trolley import TROLLEY, no_such
-from .ward import examined, make_patient
 
 __all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
 

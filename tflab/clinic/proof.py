@@ -1,4 +1,4 @@
-"""When is a diagnosis proved?  When the checks would have come out differently for every other suspect.
+"""Decide whether checks prove a diagnosis: they must exclude every other suspect.
 
     suspect   delay /scan      rivals left
     ahead     ahead

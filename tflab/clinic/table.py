@@ -1,4 +1,4 @@
-"""What would each suspect answer?  Eighteen suspects, three to each of six complaints, and their columns of findings.
+"""State what each suspect would answer: eighteen suspects, three to each of six complaints.
 
     complaint   "Frame [map] does not exist"
     suspects    localizer not running   localizer waits for /clock   Fixed Frame misspelt

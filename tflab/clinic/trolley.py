@@ -1,4 +1,4 @@
-"""What can one ask a robot, and what does it cost?  A trolley of tools with prices in minutes.
+"""List the diagnostic tools and what each costs in minutes.
 
     TROLLEY["delay /scan"] = TrolleyCheck("delay /scan", "ros2 topic delay /scan", 1, "delay")
 
@@ -12,6 +12,8 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable
 from typing import NamedTuple
+
+from tflab.text import Text
 
 from .findings import AS_ON_THE_CARD, kind_of
 
@@ -42,15 +44,24 @@ class TrolleyCheck(NamedTuple):
         """The kind of finding of a healthy robot."""
         return {"use_sim_time": "False", "publish_tf": "True"}.get(self.key, AS_ON_THE_CARD)
 
+    def instruction(self, language: str = "en") -> str:
+        """Return what is typed, which is the same in every language, or what is done by hand."""
+        return BY_HAND[self.key].say(language) if self.key in BY_HAND else self.command
+
     def kind(self, finding: str) -> str:
         """Return what kind of finding it is."""
         return kind_of(self.reader, finding)
 
 
+BY_HAND = {
+    "rviz": Text("look at RViz again", "RViz를 다시 보기"),
+    "tape measure": Text("measure where the laser is bolted on", "레이저의 장착 위치를 줄자로 재기"),
+    "other cable": Text("put another cable in", "다른 케이블 꽂기"),
+}
 TROLLEY = {
     check.key: check
     for check in (
-        TrolleyCheck("rviz", "look at RViz again", 1, "rviz"),
+        TrolleyCheck("rviz", BY_HAND["rviz"].en, 1, "rviz"),
         TrolleyCheck("node list", "ros2 node list", 1, "node_list"),
         TrolleyCheck("echo map base_footprint", "ros2 run tf2_ros tf2_echo map base_footprint", 1, "connection", 3.0),
         TrolleyCheck("echo odom base_footprint", "ros2 run tf2_ros tf2_echo odom base_footprint 20", 1, "wheels", 1.0),
@@ -68,8 +79,8 @@ TROLLEY = {
         TrolleyCheck("echo /tf_static", "ros2 topic echo /tf_static", 2, "static", 2.0),
         TrolleyCheck("view_frames", "ros2 run tf2_tools view_frames", 3, "view_frames"),
         TrolleyCheck("monitor", "ros2 run tf2_ros tf2_monitor map laser_frame", 4, "monitor"),
-        TrolleyCheck("tape measure", "measure where the laser is bolted on", 15, "as_it_is"),
-        TrolleyCheck("other cable", "put another cable in", 30, "as_it_is"),
+        TrolleyCheck("tape measure", BY_HAND["tape measure"].en, 15, "as_it_is"),
+        TrolleyCheck("other cable", BY_HAND["other cable"].en, 30, "as_it_is"),
     )
 }
 

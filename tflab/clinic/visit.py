@@ -1,4 +1,4 @@
-"""How does one examine a patient?  A visit: questions that cost minutes, a diagnosis, and then, perhaps, a fix.
+"""Examine a patient: checks that cost minutes, a diagnosis, and then a fix.
 
     visit = admit(patient)                          the complaint, RViz's screen, the card; twelve minutes
     visit.ask("delay /scan", because="laser clock ahead")
@@ -14,79 +14,25 @@ well, or do not fit the one that was named, no fix is tried.
 
 from __future__ import annotations
 
+import re
 from typing import NamedTuple
 
+from tflab.text import Texts
+from tflab.views.diagnosis_log import VisitStep
+
 from .cures import DIAGNOSES
-from .patient import SickRobot, seen_after
+from .examples import EXAMPLES
+from .findings import AS_ON_THE_CARD, READERS
+from .patient import SickRobot, seen_after, translate_output
 from .proof import NOTHING_IS_WRONG, best_check, fitting
 from .table import COMPLAINTS, DECIDING, SENSOR_BROKEN, SUSPECTS
-from .told import done, told
-from .trolley import TROLLEY, check_named, no_such
+from .trolley import TROLLEY, TrolleyCheck, check_named, no_such
 
-__all__ = ["CARD", "FixTried", "Visit", "VisitEntry", "admit"]
+__all__ = ["FixTried", "Visit", "VisitEntry", "admit", "steps_of"]
 
-CARD = {
-    "en": """\
-The robot when it is well
-  tree    map -> odom -> base_footprint -> base_link -> laser_frame, and the other parts
-  owners  map -> odom                 /localization, 10 Hz, 0.010 s behind
-          odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004 s behind
-          base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
-          the rest                    /robot_state_publisher
-  data    /odom 20 Hz, 0.004 s behind     /scan 10 Hz, 0.105 s behind, header laser_frame
-  nodes   joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry
-          (RViz is open only while you look at it, and so in no list of nodes)""",
-    "ko": """\
-정상일 때의 로봇
-  트리    map -> odom -> base_footprint -> base_link -> laser_frame, 그 밖의 부품
-  발행자  map -> odom                 /localization, 10 Hz, 0.010초 늦음
-          odom -> base_footprint      /wheel_odometry, 20 Hz, 0.004초 늦음
-          base_link -> laser_frame    /laser_mount, static, x 0.200 y 0.000 z 0.150
-          나머지                      /robot_state_publisher
-  데이터  /odom 20 Hz, 0.004초 늦음   /scan 10 Hz, 0.105초 늦음, header는 laser_frame
-  노드    joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry
-          (RViz는 들여다볼 때만 켜므로 노드 목록에 나오지 않음)""",
-}
-
+TEXTS = Texts(__file__)
 FRAMES = dict.fromkeys(remedy.frame for remedy in DIAGNOSES.values())
 OWNERS = dict.fromkeys(remedy.owner for remedy in DIAGNOSES.values())
-
-WORDS = {
-    "en": {
-        "nothing": "It does not work.",
-        "budget": "You have {left:g} minutes. Suspects: {suspects}",
-        "clock": "{minutes:g} min; {left:g} of {budget:g} left. Your suspects: {suspects}",
-        "over": "{minutes:g} min; the time is up, {over:g} minutes over. Your suspects: {suspects}",
-        "again": "You asked this before: it says the same, and takes its minutes once more.",
-        "noted": "Noted: your readings prove this cause. Now `try_fix()`.",
-        "no diagnosis": "First a diagnosis: say(cause=..., frame=..., owner=..., fix=...).",
-        "no fix": 'Now a fix: `fixes()` prints what there is, then `try_fix("...")`.',
-        "nothing asked": 'Nothing was asked yet, so "{cause}" is a guess. What would `{command}` say then? Ask it.',
-        "contradicted": 'If it were "{cause}", `{command}` would not say: {finding}. You asked it.',
-        "not apart": 'Your readings fit "{cause}", and {count} more. What would `{command}` say of each? Ask it.',
-        "nothing sick": "Each of your readings is as on the card. Show what is sick first: `{command}` would.",
-        "after": "{fix} (+{minutes:g} min)",
-        "struck": 'You struck "{cause}" from your list, and now you name it.',
-    },
-    "ko": {
-        "nothing": "작동하지 않습니다.",
-        "budget": "{left:g}분 있습니다. 용의자: {suspects}",
-        "clock": "{minutes:g}분 사용, {budget:g}분 가운데 {left:g}분 남음. 남은 용의자: {suspects}",
-        "over": "{minutes:g}분 사용, 시간이 {over:g}분 초과되었습니다. 남은 용의자: {suspects}",
-        "again": "이미 물어본 검사입니다. 결과는 같고 시간만 다시 듭니다.",
-        "noted": "적어 두었습니다. 읽은 값이 이 원인을 증명합니다. 이제 `try_fix()`를 실행하십시오.",
-        "no diagnosis": "진단이 먼저입니다. say(cause=..., frame=..., owner=..., fix=...)를 실행하십시오.",
-        "no fix": '이제 처치를 고르십시오. `fixes()`로 목록을 보고 `try_fix("...")`를 실행합니다.',
-        "nothing asked": '물어본 것이 없으니 "{cause}"은(는) 짐작입니다. '
-        "그렇다면 `{command}`의 결과는 어떻겠습니까? 물어보십시오.",
-        "contradicted": '원인이 "{cause}"라면 `{command}`의 결과가 이렇지 않습니다: {finding}. 이미 물어본 것입니다.',
-        "not apart": '읽은 값은 "{cause}" 말고도 용의자 {count}명에게 맞습니다. '
-        "`{command}`의 결과는 저마다 어떻겠습니까? 물어보십시오.",
-        "nothing sick": "읽은 값이 모두 카드와 같습니다. 아픈 곳을 먼저 보이십시오. `{command}`의 결과에 나옵니다.",
-        "after": "{fix} (+{minutes:g}분)",
-        "struck": '"{cause}"은(는) 목록에서 지운 용의자입니다.',
-    },
-}
 
 
 class VisitEntry(NamedTuple):
@@ -141,12 +87,15 @@ class Visit:
         return {asked.check: TROLLEY[asked.check].kind(asked.finding) for asked in self.log}
 
     def opening(self) -> str:
-        """Return what one is told at the door, for nothing."""
+        """Return what is known before the first check: the complaint, RViz, the card and the budget."""
         complaint = COMPLAINTS.get(self.patient.complaint)
         said = getattr(complaint, self.language) if complaint else self._say("nothing")
         screen = f"\nRViz\n{_indented(_folded(self.patient.screen))}\n" if complaint else ""
-        budget = self._say("budget", left=self.patient.budget_min, suspects=", ".join(self._all))
-        return f"{said}\n{screen}\n{CARD[self.language]}\n\n{budget}"
+        card, budget = (
+            self._say("card"),
+            self._say("budget", left=self.patient.budget_min, suspects=", ".join(self._all)),
+        )
+        return f"{said}\n{screen}\n{card}\n\n{budget}"
 
     def ask(self, check: str, because: str = "") -> None:
         """Print what a check says, and what time is left; `because` says whom one suspects, or why one asks.
@@ -156,7 +105,7 @@ class Visit:
         """
         before = {asked.check for asked in self.log}
         text = self.take(check, because)
-        again = f"{self._say('again')}\n" if self.log[-1].check in before else ""
+        again = self._say("again") + "\n" if self.log[-1].check in before else ""
         print(f"{self._typed(check)}\n{text}\n\n{again}{self.clock()}")
 
     def take(self, check: str, because: str = "") -> str:
@@ -169,7 +118,7 @@ class Visit:
             kind = TROLLEY[key].kind(finding)
             self.suspects = fitting({key: kind}, self.suspects)
         self.log.append(VisitEntry(key, minutes, finding, because, self.suspects))
-        return told(text, self.language)
+        return translate_output(text, self.language)
 
     def strike(self, *suspects: str) -> None:
         """Take suspects off one's own list.
@@ -202,7 +151,7 @@ class Visit:
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
         if cause in self._all and cause not in self.suspects and not self.helped:
             print(self._say("struck", cause=cause))
-        print(self._doubt(cause) or self._say("noted" if fix else "no fix"))
+        print(self._doubt(cause) or self._say("noted" if fix else "no_fix"))
 
     def fixes(self) -> None:
         """Print what can be done about it: every fix, the plasters among them."""
@@ -224,31 +173,31 @@ class Visit:
         fix = self.diagnosis["fix"]
         minutes, text = seen_after(self.patient, fix)
         self.tried.append(FixTried(fix, minutes, text))
-        return f"{self._say('after', fix=fix, minutes=minutes)}\n{_indented(told(text, self.language))}"
+        return self._say("after", fix=fix, minutes=minutes) + f"\n{_indented(translate_output(text, self.language))}"
 
     def _refusal(self) -> str:
         """Return why no fix is tried yet, or ""."""
         if not self.diagnosis:
-            return self._say("no diagnosis")
-        return self._doubt(self.diagnosis["cause"]) or ("" if self.diagnosis["fix"] else self._say("no fix"))
+            return self._say("no_diagnosis")
+        return self._doubt(self.diagnosis["cause"]) or ("" if self.diagnosis["fix"] else self._say("no_fix"))
 
     def _doubt(self, cause: str) -> str:
         """Return what the readings say against a cause, with a check that was asked or should be; "" if nothing."""
         for asked in self.log:
             if not fitting({asked.check: TROLLEY[asked.check].kind(asked.finding)}, [cause]):
-                finding = told(asked.finding, self.language)
+                finding = translate_output(asked.finding, self.language)
                 return self._say("contradicted", cause=cause, command=self._done(asked.check), finding=finding)
         rivals = [each for each in fitting(self.found, self._all) if each != cause]
         if rivals:
-            command, why = self._done(best_check([cause, *rivals])), "not apart" if self.log else "nothing asked"
+            command, why = self._done(best_check([cause, *rivals])), "not_apart" if self.log else "nothing_asked"
             return self._say(why, cause=cause, count=len(rivals), command=command)
         is_sick = any(kind != TROLLEY[check].usual for check, kind in self.found.items())
         if is_sick or cause == NOTHING_IS_WRONG:
             return ""
-        return self._say("nothing sick", command=self._done(DECIDING[cause]))
+        return self._say("nothing_sick", command=self._done(DECIDING[cause]))
 
     def _done(self, check: str) -> str:
-        return done(TROLLEY[check], self.language)
+        return TROLLEY[check].instruction(self.language)
 
     def _typed(self, check: str) -> str:
         command = self._done(check_named(check).key)
@@ -259,7 +208,7 @@ class Visit:
             raise no_such(suspect, "no suspect", SUSPECTS)
 
     def _say(self, name: str, **names: object) -> str:
-        return WORDS[self.language][name].format(**names)
+        return TEXTS[name].say(self.language, **names)
 
 
 def admit(patient: SickRobot, language: str = "en", helped: bool = False) -> Visit:
@@ -288,3 +237,37 @@ def _folded(screen: str) -> str:
         if not is_ok or not line.startswith(" "):
             lines.append(line)
     return "\n".join(lines)
+
+
+LONGEST = 46  # letters of a finding
+
+
+def steps_of(visit: Visit) -> list[VisitStep]:
+    """Return the steps of a visit as `draw_visit` takes them."""
+    complaint = COMPLAINTS.get(visit.patient.complaint)
+    left = complaint.suspects if complaint else SUSPECTS
+    seen = READERS["rviz"](visit.patient.screen) if complaint else ""
+    steps = [VisitStep("RViz" if complaint else "it does not work", 0.0, seen, "", left)]
+    for asked in visit.log:
+        check = TROLLEY[asked.check]
+        left = fitting({check.key: check.kind(asked.finding)}, left)
+        said, card = _in_a_row(check, asked.finding), _in_a_row(check, EXAMPLES[check.key][check.usual])
+        steps.append(VisitStep(check.key, check.minutes, said, f"card: {card}" if card != AS_ON_THE_CARD else "", left))
+    return [*steps, *(_fixed(fix, left) for fix in visit.tried)]
+
+
+def _in_a_row(check: TrolleyCheck, finding: str) -> str:
+    """Return a finding, and of a long one, such as all nodes, only its kind."""
+    return finding if len(finding) <= LONGEST else check.kind(finding)
+
+
+def _fixed(tried: FixTried, left: tuple[str, ...]) -> VisitStep:
+    """Return a fix as a step: what RViz and the walls say after it, and beside it the reading that decides."""
+    seen, _, reading = tried.text.partition("\n$ ")
+    command, _, printed = reading.partition("\n")
+    check = check_named(command)
+    off = re.search(r"up to (\S+ m)", seen)
+    rviz = "all Ok" if seen.startswith("RViz: all Ok") else "not Ok"
+    said = f"RViz {rviz}, scan up to {off[1]} off" if off else f"RViz {rviz}, no scan placed"
+    beside = f"{check.key}: {_in_a_row(check, READERS[check.reader](printed))}"
+    return VisitStep(tried.fix, tried.minutes, said, beside, left, is_fix=True)

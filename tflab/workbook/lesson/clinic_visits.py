@@ -23,10 +23,9 @@ from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
 from tflab.clinic.panel import clinic_panel as panel_of
 from tflab.clinic.patient import SickRobot
 from tflab.clinic.proof import best_check, left_after, minutes_of, order_of, rivals_of
-from tflab.clinic.steps import steps_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
 from tflab.clinic.trolley import BUDGET_MIN, no_such
-from tflab.clinic.visit import Visit
+from tflab.clinic.visit import Visit, steps_of
 from tflab.clinic.visit import admit as admitted
 from tflab.views import panels
 from tflab.views.diagnosis_log import draw_minutes, draw_order

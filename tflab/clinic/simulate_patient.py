@@ -1,4 +1,4 @@
-"""How is a patient made?  A robot is launched with its cause, drives for twenty seconds, and every tool is run on it.
+"""Simulate a patient: launch a robot with its cause, drive for twenty seconds, and run every tool on it.
 
     cause + numbers --launch--> graph --20 s--> trolley, RViz --> texts and findings
                                       --cured--> what each fix leads to
@@ -39,10 +39,10 @@ from tflab.tools.rviz import look
 from tflab.tools.session import result_of, spin_for, tool_node
 from tflab.views.rviz_status import look_through, statuses_as_text
 
-from .causes import CAUSES, HEALTHY, Launch, Numbers
+from .causes import CAUSES, HEALTHY, MOUNT, Launch, Numbers
 from .cures import CURES, PLASTERS
 from .findings import READERS
-from .patient import SickRobot
+from .patient import NOTES, SickRobot
 from .table import COMPLAINTS, DECIDING
 from .trolley import BUDGET_MIN, TROLLEY
 
@@ -54,8 +54,6 @@ WATCHED_S, WAITED_S = 8.0, 1.5
 # No two nodes keep step on a robot: some start later than the rest [s], and tools look at a moment in between.
 LATER_S = {"ekf_filter_node": 0.010, "localization": 0.058}
 STEP_NS, LOOKED_AT_NS = 100_000_000, 60_000_000
-TAPE = "0.200 m ahead, 0.000 m to the side, 0.150 m up: where the drawing has it"
-CABLE = "360 points ten times a second, as with the cable before"
 LASER_IN_URDF = re.compile(r'  <link name="laser_frame">.*?</joint>\n', re.DOTALL)
 
 
@@ -128,8 +126,11 @@ class ExaminedRobot:
         check = TROLLEY[key]
         if key == "rviz":
             text = screen
-        elif key in ("tape measure", "other cable"):
-            text = TAPE if key == "tape measure" else CABLE
+        elif key == "tape measure":
+            ahead, side, up = (f"{distance_m:.3f}" for distance_m in MOUNT)
+            text = NOTES["tape"].en.format(ahead=ahead, side=side, up=up)
+        elif key == "other cable":
+            text = NOTES["cable"].en
         else:
             text = self._run(check.command, check.seconds)
         return text, READERS[check.reader](text)
@@ -292,14 +293,14 @@ def _after(
         calm = way != "waited" or fix == "timeout of 1 s"
         placed = getattr(places, way)
         shown = _calmed(screen) if calm else screen
-        return _told(shown, placed, decisive, evidence[decisive][1])
+        return _describe(shown, placed, decisive, evidence[decisive][1])
     launch = HEALTHY
     for cause in causes:
         launch = launch if cause in cured and cause != "nothing is wrong" else CAUSES[cause](launch, numbers)
     with ExaminedRobot(launch, numbers) as well:
         shown = well.screen()
         reading, placed = well.ask(decisive, shown)[0], well.places().waited
-    return _told(shown, placed, decisive, reading)
+    return _describe(shown, placed, decisive, reading)
 
 
 def _calmed(screen: str) -> str:
@@ -311,8 +312,8 @@ def _calmed(screen: str) -> str:
     return head + scan + rest.replace("[0] points from [0]", "[360] points from [1]")
 
 
-def _told(screen: str, placed: float | None, key: str, reading: str) -> str:
+def _describe(screen: str, placed: float | None, key: str, reading: str) -> str:
     troubles = [line for line in screen.splitlines() if re.search(r": (Error|Warn)|No transform|does not exist", line)]
-    rviz = "\n".join(["RViz:", *(f"  {line}" for line in troubles[:6])]) if troubles else "RViz: all Ok"
-    walls = "nothing can be placed" if placed is None else f"up to {placed:.2f} m beside the walls"
-    return f"{rviz}\nScan on the map: {walls}\n$ {TROLLEY[key].command}\n{reading}"
+    rviz = "\n".join(["RViz:", *(f"  {line}" for line in troubles[:6])]) if troubles else NOTES["all ok"].en
+    off = NOTES["not placed"].en if placed is None else NOTES["off the walls"].en.format(distance=f"{placed:.2f}")
+    return f"{rviz}\n{off}\n$ {TROLLEY[key].command}\n{reading}"

@@ -7,9 +7,9 @@ from tflab.clinic.causes import CAUSES, HEALTHY, Numbers, draw_numbers
 from tflab.clinic.cures import CURES
 from tflab.clinic.patient import seen_after
 from tflab.clinic.proof import fitting
+from tflab.clinic.simulate_patient import ExaminedRobot, make_patient
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.clinic.trolley import TROLLEY
-from tflab.clinic.ward import ExaminedRobot, make_patient
 
 pytestmark = pytest.mark.proof  # a robot for each cause
 
