@@ -12,7 +12,7 @@ from __future__ import annotations
 import shutil
 import time
 
-from tflab.bags.example import example_bag
+from tflab.bags.info import example_bag
 from tflab.bags.record import BagWriter, Recorder
 from tflab.core import seconds
 from tflab.robots.motion import Drive

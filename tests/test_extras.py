@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 import tflab
-from tflab.bags.example import example_bag
+from tflab.bags.info import example_bag
 from tflab.extras import EXTRA_OF, hint, require
 
 ROOT = Path(tflab.__file__).parent

@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from tflab.bags.example import example_bag
-from tflab.bags.info import bag_facts
+from tflab.bags.info import bag_facts, example_bag
 from tflab.bags.reader import read_bag
 from tflab.core import seconds
 from tflab.doctor import examine

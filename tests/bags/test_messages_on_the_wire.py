@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from making_bags import ros1_store, tf_message
 from rosbags.typesys import Stores, get_typestore
 
-from tflab.bags.messages import (
+from tflab.bags.wire import (
     MalformedMessage,
     clock_in,
     header_in,

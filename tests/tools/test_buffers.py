@@ -4,7 +4,7 @@ import pytest
 
 from tflab.core import BufferCore, LookupException, StampedTransform, Transform, seconds
 from tflab.ros.tf2.buffer import Buffer
-from tflab.tools.buffers import draw_buffer, draw_history, draw_question, edges_between
+from tflab.tools.trees import draw_buffer, draw_history, draw_question, edges_between
 
 
 def filled(core):

@@ -7,7 +7,7 @@ from tools_robot import fixed, moving
 
 from tflab.ros.logging import RcutilsLogger
 from tflab.tools import magic, ros2
-from tflab.tools.completion import Known, complete, known_in
+from tflab.tools.magic import Known, complete, known_in
 from tflab.tools.page import LineError, run_words, split_line, words_of_line
 
 KNOWN = Known(

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tflab.tools.numbers_as_in_c import general, stod
+from tflab.tools.cpp_numbers import general, stod
 from tflab.tools.static_transform_publisher import OLD_STYLE, USAGE, Request, UsageError, announcement, parse
 
 NAMES = ["--frame-id", "base_link", "--child-frame-id", "laser_frame"]

@@ -11,7 +11,7 @@ from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.time import Duration
-from tflab.tools.topic_echo import matching_policy
+from tflab.tools.topic import matching_policy
 from tflab.tools.topic_rates import Intervals, statistics_text
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT

@@ -1,4 +1,4 @@
-"""What has been read so far?  One handler for each kind of message, and columns that grow.
+"""Collect what is read from a bag: a handler for each kind of message, and columns that grow.
 
     connections --> what is each to be asked for?  transforms | header | clock | joints | odometry | description
     messages    --> the handler of their connection --> columns --> Recording
@@ -14,14 +14,29 @@ import re
 import struct
 from array import array
 from collections.abc import Callable
+from tempfile import TemporaryFile
+from typing import IO
 
 import numpy as np
 
 from tflab.core import stamp_from_sec_nanosec
 
-from .columns import HeaderColumns, TransformColumns
-from .messages import (
+from .recording import (
+    Clock,
+    Connection,
+    Headers,
+    JointStates,
+    Odometry,
+    QosProfile,
+    Recording,
+    TransformLabel,
+    Transforms,
+    Unfinished,
+)
+from .wire import (
+    NUMBERS_SIZE,
     MalformedMessage,
+    RawTransform,
     clock_in,
     header_in,
     names_of_single,
@@ -29,17 +44,8 @@ from .messages import (
     transforms_in_cdr,
     transforms_in_ros1,
 )
-from .recording import (
-    Clock,
-    Connection,
-    JointStates,
-    Odometry,
-    QosProfile,
-    Recording,
-    Unfinished,
-)
 
-__all__ = ["TRANSFORM_TYPES", "Collector"]
+__all__ = ["TRANSFORM_TYPES", "Collector", "HeaderColumns", "TransformColumns"]
 
 TRANSFORM_TYPES = ("tf2_msgs/msg/TFMessage", "tf/msg/tfMessage")
 CLOCK_TYPE = "rosgraph_msgs/msg/Clock"
@@ -218,3 +224,95 @@ def _qos_of(connection) -> tuple[QosProfile, ...]:
         QosProfile(q.history.name.lower(), q.depth, q.reliability.name.lower(), q.durability.name.lower())
         for q in ext.offered_qos_profiles
     )
+
+
+MOST_IN_MEMORY = 128 * 2**20  # bytes of numbers, about two million transforms
+
+
+class TransformColumns:
+    """Transforms, as many as there are, in growing columns; of a long recording the numbers lie on disk."""
+
+    def __init__(self) -> None:
+        self._receive_ns, self._stamp_ns = array("q"), array("q")
+        self._message, self._label = array("i"), array("i")
+        self._numbers = bytearray()
+        self._on_disk: IO[bytes] | None = None
+        self._labels: dict[tuple, int] = {}
+        self._messages = 0
+
+    def add(self, how: tuple[str, str, bool], receive_ns: int, transforms: list[RawTransform]) -> None:
+        """Take the transforms of one message; `how` is topic, publisher, is_static."""
+        for stamp_ns, parent, child, numbers in transforms:
+            key = (how, parent, child)
+            label = self._labels.setdefault(key, len(self._labels))
+            self._append(label, receive_ns, stamp_ns, numbers)
+        self._messages += 1
+
+    def add_one(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
+        """Take the one transform of a message whose label is known."""
+        self._append(label, receive_ns, stamp_ns, numbers)
+        self._messages += 1
+
+    @property
+    def newest_label(self) -> int:
+        return self._label[-1]
+
+    def ends_with(self, data: bytes) -> bool:
+        """Return whether the numbers that came last are the last bytes of `data`."""
+        return bool(self._numbers) and data.endswith(bytes(self._numbers[-NUMBERS_SIZE:]))
+
+    def _append(self, label: int, receive_ns: int, stamp_ns: int, numbers: bytes) -> None:
+        self._stamp_ns.append(stamp_ns)
+        self._label.append(label)
+        self._numbers += numbers
+        if len(self._numbers) >= MOST_IN_MEMORY:
+            self._to_disk()
+        self._receive_ns.append(receive_ns)
+        self._message.append(self._messages)
+
+    def _to_disk(self) -> None:
+        """Move the numbers into a file without a name, but for the newest; it is gone when nobody holds it any more."""
+        if self._on_disk is None:
+            self._on_disk = TemporaryFile()  # noqa: SIM115
+        self._on_disk.write(memoryview(self._numbers)[:-NUMBERS_SIZE])
+        self._numbers = self._numbers[-NUMBERS_SIZE:]
+
+    def _all_numbers(self) -> np.ndarray:
+        if self._on_disk is None:
+            return np.frombuffer(self._numbers, dtype="<f8").reshape(-1, 7)
+        self._on_disk.write(self._numbers)
+        self._on_disk.flush()
+        return np.memmap(self._on_disk, dtype="<f8", mode="r", shape=(len(self._stamp_ns), 7))
+
+    def table(self) -> Transforms:
+        columns = (self._receive_ns, self._stamp_ns, self._message, self._label)
+        return Transforms(
+            *(np.frombuffer(column, dtype=np.dtype(column.typecode)) for column in columns),
+            self._all_numbers(),
+            tuple(
+                TransformLabel(topic, publisher, _text(parent), _text(child), is_static)
+                for (topic, publisher, is_static), parent, child in self._labels
+            ),
+        )
+
+
+class HeaderColumns:
+    """The headers of one topic, in growing columns."""
+
+    def __init__(self, msgtype: str) -> None:
+        self._msgtype = msgtype
+        self._receive_ns, self._stamp_ns, self._frame = array("q"), array("q"), array("q")
+        self._frames: dict[bytes, int] = {}
+
+    def add(self, receive_ns: int, stamp_ns: int, frame: bytes) -> None:
+        self._stamp_ns.append(stamp_ns)
+        self._receive_ns.append(receive_ns)
+        self._frame.append(self._frames.setdefault(frame, len(self._frames)))
+
+    def table(self, topic: str) -> Headers:
+        columns = (np.frombuffer(c, dtype=np.int64) for c in (self._receive_ns, self._stamp_ns, self._frame))
+        return Headers(topic, self._msgtype, *columns, tuple(map(_text, self._frames)))
+
+
+def _text(name: bytes) -> str:
+    return name.decode("utf-8", errors="replace")

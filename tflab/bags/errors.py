@@ -1,4 +1,4 @@
-"""What can be wrong with a bag?
+"""Define the errors that a bag can cause.
 
     a path --> no such file | empty | not a bag | cut short | not readable
 

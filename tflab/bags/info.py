@@ -1,4 +1,4 @@
-"""What is in the file?  `ros2 bag info`: size, times, and how many messages of what.
+"""Print `ros2 bag info`: size, times, and how many messages of each topic. Also find the example bag.
 
     Files:             drive_0.mcap
     Bag size:          2.7 MiB
@@ -13,6 +13,7 @@ on virtual time, where a page must print the same everywhere, they are UTC.
 from __future__ import annotations
 
 from datetime import datetime, timezone
+from importlib.resources import files
 from pathlib import Path
 from typing import NamedTuple
 
@@ -21,7 +22,7 @@ from tflab.ros import distro
 
 from .reader import open_bag
 
-__all__ = ["BagFacts", "bag_facts", "info_text"]
+__all__ = ["BagFacts", "bag_facts", "example_bag", "info_text"]
 
 INDENT = " " * len("Topic information: ")
 UNITS = ("B", "KiB", "MiB", "GiB", "TiB")
@@ -117,3 +118,8 @@ def _moment_text(time_ns: int, is_humble: bool, zone: timezone | None) -> str:
     moment = datetime.fromtimestamp(time_ns // NSEC_PER_SEC, zone)
     day = f"{moment:%b} {moment.day:2d} {moment:%Y %H:%M:%S}"
     return f"{day}.{seconds.partition('.')[2]} ({seconds})"
+
+
+def example_bag() -> Path:
+    """Return the folder of the bag that comes with the package; it is there to be read."""
+    return Path(str(files("tflab.bags") / "data" / "kitchen"))

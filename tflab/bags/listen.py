@@ -1,4 +1,4 @@
-"""What is said right now?  A recording of a living graph, in memory, with the publishers' names.
+"""Record a running graph in memory, with the publishers' names.
 
     graph --every topic--> a listener for some seconds --> Recording
              /tf, /tf_static     transforms, each with its publisher
@@ -28,9 +28,9 @@ from tflab.ros.messages.base import type_named
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 
-from .messages import MalformedMessage, header_in
 from .record import adapted_profile
 from .recording import Clock, Connection, Headers, QosProfile, Recording, recording_from_records
+from .wire import MalformedMessage, header_in
 
 __all__ = ["Heard", "recording_from_graph", "subscribe_to_all"]
 

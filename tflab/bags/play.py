@@ -1,4 +1,4 @@
-"""How does a bag become a graph again?  `ros2 bag play`, but for the words on the terminal.
+"""Play a bag into a graph, as `ros2 bag play` does, without its output.
 
     drive/ --> events in the order of receipt --> publishers with the profiles that were recorded
                every 1/Hz of the bag's time   --> /clock, if asked for

@@ -1,4 +1,4 @@
-"""What is in this file?  From a bag, of ROS 2 or ROS 1, to a `Recording`.
+"""Read a bag of ROS 2 or ROS 1 into a `Recording`.
 
     drive/  metadata.yaml + drive_0.mcap | .db3     rosbag2
     drive_0.mcap, drive_0.db3                       one file of it

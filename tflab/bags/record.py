@@ -1,4 +1,4 @@
-"""How does a graph become a bag?  `ros2 bag record`, but for the words on the terminal.
+"""Record a graph into a bag, as `ros2 bag record` does, without its output.
 
     publishers --> Recorder (a node's subscriptions, found as they appear) --> BagWriter --> drive/
 

@@ -1,4 +1,4 @@
-"""What was recorded?  A million transforms as a few columns, and what else a bag tells about time.
+"""Hold a recording: a million transforms as a few columns, and what else a bag holds about time.
 
     row    receive_ns   stamp_ns    label   x y z qx qy qz qw
       0    1000080000   1000000000    0     ...

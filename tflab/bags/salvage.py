@@ -1,4 +1,4 @@
-"""What is left of a recording whose recorder was killed?  Its records, one after the other, up to where they end.
+"""Read the records of a bag whose recorder was killed, up to where they end.
 
     magic | record | chunk of records | chunk of records | chunk of re      the index, which would come last,
                                                                   ^ cut     is missing

@@ -1,4 +1,4 @@
-"""Who works on what, and how is it going?  `ros2 action list`, `info` and `send_goal`.
+"""Run `ros2 action list`, `info` and `send_goal`.
 
     ros2 action send_goal /fibonacci example_interfaces/action/Fibonacci "{order: 5}" --feedback
 

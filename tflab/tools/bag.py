@@ -1,4 +1,4 @@
-"""What was said, kept and said again?  `ros2 bag record`, `play` and `info`.
+"""Run `ros2 bag record`, `play` and `info`.
 
     ros2 bag record /tf /tf_static -o drive      until Ctrl-C
     ros2 bag info drive

@@ -1,4 +1,4 @@
-"""What is there to name?  Topics and types that a graph knows, and the options about finding them.
+"""Find the topics and types that a graph knows, with the options that the commands share.
 
     /tf --types_of--> ["tf2_msgs/msg/TFMessage"] --message_class--> TFMessage
 
@@ -15,7 +15,16 @@ from tflab.ros.exceptions import InvalidTopicNameException
 from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 
-__all__ = ["add_discovery_options", "add_verb", "full_type_name", "message_class", "topic_class", "types_of", "visible"]
+__all__ = [
+    "add_discovery_options",
+    "add_verb",
+    "full_type_name",
+    "message_class",
+    "topic_class",
+    "types_of",
+    "unsigned_int",
+    "visible",
+]
 
 
 def add_discovery_options(parser: argparse.ArgumentParser) -> None:
@@ -86,3 +95,10 @@ def topic_class(node: Node, topic_name: str, type_name: str | None = None) -> ty
     if len(types) > 1:
         raise RuntimeError(f"Cannot echo topic '{full_name}', as it contains more than one type: [{', '.join(types)}]")
     return message_class(types[0])
+
+
+def unsigned_int(text: str) -> int:
+    """Return the number that `text` stands for, or have argparse say upstream's sentence."""
+    if not text.isdecimal():
+        raise argparse.ArgumentTypeError("value must be non-negative integer")
+    return int(text)

@@ -1,4 +1,4 @@
-"""What is in a message, a service, an action?  `ros2 interface show`, `list`, `packages`, `package` and `proto`.
+"""Run `ros2 interface show`, `list`, `packages`, `package` and `proto`.
 
     ros2 interface show geometry_msgs/msg/TransformStamped
         std_msgs/Header header

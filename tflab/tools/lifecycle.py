@@ -1,4 +1,4 @@
-"""Who is managed, in which state, and what moves it on?  `ros2 lifecycle nodes`, `get`, `list` and `set`.
+"""Run `ros2 lifecycle nodes`, `get`, `list` and `set`.
 
     ros2 lifecycle get /camera                unconfigured [1]
     ros2 lifecycle set /camera configure      Transitioning successful

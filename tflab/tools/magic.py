@@ -1,4 +1,4 @@
-"""What does `%ros2` do in a page?  It runs the tool on the current graph, and time passes meanwhile.
+"""Run `%ros2` in a page, on the current graph whose time advances meanwhile, and complete its line.
 
 ```
 %load_ext tflab                              registers the magic
@@ -11,17 +11,20 @@ graph.start(main)                            a first cell
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import redirect_stderr
-from typing import Any
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
-from tflab.ros.graph import current_graph
+from tflab.ros.activation import PACKAGES
+from tflab.ros.graph import Graph, current_graph
+from tflab.ros.messages.base import all_types
+from tflab.ros.snapshot import snapshot
 
-from . import rviz2
-from .completion import complete, known_in
+from . import ros2, rviz2
 from .page import LineError, run_words, split_line
 
-__all__ = ["complete_line", "register", "ros2_line"]
+__all__ = ["Known", "complete", "complete_line", "known_in", "register", "ros2_line"]
 
 
 def register(ipython: Any) -> None:
@@ -82,3 +85,62 @@ def complete_line(line: str) -> list[str]:
     while words[:1] == ["--for"]:
         words = words[2:]
     return complete(words, begun, known_in(current_graph()))
+
+
+FRAME_TOOLS = ("tf2_echo", "tf2_monitor")
+
+
+class Known(NamedTuple):
+    """What there is in a graph to be named."""
+
+    frames: Sequence[str] = ()
+    topics: Sequence[str] = ()
+    nodes: Sequence[str] = ()
+    parameters: Mapping[str, Sequence[str]] = MappingProxyType({})
+
+
+def known_in(graph: Graph) -> Known:
+    """Return what a graph has to be named."""
+    seen = snapshot(graph)
+    return Known(
+        frames=sorted({frame for edge in seen.edges for frame in (edge.parent, edge.child)}),
+        topics=[topic.name for topic in seen.topics],
+        nodes=[node.name for node in seen.nodes],
+        parameters={node.get_fully_qualified_name(): sorted(node.get_parameters_by_prefix("")) for node in graph.nodes},
+    )
+
+
+def complete(words: Sequence[str], begun: str, known: Known) -> list[str]:
+    """Return what can stand after `words` (without `ros2`), of that what begins with `begun`."""
+    return sorted({each for each in _possible(list(words), known) if each.startswith(begun)})
+
+
+def _possible(words: list[str], known: Known) -> Sequence[str]:
+    match words:
+        case []:
+            return list(ros2.COMMANDS)
+        case ["run"]:
+            return list(ros2.EXECUTABLES)
+        case ["run", package]:
+            return list(ros2.EXECUTABLES.get(package, {}))
+        case ["run", _, tool, *arguments] if tool in FRAME_TOOLS:
+            return known.frames if len(arguments) < 2 else ()
+        case ["run", _, "static_transform_publisher", *_, "--frame-id" | "--child-frame-id"]:
+            return known.frames
+        case [command]:
+            return ros2.verbs_of(command)
+        case ["topic", "echo" | "hz" | "info" | "delay" | "type", *options] if _only_options(options):
+            return known.topics
+        case ["node", "info", *options] | ["param" | "lifecycle", _, *options] if _only_options(options):
+            return known.nodes
+        case ["interface", "show" | "proto", *options] if _only_options(options):
+            return list(all_types())
+        case ["interface", "package"]:
+            return PACKAGES
+        case ["param", "get" | "set", node]:
+            return known.parameters.get(node, ())
+    return ()
+
+
+def _only_options(words: Sequence[str]) -> bool:
+    return all(word.startswith("-") for word in words)

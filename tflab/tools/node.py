@@ -1,4 +1,4 @@
-"""Who is there, and what does each of them do?  `ros2 node list` and `ros2 node info`.
+"""Run `ros2 node list` and `ros2 node info`.
 
 upstream: ros2cli/ros2node.
 """

@@ -1,4 +1,4 @@
-"""How does a tool run in a page?  As one more participant of the graph, for a while of its time.
+"""Run a tool in a page, as one more participant of the graph, for a while of its time.
 
     %ros2 run tf2_ros tf2_echo map odom            3.5 s of the graph, then Ctrl-C
     %ros2 --for 10 run tf2_ros tf2_echo map odom   10 s, then Ctrl-C

@@ -1,4 +1,4 @@
-"""How is a node set?  `ros2 param get`, `set`, `list`: through the services that every node has.
+"""Run `ros2 param get`, `set` and `list`, through the services that every node has.
 
     ros2 param set /point_to_map use_sim_time true
         -> request to /point_to_map/set_parameters -> "Set parameter successful"

@@ -1,4 +1,4 @@
-"""What was typed?  `ros2 <command> <verb> ...`: to each command its module, to each executable its program.
+"""Run `ros2 <command> <verb> ...`: a module for each command, a program for each executable.
 
     ros2 topic info /tf          COMMANDS["topic"] -> topic.info
     ros2 run tf2_ros tf2_echo    EXECUTABLES["tf2_ros"]["tf2_echo"] -> tf2_echo.main

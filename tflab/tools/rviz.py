@@ -1,4 +1,4 @@
-"""What would RViz see of this graph?  A look, as plain values for the view in `tflab.views.rviz`.
+"""Look at a graph as RViz would, and return plain values for the view in `tflab.views.rviz`.
 
     /tf, /tf_static      -> a buffer             -> ask(target, source, stamp)
     /scan, /points, ...  -> the newest messages  -> displays

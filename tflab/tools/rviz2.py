@@ -1,4 +1,4 @@
-"""Where is RViz?  In a page `%rviz2` shows a small one; a shell has no window, and says so."""
+"""Answer `rviz2` in a shell, which has no window; in a page `%rviz2` shows a view."""
 
 from __future__ import annotations
 

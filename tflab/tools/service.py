@@ -1,4 +1,4 @@
-"""Who answers what, and what does it say?  `ros2 service list`, `type` and `call`.
+"""Run `ros2 service list`, `type` and `call`.
 
     ros2 service call /add_two_ints example_interfaces/srv/AddTwoInts "{a: 1, b: 2}"
 

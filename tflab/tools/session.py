@@ -1,4 +1,4 @@
-"""How does a tool take part?  As a program of its own: it begins, has a node, spins, and ends.
+"""Run a tool as a program of its own: it begins, has a node, spins, and ends.
 
     with tool_node("tf2_echo") as node:      rclpy.init(), Node, ... destroy_node(), shutdown()
         spin_for(node, 1.0)                  callbacks run; Ctrl-C ends it

@@ -1,4 +1,4 @@
-"""How does one run things in a shell?  `tflab run` for node files, `tflab ros2` for the tools.
+"""Run `tflab run` for node files and `tflab ros2` for the tools, in a shell.
 
     tflab run robot.py ekf.py --with "ros2 topic hz /tf" --for 10
     tflab ros2 --bag drive run tf2_ros tf2_echo map base_link

@@ -1,4 +1,4 @@
-"""How is something bolted on?  `static_transform_publisher`: one transform, published once, latched.
+"""Run `static_transform_publisher`: one transform, published once, latched.
 
     --x 0.2 --z 0.15 --frame-id base_link --child-frame-id laser_frame
                           |
@@ -19,7 +19,7 @@ from dataclasses import dataclass, replace
 from tflab.core.quaternions import from_rpy
 from tflab.ros.node import Node
 
-from .numbers_as_in_c import stod
+from .cpp_numbers import stod
 from .session import abort, log_as_root, spin, tool_node, unused_name
 
 __all__ = ["USAGE", "Request", "UsageError", "main", "parse"]

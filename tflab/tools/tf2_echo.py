@@ -1,4 +1,4 @@
-"""Where is B as seen from A, now, and again and again?  `tf2_echo A B`.
+"""Run `tf2_echo A B`: print the transform again and again.
 
     tf2_echo map base_link      ->     lookup_transform("map", "base_link", LATEST)
              "source"  "target"                        target   source
@@ -20,7 +20,7 @@ from tflab.core import LATEST, NSEC_PER_SEC, StampedTransform, TransformExceptio
 from tflab.core.quaternions import to_matrix
 from tflab.ros import distro
 
-from .numbers_as_in_c import stod
+from .cpp_numbers import stod
 from .session import abort, cpp_listener, spin_for, tool_node
 
 __all__ = ["USAGE", "echo_text", "failure_text", "main", "rpy_from_matrix"]

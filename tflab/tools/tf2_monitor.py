@@ -1,4 +1,4 @@
-"""How late, and how often?  `tf2_monitor`, of all frames or of one chain.
+"""Run `tf2_monitor`: rates and delays of all frames or of one chain.
 
     stamp -------- delay -------> heard          delay = now - stamp, of every transform
       |                             |            frequency = how many were heard / for how long
@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from tflab.core import LATEST, NSEC_PER_SEC, BufferCore, TransformException
 from tflab.ros.node import Node
 
-from .numbers_as_in_c import general
+from .cpp_numbers import general
 from .session import abort, cpp_listener, spin_for, tool_node
 from .tf2_echo import waiting_text
 

@@ -1,4 +1,4 @@
-"""How does one say something by hand?  `ros2 topic pub`: a message typed as YAML, once or again and again.
+"""Run `ros2 topic pub`: publish a message typed as YAML, once or repeatedly.
 
     ros2 topic pub /cmd_vel geometry_msgs/msg/Twist "{linear: {x: 0.2}}" -r 10
     ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}}"
@@ -21,9 +21,8 @@ from tflab.ros.messages.values import fill
 from tflab.ros.node import Node
 from tflab.ros.qos import DurabilityPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
 
-from .discovery import add_discovery_options, message_class
+from .discovery import add_discovery_options, message_class, unsigned_int
 from .session import cli_node, spin_for, tool_node
-from .topic_echo import unsigned_int
 
 __all__ = ["add_pub"]
 

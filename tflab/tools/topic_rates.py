@@ -1,4 +1,4 @@
-"""How often, and how late?  `ros2 topic hz` and `ros2 topic delay`.
+"""Run `ros2 topic hz` and `ros2 topic delay`.
 
     hz       time between one message and the next, as heard
     delay    from the stamp in the header to being heard

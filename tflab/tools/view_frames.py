@@ -1,4 +1,4 @@
-"""What does the tree look like?  `view_frames`: listen for five seconds, then draw.
+"""Run `view_frames`: listen for five seconds, then draw the tree.
 
     /tf, /tf_static --5 s--> Buffer --service tf2_frames--> frames_<date>_<time>.gv
                                                             frames_<date>_<time>.pdf

@@ -16,7 +16,7 @@ on a robot.
 
 from __future__ import annotations
 
-from tflab.bags.example import example_bag
+from tflab.bags.info import example_bag
 from tflab.bags.reader import read_bag
 from tflab.clinic.causes import BaseLocalizer
 from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
@@ -30,9 +30,8 @@ from tflab.robots.teaching import Source, TeachingRobot, teaching_urdf
 from tflab.robots.urdf import parse_urdf
 from tflab.ros import new_graph
 from tflab.ros.graph import current_graph
-from tflab.tools.buffers import draw_buffer, draw_history, draw_question, draw_walk
 from tflab.tools.rviz import look
-from tflab.tools.trees import frame_tree
+from tflab.tools.trees import draw_buffer, draw_history, draw_question, draw_walk, frame_tree
 from tflab.views.ages import Curve, Journey, draw_ages, draw_journeys
 from tflab.views.axes import (
     BODY_T_OPTICAL,
