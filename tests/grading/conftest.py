@@ -1,4 +1,4 @@
-"""What do tests of grading need?  A tiny chapter handed out once, and the pages next door that make submissions.
+"""Fixtures of grading: a tiny chapter, released once, and the modules that make submissions.
 
 The test folders are no packages, so those pages are loaded by their paths.
 """
@@ -6,7 +6,6 @@ The test folders are no packages, so those pages are loaded by their paths.
 from __future__ import annotations
 
 import importlib.util
-import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,20 +24,23 @@ for _name, _page in (("tiny", "tiny.py"), ("hostile", "hostile/__init__.py")):
 import tiny  # noqa: E402
 
 
-@pytest.fixture(scope="module")
-def course(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tiny.Course]:
-    """The tiny course, released; tests only read it, and tests of other folders never see it."""
+@pytest.fixture(scope="session")
+def released(tmp_path_factory: pytest.TempPathFactory) -> tiny.Course:
+    """The tiny course, released once; tests only read it."""
     from tflab.grading.release import release
     from tflab.grading.submissions.roster import Learner
 
     folder = tmp_path_factory.mktemp("course")
     workbook = tiny.write_tiny_workbook(folder / "workbook")
-    before = os.environ.get("TFLAB_WORKBOOK")
-    os.environ["TFLAB_WORKBOOK"] = str(workbook)
-    try:
+    with pytest.MonkeyPatch.context() as fixed:
+        fixed.setenv("TFLAB_WORKBOOK", str(workbook))
         release(folder / "release", [tiny.STEM], [Learner("s101", "Kim Minji", "ko"), Learner("s102", "Ada Byron")])
-        yield tiny.Course(workbook, folder / "release")
-    finally:
-        os.environ.pop("TFLAB_WORKBOOK")
-        if before is not None:
-            os.environ["TFLAB_WORKBOOK"] = before
+    return tiny.Course(workbook, folder / "release")
+
+
+@pytest.fixture(scope="module")
+def course(released: tiny.Course) -> Iterator[tiny.Course]:
+    """The released course, as the workbook that is installed; tests of other folders never see it."""
+    with pytest.MonkeyPatch.context() as fixed:
+        fixed.setenv("TFLAB_WORKBOOK", str(released.workbook))
+        yield released

@@ -1,11 +1,11 @@
-"""Does every file and every outcome end in a record?  Notebooks and answers with pieces replaced by anything."""
+"""Every file and every outcome ends in a record: notebooks and answers with pieces replaced by anything."""
 
 from __future__ import annotations
 
 import copy
 import json
 import random
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -62,10 +62,15 @@ def pack(course: tiny.Course) -> Pack:
     return read_pack(course.pack)
 
 
-@pytest.mark.parametrize("seed", range(60))
+@pytest.mark.proof(reads=["tests/grading/tiny.py"])
 def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
-    course: tiny.Course, pack: Pack, seed: int
+    course: tiny.Course, pack: Pack, sample: Callable
 ) -> None:
+    for seed in sample(range(60), 10):
+        try_anything(course, pack, seed)
+
+
+def try_anything(course: tiny.Course, pack: Pack, seed: int) -> None:
     dice = random.Random(seed)
 
     def run(cells: Sequence[RunCell], limits: Limits) -> Run:
@@ -85,8 +90,7 @@ def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
     record = graded(job, run)
     if record["set_aside"]:
         record = merge_records(record, graded(replace(job, only=record["set_aside"]), run))
-    assert record["most"] == 8.0
-    assert record["points"] == 0.0
+    assert (record["most"], record["points"]) == (8.0, 0.0), seed
     json.dumps(record, allow_nan=False).encode("utf-8")
     for level in ("score", "named", "full"):
         assert feedback_page(record, pack.titles, level).encode("utf-8")

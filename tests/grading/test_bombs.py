@@ -1,4 +1,4 @@
-"""Does what somebody handed in unpack, list and read within bounds?  It comes before anybody is graded."""
+"""What somebody handed in unpacks, lists and reads within bounds, before anybody is graded."""
 
 from __future__ import annotations
 

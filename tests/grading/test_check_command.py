@@ -1,4 +1,4 @@
-"""Does `tflab check` show a learner what grading will see, before it does?"""
+"""`tflab check` shows a learner what grading will see, before it does."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Is each learner asked what nobody can foresee, always the same, and enough to see every mistake?"""
+"""Each learner is asked what nobody can foresee, always the same, and enough to see every mistake."""
 
 from __future__ import annotations
 

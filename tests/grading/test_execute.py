@@ -1,4 +1,4 @@
-"""Does what hangs, dies or shouts cost its own points only?  A runner in this process stands in for the kernel."""
+"""What hangs, dies or floods costs its own points only. A runner in this process replaces the kernel."""
 
 from __future__ import annotations
 

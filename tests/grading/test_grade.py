@@ -1,4 +1,4 @@
-"""Is a class graded as it should be, from a folder of files to the pages that are read?"""
+"""A class is graded correctly, from a folder of files to the pages that are read."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What does an answer earn that understands nothing?  Of a function at most a twentieth, whoever is asked."""
+"""An answer that understands nothing earns at most a twentieth of a function, whoever is asked."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
-"""Does anybody name a patient's trouble without examining it?  Chapter 12, from the release to the grades."""
+"""Nobody names a patient's fault without examining it: chapter 12, from the release to the grades."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import hostile
@@ -14,6 +14,7 @@ from tflab.workbook.paths import read_workbook
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"
+SAMPLE = 10  # recipes
 SEED = "c0de"  # of a class in which no patient has what the recipes name: by chance one in six would
 pytestmark = pytest.mark.proof(
     reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]
@@ -21,7 +22,12 @@ pytestmark = pytest.mark.proof(
 
 
 @pytest.fixture(scope="module")
-def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, Any]]:
+def frauds(sample: Callable) -> Sequence[hostile.Recipe]:
+    return sample(hostile.CLINIC, SAMPLE)
+
+
+@pytest.fixture(scope="module")
+def marks(tmp_path_factory: pytest.TempPathFactory, frauds: Sequence[hostile.Recipe]) -> dict[str, Mapping[str, Any]]:
     """What each recipe got in each task, and an honest neighbour at either end."""
     folder = tmp_path_factory.mktemp("clinic")
     with pytest.MonkeyPatch.context() as fixed:
@@ -30,7 +36,7 @@ def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, An
     handed_out = next((folder / "release/learners").iterdir())
     notebook, seed = hostile.honest_notebook(handed_out, STEM), read_workbook(handed_out).seed
     honest = hostile.Honest(notebook, PROGRAM, "triage", PATIENTS, "patients", seed)
-    made = {"a": honest.fresh()} | {f"r{number:02}": one.make(honest) for number, one in enumerate(hostile.CLINIC)}
+    made = {"a": honest.fresh()} | {f"r{number:02}": one.make(honest) for number, one in enumerate(frauds)}
     for name, notebook in (made | {"z": honest.fresh()}).items():
         path = folder / "submissions" / name / f"{STEM}.ipynb"
         path.parent.mkdir(parents=True)
@@ -41,18 +47,19 @@ def marks(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Mapping[str, An
     return {record["learner"]: record["chapters"][STEM]["tasks"] for record in held["submissions"]}
 
 
-def test_nobody_diagnoses_what_they_did_not_examine(marks: Mapping[str, Mapping[str, Any]]) -> None:
+def test_nobody_diagnoses_what_they_did_not_examine(
+    marks: Mapping[str, Mapping[str, Any]], frauds: Sequence[hostile.Recipe]
+) -> None:
     spoilt = {"function": PROGRAM, "value": PATIENTS}
-    rows = [(one.name, marks[f"r{number:02}"][spoilt[one.spoils]]) for number, one in enumerate(hostile.CLINIC)]
+    rows = [(one.name, marks[f"r{number:02}"][spoilt[one.spoils]]) for number, one in enumerate(frauds)]
     assert {name: row["points"] for name, row in rows if row["points"]} == {}
 
 
 def test_an_examination_gets_all_points_and_so_does_what_stands_beside_a_fraud(
-    marks: Mapping[str, Mapping[str, Any]],
+    marks: Mapping[str, Mapping[str, Any]], frauds: Sequence[hostile.Recipe]
 ) -> None:
     spoilt = {
-        f"r{number:02}": {"function": PROGRAM, "value": PATIENTS}[one.spoils]
-        for number, one in enumerate(hostile.CLINIC)
+        f"r{number:02}": {"function": PROGRAM, "value": PATIENTS}[one.spoils] for number, one in enumerate(frauds)
     }
     lost = {
         (name, task): row["points"]

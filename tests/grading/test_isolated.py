@@ -1,4 +1,4 @@
-"""Does judging end, whatever was answered or handed in, and cost that part alone?"""
+"""Judging ends, whatever was answered or handed in, and costs that part alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Does a learner's folder tell what only a teacher, a solution or the key may tell?  Every file of it is searched."""
+"""A learner's folder holds nothing of a teacher's files, solutions or keys: every file of it is searched."""
 
 from __future__ import annotations
 

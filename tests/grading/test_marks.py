@@ -1,4 +1,4 @@
-"""Are outcomes worth what they should be, and is what went wrong said without giving anything away?"""
+"""Outcomes get the points they should, and what went wrong is said without giving anything away."""
 
 from __future__ import annotations
 

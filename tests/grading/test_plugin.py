@@ -1,4 +1,4 @@
-"""Does pytest show tasks as test items, and nothing where nobody asked?"""
+"""pytest shows tasks as test items, and nothing where nobody asked."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Does a stranger's file become strings, or one line that says why not?"""
+"""A file that was handed in becomes strings, or one line that says why not."""
 
 from __future__ import annotations
 

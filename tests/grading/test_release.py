@@ -1,4 +1,4 @@
-"""Does a release give away what it should, and keep what it must?"""
+"""A release hands out what it should, and keeps what it must."""
 
 from __future__ import annotations
 

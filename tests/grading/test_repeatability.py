@@ -1,4 +1,4 @@
-"""Does a submission have one answer, however often it runs?"""
+"""A submission has one answer, however often it runs."""
 
 from __future__ import annotations
 

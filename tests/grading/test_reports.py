@@ -1,4 +1,4 @@
-"""Do the table and the pages say what the records hold, and never more than they may?"""
+"""The table and the pages say what the records hold, and never more than they may."""
 
 from __future__ import annotations
 

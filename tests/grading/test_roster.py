@@ -1,4 +1,4 @@
-"""Does a CSV file become a class, with one clear line for each row that is wrong?"""
+"""A CSV file becomes a class, with one clear line for each row that is wrong."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Can code in a submission see, harm or outlive anything?  Each protection is attacked, behind each wall of ours."""
+"""Code in a submission can see, harm or outlive nothing: each protection is attacked in each sandbox."""
 
 from __future__ import annotations
 

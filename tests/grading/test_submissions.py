@@ -1,4 +1,4 @@
-"""Is what a learning system gives sorted out: who handed in what, and what is refused?"""
+"""What a learning system exports is sorted: who handed in what, and what is refused."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Do only answers pass from a notebook into the master, and honest ones always?"""
+"""Only answers pass from a notebook into the master, and honest ones always."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Does a release that is out take in what was fixed, and keep its questions, its points and everybody's answers?"""
+"""An update of a release takes in what was fixed, and keeps questions, points and answers."""
 
 from __future__ import annotations
 

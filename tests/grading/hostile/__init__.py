@@ -49,10 +49,9 @@ from .survival import SURVIVAL
 from .tampering import TAMPERING
 from .unseen import UNSEEN
 
-__all__ = ["CLINIC", "RECIPES", "Honest", "Recipe", "honest_notebook"]
+__all__ = ["CLINIC", "KINDS", "Honest", "Recipe", "honest_notebook"]
 
-RECIPES = [
-    *FORGING, *PEEKING, *EXHAUSTION, *SURVIVAL, *TAMPERING, *FILES, *HELPERS, *ODD, *GUESSING, *SLIPS,
-    *COUNTING, *OBJECTS, *SHELL, *NOTEBOOKS, *STEALING, *HARM, *LATE, *SETTINGS, *UNSEEN, *MADE,
-    *HABITS, *HEDGES,
+KINDS = [
+    FORGING, PEEKING, EXHAUSTION, SURVIVAL, TAMPERING, FILES, HELPERS, ODD, GUESSING, SLIPS, COUNTING, OBJECTS,
+    SHELL, NOTEBOOKS, STEALING, HARM, LATE, SETTINGS, UNSEEN, MADE, HABITS, HEDGES,
 ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""How is a submission made that is hostile, broken, or odd but right?  A recipe: honest work in, what is handed in out."""
+"""Make submissions that are hostile, broken, or odd but right, from honest work."""
 
 from __future__ import annotations
 
