@@ -1,4 +1,4 @@
-"""How are two hundred graded?  A job for each, on so many processes; what is done is on the disk at once.
+"""Grade many submissions on one or more processes, and keep each record on disk at once.
 
     collection --jobs, made one by one-->  processes of this machine, or a Dask cluster
                                              |

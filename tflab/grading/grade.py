@@ -1,4 +1,4 @@
-"""How does an instructor grade a class?  `tflab grade SUBMISSIONS --pack DIR/instructor --out results/`.
+"""Grade a class: `tflab grade SUBMISSIONS --pack DIR/instructor --out results/`.
 
     submissions (folder, zip)  --collect-->  jobs  --batch-->  records  -->  grades.csv, results.json,
                                                                              feedback/s101.html, class.html

@@ -1,4 +1,4 @@
-"""How does one see tasks as tests?  `pytest --tflab-grade DIR/instructor NOTEBOOK ...`: an item for each task.
+"""Show tasks as test items of pytest: `pytest --tflab-grade DIR/instructor NOTEBOOK ...`.
 
     s101_03_target_and_source.ipynb::E3.1 PASSED
     s101_03_target_and_source.ipynb::E3.2 FAILED     E3.2: 2 of 4 points. ...

@@ -1,4 +1,4 @@
-"""How does an instructor get a guide?  `tflab guide 11 12 --lang ko --out teach/`, and `tflab release` lays one out.
+"""Write an instructor's guide: `tflab guide 11 12 --lang ko --out teach/`; `tflab release` adds one, too.
 
 teach/guide.html        what to read; prints well
 teach/11_....html       the deck, with notes (key s) and the votes among the slides

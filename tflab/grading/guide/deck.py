@@ -1,4 +1,4 @@
-"""How is a vote taken during a deck?  After the slide that asks, one more: counts are typed, shares appear.
+"""Write a page as a deck with its votes: after the slide that asks, counts are typed and shares appear.
 
     page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
 

@@ -1,4 +1,4 @@
-"""What does a built page hold for whoever lectures from it?  Slides, notes, options with replies, rubrics, a ticket.
+"""Read a built page for lecturing: slides, notes, options with replies, rubrics, exit ticket.
 
     cell "checkpoint"     1. Replace the laser.                  Choice("1", "Replace the laser.", "A laser that ...")
                           <details><summary>I chose 1</summary>

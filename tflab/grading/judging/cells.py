@@ -1,4 +1,4 @@
-"""Which cell of theirs is which of ours?  Each of our names, with what the notebook holds under it.
+"""Match the cells of a notebook with those of the master.
 
     master           handed in                            Theirs
     load             load            (changed)            a remark; ours runs

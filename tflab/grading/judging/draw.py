@@ -1,4 +1,4 @@
-"""Which hidden cases does one learner get, and in which order?  A sample of the pool, some of it asked twice.
+"""Draw the hidden cases of one learner and their order, from the pack's secret seed.
 
     pool of E2.4     ok ok zero nan ok not-unit w-first ok ...        the same for all who have this variant
     s101 is asked    w-first ok nan ok zero ok w-first(again) ...     a choice, an order and repeats of their own

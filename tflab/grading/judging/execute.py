@@ -1,4 +1,4 @@
-"""What comes out when a submission runs?  Outcomes for each task, though one of them may hang, die or shout.
+"""Run a submission's answers; a task that hangs, dies or floods is set aside and costs no other task.
 
     run everything in one kernel
       |-- all probes answered                        done

@@ -1,4 +1,4 @@
-"""What if the judging itself took too long?  What is large is looked at in a process of its own, which has an end.
+"""Judge large answers in a subprocess with CPU and memory limits.
 
     a few numbers, a notebook as people write it     here, in a millisecond
     ninety thousand numbers, a file of 80 MB         server --fork--> child: so many seconds of processor and

@@ -1,4 +1,4 @@
-"""Where is looked at what is large?  In a fork of this process, which the system ends when it has had enough.
+"""Judge in forks of this process, which the system ends at their CPU and memory limits.
 
     python -m tflab.grading.judging.isolated_server 7      serve what comes over descriptor 7
 

@@ -1,4 +1,4 @@
-"""How do cells run where there is no wall?  In an ordinary kernel, on a machine whose owner wrote them.
+"""Run cells in an ordinary kernel without a sandbox, on a machine whose owner wrote them.
 
 Only `tflab check` uses it, on systems other than Linux, or where no kernel of the
 grader's starts: what runs is the learner's own notebook on the learner's own machine.

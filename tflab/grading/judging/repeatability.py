@@ -1,4 +1,4 @@
-"""What does an answer say that ran twice?  One thing: where two runs differ, nothing.
+"""Merge the outcomes of two runs of one answer; a case where they differ has no outcome.
 
     first run     2.0   raised   5.0   1.0
     second run    2.0   3.0      4.0   -              asked in another order, in a fresh kernel

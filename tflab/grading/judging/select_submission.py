@@ -1,4 +1,4 @@
-"""Which of the files that somebody handed in counts?  For each chapter one notebook, and a line on the others.
+"""Select the notebook that counts for each chapter, of all files that a learner handed in.
 
     03.ipynb  03 (1).ipynb  notes.ipynb  broken.ipynb
        |          |             |            `-- unreadable: a line

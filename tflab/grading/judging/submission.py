@@ -1,4 +1,4 @@
-"""How is one submission graded?  Its files become notebooks, each chapter's answers run, and a record comes out.
+"""Grade one submission: its files become notebooks, each chapter's answers run, and a record results.
 
     Job(learner, files, chapters)  --select, transplant, execute, mark-->  {"points": 11.5, "chapters": {...}}
 

@@ -1,4 +1,4 @@
-"""How is a kernel started behind `bwrap`?  As a fresh Python: nothing can be forked into it, so it imports all again.
+"""Start a kernel behind `bwrap`, as a fresh Python that imports everything again.
 
     bwrap --unshare-all --ro-bind /usr /usr ... -- python -m tflab.grading.kernels.forkserver --one FD
 

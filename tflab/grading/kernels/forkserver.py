@@ -1,4 +1,4 @@
-"""Where do kernels come from so fast?  From one process that has imported everything and forks them.
+"""Fork kernels from one process that has imported everything.
 
     python -m tflab.grading.kernels.forkserver 7           serve orders that come over descriptor 7
     python -m tflab.grading.kernels.forkserver --one 7     be one kernel (inside bubblewrap)

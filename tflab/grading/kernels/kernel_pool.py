@@ -1,4 +1,4 @@
-"""How does the grader get a kernel?  From its own forkserver, one of them forked ahead of need.
+"""Hand out kernels of this process's forkserver, one of them forked ahead of need.
 
     kernels = Kernels(choose_sandbox())
     kernel = kernels.take(Limits())       # milliseconds: it was waiting

@@ -1,4 +1,4 @@
-"""What if the machine gives no namespaces?  Linux can still confine a process to files, by Landlock.
+"""Confine a process to files by Landlock, where the machine gives no namespaces.
 
     rules = what is shown: read · its own folder: all · a few devices: read, write
     abi() = 6 or more: it also signals nobody outside and connects to nobody

@@ -1,4 +1,4 @@
-"""How much may one submission take?  Time, memory, output, processes, files.
+"""Set how much a submission may use: time, memory, output, processes, files.
 
     Limits()                  what a course's answers need, many times over
     Limits().times(3)         the second chance after a deadline: three times the time

@@ -1,4 +1,4 @@
-"""What does a kernel see of the machine?  Only what it needs to run Python; and nobody else.
+"""Confine a kernel by Linux namespaces to what it needs to run Python.
 
     /usr, /lib, Python    as they are, read only           processes   its own
     /home/learner, /tmp   empty, small, gone afterwards    network     none

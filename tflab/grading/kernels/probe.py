@@ -1,4 +1,4 @@
-"""What of ours runs in the learner's process?  This page and no other: what is given goes in, plain values come out.
+"""Call an answer in the learner's process and send the outcomes; no other module of ours runs there.
 
     prepare(givens)                 task("E3.2") returns what the pack gives; check and hint are silent
     probe("7f3a", lambda: answer, "null")           one message {"id": "7f3a", "v": [the answer as plain JSON]}

@@ -1,4 +1,4 @@
-"""Which limits does the operating system enforce?  What `setrlimit` knows, for a process and all that it starts.
+"""Apply the limits that the operating system enforces (`setrlimit`), to a process and all that it starts.
 
 The grader's clock and the supervisor's look at memory come first; this is a second net below
 them.  `setrlimit(2)` says more.

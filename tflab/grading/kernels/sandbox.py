@@ -1,4 +1,4 @@
-"""What stands between a learner's code and the grader?  One of three walls; the report says which, and its gaps.
+"""Describe the three kinds of sandbox, and what each does not protect from.
 
     namespaces    its own processes, files, network, users: nothing outside can be seen or signalled
     bubblewrap    the same by the program `bwrap`, which some machines allow more; slower

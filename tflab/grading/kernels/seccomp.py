@@ -1,4 +1,4 @@
-"""Which system calls are refused to a kernel?  Those that no answer needs and that attacks begin with.
+"""Refuse system calls that no answer needs and that attacks begin with.
 
     mount, unshare, ptrace, bpf, ...     EPERM
     memfd_create, vmsplice, ...          EPERM (memory that is in no process, and so in nobody's limit)

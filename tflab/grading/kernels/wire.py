@@ -1,4 +1,4 @@
-"""How do the grader and a kernel talk?  Over one pair of connected sockets, in frames of JSON.
+"""Exchange JSON frames between grader and kernel over one pair of connected sockets.
 
     +----------------+----------------------------------------+
     | length, 4 byte | {"msg_type": "execute_reply", ... }    |

@@ -1,4 +1,4 @@
-"""How do a class's numbers look?  Bars with their numbers on them, in ink and grey, and the same in words.
+"""Draw the numbers of a class as bars, with the same in words.
 
 What is drawn is in English; the words are in the reader's language.
 """

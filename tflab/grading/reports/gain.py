@@ -1,4 +1,4 @@
-"""What has a class learnt between the two forms?  Its normalised gain, and each misconception before and after.
+"""Compute what a class learnt between the two forms of the test: gain and misconceptions.
 
     matched     who answered all of form A and all of form B; everybody else is a line, and counts nowhere
     gain        g = (mean after - mean before) / (15 - mean before), of the class's means: 6.2 -> 12.1 is 0.67

@@ -1,4 +1,4 @@
-"""How do the grades reach the learning system?  As CSV in its own columns, and as JSON with everything.
+"""Write grades as CSV in a learning system's columns, and as JSON with everything.
 
     grades.csv       learner, name, total, of, percent, E3.1, E3.2, ..., remarks
                      --lms canvas: Student, ID, ...        --lms moodle: ID number, Full name, Grade, ...

@@ -1,4 +1,4 @@
-"""What is in this zip?  Names that stay inside it, files no larger than they may be; a line for the rest.
+"""Read zips within limits: names that stay inside, sizes that are allowed; a line for the rest.
 
     kim_1_2_03.ipynb          a file
     ../../etc/passwd          refused: it leads out of the archive

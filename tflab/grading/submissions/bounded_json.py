@@ -1,4 +1,4 @@
-"""How is JSON read that a stranger wrote?  Not deeper than anything honest, whatever Python's own limit is.
+"""Read JSON of limited depth, whatever Python's own limit is.
 
     [[[[ ... ]]]]    TooDeep, and not a RecursionError somewhere behind the reading
 

@@ -1,4 +1,4 @@
-"""Who handed in what?  A folder, a zip or one notebook becomes a list of submissions, one for each learner.
+"""Collect submissions from a folder, a zip or a notebook: one for each learner.
 
     s101/exercises/en/E03_target_and_source.ipynb        a folder for each learner
     s101/hw1/03_target_and_source.ipynb                 as nbgrader collects

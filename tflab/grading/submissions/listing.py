@@ -1,4 +1,4 @@
-"""Which files are there?  Those of a folder, and those in zips, as if each had been unpacked into a folder of its name.
+"""List the files of a folder, and those in zips as if each had been unpacked into a folder of its name.
 
     hw1/s101.zip                  hw1/s101/03.ipynb            what is behind "s101" was named by whoever made the zip
     s102/work.zip/more.zip        s102/work/more/03.ipynb

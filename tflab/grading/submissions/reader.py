@@ -1,4 +1,4 @@
-"""What did they hand in?  A stranger's file becomes strings, or one line that says why not.
+"""Read a notebook that was handed in as strings, or say in one line why not.
 
     path  --read_bytes-->  bytes  --read_notebook-->  SubmittedNotebook(cells=(name, id, kind, source), ...)
 
