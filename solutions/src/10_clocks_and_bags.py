@@ -215,7 +215,7 @@ check("E10.5", behind_s)
 # Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first exception's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
-# ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 놓을 수 있습니까? (4점)
+# ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있습니까? (4점)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
