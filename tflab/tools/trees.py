@@ -16,7 +16,7 @@ from tflab.core import LATEST, BufferCore, FrameSnapshot, Snapshot, Transform, T
 from tflab.ros.graph import Graph, current_graph
 from tflab.ros.snapshot import EdgeSnapshot, snapshot
 from tflab.ros.tf2.core import BufferCore as RosBuffer
-from tflab.views import climb
+from tflab.views import tree_path
 from tflab.views.tree import TreePicture, draw_tree
 
 from .session import result_of, spin_for, tool_node
@@ -88,7 +88,7 @@ def draw_walk(buffer: BufferCore | RosBuffer, target_frame: str, source_frame: s
     Raises:
         ValueError: there is no such frame.
     """
-    return climb.draw_walk(_core(buffer).snapshot(), target_frame, source_frame)
+    return tree_path.draw_walk(_core(buffer).snapshot(), target_frame, source_frame)
 
 
 def draw_history(
