@@ -18,7 +18,7 @@ from tflab.workbook.book.pages import STATIC, BookPage, conventions_text, framed
 from tflab.workbook.book.reference import sentences_kept, write_reference
 from tflab.workbook.book.search_index import sections_of
 from tflab.workbook.pages.build import build
-from tflab.workbook.pages.site import twins_marked
+from tflab.workbook.pages.site import mark_repeated_views
 
 TEXTS = {
     "en": "# 03 · A title\n\nFirst words.\n\n## Predict\n\nWhere is the <b>laser</b>? It turns by $\\pi / 2$.\n\n"
@@ -192,7 +192,9 @@ def test_on_paper_a_figure_stands_alone_where_it_repeats_a_live_view(page) -> No
     ]
     shown = "".join(f'<div id="cell-id={c.id}"><p class="jp-Cell-outputWrapper">{c.id}</p></div>' for c in cells)
     style = (STATIC / "book.css").read_text(encoding="utf-8")
-    page.set_content(f'<style>{style}</style><body class="book"><main>{twins_marked(shown, cells)}</main></body>')
+    page.set_content(
+        f'<style>{style}</style><body class="book"><main>{mark_repeated_views(shown, cells)}</main></body>'
+    )
     seen = "[...document.querySelectorAll('main p')].filter((p) => p.checkVisibility()).map((p) => p.textContent)"
     assert page.evaluate(seen) == ["live", "still", "alone"]
     page.emulate_media(media="print")

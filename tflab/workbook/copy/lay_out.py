@@ -27,13 +27,21 @@ from tflab import __version__
 
 from ...text import LANGUAGES, Text
 from ..atomic_files import locked, write_whole
-from ..pages.editions import still_twins, text_of, with_figures
+from ..pages.editions import static_figures, text_of, with_figures
 from ..paths import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from .merge import Merged, merge_notebooks
 
 __all__ = [
-    "Change", "answers_hidden", "handed_out_in", "has_language", "is_free", "lay_out", "material", "read_pristine",
-    "update", "without_notes",
+    "Change",
+    "handed_out_in",
+    "has_language",
+    "hide_outputs",
+    "is_free",
+    "lay_out",
+    "material",
+    "read_pristine",
+    "strip_notes",
+    "update",
 ]  # fmt: skip
 
 HIDDEN = Path(".tflab")
@@ -166,8 +174,8 @@ def _page(path: Path, _mtime_ns: int, language: str, edition: str) -> bytes:
     page, english = path.read_bytes(), path.parents[1] / LANGUAGES[0] / path.name
     if language != LANGUAGES[0] and english.is_file():
         page = text_of(with_figures(json.loads(page), json.loads(english.read_bytes()))).encode()
-    page = answers_hidden(page, language)
-    return without_notes(page) if edition == "class" else page
+    page = hide_outputs(page, language)
+    return strip_notes(page) if edition == "class" else page
 
 
 def read_pristine(root: Path) -> dict[str, bytes]:
@@ -189,7 +197,7 @@ def _write_pristine(root: Path, files: Mapping[str, bytes]) -> None:
     write_whole(root / PRISTINE, packed.getvalue())
 
 
-def answers_hidden(page: bytes, language: str) -> bytes:
+def hide_outputs(page: bytes, language: str) -> bytes:
     """Return a page without the outputs that it asks to predict, with the texts that tell them folded.
 
     A figure that says standing still what the live view right before it says is folded, too: JupyterLab
@@ -198,7 +206,7 @@ def answers_hidden(page: bytes, language: str) -> bytes:
     if not any(f'"{tag}"'.encode() in page for tag in (PREDICTED, INTERACTIVE)):
         return page
     notebook = json.loads(page)
-    for cell in still_twins(notebook["cells"]):
+    for cell in static_figures(notebook["cells"]):
         cell["metadata"]["jupyter"] = {"outputs_hidden": True}
     for cell in notebook["cells"]:
         if PREDICTED not in cell["metadata"].get("tags", ()):
@@ -210,7 +218,7 @@ def answers_hidden(page: bytes, language: str) -> bytes:
     return text_of(notebook).encode()
 
 
-def without_notes(page: bytes) -> bytes:
+def strip_notes(page: bytes) -> bytes:
     """Return a page without what its cells say to the speaker alone; a page that says nothing is returned as it is."""
     notebook = json.loads(page)
     spoken = [cell["metadata"] for cell in notebook["cells"] if "notes" in cell["metadata"].get("tflab", ())]

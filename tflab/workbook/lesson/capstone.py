@@ -1,11 +1,10 @@
-"""What becomes of a robot that was only written down?  It is launched as the answer says, beside the first robot.
+"""Launch a robot as an answer to E12.5 describes it, beside the teaching robot, and print what it shows.
 
     {"tree": {...}, "ekf publish_tf": True, ...}  -->  a node for each owner  -->  RViz, who sends what, a bag
 
-Each node sends what the answer gives it: a localiser the edges below map, wheels and
-filter the footprint if their switch is on, the owner of the mounts the rest, and a
-camera driver its own edges once more if its switch is on.  What was not written is not
-launched.  Nothing is judged here: what one sees is what a real one would show.
+Each node sends what the answer gives it: a localiser the edges below map, wheels and filter the footprint if
+their switch is on, the owner of the mounts the rest, and a camera driver its own edges once more if its
+switch is on.  What is not written is not launched.  Nothing is judged here.
 """
 
 from __future__ import annotations
@@ -35,6 +34,7 @@ from tflab.tools.rviz import look
 from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text
 
+from ...text import Texts
 from ..paths import read_workbook, workbook_root
 from .scenes import wall_cloud
 
@@ -46,30 +46,7 @@ FIRST_ROBOT = ("robot_state_publisher", "joint_driver", "wheel_odometry", "local
 TOPICS = ("/tf", "/tf_static")
 SWITCHES = WHEELS, EKF, CAMERA = "wheel_odometry publish_tf", "ekf publish_tf", "camera_driver publish_tf"
 OPTICAL = Transform.from_rpy(roll=-math.pi / 2.0, yaw=-math.pi / 2.0)
-WORDS = {
-    "en": {
-        "nothing": 'E12.5: no robot yet: "tree" is to be child -> parent',
-        "who": "Who sends what, in {seconds:g} s",
-        "nobody": "nobody",
-        "owners": "! {count} owners",
-        "parents": "! {count} parents",
-        "still": "{frame} did not move in map.",
-        "moved": "{frame} moved {metres:.2f} m in map.",
-        "bag": "Tomorrow, from a bag of {topics}: {placed} of {count} pictures find their place in map.",
-        "no bag": "nothing",
-    },
-    "ko": {
-        "nothing": 'E12.5: 아직 로봇이 없습니다. "tree"에 자식 → 부모를 쓰십시오.',
-        "who": "누가 무엇을 보내는가({seconds:g}초 동안)",
-        "nobody": "없음",
-        "owners": "! 발행자 {count}",
-        "parents": "! 부모 {count}",
-        "still": "{frame}: map 기준으로 움직이지 않았습니다.",
-        "moved": "{frame}: map 기준으로 {metres:.2f} m 움직였습니다.",
-        "bag": "내일 {topics}만 담긴 bag을 재생하면 영상 {count}장 가운데 {placed}장이 map에 놓입니다.",
-        "no bag": "아무 토픽도 없이",
-    },
-}
+TEXTS = Texts(__file__)
 
 
 class EdgeOwner(Node):
@@ -162,7 +139,8 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         raise TypeError(
             'the second argument is the specification, as in launch_answer(robot, e12_5): e12_5 = task("E12.5")'
         )
-    words = WORDS[read_workbook(workbook_root()).language]
+    language = read_workbook(workbook_root()).language
+    words = {key: text.say(language) for key, text in TEXTS.items()}
     tree = _written(answer)
     if not tree:
         print(words["nothing"])
@@ -297,5 +275,5 @@ def _places(recorder: BagRecorder, sensor: str, topics: list[str], words: Mappin
             continue
     moved_m = math.dist(at[0], at[-1]) if at else 0.0
     said = [words["moved" if moved_m > 0.01 else "still"].format(frame=sensor, metres=moved_m)] if at else []
-    named = ", ".join(topics) or words["no bag"]
+    named = ", ".join(topics) or words["no_bag"]
     return [*said, words["bag"].format(topics=named, placed=len(at), count=len(stamps_ns))]

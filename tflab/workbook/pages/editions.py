@@ -21,7 +21,7 @@ from ..tasks.task import slug
 from .source import Page, SourceCell
 
 __all__ = [
-    "Outputs", "exercise_notebook", "lecture_notebook", "live_and_still", "still_twins", "task_of", "text_of",
+    "Outputs", "exercise_notebook", "lecture_notebook", "live_and_static", "static_figures", "task_of", "text_of",
     "with_figures",
 ]  # fmt: skip
 
@@ -101,12 +101,12 @@ def task_of(name: str, tasks) -> str | None:
     return by_name.get(name)
 
 
-def still_twins(cells: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+def static_figures(cells: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
     """Return the cells of a notebook whose figure says, standing still, what the live view right before it says."""
-    return [still for _, still in live_and_still(cells)]
+    return [still for _, still in live_and_static(cells)]
 
 
-def live_and_still(cells: Sequence[Mapping[str, Any]]) -> list[tuple[Mapping[str, Any], Mapping[str, Any]]]:
+def live_and_static(cells: Sequence[Mapping[str, Any]]) -> list[tuple[Mapping[str, Any], Mapping[str, Any]]]:
     """Return each live view that a figure right after it repeats, and that figure."""
     found, live = [], None
     for cell in cells:

@@ -40,7 +40,7 @@ from ..book.reference import write_reference
 from ..book.search_index import search_index, sections_of
 from ..course.course import read_course
 from ..paths import chapter_of, workbook_data
-from .editions import live_and_still
+from .editions import live_and_static
 from .html import PageFailed, run_with_films
 
 __all__ = ["write_book"]
@@ -131,13 +131,13 @@ def _lecture(notebook: Path, language: str, assets: Path) -> _Ran:
         title, file = _title(notebook.stem, language), f"{notebook.stem}.html"
         ran = json.loads(executed.read_text(encoding="utf-8"))
         pictures = pictures_of(ran, file, title)
-        text = twins_marked(_exported(executed, Path(folder) / "pages", assets), ran["cells"])
+        text = mark_repeated_views(_exported(executed, Path(folder) / "pages", assets), ran["cells"])
         return _Ran(BookPage(file, title, text, sections_of(text)), pictures)
 
 
-def twins_marked(text: str, cells: Sequence[Mapping[str, Any]]) -> str:
+def mark_repeated_views(text: str, cells: Sequence[Mapping[str, Any]]) -> str:
     """Return a page on which each live view that a figure repeats is marked: on paper, the figure stands alone."""
-    for live, _ in live_and_still(cells):
+    for live, _ in live_and_static(cells):
         text = text.replace(place := f'id="cell-id={live["id"]}"', f"{place} data-repeated", 1)
     return text
 

@@ -27,9 +27,9 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from ...text import LANGUAGES, Text
+from ...text import LANGUAGES, Texts
 from ..paths import WorkbookError, read_workbook, workbook_root
-from .editions import still_twins
+from .editions import static_figures
 from .html import PageFailed, notebooks_called, run_with_films
 
 __all__ = ["Slide", "deck_from_notebook", "main", "slides_of"]
@@ -38,31 +38,22 @@ STATIC = Path(__file__).parent / "static"
 HEADING = re.compile(r"^#{1,6}\s+(.+?)\s*$", re.MULTILINE)
 BEGINS = ("slide", "subslide")
 
-KEYS = (
-    ("→ Space PgDn", Text(en="on", ko="다음")),
-    ("← PgUp", Text(en="back", ko="이전")),
-    ("Home End", Text(en="first, last", ko="처음, 끝")),
-    ("o Esc", Text(en="all slides at a glance", ko="모든 슬라이드 보기")),
-    ("s", Text(en="a window for the speaker", ko="발표자 창")),
-    ("n", Text(en="the speaker's notes, here", ko="발표자 노트 보기")),
-    ("c", Text(en="with or without code", ko="코드 보이기, 숨기기")),
-    ("f", Text(en="the whole screen", ko="전체 화면")),
-    ("t", Text(en="light or dark", ko="밝게, 어둡게")),
-    ("p", Text(en="print, or save as PDF", ko="인쇄, PDF로 저장")),
-    ("b", Text(en="a black screen", ko="검은 화면")),
-    ("?", Text(en="this list", ko="이 목록")),
-)
-BUTTONS = {
-    "back": Text(en="back", ko="이전"),
-    "on": Text(en="on", ko="다음"),
-    "overview": Text(en="overview", ko="전체"),
-    "notes": Text(en="notes", ko="노트"),
-    "noNotes": Text(en="There are no notes here.", ko="여기에는 노트가 없습니다."),
-    "theme": Text(en="theme", ko="테마"),
-    "help": Text(en="keys", ko="단축키"),
-    "next": Text(en="next", ko="다음"),
-    "end": Text(en="This is the last slide.", ko="마지막 슬라이드입니다."),
+TEXTS = Texts(__file__)
+KEYS = {
+    "→ Space PgDn": "key_on",
+    "← PgUp": "key_back",
+    "Home End": "key_ends",
+    "o Esc": "key_overview",
+    "s": "key_speaker",
+    "n": "key_notes",
+    "c": "key_code",
+    "f": "key_screen",
+    "t": "key_theme",
+    "p": "key_print",
+    "b": "key_black",
+    "?": "key_list",
 }
+BUTTONS = ("back", "on", "overview", "notes", "noNotes", "theme", "help", "next", "end")
 
 
 @dataclass(frozen=True)
@@ -142,7 +133,7 @@ def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
 def _twins(cells: list[dict]) -> set[str]:
     """Return the figures that only repeat a live view which is shown, and begin no slide."""
     shown = [cell for cell in cells if _kind(cell) != "skip"]
-    repeated = {cell["id"] for cell in still_twins(cells)} & {cell["id"] for cell in still_twins(shown)}
+    repeated = {cell["id"] for cell in static_figures(cells)} & {cell["id"] for cell in static_figures(shown)}
     return repeated - {cell["id"] for cell in shown if _kind(cell) in BEGINS}
 
 
@@ -188,8 +179,8 @@ def _html(markdown: str) -> str:
 
 def _as_deck(page: str, slides: list[Slide], language: str) -> str:
     """Return an exported page with the deck's style and script in it."""
-    words: dict[str, Any] = {name: said.say(language) for name, said in BUTTONS.items()}
-    words["keys"] = [(key, does.say(language)) for key, does in KEYS]
+    words: dict[str, Any] = {name: TEXTS[name].say(language) for name in BUTTONS}
+    words["keys"] = [(key, TEXTS[name].say(language)) for key, name in KEYS.items()]
     state = json.dumps({"slides": [asdict(slide) for slide in slides], "words": words}, ensure_ascii=False)
     state = state.replace("</", "<\\/")  # so that no text of ours ends the script
     style, script = ((STATIC / f"deck.{kind}").read_text(encoding="utf-8") for kind in ("css", "js"))
