@@ -1,8 +1,8 @@
-"""Which room?  `tflab <subcommand> ...`: a table, and nothing is imported before it is asked for.
+"""Run `tflab <subcommand> ...`; a subcommand's module is imported when it is called.
 
     tflab run node.py --with "ros2 topic hz /tf"    SUBCOMMANDS["run"] -> tflab.tools.shell.run
 
-A room adds itself with one line; its function takes the words after its name and
+A package adds itself with one line; its function takes the words after its name and
 returns the exit code.
 """
 

@@ -1,4 +1,4 @@
-"""How is a file written so that nobody ever sees half of it, nor loses what another wrote?
+"""Write a file whole or not at all, and lock a folder.
 
     write_whole(path, text)       a new file beside it takes its place at once: an atomic write
     with locked(folder): ...      one process at a time; the lock ends with whoever holds it

@@ -1,4 +1,4 @@
-"""Why did a cell fail?  Its own lines say so, without ours below them; and if it was run too early, a line more.
+"""Explain why a cell failed, and hide the engine's own lines from its traceback.
 
     NameError: name 'base_p_corner' is not defined
     base_p_corner: Not there yet. Run the cell above with your answer, then this one again.

@@ -1,4 +1,4 @@
-"""Where is the workbook?  In a learner's copy, which `workbook.json` marks; else where tflab itself is.
+"""Find the workbook: a learner's copy, which `workbook.json` marks, or tflab's own.
 
     my_copy/
       workbook.json           version, edition, language, learner

@@ -1,4 +1,4 @@
-"""What has been tried, and what has been passed?  A small file beside `workbook.json`, written by `check`.
+"""Record what a learner has tried and passed in `progress.json`, beside `workbook.json`.
 
     progress.json   {"format": 1, "tasks": {"E3.2": {"tries": 3, "hints": 1, "passed": true, ...}}}
 

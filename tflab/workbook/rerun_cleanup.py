@@ -1,4 +1,4 @@
-"""What does a cell find that runs again?  What it began the last time has ended: a program is started anew.
+"""End the nodes that a cell's last run started, before the cell runs again.
 
     In [5]:  rclpy.init(); node = Node('reader')     /reader is there
     In [9]:  the same cell, again                    the old /reader goes, rclpy ends, and both begin anew

@@ -1,4 +1,4 @@
-"""Is a cell's world still there when it runs again?  If not, its numbers are of another one, and a line says so.
+"""Tell the reader when a cell runs again in another graph than before.
 
     In [3]  %load_ext tflab            a world
     In [5]  graph.run(seconds=0.5)     in that world

@@ -1,4 +1,4 @@
-"""What stands on a page of HTML?  Its headings, to jump to, and the words below each, to search.
+"""Read the headings of an HTML page and the text below each, and write the search index.
 
     <h2 id="Predict">Predict</h2>         Section("Predict", level 2, "cell-id=predict", "Predict",
     <p>The laser is bolted on ...                 "The laser is bolted on ...")

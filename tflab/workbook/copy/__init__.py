@@ -1,9 +1,7 @@
-"""A learner's own copy: laid out, brought up to date, opened in JupyterLab.
+"""A learner's own copy of the workbook.
 
-    lay_out      the folder, and what was handed out
-    merge        new material around what was written: a three-way merge
-    environment  whether this machine has what the pages need
-    lab          JupyterLab on it, offline
-
-Start with `lay_out.py`.
+lay_out      write a copy, and bring it up to date
+merge        merge a new page with the learner's: a three-way merge
+environment  check that this machine has what the pages need
+lab          open the copy in JupyterLab, offline
 """

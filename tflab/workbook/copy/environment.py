@@ -1,4 +1,4 @@
-"""Does this machine have what the pages need?  One line for each thing, and what to do where it is missing.
+"""Check that this machine has what the pages need.
 
     ✓  Python 3.10 or later
     ✓  numbers and figures

@@ -1,4 +1,4 @@
-"""How is the workbook opened?  `tflab lab [DIR]`: a copy of your own, in a JupyterLab that talks to nobody else.
+"""Open the learner's copy in a JupyterLab without network: `tflab lab [DIR]`.
 
     tflab lab                 your copy in ./tflab_workbook, made the first time, opened every time
     tflab lab DIR --lang ko   another place, another language

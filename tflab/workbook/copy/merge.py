@@ -1,4 +1,4 @@
-"""How does a new page come in around an answer?  Cell by cell, by name, with the page as it was handed out between.
+"""Merge a new page with the learner's, cell by cell and by name.
 
     as handed out   yours          new            what you get
     a               a              b              b              untouched cells are replaced

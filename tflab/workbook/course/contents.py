@@ -1,4 +1,4 @@
-"""Which texts of the pages are made from files?  The table of chapters, and the glossary as a page.
+"""Write the parts of the pages that are made from files, such as the table of chapters.
 
     course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
                         README.md, README.ko.md       the table of chapters, and what is to come

@@ -1,4 +1,4 @@
-"""What builds on what?  The chapters as a map, read from left to right.
+"""Draw which chapter builds on which, from left to right.
 
     1 -> 2 -> 3 -> 4 -> 5 ----------> 11 ---.
                    '--> 6 -> 7 ------------- 12

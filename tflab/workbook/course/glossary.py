@@ -1,4 +1,4 @@
-"""What does a word mean?  One file of terms feeds the tooltips, the appendix and the checks of the pages.
+"""Read the glossary, and expand its terms on a page.
 
     [[target frame]]            ->  <abbr title="...">target frame</abbr>
     [[target frame|the target]] ->  <abbr title="...">the target</abbr>

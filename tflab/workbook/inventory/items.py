@@ -1,32 +1,14 @@
-"""What is asked, and what does each wrong option show?  Fifteen items, each in two forms.
+"""Read the items of the concept inventory, check their balance, and write their questions onto a page.
 
     item 3, M3    form A   B is at (2, 0), turned 90 degrees to the left ...      a M3   b M1   c M3   d right
                   form B   B is at (3, 0), turned 90 degrees to the right ...     a M3   b right   c M3   d M1
 
-Every wrong option is what somebody really believes, a *distractor*; with each stands
-what to say of it when both forms are in.  All of it is in `solutions/inventory.yaml`,
-beside the solutions: a learner's copy holds the questions (see `questions.py`), and
-nothing that tells their key.
+The items are in `solutions/inventory.yaml`, each with its misconception and two forms.  A learner's copy holds
+the questions, and nothing of the key.  A form is balanced if each item has one right option, each wrong option
+shows a misconception, both forms of an item ask for the same one, and no letter is right more than five times.
 
----
-Do the two forms weigh the same?  Whatever is out of balance is a fault, and the build says it.
-
-```
-one right option an item                        a form in which "b" is always right is soon seen through
-every wrong option shows a misconception        what shows nothing teaches nobody anything
-an item looks for one misconception, in A as in B, and each of the fifteen has its item
-at most five right options of one letter
-```
-
----
-How do the questions stand on a page?  A cell for each, in both languages, made from the items.
-
-    **3.** Seen from A, B is at (2, 0) and turned 90° to the left. Where is A, seen from B?
-
-    - **a** (−2, 0)  ...  - **e** I do not know
-
-The sources of the two exercises hold them between the cells "questions" and "e0-1-answer";
-`python -m tflab.workbook.course.contents` writes them there, and a test holds them in step.
+The sources of the two exercises hold the questions between the cells "questions" and "e0-1-answer".
+`python -m tflab.workbook.course.contents` writes them there.
 """
 
 from __future__ import annotations

@@ -1,20 +1,12 @@
-"""Which options did somebody choose, and how sure were they?  Letters, and a "?" where they guessed.
+"""Read which options somebody chose and how sure they were, and compare the two forms.
 
     {"1": "b", "2": "c?", "3": "e"}     1: b, sure     2: c, guessed     3: does not know
 
-Sure and wrong is a misconception; guessed and wrong is only a gap.  Capitals and
-spaces say nothing.
-
----
-What came of it between the two forms?  For each item cured, held, stuck or lost.
+A sure and wrong reply shows a misconception; a guessed wrong one is a gap.  Between the forms an item is
 
                  after right    after wrong
     before wrong    cured          stuck
     before right    held           lost
-
-A learner is told no number but these: fifteen items are too few to measure one
-person.  What they were sure of and had wrong, and have right now, stands first: that is
-what was really learnt.
 """
 
 from __future__ import annotations

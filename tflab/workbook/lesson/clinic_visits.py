@@ -1,4 +1,4 @@
-"""How does a page let patients in?  In the language of the copy; and how long do two ways of asking take?
+"""Admit patients in the language of the copy, and compare two orders of questions.
 
 ```
 admit(patient)            the complaint, the card, twelve minutes

@@ -1,14 +1,11 @@
-"""In whose language?  Every panel speaks that of the learner's copy.
-
-What a panel has to ask a buffer is asked here, of a fresh one each time.
-
----
-How does our robot's arm move?  Its chain of joints, of its URDF or of another, for the picture and the panel.
+"""Make the panels of the pages in the language of the learner's copy.
 
 ```
-draw_joints({"elbow_joint": -0.6})     the arm as it stands then, and its dominoes
+draw_joints({"elbow_joint": -0.6})     the arm at these positions, and its chain of transforms
 joints_panel()                         the same, with a slider for each joint
 ```
+
+A panel that looks something up does so in a fresh buffer each time.
 """
 
 from __future__ import annotations

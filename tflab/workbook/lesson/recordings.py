@@ -1,4 +1,4 @@
-"""What is in this bag, and can it place its own messages?  For our own recordings, and for those of a learner.
+"""Show what a bag holds, and how many of its messages its own transforms can place.
 
     fresh_folder()                a new, empty folder for what a page records
     draw_heard(recording, 3.0)    when each topic was heard, in the first three seconds

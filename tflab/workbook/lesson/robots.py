@@ -1,23 +1,17 @@
-"""Three robots that look healthy to RViz, and are not; and one whose room is shown with it.
+"""Start robots with faults, and nodes that record what happens to them.
 
-    start_robot()              our robot, with a map server: what RViz has to show
-    start_robot("mount")       the drawing has the laser 0.20 m behind the middle, and it is bolted on 0.20 m before
-    start_robot("header")      the driver writes base_link into the scan's header
-    start_robot("clock")       the laser's computer is 0.3 s slow
-    draw_rviz()                what RViz shows of it, on paper
-
-Nothing that a list says gives them away: every transform can be computed.
-
----
-Who comes late, and who waits?  Robots in trouble to look at, and nodes that note what happens to them.
-
-    run_node(Node, seconds)      a node that goes on living, and that one may look at from outside
-    GapWatcher                   how far ahead of TF each scan asks
+    start_robot()                our robot, with a map server
+    start_robot("mount")         the model has the laser 0.20 m behind base_link; it is mounted 0.20 m ahead
+    start_robot("header")        the driver writes base_link into the scan's header
+    start_robot("clock")         the laser's computer is 0.3 s slow
+    draw_rviz()                  what RViz shows of it, as a figure
+    run_node(Node, seconds)      a node that goes on running and can be inspected
+    GapWatcher                   how far ahead of TF each scan is
     WaitingNode, on_robot_c      when its callback is busy, and when transforms are stored
     ages_of_decisions(queue)     how old data gets in a queue
     walls_seen, show_clock_error where scans end up when a clock is wrong
 
-This is the last page of the room.
+RViz lists no error for any of these robots: every transform can be computed.
 """
 
 from __future__ import annotations

@@ -1,20 +1,12 @@
-"""What is our robot doing?  Its drive through the room, to be played, and one moment of it on paper.
+"""Draw the teaching robot in its room, and give the point clouds of its camera.
 
 ```
-show_drive()             the robot, its laser and the walls in 3D, second by second
-draw_room(at_s=12.0)     the same from above, standing still
-scan_on_map(robot, at_s=1.0)   where its drawing puts what its laser measured
-draw_now(graph, "map")   every frame of a graph, where it is now
-show_latency()           a ball that was seen a moment ago, drawn with the pose of now
-```
-
----
-What does a depth camera see?  A wall 2 m ahead, and the floor before it, in the camera's own axes.
-
-```
-optical frame: x right, y down, z forward
-wall_cloud()    273 points, 2 m ahead
-floor_cloud()   252 points, 0.4 m below
+show_drive()                   the robot, its laser and the walls in 3D, second by second
+draw_room(at_s=12.0)           the same from above, as a figure
+scan_on_map(robot, at_s=1.0)   where the robot's model puts what its laser measured
+draw_now(graph, "map")         every frame of a graph, where it is now
+show_latency()                 a ball that was seen a moment ago, drawn with the current pose
+wall_cloud(), floor_cloud()    273 points 2 m ahead, 252 points 0.4 m below, in the optical frame
 ```
 """
 

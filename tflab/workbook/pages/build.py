@@ -1,22 +1,17 @@
-"""Make every edition of one page: read its source, check it, run it once, write the notebooks.
+"""Build the notebooks of the workbook: `tflab build`.
+
+    tflab build            everything, two pages at a time
+    tflab build 03         what has this number, or stem
+    tflab build --check    write nothing; print what is stale, and why
+    tflab build --html     the pages as a book (`site.py`); named pages, each by itself (`html.py`)
 
     notebooks/src/03_x.py                --run-->  notebooks/{en,ko}/03_x.ipynb
     solutions/src/03_x.py                --run-->  solutions/{en,ko}/03_x.ipynb
         + solutions/tasks/03_x/e3_1.py  -------->  exercises/{en,ko}/E03_x.ipynb
 
-A solution is run beside its tasks, so its checks compute their cases from the source that
-is being built.  An exercise is run, too, untouched: it must reach its end and pass nothing.
-
----
-How does the workbook become notebooks?  `tflab build`: every page (`one_page.py`), two at a time.
-
-    tflab build            everything
-    tflab build 03         what has this number, or stem
-    tflab build --check    write nothing; say what is stale, and why
-    tflab build --html     the pages as a book (`site.py`); named ones, each by itself (`html.py`)
-
-The result depends on the sources and on tflab, and on nothing else: two builds are
-the same bytes.  A page with a fault is not written, and all faults are said at once.
+A solution runs beside its tasks, so its checks compute their cases from the source that is being built.  An
+exercise runs unanswered: it must reach its end and pass nothing.  The result depends on the sources and on tflab
+alone.  A page with a fault is not written, and all faults are printed at once.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Which notebooks come from one page?  Lecture or solution, English or Korean, and the exercise.
+"""Make the notebooks of one page: lecture or solution, English or Korean, and the exercise.
 
     page --run once--+--> lecture_notebook(page, "en", outputs)     notebooks/en, solutions/en
       |              +--> lecture_notebook(page, "ko", outputs)     the same code, outputs without figures

@@ -1,21 +1,12 @@
-"""How does a kernel live just as long as it is needed?  A context holds it, and Ctrl-C ends both.
-
-    async with running_kernel(client, env):      nbclient's client; its kernel is there
-        await client.async_execute_cell(...)
-                                                 here it is gone, however the block ended
-
-nbclient's own context takes Ctrl-C for itself and stumbles over it; this one leaves
-it to Python.
-
----
-What does a page print?  It is run once, in a kernel and a workbook of its own, and its outputs are made storable.
+"""Run a page once in a kernel and a workbook of its own, and make its outputs storable.
 
     page --cells, in order--> kernel --outputs--> merged, nothing of this machine in them --> {cell name: [output, ...]}
                                  |
                                  +--> faults: an error, a warning, a picture without words ...
 
-The kernel starts in a temporary workbook that passes for tflab's own, so a page sees its
-tasks as they are being built; no option of the author's shell reaches it.
+The kernel starts in a temporary workbook that stands for tflab's own, so a page sees its tasks as they are being
+built, and no option of the author's shell reaches it.  `running_kernel` ends the kernel with its block and leaves
+Ctrl-C to Python, which nbclient's own context does not.
 """
 
 from __future__ import annotations

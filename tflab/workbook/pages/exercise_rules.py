@@ -1,4 +1,4 @@
-"""What must hold for an exercise before anything is run?  Each task has its text, its given, its answer, its check.
+"""Check what an exercise must keep to: each task has its text, its inputs, its answer, its check.
 
 ```
 ## E3.2 · A corner seen by a turned laser      "e3-2", in both languages

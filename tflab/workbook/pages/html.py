@@ -1,4 +1,4 @@
-"""How do pages become something one can read without Python?  `tflab build --html`.
+"""Write notebooks as HTML that needs no Python: `tflab build --html PAGE`.
 
     notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
 

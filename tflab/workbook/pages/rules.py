@@ -1,4 +1,4 @@
-"""What must hold for a page before anything is run?  Names, pairs, headings, pictures, terms, short cells.
+"""Check what every page must keep to, before anything is run.
 
     notebooks/src/03_target_and_source.py:41: cell "why-frames": there is no Korean text; write it next to the English
 

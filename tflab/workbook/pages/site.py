@@ -1,4 +1,4 @@
-"""How do all pages become one book?  `tflab build --html`: run in each language, framed, and tied together.
+"""Write all pages as one web book: `tflab build --html`.
 
     site/index.html              asks the browser for its language
     site/en/03_x.html            a page;  E03_x.html, its exercise, to read

@@ -1,4 +1,4 @@
-"""How is a page lectured from?  `tflab slides 03`: its cells as a deck that needs neither kernel nor network.
+"""Write a page as slides that need neither kernel nor network: `tflab slides 03`.
 
     notebook --run, pictures filmed--> page.html --cells grouped by their slide type--> slides/03_x.html
                                                                                         slides/assets/

@@ -1,4 +1,4 @@
-"""What is a page before it is a notebook?  A text file: prose in two languages, code once, a name on every cell.
+"""Read the source of a page: prose in two languages, code once, a name on every cell.
 
     # %% [markdown] lang="en" name="why-frames" slide="slide"     prose, English first
     # %% [markdown] lang="ko" name="why-frames" slide="slide"     the same cell in Korean

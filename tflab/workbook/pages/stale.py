@@ -1,4 +1,4 @@
-"""Is what was built still what would be built?  Compare the two, and say where they part.
+"""Compare what was built with what would be built, and report the first difference.
 
 notebooks/en/03_target_and_source.ipynb: cell "lookup": prints '1.5 m' and would be '1.6 m'; run: tflab build 03_...
 """
