@@ -2,7 +2,6 @@
 
 import pytest
 
-from tflab.ros import client_library as rclpy
 from tflab.ros.client_library import create_node, init, shutdown
 from tflab.ros.exceptions import (
     InvalidParameterTypeException,
@@ -11,7 +10,6 @@ from tflab.ros.exceptions import (
     ParameterNotDeclaredException,
 )
 from tflab.ros.executors import SingleThreadedExecutor
-from tflab.ros.graph import new_graph
 from tflab.ros.messages.rcl_interfaces import (
     FloatingPointRange,
     IntegerRange,
@@ -28,8 +26,7 @@ TYPE = Parameter.Type
 
 
 @pytest.fixture(autouse=True)
-def graph():
-    new_graph()
+def context(graph):
     init(args=[])
     yield
     shutdown()
@@ -228,14 +225,12 @@ def test_below_a_prefix_parameters_are_listed_by_the_rest_of_their_names():
 
 
 @pytest.fixture
-def nodes(graph):
-    rclpy.init()
+def nodes():
     asking = Node("asking", namespace="/lab")
     robot = Node("robot", namespace="/lab", allow_undeclared_parameters=True)
     robot.declare_parameter("speed", 1.5)
     robot.declare_parameter("ids", [1, 2, 3])
-    yield asking, robot
-    rclpy.shutdown()
+    return asking, robot
 
 
 def answer(nodes, future):
