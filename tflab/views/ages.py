@@ -133,7 +133,7 @@ def draw_journeys(journeys: Sequence[Journey]) -> Picture:
     """Draw messages from the time each was stamped to the time it was transformed."""
     picture = Picture(style.wide(KEY_PX + LANE_PX * len(journeys) + SCALE_PX))
     picture.text = describe_journeys(journeys)
-    name_px = style.room_px(journey.name for journey in journeys)
+    name_px = style.names_width_px(journey.name for journey in journeys)
     inside_px = style.WIDE[0] * style.SCREEN_DPI - name_px - AGE_PX
     moments = [moment for journey in journeys for moment in journey.moments_ns.values()]
     first_ns, last_ns = min(moments), max(moments)

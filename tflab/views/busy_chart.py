@@ -73,7 +73,7 @@ def draw_work(rows: Sequence[Work], start_ns: int, end_ns: int) -> Picture:
     """Draw who was busy, and what happened, from `start_ns` to `end_ns` [ns]."""
     picture = Picture(style.wide(TOP_PX + ROW_PX * len(rows) + BOTTOM_PX))
     picture.text = describe_work(rows, start_ns, end_ns)
-    name_px = style.room_px(row.name for row in rows)
+    name_px = style.names_width_px(row.name for row in rows)
     inside_px = style.WIDE[0] * style.SCREEN_DPI - name_px - RIGHT_PX
     with style.our_settings():
         ax = picture.add_axes_px(name_px, BOTTOM_PX, inside_px, ROW_PX * len(rows))

@@ -129,7 +129,7 @@ def draw_clocks(nodes: Mapping[str, bool], play: Play | None = None, played_s: f
     Args:
         nodes: by name, whether it has use_sim_time; at most three.
         play: how the bag is played.
-        played_s: the moment that is marked, and told in words [s].
+        played_s: the time that is marked and described in the text [s].
     """
     picture = ClocksPicture(tuple(nodes))
     picture.show(nodes, play or Play(), played_s)

@@ -62,7 +62,7 @@ class VisitPicture(Picture):
     """The rows of a visit; `show(at)` tells it up to one of them.
 
     Args:
-        steps: what was asked and done; the first is what one is told at the door.
+        steps: what was asked and done; the first is the complaint.
         budget_min: how long a visit may take [min].
     """
 
@@ -185,7 +185,7 @@ def draw_order(log: Sequence[Question]) -> Picture:
     height_px = TOP_PX + BOTTOM_PX + BAR_PX * max(len(log), 1)
     picture = Picture(style.wide(height_px))
     picture.text = describe_order(log)
-    left_px, width_px = style.room_px([question.check for question in log]), style.WIDE[0] * style.SCREEN_DPI
+    left_px, width_px = style.names_width_px([question.check for question in log]), style.WIDE[0] * style.SCREEN_DPI
     with style.our_settings():
         ax = picture.add_axes_px(left_px, BOTTOM_PX, width_px - left_px - RIGHT_PX, height_px - TOP_PX - BOTTOM_PX)
         _bare(ax)
@@ -231,7 +231,7 @@ def draw_minutes(ways: Mapping[str, Mapping[str, float]], budget_min: float) -> 
     height_px = TOP_PX + BOTTOM_PX + 30 + row_px * len(suspects)
     picture = Picture(style.wide(height_px))
     picture.text = describe_minutes(ways, budget_min)
-    left_px, width_px = style.room_px(suspects), style.WIDE[0] * style.SCREEN_DPI
+    left_px, width_px = style.names_width_px(suspects), style.WIDE[0] * style.SCREEN_DPI
     colours = (style.ACCENT, style.FAINT, style.AXIS_COLOURS["z"])
     with style.our_settings():
         ax = picture.add_axes_px(left_px, BOTTOM_PX, width_px - left_px - 24, height_px - TOP_PX - BOTTOM_PX - 30)

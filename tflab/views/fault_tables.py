@@ -54,7 +54,7 @@ class SuspectsPicture(Picture):
     def __init__(self, findings: Findings, asked: Mapping[str, str]) -> None:
         self._findings = findings
         self._checks = list(next(iter(findings.values())))
-        self._names_px = style.room_px(findings) + BORDER_PX
+        self._names_px = style.names_width_px(findings) + BORDER_PX
         height_px = HEAD_PX + ROW_PX * len(findings) + BORDER_PX
         super().__init__(style.wide(height_px))
         with style.our_settings():

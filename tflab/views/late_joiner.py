@@ -120,7 +120,7 @@ class JoinsPicture(Picture):
         height_px = TOP_PX + ROW_PX * len(senders) + BOTTOM_PX
         super().__init__(style.wide(height_px))
         self._senders, self._start_s, self._until_s = tuple(senders), start_s, until_s
-        name_px = style.room_px(max((sender.name, sender.topic), key=len) for sender in senders)
+        name_px = style.names_width_px(max((sender.name, sender.topic), key=len) for sender in senders)
         axis_px = width_px - name_px - KNOWS_PX
         with style.our_settings():
             self.ax = self.add_axes_px(name_px, BOTTOM_PX, axis_px, ROW_PX * len(senders))

@@ -78,7 +78,7 @@ class Sheet:
 
 
 def text_width(text: str, size: float = FONT_SIZE) -> float:
-    """Return how wide a text is; a Hangul syllable takes the room of two letters."""
+    """Return how wide a text is; a Hangul syllable is as wide as two letters."""
     letters = sum(2 if east_asian_width(letter) in "WF" else 1 for letter in text)
     return letters * LETTER_WIDTH * size
 

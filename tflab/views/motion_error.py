@@ -243,7 +243,7 @@ class _Triangle:
         return [*self.legs, self.across, self.truth, self.wrong, *self.names]
 
     def show(self, error: LatencyError) -> None:
-        """Move everything to this error, and enlarge it to the room there is."""
+        """Move everything to this error, and scale it to the axes."""
         corner, top = (error.forwards_m, 0.0), (error.forwards_m, error.sideways_m)
         truth, drawn = (0.0, 0.0), error.exact[:2]
         for leg, ends in zip(self.legs, ((truth, corner), (corner, top)), strict=True):
@@ -316,7 +316,7 @@ class BendPicture(Picture):
     """Arc and chord between two samples, as large as the paper; the three numbers beside them."""
 
     def __init__(self, lowest: float, highest: float) -> None:
-        """Make room for arcs that reach from `lowest` to `highest`, in chords, 0 being the chord itself."""
+        """Choose limits for arcs that reach from `lowest` to `highest`, in chords, 0 being the chord itself."""
         arc_px = CHORD_PX * (highest - lowest)
         height_px = max(LEGEND_PX + arc_px + 2 * RIM_PX, LEAST_PX)
         super().__init__(style.wide(height_px))

@@ -12,7 +12,7 @@ import sys
 from itertools import count
 from typing import Any
 
-ROOM = __name__.rpartition(".")[0]
+PACKAGE = __name__.rpartition(".")[0]
 
 SWEEP_AFTER = 5  # views; a figure is in many circles, which only a sweep finds, and a sweep takes a tenth of a second
 
@@ -53,7 +53,7 @@ def _sweep() -> None:
 
 
 def _remember(result: Any) -> None:
-    if type(result.result).__module__.startswith(f"{ROOM}."):
+    if type(result.result).__module__.startswith(f"{PACKAGE}."):
         _shown[_cell(result.info)] = result.execution_count
 
 

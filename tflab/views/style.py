@@ -147,8 +147,8 @@ def label_rows(ax: Axes, names: Sequence[str], size_pt: float = TEXT_PT) -> None
     ax.tick_params(axis="y", length=0, pad=10, labelcolor=INK, labelsize=size_pt)
 
 
-def room_px(names: Iterable[str], at_least_px: int = 110) -> int:
-    """Return how much room the longest of these names takes left of a row [screen pixels]."""
+def names_width_px(names: Iterable[str], at_least_px: int = 110) -> int:
+    """Return the width of a column for these names, the longest included [screen pixels]."""
     return max(at_least_px, *(42 + 7 * len(name) for name in names))
 
 

@@ -191,14 +191,14 @@ class TimelinePicture(Picture):
     """The lanes, the common interval, and a query that can be moved."""
 
     def __init__(self, timeline: Timeline, ask: Ask, rows: int = BODY_ROWS) -> None:
-        """Draw the lanes, with room for so many rows of an answer below them."""
+        """Draw the lanes, with space for `rows` rows of an answer below them."""
         self.timeline, self._ask, self._rows = timeline, ask, rows
         self._answer_px = AXIS_PX + HEADLINE_PX + ROW_PX * rows + FOOT_PX
         height_px = TOP_PX + LANE_PX * (len(timeline.lanes) + 1) + self._answer_px
         width_px = style.WIDE[0] * style.SCREEN_DPI
         super().__init__(style.wide(height_px))
         lanes_px = height_px - TOP_PX - self._answer_px
-        name_px = style.room_px(lane.name for lane in timeline.lanes)
+        name_px = style.names_width_px(lane.name for lane in timeline.lanes)
         with style.our_settings():
             self.ax = self.add_axes_px(name_px, self._answer_px, width_px - name_px - RIGHT_PX, lanes_px)
             self._draw_lanes()

@@ -350,7 +350,7 @@ def _headings(now_ns: int | None) -> tuple[str, str, str, str]:
 
 
 def _columns(x: float, headings: tuple[str, ...], cells: tuple[tuple[str, ...], ...]) -> tuple[float, ...]:
-    """Return where the letter, the rate, the age and the publishers begin; an empty column takes no room."""
+    """Return where the letter, the rate, the age and the publishers begin; an empty column has no width."""
     places = [x, x + 36]
     for column in (1, 2):
         width = max(text_width(cell[column]) for cell in cells)

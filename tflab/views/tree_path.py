@@ -103,7 +103,7 @@ class TreeWalkPicture(Picture):
     """A tree with one walk in it; it can be shown anew with another tree, another question, or words below it."""
 
     def __init__(self, rows: int, lines: int = 0) -> None:
-        """Make room for so many rows, and lines of words below them."""
+        """Choose the size for this many rows, and lines of text below them."""
         self._height_pt = _height_pt(rows, lines)
         super().__init__((style.WIDE[0], self._height_pt / 72.0))
         self._axes = clear_paper(self.figure.add_axes((0.0, 0.0, 1.0, 1.0)))

@@ -101,7 +101,7 @@ def _places(frames: Frames) -> tuple[dict[str, _Place], float]:
 
 
 def _room(name: str, frame: Mapping[str, Any] | None, has_top: bool) -> tuple[float, float]:
-    """Return the room that a frame takes left and right of its middle: its oval, and the label of its edge.
+    """Return the width of a frame left and right of its middle: its oval, and the label of its edge.
 
     The label stands in the middle; in a loop, where an edge runs back up, on the left.
     """
@@ -114,7 +114,7 @@ def _oval_width(name: str) -> float:
 
 
 def _label_width(frame: Mapping[str, Any] | None) -> float:
-    """Return the room that an edge's label takes."""
+    """Return the width of an edge's label."""
     if frame is None:
         return 0.0
     return max(text_width(f"{label}: {frame[key]}", SMALL) for key, label in LABELS.items())

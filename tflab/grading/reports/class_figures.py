@@ -34,7 +34,7 @@ def bars(
     picture = Picture((width, 0.95 + ROW_INCH * len(rows)))
     height = picture.figure.get_size_inches()[1]
     with style.our_settings():
-        left = style.room_px((name.en for name, _ in rows), 110) / (style.SCREEN_DPI * width)
+        left = style.names_width_px((name.en for name, _ in rows), 110) / (style.SCREEN_DPI * width)
         ax = picture.figure.add_axes((left, 0.55 / height, 0.92 - left, 1 - 0.9 / height))
         values = [value for _, value in rows]
         ax.barh(range(len(rows)), values, height=0.62, color=style.SHADE, edgecolor=style.INK, linewidth=0.8)

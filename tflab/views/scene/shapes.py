@@ -93,7 +93,7 @@ def arrow(
 
 
 def axes(length_m: float, is_ghost: bool = False) -> Triangles:
-    """Return the three axes of a frame: told apart by colour and by line; a ghost's by line alone."""
+    """Return the three axes of a frame, which differ in colour and in line; a ghost's in line alone."""
     radius_m = 0.026 * length_m
     ends = {"x": (length_m, 0.0, 0.0), "y": (0.0, length_m, 0.0), "z": (0.0, 0.0, length_m)}
     colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}

@@ -4,7 +4,6 @@
 //   a choice is made                         drawn at once; the kernel hears of it, too, and what it
 //                                            then draws is what counts
 //
-// Read pointer.js next.
 
 // Let a view show what the menu is at; `live.ahead` is what the kernel has sent, a list of commands for each choice.
 function followMenu(view, model, live, el) {

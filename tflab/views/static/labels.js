@@ -2,7 +2,6 @@
 //
 // Letters at the tips of axes stay where they are; names make way for them and for each other.
 // Where many frames stand in one spot, seen from afar, one name stands for all: "base_link +7".
-// Read camera.js next.
 
 function isShown(object) {
   for (let o = object; o; o = o.parent) if (!o.visible) return false;

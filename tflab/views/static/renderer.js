@@ -2,7 +2,7 @@
 //
 // Browsers drop WebGL contexts after about sixteen, so every view draws with the same one and keeps
 // a copy on a 2D canvas of its own.  Without a graphics card, what moves is drawn by a second one
-// that is quicker and less smooth.  Read labels.js next.
+// that is quicker and less smooth.
 
 // ---- loading meshcat's viewer: once per page -----------------------------------------------------
 

@@ -1,7 +1,6 @@
 // How does one go through time without a kernel?  A button that plays, a slider, and what it stands at.
 //
 // A track says its name, where it ends, how fine its steps are, how long it plays, and what to call a place.
-// Read ahead.js next.
 
 const nameIn = ([text]) => text.split(/ = |: /)[0]; // of "time = 2.00 s"
 
