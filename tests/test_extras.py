@@ -52,7 +52,15 @@ def test_check_replies_in_plain_python_without_any_extra(tmp_path: Path) -> None
 
 @pytest.mark.parametrize(
     "module",
-    ["views.frames", "views.film", "views.panels", "views.scene", "views.rviz", "clinic.panel", "workbook.lesson"],
+    [
+        "views.frames",
+        "views.slider_frames",
+        "views.panels",
+        "views.scene",
+        "views.rviz",
+        "clinic.panel",
+        "workbook.lesson",
+    ],
 )
 def test_importing_what_draws_names_the_extra(module: str, tmp_path: Path) -> None:
     done = run_without(VIEWS, f"import tflab.{module}", tmp_path)

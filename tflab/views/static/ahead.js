@@ -3,7 +3,6 @@
 //   a hand comes near the menu   --hand-->   the kernel draws every choice, and sends in what they differ
 //   a choice is made                         drawn at once; the kernel hears of it, too, and what it
 //                                            then draws is what counts
-//
 
 // Let a view show what the menu is at; `live.ahead` is what the kernel has sent, a list of commands for each choice.
 function followMenu(view, model, live, el) {

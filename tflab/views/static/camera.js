@@ -1,5 +1,4 @@
 // Where does one look from?  From behind, from the right and from above, so far that all is in the picture.
-//
 
 const EYE = [-0.62, -1.15, 0.72]; // x to the right, y away, z up
 const TALL_DEG = 40;              // from the bottom to the top of the picture

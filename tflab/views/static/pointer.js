@@ -1,5 +1,4 @@
 // How does a hand turn a scene, come closer, and click on a frame?  By the mouse, and by the keyboard alone.
-//
 
 const BLUR_PX = 4;             // a click may move this far and is still a click
 
