@@ -91,8 +91,7 @@ def test_neighbours_are_asked_for_first_and_then_some_over_the_whole_rail(panel)
 
 
 def test_drawn_next_is_what_the_hand_moves_and_not_what_follows_it(panel):
-    panel.evaluate("move(6)")
-    panel.evaluate("follow()")
+    panel.evaluate("(() => { move(6); follow(); })()")  # at once, before anything is sent
     sent = panel.evaluate("sent()")
     assert sent["moved"] == 0
     assert sent["places"] == [6, True]
