@@ -175,7 +175,8 @@ class JointsPicture(Picture):
         with style.our_settings():
             for i, (title, eye) in enumerate({"from above": FROM_ABOVE, "from the side": FROM_THE_SIDE}.items()):
                 left_px = EDGE_PX + i * (half_px + EDGE_PX)
-                ax = clear_paper(self.add_axes_px(left_px, height_px - ARM_PX, half_px, ARM_PX - 26))
+                box = (left_px / width_px, 1 - ARM_PX / height_px, half_px / width_px, (ARM_PX - 26) / height_px)
+                ax = clear_paper(self.figure.add_axes(box))
                 _show_reach(ax, eye, pivot, reach_m)
                 self.figure.text(left_px / width_px, 1 - 10 / height_px, title, va="top", fontsize=style.TEXT_PT)
                 self._views.append(_ArmArtists(ax, eye, steps))
@@ -318,7 +319,7 @@ def draw_joints(
 def _tiles(picture: Picture, steps: Sequence[Step]) -> list[_TileArtists]:
     """Make the row of dominoes, as wide as the card at most."""
     width_px, height_px = picture.size_px
-    ax = picture.add_axes_px(0, height_px - ARM_PX - ROW_PX, width_px, ROW_PX)
+    ax = picture.figure.add_axes((0.0, 1 - (ARM_PX + ROW_PX) / height_px, 1.0, ROW_PX / height_px))
     ax.set_axis_off()
     ax.set_xlim(0, width_px)
     ax.set_ylim(0, ROW_PX)
