@@ -75,6 +75,15 @@ def sentences(texts: Iterator[str]) -> set[str]:
     return {part for part in parts if len(part) >= SHORTEST and part.endswith((".", "?", "!"))}
 
 
+def leaked(lines: set[str], text: str) -> list[str]:
+    """Return the lines that are in a text. Most are ruled out by three of their words, which is much faster."""
+    words = text.split()
+    there = set(zip(words, words[1:], words[2:], strict=False))
+    split = {line: line.split() for line in lines}
+    likely = (line for line, own in split.items() if len(own) < 5 or tuple(own[1:4]) in there)
+    return sorted(line for line in likely if line in text)
+
+
 @cache
 def cells_of_pages() -> tuple[dict[str, Any], ...]:
     pages = [json.loads(path.read_text(encoding="utf-8")) for path in sorted((DATA / "notebooks").glob("*/*.ipynb"))]
@@ -170,7 +179,7 @@ def own(tmp_path_factory: pytest.TempPathFactory) -> str:
 def test_a_class_reads_nothing_that_is_for_the_speaker(of_a_class: str, own: str) -> None:
     said = notes()
     assert len(said) > 40
-    assert [line for line in sorted(said) if line in of_a_class] == []
+    assert leaked(said, of_a_class) == []
     assert any(line in own for line in said)  # and the search would find it
 
 
@@ -179,7 +188,7 @@ def test_no_copy_holds_a_sentence_of_a_teaching_file(copy: str, request: pytest.
     said = teaching() - notes()
     assert len(said) > 1000
     text = request.getfixturevalue(copy)
-    assert [line for line in sorted(said) if line in text] == []
+    assert leaked(said, text) == []
 
 
 @pytest.mark.parametrize("copy", ["of_a_class", "own"])
@@ -195,7 +204,7 @@ def test_no_copy_holds_what_was_taken_out_of_a_solution(copy: str, request: pyte
 def test_no_copy_says_why_an_option_of_the_test_is_right_or_wrong(copy: str, request: pytest.FixtureRequest) -> None:
     said = reasons()
     assert len(said) > 100
-    assert [line for line in sorted(said) if line in request.getfixturevalue(copy)] == []
+    assert leaked(said, request.getfixturevalue(copy)) == []
 
 
 @pytest.mark.parametrize("copy", ["of_a_class", "own"])
@@ -203,7 +212,7 @@ def test_no_copy_holds_the_reply_to_a_mistake(copy: str, request: pytest.Fixture
     text = request.getfixturevalue(copy)
     said = replies()
     assert len(said) > 5000
-    assert [line for line in sorted(said) if line in text] == []
+    assert leaked(said, text) == []
 
 
 @pytest.mark.parametrize("copy", ["of_a_class", "own"])
