@@ -14,7 +14,7 @@ NEVER = {
     "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",
     "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
     "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
-    "a stamp ahead is earlier, to a Korean ear": r"(시각|변환|측정)(이|은|보다)? [^.]{0,12}앞[서선섰섬]",  # a clock may be
+    "a stamp ahead is earlier in Korean": r"(시각|변환|측정)(이|은|보다)? [^.]{0,12}앞[서선섰섬]",
     "in, as inside of": r"안 어디|(\b[ab]|_link`?|map`?|odom`?) 안에서",
     "a lane of traffic": r"차선",
     "an edge of a graph on paper": r"간선",

@@ -22,9 +22,7 @@ from tflab.workbook.diagnosis.mistake import WITHOUT_THE_ANSWER
 __all__ = ["KINDS", "Remark", "printable"]
 
 # By kind: the texts of the YAML file, and what may be said of a wrong answer.
-KINDS: Mapping[str, Text] = ChainMap(
-    {mistake.value: text for mistake, text in WITHOUT_THE_ANSWER.items()}, Texts(__file__)
-)
+KINDS: Mapping[str, Text] = ChainMap(WITHOUT_THE_ANSWER, Texts(__file__))
 
 
 @dataclass(frozen=True)
