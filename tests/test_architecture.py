@@ -69,6 +69,7 @@ SHARED_NAMES = {
     "BufferCore": "tf2_py's class around the engine's class of the same name",
     "Clock": "rclpy's class, and the clock of a recording",
     "Message": "what every ROS message is, and the form of an answer that is one",
+    "Question": "an answer to be explained, and a question about the order of rotations",
     "Service": "rclpy's class, and what a service is made of",
     "Task": "rclpy's class, and a task of the workbook",
     "TimeoutException": "rclpy's class, and tf2's",

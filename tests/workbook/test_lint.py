@@ -41,7 +41,7 @@ def kind(ask, text):
 
 def seen(old, new):
     assert old in KIND
-    return lint.said_of_its_text(written(KIND.replace(old, new), "kind"))
+    return lint.describe_function_text(written(KIND.replace(old, new), "kind"))
 
 
 @pytest.mark.parametrize(
@@ -91,4 +91,4 @@ def test_nothing_is_said_of_what_means_what_it_says(old, new):
 
 
 def test_what_cannot_be_read_is_let_be():
-    assert lint.said_of_its_text(len) is None
+    assert lint.describe_function_text(len) is None

@@ -24,7 +24,9 @@ from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
+from .diagnosis.explain import list_asked
 from .diagnosis.mistake import Mistake
+from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
 from .inventory.participation import NO_HELP, say_taken_part
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
@@ -73,8 +75,11 @@ def task(task_id: str) -> SimpleNamespace | None:
     return SimpleNamespace(**values)
 
 
-def check(task_id: str, answer: Any = NOTHING) -> float | None:
+def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | None:
     """Say what is right or wrong about an answer; it never raises.  The two may be exchanged where that is plain.
+
+    Args:
+        why: also print which explanations were asked about a wrong answer, and which one answered.
 
     Returns:
         None; under nbgrader (NBGRADER_EXECUTION) the points, as it takes them for partial credit.
@@ -100,6 +105,8 @@ def check(task_id: str, answer: Any = NOTHING) -> float | None:
             say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])
         else:
             _say(assigned, verdict, outcomes)
+        if why and verdict.mistake and len(outcomes) == len(assigned.variant.cases):
+            _print_asked(assigned, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(assigned.cases.points * verdict.passed / verdict.of, 4)
     return None
@@ -171,6 +178,13 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
     say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
+
+
+def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:
+    """Print the rows of the table of explanations that were asked, in order."""
+    variant = assigned.variant
+    for name, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
+        print(f"  {'✓' if is_answer else '·'} {name}")
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:

@@ -20,8 +20,8 @@ from ..text import Text
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
-from .diagnosis.calls import gave
-from .diagnosis.lint import said_of_its_text
+from .diagnosis.calls import return_value
+from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
 from .paths import Workbook
@@ -108,7 +108,7 @@ def _with_its_place(
     """Return the verdict with what is plain to see in the text of a wrong function."""
     if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
-    place = said_of_its_text(answer)
+    place = describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 
 
@@ -184,7 +184,7 @@ def _call(assigned: AssignedTask, case: int) -> str:
 
 
 def _shown(outcome: Plain) -> str:
-    outcome = gave(outcome)
+    outcome = return_value(outcome)
     if is_raised(outcome):
         return outcome["raises"]
     try:

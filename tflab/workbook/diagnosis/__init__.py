@@ -2,6 +2,7 @@
 
 verdict          judge outcomes, and say what is wrong, from coarse to fine
 mistake          the kinds of mistakes, and what is said of each
+question         an answer to be explained
 explain          the table of explanations
 explanation      what an explanation is, and several merged
 parts            the parts of an answer, each by itself
@@ -16,7 +17,7 @@ wrong_types      answers of another type
 bounds           what is certain where nothing explains an answer
 matching         outcomes compared with what a mistake gives
 generic          mistakes that any answer can have
-precision        what got lost and cannot be undone
+precision        what got lost and cannot be corrections
 trees            trees of frames
 command_lines    command lines
 python_errors    what Python's errors mean

@@ -10,7 +10,7 @@ from ..answers.form import Angle, Form, Mark, Number, Pose, Quaternion, Vector, 
 from ..answers.forms import Command, Message, Name, Parts, Sequence, Set, Tree
 from ..answers.members import belonging, edges_of, members_of
 from ..answers.values import Plain, is_raised
-from .matching import section, sections
+from .matching import part_forms, part_of
 
 __all__ = ["certain"]
 
@@ -24,33 +24,33 @@ MOST_NAMED = 4  # children that are called by name
 def certain(form: Form, answer: Plain, expected: Plain) -> Text | None:
     """Return what is certain about a wrong answer, or None if there is nothing to say."""
     if isinstance(form, Set | Tree) and not is_raised(expected) and form.read(answer) is not None:
-        return _of_tree(answer, expected) if isinstance(form, Tree) else _of_set(form, answer, expected)
+        return _bound_tree(answer, expected) if isinstance(form, Tree) else _bound_set(form, answer, expected)
     if is_raised(expected) or is_raised(answer):
         return None
     if isinstance(form, Number | Angle | Vector | Quaternion):
-        return _of_numbers(form, answer, expected)
+        return _bound_numbers(form, answer, expected)
     if isinstance(form, Sequence):
-        return _of_sequence(inside(answer), inside(expected))
+        return _bound_sequence(inside(answer), inside(expected))
     if isinstance(form, Pose):
-        return _of_pose(form, answer, expected)
+        return _bound_pose(form, answer, expected)
     if isinstance(form, Command):
-        return _of_command(form, answer, expected)
+        return _bound_command(form, answer, expected)
     if isinstance(form, Name):
-        return _of_name(answer, expected)
-    return _of_parts(form, answer, expected)
+        return _bound_name(answer, expected)
+    return _bound_parts(form, answer, expected)
 
 
-def _of_numbers(form: Form, answer: Plain, expected: Plain) -> Text | None:
+def _bound_numbers(form: Form, answer: Plain, expected: Plain) -> Text | None:
     if isinstance(form, Number):
-        return _of_number(numbers_of(answer, None), numbers_of(expected, None))
+        return _bound_number(numbers_of(answer, None), numbers_of(expected, None))
     if isinstance(form, Angle):
-        return _of_angle(numbers_of(answer, None), numbers_of(expected, None))
+        return _bound_angle(numbers_of(answer, None), numbers_of(expected, None))
     if isinstance(form, Vector):
-        return _of_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
-    return _of_rotation(numbers_of(answer, 4), numbers_of(expected, 4), 1e-3)
+        return _bound_vector(numbers_of(answer, form.size), numbers_of(expected, form.size), form.tolerance)
+    return _bound_rotation(numbers_of(answer, 4), numbers_of(expected, 4), 1e-3)
 
 
-def _of_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Text | None:
+def _bound_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Text | None:
     if given is None or wanted is None:
         return None
     large = given[0] > wanted[0]
@@ -63,7 +63,7 @@ def _of_number(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None
     return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
 
 
-def _of_angle(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Text | None:
+def _bound_angle(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None) -> Text | None:
     if given is None or wanted is None:
         return None
     off = math.remainder(given[0] - wanted[0], math.tau)
@@ -73,7 +73,7 @@ def _of_angle(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None)
     return Text(f"turned too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 돌았습니다")
 
 
-def _of_vector(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Text | None:
+def _bound_vector(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Text | None:
     if given is None or wanted is None:
         return None
     rows = list(zip(NAMES, given, wanted, strict=False))
@@ -90,7 +90,7 @@ def _of_vector(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None
     return Text("; ".join(f"{names}: {en}" for names, en, _ in said), "; ".join(f"{n}: {ko}" for n, _, ko in said))
 
 
-def _of_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Text | None:
+def _bound_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | None, tolerance: float) -> Text | None:
     if given is None or wanted is None or math.hypot(*given) < 1e-9:
         return Text("all zeros is no rotation", "모두 0이면 회전이 아닙니다") if given is not None else None
     if any(all(abs(sign * a - b) <= tolerance for a, b in zip(given, wanted, strict=True)) for sign in (1.0, -1.0)):
@@ -100,16 +100,16 @@ def _of_rotation(given: tuple[float, ...] | None, wanted: tuple[float, ...] | No
     return Text(f"off by {size.en}", f"{size.ko} 어긋났습니다")
 
 
-def _of_pose(form: Pose, answer: Plain, expected: Plain) -> Text | None:
+def _bound_pose(form: Pose, answer: Plain, expected: Plain) -> Text | None:
     given, wanted = pose_of(answer), pose_of(expected)
     if given is None or wanted is None:
         return None
-    place = _of_vector(given[2], wanted[2], form.tolerance_m)
-    turn = _of_rotation(given[3], wanted[3], form.tolerance_rad / 2.0)  # as the form compares its parts
+    place = _bound_vector(given[2], wanted[2], form.tolerance_m)
+    turn = _bound_rotation(given[3], wanted[3], form.tolerance_rad / 2.0)  # as the form compares its parts
     return Text(f"translation: {place.en}. Rotation: {turn.en}", f"이동: {place.ko}. 회전: {turn.ko}")
 
 
-def _of_sequence(given: Plain, wanted: Plain) -> Text | None:
+def _bound_sequence(given: Plain, wanted: Plain) -> Text | None:
     if not isinstance(given, list) or not isinstance(wanted, list):
         return None
     if len(given) > len(wanted):
@@ -122,7 +122,7 @@ def _of_sequence(given: Plain, wanted: Plain) -> Text | None:
     return Text("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
 
 
-def _of_tree(answer: Plain, expected: Plain) -> Text | None:
+def _bound_tree(answer: Plain, expected: Plain) -> Text | None:
     """Say which children of the answer hang wrong, and how many edges there should be."""
     edges = edges_of(answer) or []
     fits = belonging(Tree(), answer, expected) if edges else []
@@ -139,7 +139,7 @@ def _of_tree(answer: Plain, expected: Plain) -> Text | None:
     return _joined(said)
 
 
-def _of_set(form: Set, answer: Plain, expected: Plain) -> Text | None:
+def _bound_set(form: Set, answer: Plain, expected: Plain) -> Text | None:
     """Say how many members do not belong, and how many are missing."""
     fits = belonging(form, answer, expected) if members_of(answer) else []
     missing = _wanted_count(form, expected) - sum(fits)
@@ -162,10 +162,10 @@ def _joined(said: list[Text]) -> Text | None:
     return Text("; ".join(words.en for words in said), "; ".join(words.ko for words in said)) if said else None
 
 
-def _of_parts(form: Form, answer: Plain, expected: Plain) -> Text | None:
+def _bound_parts(form: Form, answer: Plain, expected: Plain) -> Text | None:
     """Say it of the first part that is wrong and can be spoken of."""
     if not isinstance(form, Parts):
-        return _of_message(form, answer, expected) if isinstance(form, Message) else None
+        return _bound_message(form, answer, expected) if isinstance(form, Message) else None
     given, wanted = inside(answer), inside(expected)
     if not isinstance(given, dict) or not isinstance(wanted, dict):
         return None
@@ -177,21 +177,21 @@ def _of_parts(form: Form, answer: Plain, expected: Plain) -> Text | None:
     return None
 
 
-def _of_message(form: Message, answer: Plain, expected: Plain) -> Text | None:
+def _bound_message(form: Message, answer: Plain, expected: Plain) -> Text | None:
     """Say which fields are right, and of the first one that is not what is certain about it."""
     rights = form.judge(answer, expected)
     right = [path for path, right in zip(form.fields, rights, strict=True) if right]
     said = [Text(f"right: {', '.join(right)}", f"맞음: {', '.join(right)}")] if right else []
-    parts = sections(form, expected)
+    parts = part_forms(form, expected)
     wrong = (name for name, is_right in zip(parts, rights, strict=True) if not is_right)
     for name in wrong:
-        of_field = certain(parts[name], *(section(form, plain, name) for plain in (answer, expected)))
+        of_field = certain(parts[name], *(part_of(form, plain, name) for plain in (answer, expected)))
         if of_field is not None:
             return _joined([*said, Text(f"{name}: {of_field.en}", f"{name}: {of_field.ko}")])
     return _joined(said)
 
 
-def _of_command(form: Command, answer: Plain, expected: Plain) -> Text | None:
+def _bound_command(form: Command, answer: Plain, expected: Plain) -> Text | None:
     """Say which words of a command line are right; of a static transform, which of its numbers and names."""
     given, wanted = form.read(answer), form.probes(expected)
     if not given or not wanted:
@@ -213,7 +213,7 @@ def _of_command(form: Command, answer: Plain, expected: Plain) -> Text | None:
     return Text(f"right: {others}; wrong: {names}", f"맞음: {others}; 틀림: {names}")
 
 
-def _of_name(answer: Plain, expected: Plain) -> Text | None:
+def _bound_name(answer: Plain, expected: Plain) -> Text | None:
     """Say whether a name is nearly the one that is asked for; never which that is."""
     if not isinstance(answer, str) or not isinstance(expected, str) or not answer:
         return None

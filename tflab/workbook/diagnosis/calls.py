@@ -12,57 +12,50 @@ from ..answers.form import Form, inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from ..tasks.case_types import Case, TaskCases
-from .explanation import Explains, Explanation, and_then, said_of
-from .matching import ANY_BUG, alike, all_alike, is_just, words_of
+from ..tasks.case_types import Case
+from .explanation import Explanation, describe
+from .matching import ANY_BUG, alike, all_alike, feedback_of, matches_closely
 from .python_errors import tip_for
+from .question import Question, Rest
 
-__all__ = ["gave", "of_changes", "of_refusals", "of_stops", "of_words_apart", "side_by_side"]
+__all__ = [
+    "explain_changed_arguments",
+    "explain_options_one_by_one",
+    "explain_raises",
+    "explain_swallowed_exceptions",
+    "mistakes_by_call",
+    "return_value",
+]  # fmt: skip
 
 TEXTS = Texts(__file__)
 
 
-def gave(outcome: Plain) -> Plain:
-    """Return what a function gave, whether or not it changed an argument."""
+def return_value(outcome: Plain) -> Plain:
+    """Return what a function return_value, whether or not it changed an argument."""
     return outcome["gave"] if isinstance(outcome, dict) and "gave" in outcome else outcome
 
 
-def of_changes(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    explained: Explains,
-) -> Explanation | None:
-    """Return what `explained` says of the results, and that an argument was changed; None if it says nothing."""
-    numbers = [outcome["changed"] for outcome in outcomes if isinstance(outcome, dict) and "changed" in outcome]
-    results = [gave(outcome) for outcome in outcomes]
-    if not numbers or all_alike(task.form, results, [case.expected for case in cases]):
+def explain_changed_arguments(question: Question) -> Rest | None:
+    """Return that an argument was changed, and the results to explain; None if these are right."""
+    number = next(outcome["changed"] for outcome in question.outcomes if return_value(outcome) is not outcome)
+    rest = question.with_outcomes([return_value(outcome) for outcome in question.outcomes])
+    if all_alike(rest.form, rest.outcomes, rest.expected):
         return None
-    first = explained(task, cases, results)
-    if first is None:
-        return None
-    said = TEXTS["changed"].filled(number=numbers[0])
-    return and_then(first, Explanation.of("input changed", said))
+    return Rest(Explanation.of("input changed", TEXTS["changed"].filled(number=number)), rest)
 
 
-def of_refusals(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    explained: Explains,
-) -> Explanation | None:
-    """Return what became of the exceptions that a function has to raise, and of the rest what `explained` says."""
-    pairs = list(zip(cases, outcomes, strict=True))
-    refused = [outcome for case, outcome in pairs if is_raised(case.expected)]
-    rest = [(case, outcome) for case, outcome in pairs if not is_raised(case.expected)]
-    is_another = _are_others(task, pairs)
-    if not refused or not rest or (any(map(is_raised, refused)) and not is_another):
+def explain_swallowed_exceptions(question: Question) -> Rest | None:
+    """Return what became of the exceptions that a function has to raise, and the other calls to explain."""
+    raises = question.calls_that_raise()
+    refused, rest = question.calls(raises), question.calls(not each for each in raises)
+    is_another = all(map(is_raised, refused.outcomes)) and not any(refused.is_right)
+    if not refused.cases or not rest.cases or (any(map(is_raised, refused.outcomes)) and not is_another):
         return None
-    slip = _another(refused) if is_another else _swallowed(refused)
-    if all(alike(task.form, outcome, case.expected) for case, outcome in rest):  # the verdict says the rest by itself
-        return slip if not is_another and slip.said is not TEXTS["something"] else None
-    first = explained(task, *zip(*rest, strict=True))
-    return and_then(first, slip) if first else None
+    found = _another(refused.outcomes) if is_another else _swallowed(refused.outcomes)
+    if not all(rest.is_right):
+        return Rest(found, rest)
+    is_said_by_the_verdict = is_another or found.said is TEXTS["something"]
+    return None if is_said_by_the_verdict else Rest(found, None, is_enough=True)
 
 
 def _swallowed(refused: Sequence[Plain]) -> Explanation:
@@ -75,12 +68,6 @@ def _swallowed(refused: Sequence[Plain]) -> Explanation:
     return Explanation.of("no refusal", TEXTS["something"])
 
 
-def _are_others(task: TaskCases, pairs: Sequence[tuple[Case, Plain]]) -> bool:
-    """Return whether an exception is raised wherever one is asked for, and never that one."""
-    refused = [(case, outcome) for case, outcome in pairs if is_raised(case.expected)]
-    return all(is_raised(outcome) and not alike(task.form, outcome, case.expected) for case, outcome in refused)
-
-
 def _another(refused: Sequence[Plain]) -> Explanation:
     errors = " / ".join(sorted({str(outcome["raises"]) for outcome in refused if isinstance(outcome, dict)}))
     return Explanation.of("another exception", TEXTS["another"].filled(error=errors))
@@ -91,44 +78,38 @@ BUGS = ANY_BUG | {"AssertionError", "ZeroDivisionError"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
 
 
-def of_stops(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    explained: Explains,
-) -> Explanation | None:
-    """Return what `explained` says of the calls that go on, and then that others stop; None if either is missing."""
-    pairs = list(zip(cases, outcomes, strict=True))
-    stopped = [outcome for case, outcome in pairs if is_raised(outcome) and not is_raised(case.expected)]
-    rest = [(case, outcome) for case, outcome in pairs if not is_raised(outcome) or is_raised(case.expected)]
-    if not stopped:
+def explain_raises(question: Question) -> Rest | None:
+    """Return that some calls raise where an answer is expected, and the other calls to explain."""
+    pairs = list(zip(question.outcomes, question.calls_that_raise(), strict=True))
+    goes_on = [not is_raised(outcome) or is_expected for outcome, is_expected in pairs]
+    rest, stopped = question.calls(goes_on), question.calls(not goes for goes in goes_on)
+    if not stopped.cases:
         return None
-    is_rest_right = all(alike(task.form, outcome, case.expected) for case, outcome in rest)
-    first = None if is_rest_right else explained(task, *zip(*rest, strict=True))  # any slip fits that shows in none
-    if (uncaught := _uncaught(task, pairs, stopped)) is not None:
-        return and_then(first, uncaught) if first else uncaught
-    if first is None or len(rest) < FEWEST or stopped[0]["raises"] not in BUGS:
+    left = None if all(rest.is_right) else rest  # any mistake fits that shows in none of them
+    if (uncaught := _uncaught(question, stopped.outcomes)) is not None:
+        return Rest(uncaught, left, is_enough=True)
+    error, text = stopped.outcomes[0]["raises"], stopped.outcomes[0].get("text", "")
+    if left is None or len(rest.cases) < FEWEST or error not in BUGS:
         return None
-    error, tip = stopped[0]["raises"], tip_for(stopped[0]["raises"], stopped[0].get("text", ""))
-    filled = {"stopped": len(stopped), "of": len(pairs), "error": error}
-    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**filled, tip=tip)))
-    return and_then(first, Explanation.of(f"stops: {error}", said))
+    counts = {"stopped": len(stopped.cases), "of": len(question.cases), "error": error}
+    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**counts, tip=tip_for(error, text))))
+    return Rest(Explanation.of(f"stops: {error}", said), left)
 
 
-def _uncaught(task: TaskCases, pairs: Sequence[tuple[Case, Plain]], stopped: Sequence[Plain]) -> Explanation | None:
-    """Return that tf2's own exceptions go through a function which is to put each of them into a word."""
+def _uncaught(question: Question, stopped: Sequence[Plain]) -> Explanation | None:
+    """Return that tf2's own exceptions go through a function which has to return an option for each of them."""
     errors = sorted({str(outcome["raises"]) for outcome in stopped})
-    is_of_words = isinstance(task.form, Choice) and not any(is_raised(case.expected) for case, _ in pairs)
-    if not errors or not is_of_words or not all(error in OF_TF2 for error in errors):
+    is_of_options = isinstance(question.form, Choice) and not any(question.calls_that_raise())
+    if not is_of_options or not OF_TF2.issuperset(errors):
         return None
-    names = ", ".join(errors)
-    return Explanation.of("uncaught", TEXTS["uncaught"].filled(stopped=len(stopped), of=len(pairs), errors=names))
+    counts = {"stopped": len(stopped), "of": len(question.cases), "errors": ", ".join(errors)}
+    return Explanation.of("uncaught", TEXTS["uncaught"].filled(**counts))
 
 
 MOST = 3  # that are looked for
 
 
-def side_by_side(
+def mistakes_by_call(
     form: Form, outcomes: Sequence[Plain], expected: Sequence[Plain], gives: dict[str, list[Plain]]
 ) -> Iterator[tuple[str, ...]]:
     """Yield two or three slips of which each shows alone in some call, and that give together what came out.
@@ -170,7 +151,7 @@ def _fit(
     """Return whether each call that is wrong gives what one of the slips gives that show in it."""
     for number, outcome in enumerate(outcomes):
         seen = [name for name in chosen if shows[name] >> number & 1]
-        if seen and not any(is_just(form, [outcome], [gives[name][number]]) for name in seen):
+        if seen and not any(matches_closely(form, [outcome], [gives[name][number]]) for name in seen):
             return False
     return True
 
@@ -183,22 +164,23 @@ class _Word(NamedTuple):
     wrong: dict[str, Plain]
 
 
-def of_words_apart(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+def explain_options_one_by_one(question: Question) -> Explanation | None:
     """Return which slips give the words in a function's lists; None if no few of them do."""
-    places = _places(cases, outcomes) if isinstance(task.form, ListForm) else []
-    if not places or not isinstance(task.form.of, Choice):
+    task, form = question.task, question.form
+    places = _places(question.cases, question.outcomes) if isinstance(form, ListForm) else []
+    if not places or not isinstance(form.of, Choice):
         return None
-    sure, is_all = _sure(task.form.of, places)
+    sure, is_all = _sure(form.of, places)
     if not sure:
         return None
-    told, slips = said_of(task, sure), {name: words_of(task, name) for name in sure}
+    told, slips = describe(task, sure), {name: feedback_of(task, name) for name in sure}
     return Explanation(slips, told if is_all else Text.joined(told, TEXTS["and_more"]))
 
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
     """Return the slips that all the simplest explanations have in common, and whether there is but one."""
     gives = {name: [place.wrong[name] for place in places] for name in places[0].wrong}
-    found = list(side_by_side(form, [place.said for place in places], [place.wanted for place in places], gives))
+    found = list(mistakes_by_call(form, [place.said for place in places], [place.wanted for place in places], gives))
     ways = [way for way in found if len(way) == len(found[0])]
     return [name for name in (ways or [()])[0] if all(name in way for way in ways)], len(ways) == 1
 

@@ -11,9 +11,9 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
 from .generic import unit_of
-from .matching import alike, is_just
+from .matching import alike, matches_closely
 
-__all__ = ["constant_of", "given_to", "habit_of", "leaves"]
+__all__ = ["constant_of", "find_coding_pattern", "find_input", "leaves"]
 
 TEXTS = Texts(__file__)
 
@@ -29,7 +29,7 @@ OF_A_LIST: dict[str, Callable[[list], Plain]] = {
 }
 
 
-def habit_of(
+def find_coding_pattern(
     form: Form, args: Sequence[list[Plain]], outcomes: Sequence[Plain], wanted: Sequence[Plain]
 ) -> tuple[str, Text] | None:
     """Return the habit that gives what came out in every call, and what to say of it; None if none does."""
@@ -40,7 +40,7 @@ def habit_of(
     if not isinstance(form, Number | Angle | Name) or len({str(outcome) for outcome in outcomes}) < FEWEST:
         return None
     for name, number, values in _candidates(args):
-        if is_just(form, outcomes, values):
+        if matches_closely(form, outcomes, values):
             return name, TEXTS[name].filled(at=number)
     return None
 
@@ -107,7 +107,7 @@ def _same(one: list[Plain], other: list[Plain]) -> bool:
     return sorted(map(str, one)) == sorted(map(str, other))
 
 
-def given_to(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
+def find_input(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
     """Return under which name an answer was given, if it is nothing else than that."""
     if isinstance(form, Choice | Parts | ListForm) or alike(form, outcome, expected):
         return None

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from ...text import Text, Texts
 
-__all__ = ["TEXTS", "Line", "told_of_a_line", "wrong_in"]
+__all__ = ["TEXTS", "Line", "describe_line", "wrong_in"]
 
 TEXTS = Texts(__file__)
 COMMANDS: Mapping[str, Text] = Texts(str(Path(__file__).with_name("commands.yaml")))  # what each does
@@ -25,7 +25,7 @@ STATIC_OPTIONS = {
 ANOTHER = ("line: other command", "line: other program")
 
 
-def told_of_a_line(kind: str, told: str) -> Text:
+def describe_line(kind: str, told: str) -> Text:
     """Return what is told of a line: what the command does that it starts, or which of its words nobody asked for."""
     if kind in ANOTHER:
         return Text(f"`{told}` {COMMANDS[told].en}", f"`{told}`: {COMMANDS[told].ko}")

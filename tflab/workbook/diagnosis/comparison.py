@@ -30,17 +30,17 @@ FARTHEST_M = 1e4  # beyond that there is nothing to see
 def picture_of(form: Form, answer: Plain, expected: Plain) -> Picture | None:
     """Return both drawn together, or None if there is nothing to draw."""
     if isinstance(form, Parts):
-        return _of_parts(form, answer, expected)
+        return _draw_parts(form, answer, expected)
     if isinstance(form, Pose):
         return _poses(_transform(answer), _transform(expected))
     if isinstance(form, Message):
-        return _of_message(form, answer, expected)
+        return _draw_message(form, answer, expected)
     if isinstance(form, Vector) and form.size == 3 and form.unit == "m":
         return _points(form.frame, answer, expected)
     return None
 
 
-def _of_parts(form: Parts, answer: Plain, expected: Plain) -> Picture | None:
+def _draw_parts(form: Parts, answer: Plain, expected: Plain) -> Picture | None:
     """Draw a pose in the plane, or the first wrong part that can be drawn."""
     if "yaw" in form.parts:
         return _poses(_planar(answer), _planar(expected))
@@ -51,7 +51,7 @@ def _of_parts(form: Parts, answer: Plain, expected: Plain) -> Picture | None:
     return None
 
 
-def _of_message(form: Message, answer: Plain, expected: Plain) -> Picture | None:
+def _draw_message(form: Message, answer: Plain, expected: Plain) -> Picture | None:
     """Draw a TransformStamped, or a PointStamped in the frame that is expected."""
     if form.type.endswith("/TransformStamped"):
         return _poses(_transform(answer), _transform(expected))

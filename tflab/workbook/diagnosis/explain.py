@@ -1,170 +1,236 @@
-"""How did this wrong answer come about?  The simplest slips that give just it: one, or two, in the order of the work.
+"""Explain a wrong answer: one ordered table, of which the first row that can explain the answer counts.
 
-    answer --> one slip of the task?  one that any answer can have?  two slips?  a slip, and then a universal one?
-           --> what was given?  a slip in some calls, not in all?  words that are confused?
-    parts  --> each by itself (members.py)
+    explain(question)       Explanation({"swapped": ...}, Text("You swapped ..."))
+    list_asked(question)    [("a text that was not filled in", False), ..., ("one mistake of the task", True)]
 
-Pairs of slips are searched for, and only where nothing simpler gives the answer
-(`tasks/pairs.py`).  The field calls this a *bug library* whose bugs compose (BUGGY,
-DEBUGGY), searched by model tracing.
-A name is given only where the whole of the answer, or of a part, is what that slip
-gives.
+The order is that of certainty: what is seen in the answer itself, one mistake, two mistakes, what the calls
+of a function have in common. A name is given only where the whole of an answer, or of a part, is what that
+mistake gives. The field calls such a table a *bug library* (BUGGY, DEBUGGY), searched by model tracing.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator
+from typing import Literal, NamedTuple
 
 from ...text import Text, Texts, begun
 from ..answers.form import numbers_of
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from ..tasks.case_types import AND, Case, TaskCases
+from ..tasks.case_types import AND
 from ..tasks.credit import habit
-from .calls import gave, of_changes, of_refusals, of_stops, of_words_apart, side_by_side
-from .coding_patterns import given_to, habit_of
-from .explanation import Explanation, said_of
-from .generic import of_names, unfilled
-from .links import of_robots
-from .lookup_time import of_requests
-from .matching import MEASURED, ONE, TWO, alike, all_alike, in_some, is_just, sections, undone_to, words_of
+from .calls import (
+    explain_changed_arguments,
+    explain_options_one_by_one,
+    explain_raises,
+    explain_swallowed_exceptions,
+    mistakes_by_call,
+    return_value,
+)
+from .coding_patterns import find_coding_pattern, find_input
+from .explanation import Explanation, and_then, describe
+from .generic import describe_names, unfilled
+from .links import explain_links
+from .lookup_time import explain_lookup_time
+from .matching import (
+    MEASURED,
+    ONE,
+    TWO,
+    alike,
+    all_alike,
+    feedback_of,
+    in_some,
+    matches_closely,
+    matching_corrections,
+    part_forms,
+)
 from .options import confused, confused_in_lists, seen_of, word_of
-from .parts import changed_places, of_lists, of_members, plain_in_one
+from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
 from .precision import TOLD, by_comparison
+from .question import Question, Rest
 from .vector_terms import put_together
-from .wrong_types import of_times
+from .wrong_types import explain_durations
 
-__all__ = ["explained"]
+__all__ = ["TABLE", "Explainer", "explain", "list_asked"]
 
 TEXTS = Texts(__file__)
 
-FEWEST_DIGITS = 3  # of a number for two slips that are near to it to be no chance
+FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
+MORE_THAN_ORDER = ("places and signs", "exchanged")  # generic mistakes that a more precise row may explain
 
 
-def explained(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None = None
-) -> Explanation | None:
-    """Return how an answer came about, or None if nothing that is known gives it.
+class Explainer(NamedTuple):
+    """One way to explain an answer.
 
-    Args:
-        given: what the learner was shown, where that varies.
+    Attributes:
+        name: what is looked for.
+        explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
+        of: which answers are asked about.
+        forms: the forms that it applies to; all if empty.
+        is_last: whether no later row is asked where this one's condition holds.
+        condition: when it is asked, beside `of` and `forms`.
+        certainty: "seen" if it is plain in the answer; "fits" if it gives exactly what came out.
     """
-    if isinstance(task.form, Parts) and not task.is_function:
-        return _of_parts(task, cases, outcomes, given)
-    if words := unfilled(task.form, outcomes):
-        return Explanation.of("nothing filled in", words)
-    if found := _of_moments(task, cases, outcomes, given):
-        return found
-    if task.is_function and any(gave(outcome) is not outcome for outcome in outcomes):
-        return of_changes(task, cases, outcomes, explained)
-    names = next(_ways(task, cases, outcomes, given), None)
-    if not _is_simple(names) and (found := _more_simply(task, cases, outcomes, given)):
-        return found
-    if names:
-        return _by_name(task, cases, outcomes, names)
-    if task.is_function and habit(task.form, cases, outcomes):  # a constant, or what came in: that says it all
-        return None
-    return (
-        of_stops(task, cases, outcomes, explained)
-        or of_refusals(task, cases, outcomes, explained)
-        or _of_the_form(task, cases, outcomes, given)
-    )
+
+    name: str
+    explain: Callable[[Question], Explanation | Rest | None]
+    of: Literal["value", "function", "any"] = "any"
+    forms: tuple[type[Form], ...] = ()
+    is_last: bool = False
+    condition: Callable[[Question], bool] | None = None
+    certainty: Literal["seen", "fits"] = "fits"
+
+    def applies(self, question: Question) -> bool:
+        """Return whether this row is asked."""
+        is_of = self.of == "any" or (self.of == "function") is question.task.is_function
+        is_form = not self.forms or isinstance(question.form, self.forms)
+        return is_of and is_form and (self.condition is None or self.condition(question))
 
 
-def _of_moments(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
-    """Return that a time stands where a number is asked for, or for which moment a buffer was asked that refuses."""
-    return of_times(task, cases, outcomes, lambda *rest: explained(*rest, given)) or of_requests(cases, outcomes)
+def explain(question: Question) -> Explanation | None:
+    """Return the first explanation of the table, or None if there is none."""
+    return next((found for _, found in _answers(question) if found is not None), None)
 
 
-def _of_parts(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
-    """Return how a value of several parts came about: several slips only where nothing simpler is to be seen."""
-    found = of_members(task, cases, outcomes, given)
+def list_asked(question: Question) -> list[tuple[str, bool]]:
+    """Return which rows were asked about an answer, in order, and whether each explained it."""
+    rows = []
+    for row, found in _answers(question):
+        rows.append((row.name, found is not None))
+        if found is not None:
+            break
+    return rows
+
+
+def _answers(question: Question) -> Iterator[tuple[Explainer, Explanation | None]]:
+    for row in TABLE:
+        if row.applies(question):
+            found = row.explain(question)
+            yield row, _with_the_rest(found) if isinstance(found, Rest) else found
+            if row.is_last:
+                return
+
+
+def _with_the_rest(found: Rest) -> Explanation | None:
+    first = explain(found.question) if found.question else None
+    if first is None:
+        return found.then if found.is_enough else None
+    return and_then(first, found.then)
+
+
+# -- one mistake, or two ---------------------------------------------------------------------
+
+
+def _explain_unfilled_text(question: Question) -> Explanation | None:
+    words = unfilled(question.form, question.outcomes)
+    return Explanation.of("nothing filled in", words) if words else None
+
+
+def _explain_value_of_parts(question: Question) -> Explanation | None:
+    """Explain each part; several mistakes only where there is nothing simpler, and no two give all of it."""
+    found = explain_parts(question)
     if found is None or len(found.slips) < 2:
         return found
-    if simpler := plain_in_one(task, cases, outcomes):
+    if simpler := explain_obvious_part(question):
         return simpler
-    pair = next(_two(task, cases, outcomes, given, ONE), None) if len(found.slips) > 2 else None
-    return _by_name(task, cases, outcomes, pair) if pair else found
+    pair = next(_pairs(question, ONE), None) if len(found.slips) > 2 else None
+    return _explained_by(question, *pair) if pair else found
 
 
-def _is_simple(names: tuple[str, ...] | None) -> bool:
-    """Return whether this is one mistake, and says more than that places, or places and signs, are others."""
-    return names is not None and len(names) == 1 and not names[0].startswith(("places and signs", "exchanged"))
+def _explain_one_mistake(question: Question) -> Explanation | None:
+    """Name the mistake of the task that gives the answer; before one that is only near to it, two that are exact."""
+    near = _single(question, ONE)
+    if near and _is_measured_value(question) and not _single(question, A_HAIR):
+        pair = next(_pairs(question, A_HAIR), None)
+        if pair:
+            return _explain_given_point(question) or _explained_by(question, *pair)
+    return _explained_by(question, near[0]) if near else None
 
 
-def _more_simply(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
-    """Return what is more certain than two slips that meet: two parts exchanged, a sign, numbers in other places."""
-    found = changed_places(task, cases, outcomes, given) or plain_in_one(task, cases, outcomes)
-    put = None if found or task.is_function else put_together(task.form, outcomes[0], cases[0].expected, given)
-    return Explanation.of(*put) if put else found
+def _explain_obvious_mistake(question: Question) -> Explanation | None:
+    """Name a mistake that any answer can have, and that is plain to see."""
+    names = matching_corrections(question.form, question.outcomes, question.expected, only_plain_to_see=True)
+    return _explained_by_first(question, ((name,) for name in names))
 
 
-def _by_name(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], names: tuple[str, ...]) -> Explanation:
-    """Return what is said of slips that give an answer; a habit says more than that a list is too long."""
-    if (
-        [name.partition(TOLD)[0] for name in names] == ["members too many"]
-        and task.is_function
-        and (found := _of_a_habit(task, cases, outcomes))
-    ):
-        return found
-    slips = {name.partition(TOLD)[0]: words_of(task, name) for name in names}
-    said = said_of(task, names)
-    if len(names) == 1 and _is_only_near(task, cases, outcomes, names[0]):
-        said = TEXTS["only_near"].filled(said=Text(begun(said.en), said.ko))
-    return Explanation(slips, said)
+def _explain_input_as_it_came(question: Question) -> Explanation | None:
+    name = find_input(question.form, question.outcomes[0], question.expected[0], question.inputs)
+    return _explained_by(question, f"given {name}") if name else None
 
 
-def _is_only_near(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], name: str) -> bool:
-    """Return whether a number is what a slip of the task gives to some digits alone: two others may come to it, too."""
-    if task.is_function or name not in cases[0].wrong or not isinstance(task.form, Number | Angle | Vector):
-        return False
-    return not is_just(task.form, outcomes, [cases[0].wrong[name]], A_HAIR)
-
-
-def _of_the_form(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
-    """Return what explains an answer of this form: its members, the words that it confuses, how it was computed."""
-    is_split = isinstance(task.form, Command | Pose) and sections(task.form, outcomes[0])
-    if isinstance(task.form, Parts | Message) or is_split:
-        return of_members(task, cases, outcomes, given)
-    if isinstance(task.form, Urdf):
-        return of_robots(task, outcomes[0], cases[0].expected)
-    if task.is_function:
-        return _of_calls(task, cases, outcomes)
-    return of_lists(task, cases, outcomes)
-
-
-def _of_calls(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
-    """Return what all calls together show: a habit, what the members of lists have wrong, words that are confused."""
-    found = _of_a_habit(task, cases, outcomes) or of_lists(task, cases, outcomes) or _of_words(task, cases, outcomes)
-    words = None if found else of_names(task.form, outcomes, [case.expected for case in cases])
-    return Explanation.of("names", words) if words else found
-
-
-def _of_a_habit(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
-    found = habit_of(task.form, [case.args or [] for case in cases], outcomes, [case.expected for case in cases])
+def _explain_given_point(question: Question) -> Explanation | None:
+    """Say how the numbers of a given point were put together, where no simple generic mistake says it."""
+    if question.task.is_function:
+        return None
+    found = put_together(question.form, question.outcomes[0], question.expected[0], question.inputs)
     return Explanation.of(*found) if found else None
 
 
-def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
-    """Return which words a function confuses, alone or in the lists that it gives, and in which calls."""
-    wanted, form = [case.expected for case in cases], task.form
-    if not isinstance(form, Choice | ListForm):
+def _explain_two_mistakes(question: Question) -> Explanation | None:
+    return _explained_by_first(question, _pairs(question, TWO))
+
+
+def _explain_mistakes_by_call(question: Question) -> Explanation | None:
+    """Name two or three mistakes of which each shows alone in some call."""
+    found = mistakes_by_call(question.form, question.outcomes, question.expected, question.single_mistakes)
+    return _explained_by_first(question, found)
+
+
+def _explain_mistake_and_generic(question: Question) -> Explanation | None:
+    """Name a mistake of the task and an obvious one that any answer can have, made after it."""
+    rows = question.single_mistakes.items()
+    return _explained_by_first(question, (
+        (first, then)
+        for first, row in rows
+        for then in matching_corrections(question.form, question.outcomes, row, only_plain_to_see=True)
+    ))  # fmt: skip
+
+
+def _explain_generic_mistake(question: Question) -> Explanation | None:
+    names = next(((name,) for name in matching_corrections(question.form, question.outcomes, question.expected)), None)
+    if names and [name.partition(TOLD)[0] for name in names] == ["members too many"] and question.task.is_function:
+        return _explain_coding_pattern(question) or _explained_by(question, *names)
+    return _explained_by(question, *names) if names else None
+
+
+def _explain_mistake_in_each_answer(question: Question) -> Explanation | None:
+    """Name the mistake that gives each answer, where it would not raise as the function does."""
+    answered = [is_right for is_right, raises in zip(question.is_right, question.calls_that_raise(), strict=True)
+                if not raises]  # fmt: skip
+    if len(answered) < 2 or any(answered):
         return None
+    rows = question.single_mistakes.items()
+    return _explained_by_first(question, ((name,) for name, row in rows if _is_all_that_is_wrong(question, row)))
+
+
+def _explain_generic_mistake_in_some_calls(question: Question) -> Explanation | None:
+    found = in_some(question.form, question.outcomes, question.expected)
+    return _explained_by_first(question, ((name,) for name in found))
+
+
+# -- what all calls show ---------------------------------------------------------------------
+
+
+def _explain_nothing(question: Question) -> None:
+    """Leave a constant, or what came in, to the verdict: that says it all."""
+
+
+def _explain_coding_pattern(question: Question) -> Explanation | None:
+    args = [case.args or [] for case in question.cases]
+    found = find_coding_pattern(question.form, args, question.outcomes, question.expected)
+    return Explanation.of(*found) if found else None
+
+
+def _explain_confused_options(question: Question) -> Explanation | None:
+    """Say which option stands for which, alone or in lists, and in which call it shows."""
+    task, form, wanted, outcomes = question.task, question.form, question.expected, question.outcomes
     found = confused(form, outcomes, wanted) if isinstance(form, Choice) else confused_in_lists(form, outcomes, wanted)
     if found is None or not found.word:
         return Explanation.of(found.name, found.said) if found else None
-    if (apart := of_words_apart(task, cases, outcomes)) is not None:
-        return apart
+    if (one_by_one := explain_options_one_by_one(question)) is not None:
+        return one_by_one
     explanation = Explanation.of(
         found.name, Text.joined(found.said, task.means.get(found.word), seen_of(found, task.seen))
     )
@@ -174,95 +240,140 @@ def _of_words(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain])
     return explanation
 
 
-def _ways(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Iterator[tuple[str, ...]]:
-    """Yield the combinations that give these outcomes, the simplest first."""
-    form, expected = task.form, [case.expected for case in cases]
-    single = {name: [case.wrong.get(name) for case in cases] for name in cases[0].wrong}
-    yield from _ones(task, cases, outcomes, single, given)
-    yield from ((name,) for name in undone_to(form, outcomes, expected, only_plain_to_see=True))
-    if task.is_function and habit(form, cases, outcomes):
-        return
-    if not task.is_function and (held := given_to(form, outcomes[0], expected[0], given)):
-        yield (f"given {held}",)
-    if not _is_short(task, outcomes, expected):
-        yield from _two(task, cases, outcomes, given, TWO)
-    if task.is_function and not isinstance(getattr(form, "of", form), Choice):  # words fit by chance: see apart.py
-        yield from side_by_side(form, outcomes, expected, single)
-    yield from _further_ways(task, single, outcomes, expected)
+def _explain_names(question: Question) -> Explanation | None:
+    words = describe_names(question.form, question.outcomes, question.expected)
+    return Explanation.of("names", words) if words else None
 
 
-def _is_short(task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain]) -> bool:
-    """Return whether a value is a number of few digits, or the right one rounded: two slips fit it by chance."""
-    row = numbers_of(outcomes[0], None) if isinstance(task.form, Number) and not task.is_function else None
+# -- conditions ------------------------------------------------------------------------------
+
+
+def _changes_an_argument(question: Question) -> bool:
+    return any(return_value(outcome) is not outcome for outcome in question.outcomes)
+
+
+def _is_constant_or_input(question: Question) -> bool:
+    return bool(habit(question.form, question.cases, question.outcomes))
+
+
+def _is_split(question: Question) -> bool:
+    return isinstance(question.form, Parts | Message) or bool(part_forms(question.form, question.outcomes[0]))
+
+
+def _is_not_short(question: Question) -> bool:
+    """Return whether a number has digits enough for two mistakes to be no chance, and is not the right one rounded."""
+    is_number = isinstance(question.form, Number) and not question.task.is_function
+    row = numbers_of(question.outcomes[0], None) if is_number else None
     if row is None:
-        return False
+        return True
     digits = len(f"{abs(row[0]):.9f}".replace(".", "").strip("0"))
-    return digits < FEWEST_DIGITS or "rounded" in by_comparison(task.form, list(outcomes), list(expected))
+    lost = by_comparison(question.form, list(question.outcomes), question.expected)
+    return digits >= FEWEST_DIGITS and "rounded" not in lost
 
 
-def _ones(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    single: dict[str, list[Plain]],
-    given: dict[str, Plain] | None,
-) -> Iterator[tuple[str, ...]]:
-    """Yield the single slips that give a number; before one that it is only near to, the two that give it to a hair."""
-    ones = list(_just(task.form, outcomes, single, ONE))
-    is_number = not task.is_function and isinstance(task.form, MEASURED)
-    if ones and is_number and not any(_just(task.form, outcomes, single, A_HAIR)):
-        yield from _two(task, cases, outcomes, given, A_HAIR)
-    yield from ones
+def _is_no_option(question: Question) -> bool:
+    """Return whether no options are asked for: those fit mistakes by chance."""
+    return not isinstance(getattr(question.form, "of", question.form), Choice)
 
 
-def _two(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None, share: float
-) -> Iterator[tuple[str, ...]]:
-    """Yield the pairs of slips that give just these outcomes; they are searched for."""
-    if task.pairs is None:
+def _fits_order_alone(question: Question) -> bool:
+    """Return whether no generic mistake says more than that places, or places and signs, are others."""
+    names = matching_corrections(question.form, question.outcomes, question.expected)
+    return next(names, MORE_THAN_ORDER[0]).startswith(MORE_THAN_ORDER) or next(_pairs(question, TWO), None) is not None
+
+
+TABLE: tuple[Explainer, ...] = (
+    Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
+    Explainer("a text that was not filled in", _explain_unfilled_text, certainty="seen"),
+    Explainer("a Duration or a Time for seconds", explain_durations, forms=(Number,), certainty="seen"),
+    Explainer("the time of a lookup", explain_lookup_time),
+    Explainer(
+        "a changed argument",
+        explain_changed_arguments,
+        of="function",
+        condition=_changes_an_argument,
+        is_last=True,
+        certainty="seen",
+    ),
+    Explainer("one mistake of the task", _explain_one_mistake),
+    Explainer("an obvious generic mistake", _explain_obvious_mistake),
+    Explainer("exchanged parts", explain_exchanged_parts, forms=(Parts,)),
+    Explainer("an obvious mistake in one part", explain_obvious_part, forms=(Parts,)),
+    Explainer(
+        "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
+    ),
+    Explainer("an input as it came", _explain_input_as_it_came, of="value"),
+    Explainer(
+        "numbers of a given point", _explain_given_point, of="value", forms=(Vector,), condition=_fits_order_alone
+    ),
+    Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
+    Explainer("mistakes by call", _explain_mistakes_by_call, of="function", condition=_is_no_option),
+    Explainer("a mistake and a generic one", _explain_mistake_and_generic),
+    Explainer("a generic mistake", _explain_generic_mistake),
+    Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", forms=MEASURED),
+    Explainer("a generic mistake in some calls", _explain_generic_mistake_in_some_calls, of="function", forms=MEASURED),
+    Explainer("calls that raise", explain_raises, of="function", certainty="seen"),
+    Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function", certainty="seen"),
+    Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
+    Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
+    Explainer("a coding pattern", _explain_coding_pattern, of="function"),
+    Explainer("members of lists", explain_list_members, forms=(ListForm,)),
+    Explainer("confused options", _explain_confused_options, of="function", forms=(Choice, ListForm)),
+    Explainer("names", _explain_names, of="function"),
+)
+
+
+# -- matching --------------------------------------------------------------------------------
+
+
+def _explained_by_first(question: Question, ways: Iterator[tuple[str, ...]]) -> Explanation | None:
+    names = next(ways, None)
+    return _explained_by(question, *names) if names else None
+
+
+def _explained_by(question: Question, *names: str) -> Explanation:
+    """Return what is said of mistakes that give an answer."""
+    said = describe(question.task, names)
+    if len(names) == 1 and _is_only_near(question, names[0]):
+        said = TEXTS["only_near"].filled(said=Text(begun(said.en), said.ko))
+    return Explanation({name.partition(TOLD)[0]: feedback_of(question.task, name) for name in names}, said)
+
+
+def _is_only_near(question: Question, name: str) -> bool:
+    """Return whether a number is what a mistake gives to some digits alone: two others may come to it, too."""
+    if question.task.is_function or not isinstance(question.form, Number | Angle | Vector):
+        return False
+    row = question.single_mistakes.get(name)
+    return row is not None and not matches_closely(question.form, question.outcomes, row, A_HAIR)
+
+
+def _is_measured_value(question: Question) -> bool:
+    return not question.task.is_function and isinstance(question.form, MEASURED)
+
+
+def _single(question: Question, share: float) -> list[str]:
+    """Return the mistakes that give just these outcomes."""
+    rows = question.single_mistakes.items()
+    return [name for name, row in rows if matches_closely(question.form, question.outcomes, row, share)]
+
+
+def _pairs(question: Question, share: float) -> Iterator[tuple[str, ...]]:
+    """Yield the pairs of mistakes that give just these outcomes; they are searched for."""
+    if question.task.pairs is None:
         return
-    is_right = [alike(task.form, outcome, case.expected) for case, outcome in zip(cases, outcomes, strict=True)]
-    found = task.pairs.fitting(
-        cases,
-        sorted(range(len(cases)), key=is_right.__getitem__),
-        lambda number, value: ["whole"] * is_just(task.form, [outcomes[number]], [value], share),
-        given,
+    found = question.task.pairs.fitting(
+        question.cases,
+        sorted(range(len(question.cases)), key=question.is_right.__getitem__),
+        lambda number, value: ["whole"] * matches_closely(question.form, [question.outcomes[number]], [value], share),
+        dict(question.inputs),
     )
     yield from (tuple(name.split(AND)) for name in found)
 
 
-def _just(
-    form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], share: float
-) -> Iterator[tuple[str, ...]]:
-    """Yield the names of those that give just these outcomes."""
-    yield from ((name,) for name, row in gives.items() if is_just(form, outcomes, row, share))
-
-
-def _further_ways(
-    task: TaskCases, single: dict[str, list[Plain]], outcomes: Sequence[Plain], expected: Sequence[Plain]
-) -> Iterator[tuple[str, ...]]:
-    """Yield a slip and then a universal one, universal ones that are harder to see, and what shows in some calls."""
-    for first, row in single.items():
-        yield from ((first, then) for then in undone_to(task.form, outcomes, row, only_plain_to_see=True))
-    yield from ((name,) for name in undone_to(task.form, outcomes, expected))
-    if task.is_function and isinstance(task.form, MEASURED):
-        answered = [row for row in zip(outcomes, expected, strict=True) if not is_raised(row[1])]
-        if len(answered) > 1 and not any(alike(task.form, *row) for row in answered):
-            yield from ((name,) for name, row in single.items() if _is_all_that_is_wrong(task, outcomes, expected, row))
-        yield from ((name,) for name in in_some(task.form, outcomes, expected))
-
-
-def _is_all_that_is_wrong(
-    task: TaskCases, outcomes: Sequence[Plain], expected: Sequence[Plain], twin: Sequence[Plain]
-) -> bool:
-    """Return whether all that is wrong is what a slip gives, though the slip would give more."""
-    wrong = [
-        place
-        for place, (outcome, want) in enumerate(zip(outcomes, expected, strict=True))
-        if not all_alike(task.form, [outcome], [want])
-    ]
-    if any(is_raised(twin[place]) or is_raised(outcomes[place]) or twin[place] is None for place in wrong):
+def _is_all_that_is_wrong(question: Question, row: list[Plain]) -> bool:
+    """Return whether all that is wrong is what a mistake gives, though the mistake would give more."""
+    triples = zip(question.outcomes, question.expected, row, strict=True)
+    wrong = [(outcome, given) for outcome, want, given in triples if not all_alike(question.form, [outcome], [want])]
+    if any(is_raised(given) or is_raised(outcome) or given is None for outcome, given in wrong):
         return False
-    return all_alike(task.form, [outcomes[place] for place in wrong], [twin[place] for place in wrong])
+    return all(alike(question.form, *pair) for pair in wrong)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ...text import Text, Texts, begun
-from ..answers.values import Plain
-from ..tasks.case_types import Case, Feedback, TaskCases
-from .matching import words_of
+from ..tasks.case_types import Feedback, TaskCases
+from .matching import feedback_of
 
-__all__ = ["Explains", "Explanation", "Found", "and_then", "each_part_once", "said_of", "together"]
+__all__ = ["Explanation", "Found", "and_then", "describe", "each_part_once", "together"]
 
 TEXTS = Texts(__file__)
 
@@ -37,9 +36,6 @@ class Explanation(NamedTuple):
         return cls({name: Feedback(said, "")}, said)
 
 
-Explains = Callable[[TaskCases, Sequence[Case], Sequence[Plain]], Explanation | None]
-
-
 def and_then(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
     said = (
@@ -50,9 +46,9 @@ def and_then(first: Explanation, then: Explanation) -> Explanation:
     return Explanation(first.slips | then.slips, said, first.follows)
 
 
-def said_of(task: TaskCases, names: Sequence[str]) -> Text:
+def describe(task: TaskCases, names: Sequence[str]) -> Text:
     """Return what to say of one slip, or of two or three in the order of the work."""
-    said = [words_of(task, name).reply for name in names]
+    said = [feedback_of(task, name).reply for name in names]
     if len(said) == 1:
         return said[0]
     if len(said) == 2:

@@ -23,12 +23,12 @@ __all__ = [
     "PLAIN_TO_SEE",
     "TEXTS",
     "UNIVERSAL",
+    "corrections",
+    "describe_letters",
+    "describe_names",
     "holds_angles",
-    "letters_told",
-    "of_names",
+    "letters_changed",
     "renamed",
-    "said_of_letters",
-    "undone",
     "unfilled",
     "unit_of",
 ]
@@ -194,7 +194,7 @@ PLAIN_TO_SEE = {
 }
 
 
-def undone(form: Form, answer: Plain) -> Iterator[Undone]:
+def corrections(form: Form, answer: Plain) -> Iterator[Undone]:
     """Yield what an answer would be without each of the mistakes that an answer of its form can have."""
     if isinstance(form, Pose):
         yield from _undone_pose(answer)
@@ -216,7 +216,7 @@ def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
         lefts = list(UNIVERSAL[name].undo(row))
         if isinstance(form, Vector):  # what is sure of a number by its name comes first
             yield from (Undone(name, f"| {told}", _plain(left, size)) for left in lefts
-                        if (told := letters_told(name, row, left)))  # fmt: skip
+                        if (told := letters_changed(name, row, left)))  # fmt: skip
         yield from (Undone(name, "", _plain(left, size)) for left in lefts
                     if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance)  # fmt: skip
 
@@ -268,7 +268,7 @@ LETTERS = "xyz"
 BY_LETTER = {"one sign": "which sign", "exchanged": "which exchanged", "places and signs": "which is right"}  # texts
 
 
-def letters_told(name: str, given: Sequence[float], left: Sequence[float]) -> str:
+def letters_changed(name: str, given: Sequence[float], left: Sequence[float]) -> str:
     """Return which numbers of a point this mistake is about, as they are named; nothing where that is not sure.
 
     Args:
@@ -289,7 +289,7 @@ def letters_told(name: str, given: Sequence[float], left: Sequence[float]) -> st
     return ", ".join(moved) if len(moved) == 2 else ""
 
 
-def said_of_letters(name: str, told: str) -> Text | None:
+def describe_letters(name: str, told: str) -> Text | None:
     """Return what is said of a mistake and of these numbers; None of another mistake."""
     if name not in BY_LETTER or not told:
         return None
@@ -336,7 +336,7 @@ def unfilled(form: Form, outcomes: Sequence[Plain]) -> Text | None:
     return TEXTS["unfilled"].filled(text=first[0])
 
 
-def of_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
+def describe_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
     """Return what can be seen at the names that a function gives; None unless that covers all that are wrong."""
     if not isinstance(form, Name) or any(map(is_raised, wanted)):
         return None

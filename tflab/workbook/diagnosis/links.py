@@ -13,9 +13,10 @@ from ..answers.values import Plain
 from ..tasks.case_types import Feedback, TaskCases
 from .bounds import certain
 from .explanation import Explanation
-from .matching import undone_to, words_of
+from .matching import feedback_of, matching_corrections
+from .question import Question
 
-__all__ = ["of_robots"]
+__all__ = ["explain_links"]
 
 TEXTS = Texts(__file__)
 
@@ -25,16 +26,16 @@ SMALL = 1e-6
 ALONG_AN_AXIS = 1e-4  # by so much less than all of a step along it
 
 
-def of_robots(task: TaskCases, answer: Plain, expected: Plain) -> Explanation | None:
+def explain_links(question: Question) -> Explanation | None:
     """Return what is wrong with each link of a robot; None if the answer is none."""
-    form = task.form
+    task, form, answer, expected = question.task, question.form, question.outcomes[0], question.expected[0]
     given = form.read(answer) if isinstance(form, Urdf) else None
     if not given:
         return None
     slips, said = {}, []
     for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
         row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
-        for name, words in [] if any(_fits(row, right[0]) for row in rows) else _of_link(task, row, right[0]):
+        for name, words in [] if any(_fits(row, right[0]) for row in rows) else _explain_link(task, row, right[0]):
             slips[f"{link}: {name}"] = Feedback(words, "")
             said.append(Text(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
     return Explanation(slips, Text.joined(*said)) if said else None
@@ -44,17 +45,17 @@ def _fits(row: Row, right: Row) -> bool:
     return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
 
 
-def _of_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
+def _explain_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
     """Yield what is wrong with one link: what it hangs on alone, or its place and its turn, or how it moves."""
     if not _fits(row[:2], right[:2]):
-        yield "hangs", _of_joint(str(row[0].value), str(row[1].value), str(right[1].value))
+        yield "hangs", _explain_joint(str(row[0].value), str(row[1].value), str(right[1].value))
         return
     is_placed = True
     for name, start, form in (("place", 2, Vector(3, "m")), ("turn", 5, Quaternion())):
         values = [[float(mark.value) for mark in marks[start : start + len(_names(form))]] for marks in (row, right)]
         if not form.same(*values):
             is_placed = False
-            yield name, _filled(TEXTS[name], _of_numbers(task, form, *values))
+            yield name, _filled(TEXTS[name], _explain_numbers(task, form, *values))
     if is_placed:
         yield "moves", _filled(TEXTS["moves"], _movement(row))
 
@@ -63,7 +64,7 @@ def _names(form: Form) -> str:
     return "xyz" if isinstance(form, Vector) else "xyzw"
 
 
-def _of_joint(root: str, hangs: str, right: str) -> Text:
+def _explain_joint(root: str, hangs: str, right: str) -> Text:
     """Return what is wrong with what a link hangs on."""
     kind, _, parent = hangs.partition(" on ")
     if not parent:
@@ -75,11 +76,11 @@ def _of_joint(root: str, hangs: str, right: str) -> Text:
     return _filled(TEXTS["kind"], TEXTS[kind] if kind in KINDS else Text(f"is {kind}", f"{kind}입니다"))
 
 
-def _of_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Text:
+def _explain_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -> Text:
     """Return what any answer can have wrong, or else what is certain."""
-    name = next(undone_to(form, [given], [wanted]), None)
+    name = next(matching_corrections(form, [given], [wanted]), None)
     if name:
-        return words_of(task, name).reply
+        return feedback_of(task, name).reply
     bounds = certain(form, given, wanted) or Text("", "")
     axes = _axes(given) if isinstance(form, Quaternion) else ""
     return TEXTS["axes"].filled(said=bounds, name=axes) if axes else bounds

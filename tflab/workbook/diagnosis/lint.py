@@ -13,7 +13,7 @@ from typing import Any
 
 from ...text import Text, Texts
 
-__all__ = ["said_of_its_text"]
+__all__ = ["describe_function_text"]
 
 TEXTS = Texts(__file__)
 
@@ -28,7 +28,7 @@ IN_PLACE = {"append", "extend", "sort", "reverse"}
 OF_NUMPY = {"np", "numpy"}
 
 
-def said_of_its_text(function: Any) -> Text | None:
+def describe_function_text(function: Any) -> Text | None:
     """Return what is plain to see first in the text of a function, or of one of its cell that it calls; else None."""
     return next(filter(None, map(_said_of, _with_its_own(function))), None)
 
@@ -127,7 +127,7 @@ def _chain(node: ast.If) -> list[ast.If]:
     return chain
 
 
-def _of_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
+def _look_at_handlers(node: ast.Try, names: Mapping[str, Any]) -> Found:
     """Yield handlers that others stand before, and a `return` that goes over all others."""
     before: list[tuple[str, type]] = []
     for handler in node.handlers:
@@ -152,18 +152,18 @@ def _is_exception(named: tuple[str, Any]) -> bool:
     return isinstance(named[1], type) and issubclass(named[1], BaseException)
 
 
-def _of_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
+def _look_at_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
     if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
         yield node, TEXTS["a_chain"]
 
 
-def _of_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
+def _look_at_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     """Yield an `elif` that asks what was asked before it."""
     asked = ast.dump(node.test)
     yield from ((other, TEXTS["asked_above"]) for other in _chain(node)[1:] if ast.dump(other.test) == asked)
 
 
-def _of_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
+def _look_at_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
     """Yield a line that stands for itself and does nothing."""
     held = node.value
     if isinstance(held, ast.Attribute):
@@ -181,7 +181,7 @@ def _is_of_new(function: ast.expr) -> bool:
     return isinstance(function, ast.Name) and function.id in NEW_EACH_TIME
 
 
-def _of_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mapping[str, Any]) -> Found:
+def _look_at_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mapping[str, Any]) -> Found:
     """Yield a list that is changed in its place where a new one is meant."""
     held = node.iter if isinstance(node, ast.For) else node.value
     method = held.func if isinstance(held, ast.Call) and isinstance(held.func, ast.Attribute) else None
@@ -189,7 +189,7 @@ def _of_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mapping[st
         yield node, TEXTS["gives_none"].filled(name=method.attr)
 
 
-def _of_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
+def _look_at_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
     """Yield `str(LookupException)`, where the text of an error is meant."""
     if getattr(node.func, "id", "") == "str" and len(node.args) == 1 and isinstance(node.args[0], ast.Name):
         name = node.args[0].id
@@ -253,8 +253,9 @@ def _holds(other: ast.AST, node: ast.AST) -> bool:
 
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
-    ast.Try: (_of_handlers, _only_printed), ast.Compare: (_of_a_chain,), ast.If: (_of_an_if, _printed_in_an_if),
-    ast.Expr: (_of_a_line,),
-    ast.Assign: (_of_what_is_kept,), ast.Return: (_of_what_is_kept,), ast.For: (_of_what_is_kept,),
-    ast.Call: (_of_a_text,),
+    ast.Try: (_look_at_handlers, _only_printed), ast.Compare: (_look_at_a_chain,),
+    ast.If: (_look_at_an_if, _printed_in_an_if),
+    ast.Expr: (_look_at_a_line,),
+    ast.Assign: (_look_at_what_is_kept,), ast.Return: (_look_at_what_is_kept,), ast.For: (_look_at_what_is_kept,),
+    ast.Call: (_look_at_a_text,),
 }  # fmt: skip

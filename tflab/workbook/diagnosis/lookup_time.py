@@ -9,11 +9,11 @@ from typing import NamedTuple
 from ...text import Text, Texts
 from ..answers.form import member
 from ..answers.values import Plain, is_raised
-from ..tasks.case_types import Case
 from .explanation import Explanation
 from .precision import stamp_of, time_of
+from .question import Question
 
-__all__ = ["of_requests"]
+__all__ = ["explain_lookup_time"]
 
 TEXTS = Texts(__file__)
 
@@ -53,9 +53,9 @@ class _Call(NamedTuple):
         return self.stamp[0] + self.stamp[1] * A_BILLIONTH
 
 
-def of_requests(cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+def explain_lookup_time(question: Question) -> Explanation | None:
     """Return for which moment a function asks the buffer, if all of its calls that have an answer end in refusals."""
-    asked = [(case.args or [], outcome) for case, outcome in zip(cases, outcomes, strict=True)
+    asked = [(case.args or [], outcome) for case, outcome in zip(question.cases, question.outcomes, strict=True)
              if not is_raised(case.expected)]  # fmt: skip
     calls = [call for args, outcome in asked if (call := _call(args, outcome)) is not None]
     if len(calls) < max(FEWEST, len(asked)):
@@ -79,14 +79,14 @@ def _moments(calls: Sequence[_Call]) -> Iterator[tuple[Text, Text]]:
     numbers = sorted(set.intersection(*(set(call.times_s) for call in calls)))
     times = [(number, [call.times_s[number] for call in calls]) for number in numbers]
     for number, moments in times:
-        yield from ((words.filled(of=number), TEXTS["as_it_is"]) for words in _of_two_times(calls, moments))
+        yield from ((words.filled(of=number), TEXTS["as_it_is"]) for words in _compare_two_times(calls, moments))
     stamps = [call.stamp_s for call in calls]
     yield from ((words, TEXTS["as_it_is"]) for words in _off(calls, stamps, TEXTS["the_stamp"]))
     for number, moments in times:
         yield from ((words, TEXTS["as_it_is"]) for words in _off(calls, moments, TEXTS["the_time"].filled(of=number)))
 
 
-def _of_two_times(calls: Sequence[_Call], moments: Sequence[float]) -> Iterator[Text]:
+def _compare_two_times(calls: Sequence[_Call], moments: Sequence[float]) -> Iterator[Text]:
     pairs = list(zip(calls, moments, strict=True))
     for name, of in OF_TWO_TIMES.items():
         if all(_is_near(call.requested_s, of(call.stamp_s, moment)) for call, moment in pairs):

@@ -12,22 +12,22 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Feedback, TaskCases
 from . import generic
-from .generic import PLAIN_TO_SEE, said_of_letters, undone
-from .precision import TOLD, by_comparison, words_of_loss
+from .generic import PLAIN_TO_SEE, corrections, describe_letters
+from .precision import TOLD, by_comparison, describe_loss
 
 __all__ = [
     "ANY_BUG",
     "IN_SOME",
     "alike",
     "all_alike",
+    "expand_lists",
+    "feedback_of",
     "in_some",
-    "is_just",
+    "matches_closely",
+    "matching_corrections",
+    "part_forms",
+    "part_of",
     "row_of",
-    "section",
-    "sections",
-    "split",
-    "undone_to",
-    "words_of",
 ]
 
 TEXTS = Texts(__file__)
@@ -63,7 +63,7 @@ def all_alike(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) ->
     return all(alike(form, given, want) for given, want in zip(outcomes, wanted, strict=True))
 
 
-def is_just(form: Form, outcomes: Sequence[Plain], answers: Sequence[Plain], share: float = ONE) -> bool:
+def matches_closely(form: Form, outcomes: Sequence[Plain], answers: Sequence[Plain], share: float = ONE) -> bool:
     """Return whether all outcomes are what a mistake gives, and not only by a tolerance that is wide beside them."""
     return all_alike(form, outcomes, answers) and all(
         _is_near(form, *pair, share) for pair in zip(outcomes, answers, strict=True)
@@ -72,7 +72,7 @@ def is_just(form: Form, outcomes: Sequence[Plain], answers: Sequence[Plain], sha
 
 def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
     if isinstance(form, Parts):
-        rows = [(part, section(form, given, name), section(form, wanted, name))
+        rows = [(part, part_of(form, given, name), part_of(form, wanted, name))
                 for name, part in form.parts.items()]  # fmt: skip
         return all(_is_near(*row, share) for row in rows)
     if not isinstance(form, Number | Vector):
@@ -92,7 +92,7 @@ def _decimals(number: float) -> int:
     return len(f"{number:.9f}".rstrip("0").partition(".")[2])
 
 
-def undone_to(
+def matching_corrections(
     form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain], *, only_plain_to_see: bool = False
 ) -> Iterator[str]:
     """Yield the universal mistakes without which the outcomes would be what is wanted."""
@@ -101,7 +101,7 @@ def undone_to(
     if wrong is None:
         return
     is_all_wrong = not any(alike(form, given, want) for given, want in values)
-    for name, unit in dict.fromkeys(way[:2] for way in undone(form, wrong)):
+    for name, unit in dict.fromkeys(way[:2] for way in corrections(form, wrong)):
         if (only_plain_to_see and name not in PLAIN_TO_SEE) or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
             continue
         if all(_fits(form, name, unit, *pair) for pair in values):
@@ -128,31 +128,31 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
     if not isinstance(form, MEASURED) or (isinstance(form, Number) and not form.unit):
         return
     if 0 < len(wrong) < len(outcomes) and not any(is_raised(want) for _, want in wrong):
-        names = undone_to(form, *map(list, zip(*wrong, strict=True)))
+        names = matching_corrections(form, *map(list, zip(*wrong, strict=True)))
         yield from (IN_SOME + name for name in names if len(wrong) > 1 or name != "rounded")  # one is round by chance
 
 
 def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool:
     """Return whether an answer without this mistake is what is wanted; what cannot have it has to be right."""
-    ways = [way.left for way in undone(form, given) if way[:2] == (name, unit)]
-    return any(is_just(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
+    ways = [way.left for way in corrections(form, given) if way[:2] == (name, unit)]
+    return any(matches_closely(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
 
 
-def words_of(task: TaskCases, name: str) -> Feedback:
+def feedback_of(task: TaskCases, name: str) -> Feedback:
     """Return what is said of a slip, the task's or one that any answer can have, and what is behind it."""
     if name in task.feedback:
         return task.feedback[name]
     if name.startswith(IN_SOME):
-        words = words_of(task, name.removeprefix(IN_SOME))
+        words = feedback_of(task, name.removeprefix(IN_SOME))
         return Feedback(TEXTS["some"].filled(said=words.reply), words.misconception)
     for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"])):
         if name.startswith(start):
             rest = name.removeprefix(start)
             return Feedback(words.filled(unit=rest, name=rest), "")
-    if (words := words_of_loss(name)) is not None:
+    if (words := describe_loss(name)) is not None:
         return Feedback(words, "")
     kind, _, told = name.partition(TOLD)
-    return Feedback(said_of_letters(kind, told) or generic.TEXTS[kind], generic.UNIVERSAL[kind].misconception)
+    return Feedback(describe_letters(kind, told) or generic.TEXTS[kind], generic.UNIVERSAL[kind].misconception)
 
 
 OF_A_MOUNT = {
@@ -160,30 +160,30 @@ OF_A_MOUNT = {
 }  # fmt: skip
 
 
-def sections(form: Form, like: Plain) -> dict[str, Form]:
+def part_forms(form: Form, like: Plain) -> dict[str, Form]:
     """Return the parts of an answer that are judged each on its own; of a message its fields, as `like` has them."""
     if isinstance(form, Parts):
         return dict(form.parts)
     if isinstance(form, Message):
-        held = {path: section(form, like, path) for path in form.fields}
+        held = {path: part_of(form, like, path) for path in form.fields}
         return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
     if isinstance(form, Pose) and not form.frames and not form.stamp:
         return {"translation": Vector(3, "m", "", form.tolerance_m), "rotation": Quaternion(form.tolerance_rad)}
     return dict(OF_A_MOUNT) if isinstance(form, Command) and _mount(form, like) else {}
 
 
-def split(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
+def expand_lists(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
     """Return the same parts, with each member of a list a part of its own, where all answers have as many."""
     found: dict[str, Form] = {}
     for name, part in parts.items():
-        lists = [inside(section(form, answer, name)) for answer in answers]
+        lists = [inside(part_of(form, answer, name)) for answer in answers]
         lengths = {len(held) if isinstance(held, list) else None for held in lists}
         is_split = isinstance(form, Parts) and isinstance(part, ListForm) and len(lengths) == 1 and None not in lengths
         found |= {f"{name}[{place}]": part.of for place in range(len(lists[0]))} if is_split else {name: part}
     return found
 
 
-def section(form: Form, plain: Plain, name: str) -> Plain:
+def part_of(form: Form, plain: Plain, name: str) -> Plain:
     """Return one of an answer's parts, as it is meant beside the others; of something else, None."""
     if isinstance(form, Command):
         return _mount(form, plain).get(name)

@@ -18,10 +18,10 @@ __all__ = [
     "CARD",
     "confused",
     "confused_in_lists",
+    "explain_list_orders",
+    "explain_orders",
     "named_twice",
     "never_said",
-    "of_orders",
-    "of_places",
     "parents_named",
     "seen_of",
     "word_of",
@@ -183,7 +183,7 @@ MOST_PLACES = 5  # of a list: with more of them there are too many orders
 ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
 
 
-def of_orders(
+def explain_orders(
     forms: Mapping[str, Form],
     given: Mapping[str, Sequence[Plain]],
     wanted: Mapping[str, Sequence[Plain]],
@@ -202,7 +202,7 @@ def of_orders(
         have = [word_of(forms[name], given[name][0]) for name in names]
         wrong = [name for name, one, other in zip(names, have, want, strict=True) if one != other]
         is_order = len(names) >= FEWEST_OF_ORDERS and len(set(want)) == len(want) and ORDINALS.issuperset(names)
-        order = _of_an_order(have, want, means or {}) if wrong and is_order else None
+        order = _explain_an_order(have, want, means or {}) if wrong and is_order else None
         if order is not None:
             found.append(Found.of(*order, *wrong))
         else:
@@ -210,7 +210,7 @@ def of_orders(
     return found
 
 
-def _of_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
+def _explain_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
     """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
     for name, fits in ORDERS.items():
         if fits(have, want):
@@ -233,7 +233,7 @@ def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | Non
     return None
 
 
-def of_places(
+def explain_list_orders(
     forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
 ) -> list[Found]:
     """Return that each of several lists is right once its members are put in one other order, the same for all."""

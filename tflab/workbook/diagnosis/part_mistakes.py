@@ -12,8 +12,8 @@ from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts, Vector
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Case, Feedback, TaskCases
-from .explanation import Found, each_part_once, said_of
-from .matching import MEASURED, ONE, TWO, alike, is_just, section, undone_to, words_of
+from .explanation import Found, describe, each_part_once
+from .matching import MEASURED, ONE, TWO, alike, feedback_of, matches_closely, matching_corrections, part_of
 
 __all__ = ["Table", "after_a_slip", "followers", "is_something", "only_follows", "slips_in_parts"]
 
@@ -65,7 +65,7 @@ def _pairs(
         return [
             name
             for name in parts
-            if is_just(table.forms[name], [table.given[name][case]], [section(task.form, value, name)], TWO)
+            if matches_closely(table.forms[name], [table.given[name][case]], [part_of(task.form, value, name)], TWO)
         ]
 
     def is_right(case: int) -> bool:
@@ -80,21 +80,21 @@ def _causes(
     """Return what each slip, or each two, explain of the wrong parts."""
     found = []
     for key, answers in rows.items():
-        slips = {name: words_of(task, name) for name in key.split(AND)}
+        slips = {name: feedback_of(task, name) for name in key.split(AND)}
         changed, same = _shown(task.form, table, answers, TWO if AND in key else ONE)
-        same = _of_whole_lists(same, changed)
+        same = _explain_whole_lists(same, changed)
         if changed and changed <= same & wrong:
-            found.append(Found(slips, said_of(task, list(slips)), changed, is_whole=True))
+            found.append(Found(slips, describe(task, list(slips)), changed, is_whole=True))
         elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in slips.items()):
-            found.append(Found(slips, said_of(task, list(slips)), same & changed & wrong))
+            found.append(Found(slips, describe(task, list(slips)), same & changed & wrong))
         elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
-            found.append(Found(slips, said_of(task, list(slips)), {made_in}))
+            found.append(Found(slips, describe(task, list(slips)), {made_in}))
         elif len(slips) == 1:
-            found += _of_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
+            found += _explain_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
     return found
 
 
-def _of_whole_lists(same: set[str], changed: set[str]) -> set[str]:
+def _explain_whole_lists(same: set[str], changed: set[str]) -> set[str]:
     """Return the parts without members of lists of which another member is not what the slip gives."""
     others = {name.partition("[")[0] for name in changed - same if "[" in name}
     return {name for name in same if name.partition("[")[0] not in others}
@@ -111,7 +111,7 @@ def _held_together(found: list[Found]) -> list[Found]:
     return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
 
 
-def _of_one_slip(
+def _explain_one_slip(
     form: Form,
     table: Table,
     name: str,
@@ -147,10 +147,10 @@ def _shown(form: Form, table: Table, answers: Sequence[Plain], share: float) -> 
     if any(map(is_raised, answers)) or any(answer is None for answer in answers):
         return changed, same
     for name, part in table.forms.items():
-        row = [section(form, answer, name) for answer in answers]
+        row = [part_of(form, answer, name) for answer in answers]
         if not all(map(part.alike, row, table.wanted[name])):
             changed.add(name)
-        if is_just(part, table.given[name], row, share):
+        if matches_closely(part, table.given[name], row, share):
             same.add(name)
     return changed, same
 
@@ -190,10 +190,10 @@ def after_a_slip(
     """
     if not isinstance(form, MEASURED) or any(value is None for value in row):
         return []
-    if is_just(form, outcomes, row):
+    if matches_closely(form, outcomes, row):
         return [only_follows(name, made_in)]
-    way = next(undone_to(form, outcomes, row, only_plain_to_see=True), None)
-    return [Found({way: words_of(task, way)}, words_of(task, way).reply, {name})] if way else []
+    way = next(matching_corrections(form, outcomes, row, only_plain_to_see=True), None)
+    return [Found({way: feedback_of(task, way)}, feedback_of(task, way).reply, {name})] if way else []
 
 
 def only_follows(name: str, made_in: str) -> Found:

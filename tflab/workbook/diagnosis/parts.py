@@ -21,26 +21,36 @@ from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, Feedback, TaskCases
 from .bounds import certain
-from .coding_patterns import constant_of, given_to, habit_of
-from .explanation import Explanation, Found, each_part_once, said_of, together
-from .matching import MEASURED, alike, all_alike, in_some, is_just, section, sections, split, undone_to, words_of
-from .options import confused, named_twice, of_orders, of_places, seen_of, word_of
+from .coding_patterns import constant_of, find_coding_pattern, find_input
+from .explanation import Explanation, Found, describe, each_part_once, together
+from .matching import (
+    MEASURED,
+    alike,
+    all_alike,
+    expand_lists,
+    feedback_of,
+    in_some,
+    matches_closely,
+    matching_corrections,
+    part_forms,
+    part_of,
+)
+from .options import confused, explain_list_orders, explain_orders, named_twice, seen_of, word_of
 from .part_mistakes import Table, after_a_slip, followers, is_something, only_follows, slips_in_parts
 from .precision import TOLD, stamp_of, time_of
+from .question import Question
 from .vector_terms import turned_in_all
-from .wrong_types import kinds_said
+from .wrong_types import describe_types
 
-__all__ = ["changed_places", "of_lists", "of_members", "plain_in_one"]
+__all__ = ["explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
 
 TEXTS = Texts(__file__)
 
 
-def of_members(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
+def explain_parts(question: Question) -> Explanation | None:
     """Return how the wrong parts of an answer came about, or None if nothing explains any of them."""
-    form = task.form
-    every = list(zip(cases, outcomes, strict=True))
+    task, form, given = question.task, question.form, dict(question.inputs)
+    every = list(zip(question.cases, question.outcomes, strict=True))
     if not all(alike(form, outcome, case.expected) for case, outcome in every if is_raised(case.expected)):
         return None
     asked = [pair for pair in every if not is_raised(pair[0].expected)]
@@ -48,7 +58,7 @@ def of_members(
     if not going or len(going) < len(stopped) or any(form.read(outcome) is None for _, outcome in going):
         return None
     of_going, came = map(list, zip(*going, strict=True))
-    return _beside_stops(task, stopped, of_going, came) if stopped else _of_table(task, of_going, came, given)
+    return _beside_stops(task, stopped, of_going, came) if stopped else _explain_table(task, of_going, came, given)
 
 
 def _beside_stops(
@@ -57,17 +67,17 @@ def _beside_stops(
     """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
     names = {name for name in going[0].wrong if all(alike(task.form, was, case.wrong[name]) for case, was in stopped)}
     only = [case._replace(wrong={name: case.wrong[name] for name in case.wrong if name in names}) for case in going]
-    found = _of_table(task._replace(pairs=None), only, outcomes, None) if names else None
+    found = _explain_table(task._replace(pairs=None), only, outcomes, None) if names else None
     return found if found and found.slips.keys() <= task.feedback.keys() else None
 
 
-def _of_table(
+def _explain_table(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
 ) -> Explanation | None:
     """Return the same where each case asks for a value, and each outcome can be read."""
     table = _table(task.form, cases, outcomes)
     names, wrong = list(table.forms), set(_wrong_in(table))
-    several, follow = _of_several_and_what_follows(task, table, cases, wrong, given)
+    several, follow = _explain_several_and_what_follows(task, table, cases, wrong, given)
     wrong -= follow.keys()
     found = each_part_once(several, wrong)
     left = wrong.difference(*(cause.parts for cause in found))
@@ -84,43 +94,42 @@ def _of_table(
     return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
 
 
-def _of_several_and_what_follows(
+def _explain_several_and_what_follows(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> tuple[list[Found], dict[str, str]]:
     """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
-    several = _of_several(task, table, cases, wrong, given)
+    several = _explain_several(task, table, cases, wrong, given)
     is_of_all = any(wrong <= cause.parts for cause in several)
     follow = {} if is_of_all else followers(table.forms, table.given, table.wanted, wrong)
-    return (_of_several(task, table, cases, wrong - follow.keys(), given) if follow else several), follow
+    return (_explain_several(task, table, cases, wrong - follow.keys(), given) if follow else several), follow
 
 
-def _of_several(
+def _explain_several(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> list[Found]:
     """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
     slips = slips_in_parts(task, table, cases, wrong, given)
     pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
     rows = (table.forms, table.given, table.wanted)
-    orders = [*of_places(*rows), *of_orders(*rows, task.means)]
+    orders = [*explain_list_orders(*rows), *explain_orders(*rows, task.means)]
     is_one_slip = any(wrong <= slip.parts for slip in slips)
     return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
 
 
-def changed_places(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
+def explain_exchanged_parts(question: Question) -> Explanation | None:
     """Return that two parts hold each other's answer, if that is all that is wrong."""
-    if not isinstance(task.form, Parts) or any(is_raised(case.expected) for case in cases):
+    if not isinstance(question.form, Parts) or any(question.calls_that_raise()):
         return None
-    table = _table(task.form, cases, outcomes)
+    table = _table(question.form, question.cases, question.outcomes)
     names = list(table.forms)
     wrong = set(_wrong_in(table))
     found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
     return together([found], {}, names) if found else None
 
 
-def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+def explain_obvious_part(question: Question) -> Explanation | None:
     """Return what is plain to see in the only part that is wrong: no two slips have to meet for a sign alone."""
+    task, cases, outcomes = question.task, question.cases, question.outcomes
     if not isinstance(task.form, Parts) or any(map(is_raised, (*outcomes, *(case.expected for case in cases)))):
         return None
     if any(task.form.read(outcome) is None for outcome in outcomes):
@@ -130,18 +139,20 @@ def plain_in_one(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plai
     if len(wrong) != 1:
         return None
     (name,) = wrong
-    way = next(undone_to(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None)
+    way = next(
+        matching_corrections(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None
+    )
     if way is None:
         return None
-    words = words_of(task, way)
+    words = feedback_of(task, way)
     found = Found({way: words}, _shown_too(task, name, words.reply), {name})
     return together([found], {}, list(table.forms))
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
-    forms = split(form, sections(form, cases[0].expected), [*outcomes, *(case.expected for case in cases)])
-    given = {name: [section(form, plain, name) for plain in outcomes] for name in forms}
-    wanted = {name: [section(form, case.expected, name) for case in cases] for name in forms}
+    forms = expand_lists(form, part_forms(form, cases[0].expected), [*outcomes, *(case.expected for case in cases)])
+    given = {name: [part_of(form, plain, name) for plain in outcomes] for name in forms}
+    wanted = {name: [part_of(form, case.expected, name) for case in cases] for name in forms}
     return Table(forms, given, wanted, [case.args or [] for case in cases])
 
 
@@ -181,11 +192,11 @@ def _by_itself(
     if hint is not None and isinstance(form, Choice):
         hint = Text.joined(hint, form.remark(outcomes[0], {}), twice)
         return [Found({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
-    if found := _of_kinds(table, name) or _remarked(table, name) or _of_any(task, table, name):
+    if found := _explain_kinds(table, name) or _remarked(table, name) or _explain_any(task, table, name):
         return found
     if len(outcomes) > 1:
-        return _summed_in_all(table, name) or _of_words(task, table, name)
-    found = _of_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
+        return _summed_in_all(table, name) or _explain_words(task, table, name)
+    found = _explain_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
         task, table, name, wrong_answers, known
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
@@ -198,9 +209,9 @@ def _summed_in_all(table: Table, name: str) -> list[Found]:
     return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
 
 
-def _of_kinds(table: Table, name: str) -> list[Found]:
+def _explain_kinds(table: Table, name: str) -> list[Found]:
     """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
-    said = kinds_said(table.forms[name], table.given[name])[:2]
+    said = describe_types(table.forms[name], table.given[name])[:2]
     texts = (". ".join(row) + "." for row in zip(*said, strict=True))
     return [Found.of(f"{name}: no word", Text(*texts), name)] if said else []
 
@@ -211,9 +222,9 @@ def _after_a_slip(
     """Return what a part is beside the slips of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
     for slip, part in ((slip, words.part) for slip, words in task.feedback.items() if words.part in known):
-        rows = {one: [section(task.form, case.wrong[slip], one) for case in cases] for one in (part, name)}
+        rows = {one: [part_of(task.form, case.wrong[slip], one) for case in cases] for one in (part, name)}
         more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
-        if more and is_just(table.forms[part], table.given[part], rows[part]):
+        if more and matches_closely(table.forms[part], table.given[part], rows[part]):
             return more
     return []
 
@@ -222,11 +233,11 @@ def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Cas
     """Return a slip of the task and what is plain to see on top of it, if both give one part."""
     form = table.forms[name]
     for slip in task.feedback if isinstance(form, MEASURED) else ():
-        row = [section(task.form, twin, name) for twin in (case.wrong.get(slip) for case in cases)]
+        row = [part_of(task.form, twin, name) for twin in (case.wrong.get(slip) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
-        for way in undone_to(form, table.given[name], row, only_plain_to_see=True):
-            return [Found({each: words_of(task, each) for each in (slip, way)}, said_of(task, [slip, way]), {name})]
+        for way in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
+            return [Found({each: feedback_of(task, each) for each in (slip, way)}, describe(task, [slip, way]), {name})]
     return []
 
 
@@ -240,22 +251,22 @@ def _remarked(table: Table, name: str) -> list[Found]:
     return [Found.of(f"{name}: no proof", words, name)] if words else []
 
 
-def _of_any(task: TaskCases, table: Table, name: str) -> list[Found]:
+def _explain_any(task: TaskCases, table: Table, name: str) -> list[Found]:
     """Return what any answer can have: a habit, something universal, another part's answer."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    if len(outcomes) > 1 and (habit := habit_of(form, table.args, outcomes, wanted)):
+    if len(outcomes) > 1 and (habit := find_coding_pattern(form, table.args, outcomes, wanted)):
         return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
     if same := constant_of(form, outcomes, wanted):
         return [Found.of(f"{name}: {same[0]}", same[1], name)]
-    for way in [*undone_to(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        words = words_of(task, way)
+    for way in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
+        words = feedback_of(task, way)
         return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
         return [Found.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
     return []
 
 
-def _of_words(task: TaskCases, table: Table, name: str) -> list[Found]:
+def _explain_words(task: TaskCases, table: Table, name: str) -> list[Found]:
     """Return which words a function confuses in one part of what it gives, and in which calls."""
     form = table.forms[name]
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
@@ -272,20 +283,20 @@ def _anothers(table: Table, name: str) -> str | None:
     for other, part in table.forms.items():
         is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
         is_more = is_like and any(is_something(part, value) for value in table.given[name])
-        if is_more and is_just(part, table.given[name], table.wanted[other]):  # near to it may be chance
+        if is_more and matches_closely(part, table.given[name], table.wanted[other]):  # near to it may be chance
             found.append(other)
     return found[0] if len(found) == 1 else None
 
 
-def _of_the_given(
+def _explain_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
 ) -> list[Found]:
     """Return that a part is what was given."""
-    held = given_to(form, outcome, wanted, given)
+    held = find_input(form, outcome, wanted, given)
     if not held:
         return []
     way = f"given {held}"
-    return [Found({way: words_of(task, way)}, _shown_too(task, name, words_of(task, way).reply), {name})]
+    return [Found({way: feedback_of(task, way)}, _shown_too(task, name, feedback_of(task, way).reply), {name})]
 
 
 def _as_another_is(
@@ -299,16 +310,16 @@ def _as_another_is(
         if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, answer in wrong_answers.items():
-            is_made_here = words_of(task, key).part == name
-            if is_made_here and alike(form, section(task.form, answer, name), table.wanted[other][0]):
-                return [Found({key: words_of(task, key)}, words_of(task, key).reply, {name})]
+            is_made_here = feedback_of(task, key).part == name
+            if is_made_here and alike(form, part_of(task.form, answer, name), table.wanted[other][0]):
+                return [Found({key: feedback_of(task, key)}, feedback_of(task, key).reply, {name})]
     return []
 
 
 def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
-        came = [section(form, case.args[place], name) for case in cases]
+        came = [part_of(form, case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
             return [Found({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
         times = [time_of(case.args[place]) for case in cases]
@@ -349,9 +360,9 @@ def _certain(table: Table, name: str) -> Text | None:
     return certain(table.forms[name], *wrong) if wrong else None
 
 
-def of_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Explanation | None:
+def explain_list_members(question: Question) -> Explanation | None:
     """Return what all members of lists of messages have wrong; None if nothing explains it."""
-    form = task.form
+    task, form, cases, outcomes = question.task, question.form, question.cases, question.outcomes
     if not isinstance(form, ListForm) or not isinstance(form.of, Message):
         return None
     wanted = [None if is_raised(case.expected) else inside(case.expected) for case in cases]
@@ -365,4 +376,4 @@ def of_lists(task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain]) 
     answers = [member for members in given for member in members]
     if not flat:
         return None
-    return of_members(task._replace(form=form.of, feedback={}), flat, answers, None)
+    return explain_parts(Question(task._replace(form=form.of, feedback={}), flat, answers))

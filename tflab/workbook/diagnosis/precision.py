@@ -18,7 +18,7 @@ from ..answers.values import Plain
 from . import command_lines, trees
 from .generic import OF_FORM, holds_angles
 
-__all__ = ["NEW", "TEXTS", "TOLD", "by_comparison", "misplaced", "stamp_of", "time_of", "words_of_loss"]
+__all__ = ["NEW", "TEXTS", "TOLD", "by_comparison", "describe_loss", "misplaced", "stamp_of", "time_of"]
 
 TEXTS = Texts(__file__)
 
@@ -34,20 +34,20 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
     if answers == [""] * len(answers):
         yield "empty"
     elif isinstance(form, Sequence):
-        yield from _told(_of_lists(form, answers, wanted))
+        yield from _told(_compare_lists(form, answers, wanted))
     elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
         yield "members twice"
     elif isinstance(form, Tree):
-        yield from _told(trees.of_trees(form, answers, wanted))
+        yield from _told(trees.compare_trees(form, answers, wanted))
     elif isinstance(form, Name | Command):
-        yield from _of_stamps(answers, wanted) if isinstance(form, Name) else _of_lines(form, answers, wanted)
+        yield from _compare_stamps(answers, wanted) if isinstance(form, Name) else _compare_lines(form, answers, wanted)
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
         size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
         rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
         yield from _lost(form, rows)
 
 
-def words_of_loss(name: str) -> Text | None:
+def describe_loss(name: str) -> Text | None:
     """Return what is said of a loss, and what is told of it; None if this is the name of none."""
     kind, _, told = name.partition(TOLD)
     if kind in ("written over", "stands twice"):
@@ -55,7 +55,7 @@ def words_of_loss(name: str) -> Text | None:
         return TEXTS[kind].filled(place=place, of=of)
     if kind in TEXTS:
         return Text.joined(TEXTS[kind], TEXTS["shows_at"].filled(told=told) if told else None)
-    for texts, explain in ((trees.TEXTS, trees.told_of_a_tree), (command_lines.TEXTS, command_lines.told_of_a_line)):
+    for texts, explain in ((trees.TEXTS, trees.describe_tree), (command_lines.TEXTS, command_lines.describe_line)):
         if kind in texts:
             return Text.joined(texts[kind], explain(kind, told) if told else None)
     return None
@@ -124,7 +124,7 @@ def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:
     )
 
 
-def _of_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+def _compare_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with all of these lists, and the members of the first in which it shows."""
     pairs = [(_ways(form, answer), _ways(form, want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in pair for pair in pairs) or not any(given for given, _ in pairs):
@@ -205,7 +205,7 @@ def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
     return members is not None and Set(form.of).same(members, wanted)
 
 
-def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     given, right = form.read(answers[0]), form.read(wanted[0])
     if given and right and len(answers) == 1:
         lines = ([mark.value for mark in probes[0][0]] for probes in (given, right))
@@ -214,7 +214,7 @@ def _of_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Itera
                          for kind, told in command_lines.wrong_in(*lines))  # fmt: skip
 
 
-def _of_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+def _compare_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     rows = [(stamp_of(answer), stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in row for row in rows):
         return

@@ -10,7 +10,7 @@ from ..answers.forms import Tree
 from ..answers.members import belonging, edges_of, members_of
 from ..answers.values import Plain
 
-__all__ = ["TEXTS", "of_trees", "told_of_a_tree"]
+__all__ = ["TEXTS", "compare_trees", "describe_tree"]
 
 TEXTS = Texts(__file__)
 
@@ -19,12 +19,12 @@ MOST_NAMED = 4  # frames
 TOLD = {"tree: not whole": "orphans", "tree: more than asked for": "not_asked", "tree: other names": "not_asked"}
 
 
-def told_of_a_tree(kind: str, names: str) -> Text:
+def describe_tree(kind: str, names: str) -> Text:
     """Return what is told of the frames in which a fault shows."""
     return TEXTS[TOLD.get(kind, "so")].filled(names=names)
 
 
-def of_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+def compare_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with trees, and the names of the first one in which it shows."""
     if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
         yield "parent for child", ""

@@ -24,14 +24,22 @@ from ..answers.values import Plain, is_raised, is_unanswered
 from ..tasks import credit
 from ..tasks.case_types import Case, Feedback, TaskCases, Variant
 from .bounds import certain
-from .explain import explained
+from .explain import explain
 from .explanation import Explanation
 from .generic import unit_of
 from .matching import ANY_BUG
 from .mistake import Mistake
 from .options import never_said
 from .python_errors import tip_for
-from .wrong_types import kind_said, near_an_option, no_options_either, one_part_alone, option_of_another, raised_option
+from .question import Question
+from .wrong_types import (
+    describe_type,
+    near_an_option,
+    no_options_either,
+    one_part_alone,
+    option_of_another,
+    raised_option,
+)
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
@@ -154,12 +162,12 @@ def _mistake(
         return Mistake.UNANSWERED, {}, None
     missing = _missing(task, outcomes, outcome)
     if missing is not None and missing[0] is Mistake.OPTION:  # a frame that is no child at all is none to choose from
-        found = explained(task, cases, outcomes, variant.given)
+        found = explain(Question(task, cases, outcomes, variant.given or {}))
         if found is not None and "parents for children" in found.slips:
             return Mistake.SLIP, {}, found
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
-    found = explained(task, cases, outcomes, variant.given)
+    found = explain(Question(task, cases, outcomes, variant.given or {}))
     is_unit = found is not None and len(found.slips) == 1 and next(iter(found.slips)).startswith("unit ")
     if is_unit and not isinstance(form, Message | Command):
         return Mistake.UNIT, _unit(form, next(iter(found.slips)), rights[case]), found
@@ -192,7 +200,7 @@ def _unexplained(
     """Return what can be said of an answer that no slip gives."""
     form = task.form
     if (ending := _ending(task, outcomes, outcome, expected)) is not None:
-        return (ending[0], _of_nothing(form, cases, outcomes, rights)) if outcome is None else ending
+        return (ending[0], _describe_nothing(form, cases, outcomes, rights)) if outcome is None else ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
@@ -215,7 +223,7 @@ def _bounds(
     return TEXTS["in_this_call"].filled(said=said)
 
 
-def _of_nothing(
+def _describe_nothing(
     form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
 ) -> dict[str, Any]:
     """Return for which option a function gives nothing, if all other calls are right."""
@@ -323,14 +331,14 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
 
 
 def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
-    said = kind_said(form, outcome)
+    said = describe_type(form, outcome)
     return {} if said is None else {"tip": said}
 
 
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
     answers = inside(outcome)
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
-        return Mistake.TYPE, _of_one_part(form, outcome)
+        return Mistake.TYPE, _describe_one_part(form, outcome)
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     more = [name for name in answers if name not in form.parts]
     if missing:
@@ -345,7 +353,7 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     return None
 
 
-def _of_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
+def _describe_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
     tip = one_part_alone(form, outcome)
     return {"tip": tip} if tip else {}
 

@@ -12,16 +12,16 @@ from ..answers.forms import Angle, Choice, Message, Name, Number, Parts, Quatern
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain
-from ..tasks.case_types import Case, TaskCases
-from .explanation import Explains, Explanation, and_then
+from .explanation import Explanation
 from .matching import all_alike
+from .question import Question, Rest
 
 __all__ = [
-    "kind_said",
-    "kinds_said",
+    "describe_type",
+    "describe_types",
+    "explain_durations",
     "near_an_option",
     "no_options_either",
-    "of_times",
     "one_part_alone",
     "option_of_another",
     "raised_option",
@@ -33,7 +33,7 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
 OF_A_TRANSFORM = {Quaternion: "its_rotation", Vector: "its_translation", Angle: "its_yaw"}
 
 
-def kind_said(form: Form, outcome: Plain) -> Text | None:
+def describe_type(form: Form, outcome: Plain) -> Text | None:
     """Return what to say of an answer of another kind than the one asked for; None if nothing is plain."""
     if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
         return TEXTS["no_name"]
@@ -110,9 +110,9 @@ def _said_of_a_list(form: ListForm, outcome: Plain) -> Text | None:
     return TEXTS["one_alone"] if not isinstance(outcome, list) and form.of.read(outcome) is not None else None
 
 
-def kinds_said(form: Form, outcomes: Sequence[Plain]) -> list[Text]:
+def describe_types(form: Form, outcomes: Sequence[Plain]) -> list[Text]:
     """Return the same of all calls of a function, each once."""
-    return list(dict.fromkeys(words for outcome in outcomes if (words := kind_said(form, outcome)) is not None))
+    return list(dict.fromkeys(words for outcome in outcomes if (words := describe_type(form, outcome)) is not None))
 
 
 def seconds_of(form: Form, outcome: Plain) -> float | None:
@@ -127,17 +127,14 @@ def seconds_of(form: Form, outcome: Plain) -> float | None:
     return length / 1e9 if isinstance(length, int) else None
 
 
-def of_times(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], explained: Explains
-) -> Explanation | None:
-    """Return what `explained` says of the seconds in Durations or Times, and that they are no numbers; else None."""
-    seconds = [seconds_of(task.form, outcome) for outcome in outcomes]
-    if None in seconds or all_alike(task.form, seconds, [case.expected for case in cases]):
+def explain_durations(question: Question) -> Rest | None:
+    """Return that Durations or Times were given for seconds, and the seconds to explain; None if these are right."""
+    seconds = [seconds_of(question.form, outcome) for outcome in question.outcomes]
+    if None in seconds or all_alike(question.form, seconds, question.expected):
         return None
-    first, said = explained(task, cases, seconds), kind_said(task.form, outcomes[0])
-    if first is None or said is None:
-        return None
-    return and_then(first, Explanation.of("no number", Text(f"{said.en}.", f"{said.ko}.")))
+    said = describe_type(question.form, question.outcomes[0])
+    then = Explanation.of("no number", Text(f"{said.en}.", f"{said.ko}.")) if said else None
+    return Rest(then, question.with_outcomes(seconds)) if then else None
 
 
 ON, OFF = ("true", "on", "yes"), ("false", "off", "no")
