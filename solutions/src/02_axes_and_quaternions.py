@@ -73,7 +73,7 @@ check("E2.1", signs)
 # Predict first: is it left or right of the camera, above or below?
 
 # %% [markdown] lang="ko" name="e2-2"
-# ## E2.2 · 영상 기준을 카메라 기준으로 (3점)
+# ## E2.2 · 영상 기준의 점을 카메라 기준으로 (3점)
 #
 # 검출기가 부품의 위치를 `camera_optical_frame` 기준으로 알려 줍니다 [m]. `camera_link` 기준으로는 어디입니까?
 #
