@@ -15,10 +15,11 @@ from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 from tflab.workbook.answers.values import from_plain, outcome_of
-from tflab.workbook.tasks.ast_locations import EDGES, OPPOSITES, SIDES, SIGNS, locations_in, replaced_field
 from tflab.workbook.tasks.case_types import Variant
 from tflab.workbook.tasks.reference import Solution, answer_cell_name
 from tflab.workbook.tasks.task import Task, TaskError
+
+from .ast_locations import EDGES, OPPOSITES, SIDES, SIGNS, locations_in, replaced_field
 
 __all__ = ["mutants_of", "survivors"]
 

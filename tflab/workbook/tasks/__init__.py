@@ -10,7 +10,6 @@
     pairs           search two mistakes that together give an answer
     catalog         a learner's tasks, computed on demand
     credit          which right results earn points, beyond guessing
-    ast_locations   the nodes of a syntax tree that can be replaced
     strip_solution  turn a solution into an exercise
 
 What a task file imports is here.

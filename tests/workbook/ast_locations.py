@@ -3,8 +3,7 @@
     if age < limit:      locations   `age < limit`, `age`, `<`, `limit`, the `if` itself
     with replaced_field(owner, field, location.with_(new)):   the tree holds `new` in this block
 
-The tables name what is often written for what, in both directions.  Tests corrupt solutions by
-them, and the search for the one wrong token of an answer uses them, too.
+The tables name what is often written for what, in both directions.
 """
 
 from __future__ import annotations
