@@ -35,7 +35,7 @@ def test_command_runs_with_the_bags_extra_alone(words: list[str], tmp_path: Path
 
 def test_help_of_the_base_install_names_the_extra_with_jupyterlab(tmp_path: Path) -> None:
     done = run_without(list(EXTRA_OF), "from tflab.cli import main; main([])", tmp_path)
-    assert 'Figures and JupyterLab are missing here: pip install "tflab[lab]"\n' in done.stdout
+    assert 'Figures and JupyterLab are not installed. Install them with: pip install "tflab[lab]"\n' in done.stdout
 
 
 def test_lab_of_the_base_install_names_the_extra_and_makes_no_copy(tmp_path: Path) -> None:

@@ -1,9 +1,8 @@
-"""Run `tflab <subcommand> ...`; a subcommand's module is imported when it is called.
+"""Run the command `tflab`. The module of a subcommand is imported when it is called.
 
     tflab run node.py --with "ros2 topic hz /tf"    SUBCOMMANDS["run"] -> tflab.tools.shell.run
 
-A package adds itself with one line; its function takes the words after its name and
-returns the exit code.
+The function of a subcommand takes the arguments after its name and returns the exit code.
 """
 
 from __future__ import annotations
@@ -15,19 +14,21 @@ from difflib import get_close_matches
 from importlib import import_module
 from importlib.util import find_spec
 from io import TextIOWrapper
+from itertools import groupby
 from pathlib import Path
 from typing import NamedTuple
 
 from . import __version__
 from .extras import hint
+from .text import Texts, language_of_tools
 
 __all__ = ["SUBCOMMANDS", "Subcommand", "main"]
 
 
 class Subcommand(NamedTuple):
-    """One word after `tflab`: what it does, and where the function is that does it."""
+    """A command: the group in which `--help` lists it, and the function that runs it."""
 
-    help: str
+    group: str
     module: str
     function: str
 
@@ -37,19 +38,20 @@ BY_CTRL_C, BY_A_CLOSED_PIPE = 130, 141
 UNUSABLE = 2
 
 SUBCOMMANDS = {
-    "build": Subcommand("make the pages' notebooks, or HTML, of their sources", "tflab.workbook.pages.build", "build"),
-    "slides": Subcommand("write a page as a deck that works from a disk", "tflab.workbook.pages.slides", "main"),
-    "guide": Subcommand("write what an instructor lectures from", "tflab.grading.guide.command", "main"),
-    "grade": Subcommand("grade what a class handed in", "tflab.grading.grade", "main"),
-    "lab": Subcommand("open your own copy of the workbook in JupyterLab, offline", "tflab.workbook.copy.lab", "lab"),
-    "progress": Subcommand("say which checks you have passed", "tflab.workbook.course.progress_page", "progress"),
-    "check": Subcommand("see your notebook as grading will", "tflab.grading.check_command", "main"),
-    "doctor": Subcommand("say what is wrong with the TF of a recording", "tflab.doctor.command", "main"),
-    "export": Subcommand("write an executed notebook as HTML that works from a disk", "tflab.views.export", "main"),
-    "release": Subcommand("hand out exercises, and keep what grades them", "tflab.grading.release", "main"),
-    "run": Subcommand("run node files together in real time, with tools beside them", "tflab.tools.shell", "run"),
-    "ros2": Subcommand("ROS 2's command line tools, on their own or on a bag", "tflab.tools.shell", "ros2"),
+    "lab": Subcommand("learn", "tflab.workbook.copy.lab", "lab"),
+    "check": Subcommand("learn", "tflab.grading.check_command", "main"),
+    "progress": Subcommand("learn", "tflab.workbook.course.progress_page", "progress"),
+    "run": Subcommand("use_ros", "tflab.tools.shell", "run"),
+    "ros2": Subcommand("use_ros", "tflab.tools.shell", "ros2"),
+    "doctor": Subcommand("use_ros", "tflab.doctor.command", "main"),
+    "guide": Subcommand("teach", "tflab.grading.guide.command", "main"),
+    "slides": Subcommand("teach", "tflab.workbook.pages.slides", "main"),
+    "release": Subcommand("teach", "tflab.grading.release", "main"),
+    "grade": Subcommand("teach", "tflab.grading.grade", "main"),
+    "build": Subcommand("publish", "tflab.workbook.pages.build", "build"),
+    "export": Subcommand("publish", "tflab.views.export", "main"),
 }
+HELP = Texts(__file__)  # of each command, of each group, and around them
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -127,24 +129,17 @@ def _function(subcommand: Subcommand) -> Callable[[Sequence[str]], int]:
 
 
 def _help() -> str:
-    width = max(len(name) for name in SUBCOMMANDS)
-    lines = [f"  {name:<{width}}  {subcommand.help}" for name, subcommand in sorted(SUBCOMMANDS.items())]
-    return "\n".join(
-        [
-            "usage: tflab [-h] [--version] <subcommand> ...",
-            "",
-            "A book that runs: it teaches ROS 2 TF2 to someone who has only Python.",
-            "",
-            "subcommands:",
-            *lines,
-            "",
-            "Call `tflab <subcommand> -h` for more.",
-            *([] if find_spec("jupyterlab") else ['Figures and JupyterLab are missing here: pip install "tflab[lab]"']),
-        ]
-    )
+    language = language_of_tools()
+    lines = ["usage: tflab [-h] [--version] COMMAND ...", "", HELP["about"].say(language)]
+    width = max(map(len, SUBCOMMANDS))
+    for group, members in groupby(SUBCOMMANDS.items(), key=lambda row: row[1].group):
+        lines += ["", HELP[group].say(language)]
+        lines += [f"  {name:<{width}}  {HELP[name].say(language)}" for name, _ in members]
+    lines += ["", HELP["start"].say(language), HELP["details"].say(language)]
+    return "\n".join([*lines, *([] if find_spec("jupyterlab") else [HELP["no_lab"].say(language)])])
 
 
 def _unknown(name: str) -> str:
-    close = get_close_matches(name, SUBCOMMANDS, n=1)
-    guess = f' Did you mean "{close[0]}"?' if close else ""
-    return f'tflab: there is no "{name}"; there is {", ".join(sorted(SUBCOMMANDS))}.{guess}'
+    language, close = language_of_tools(), get_close_matches(name, SUBCOMMANDS, n=1)
+    said = HELP["unknown"].say(language, name=name)
+    return said + HELP["guess"].say(language, close=close[0]) if close else f"{said}\n\n{_help()}"

@@ -14,6 +14,8 @@ and reads it by `TEXTS["not_answered"].say("ko")`, where `TEXTS` is `Texts(__fil
 
 from __future__ import annotations
 
+import json
+import os
 import re
 from collections.abc import Iterator, Mapping
 from functools import cached_property
@@ -23,7 +25,17 @@ from typing import TYPE_CHECKING, NamedTuple
 if TYPE_CHECKING:
     import yaml
 
-__all__ = ["LANGUAGES", "Text", "TextError", "Texts", "begun", "compose_yaml", "text_of_node"]
+__all__ = [
+    "LANGUAGES",
+    "Text",
+    "TextError",
+    "Texts",
+    "begun",
+    "compose_yaml",
+    "language_of_locale",
+    "language_of_tools",
+    "text_of_node",
+]
 
 LANGUAGES = ("en", "ko")
 ENGLISH_WORD = re.compile(r"[a-z]+(?=[ ,:;.'’-]|$)")
@@ -130,3 +142,33 @@ def begun(text: str) -> str:
     """Return a text with a capital as its first letter, unless its first word is a name such as `map`."""
     word = ENGLISH_WORD.match(text)
     return text[:1].upper() + text[1:] if word and word[0] not in NAMES else text
+
+
+def language_of_tools() -> str:
+    """Return the language in which a command prints: of the workbook around the current folder, else of the locale."""
+    here = Path.cwd()
+    for folder in (here, *here.parents):
+        try:
+            found = json.loads((folder / "workbook.json").read_text(encoding="utf-8"))["language"]
+        except (OSError, ValueError, KeyError, TypeError):
+            continue
+        if found in LANGUAGES:
+            return found
+    return language_of_locale(os.environ)
+
+
+def language_of_locale(environment: Mapping[str, str]) -> str:
+    """Return "ko" where the locale is Korean, else "en"."""
+    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
+        if environment.get(name):
+            return "ko" if environment[name].lower().startswith("ko") else "en"
+    return "ko" if _is_windows_korean() else "en"
+
+
+def _is_windows_korean() -> bool:
+    """Return whether the language of Windows is Korean, which no variable contains."""
+    if os.name != "nt":
+        return False
+    import ctypes
+
+    return ctypes.windll.kernel32.GetUserDefaultUILanguage() & 0x3FF == 0x12  # the primary language

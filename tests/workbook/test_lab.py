@@ -12,6 +12,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from tflab import text
 from tflab.workbook.copy import lab
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.paths import read_workbook
@@ -85,16 +86,16 @@ def test_inside_a_copy_it_opens_that_copy(started: list) -> None:
     ],
 )
 def test_a_new_copy_has_the_language_of_the_locale(environment: dict, language: str) -> None:
-    assert lab.language_of(environment) == language
+    assert text.language_of_locale(environment) == language
 
 
 @pytest.mark.parametrize(("of_windows", "language"), [(0x412, "ko"), (0x409, "en"), (0x812, "ko")])
 def test_windows_says_its_language_in_no_variable(of_windows: int, language: str, monkeypatch) -> None:
     windows = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: of_windows))
     monkeypatch.setattr(ctypes, "windll", windows, raising=False)
-    monkeypatch.setattr(lab, "os", SimpleNamespace(name="nt"))
-    assert lab.language_of({}) == language
-    assert lab.language_of({"LANG": "en_US.UTF-8"}) == "en"
+    monkeypatch.setattr(text, "os", SimpleNamespace(name="nt"))
+    assert text.language_of_locale({}) == language
+    assert text.language_of_locale({"LANG": "en_US.UTF-8"}) == "en"
 
 
 def test_a_second_language_is_added_and_switched_to_and_stays(started: list, capsys) -> None:

@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from tflab.bags.errors import BagError
 from tflab.bags.recording import Recording
-from tflab.text import LANGUAGES, Text
+from tflab.text import LANGUAGES, Text, language_of_tools
 
 from .api import NoRos, recording_from_ros
 from .diagnose import diagnose_recording, told_causes, worst_first
@@ -104,7 +104,10 @@ def options_from(words: Sequence[str]) -> argparse.Namespace:
     reading.add_argument("--github", action="store_true", help="also print annotations for GitHub Actions")
     reading.add_argument("--edges", action="store_true", help="also print rate, delays and owners of each edge")
     reading.add_argument(
-        "--lang", choices=LANGUAGES, default="en", help="of the report, the table and the page; %(default)s"
+        "--lang",
+        choices=LANGUAGES,
+        default=language_of_tools(),
+        help="language of report and page (default: %(default)s)",
     )
     failing = parser.add_argument_group("when it fails")
     failing.add_argument("--fail-on", choices=FAILING, default="error", help="the least severity that gives status 1")

@@ -28,11 +28,11 @@ from shutil import which
 from tflab import __version__
 from tflab.extras import require
 
-from ...text import LANGUAGES, Texts
+from ...text import LANGUAGES, Texts, language_of_locale
 from ..paths import COPY, MARK, WorkbookError, copy_at_hand, read_workbook
 from .lay_out import Change, handed_out_in, has_language, lay_out, update
 
-__all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "language_of", "our_environment"]
+__all__ = ["FIRST_PAGE", "OUR_OPTIONS", "lab", "our_environment"]
 
 SETTINGS = Path(__file__).with_name("jupyter")
 OUR_OPTIONS = (
@@ -44,7 +44,6 @@ OUR_OPTIONS = (
     "--LanguageServerManager.autodetect=False",  # jupyter-lsp, where it is, would ask npm
 )
 FIRST_PAGE = "00_start.ipynb"
-PRIMARY_LANGUAGE, KOREAN = 0x3FF, 0x12  # of a Windows language identifier
 
 TEXTS = Texts(__file__)
 
@@ -57,7 +56,7 @@ def lab(words: Sequence[str]) -> int:
     if not options.copy_only:
         require("jupyterlab")
     if options.as_is:
-        folder, language = Path(options.folder or ".").resolve(), language_of(os.environ)
+        folder, language = Path(options.folder or ".").resolve(), language_of_locale(os.environ)
         if not folder.is_dir():
             return _refuse(f"there is no folder {folder}")
         pages = [FIRST_PAGE]
@@ -84,23 +83,6 @@ def lab(words: Sequence[str]) -> int:
             return _refuse(TEXTS["root"].say(language, command=f"{tflab} lab {join(_with_root(given))}"))
         raise
     return 0
-
-
-def language_of(environment: Mapping[str, str]) -> str:
-    """Return "ko" where the locale is Korean, else "en"."""
-    for name in ("LC_ALL", "LC_MESSAGES", "LANG"):
-        if environment.get(name):
-            return "ko" if environment[name].lower().startswith("ko") else "en"
-    return "ko" if _windows_speaks_korean() else "en"
-
-
-def _windows_speaks_korean() -> bool:
-    """Return whether the language of Windows is Korean; it says so in no variable."""
-    if os.name != "nt":
-        return False
-    import ctypes
-
-    return ctypes.windll.kernel32.GetUserDefaultUILanguage() & PRIMARY_LANGUAGE == KOREAN
 
 
 def _terminal() -> list[str]:
@@ -180,7 +162,7 @@ def _prepare(folder: Path, language: str | None, bring_in: bool, handed_out: str
         raise WorkbookError(f"there is no folder {folder.parent} to put a copy into")
     if (folder / MARK).is_file():
         return _open(folder, language, bring_in, handed_out)
-    language = language or language_of(os.environ)
+    language = language or language_of_locale(os.environ)
     try:
         lay_out(folder, language)
     except WorkbookError as error:
