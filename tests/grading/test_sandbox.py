@@ -833,7 +833,7 @@ def test_a_wall_that_does_not_exist_is_refused_with_those_that_do() -> None:
 def test_somebody_who_is_not_root_has_the_same_walls() -> None:
     code = (
         "import os; assert os.getuid() == 1000\n"
-        "from tflab.grading.kernels.kernel_pool import Kernels, choose\n"
+        "from tflab.grading.kernels.kernel_pool import Kernels, choose_sandbox\n"
         "from tflab.grading.kernels.limits import Limits\n"
         "print(choose_sandbox().level)\n"
     )
