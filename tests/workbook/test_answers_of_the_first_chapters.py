@@ -495,8 +495,8 @@ def test_children_that_are_missing_or_too_many_are_told_without_a_guess_at_how()
         verdict_on("E4.6", answer).said.en
         for answer in (of_one_parent, lambda log: sorted({*owners(log), *owners(log, lambda node, parent: parent)}))
     )
-    assert missing.startswith("A child that two nodes hang below two parents slips through")
-    assert more.startswith("A child that one node hangs below two parents counts for you, too.")
+    assert missing.startswith("You counted for each edge, parent and child together.")
+    assert more.startswith("You also count a child to which one node gives two parents.")
     assert slips_of("E4.6", owners) == []
 
 
