@@ -59,7 +59,7 @@ def test_how_a_refusal_is_classified_wrongly_is_told(old, new, slips):
 
 def test_whoever_looks_at_the_names_first_is_not_told_for_sure_that_they_are_turned_round():
     looked = CLASSIFY.replace("    try:\n", '    if source[:1] == "/":\n        return "invalid argument"\n    try:\n')
-    assert "or look at the names before tf2 does?" in verdict_on("E9.2", looked).said.en
+    assert "or check the names yourself?" in verdict_on("E9.2", looked).said.en
 
 
 DECIDE = """
@@ -241,7 +241,7 @@ WAITS = (
 
 @pytest.mark.parametrize(
     ("lines", "part"),
-    [("b", "executor of several threads"), ("h", "`spin_thread=True` does not wait"), ("bh", "starts one at once")],
+    [("b", "executor with several threads"), ("h", "`spin_thread=True` does not depend"), ("bh", "a thread at once")],
 )
 def test_each_line_on_threads_has_its_own_reply(lines, part):
     answer = dict(zip("abcdefgh", WAITS, strict=True)) | dict.fromkeys(lines, "waits in vain")
