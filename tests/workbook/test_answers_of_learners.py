@@ -369,7 +369,7 @@ verdict = {
 
 
 def test_an_angle_that_was_turned_into_another_unit_is_told():
-    assert "in radians already" in verdict_on("E11.3", OFTEN_ENOUGH % "math.radians").said.en
+    assert "already in radians" in verdict_on("E11.3", OFTEN_ENOUGH % "math.radians").said.en
     assert slips_of("E11.3", OFTEN_ENOUGH % "math.degrees")[:1] == ["angle in degrees"]
     assert slips_of("E11.3", OFTEN_ENOUGH % "") == []
 
@@ -394,7 +394,7 @@ FIRST = {
     ("symptom", "check", "said", "not_said"),
     [
         ("slow robot", "monitor", "tell these two apart, but it takes 4 minutes", "alone"),
-        ("no frame map", "monitor", "It listens to transforms for four minutes", "tell these two apart, but"),
+        ("no frame map", "monitor", "It receives transforms for four minutes", "tell these two apart, but"),
         ("unknown frame", "hz /scan", "says the same whichever of these two it is", "tell these two apart, but"),
         ("slow robot", "other cable", "a cable is neither of the two suspects", "data flows"),
     ],
