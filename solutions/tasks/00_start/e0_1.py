@@ -1,4 +1,4 @@
-"""E0.1: Fifteen questions, before; form A of the test, whose items stand in solutions/inventory.yaml."""
+"""E0.1: Fifteen questions, before."""
 
 from __future__ import annotations
 

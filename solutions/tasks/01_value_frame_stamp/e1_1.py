@@ -1,4 +1,4 @@
-"""E1.1: One place, three triples."""
+"""E1.1: One position, three sets of coordinates."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E1.3: A reader that refuses."""
+"""E1.3: A receiver that rejects."""
 
 from __future__ import annotations
 

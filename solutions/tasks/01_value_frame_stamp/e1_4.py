@@ -1,4 +1,4 @@
-"""E1.4: How far ahead by now?"""
+"""E1.4: How far ahead is it now?"""
 
 from __future__ import annotations
 

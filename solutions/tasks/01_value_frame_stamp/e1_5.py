@@ -1,4 +1,4 @@
-"""E1.5: Whose numbers change?"""
+"""E1.5: Which coordinates change?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E1.6: Write both labels."""
+"""E1.6: Fill in frame and stamp."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E1.7: Four detectors, one honest."""
+"""E1.7: Four detectors, one correct."""
 
 from __future__ import annotations
 

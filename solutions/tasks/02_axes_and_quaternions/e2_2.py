@@ -1,4 +1,4 @@
-"""E2.2: From the picture to the camera."""
+"""E2.2: From the optical frame to the camera."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E2.4: A customs officer for quaternions."""
+"""E2.4: Check a quaternion."""
 
 from __future__ import annotations
 

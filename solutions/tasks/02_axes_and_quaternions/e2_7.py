@@ -1,4 +1,4 @@
-"""E2.7: A few digits too few."""
+"""E2.7: Too few digits."""
 
 from __future__ import annotations
 

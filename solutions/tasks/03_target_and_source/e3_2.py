@@ -1,4 +1,4 @@
-"""E3.2: A corner seen by a turned laser."""
+"""E3.2: A corner seen by a rotated laser."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E3.3: The way back."""
+"""E3.3: The inverse."""
 
 from __future__ import annotations
 

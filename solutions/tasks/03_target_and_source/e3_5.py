@@ -1,4 +1,4 @@
-"""E3.5: tf2_echo, both ways."""
+"""E3.5: tf2_echo in both directions."""
 
 from __future__ import annotations
 

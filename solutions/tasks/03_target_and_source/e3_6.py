@@ -1,4 +1,4 @@
-"""E3.6: Bolt the camera on."""
+"""E3.6: Mount the camera."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E4.1: One letter too few."""
+"""E4.1: One missing letter."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E4.5: What becomes of this name?"""
+"""E4.5: What happens to this name?"""
 
 from __future__ import annotations
 

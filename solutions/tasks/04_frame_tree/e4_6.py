@@ -1,4 +1,4 @@
-"""E4.6: Who has several owners?"""
+"""E4.6: Which children have several owners?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E5.2: A loop closes."""
+"""E5.2: A loop closure."""
 
 from __future__ import annotations
 

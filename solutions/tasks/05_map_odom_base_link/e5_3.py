@@ -1,4 +1,4 @@
-"""E5.3: Which frame for which job?"""
+"""E5.3: Which frame for which purpose?"""
 
 from __future__ import annotations
 

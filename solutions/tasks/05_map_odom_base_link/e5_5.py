@@ -1,4 +1,4 @@
-"""E5.5: The shadow on the floor."""
+"""E5.5: The projection onto the floor."""
 
 from __future__ import annotations
 

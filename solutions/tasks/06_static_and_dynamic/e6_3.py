@@ -1,4 +1,4 @@
-"""E6.3: One letter for all mounts."""
+"""E6.3: One message for all mounts."""
 
 from __future__ import annotations
 

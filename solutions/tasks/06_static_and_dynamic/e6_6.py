@@ -1,4 +1,4 @@
-"""E6.6: How far does a bolt fall behind?"""
+"""E6.6: How far does a mount on /tf fall behind?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E6.7: Who knows what?"""
+"""E6.7: Which frames does the listener know?"""
 
 from __future__ import annotations
 

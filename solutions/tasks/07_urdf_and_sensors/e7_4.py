@@ -1,4 +1,4 @@
-"""E7.4: Five robots with something missing, or beside its place."""
+"""E7.4: Five robots."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E7.5: How is this IMU screwed on?"""
+"""E7.5: How is this IMU mounted?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E8.1: How fresh is latest?"""
+"""E8.1: How fresh is "latest"?"""
 
 from __future__ import annotations
 

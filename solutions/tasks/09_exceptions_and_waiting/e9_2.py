@@ -1,4 +1,4 @@
-"""E9.2: Classify a refusal."""
+"""E9.2: Classify an exception."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E10.6: Can a bag place its own messages?"""
+"""E10.6: Can a bag's transforms place its own messages?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E10.7: When must a buffer forget?"""
+"""E10.7: When must a buffer be cleared?"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E11.6: Read tf2_monitor by program."""
+"""E11.6: Parse the output of tf2_monitor."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E12.1: Who says what."""
+"""E12.1: Which node publishes what."""
 
 from __future__ import annotations
 

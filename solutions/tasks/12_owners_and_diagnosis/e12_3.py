@@ -1,4 +1,4 @@
-"""E12.3: The first question."""
+"""E12.3: The first check."""
 
 from __future__ import annotations
 

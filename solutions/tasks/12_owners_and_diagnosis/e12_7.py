@@ -1,4 +1,4 @@
-"""E12.7: A program that treats patients whom nobody has seen."""
+"""E12.7: A program that diagnoses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E12.8: Fifteen questions, after; form B of the test, whose items stand in solutions/inventory.yaml."""
+"""E12.8: Fifteen questions, after."""
 
 from __future__ import annotations
 
