@@ -1,4 +1,4 @@
-"""E0.1: Fifteen questions, before."""
+"""E0.1: Fifteen questions, before: form A of the test. Its items are in solutions/inventory.yaml."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""E12.8: Fifteen questions, after."""
+"""E12.8: Fifteen questions, after: form B of the test. Its items are in solutions/inventory.yaml."""
 
 from __future__ import annotations
 
