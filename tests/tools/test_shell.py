@@ -87,7 +87,7 @@ def test_a_tool_alone_ends_with_its_exit_code():
         (["run", "x.py", "--with", "rm -r"],
          'tflab run: --with takes a line that begins with ros2, such as "ros2 topic hz /tf", not \'rm -r\'\n'),
         (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`\n"),
-        (["rnu"], 'tflab: there is no "rnu"; '),
+        (["rnu"], 'tflab: unknown command "rnu". Did you mean "run"?'),
     ],
 )  # fmt: skip
 def test_what_cannot_be_run_is_explained(words, text, capsys):
@@ -151,7 +151,7 @@ def test_version_and_help(capsys):
     assert main(["--version"]) == 0
     assert capsys.readouterr().out == f"tflab {__version__}\n"
     assert main([]) == 0
-    assert "run node files together in real time" in capsys.readouterr().out
+    assert "run node files in real time" in capsys.readouterr().out
 
 
 def test_a_close_name_is_suggested(capsys):
@@ -159,13 +159,13 @@ def test_a_close_name_is_suggested(capsys):
     assert capsys.readouterr().err.endswith('Did you mean "run"?\n')
 
 
-def test_help_loads_no_room():
+def test_help_imports_no_package_of_tflab():
     code = (
         "import sys; from tflab.cli import main; main(['--help']); "
         "print(sorted(name for name in sys.modules if 'tflab' in name))"
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout
-    assert out.splitlines()[-1] == "['tflab', 'tflab.cli', 'tflab.extras']"
+    assert out.splitlines()[-1] == "['tflab', 'tflab.cli', 'tflab.extras', 'tflab.text']"
 
 
 def test_a_reader_that_has_gone_is_no_fault(talker):
