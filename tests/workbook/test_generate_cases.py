@@ -5,16 +5,20 @@ from __future__ import annotations
 import json
 import random
 import sys
+from dataclasses import replace
 
 import pytest
 
 from tflab.ros import activation
+from tflab.text import Text
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.tasks import generate_cases
 from tflab.workbook.tasks.case_types import TaskCases
-from tflab.workbook.tasks.task import TaskError, read_tasks, variant_of
+from tflab.workbook.tasks.reference import in_process_ros
+from tflab.workbook.tasks.task import TaskError, WrongStep, read_tasks, variant_of
 
 from . import small_chapter as chapter
+from .each_task import solution_of, task_in
 
 
 def make(tmp_path, seed="public", **changes):
@@ -69,6 +73,14 @@ def test_a_mistake_that_gives_the_right_answer_is_refused(tmp_path):
     tasks = chapter.TASKS.replace("base_T_laser.inverse()", "base_T_laser")
     with pytest.raises(generate_cases.CasesError, match=r'E3\.1, variant 0: .* "swapped" gives the right answer'):
         make(tmp_path, tasks=tasks)
+
+
+def test_an_alternative_that_the_model_does_not_have_is_refused():
+    stem = "05_map_odom_base_link"
+    typo = WrongStep("pitch for yaw", {"yaw": "pich"}, Text("Pitch.", "피치."))
+    task = replace(task_in(stem, "e5_5"), mistakes=(typo,))
+    with pytest.raises(TaskError, match=r"E5\.5: \"pitch for yaw\" .* alternative {'yaw': 'pich'}"), in_process_ros():
+        generate_cases.make_variant(task, "s", 0, solution_of(stem))
 
 
 def test_two_mistakes_that_give_the_same_answer_are_refused(tmp_path):

@@ -30,6 +30,7 @@ __all__ = ["PUBLIC_SEED", "CasesError", "draws_for", "make_variant", "outline_of
 
 PUBLIC_SEED = "public"
 NO_MISTAKE = ""  # the name of the model itself among the mistakes
+NO_SUCH_KEY = {"raises": "KeyError", "text": ""}  # what a model gives for an alternative that it does not have
 MOST_DRAWS = 40  # until two mistakes give different answers; in E8.4 one draw in four fails
 
 
@@ -99,6 +100,7 @@ def _drawn(task: Task, rng: Draws, number: int, solution: Solution, fewest_input
         cases = [_function_case(task, answer, args) for args in _inputs(task, rng, fewest_inputs)]
     answers = _each_mistake(task)
     cases = [case._replace(wrong=values_of(answers, case, held)) for case in cases]
+    _refuse_unknown_alternatives(task, cases)
     _refuse_look_alikes(task, number, cases)
     return Variant(given, tuple(case._replace(wrong=_without_model(case.wrong)) for case in cases))
 
@@ -133,6 +135,12 @@ def _function_case(task: Task, function: Any, args: list[Plain]) -> Case:
     return Case(args, as_kept(outcome_of(function, args)), {})
 
 
+def _refuse_unknown_alternatives(task: Task, cases: Sequence[Case]) -> None:
+    for step in task.mistakes:
+        if isinstance(step, WrongStep) and any(case.wrong[step.name] == NO_SUCH_KEY != case.expected for case in cases):
+            raise TaskError(f'{task.id}: "{step.name}" raises a KeyError: has the model the alternative {step.at}?')
+
+
 def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None:
     for case in cases:
         if not is_raised(case.expected) and task.form.probes(case.expected) is None:
@@ -146,7 +154,9 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
             if likeness.any_of([number], other):
                 said = f'the mistakes "{name}" and "{names[other]}" give the same answer'
                 said = said if name else f'the mistake "{names[other]}" gives the right answer'
-                raise LookAlikes(f"{task.id}, variant {variant}: {said}; draw from inputs that tell them apart")
+                raise LookAlikes(
+                    f"{task.id}, variant {variant}: {said}; draw from inputs that tell them apart, or delete one"
+                )
 
 
 def _of(case: Case, name: str) -> Plain:
