@@ -101,11 +101,6 @@ class Report:
     checks_not_made: tuple[NotMade, ...] = ()
     seen: Seen | None = None
 
-    @property
-    def has_errors(self) -> bool:
-        """Whether anything is an error."""
-        return any(finding.severity == "error" for finding in self.findings)
-
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:
         """Return the findings of these severities, in order."""
         return tuple(finding for finding in self.findings if finding.severity in severities)
