@@ -1,4 +1,4 @@
-"""tflab: a book that runs.  It teaches ROS 2 TF2 to someone who has only Python.
+"""tflab: a Jupyter workbook that teaches ROS 2 TF2 to people who have only Python.
 
     core       where is A as seen from B, at t?  the engine, a textbook of its own
     views      how does it look?
@@ -13,8 +13,8 @@
     cli        `tflab lab`, and what else a shell can ask
     extras     which extra installs a missing library
 
-A room imports only from rooms above it, and importing `tflab` loads none of them.
-Each begins with a page that says what is in it.  Start with `core/__init__.py`.
+A package imports only packages above it in this list, and `import tflab` loads none of them.
+The `__init__.py` of each package lists its modules.
 """
 
 from importlib import import_module

@@ -9,7 +9,7 @@ import pytest
 
 import tflab
 from tflab.clinic import archive
-from tflab.clinic.archive import Admission, digest_of, pages_of, patients
+from tflab.clinic.archive import Admission, digest_of, files_of, patients
 from tflab.clinic.causes import Numbers
 
 PACKAGE = Path(tflab.__file__).parent
@@ -35,14 +35,14 @@ def test_a_patient_is_made_once(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    "page", ["clinic/simulate_patient.py", "tools/tf2_monitor.py", "robots/data/tf_lab_robot.urdf", "ros/tf2/buffer.py"]
+    "file", ["clinic/simulate_patient.py", "tools/tf2_monitor.py", "robots/data/tf_lab_robot.urdf", "ros/tf2/buffer.py"]
 )
-def test_after_an_edit_of_what_makes_patients_none_is_found_again(tmp_path, page):
-    for room in archive.MADE_BY:
-        shutil.copytree(PACKAGE / room, tmp_path / room, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
+def test_after_an_edit_of_what_makes_patients_none_is_found_again(tmp_path, file):
+    for name in archive.MADE_BY:
+        shutil.copytree(PACKAGE / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
     before = digest_of(tmp_path)
     assert before == digest_of(PACKAGE)
-    (tmp_path / page).write_text((tmp_path / page).read_text(encoding="utf-8") + " ", encoding="utf-8")
+    (tmp_path / file).write_text((tmp_path / file).read_text(encoding="utf-8") + " ", encoding="utf-8")
     assert digest_of(tmp_path) != before
 
 
@@ -52,4 +52,4 @@ def test_whatever_a_patient_is_made_from_is_in_its_name():
     written = {path for path in ours if path.parent.name == "__pycache__"}  # by another process, half done, too
     made_from = {path for path in ours - written if path.suffix not in archive.COMPILED and path.parent != PACKAGE}
     assert made_from, "the reading of a patient's sources found nothing"
-    assert made_from <= set(pages_of(PACKAGE))
+    assert made_from <= set(files_of(PACKAGE))

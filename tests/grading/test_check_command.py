@@ -210,6 +210,6 @@ def test_a_renamed_exercise_is_known_by_its_stamp_and_without_it_by_its_cells(co
 
 def test_what_learners_and_releases_need_is_there_where_linux_is_not() -> None:
     gone = "import sys; sys.modules.update(dict.fromkeys(('resource', 'pwd', 'grp')))"
-    rooms = "check_command", "release", "grade", "judging.plain_kernel"
-    imports = "; ".join(f"import tflab.grading.{room}" for room in rooms)
+    modules = "check_command", "release", "grade", "judging.plain_kernel"
+    imports = "; ".join(f"import tflab.grading.{name}" for name in modules)
     subprocess.run([sys.executable, "-c", f"{gone}; {imports}"], check=True)

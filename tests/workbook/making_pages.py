@@ -26,9 +26,9 @@ def code(name: str, source: str, options: str = "") -> str:
     return f'# %% name="{name}"{options}\n{source}\n\n'
 
 
-def written(root: Path, *parts: str, stem: str = "03_x", room: str = "notebooks") -> Path:
+def written(root: Path, *parts: str, stem: str = "03_x", folder: str = "notebooks") -> Path:
     """Write a page's source below `root`."""
-    path = root / room / "src" / f"{stem}.py"
+    path = root / folder / "src" / f"{stem}.py"
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("".join(parts), encoding="utf-8")
     return path
@@ -103,4 +103,4 @@ def write_tasks(folder: Path, text: str) -> Path:
 def exercise(root: Path, *parts: str, tasks: str = TASKS) -> Path:
     """Write a solution's source and its tasks below `root`; a good one if no parts are given."""
     write_tasks(root / "solutions" / "tasks" / "03_x", tasks)
-    return written(root, *(parts or (TITLE, LOAD, HALF, THIRD)), room="solutions")
+    return written(root, *(parts or (TITLE, LOAD, HALF, THIRD)), folder="solutions")

@@ -237,8 +237,8 @@ def test_a_sentence_that_ends_in_a_colon_is_no_section_of_a_docstring() -> None:
 
 @pytest.mark.browser
 def test_the_reference_is_dark_at_night_and_on_paper_the_text_alone(tmp_path: Path, page, monkeypatch) -> None:
-    rooms = [f"tflab.{found.name}" for found in iter_modules(tflab.__path__) if found.name != "core"]
-    monkeypatch.setattr("tflab.workbook.book.reference.HIDDEN", rooms)
+    others = [f"tflab.{found.name}" for found in iter_modules(tflab.__path__) if found.name != "core"]
+    monkeypatch.setattr("tflab.workbook.book.reference.HIDDEN", others)
     write_reference(tmp_path / "reference")
     page.goto(f"file://{tmp_path}/reference/tflab/core.html")
     assert "Alias for field" not in page.content()

@@ -18,7 +18,7 @@ from tflab.workbook.tasks.task import slug
 ROOT = workbook_data()
 CHAPTERS = chapters()
 STEMS = sorted({path.stem for path in sources(ROOT)})
-ROOMS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("*/en/*.ipynb"))]
+NOTEBOOKS = [path.relative_to(ROOT).as_posix() for path in sorted(ROOT.glob("*/en/*.ipynb"))]
 
 
 def cells_of(path: Path) -> list[dict]:
@@ -29,7 +29,7 @@ def points_of(stem: str) -> dict[str, int]:
     return {name: task.points for name, task in tasks_of(ROOT, stem).items()}
 
 
-@pytest.mark.parametrize("name", ROOMS)
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) -> None:
     english, korean = (
         json.loads((ROOT / name.replace("/en/", f"/{language}/")).read_text()) for language in ("en", "ko")
@@ -48,7 +48,7 @@ def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) ->
             assert [ours[key] for key in shared] == [theirs[key] for key in shared], ours["id"]
 
 
-@pytest.mark.parametrize("name", ROOMS)
+@pytest.mark.parametrize("name", NOTEBOOKS)
 def test_a_korean_page_is_in_korean(name: str) -> None:
     texts = [cell for cell in cells_of(ROOT / name.replace("/en/", "/ko/")) if cell["cell_type"] == "markdown"]
     hangul = [cell["id"] for cell in texts if re.search("[가-힣]", "".join(cell["source"]))]

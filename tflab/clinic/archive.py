@@ -3,10 +3,9 @@
     admissions --known?--> file           a hash of causes, numbers, and of the code that makes patients
                --new-----> ward --> file
 
-A patient follows from its causes, its numbers and the pages of all rooms that this
-one may import from (the tools print it, the robots drive it), so those are its name:
-content-addressed, as git's objects are.  Whatever is edited there, an old patient is
-not found again.
+A patient depends on its causes, its numbers and the files of all packages that the
+clinic may import (the tools print it, the robots drive it).  A digest of these is its
+file name, as with git's objects, so a patient made before an edit is not used again.
 """
 
 from __future__ import annotations
@@ -26,10 +25,10 @@ from .causes import Numbers
 from .patient import SickRobot
 from .simulate_patient import make_patient
 
-__all__ = ["Admission", "digest_of", "pages_of", "patients"]
+__all__ = ["Admission", "digest_of", "files_of", "patients"]
 
-MADE_BY = ("core", "views", "ros", "robots", "bags", "doctor", "tools", "clinic")  # this room, and those above it
-COMPILED = {".pyc", ".so", ".pyd"}  # made from the pages
+MADE_BY = ("core", "views", "ros", "robots", "bags", "doctor", "tools", "clinic")  # all that the clinic may import
+COMPILED = {".pyc", ".so", ".pyd"}  # made from the sources
 
 
 class Admission(NamedTuple):
@@ -70,17 +69,17 @@ def _sources() -> str:
 
 
 def digest_of(package: Path) -> str:
-    """Return a digest of all that makes patients: each file of the rooms in a folder, and the versions."""
+    """Return a digest of all that makes patients: each file of the packages in a folder, and the versions."""
     digest = hashlib.sha256(f"{__version__} numpy {np.__version__}".encode())
-    for path in pages_of(package):
+    for path in files_of(package):
         held = path.read_bytes()
         digest.update(f"{path.relative_to(package).as_posix()} {len(held)}\n".encode() + held)
     return digest.hexdigest()
 
 
-def pages_of(package: Path) -> list[Path]:
+def files_of(package: Path) -> list[Path]:
     """Return every file of a package's folder that a patient is made from, in one order; not what tools left there."""
-    files = (path for room in MADE_BY for path in (package / room).rglob("*") if path.is_file())
+    files = (path for name in MADE_BY for path in (package / name).rglob("*") if path.is_file())
     return sorted(
         path
         for path in files

@@ -9,8 +9,6 @@
 Which checks stand in the table is its own choice: those that can tell the suspects
 of this complaint apart.  The same visit can be carried on in code: `panel.visit`.
 Where nobody can ask, on an exported page, it shows what each check would say.
-
-This is the last page of the room.
 """
 
 from __future__ import annotations

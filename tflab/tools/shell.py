@@ -7,8 +7,6 @@
 Everything of one command line lives in one process: tools see the nodes of their
 own command line, not those of another terminal.  Nodes run in real time; a bag is
 played on virtual time, so its twenty seconds take as long as the work in them.
-
-This is the last page of the room.
 """
 
 from __future__ import annotations

@@ -1,16 +1,14 @@
 """What an answer may be, what it looks like, and when two are the same.
 
-    values         an answer as plain JSON
-    form           what an answer looks like: numbers, words, units
-    structures     choices, lists, messages
-    members        names, pairs, sets and trees
-    command_lines  what one would type
-    urdf_text      a robot, as its file has it
-    proof          the checks of a diagnosis
-    telling        a check that tells two suspects apart
-    forms          all of them together
-    alike          which of many answers are the same
-    showing        an answer in words
-
-Start with `values.py`.
+values         an answer as plain JSON
+form           what an answer looks like: numbers, words, units
+structures     choices, lists, messages
+members        names, pairs, sets and trees
+command_lines  what one would type
+urdf_text      a robot, as its file has it
+proof          the checks of a diagnosis
+telling        a check that tells two suspects apart
+forms          all of them together
+alike          which of many answers are the same
+showing        an answer in words
 """

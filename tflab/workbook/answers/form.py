@@ -11,7 +11,7 @@ rows, and one that fits is enough.  Nothing here runs a stranger's code.
 
     answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
 
-This page holds what all forms share, and numbers in space.
+This module holds what all forms share, and numbers in space.
 """
 
 from __future__ import annotations
