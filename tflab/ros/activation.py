@@ -27,6 +27,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from tflab.text import load_yaml
+
 from . import distro
 from .graph import Graph, new_graph
 from .logging import write_to_stdout
@@ -47,10 +49,7 @@ VARIABLE = "TFLAB_ROS"
 @cache
 def _table() -> dict[str, dict[str, list[str]]]:
     """Return the names in each module, but those of message packages."""
-    import yaml
-
-    loader = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
-    return yaml.load((FOLDER / "packages.yaml").read_text(encoding="utf-8"), Loader=loader)
+    return load_yaml((FOLDER / "packages.yaml").read_text(encoding="utf-8"))
 
 
 @cache

@@ -35,7 +35,7 @@ from typing import Any
 
 import yaml
 
-from tflab.text import LANGUAGES, Text, Texts
+from tflab.text import LANGUAGES, Text, Texts, load_yaml
 from tflab.workbook.paths import workbook_data
 
 from .lecture import LecturedPage
@@ -63,7 +63,6 @@ __all__ = [
 
 TEXTS = Texts(__file__)
 TEACHING = Path("solutions", "teaching")
-LOADER = getattr(yaml, "CSafeLoader", yaml.SafeLoader)  # the safe one, ten times as fast where it is there
 WHO = ("you", "room", "pairs", "each")
 
 # Of each part what it must have, and what it may have.
@@ -183,7 +182,7 @@ def read_yaml(path: Path, shown: str) -> dict[str, Any]:
         TeachingError: it is no YAML, or holds something else than names and values.
     """
     try:
-        found = yaml.load(path.read_text(encoding="utf-8"), Loader=LOADER)
+        found = load_yaml(path.read_text(encoding="utf-8"))
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise TeachingError(f"{shown}: {' '.join(str(error).split())}; put the text into quotes") from None
     if not isinstance(found, dict):

@@ -14,9 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
-
-from ...text import Text
+from ...text import Text, load_yaml
 
 __all__ = ["COURSE", "Chapter", "Course", "Goal", "read_course"]
 
@@ -67,7 +65,7 @@ class Course(NamedTuple):
 @cache
 def read_course() -> Course:
     """Return the course as `course.yaml` has it."""
-    found = yaml.safe_load(COURSE.read_text(encoding="utf-8"))
+    found = load_yaml(COURSE.read_text(encoding="utf-8"))
     return Course(
         tuple(_chapter(line) for line in found["chapters"]),
         tuple(_goal(line) for line in found["objectives"]),

@@ -14,9 +14,7 @@ from functools import cache
 from pathlib import Path
 from typing import NamedTuple
 
-import yaml
-
-from ...text import Text
+from ...text import Text, load_yaml
 
 __all__ = ["GLOSSARY", "MARKED", "Term", "UnknownTerm", "expand", "read_glossary"]
 
@@ -60,7 +58,7 @@ class UnknownTerm(Exception):
 @cache
 def read_glossary() -> dict[str, Term]:
     """Return the terms by their keys, in the file's order."""
-    found = yaml.safe_load(GLOSSARY.read_text(encoding="utf-8"))
+    found = load_yaml(GLOSSARY.read_text(encoding="utf-8"))
     return {
         key: Term(
             key,

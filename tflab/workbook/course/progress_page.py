@@ -21,13 +21,14 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
+from tflab.views.report_page import render
+
 from ...text import Text, Texts
 from ..inventory.participation import Opened, opened, waiting
 from ..paths import COPY, MARK, WorkbookError, chapters, copy_at_hand, read_workbook, workbook_data, workbook_root
 from ..progress import Attempts, read_progress
 from ..tasks.catalog import task_ids, tasks_of
 from ..tasks.task import TaskError
-from ..templates import render
 from .course import Chapter, Goal, read_course
 
 __all__ = [

@@ -20,9 +20,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-import yaml
-
-from ...text import LANGUAGES, Text
+from ...text import LANGUAGES, Text, load_yaml
 from ..paths import workbook_data
 from ..tasks.task import slug
 
@@ -102,7 +100,7 @@ def _read(path: Path, _mtime_ns: int) -> tuple[Item, ...]:
 
 def parsed(text: str) -> tuple[Item, ...]:
     """Return the items that a text in YAML holds."""
-    return tuple(_item(line) for line in yaml.safe_load(text)["items"])
+    return tuple(_item(line) for line in load_yaml(text)["items"])
 
 
 def _item(line: dict[str, Any]) -> Item:

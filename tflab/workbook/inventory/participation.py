@@ -22,6 +22,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from tflab.views.report_page import render
 from tflab.views.slope_chart import draw_gain
 
 from ...text import Text, Texts
@@ -34,7 +35,6 @@ from ..paths import chapters, workbook_data
 from ..progress import read_progress
 from ..reply import show_page, show_reply
 from ..tasks.task import chapter_of
-from ..templates import render
 from .items import DO_NOT_KNOW, FORMS, Item, read_inventory
 from .replies import Reply, changes, chosen, relearnt, replies_to
 

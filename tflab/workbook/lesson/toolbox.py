@@ -16,8 +16,6 @@ import tempfile
 from contextlib import redirect_stderr, redirect_stdout
 from pathlib import Path
 
-import yaml
-
 from tflab.ros.graph import Graph, current_graph
 from tflab.tools.page import run_words
 from tflab.tools.rviz import look
@@ -27,7 +25,7 @@ from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 from tflab.views.rviz_status import look_through, statuses_as_text
 
-from ...text import Text
+from ...text import Text, load_yaml
 from ..paths import read_workbook, workbook_root
 
 __all__ = ["ASKED", "COMMANDS", "VERDICTS", "draw_toolbox", "say_tools", "tools_panel"]
@@ -45,7 +43,7 @@ COMMANDS = {
     "RViz": "rviz2 -f map",
 }
 
-FOUND = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+FOUND = load_yaml(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 ASKED = {term: Text(**text) for term, text in FOUND["questions"].items()}
 BLIND = {tool: Text(**text) for tool, text in FOUND["blind"].items()}
 REPLIES = {(row["question"], row["tool"]): (row["level"], Text(row["en"], row["ko"])) for row in FOUND["replies"]}
