@@ -73,7 +73,7 @@ def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(
     given, _ = right_corner(capsys)
     check("E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner), why=True)
     rows = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
-    assert ["·", "a text that was not filled in"] in rows and rows[-1] == ["✓", "one mistake of the task"]
+    assert ["·", "a text that was not filled in (seen)"] in rows and rows[-1] == ["✓", "one mistake of the task (fits)"]
 
 
 def test_a_message_in_the_wrong_frame_is_told_its_frame(copy, capsys):

@@ -1,4 +1,4 @@
-"""What does one call in an exercise?  `task`, `check`, `hint`, `solution`.
+"""The functions that an exercise calls: `task`, `check`, `hint`, `solution`.
 
     e3_2 = task("E3.2")              prints what is given, and returns it
     check("E3.2", base_p_corner)     E3.2 ✓ 1/1, or what is wrong with it
@@ -183,8 +183,8 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
 def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:
     """Print the rows of the table of explanations that were asked, in order."""
     variant = assigned.variant
-    for name, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
-        print(f"  {'✓' if is_answer else '·'} {name}")
+    for row, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
+        print(f"  {'✓' if is_answer else '·'} {row.name} ({row.certainty})")
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:

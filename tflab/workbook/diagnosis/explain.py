@@ -1,7 +1,7 @@
 """Explain a wrong answer: one ordered table, of which the first row that can explain the answer counts.
 
     explain(question)       Explanation({"swapped": ...}, Text("You swapped ..."))
-    list_asked(question)    [("a text that was not filled in", False), ..., ("one mistake of the task", True)]
+    list_asked(question)    [(<a text that was not filled in>, False), ..., (<one mistake of the task>, True)]
 
 The order is that of certainty: what is seen in the answer itself, one mistake, two mistakes, what the calls
 of a function have in common. A name is given only where the whole of an answer, or of a part, is what that
@@ -94,11 +94,11 @@ def explain(question: Question) -> Explanation | None:
     return next((found for _, found in _answers(question) if found is not None), None)
 
 
-def list_asked(question: Question) -> list[tuple[str, bool]]:
-    """Return which rows were asked about an answer, in order, and whether each explained it."""
+def list_asked(question: Question) -> list[tuple[Explainer, bool]]:
+    """Return the rows that were asked about an answer, in order, and whether each explained it."""
     rows = []
     for row, found in _answers(question):
-        rows.append((row.name, found is not None))
+        rows.append((row, found is not None))
         if found is not None:
             break
     return rows
