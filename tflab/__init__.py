@@ -1,16 +1,17 @@
 """tflab: a Jupyter workbook that teaches ROS 2 TF2 to people who have only Python.
 
-    core       where is A as seen from B, at t?  the engine, a textbook of its own
-    views      how does it look?
-    ros        what would ROS 2 do?  nodes, topics, clocks and `tf2_ros` in one process
-    robots     a robot to learn on, and what can go wrong with one
-    bags       what was recorded?
-    doctor     what is wrong with this TF?
-    tools      what would one type?
-    clinic     which of eighteen suspects is it, and what proves it?
-    workbook   which mistake is this?  pages, exercises, checks
-    grading    what did the class hand in?
-    cli        `tflab lab`, and what else a shell can ask
+    text       texts in English and Korean, and their YAML files
+    core       the TF engine: the buffer of tf2 in readable Python
+    views      figures and 3D views
+    ros        ROS 2 in one process: nodes, topics, clocks and `tf2_ros`
+    robots     a teaching robot, URDF, and faults to inject
+    bags       recordings: read, record, play
+    doctor     diagnosis of a recording, a graph or a buffer
+    tools      ROS 2's command-line tools
+    clinic     diagnosis exercises on simulated faulty robots
+    workbook   pages, exercises, the checking of answers, the learner's copy
+    grading    release of exercises and grading of a class
+    cli        the command `tflab`
     extras     which extra installs a missing library
 
 A package imports only packages above it in this list, and `import tflab` loads none of them.

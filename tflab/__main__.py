@@ -1,4 +1,4 @@
-"""What if a shell does not find `tflab`?  `python -m tflab ...` is the same command, of the Python that one names.
+"""Run the command `tflab` as `python -m tflab`, where the shell does not find it or another Python is meant.
 
 Scripts of a Python that is not on PATH are not found, as is usual on Windows.
 """

@@ -1,4 +1,4 @@
-"""Run `tflab doctor BAG`: what is wrong with the TF of this recording?
+"""Run `tflab doctor BAG`: report what is wrong with the TF of a recording.
 
     options -> recordings -> reports -> text, files, exit status
                                 ^

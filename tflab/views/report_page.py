@@ -8,6 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from html import escape
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from jinja2 import Environment
 
 SHELL = """
 :root { color-scheme: light dark; --paper: #fdfdfb; --ink: #1f2328; --quiet: #5b6168; --line: #d5d8dc;
@@ -24,6 +29,26 @@ details { color: var(--quiet); margin-top: .4rem; } summary { cursor: pointer; }
 @media print { :root { color-scheme: light; } main { max-width: none; padding: 0; } details { display: none; } }
 """
 POLICY = "default-src 'none'; img-src data:; style-src 'unsafe-inline'"
+
+
+def template_environment(*folders: Path, **options: Any) -> Environment:
+    """Return a Jinja2 environment for the templates in some folders: values are escaped, a missing one is an error."""
+    from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+    return Environment(
+        loader=FileSystemLoader(folders),
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        **options,
+    )
+
+
+def render(module_file: str, template: str = "", /, **values: Any) -> str:
+    """Return the template beside a module with its values filled in; by default `gallery.jinja` beside `gallery.py`."""
+    path = Path(module_file)
+    return template_environment(path.parent).get_template(template or f"{path.stem}.jinja").render(**values)
 
 
 def report_page(title: str, language: str, body: Iterable[str], style: str = "") -> str:

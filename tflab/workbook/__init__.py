@@ -23,7 +23,6 @@ In an exercise one calls four functions:
     book/         the frame, the front page and the gallery of the pages as a book
     pages/        from a page's source to notebooks in two languages, HTML, a deck
     copy/         a learner's own copy, and JupyterLab on it
-    templates     fill the Jinja template beside a module
     practice      the tasks again, with new numbers
     lesson/       what a page draws, drives and looks at
 

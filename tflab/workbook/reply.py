@@ -1,4 +1,4 @@
-"""How does a reply look?  In a learner's notebook as a card; anywhere else, and for whoever reads aloud, as text.
+"""Show a reply: as a card in a notebook, as text anywhere else and for screen readers.
 
     +-----------------------------------------------------------+
     | E3.2 ✗ 0/1                                                |

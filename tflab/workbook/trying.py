@@ -1,4 +1,4 @@
-"""What became of an answer, and what is said of it?  Tried on its cases, judged, and told as a reply.
+"""Try an answer on its cases, judge it, and word the reply.
 
     task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
 

@@ -17,14 +17,13 @@ from __future__ import annotations
 from pathlib import Path
 
 import numpy as np
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from markupsafe import Markup
 
 from tflab.bags.recording import Recording
 from tflab.core import NSEC_PER_SEC, Transform
 from tflab.core.inspection import FrameSnapshot, Snapshot
 from tflab.text import Texts
-from tflab.views.report_page import report_page
+from tflab.views.report_page import render, report_page
 from tflab.views.tree import draw_tree
 
 from ..checks.clocks import settled_delays_s
@@ -68,12 +67,8 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
         frames.append({"id": "", "drawn": drawn, "caption": TEXTS["at_the_end"].say(language)})
     columns = [TEXTS[name].say(language) for name in ("edge", "samples", "steps", "delay", "delays", "silence")]
     columns[2:2], columns[5:5] = ["Hz"], ["p95", "max [ms]"]
-    folder = Path(__file__).parent
-    loader = FileSystemLoader(folder)
-    environment = Environment(
-        autoescape=True, loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
-    )
-    body = environment.get_template("html.jinja").render(
+    body = render(
+        __file__,
         report=report,
         language=language,
         label={name: TEXTS[name].say(language) for name in LABELS},
@@ -84,7 +79,7 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
         columns=columns,
     )
     title = TEXTS["title"].say(language, subject=report.subject)
-    return report_page(title, language, [body], (folder / "html.css").read_text(encoding="utf-8"))
+    return report_page(title, language, [body], Path(__file__).with_suffix(".css").read_text(encoding="utf-8"))
 
 
 def _card(report: Report, finding: Finding, language: str) -> dict[str, object]:

@@ -16,12 +16,12 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
+from jinja2 import Environment
 from markupsafe import Markup, escape
 
 from tflab.text import Text
 from tflab.views.picture import Picture
-from tflab.views.report_page import report_page
+from tflab.views.report_page import report_page, template_environment
 
 __all__ = ["TEMPLATES", "environment", "page", "points", "prose", "render", "text"]
 
@@ -56,14 +56,7 @@ def png_address(picture: Picture) -> str:
 
 def environment(*folders: Path) -> Environment:
     """Return an environment for templates in some folders, and for those of this package."""
-    made = Environment(
-        loader=FileSystemLoader([*folders, TEMPLATES]),
-        autoescape=True,
-        finalize=text,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-    )
+    made = template_environment(*folders, TEMPLATES, finalize=text)
     made.filters |= {"prose": prose, "points": points, "png_address": png_address}
     return made
 

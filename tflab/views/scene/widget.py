@@ -1,4 +1,4 @@
-"""How does one see it in 3D, in the page, without a server?  A meshcat window inside a widget.
+"""Show a 3D scene in the page without a server: a meshcat window inside a widget.
 
     scene["robot/base"].set_object(...)          browser
         |                                          ^  turn, zoom, click, scrub

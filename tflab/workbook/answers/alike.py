@@ -1,4 +1,4 @@
-"""Which of many answers are the same?  Two that lie apart in one number are not looked at any further.
+"""Find which of many answers are the same; two that differ in one number are compared no further.
 
     what each gives, case by case      the numbers of its marks       alike?
     right     1.57   (0, 0)            1.57   0   0

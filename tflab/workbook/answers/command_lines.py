@@ -1,4 +1,4 @@
-"""When do two command lines do the same?  When the order of options, quotes and defaults do not matter.
+"""Compare command lines, whatever the order of their options, their quotes and written-out defaults.
 
     ros2 run tf2_ros tf2_echo map base_link           (a leading `$`, `!` or `%` is no part of it)
     ros2 topic echo --once /tf_static     ==     ros2 topic echo tf_static --once

@@ -1,4 +1,4 @@
-"""What does an answer look like, and when are two of them the same?
+"""Describe what an answer looks like, and when two of them are the same.
 
     Vector(3, unit="m", tolerance=0.005)       (2.2, 0.0, 0.15) == array([2.2001, 0, 0.15])
     Quaternion()                               q == -q

@@ -1,4 +1,4 @@
-"""Which forms of answers are there?  All of them, by one name, and the way back from JSON.
+"""List all forms of answers by name, and read them back from JSON.
 
 form_from_plain(Vector(3, unit="m").plain()) == Vector(3, unit="m")
 """

@@ -1,4 +1,4 @@
-"""Which things belong together, where their order says nothing?  Names, pairs, sets and trees.
+"""Compare answers whose order does not matter: names, pairs, sets and trees.
 
     Name()                              "odom": a text of the learner's own, to the letter
     Pair(Name(), Choice(("up", "down")))    ("laser_frame", "up")

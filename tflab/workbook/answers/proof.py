@@ -1,4 +1,4 @@
-"""Is this list of checks a proof?  A diagnosis with its questions, judged without knowing the diagnosis.
+"""Judge whether a list of checks proves a diagnosis, without knowing the diagnosis.
 
     ["delay /scan"]                          proves "laser clock ahead" among its three suspects
     ["node list", "hz /odom", ...]           proves nothing, or too late, or asks on when all is clear

@@ -1,4 +1,4 @@
-"""How is a given printed?  The same in both languages: names, numbers with fixed decimals, nothing else.
+"""Print a given value, the same in both languages: names, and numbers with fixed decimals.
 
 ```
 base_T_laser    translation (0.200, 0.000, 0.150), rotation xyzw (0.000, 0.000, 0.707, 0.707)

@@ -1,4 +1,4 @@
-"""Which check tells two suspects apart?  Any that they would answer differently, and that costs little enough.
+"""Judge whether a check tells two suspects apart: any that they answer differently and that costs little enough.
 
     between "odometry slow" and "scan slow"
     "hz /odom"     too seldom, as on the card     tells

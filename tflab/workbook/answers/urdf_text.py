@@ -1,4 +1,4 @@
-"""When do two URDFs say the same?  When each link hangs on the same parent, stands at the same place and moves alike.
+"""Compare two URDFs: the same if each link has the same parent, mounting and kind of motion.
 
     <joint name="head" type="revolute"> ... </joint>      the joints alone, or the whole <robot>
         --> for each link that is asked for:  root, parent, kind of joint, parent_T_link at every setting

@@ -1,4 +1,4 @@
-"""What may an answer be?  Numbers, arrays, transforms, messages, buffers: each of them as plain JSON, and back.
+"""Write answers as plain JSON and read them back: numbers, arrays, transforms, messages, buffers.
 
     Transform((1, 0, 0), (0, 0, 0, 1))   --to_plain-->    {"Transform": [[1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]}
                                          <-from_plain--

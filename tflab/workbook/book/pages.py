@@ -24,10 +24,11 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from tflab.views.report_page import render
+
 from ...text import LANGUAGES, Texts
 from ..course.course import read_course
 from ..paths import exercise_file
-from ..templates import render
 from .search_index import Section
 
 __all__ = [

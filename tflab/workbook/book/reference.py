@@ -1,4 +1,4 @@
-"""What do the docstrings say, on pages?  pdoc writes them, of every room's own pages.
+"""Write the reference of the code from its docstrings, by pdoc.
 
     tflab/core/*.py --pdoc--> reference/tflab/core.html
 

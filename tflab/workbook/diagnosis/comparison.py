@@ -1,4 +1,4 @@
-"""Where did my answer go?  A wrong place or pose, drawn as a ghost beside the right one.
+"""Draw a wrong position or pose beside the right one.
 
     yours      hatched ghost
     expected   solid

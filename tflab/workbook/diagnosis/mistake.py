@@ -1,4 +1,4 @@
-"""What may be wrong with an answer?  One list of mistakes, and what is said of each, here and on a feedback page.
+"""List the ways in which an answer can be wrong, and what `check` and a feedback page say of each.
 
     outcomes --judge_outcomes--> Verdict(mistake=Mistake.UNIT, ...)
                                      |-- REPLIES[...]              what `check` says to the one who wrote it

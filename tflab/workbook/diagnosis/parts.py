@@ -1,4 +1,4 @@
-"""How did the wrong parts of an answer come about?  Each part of a dict, each field of a message, by itself.
+"""Explain the wrong parts of an answer, each part of a dict and each field of a message by itself.
 
     {"base_link": right, "map": wrong}     a slip of the task that shows in "map" alone
                                            a mistake that any answer can have, in that part

@@ -1,4 +1,4 @@
-"""What became of an answer?  Coarse to fine: answered at all, type, shape, frame, unit, value; and which mistake.
+"""Judge an answer from coarse to fine: answered at all, type, shape, frame, unit, value; and which mistake.
 
     what came out of each case  +  what was expected, and what each twin gives  -->  Verdict
 
