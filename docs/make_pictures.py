@@ -1,4 +1,4 @@
-"""Which pictures do the README and the site show?  Those of the pages themselves, filmed in a browser: `make pictures`.
+"""Film pages and a reply in a browser, for the pictures of the README and the site: `make pictures`.
 
     page 00, "motion"       the robot drives, its laser sees the room         \\
     page 09, "walls-walk"   a clock runs late, and the walls walk away         > docs/pictures/drive.webp, drive.ko.webp
