@@ -533,6 +533,12 @@ def test_edges_that_suffer_alike_are_told_by_name():
     assert told(recording(*HEALTHY, *late), "late-stamps").evidence.endswith("Likewise joint_1, joint_2.")
 
 
+def test_a_name_with_a_space_is_quoted_in_the_command():
+    late = edge("base link", "arm", delay_ms=900)
+    command = told(recording(*HEALTHY, edge("base_link", "base link"), late), "late-stamps").command
+    assert command.endswith("tf2_monitor 'base link' arm")
+
+
 def test_a_change_of_parents_is_told_in_its_order():
     samples = edge("odom", "base_link")
     moved = [r._replace(stamped=replace(r.stamped, frame_id="map")) for r in samples[50:]]

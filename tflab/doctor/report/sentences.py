@@ -6,6 +6,7 @@ finding. A fact that holds words is a Text.
 
 from __future__ import annotations
 
+import shlex
 from functools import cache
 from pathlib import Path
 from typing import Literal, NamedTuple
@@ -101,7 +102,9 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
     if finding.siblings:
         likewise = Text("Likewise {names}.", "다음도 같습니다: {names}.")
         evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
-    command = Text(description.command, description.command).filled(**blanks).en
+    words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
+    quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
+    command = description.command.format(**quoted | {"frame": words["frame"]})  # in quotes of its own
     if not finding.namespace:
         return Sentences(title, evidence, cause, command)
     if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf
