@@ -11,7 +11,7 @@ rows, and one that fits is enough.  Nothing here runs a stranger's code.
 
     answer --probes--> [[row, row'], [row]]   against   expected --probes--> ...
 
-This module holds what all forms share, and numbers in space.
+This module holds what all forms share.
 """
 
 from __future__ import annotations
@@ -27,15 +27,10 @@ from ...text import Text
 from .values import Plain, from_plain, is_raised
 
 __all__ = [
-    "Angle",
     "Form",
     "Mark",
-    "Number",
-    "Pose",
     "Probe",
-    "Quaternion",
     "Row",
-    "Vector",
     "inside",
     "is_given",
     "is_number",
@@ -70,9 +65,13 @@ class Form:
 
     Attributes:
         in_any_order: whether a probe may stand anywhere among the others, as in a set.
+        is_measured: whether it holds numbers: two answers are alike by chance less often than words and lists are.
+        unit: of its numbers, or "".
     """
 
     in_any_order: ClassVar[bool] = False
+    is_measured: ClassVar[bool] = False
+    unit = ""  # no annotation: a ClassVar would come first among the fields of a form that has one
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         """Return what earns credit in an answer, or None if it is not of this form at all."""
@@ -148,113 +147,30 @@ class Form:
         """Return an answer as it is meant beside the other parts of a dict that speak of the same one."""
         return answer
 
+    def numbers(self, plain: Plain) -> tuple[float, ...] | None:
+        """Return the numbers of an answer that is one number or a row of numbers; None of any other."""
+        return numbers_of(plain, None)
+
+    def names(self) -> tuple[str, ...]:
+        """Return the names of what earns credit on its own; none where that has no names."""
+        return ()
+
+    def forms_of_parts(self, like: Plain) -> dict[str, Form]:
+        """Return the parts of an answer that are compared each on its own, as `like` has them."""
+        return {}
+
+    def part_of(self, plain: Plain, name: str) -> Plain:
+        """Return one of an answer's parts; of something that has no such part, None."""
+        return member(plain, *name.split("."))
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        """Return what is certain about a wrong answer, without giving the right one away; None if nothing is."""
+        return None
+
     def plain(self) -> dict[str, Any]:
         """Return the form as JSON has it: its class and its fields."""
         row = {field.name: getattr(self, field.name) for field in fields(self)}
         return {"form": type(self).__name__, **{name: _plain_field(value) for name, value in row.items()}}
-
-
-@dataclass(frozen=True)
-class Number(Form):
-    """One number [unit]."""
-
-    unit: str = ""
-    tolerance: float = 1e-3
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        row = numbers_of(plain, None)
-        return None if row is None else [[(Mark(row[0], self.tolerance),)]]
-
-    def wanted(self) -> Text:
-        unit = f" [{self.unit}]" if self.unit else ""
-        return Text(en=f"one number{unit}", ko=f"숫자 하나{unit}")
-
-
-@dataclass(frozen=True)
-class Angle(Form):
-    """An angle [rad]; a full turn more or less is the same."""
-
-    tolerance: float = 1e-3
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        row = numbers_of(plain, None)
-        if row is None:
-            return None
-        angle = math.remainder(row[0], math.tau)
-        return [[(Mark(angle + turn, self.tolerance),) for turn in (0.0, math.tau, -math.tau)]]
-
-    def wanted(self) -> Text:
-        return Text(en="one angle [rad]", ko="각도 하나 [rad]")
-
-
-@dataclass(frozen=True)
-class Vector(Form):
-    """`size` numbers [unit], expressed in `frame`; a message with x, y, z will do, and its frame is looked at."""
-
-    size: int = 3
-    unit: str = "m"
-    frame: str = ""
-    tolerance: float = 1e-3
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        frame = member(plain, "header", "frame_id")
-        if frame is not None and self.frame and frame != self.frame:
-            return None
-        row = numbers_of(plain, self.size)
-        return None if row is None else [[tuple(Mark(number, self.tolerance) for number in row)]]
-
-    def wanted(self) -> Text:
-        unit = f" [{self.unit}]" if self.unit else ""
-        where = f" in {self.frame}" if self.frame else ""
-        names = " (x, y, z)" if self.size == 3 else ""
-        return Text(
-            en=f"{self.size} numbers{names}{unit}{where}",
-            ko=f"{self.frame + ' 기준 ' if self.frame else ''}숫자 {self.size}개{names}{unit}",
-        )
-
-
-@dataclass(frozen=True)
-class Quaternion(Form):
-    """A rotation (x, y, z, w); q and -q are the same."""
-
-    tolerance: float = 1e-3
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        row = numbers_of(plain, 4)
-        return None if row is None else [_both_signs((), row, self.tolerance)]
-
-    def wanted(self) -> Text:
-        return Text(en="a quaternion: 4 numbers (x, y, z, w)", ko="쿼터니언: 숫자 네 개 (x, y, z, w)")
-
-
-@dataclass(frozen=True)
-class Pose(Form):
-    """A transform: a Transform, a StampedTransform, a message of either, or a 4x4 matrix.
-
-    Where the expected value names frames, so must the answer; with `stamp`, its time counts too.
-    """
-
-    tolerance_m: float = 1e-3
-    tolerance_rad: float = 1e-3
-    stamp: bool = False
-    frames: bool = False
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        parts = pose_of(plain)
-        if parts is None:
-            return None
-        names, stamp_ns, translation, rotation = parts
-        if self.frames and names is None:
-            return None
-        row = tuple(Mark(name) for name in names or ()) if self.frames else ()
-        row += (Mark(str(stamp_ns)),) if self.stamp else ()
-        row += tuple(Mark(number, self.tolerance_m) for number in translation)
-        return [_both_signs(row, rotation, self.tolerance_rad / 2.0)]
-
-    def wanted(self) -> Text:
-        if self.frames:
-            return Text(en="a transform with its two frames", ko="두 좌표계 이름이 있는 변환(Transform)")
-        return Text(en="a transform: translation and rotation", ko="변환(Transform): 이동과 회전")
 
 
 def numbers_of(plain: Plain, size: int | None) -> tuple[float, ...] | None:
@@ -377,10 +293,6 @@ def is_number(plain: Plain) -> bool:
     if isinstance(plain, bool) or not isinstance(plain, int | float):
         return False
     return abs(plain) < 10**30 and math.isfinite(plain)
-
-
-def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> Probe:
-    return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
 
 
 def is_given(given: Probe, wanted: Probe) -> bool:

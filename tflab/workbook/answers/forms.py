@@ -7,10 +7,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from .form import Angle, Form, Number, Pose, Quaternion, Vector
-from .members import Name, Pair, Set, Tree
+from .form import Form
+from .members import Pair, Set, Tree
+from .numeric import Angle, Number, Pose, Quaternion, Vector
 from .proof import Proof
-from .structures import Choice, Command, Message, Parts, Sequence
+from .structures import Choice, Command, Message, Name, Parts, Sequence
 from .telling import Telling
 from .urdf_text import Urdf
 

@@ -1,6 +1,5 @@
-"""Compare answers whose order does not matter: names, pairs, sets and trees.
+"""Compare answers whose order does not matter: pairs, sets and trees.
 
-    Name()                              "odom": a text of the learner's own, to the letter
     Pair(Name(), Choice(("up", "down")))    ("laser_frame", "up")
     Set(Name())                         {"map", "odom"}, or a list: each member counts once, whatever the order
     Tree()                              {"odom": "map", "base_link": "odom"}: child -> parent
@@ -13,41 +12,20 @@ beside recall).
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from ...text import Text
 from .form import Form, Mark, Probe, inside, is_given, pose_of
 from .structures import as_one
 from .values import Plain
 
-__all__ = ["Name", "Pair", "Set", "Tree"]
+__all__ = ["Pair", "Set", "Tree", "belonging", "edges_of", "members_of"]
 
+MOST_NAMED = 4  # children that are called by name
 MOST_MEMBERS = 1000  # of a set or a tree; no answer has as many
 NOTHING: Probe = [(Mark("nothing"), Mark("at all"))]  # what an empty set shows
 
 Edge = tuple[str, str]  # child, parent
-
-
-@dataclass(frozen=True)
-class Name(Form):
-    """A name, written by the learner: compared to the letter, for `odom` and `Odom` are two frames.
-
-    Of a `topic`, the slash in front may be left out, as `ros2` takes it.
-    """
-
-    topic: bool = False
-
-    def probes(self, plain: Plain) -> list[Probe] | None:
-        if not isinstance(plain, str):
-            return None
-        return [[(Mark("/" + plain.strip().lstrip("/") if self.topic else plain),)]]
-
-    def wanted(self) -> Text:
-        return Text(en="a name, as a str", ko="이름 하나(str)")
-
-    def plain(self) -> dict[str, Any]:
-        """Return the form as JSON has it: what kind of name it is only where that is said."""
-        return super().plain() if self.topic else {"form": "Name"}
 
 
 @dataclass(frozen=True)
@@ -92,6 +70,20 @@ class Set(Form):
         each = self.of.wanted()
         return Text(en=f"a set or a list, each member {each.en}", ko=f"set이나 리스트(각 원소는 {each.ko})")
 
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        if self.read(answer) is None:
+            return None
+        wanted = len(self.probes(expected)) if members_of(expected) else 0
+        fits = belonging(self, answer, expected) if members_of(answer) else []
+        missing = wanted - sum(fits)
+        said = []
+        if not all(fits):
+            count = len(fits) - sum(fits)
+            said.append(Text(f"members that do not belong: {count}", f"들어가면 안 되는 원소: {count}개"))
+        if missing > 0:
+            said.append(Text(f"members that are missing: {missing}", f"빠진 원소: {missing}개"))
+        return Text.joined(*said, between="; ") if said else None
+
 
 @dataclass(frozen=True)
 class Tree(Form):
@@ -107,6 +99,24 @@ class Tree(Form):
 
     def wanted(self) -> Text:
         return Text(en="a dict child -> parent", ko="자식 → 부모로 된 dict")
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        if self.read(answer) is None:
+            return None
+        wanted = len(self.probes(expected)) if edges_of(expected) else 0
+        edges = edges_of(answer) or []
+        fits = belonging(self, answer, expected) if edges else []
+        wrong = sorted({child for (child, _), fit in zip(edges, fits, strict=True) if not fit})
+        short = wanted - len({child for child, _ in edges})
+        said = []
+        if wrong:
+            names = ", ".join(f'"{name}"' for name in wrong[:MOST_NAMED])
+            said.append(
+                Text(f"wrong as a child, or below the wrong parent: {names}", f"자식이나 그 부모가 틀린 곳: {names}")
+            )
+        if short > 0:
+            said.append(Text(f"children that are missing: {short}", f"빠진 자식: {short}개"))
+        return Text.joined(*said, between="; ") if said else None
 
 
 def belonging(form: Set | Tree, answer: Plain, expected: Plain) -> list[bool]:

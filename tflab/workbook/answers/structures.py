@@ -1,6 +1,7 @@
-"""Choices, lists, messages and command lines: the forms of answers that are more than a number.
+"""Choices, names, lists, messages and command lines: the forms of answers that are more than a number.
 
     Choice(("past", "future"))     a word of these
+    Name()                         "odom": a text of the learner's own, to the letter
     Parts({"a": ..., "b": ...})    a dict, credit for each part
     Sequence(Number())             a list in its order
     Message("geometry_msgs/msg/TransformStamped", ("header.frame_id", "transform.rotation"))
@@ -11,22 +12,25 @@ What has no order, sets and trees, is next.
 
 from __future__ import annotations
 
+import difflib
 import json
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import islice, product
-from typing import Any
+from typing import Any, ClassVar
 
 from ...text import Text
 from . import command_lines
-from .form import Form, Mark, Probe, Quaternion, Vector, inside, member, numbers_of
+from .form import Form, Mark, Probe, inside, member, numbers_of
+from .numeric import Number, Quaternion, Vector
 from .values import Plain
 
-__all__ = ["Choice", "Command", "Message", "Parts", "Sequence", "as_one", "named_beside"]
+__all__ = ["Choice", "Command", "Message", "Name", "Parts", "Sequence", "as_one", "named_beside"]
 
 MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
+NEARLY = 0.6  # from which share of letters on a name looks like another
 
 
 @dataclass(frozen=True)
@@ -58,6 +62,38 @@ class Choice(Form):
 
 
 @dataclass(frozen=True)
+class Name(Form):
+    """A name, written by the learner: compared to the letter, for `odom` and `Odom` are two frames.
+
+    Of a `topic`, the slash in front may be left out, as `ros2` takes it.
+    """
+
+    topic: bool = False
+
+    def probes(self, plain: Plain) -> list[Probe] | None:
+        if not isinstance(plain, str):
+            return None
+        return [[(Mark("/" + plain.strip().lstrip("/") if self.topic else plain),)]]
+
+    def wanted(self) -> Text:
+        return Text(en="a name, as a str", ko="이름 하나(str)")
+
+    def plain(self) -> dict[str, Any]:
+        """Return the form as JSON has it: what kind of name it is only where that is said."""
+        return super().plain() if self.topic else {"form": "Name"}
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        if not isinstance(answer, str) or not isinstance(expected, str) or not answer:
+            return None
+        if difflib.SequenceMatcher(None, answer, expected).ratio() >= NEARLY:
+            return Text(
+                "nearly the name that is asked for: compare letter by letter",
+                "필요한 이름과 비슷합니다. 한 글자씩 비교하십시오",
+            )
+        return Text("another name than the one that is asked for", "필요한 이름이 아닙니다")
+
+
+@dataclass(frozen=True)
 class Parts(Form):
     """A dict of named parts, each of its own form, and each with credit of its own.
 
@@ -66,6 +102,7 @@ class Parts(Form):
 
     parts: dict[str, Form]
     alone: bool = False
+    is_measured: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         answers = inside(plain)
@@ -92,6 +129,35 @@ class Parts(Form):
         names = list(self.parts)
         return super().plain() | ({"order": names} if names != sorted(names) else {})
 
+    def names(self) -> tuple[str, ...]:
+        return tuple(self.parts)
+
+    def forms_of_parts(self, like: Plain) -> dict[str, Form]:
+        return dict(self.parts)
+
+    def part_of(self, plain: Plain, name: str) -> Plain:
+        """Return one part of a dict, or one member of a list in it, as in "frames[2]"."""
+        held = inside(plain)
+        if not isinstance(held, dict):
+            return None
+        name, _, place = name.partition("[")
+        part = self.part(held, name)
+        if not place:
+            return part
+        members, at = inside(part), int(place[:-1])
+        return members[at] if isinstance(members, list) and at < len(members) else None
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        given, wanted = inside(answer), inside(expected)
+        if not isinstance(given, dict) or not isinstance(wanted, dict):
+            return None
+        for name, part in self.parts.items():
+            if name in given and not part.alike(given[name], wanted[name]):
+                said = part.describe_difference(given[name], wanted[name])
+                if said is not None:
+                    return Text(f'"{name}": {said.en}', f'"{name}": {said.ko}')
+        return None
+
 
 def named_beside(name: str, parts: Iterable[str]) -> list[str]:
     """Return the parts that speak of the same one: of "c checks" those of c; of a name of one word, all."""
@@ -117,6 +183,19 @@ class Sequence(Form):
         each = self.of.wanted()
         return Text(en=f"a list, each member {each.en}", ko=f"리스트(각 원소는 {each.ko})")
 
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        given, wanted = inside(answer), inside(expected)
+        if not isinstance(given, list) or not isinstance(wanted, list):
+            return None
+        if len(given) > len(wanted):
+            return Text("too many members", "원소가 너무 많습니다")
+        if len(given) < len(wanted):
+            return Text("too few members", "원소가 모자랍니다")
+        first = next((place for place, pair in enumerate(zip(given, wanted, strict=True)) if pair[0] != pair[1]), 0)
+        if first:
+            return Text(f"the first members are right, up to number {first}", f"앞에서 {first}번째 원소까지는 맞습니다")
+        return Text("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
+
 
 @dataclass(frozen=True)
 class Message(Form):
@@ -125,6 +204,7 @@ class Message(Form):
     type: str
     fields: tuple[str, ...]
     tolerance: float = 1e-3
+    is_measured: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         if not isinstance(plain, dict) or not isinstance(plain.get("message"), list) or not plain["message"]:
@@ -144,6 +224,37 @@ class Message(Form):
             return [(Mark(row[0], self.tolerance),)]
         return [(Mark(_text(plain)),)]
 
+    def names(self) -> tuple[str, ...]:
+        return self.fields
+
+    def forms_of_parts(self, like: Plain) -> dict[str, Form]:
+        return {path: self._form_of_field(path, self.part_of(like, path)) for path in self.fields}
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        rights = self.judge(answer, expected)
+        right = [path for path, right in zip(self.fields, rights, strict=True) if right]
+        said = [Text(f"right: {', '.join(right)}", f"맞음: {', '.join(right)}")] if right else []
+        parts = self.forms_of_parts(expected)
+        for name in (name for name, is_right in zip(parts, rights, strict=True) if not is_right):
+            of_field = parts[name].describe_difference(self.part_of(answer, name), self.part_of(expected, name))
+            if of_field is not None:
+                return Text.joined(*said, Text(f"{name}: {of_field.en}", f"{name}: {of_field.ko}"), between="; ")
+        return Text.joined(*said) if said else None
+
+    def _form_of_field(self, path: str, held: Plain) -> Form:
+        """Return the form of a field: its numbers are metres, its rotation a quaternion, its texts words."""
+        if numbers_of(held, 4) is not None or path.endswith("rotation"):
+            return Quaternion(self.tolerance)
+        if numbers_of(held, 3) is not None or path.endswith(("translation", "point", "position")):
+            return Vector(3, "m", "", self.tolerance)
+        return Number("", self.tolerance) if numbers_of(held, None) is not None else Name()
+
+
+MOUNT = {
+    "--frame-id": Name(), "--child-frame-id": Name(), "translation": Vector(3, "m"), "rotation": Quaternion(),
+}  # fmt: skip
+STATIC_FIELDS = ("frame-id", "child-frame-id", "x", "y", "z")  # of static_transform_publisher, beside the rotation
+
 
 @dataclass(frozen=True)
 class Command(Form):
@@ -155,6 +266,40 @@ class Command(Form):
 
     def wanted(self) -> Text:
         return Text(en="a command line, as a str", ko="명령 한 줄(str)")
+
+    def forms_of_parts(self, like: Plain) -> dict[str, Form]:
+        return dict(MOUNT) if self._mount(like) else {}
+
+    def part_of(self, plain: Plain, name: str) -> Plain:
+        return self._mount(plain).get(name)
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        given, wanted = self.read(answer), self.probes(expected)
+        if not given or not wanted:
+            return None
+        row, right = given[0][0], wanted[0][0]
+        if right[0].value != "static":
+            same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.fits(*pair)), 0)
+            return Text(f"right up to word {same}", f"{same}번째 낱말까지는 맞습니다") if same else None
+        if row[0].value != "static":
+            return Text(
+                "this line publishes no static transform: another program, a word too few, or an option that it lacks",
+                "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램이거나, 낱말이 빠졌거나, 없는 옵션입니다",
+            )
+        wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.fits(*pair)]
+        if not any(all(map(Mark.fits, row[6:], other[6:])) for other in wanted[0]):
+            wrong.append("rotation")
+        right_ones = [name for name in (*STATIC_FIELDS, "rotation") if name not in wrong]
+        names, others = ", ".join(wrong), ", ".join(right_ones)
+        return Text(f"right: {others}; wrong: {names}", f"맞음: {others}; 틀림: {names}")
+
+    def _mount(self, plain: Plain) -> dict[str, Plain]:
+        """Return what a line publishes as a static transform, by parts; nothing of another line."""
+        read = self.read(plain)
+        words = [mark.value for mark in read[0][0]] if read else []
+        if words[:1] != ["static"]:
+            return {}
+        return dict(zip(MOUNT, (words[1], words[2], words[3:6], words[6:]), strict=True))
 
 
 def as_one(probes: list[Probe] | None) -> Probe:

@@ -98,6 +98,9 @@ class Urdf(Form):
             for sign in (1.0, -1.0)
         ]
 
+    def names(self) -> tuple[str, ...]:
+        return self.links
+
 
 @lru_cache(maxsize=2000)  # hundreds of mistakes are compared with each other when a task is built
 def _robot(text: str) -> Robot | UrdfError:

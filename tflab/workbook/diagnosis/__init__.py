@@ -14,7 +14,6 @@ lookup_time      which time was passed to a lookup
 vector_terms     how a point was computed
 links            the links of a robot
 wrong_types      answers of another type
-bounds           what is certain where nothing explains an answer
 matching         outcomes compared with what a mistake gives
 generic          mistakes that any answer can have
 precision        what got lost and cannot be corrections

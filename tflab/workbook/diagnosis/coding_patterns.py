@@ -10,7 +10,6 @@ from ..answers.forms import Angle, Choice, Name, Number, Parts, Pose, Quaternion
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
-from .generic import unit_of
 from .matching import alike, matches_closely
 
 __all__ = ["constant_of", "find_coding_pattern", "find_input", "leaves"]
@@ -120,7 +119,7 @@ def find_input(form: Form, outcome: Plain, expected: Plain, given: dict[str, Pla
 
 def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
     """Yield what was given as an answer of this form might have it; a number only if its name ends in the unit."""
-    if isinstance(form, Pose) or (isinstance(form, Number | Angle) and name.endswith(f"_{unit_of(form)}")):
+    if isinstance(form, Pose) or (isinstance(form, Number | Angle) and name.endswith(f"_{form.unit}")):
         yield leaf
     parts = pose_of(leaf)
     if isinstance(form, Vector):

@@ -34,7 +34,6 @@ from .generic import describe_names, unfilled
 from .links import explain_links
 from .lookup_time import explain_lookup_time
 from .matching import (
-    MEASURED,
     ONE,
     TWO,
     alike,
@@ -43,7 +42,6 @@ from .matching import (
     in_some,
     matches_closely,
     matching_corrections,
-    part_forms,
 )
 from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
@@ -69,6 +67,7 @@ class Explainer(NamedTuple):
         explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
         of: which answers are asked about.
         forms: the forms that it applies to; all if empty.
+        is_measured: whether it applies to measured forms alone.
         is_last: whether no later row is asked where this one's condition holds.
         condition: when it is asked, beside `of` and `forms`.
         certainty: "seen" if it is plain in the answer; "fits" if it gives exactly what came out.
@@ -78,6 +77,7 @@ class Explainer(NamedTuple):
     explain: Callable[[Question], Explanation | Rest | None]
     of: Literal["value", "function", "any"] = "any"
     forms: tuple[type[Form], ...] = ()
+    is_measured: bool = False
     is_last: bool = False
     condition: Callable[[Question], bool] | None = None
     certainty: Literal["seen", "fits"] = "fits"
@@ -85,7 +85,9 @@ class Explainer(NamedTuple):
     def applies(self, question: Question) -> bool:
         """Return whether this row is asked."""
         is_of = self.of == "any" or (self.of == "function") is question.task.is_function
-        is_form = not self.forms or isinstance(question.form, self.forms)
+        is_form = (
+            not self.forms or isinstance(question.form, self.forms)
+        ) and self.is_measured <= question.form.is_measured
         return is_of and is_form and (self.condition is None or self.condition(question))
 
 
@@ -257,7 +259,7 @@ def _is_constant_or_input(question: Question) -> bool:
 
 
 def _is_split(question: Question) -> bool:
-    return isinstance(question.form, Parts | Message) or bool(part_forms(question.form, question.outcomes[0]))
+    return bool(question.form.forms_of_parts(question.outcomes[0]))
 
 
 def _is_not_short(question: Question) -> bool:
@@ -310,8 +312,10 @@ TABLE: tuple[Explainer, ...] = (
     Explainer("mistakes by call", _explain_mistakes_by_call, of="function", condition=_is_no_option),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic),
     Explainer("a generic mistake", _explain_generic_mistake),
-    Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", forms=MEASURED),
-    Explainer("a generic mistake in some calls", _explain_generic_mistake_in_some_calls, of="function", forms=MEASURED),
+    Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", is_measured=True),
+    Explainer(
+        "a generic mistake in some calls", _explain_generic_mistake_in_some_calls, of="function", is_measured=True
+    ),
     Explainer("calls that raise", explain_raises, of="function", certainty="seen"),
     Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function", certainty="seen"),
     Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
@@ -348,7 +352,7 @@ def _is_only_near(question: Question, name: str) -> bool:
 
 
 def _is_measured_value(question: Question) -> bool:
-    return not question.task.is_function and isinstance(question.form, MEASURED)
+    return not question.task.is_function and question.form.is_measured
 
 
 def _single(question: Question, share: float) -> list[str]:

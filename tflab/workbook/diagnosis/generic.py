@@ -30,7 +30,6 @@ __all__ = [
     "letters_changed",
     "renamed",
     "unfilled",
-    "unit_of",
 ]
 
 TEXTS = Texts(__file__)
@@ -205,19 +204,18 @@ def corrections(form: Form, answer: Plain) -> Iterator[Undone]:
 
 
 def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
-    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
-    row = numbers_of(answer, size)
-    for unit, factor in OTHER_UNITS.get(unit_of(form), {}).items():
+    row = form.numbers(answer)
+    for unit, factor in OTHER_UNITS.get(form.unit, {}).items():
         left = tuple(number / factor for number in row)
         if max(map(abs, left)) > NOTHING * form.tolerance:
-            yield Undone("unit", unit, _plain(left, size))
+            yield Undone("unit", unit, _plain(left))
     is_a_count = isinstance(form, Number) and not form.unit
     for name in ("sign",) if is_a_count else OF_FORM[type(form)]:
         lefts = list(UNIVERSAL[name].undo(row))
         if isinstance(form, Vector):  # what is sure of a number by its name comes first
-            yield from (Undone(name, f"| {told}", _plain(left, size)) for left in lefts
+            yield from (Undone(name, f"| {told}", _plain(left)) for left in lefts
                         if (told := letters_changed(name, row, left)))  # fmt: skip
-        yield from (Undone(name, "", _plain(left, size)) for left in lefts
+        yield from (Undone(name, "", _plain(left)) for left in lefts
                     if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance)  # fmt: skip
 
 
@@ -241,8 +239,8 @@ def _undone_names(answer: Plain) -> Iterator[Undone]:
     yield from (Undone(name, "", left) for name, left in renamed(answer))
 
 
-def _plain(row: Row, size: int | None) -> Plain:
-    return row[0] if size is None else list(row)
+def _plain(row: Row) -> Plain:
+    return row[0] if len(row) == 1 else list(row)
 
 
 OTHER_UNITS = {
@@ -255,13 +253,6 @@ OTHER_UNITS = {
     "m/s": {"mm/s": 1e3, "km/h": 3.6},
     "rad/s": {"degrees/s": math.degrees(1.0)},
 }
-
-
-def unit_of(form: Form) -> str:
-    """Return the unit in which a form wants its numbers, or ""."""
-    if isinstance(form, Angle):
-        return "rad"
-    return form.unit if isinstance(form, Number | Vector) else ""
 
 
 LETTERS = "xyz"

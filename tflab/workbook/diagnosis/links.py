@@ -11,7 +11,6 @@ from ..answers.form import Row
 from ..answers.forms import Form, Quaternion, Urdf, Vector
 from ..answers.values import Plain
 from ..tasks.case_types import Feedback, TaskCases
-from .bounds import certain
 from .explanation import Explanation
 from .matching import feedback_of, matching_corrections
 from .question import Question
@@ -81,7 +80,7 @@ def _explain_numbers(task: TaskCases, form: Form, given: Plain, wanted: Plain) -
     name = next(matching_corrections(form, [given], [wanted]), None)
     if name:
         return feedback_of(task, name).reply
-    bounds = certain(form, given, wanted) or Text("", "")
+    bounds = form.describe_difference(given, wanted) or Text("", "")
     axes = _axes(given) if isinstance(form, Quaternion) else ""
     return TEXTS["axes"].filled(said=bounds, name=axes) if axes else bounds
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ...text import Texts
-from ..answers.form import Form, inside, member, numbers_of, pose_of
-from ..answers.forms import Angle, Command, Message, Name, Number, Parts, Pose, Quaternion, Vector
+from ..answers.form import Form, inside
+from ..answers.forms import Number, Parts, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Feedback, TaskCases
@@ -25,8 +25,6 @@ __all__ = [
     "in_some",
     "matches_closely",
     "matching_corrections",
-    "part_forms",
-    "part_of",
     "row_of",
 ]
 
@@ -35,7 +33,6 @@ TEXTS = Texts(__file__)
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
 IN_SOME = "in some: "
-MEASURED = (Number, Angle, Vector, Quaternion, Pose, Message, Parts)  # words and lists are alike by chance
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
 ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
 COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
@@ -72,13 +69,12 @@ def matches_closely(form: Form, outcomes: Sequence[Plain], answers: Sequence[Pla
 
 def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
     if isinstance(form, Parts):
-        rows = [(part, part_of(form, given, name), part_of(form, wanted, name))
+        rows = [(part, form.part_of(given, name), form.part_of(wanted, name))
                 for name, part in form.parts.items()]  # fmt: skip
         return all(_is_near(*row, share) for row in rows)
     if not isinstance(form, Number | Vector):
         return True
-    size = form.size if isinstance(form, Vector) else None
-    one, other = numbers_of(given, size), numbers_of(wanted, size)
+    one, other = form.numbers(given), form.numbers(wanted)
     if one is None or other is None:
         return True
     size = math.hypot(*other)
@@ -125,7 +121,7 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
         for given, want in zip(outcomes, wanted, strict=True)
         if is_raised(want) or not alike(form, given, want)
     ]
-    if not isinstance(form, MEASURED) or (isinstance(form, Number) and not form.unit):
+    if not form.is_measured or (isinstance(form, Number) and not form.unit):
         return
     if 0 < len(wrong) < len(outcomes) and not any(is_raised(want) for _, want in wrong):
         names = matching_corrections(form, *map(list, zip(*wrong, strict=True)))
@@ -155,69 +151,12 @@ def feedback_of(task: TaskCases, name: str) -> Feedback:
     return Feedback(describe_letters(kind, told) or generic.TEXTS[kind], generic.UNIVERSAL[kind].misconception)
 
 
-OF_A_MOUNT = {
-    "--frame-id": Name(), "--child-frame-id": Name(), "translation": Vector(3, "m"), "rotation": Quaternion(),
-}  # fmt: skip
-
-
-def part_forms(form: Form, like: Plain) -> dict[str, Form]:
-    """Return the parts of an answer that are judged each on its own; of a message its fields, as `like` has them."""
-    if isinstance(form, Parts):
-        return dict(form.parts)
-    if isinstance(form, Message):
-        held = {path: part_of(form, like, path) for path in form.fields}
-        return {path: _form_of_field(path, field, form.tolerance) for path, field in held.items()}
-    if isinstance(form, Pose) and not form.frames and not form.stamp:
-        return {"translation": Vector(3, "m", "", form.tolerance_m), "rotation": Quaternion(form.tolerance_rad)}
-    return dict(OF_A_MOUNT) if isinstance(form, Command) and _mount(form, like) else {}
-
-
 def expand_lists(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:
     """Return the same parts, with each member of a list a part of its own, where all answers have as many."""
     found: dict[str, Form] = {}
     for name, part in parts.items():
-        lists = [inside(part_of(form, answer, name)) for answer in answers]
+        lists = [inside(form.part_of(answer, name)) for answer in answers]
         lengths = {len(held) if isinstance(held, list) else None for held in lists}
         is_split = isinstance(form, Parts) and isinstance(part, ListForm) and len(lengths) == 1 and None not in lengths
         found |= {f"{name}[{place}]": part.of for place in range(len(lists[0]))} if is_split else {name: part}
     return found
-
-
-def part_of(form: Form, plain: Plain, name: str) -> Plain:
-    """Return one of an answer's parts, as it is meant beside the others; of something else, None."""
-    if isinstance(form, Command):
-        return _mount(form, plain).get(name)
-    if isinstance(form, Pose):
-        parts = pose_of(plain)
-        return None if parts is None else list(parts[2 if name == "translation" else 3])
-    if isinstance(form, Parts):
-        held = inside(plain)
-        if not isinstance(held, dict):
-            return None
-        name, _, place = name.partition("[")
-        part = form.part(held, name)
-        return _member(part, int(place[:-1])) if place else part
-    return member(plain, *name.split("."))
-
-
-def _member(plain: Plain, place: int) -> Plain:
-    held = inside(plain)
-    return held[place] if isinstance(held, list) and place < len(held) else None
-
-
-def _mount(form: Command, plain: Plain) -> dict[str, Plain]:
-    """Return what a line publishes as a static transform, by parts; nothing of another line."""
-    read = form.read(plain)
-    words = [mark.value for mark in read[0][0]] if read else []
-    if words[:1] != ["static"]:
-        return {}
-    return dict(zip(OF_A_MOUNT, (words[1], words[2], words[3:6], words[6:]), strict=True))
-
-
-def _form_of_field(path: str, held: Plain, tolerance: float) -> Form:
-    """Return the form of a message's field: its numbers are metres, its rotation a quaternion, its texts words."""
-    if numbers_of(held, 4) is not None or path.endswith("rotation"):
-        return Quaternion(tolerance)
-    if numbers_of(held, 3) is not None or path.endswith(("translation", "point", "position")):
-        return Vector(3, "m", "", tolerance)
-    return Number("", tolerance) if numbers_of(held, None) is not None else Name()

@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 from ...text import Texts
 from ..answers.form import Form, numbers_of
-from ..answers.forms import Angle, Message, Number, Parts, Vector
+from ..answers.forms import Angle, Message, Number, Parts
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Case, Feedback, TaskCases
 from .explanation import Found, describe, each_part_once
-from .matching import MEASURED, ONE, TWO, alike, feedback_of, matches_closely, matching_corrections, part_of
+from .matching import ONE, TWO, alike, feedback_of, matches_closely, matching_corrections
 
 __all__ = ["Table", "after_a_slip", "followers", "is_something", "only_follows", "slips_in_parts"]
 
@@ -65,7 +65,7 @@ def _pairs(
         return [
             name
             for name in parts
-            if matches_closely(table.forms[name], [table.given[name][case]], [part_of(task.form, value, name)], TWO)
+            if matches_closely(table.forms[name], [table.given[name][case]], [task.form.part_of(value, name)], TWO)
         ]
 
     def is_right(case: int) -> bool:
@@ -125,7 +125,7 @@ def _explain_one_slip(
     same = _more_than_zero(table, same)
     if isinstance(form, Message) and values and values <= same:
         return [Found({name: words}, words.reply, values)]
-    made_in, follow = words.part, {part for part in changed & same if isinstance(table.forms[part], MEASURED)}
+    made_in, follow = words.part, {part for part in changed & same if table.forms[part].is_measured}
     if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
         return []
     return [Found({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
@@ -147,7 +147,7 @@ def _shown(form: Form, table: Table, answers: Sequence[Plain], share: float) -> 
     if any(map(is_raised, answers)) or any(answer is None for answer in answers):
         return changed, same
     for name, part in table.forms.items():
-        row = [part_of(form, answer, name) for answer in answers]
+        row = [form.part_of(answer, name) for answer in answers]
         if not all(map(part.alike, row, table.wanted[name])):
             changed.add(name)
         if matches_closely(part, table.given[name], row, share):
@@ -162,7 +162,7 @@ def _more_than_zero(table: Table, parts: set[str]) -> set[str]:
 
 def is_something(form: Form, value: Plain) -> bool:
     """Return whether a value is more than zeros, which many answers are."""
-    row = numbers_of(value, form.size if isinstance(form, Vector) else None)
+    row = form.numbers(value)
     return row is None or any(row)
 
 
@@ -188,7 +188,7 @@ def after_a_slip(
         made_in: the part in which the slip was made.
         row: what the slip gives in this part, case by case.
     """
-    if not isinstance(form, MEASURED) or any(value is None for value in row):
+    if not form.is_measured or any(value is None for value in row):
         return []
     if matches_closely(form, outcomes, row):
         return [only_follows(name, made_in)]

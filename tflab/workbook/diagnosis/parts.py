@@ -20,11 +20,9 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, Feedback, TaskCases
-from .bounds import certain
 from .coding_patterns import constant_of, find_coding_pattern, find_input
 from .explanation import Explanation, Found, describe, each_part_once, together
 from .matching import (
-    MEASURED,
     alike,
     all_alike,
     expand_lists,
@@ -32,8 +30,6 @@ from .matching import (
     in_some,
     matches_closely,
     matching_corrections,
-    part_forms,
-    part_of,
 )
 from .options import confused, explain_list_orders, explain_orders, named_twice, seen_of, word_of
 from .part_mistakes import Table, after_a_slip, followers, is_something, only_follows, slips_in_parts
@@ -150,9 +146,9 @@ def explain_obvious_part(question: Question) -> Explanation | None:
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
-    forms = expand_lists(form, part_forms(form, cases[0].expected), [*outcomes, *(case.expected for case in cases)])
-    given = {name: [part_of(form, plain, name) for plain in outcomes] for name in forms}
-    wanted = {name: [part_of(form, case.expected, name) for case in cases] for name in forms}
+    forms = expand_lists(form, form.forms_of_parts(cases[0].expected), [*outcomes, *(case.expected for case in cases)])
+    given = {name: [form.part_of(plain, name) for plain in outcomes] for name in forms}
+    wanted = {name: [form.part_of(case.expected, name) for case in cases] for name in forms}
     return Table(forms, given, wanted, [case.args or [] for case in cases])
 
 
@@ -222,7 +218,7 @@ def _after_a_slip(
     """Return what a part is beside the slips of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
     for slip, part in ((slip, words.part) for slip, words in task.feedback.items() if words.part in known):
-        rows = {one: [part_of(task.form, case.wrong[slip], one) for case in cases] for one in (part, name)}
+        rows = {one: [task.form.part_of(case.wrong[slip], one) for case in cases] for one in (part, name)}
         more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and matches_closely(table.forms[part], table.given[part], rows[part]):
             return more
@@ -232,8 +228,8 @@ def _after_a_slip(
 def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return a slip of the task and what is plain to see on top of it, if both give one part."""
     form = table.forms[name]
-    for slip in task.feedback if isinstance(form, MEASURED) else ():
-        row = [part_of(task.form, twin, name) for twin in (case.wrong.get(slip) for case in cases)]
+    for slip in task.feedback if form.is_measured else ():
+        row = [task.form.part_of(twin, name) for twin in (case.wrong.get(slip) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
         for way in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
@@ -305,13 +301,13 @@ def _as_another_is(
     """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form = table.forms[name]
     for other, part in table.forms.items():
-        is_like = other in known and type(part) is type(form) and isinstance(form, MEASURED)
+        is_like = other in known and type(part) is type(form) and form.is_measured
         is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
         if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
             continue
         for key, answer in wrong_answers.items():
             is_made_here = feedback_of(task, key).part == name
-            if is_made_here and alike(form, part_of(task.form, answer, name), table.wanted[other][0]):
+            if is_made_here and alike(form, task.form.part_of(answer, name), table.wanted[other][0]):
                 return [Found({key: feedback_of(task, key)}, feedback_of(task, key).reply, {name})]
     return []
 
@@ -319,7 +315,7 @@ def _as_another_is(
 def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
-        came = [part_of(form, case.args[place], name) for case in cases]
+        came = [form.part_of(case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
             return [Found({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
         times = [time_of(case.args[place]) for case in cases]
@@ -357,7 +353,7 @@ def _certain(table: Table, name: str) -> Text | None:
     """Return what is certain of a part that nothing explains, where it goes wrong first."""
     pairs = zip(table.given[name], table.wanted[name], strict=True)
     wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
-    return certain(table.forms[name], *wrong) if wrong else None
+    return table.forms[name].describe_difference(*wrong) if wrong else None
 
 
 def explain_list_members(question: Question) -> Explanation | None:

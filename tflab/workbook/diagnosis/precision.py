@@ -11,7 +11,7 @@ from itertools import permutations
 
 from ...text import Text, Texts
 from ..answers.form import Row as Marks
-from ..answers.form import inside, member, numbers_of
+from ..answers.form import inside, member
 from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain
@@ -42,8 +42,7 @@ def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iter
     elif isinstance(form, Name | Command):
         yield from _compare_stamps(answers, wanted) if isinstance(form, Name) else _compare_lines(form, answers, wanted)
     elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
-        size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else None
-        rows = [(numbers_of(given, size), numbers_of(want, size)) for given, want in zip(answers, wanted, strict=True)]
+        rows = [(form.numbers(given), form.numbers(want)) for given, want in zip(answers, wanted, strict=True)]
         yield from _lost(form, rows)
 
 

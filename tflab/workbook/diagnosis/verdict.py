@@ -23,10 +23,8 @@ from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
 from ..tasks import credit
 from ..tasks.case_types import Case, Feedback, TaskCases, Variant
-from .bounds import certain
 from .explain import explain
 from .explanation import Explanation
-from .generic import unit_of
 from .matching import ANY_BUG
 from .mistake import Mistake
 from .options import never_said
@@ -207,7 +205,7 @@ def _unexplained(
     if task.is_function and (habit := credit.habit(form, cases, outcomes)):
         return Mistake(habit), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
-    if isinstance(form, Parts | Message | Urdf):
+    if form.names():
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
     return Mistake.VALUE, {"certain": bounds}
 
@@ -216,11 +214,16 @@ def _bounds(
     task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], shown: int
 ) -> Text | None:
     """Return what is certain of the answer; of calls, of all that go wrong, or else of the one that is shown."""
-    said = certain(task.form, outcomes[shown], cases[shown].expected)
-    wrong = (number for number, row in enumerate(rights) if not all(row))
-    if said is None or all(said == certain(task.form, outcomes[number], cases[number].expected) for number in wrong):
+    said = _difference(task.form, outcomes[shown], cases[shown].expected)
+    wrong = [number for number, row in enumerate(rights) if not all(row)]
+    others = {_difference(task.form, outcomes[number], cases[number].expected) for number in wrong}
+    if said is None or others == {said}:
         return said
     return TEXTS["in_this_call"].filled(said=said)
+
+
+def _difference(form: Form, outcome: Plain, expected: Plain) -> Text | None:
+    return None if is_raised(outcome) or is_raised(expected) else form.describe_difference(outcome, expected)
 
 
 def _describe_nothing(
@@ -240,7 +243,7 @@ def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:
     if isinstance(form, Parts):
         detail["part"] = _wrong_names(form, rights)[0]
         form = form.parts[detail["part"]]
-    return {"unit": name.removeprefix("unit "), "wanted_unit": unit_of(form), **detail}
+    return {"unit": name.removeprefix("unit "), "wanted_unit": form.unit, **detail}
 
 
 def _ending(
@@ -264,9 +267,8 @@ def _ending(
     return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
 
 
-def _wrong_names(form: Parts | Message | Urdf, rights: list[bool]) -> list[str]:
-    names = form.parts if isinstance(form, Parts) else form.links if isinstance(form, Urdf) else form.fields
-    return [name for name, good in zip(names, rights, strict=False) if not good]
+def _wrong_names(form: Form, rights: list[bool]) -> list[str]:
+    return [name for name, good in zip(form.names(), rights, strict=False) if not good]
 
 
 def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
