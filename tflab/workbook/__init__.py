@@ -10,6 +10,7 @@ In an exercise one calls four functions:
     tasks/        a task, its right answer, its wrong ones, what it is tried on
     diagnosis/    judges an answer, and explains a wrong one by the mistakes that would produce it
     replies       texts that `check` prints besides
+    call_limits   bounds the time and memory of a learner's function
     trying        what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task

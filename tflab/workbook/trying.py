@@ -8,32 +8,29 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from collections.abc import Sequence
 from dataclasses import replace
-from io import StringIO
 from pathlib import Path
-from threading import Timer
 from typing import Any, NamedTuple
 
 from ..text import Text
 from .answers.forms import Sequence as SequenceForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
+from .call_limits import CALL_S, TimeLimitError, call_limits
 from .diagnosis.calls import return_value
 from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
 from .paths import Workbook
 from .replies import PHRASES
-from .reply import in_notebook, shell, show_caption, show_reply
+from .reply import shell, show_caption, show_reply
 from .tasks.case_types import TaskCases, Variant
 
 __all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
 
 DRAWN = {Mistake.SLIP, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
-PATIENCE_S = 10.0  # after that, somebody who waits for a reply asks herself whether there will be one
 
 
 class AssignedTask(NamedTuple):
@@ -65,41 +62,36 @@ def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]
         mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
         verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
         return verdict, []
-    with _patience(assigned):
-        return _called(assigned, answer)
-
-
-@contextmanager
-def _patience(assigned: AssignedTask) -> Iterator[None]:
-    """Say after a while that a function has not come back, for otherwise nothing is to be seen."""
-    if not in_notebook():
-        yield
-        return
-    timer = Timer(PATIENCE_S, show_reply, (assigned.id, assigned.phrase("still_waiting")))
-    timer.daemon = True
-    timer.start()
-    try:
-        yield
-    finally:
-        timer.cancel()
+    return _called(assigned, answer)
 
 
 def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
     """Return the verdict on a function, and what it gave in each case."""
-    cases, outcomes = assigned.variant.cases, []
+    cases, outcomes, lines = assigned.variant.cases, [], 0
     for number, case in enumerate(cases):
         try:
-            first = outcome_of(answer, case.args)
-            with redirect_stdout(StringIO()):  # what it prints has been read once
+            with call_limits(CALL_S) as printed:
+                first = outcome_of(answer, case.args)
+            with call_limits(CALL_S):
                 again = outcome_of(answer, case.args)
-        except KeyboardInterrupt:
-            return Verdict(0, len(cases), Mistake.INTERRUPTED, case=number), []
+        except (KeyboardInterrupt, TimeLimitError) as stopped:
+            mistake = Mistake.ENDLESS if isinstance(stopped, TimeLimitError) else Mistake.INTERRUPTED
+            return Verdict(0, len(cases), mistake, case=number, detail=_stopped_call(assigned, number)), []
+        lines += printed.lines
+        if is_raised(first) and first["raises"] == MemoryError.__name__:
+            return Verdict(0, len(cases), Mistake.TOO_LARGE, case=number, detail=_stopped_call(assigned, number)), []
         if first != again:
             return Verdict(0, len(cases), Mistake.UNSTEADY, case=number), []
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             return Verdict(0, len(cases), Mistake.UNANSWERED), []
-    return _with_its_place(assigned, answer, judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes)
+    verdict = judge_outcomes(assigned.cases, assigned.variant, outcomes)
+    verdict = replace(verdict, detail=verdict.detail | {"printed": lines} if lines else verdict.detail)
+    return _with_its_place(assigned, answer, verdict, outcomes)
+
+
+def _stopped_call(assigned: AssignedTask, number: int) -> dict[str, Any]:
+    return {"seconds": CALL_S, "call": show_call(assigned, number)}
 
 
 def _with_its_place(
@@ -141,7 +133,9 @@ def say_verdict(
         show_reply(assigned.id, assigned.words(REPLIES[verdict.mistake]))
         return
     if assigned.cases.is_function and outcomes:
-        call = assigned.phrase("case", call=_call(assigned, verdict.case), got=_shown(outcomes[verdict.case]))
+        if lines := verdict.detail.get("printed"):
+            more = [assigned.phrase("printed", lines=lines), *more]
+        call = assigned.phrase("case", call=show_call(assigned, verdict.case), got=_shown(outcomes[verdict.case]))
         more = [call, *more]
     show_reply(score, _reply(assigned, verdict), more, "wrong")
     if draws or assigned.cases.is_function:
@@ -177,7 +171,7 @@ def _wanted(assigned: AssignedTask, verdict: Verdict) -> str:
     return form.wanted().say(assigned.workbook.language)
 
 
-def _call(assigned: AssignedTask, case: int) -> str:
+def show_call(assigned: AssignedTask, case: int) -> str:
     """Return the call as it was made, short enough to read."""
     arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in assigned.variant.cases[case].args)
     return f"{assigned.cases.answer}({arguments})"

@@ -90,7 +90,7 @@ def outcomes_of(functions: Iterable[Callable[..., Any]], args: Sequence[Plain]) 
         before = before or [to_plain(arg) for arg in held]
         try:
             given = function(*held)
-        except Exception as error:
+        except (Exception, SystemExit) as error:
             held = None
             yield raised(error)
             continue

@@ -26,6 +26,8 @@ class Mistake(str, Enum):
     UNANSWERED = "unanswered"
     NOT_A_FUNCTION = "not a function"
     A_FUNCTION = "a function"
+    ENDLESS = "endless"
+    TOO_LARGE = "too large"
     INTERRUPTED = "interrupted"
     UNSTEADY = "unsteady"
     SLIP = "slip"  # one that the task knows, or two

@@ -252,6 +252,8 @@ def _ending(
     """Return what is wrong with how a call ended: it raised, or gave nothing, or did not refuse; None if nothing."""
     if isinstance(outcome, dict) and "changed" in outcome:
         return Mistake.INPUT_CHANGED, {"changed": outcome["changed"]}
+    if is_raised(outcome) and not task.is_function:  # the value cannot be written down
+        return Mistake.TYPE, {"got": f"{outcome['raises']}: {outcome.get('text', '')}"}
     if is_raised(outcome):
         meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
         error, text = outcome["raises"], outcome.get("text", "")
