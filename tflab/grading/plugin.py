@@ -1,13 +1,18 @@
-"""Show tasks as test items of pytest: `pytest --tflab-grade DIR/instructor NOTEBOOK ...`.
+"""Show tasks as test items of pytest, and let `pytest --nbval` fail where an answer is wrong.
 
-    s101_03_target_and_source.ipynb::E3.1 PASSED
-    s101_03_target_and_source.ipynb::E3.2 FAILED     E3.2: 2 of 4 points. ...
+    pytest --tflab-grade DIR/instructor NOTEBOOK ...
+        s101_03_target_and_source.ipynb::E3.1 PASSED
+        s101_03_target_and_source.ipynb::E3.2 FAILED     E3.2: 2 of 4 points. ...
 
-pytest finds this page by its entry point.  Without the option it does nothing and imports nothing.
+    pytest --nbval exercises/en/E03_target_and_source.ipynb
+        E03_target_and_source.ipynb::Cell 9 FAILED       E3.2 ✗ 0/4: You ...
+
+pytest finds this module by its entry point.  Without these options it does nothing.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -17,6 +22,7 @@ import pytest
 
 __all__ = ["TaskItem", "TasksFile"]
 
+PASSED = re.compile(r"E\d+\.\d+ ✓")  # how a reply of `check` begins
 PACK: pytest.StashKey[Any] = pytest.StashKey()
 
 
@@ -31,6 +37,18 @@ def pytest_collect_file(file_path: Path, parent: pytest.Collector) -> pytest.Col
     if file_path.suffix == ".ipynb" and parent.config.getoption("--tflab-grade"):
         return TasksFile.from_parent(parent, path=file_path)
     return None
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_call(item: pytest.Item) -> Iterator[None]:
+    """Fail a check cell that nbval has run, unless `check` says that the answer is right."""
+    yield
+    cell = getattr(item, "cell", None)  # an IPyNbCell
+    if cell is None or "check" not in cell.metadata.get("tags", ()):
+        return
+    replies = [out.get("text") or out.get("data", {}).get("text/plain", "") for out in item.test_outputs]
+    if not any(map(PASSED.match, replies)):
+        pytest.fail("\n".join(replies).strip() or "check printed no reply", pytrace=False)
 
 
 class TasksFile(pytest.File):

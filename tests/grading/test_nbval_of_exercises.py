@@ -1,0 +1,66 @@
+"""`pytest --nbval` on an exercise: blank fails, a wrong answer fails its own check cell, solved passes."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import tflab
+from tflab.workbook.copy.lay_out import lay_out
+from tflab.workbook.paths import workbook_data
+
+STEMS = sorted(path.stem for path in (workbook_data() / "exercises" / "en").glob("*.ipynb"))
+WRONG = {"e3-4-answer": "def compose(a_pose_b, b_pose_c):\n    return b_pose_c\n"}
+
+
+def with_answers(copy: Path, stem: str, other: dict[str, str]) -> Path:
+    """Put the solution's answer cells, or others, into an exercise of a copy."""
+    path = copy / "exercises" / "en" / f"{stem}.ipynb"
+    solution = workbook_data() / "solutions" / "en" / f"{stem[1:]}.ipynb"
+    solved = {cell["id"]: cell for cell in json.loads(solution.read_text(encoding="utf-8"))["cells"]}
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    for cell in notebook["cells"]:
+        if "answer" in cell["metadata"].get("tags", ()):
+            cell["source"] = other.get(cell["id"], solved[cell["id"]]["source"])
+    path.write_text(json.dumps(notebook), encoding="utf-8")
+    return path
+
+
+def nbval(path: Path, option: str) -> str:
+    """Return what pytest prints of a notebook, in a process of its own."""
+    variables = {name: value for name, value in os.environ.items() if not name.startswith(("TFLAB_", "PYTEST_"))}
+    search = os.pathsep.join([str(Path(tflab.__file__).parents[1]), os.environ.get("PYTHONPATH", "")])
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", option, "-q", "-p", "no:cacheprovider", path.name],
+        cwd=path.parent, env=variables | {"PYTHONPATH": search}, capture_output=True, text=True,
+    )  # fmt: skip
+    return done.stdout
+
+
+@pytest.fixture
+def copy(tmp_path: Path) -> Path:
+    """A learner's copy."""
+    return lay_out(tmp_path / "copy", "en")
+
+
+@pytest.mark.parametrize("option", ["--nbval", "--nbval-lax"])
+def test_a_wrong_answer_fails_its_own_check_cell_with_the_reply(copy: Path, option: str):
+    printed = nbval(with_answers(copy, "E03_target_and_source", WRONG), option)
+    assert "1 failed" in printed
+    assert "E3.4 ✗ 0/" in printed
+
+
+@pytest.mark.proof(reads=["exercises/en/*.ipynb", "solutions/en/*.ipynb"])
+def test_blank_exercises_fail_and_solved_ones_pass(copy: Path, sample):
+    for stem in sample(STEMS, 1):
+        path = copy / "exercises" / "en" / f"{stem}.ipynb"
+        checks = path.read_text(encoding="utf-8").count('"check"')
+        assert f"{checks} failed" in nbval(path, "--nbval"), stem
+        printed = nbval(with_answers(copy, stem, {}), "--nbval")
+        assert re.search(r"^\d+ passed", printed, re.MULTILINE), printed
