@@ -53,7 +53,7 @@ def judged(form, expected, twins, answer, said=None):
     ("form", "right", "wrong", "name"),
     [
         (Number("m"), 2.0, -2.0, "sign"),
-        (Number("s"), 0.25, 4.0, "one over it"),
+        (Number("s"), 0.251, 1 / 0.251, "one over it"),
         (Number("s"), 2.0, 2e9, "unit ns"),
         (Vector(3), (1.0, 2.0, 3.0), (2.0, 1.0, 3.0), "exchanged"),
         (Vector(3), (1.0, 2.0, 3.0), (1.0, -2.0, 3.0), "one sign"),
@@ -93,7 +93,21 @@ def test_one_slip_comes_before_two_and_the_tasks_before_everybodys():
 
 
 def test_a_slip_of_the_task_and_then_one_of_everybodys():
-    assert list(judged(Number("m"), 1.0, {"late": 2.5}, 2500.0).slips) == ["late", "unit mm"]
+    assert list(judged(Number("m"), 1.0, {"late": 2.512}, 2512.0).slips) == ["late", "unit mm"]
+
+
+@pytest.mark.parametrize(
+    ("answer", "slips"),
+    [(2.5, ["late"]), (1000.0, ["unit mm"]), (-1.0, ["sign"]), (3.5, []), (2500.0, []), (2.0, []), (5.0, [])],
+)
+def test_a_number_of_two_digits_shows_one_exact_mistake_at_most(answer, slips):
+    form, twins = Number("m", tolerance=0.05), {"late": 2.5, "far": 3.52, "far + late": 5.0}
+    assert list(judged(form, 1.0, twins, answer).slips) == slips
+
+
+@pytest.mark.parametrize(("answer", "slips"), [(5.2, ["rounded"]), (5.1, []), (5.0, []), (5.19, [])])
+def test_a_number_is_called_rounded_only_if_the_right_one_rounds_to_it(answer, slips):
+    assert list(judged(Number("s"), 5.1957, {}, answer).slips) == slips
 
 
 def test_each_part_may_have_a_slip_of_its_own():
@@ -315,8 +329,8 @@ def judged_function(form, asked, twins=None):
 @pytest.mark.parametrize(
     ("form", "right", "wrong", "name"),
     [
-        (Number("m"), 3.0, 6.0, "twice"),
-        (Number("m"), 3.0, 9.0, "squared"),
+        (Number("m"), 3.14, 6.28, "twice"),
+        (Number("m"), 3.14, 9.8596, "squared"),
         (Angle(), 1.0, 1.0 - math.pi, "half a turn"),
         (Angle(), 1.0, math.sin(0.5), "z for the angle"),
         (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),

@@ -155,5 +155,5 @@ def test_a_sign_in_one_part_alone_is_told_before_two_slips_that_meet_there():
     right, wrong = {"x": 1.0, "y": 2.0}, {"x": 1.0, "y": -2.0}
     twins = {"late": {"x": 3.0, "y": 2.0}, "far": {"x": 5.0, "y": 7.0}, "late + far": wrong}
     assert judged(form, right, twins, wrong).said.en == '"y": the size is right, the sign is not.'
-    both = wrong | {"x": 4.0}
+    both = {"x": 4.123, "y": -2.345}
     assert list(judged(form, right, twins | {"late + far": both}, both).slips) == ["late", "far"]

@@ -34,12 +34,14 @@ from .generic import describe_names, unfilled
 from .links import explain_links
 from .lookup_time import explain_lookup_time
 from .matching import (
+    A_HAIR,
     ONE,
     TWO,
     alike,
     all_alike,
     feedback_of,
     in_some,
+    is_short,
     matches_closely,
     matching_corrections,
 )
@@ -54,8 +56,6 @@ __all__ = ["TABLE", "Explainer", "explain", "list_asked"]
 
 TEXTS = Texts(__file__)
 
-FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
-A_HAIR = 1e-6  # how far, at most, a number that was not rounded is from what gives it
 MORE_THAN_ORDER = ("places and signs", "exchanged")  # generic mistakes that a more precise row may explain
 
 
@@ -268,9 +268,8 @@ def _is_not_short(question: Question) -> bool:
     row = numbers_of(question.outcomes[0], None) if is_number else None
     if row is None:
         return True
-    digits = len(f"{abs(row[0]):.9f}".replace(".", "").strip("0"))
     lost = by_comparison(question.form, list(question.outcomes), question.expected)
-    return digits >= FEWEST_DIGITS and "rounded" not in lost
+    return not is_short(row[0]) and "rounded" not in lost
 
 
 def _is_no_option(question: Question) -> bool:
@@ -310,7 +309,7 @@ TABLE: tuple[Explainer, ...] = (
     ),
     Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
     Explainer("mistakes by call", _explain_mistakes_by_call, of="function", condition=_is_no_option),
-    Explainer("a mistake and a generic one", _explain_mistake_and_generic),
+    Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
     Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", is_measured=True),
     Explainer(

@@ -23,6 +23,7 @@ __all__ = [
     "expand_lists",
     "feedback_of",
     "in_some",
+    "is_short",
     "matches_closely",
     "matching_corrections",
     "row_of",
@@ -33,8 +34,11 @@ TEXTS = Texts(__file__)
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
 IN_SOME = "in some: "
+EXACT = {"sign", "power of ten"}  # what a number of one or two digits can show, beside a unit
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
 ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
+FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
+A_HAIR = 1e-6  # how far, as a share, a number that was not rounded is from what gives it
 COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
 
 
@@ -78,9 +82,15 @@ def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
     if one is None or other is None:
         return True
     size = math.hypot(*other)
+    share = A_HAIR if isinstance(form, Number) and is_short(one[0]) else share
     closest = [max(10.0 ** -_decimals(number), COMPUTED * size) + 1e-9 for number in one]
     is_close = all(abs(a - b) <= allowed for a, b, allowed in zip(one, other, closest, strict=True))
     return is_close and math.dist(one, other) <= share * size + 1e-9
+
+
+def is_short(number: float) -> bool:
+    """Return whether a number has too few significant digits for more than an exact match to say something."""
+    return len(f"{abs(number):.9f}".replace(".", "").strip("0")) < FEWEST_DIGITS
 
 
 def _decimals(number: float) -> int:
@@ -97,8 +107,10 @@ def matching_corrections(
     if wrong is None:
         return
     is_all_wrong = not any(alike(form, given, want) for given, want in values)
+    numbers = form.numbers(wrong) if isinstance(form, Number) and len(values) == 1 else None
+    only = EXACT if numbers and is_short(numbers[0]) else PLAIN_TO_SEE if only_plain_to_see else generic.UNIVERSAL
     for name, unit in dict.fromkeys(way[:2] for way in corrections(form, wrong)):
-        if (only_plain_to_see and name not in PLAIN_TO_SEE) or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
+        if name not in {*only, "unit"} or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
             continue
         if all(_fits(form, name, unit, *pair) for pair in values):
             yield f"{name} {unit}".strip()

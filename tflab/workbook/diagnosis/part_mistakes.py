@@ -13,7 +13,7 @@ from ..answers.forms import Angle, Message, Number, Parts
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Case, Feedback, TaskCases
 from .explanation import Found, describe, each_part_once
-from .matching import ONE, TWO, alike, feedback_of, matches_closely, matching_corrections
+from .matching import ONE, TWO, alike, feedback_of, is_short, matches_closely, matching_corrections
 
 __all__ = ["Table", "after_a_slip", "followers", "is_something", "only_follows", "slips_in_parts"]
 
@@ -65,13 +65,20 @@ def _pairs(
         return [
             name
             for name in parts
-            if matches_closely(table.forms[name], [table.given[name][case]], [task.form.part_of(value, name)], TWO)
+            if not _is_short(table, name)
+            and matches_closely(table.forms[name], [table.given[name][case]], [task.form.part_of(value, name)], TWO)
         ]
 
     def is_right(case: int) -> bool:
         return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
 
     return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
+
+
+def _is_short(table: Table, name: str) -> bool:
+    """Return whether a part of a value is a number of so few digits that two mistakes give it by chance."""
+    numbers = [table.forms[name].numbers(value) for value in table.given[name]]
+    return isinstance(table.forms[name], Number) and len(numbers) == 1 and bool(numbers[0]) and is_short(numbers[0][0])
 
 
 def _causes(

@@ -108,17 +108,23 @@ def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool
 
 
 def _all_rounded(form: Form, rows: list[tuple[Numbers, Numbers]]) -> bool:
-    """Return whether all were rounded to as many digits; in a quaternion 0 and 1 are near everything."""
+    """Return whether all were rounded to as many digits; in a quaternion 0 and 1 are near everything.
+
+    One number alone has to have two digits, and not to be cut: else it is near to too many.
+    """
+    is_alone = isinstance(form, Number) and len(rows) == 1
+    if is_alone and len(f"{rows[0][0][0]:g}".replace(".", "").strip("-0")) < 2:
+        return False
     places = (1, 2, 3) if isinstance(form, Quaternion) else (0, 1, 2, 3)
-    return any(all(_rounded(*row, digits) for row in rows) for digits in places)
+    return any(all(_rounded(*row, digits, not is_alone) for row in rows) for digits in places)
 
 
-def _rounded(given: Numbers, wanted: Numbers, digits: int) -> bool:
+def _rounded(given: Numbers, wanted: Numbers, digits: int, or_cut: bool) -> bool:
     """Return whether each number was rounded to so many digits, up or down from a half, or cut there."""
     half, step = 0.5 * 10.0**-digits, 10**digits
     return all(
         abs(number * step - round(number * step)) < 1e-6
-        and (abs(number - want) <= half + 1e-9 or abs(number - math.trunc(want * step) / step) < 1e-9)
+        and (abs(number - want) <= half + 1e-9 or (or_cut and abs(number - math.trunc(want * step) / step) < 1e-9))
         for number, want in zip(given, wanted, strict=True)
     )
 
