@@ -48,13 +48,6 @@ def right_corner(capsys):
     return given, given.base_T_laser.apply(given.laser_p_corner)
 
 
-def test_a_right_answer_says_so_and_what_grading_adds(copy, capsys):
-    _, right = right_corner(capsys)
-    lines = said(capsys, "E3.1", right).splitlines()
-    assert lines[0] == "E3.1 ✓ 1/1"
-    assert "Grading" in lines[1]
-
-
 def test_each_stage_has_its_own_words(copy, capsys):
     given, right = right_corner(capsys)
     assert "not answered yet" in said(capsys, "E3.1", ...)
@@ -213,8 +206,9 @@ def test_a_task_without_its_point_is_the_one_that_is_meant(copy, capsys):
     assert 'Did you mean "E3.1"?' in capsys.readouterr().out
 
 
-def test_hints_come_one_by_one_with_those_before_and_are_counted(copy, capsys):
-    for shown in (["hint 1"], ["hint 2", "hint 1"], ["hint 3", "hint 1", "hint 2"], ["hint 3", "hint 1", "hint 2"]):
+def test_hints_come_one_by_one_below_those_before_and_are_counted(copy, capsys):
+    lines = ["1. hint 1", "2. hint 2", "3. hint 3"]
+    for shown in (["hint 1"], lines[:2], lines, lines):
         hint("E3.1")
         assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == shown
     assert json.loads((copy / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
@@ -310,10 +304,11 @@ def test_nbgrader_gets_the_points_for_partial_credit(copy, capsys, monkeypatch):
     assert check("E3.9", 1) == 0.0
 
 
-def test_after_a_pass_one_hears_what_was_looked_at(copy, capsys):
+def test_a_pass_states_what_was_tried_and_the_next_task(copy, capsys):
     _, right = right_corner(capsys)
-    assert "numbers given to you" in said(capsys, "E3.1", right)
-    assert "compared with the right one" in said(capsys, "E3.4", math.pi / 2)
+    assert said(capsys, "E3.1", right).endswith("Your answer is right for the numbers given to you. Next: E3.2.\n")
+    assert "All 4 test calls are right. Next: E3.3." in said(capsys, "E3.2", lambda transform: transform.inverse())
+    assert "Your answer is the right one. " in said(capsys, "E3.4", math.pi / 2)
 
 
 @pytest.mark.parametrize(

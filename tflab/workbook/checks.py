@@ -172,12 +172,24 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
     if names := _said_too_often(assigned, outcomes):
         more.append(assigned.phrase("one word", names=", ".join(f'"{name}"' for name in names)))
     if verdict.mistake is None:
-        more.append(assigned.phrase(f"passed, {_what_was_tried(assigned)}", of=verdict.of))
+        more.append(_passed(assigned))
     elif assigned.workbook.edition == "self-study" and tries >= TRIES_BEFORE_SOLUTION:
         more.append(assigned.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
     say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
+
+
+def _passed(assigned: AssignedTask) -> str:
+    """Return what was tried, what grading does if this is a class, and which task comes next."""
+    kind = _what_was_tried(assigned)
+    said = [assigned.phrase(f"passed, {kind}", calls=len(assigned.variant.cases))]
+    if assigned.workbook.edition == "class":
+        said.append(assigned.phrase(f"graded, {kind}"))
+    tasks = task_ids(workbook_data(), assigned.stem, assigned.workbook)
+    rest = tasks[tasks.index(assigned.id) + 1 :]
+    said.append(assigned.phrase("next task", task=rest[0]) if rest else assigned.phrase("last task"))
+    return " ".join(said)
 
 
 def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:

@@ -108,12 +108,12 @@ def _with_its_place(
 
 
 def show_hint(assigned: AssignedTask, number: int) -> None:
-    """Show a task's hint of this number, and the ones before it, smaller."""
+    """Show a task's hints up to this number, in their order."""
     hints = [assigned.words(hint) for hint in assigned.cases.hints]
     of = min(number, len(hints))
     head = assigned.phrase("hint_number" if number <= len(hints) else "last_hint", number=number)
-    before = [f"{assigned.phrase('hint_number', number=i)}: {hint}" for i, hint in enumerate(hints[: of - 1], 1)]
-    show_reply(f"{assigned.id} · {head}", hints[of - 1], before)
+    lines = [f"{number}. {hint}" for number, hint in enumerate(hints[:of], 1)]
+    show_reply(f"{assigned.id} · {head}", hints[0] if of == 1 else "\n".join(lines))
 
 
 def say_verdict(
