@@ -19,6 +19,7 @@ from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
 from .call_limits import CALL_S, TimeLimitError, call_limits
 from .diagnosis.calls import return_value
+from .diagnosis.error_line import error_line
 from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
@@ -97,9 +98,16 @@ def _stopped_call(assigned: AssignedTask, number: int) -> dict[str, Any]:
 def _with_its_place(
     assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
 ) -> tuple[Verdict, list[Plain]]:
-    """Return the verdict with what is plain to see in the text of a wrong function."""
+    """Return the verdict with what is plain to see in the text of a wrong function, or where it stopped."""
     if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
+    case = assigned.variant.cases[verdict.case]
+    stop = error_line(answer, case.args) if is_raised(outcomes[verdict.case]) else None
+    if stop is not None:
+        is_other = stop.is_own_raise and is_raised(case.expected) and verdict.mistake is Mistake.RAISES
+        mistake = Mistake.OTHER_EXCEPTION if is_other else verdict.mistake
+        tip = {"tip": Text("", "")} if stop.is_own_raise else {}
+        return replace(verdict, mistake=mistake, detail=verdict.detail | tip | {"place": stop.said}), outcomes
     place = describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 

@@ -20,6 +20,7 @@ precision        what got lost and cannot be corrections
 trees            trees of frames
 command_lines    command lines
 python_errors    what Python's errors mean
+error_line       the line in which a function stopped
 lint             what is wrong in a function's text
 comparison       a wrong pose drawn with the right one
 """

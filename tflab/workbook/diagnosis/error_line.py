@@ -1,0 +1,129 @@
+"""Name the line of a learner's function in which an exception was raised, and the values that the line used.
+
+    def frame_name(prefix, name):
+        if prefix[0] == "/": ...           IndexError: string index out of range
+
+    error_line(frame_name, args).said      'Line 2, `prefix[0]`: there, `prefix` is "".'
+
+All of it comes from the traceback, so it is certain.
+"""
+
+from __future__ import annotations
+
+import ast
+import dis
+import linecache
+from collections.abc import Callable, Iterator, Sequence
+from types import CodeType, TracebackType
+from typing import Any, NamedTuple
+
+from ...text import Text, Texts
+from ..answers.showing import show_in_a_line
+from ..answers.values import Plain, from_plain
+from ..call_limits import CALL_S, call_limits
+
+__all__ = ["ErrorLine", "error_line"]
+
+TEXTS = Texts(__file__)
+
+MOST_VALUES = 3
+LONGEST_VALUE = 60  # characters
+
+
+class ErrorLine(NamedTuple):
+    """Where a function stopped: what to say of it, and whether the learner's own `raise` did it."""
+
+    said: Text
+    is_own_raise: bool
+
+
+def error_line(function: Callable[..., Any], args: Sequence[Plain]) -> ErrorLine | None:
+    """Call a function once more and return where it stops; None if it does not, or where its text is not known."""
+    try:
+        with call_limits(CALL_S):
+            function(*[from_plain(arg) for arg in args])
+    except Exception as error:
+        return _describe(function, error)
+    except BaseException:
+        return None
+    return None
+
+
+def _describe(function: Callable[..., Any], error: Exception) -> ErrorLine | None:
+    file = getattr(getattr(function, "__code__", None), "co_filename", "")
+    frames = [frame for frame in _tracebacks(error.__traceback__) if frame.tb_frame.f_code.co_filename == file]
+    text = linecache.getline(file, frames[-1].tb_lineno).rstrip() if frames else ""
+    if not text:
+        return None
+    last = frames[-1]
+    if last.tb_next is None and _operation(last) == "RAISE_VARARGS":
+        return ErrorLine(TEXTS["own"].filled(line=last.tb_lineno, text=_quoted(text)), True)
+    segment = _segment(last, text)
+    values = [f"`{name}` = `{_shown(value)}`" for name, value in _values(segment, last.tb_frame.f_locals)]
+    said = TEXTS["line"].filled(line=last.tb_lineno, text=_quoted(segment))
+    if values:
+        said = Text.joined(said, TEXTS["values"].filled(values=", ".join(values[:MOST_VALUES])))
+    is_refusal = type(error).__name__.endswith("Exception")  # as tf2 names its own
+    if is_refusal and (clause := _passed_by(file, last)) is not None:
+        said = Text.joined(said, TEXTS["passed_by"].filled(clause=_quoted(clause), error=type(error).__name__))
+    return ErrorLine(said, False)
+
+
+def _tracebacks(traceback: TracebackType | None) -> Iterator[TracebackType]:
+    while traceback is not None:
+        yield traceback
+        traceback = traceback.tb_next
+
+
+def _operation(traceback: TracebackType) -> str:
+    return dis.opname[traceback.tb_frame.f_code.co_code[traceback.tb_lasti]]
+
+
+def _segment(traceback: TracebackType, text: str) -> str:
+    """Return the expression that raised; the whole line where Python (3.10) does not say which one it was."""
+    line, end_line, start, end = _position(traceback.tb_frame.f_code, traceback.tb_lasti)
+    if line is None or line != end_line:
+        return text.strip()
+    return text.encode()[start:end].decode(errors="ignore")  # columns count bytes
+
+
+def _position(code: CodeType, instruction: int) -> tuple[int | None, ...]:
+    positions = getattr(code, "co_positions", None)
+    return list(positions())[instruction // 2] if positions else (None,) * 4
+
+
+def _values(segment: str, variables: dict[str, Any]) -> Iterator[tuple[str, Any]]:
+    """Yield the variables of an expression that hold a value, each once."""
+    try:
+        tree = ast.parse(segment.strip().rstrip(":"))
+    except SyntaxError:  # half of a statement
+        return
+    names = dict.fromkeys(node.id for node in ast.walk(tree) if isinstance(node, ast.Name))
+    yield from ((name, variables[name]) for name in names if name in variables and not callable(variables[name]))
+
+
+def _shown(value: Any) -> str:
+    try:
+        text = show_in_a_line(value)
+    except Exception:  # an object of the learner's own
+        text = type(value).__name__
+    return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 2] + " …"
+
+
+def _passed_by(file: str, traceback: TracebackType) -> str | None:
+    """Return the `except` clause around the line, in the same function, that did not catch the exception."""
+    code = traceback.tb_frame.f_code
+    try:
+        tree = ast.parse("".join(linecache.getlines(file)))
+    except SyntaxError:  # a cell with a magic
+        return None
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Try) and node.handlers and node.lineno >= code.co_firstlineno:
+            body_end = node.body[-1].end_lineno or 0
+            if node.body[0].lineno <= traceback.tb_lineno <= body_end:
+                return linecache.getline(file, node.handlers[-1].lineno).strip().rstrip(":")
+    return None
+
+
+def _quoted(text: str) -> str:
+    return text.strip().replace("`", "'")
