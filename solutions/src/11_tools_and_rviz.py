@@ -20,7 +20,7 @@
 
 # %% name="load"
 # %load_ext tflab
-from tflab.workbook import check, hint, solution, task
+from tflab.workbook import call, check, hint, solution, task
 
 # %% name="imports"
 import math

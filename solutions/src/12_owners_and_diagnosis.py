@@ -20,7 +20,7 @@
 
 # %% name="load"
 # %load_ext tflab
-from tflab.workbook import check, hint, lesson, solution, task
+from tflab.workbook import call, check, hint, lesson, solution, task
 
 # %% [markdown] lang="en" name="e12-1"
 # ## E12.1 · Which node publishes what (4 points)

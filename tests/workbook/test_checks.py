@@ -414,7 +414,7 @@ a_point.header.frame_id, a_point.header.stamp = "laser_frame", Time(nanoseconds=
 @pytest.mark.parametrize(
     ("value", "text"),
     [
-        ({"x": -3.87, "kept": ["a", 1]}, '{x: -3.870, kept: ["a", 1]}'),
+        ({"x": -3.87, "kept": ["a", 1]}, '{"x": -3.870, "kept": ["a", 1]}'),
         (-1.03e-13, "0.000"),
         (0.00012, "0.00012"),
         ([23.0005, 23.0], "[23.0005, 23.000]"),

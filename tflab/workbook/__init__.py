@@ -1,8 +1,8 @@
 """The workbook: pages that are written once, tasks whose wrong answers are named, and a learner's own copy.
 
-In an exercise one calls four functions:
+In an exercise one calls five functions:
 
-    from tflab.workbook import check, hint, task, solution
+    from tflab.workbook import call, check, hint, task, solution
 
     atomic_files  write a file whole or not at all, and lock a folder
     paths         where the workbook and its files are
@@ -11,6 +11,8 @@ In an exercise one calls four functions:
     diagnosis/    judges an answer, and explains a wrong one by the mistakes that would produce it
     replies       texts that `check` prints besides
     call_limits   bounds the time and memory of a learner's function
+    replay        shows one call of a function, and where its result differs
+    assigned      a task as a learner has it
     trying        what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task
@@ -31,6 +33,6 @@ In an exercise one calls four functions:
 
 from __future__ import annotations
 
-from .checks import check, hint, solution, task
+from .checks import call, check, hint, solution, task
 
-__all__ = ["check", "hint", "solution", "task"]
+__all__ = ["call", "check", "hint", "solution", "task"]

@@ -1,7 +1,8 @@
-"""The functions that an exercise calls: `task`, `check`, `hint`, `solution`.
+"""The functions that an exercise calls: `task`, `check`, `call`, `hint`, `solution`.
 
     e3_2 = task("E3.2")              prints what is given, and returns it
     check("E3.2", base_p_corner)     E3.2 ✓ 1/1, or what is wrong with it
+    call("E4.3")                     the arguments of the call that went wrong
     hint("E3.2")                     three, coarse to fine
     solution("E3.2")                 after a pass or three tries, for self-study
 
@@ -24,12 +25,14 @@ from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
+from .assigned import AssignedTask
 from .diagnosis.explain import list_asked
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
 from .inventory.participation import NO_HELP, say_taken_part
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
+from .replay import shown_arguments
 from .replies import PHRASES
 from .reply import show_reply
 from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
@@ -37,9 +40,9 @@ from .tasks.credit import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.strip_solution import without_marks
 from .tasks.task import TaskError
-from .trying import AssignedTask, say_verdict, show_hint, tried_on
+from .trying import say_verdict, show_hint, tried_on
 
-__all__ = ["TRIES_BEFORE_SOLUTION", "check", "hint", "solution", "solution_text", "task"]
+__all__ = ["TRIES_BEFORE_SOLUTION", "call", "check", "hint", "solution", "solution_text", "task"]
 
 
 class _Nothing:
@@ -110,6 +113,25 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(assigned.cases.points * verdict.passed / verdict.of, 4)
     return None
+
+
+def call(task_id: str = "") -> SimpleNamespace | None:
+    """Print and return the arguments of the call that the last reply showed: `call("E4.3").source`.
+
+    They have the names of your function's parameters. None for a task that is no function.
+    """
+    try:
+        assigned = _find(task_id)
+    except WorkbookError as error:
+        _say_not_found(task_id, error)
+        return None
+    if not assigned.cases.is_function:
+        show_reply(assigned.id, assigned.phrase("no_call"))
+        return None
+    arguments = shown_arguments(assigned)
+    print(assigned.phrase("arguments"))
+    print(show_all(vars(arguments)))
+    return arguments
 
 
 def hint(task_id: str = "") -> None:

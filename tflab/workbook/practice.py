@@ -29,6 +29,7 @@ from typing import Any
 from ..text import Texts
 from .answers.showing import show_all
 from .answers.values import from_plain
+from .assigned import AssignedTask
 from .checks import TRIES_BEFORE_SOLUTION, solution_text
 from .diagnosis.mistake import Mistake
 from .paths import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
@@ -39,7 +40,7 @@ from .tasks.catalog import solution_of, tasks_of
 from .tasks.generate_cases import PUBLIC_SEED, CasesError, task_cases
 from .tasks.reference import given_name, in_process_ros
 from .tasks.task import Task, TaskError, slug
-from .trying import AssignedTask, say_verdict, show_hint, tried_on
+from .trying import say_verdict, show_hint, tried_on
 
 __all__ = ["DrawnQuestion", "ask", "check", "draw_question", "given", "hint", "practice_tasks", "solution"]
 

@@ -10,47 +10,24 @@ from __future__ import annotations
 import os
 from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from ..text import Text
 from .answers.forms import Sequence as SequenceForm
-from .answers.showing import show_in_a_line
-from .answers.values import Plain, from_plain, is_raised, is_unanswered, outcome_of
+from .answers.values import Plain, is_raised, is_unanswered, outcome_of
+from .assigned import AssignedTask
 from .call_limits import CALL_S, TimeLimitError, call_limits
-from .diagnosis.calls import return_value
 from .diagnosis.error_line import error_line
 from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
-from .paths import Workbook
-from .replies import PHRASES
+from .replay import describe_call, remember_call, show_call
 from .reply import shell, show_caption, show_reply
-from .tasks.case_types import TaskCases, Variant
 
-__all__ = ["AssignedTask", "say_verdict", "show_hint", "tried_on"]
+__all__ = ["say_verdict", "show_hint", "tried_on"]
 
 DRAWN = {Mistake.SLIP, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
-
-
-class AssignedTask(NamedTuple):
-    """A task as this learner has it: with their variant of it."""
-
-    id: str
-    stem: str
-    cases: TaskCases
-    variant: Variant
-    root: Path
-    workbook: Workbook
-
-    def phrase(self, name: str, **names: object) -> str:
-        """Return one of the phrases in the learner's language."""
-        return self.words(PHRASES[name], id=self.id, answer=self.cases.answer, **names)
-
-    def words(self, words: Text, **names: object) -> str:
-        """Return a text in the learner's language."""
-        return words.say(self.workbook.language, **names)
 
 
 def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
@@ -99,6 +76,8 @@ def _with_its_place(
     assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
 ) -> tuple[Verdict, list[Plain]]:
     """Return the verdict with what is plain to see in the text of a wrong function, or where it stopped."""
+    if verdict.mistake is not None:
+        remember_call(assigned, verdict.case, answer)
     if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
     case = assigned.variant.cases[verdict.case]
@@ -143,8 +122,7 @@ def say_verdict(
     if assigned.cases.is_function and outcomes:
         if lines := verdict.detail.get("printed"):
             more = [assigned.phrase("printed", lines=lines), *more]
-        call = assigned.phrase("case", call=show_call(assigned, verdict.case), got=_shown(outcomes[verdict.case]))
-        more = [call, *more]
+        more = [describe_call(assigned, verdict.case, outcomes[verdict.case]), *more]
     show_reply(score, _reply(assigned, verdict), more, "wrong")
     if draws or assigned.cases.is_function:
         _show_both(assigned, verdict, outcomes)
@@ -177,22 +155,6 @@ def _wanted(assigned: AssignedTask, verdict: Verdict) -> str:
     if verdict.mistake is Mistake.OPTION and isinstance(form, SequenceForm):
         form = form.of
     return form.wanted().say(assigned.workbook.language)
-
-
-def show_call(assigned: AssignedTask, case: int) -> str:
-    """Return the call as it was made, short enough to read."""
-    arguments = ", ".join(show_in_a_line(from_plain(arg)) for arg in assigned.variant.cases[case].args)
-    return f"{assigned.cases.answer}({arguments})"
-
-
-def _shown(outcome: Plain) -> str:
-    outcome = return_value(outcome)
-    if is_raised(outcome):
-        return outcome["raises"]
-    try:
-        return show_in_a_line(from_plain(outcome))
-    except ValueError:
-        return kind_of(outcome)
 
 
 def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:

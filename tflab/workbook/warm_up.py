@@ -12,10 +12,11 @@ from typing import Any
 
 from ..text import Texts
 from .answers.forms import Vector
+from .assigned import AssignedTask
 from .paths import read_workbook, workbook_root
 from .reply import show_reply
 from .tasks.case_types import Case, Feedback, TaskCases, Variant
-from .trying import AssignedTask, say_verdict, tried_on
+from .trying import say_verdict, tried_on
 
 __all__ = ["ask_first"]
 

@@ -22,7 +22,7 @@ PROBE_TYPE = "application/vnd.tflab.probe+json"
 
 
 def prepare(givens_json: str) -> None:
-    """Let `task(...)` return what this learner is given, and `check`, `hint` and `solution` do nothing."""
+    """Let `task(...)` return what this learner is given, and let `call`, `check`, `hint` and `solution` do nothing."""
     from tflab import workbook
     from tflab.workbook.answers.values import from_plain
 
@@ -33,7 +33,7 @@ def prepare(givens_json: str) -> None:
         return SimpleNamespace(**{name: from_plain(value) for name, value in given.items()})
 
     workbook.task = task
-    workbook.check = workbook.hint = workbook.solution = _nothing
+    workbook.call = workbook.check = workbook.hint = workbook.solution = _nothing
 
 
 def probe(identity: str, answer: Callable[[], Any], args_json: str) -> None:

@@ -66,9 +66,9 @@ def show(value: Any) -> str:
 
 
 def show_in_a_line(value: Any, at_most: int = 200) -> str:
-    """Return a value in one line, dicts as {x: 1.000, y: 2.000}, cut where it gets long."""
+    """Return a value in one line, dicts as {"x": 1.000, "y": 2.000}, cut where it gets long."""
     if isinstance(value, Mapping):
-        text = "{" + ", ".join(f"{key}: {show_in_a_line(inner, at_most)}" for key, inner in value.items()) + "}"
+        text = "{" + ", ".join(f"{show(key)}: {show_in_a_line(inner, at_most)}" for key, inner in value.items()) + "}"
     elif isinstance(value, list | tuple):
         left, right = "[]" if isinstance(value, list) else "()"
         text = left + ", ".join(show_in_a_line(member, at_most) for member in value) + right

@@ -106,16 +106,21 @@ def matching_corrections(
     wrong = next((given for given, want in values if not alike(form, given, want)), None)
     if wrong is None:
         return
-    is_all_wrong = not any(alike(form, given, want) for given, want in values)
-    numbers = form.numbers(wrong) if isinstance(form, Number) and len(values) == 1 else None
-    only = EXACT if numbers and is_short(numbers[0]) else PLAIN_TO_SEE if only_plain_to_see else generic.UNIVERSAL
+    only = PLAIN_TO_SEE if only_plain_to_see else set(generic.UNIVERSAL)
+    if len(values) == 1 and _is_short(form, wrong):
+        only = EXACT
+    if any(alike(form, given, want) for given, want in values):
+        only = only - FITS_WHAT_IS_RIGHT
     for name, unit in dict.fromkeys(way[:2] for way in corrections(form, wrong)):
-        if name not in {*only, "unit"} or (name in FITS_WHAT_IS_RIGHT and not is_all_wrong):
-            continue
-        if all(_fits(form, name, unit, *pair) for pair in values):
+        if name in {*only, "unit"} and all(_fits(form, name, unit, *pair) for pair in values):
             yield f"{name} {unit}".strip()
     if not only_plain_to_see:
         yield from by_comparison(form, *map(list, zip(*values, strict=True)))
+
+
+def _is_short(form: Form, given: Plain) -> bool:
+    numbers = form.numbers(given) if isinstance(form, Number) else None
+    return numbers is not None and is_short(numbers[0])
 
 
 def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:
