@@ -10,7 +10,6 @@ from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequenc
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.diagnosis.explanation import Found, together
 from tflab.workbook.diagnosis.mistake import Mistake
-from tflab.workbook.diagnosis.python_errors import tip_for
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
@@ -123,12 +122,6 @@ def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_sho
 
     assert list(verdict(raised, raised).slips) == ["late"]
     assert verdict(gives[2], raised).slips == {}
-
-
-def test_a_frame_that_a_buffer_does_not_hold_is_asked_after_and_another_lookup_is_not():
-    text = '"camera" passed to lookupTransform argument source_frame does not exist. '
-    assert "written down in your function, is it the name" in tip_for("LookupException", text).en
-    assert "written down" not in tip_for("LookupException", "no such thing").en
 
 
 def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
