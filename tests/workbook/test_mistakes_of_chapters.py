@@ -8,7 +8,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import from_plain, is_raised
-from tflab.workbook.diagnosis.explain import FEWEST_DIGITS
+from tflab.workbook.diagnosis.matching import FEWEST_DIGITS
 from tflab.workbook.diagnosis.mistake import Mistake
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import AND, TaskCases, values_of

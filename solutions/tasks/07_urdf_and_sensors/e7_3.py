@@ -34,12 +34,15 @@ def draw_chains(rng):
     ):
         names = [f"joint_{letter}" for letter in "dbca"[: len(kinds)]]
         axes = list(rng.permutation(["x", "y", "z", "y"]))
+        if kinds.count("prismatic") > 1:  # one slides along x, one along z
+            axes = ["y", *rng.permutation(["x", "z"])]
         chain = [draw_joint(rng, *each) for each in zip(names, kinds, map(str, axes), strict=False)]
         moving = [each["name"] for each in chain if each["type"] != "fixed"]
         positions = {name: draw_positions(rng, 0.2, 1.1) for name in reversed(moving)}
         cases.append((chain, positions))
     chain, positions = cases[0]
     cases.append((chain, {name: positions[name] for name in list(positions)[:1]}))  # one stands at zero
+    cases.append((chain, {name: positions[name] for name in list(positions)[-1:]}))  # and one behind it, at zero
     cases.append((cases[3][0], {}))
     cases.append((chain[:1], {chain[0]["name"]: 0.7, "somebody_else": 1.0}))
     fixed = draw_joint(rng, "weld", "fixed", "z")

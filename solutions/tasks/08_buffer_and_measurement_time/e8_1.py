@@ -26,11 +26,12 @@ def _draw_edges(rng):
     if abs(map_s - odom_s) < 0.2:
         odom_s = round(odom_s + 0.3, 2)
     arm_s = round(min(map_s, odom_s) - float(rng.uniform(0.3, 1.0)), 2)
-    starts = (1.0 + 0.4 * rng.permutation(4)[:3] + rng.uniform(0.0, 0.1, 3)).round(2).tolist()
-    names = ("map -> odom", "odom -> base_link", "base_link -> arm_link")
+    lift_s = round(max(map_s, odom_s) + 0.04, 2) if rng.random() < 0.5 else round(arm_s - 0.2, 2)
+    starts = (1.0 + 0.4 * rng.permutation(5)[:4] + rng.uniform(0.0, 0.1, 4)).round(2).tolist()
+    names = ("map -> odom", "odom -> base_link", "base_link -> arm_link", "base_link -> lift_link")
     return {
         "oldest_s": dict(zip(names, starts, strict=True)),
-        "newest_s": dict(zip(names, (map_s, odom_s, arm_s), strict=True)),
+        "newest_s": dict(zip(names, (map_s, odom_s, arm_s, lift_s), strict=True)),
         "static": ["base_link -> laser_frame, sent at 0.12"],
         "clock_s": round(max(map_s, odom_s) + 0.17, 2),
     }

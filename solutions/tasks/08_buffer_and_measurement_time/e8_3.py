@@ -28,7 +28,9 @@ def draw_detections(rng):
         if share == -0.15:  # it is from before all transforms, and there are some for what is now
             now_s = round(start_s + 0.5, 3)
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
-    return rows
+    buffer, message, now = rows[2]
+    unknown = seen(rng, "sonar_link", Time.from_msg(message.header.stamp).nanoseconds / 1e9)
+    return [*rows, (buffer, unknown, now)]
 
 
 def lookup_time(moment, stamp, now):

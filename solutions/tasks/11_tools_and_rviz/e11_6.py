@@ -8,8 +8,7 @@ from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_li
 from tflab.workbook.tasks import Name, Number, Parts, Set, define_task
 
 STATIC = ("base_link", "laser_frame", "camera_link", "imu_link", "mast")
-MOVING = ("odom", "base_footprint", "arm_link", "pan_link", "left_wheel")
-ON_THE_MAST = "mast_top"  # it moves, and the name of a frame that does not stands in its name
+MOVING = ("robot1/odom", "odom", "base_footprint", "arm_link", "pan_link", "left_wheel")
 
 
 def draw_reports(rng):
@@ -24,8 +23,9 @@ def draw_reports(rng):
     ahead = make_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
     slow = make_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
     restless = make_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
-    alike = make_report(rng, future=1, is_alike=True)
-    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike]
+    alike = make_report(rng, future=1, pair=("mast", "mast_top"))
+    within = make_report(rng, future=1, pair=("base_link", "base"))
+    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike, within]
 
 
 def make_report(
@@ -39,14 +39,15 @@ def make_report(
     early_s=0.05,
     once_s=None,
     only="",
-    is_alike=False,
+    pair=(),
 ):
     """Return a report's text and the names of the static frames."""
     statics = [STATIC[i] for i in rng.permutation(len(STATIC))[: int(rng.integers(1, 4))]]
     moving = [MOVING[i] for i in rng.permutation(len(MOVING))[: future + 2]]
     statics = [only] if only else statics
-    if is_alike:
-        statics, moving = ["mast", *[name for name in statics if name != "mast"]], [ON_THE_MAST, *moving[1:]]
+    if pair:  # the name of a static frame stands in that of a moving one, or the other way round
+        statics = [pair[0], *[name for name in statics if name != pair[0]]]
+        moving = [pair[1], *moving[1:]]
     late_s = round(float(rng.uniform(0.15, 0.9)), 3) if late_s is None else late_s
     delays_s = [late_s, round(late_s * 0.3, 4) if late_s < 1e6 else late_s * 0.3]
     delays_s[1] = delays_s[1] if second_s is None else second_s
@@ -64,7 +65,7 @@ def make_report(
         delays.hear(50.0, [(frame, 50.0 - static_s)])
     for _ in range(looks):
         net.add(late_s + 0.01)
-    chain = ["map", *moving, *statics]
+    chain = ["map", *rng.permutation(moving).tolist(), *statics]
     rows = [results_heading(chain, net), "", "Frames:", *frame_lines(delays, chain)]
     return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)]), sorted(statics)
 
