@@ -87,7 +87,7 @@ from tflab.workbook import lesson
 #
 # IMU(회전과 중력을 재는 센서)를 회전시켜 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 방향을 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
-# 나중에는 IMU를 쓰는 프로그램 안의 두 좌표계를 맞바꾸자고 제안했다가 ‘기준이 될 좌표계가 먼저이고, 이미 그렇게 되어 있다’는 답을 들었습니다.
+# 나중에 팀은 IMU를 쓰는 프로그램에서 두 좌표계의 순서를 바꾸자고 제안했습니다. 그 프로그램은 이미 기준이 될 좌표계를 먼저 쓴다는 답이 왔습니다.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
 # 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
@@ -291,13 +291,13 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
 # ```
 #
-# 같은 숫자 일곱 개가 일을 하나 더 합니다.
-# **자식** 기준으로 표현된 점을 받아, 같은 점을 **부모** 기준 값으로 바꾸어 줍니다.
+# 같은 숫자 일곱 개의 쓰임새는 하나 더 있습니다.
+# 이 숫자로 **자식** 기준인 점의 좌표를 **부모** 기준 좌표로 바꿀 수 있습니다.
 # 그래서 흔히 그리는 부모 → 자식 화살표는 부모와 자식의 관계를 나타내고, 데이터는 그 반대인 자식 → 부모로 바뀝니다.
 #
-# 두 이름으로 부르되 부모를 앞에 둡니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
+# 변환의 이름에는 두 좌표계를 모두 적고, 부모를 앞에 씁니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
 #
-# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지 대신, `@`로 곱하고 점에 적용할 수 있는 값을 반환합니다.
+# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지가 아니라 `Transform`을 반환합니다. `Transform`은 `@`로 서로 곱할 수 있고, 점에 적용할 수 있습니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -459,7 +459,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # 메뉴 가운데 하나를 바꾸면 나머지도 따라 바뀝니다.
 # 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
 # *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
-# 행렬과 그 반대 행렬(목표와 원본을 맞바꾼 것)이 부호 하나만 다른 쌍을 찾아보세요.
+# 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
 
 # %% name="the-sentence-panel" tags=["interactive"] slide="skip"
 lesson.sentence_panel(
@@ -636,7 +636,7 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 # Write T1 @ T3 @ T2 on the board and ask who would stop it in a review. Then write the same line with its real names.
 
 # %% [markdown] lang="ko" name="wrong-order-notes" slide="notes"
-# 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 찾을 수 있겠는지 묻습니다. 그다음 같은 줄을 제 이름으로 다시 씁니다.
+# 칠판에 T1 @ T3 @ T2라고 쓰고, 코드 검토에서 찾을 수 있겠는지 묻습니다. 그다음 같은 줄을 두 좌표계가 드러나는 이름으로 다시 씁니다.
 
 # %% [markdown] lang="en" name="up-up-down" slide="slide"
 # ## Up, then down
@@ -819,8 +819,8 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 #
 # 슬라이더를 움직이며 두 가지 실수를 살펴보세요.
 #
-# 1. “turn forgotten”(회전을 빠뜨림)은 어디에서 정답과 겹쳐 보일까요?
-# 2. 위에서 볼 때 “swapped”(바꿔 씀)는 어디에서 정답과 겹쳐 보일까요? z도 살펴보세요.
+# 1. “turn forgotten”(회전을 빠뜨림)은 yaw가 얼마일 때 정답과 겹쳐 보일까요?
+# 2. 위에서 볼 때 “swapped”(바꿔 씀)는 yaw가 얼마일 때 정답과 겹쳐 보일까요? z도 살펴보세요.
 # 3. yaw가 얼마일 때 바꿔 쓴 실수가 가장 크게 드러날까요?
 #
 # *그림 읽기:* from above, grid of 0.5 m = 위에서 본 모습, 눈금 한 칸이 0.5미터. corner = 모서리, yaw of the mount = 장착 yaw, as measured = 잰 그대로, off by = 빗나간 거리.
@@ -916,7 +916,7 @@ lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
 # 부호만 바꾸면 (−0.20, 0, −0.15)이지만, 도구는 (0, 0.20, −0.15)를 출력합니다. 일어서서 본 대로 레이저의 왼쪽입니다.
-# 첫 줄은 도구가 변환을 받을 때까지 기다린다는 뜻이고, `-0.000`은 기울지 않았을 때 이 도구가 늘 그렇게 출력하는 것입니다.
+# 출력의 첫 줄은 도구가 변환을 받기 전에 출력한 것입니다. `-0.000`은 0과 같습니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: a swap passes the tests
@@ -932,7 +932,7 @@ lesson.draw_mount(math.pi / 2)
 #
 # 어느 팀이 인자를 바꿔 썼습니다.
 # 그 로봇에는 뒤를 보는 레이저가 중심에서 20 cm 뒤에 180° 회전한 채 달려 있습니다.
-# 팀은 로봇 뒤 2 m, 옆으로 0.7 m인 모서리로 시험합니다(뒤를 보는 이 레이저에서는 앞입니다). 모두 한 평면 위에 있습니다.
+# 팀은 레이저의 앞 2 m, 왼쪽 0.7 m에 있는 모서리로 시험합니다. 모두 한 평면 위에 있습니다.
 #
 # **예측해 봅시다.** 바꿔 쓴 답은 올바른 답에서 얼마나 떨어져 있을까요? 1 cm일까요, 0.5 m일까요, 4 m일까요?
 
@@ -1117,7 +1117,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # ## 실제 로봇에서
 #
 # 바뀌는 것이 없습니다.
-# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()`을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
+# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()` 호출을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
 # 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 실제 노드에서는 “아직 없음”이라는 결과도 처리해야 합니다. 이것은 09장의 주제입니다.
 
 # %% name="on-the-robot-node" slide="subslide"

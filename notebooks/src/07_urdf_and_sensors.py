@@ -47,12 +47,12 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 아무것도 회전시키지 못한 한 줄
 #
-# 새 라이다를 달았더니 예전 것과 각도가 다릅니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90°입니다.
+# 어느 사용자가 새 라이다를 달았는데 예전 것과 각도가 달랐습니다. 그래서 부품의 위치를 적은 파일인 URDF를 열어 `rpy="0 0 1.57"`이라고 썼습니다. 90°입니다.
 # 아무 일도 일어나지 않았습니다. 도움을 청한 질문은 2년 뒤 답 없이 닫혔습니다([cartographer_ros, 이슈 1017](https://github.com/cartographer-project/cartographer_ros/issues/1017)).
 #
 # 그 줄은 `<visual>`, 곧 겉모습에 적혀 있었습니다. 게다가 그 겉모습은 원기둥이었고 자기 축을 중심으로 회전시켰으니, 그림조차 달라질 수 없었습니다.
 #
-# 또 다른 로봇은 *그때까지 달린 모든 주행에서* 회전을 반대 부호로 발행했습니다. 오도메트리는 왼쪽, 자이로는 오른쪽 회전을 냈습니다. 사람들은 두 번이나 오도메트리를 의심했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
+# 또 다른 로봇은 *그때까지의 모든 주행에서* 회전을 반대 부호로 발행했습니다. 오도메트리는 왼쪽 회전을, 자이로는 오른쪽 회전을 보고했습니다. 사람들은 두 번이나 오도메트리를 의심했습니다([fusioncore, 이슈 88](https://github.com/manankharwar/fusioncore/issues/88)).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted clockwise, like a compass; an IMU mounted upside down has the same effect.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
@@ -77,10 +77,10 @@ from tflab.workbook import lesson
 # 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 회전합니다. 자이로 z의 부호는 무엇일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Hands for each. For 1, the common answer is "at least the picture rotates". For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % short. All three are good mistakes.
+# Hands for each. For 1, the common answer is "at least the picture rotates". For 2, "all, at zero". For 3, somebody will compute a cosine: walls 0.14 % too far. All three are good mistakes.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
-# 하나씩 손을 들게 합니다. 나올 법한 오답은 1번에서는 “그림은 회전한다”, 2번에서는 “모두 0의 자리에 나온다”, 3번에서는 코사인을 계산한 “벽이 0.14 % 가까워진다”입니다. 모두 배울 것이 있는 실수입니다.
+# 하나씩 손을 들게 합니다. 나올 법한 오답은 1번에서는 “그림은 회전한다”, 2번에서는 “모두 0의 자리에 나온다”, 3번에서는 코사인을 계산한 “벽이 0.14 % 멀어진다”입니다. 모두 배울 것이 있는 실수입니다.
 
 # %% name="my-guess" slide="skip"
 walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
@@ -93,7 +93,7 @@ walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
 # %% [markdown] lang="ko" name="two-origins" slide="slide"
 # ## 두 가지 origin
 #
-# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모를 기준으로 자식의 자리를 적은 [[transform|변환]] 하나입니다. 강의에 나온 로봇의 전부입니다. (`parse_urdf`는 이것을 읽고, `link_poses`는 루트 기준으로 각 링크가 어디에 있는지 구합니다.)
+# URDF에는 단단한 부품인 [[link|링크(link)]]와, 링크가 다른 링크에 어떻게 달려 있는지 적은 [[joint|관절(joint)]]이 있습니다. 링크마다 [[frame|좌표계]]가 하나씩 있고, 관절은 부모를 기준으로 자식의 자리를 적은 [[transform|변환]] 하나입니다. 다음은 강의에 나온 로봇의 URDF 전체입니다. (`parse_urdf`는 이것을 읽고, `link_poses`는 루트 기준으로 각 링크가 어디에 있는지 구합니다.)
 
 # %% name="lecture-urdf" slide="-"
 LECTURE = """<robot name="tf_lab_robot">
@@ -109,14 +109,14 @@ base_T_laser = lesson.link_poses(lesson.parse_urdf(LECTURE))['laser_frame']
 print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fmt_all(base_T_laser.rpy(), 'rad'))
 
 # %% [markdown] lang="en" name="two-origins-why"
-# Read it aloud: *the laser is a child of `base_link`, 0.20 ahead and 0.15 up, not rotated.* That is `base_T_laser`, in metres and radians, translation first.
+# Read it aloud: *the laser is a child of `base_link`, 0.20 ahead and 0.15 up, not rotated.* That is `base_T_laser`: `xyz` is its translation [m], `rpy` its rotation [rad].
 # Our own robot's URDF has these lines among others.
 #
 # A link can have a `<visual>` with an `<origin>` of its own. It describes the position of the *shape* on the link. TF never reads it.
 # Now the laser is really rotated: `screws` contains its true mount. TF does not have it.
 
 # %% [markdown] lang="ko" name="two-origins-why"
-# 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 회전은 없다.* 이것이 `base_T_laser`이고, 단위는 미터와 라디안이며 이동이 먼저입니다.
+# 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 회전은 없다.* 이것이 `base_T_laser`입니다. `xyz`는 이동[m], `rpy`는 회전[rad]입니다.
 # 우리 로봇의 URDF에도 이 줄들이 있습니다.
 #
 # 링크에는 `<visual>`이 있을 수 있고, 그 안에도 `<origin>`이 있습니다. 이것은 *겉모습*이 링크의 어디에 그려지는지를 적은 것입니다. TF는 읽지 않습니다.
@@ -326,7 +326,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # %% [markdown] lang="ko" name="publisher" slide="slide"
 # ## 어느 노드가 좌표계를 발행할까요?
 #
-# [[robot_state_publisher|`robot_state_publisher`]]가 URDF를 읽습니다. 고정된 관절은 `/tf_static`으로 한 번 보내고, 나중에 온 수신기도 받습니다(06장).
+# [[robot_state_publisher|`robot_state_publisher`]]가 URDF를 읽습니다. 고정된 관절은 `/tf_static`으로 한 번 보내며, 나중에 참가한 수신기도 받습니다(06장).
 # 움직이는 관절은 관절 값이 있어야 합니다. 그래서 관절 드라이버가 발행하는 `/joint_states` 메시지를 기다리고, 메시지에 **이름이 있는** 관절만 `/tf`로 보냅니다.
 #
 # 이번에는 이 노드만 켭니다. 관절 값을 발행하는 노드는 없습니다. 팔은 어떻게 될까요?
@@ -360,7 +360,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # The hand without an arm gets a laugh; let it. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
-# 팔 없는 손을 보고 웃는 사람이 있습니다. 잠시 둡니다. 그다음 묻습니다. wrist는 어느 노드가 발행합니까? 아무 노드도 발행하지 않는데 오류도 나지 않습니다. 다음에 나올 네 드라이버는 5분입니다. 하나씩 손을 들게 합니다.
+# 팔 없는 손을 보고 웃는 사람이 있습니다. 잠시 둡니다. 그다음 묻습니다. wrist는 어느 노드가 발행합니까? 아무 노드도 발행하지 않는데 오류도 나지 않습니다. 다음에 나올 네 드라이버에 5분을 씁니다. 하나씩 손을 들게 합니다.
 
 # %% name="ask-for-the-hand" slide="-"
 rclpy.init()
@@ -479,7 +479,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 
 # %% [markdown] lang="en" name="tilt-seen" tags=["predicted"]
 # There is a **phantom wall** across the room, five metres ahead, where there is only floor. It retreats as you drive towards it, and a planner does not drive through it.
-# The walls are also 0.14 % nearer; nobody sees that.
+# The walls that are still seen are up to 0.14 % too far; nobody sees that.
 #
 # The correct URDF does not put the dots back: these rays *did* end there, on the floor. But now they have the correct z, so you can drop them.
 # If a program takes only a planar scan, level the laser with a screwdriver. The lecture says that obstacles are misplaced if a tilted laser is described as level. A correct URDF is where the repair begins, not where it ends.
@@ -488,7 +488,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # *그림 읽기:* level = 수평이라고 적힘, 3° = 기울기를 적음, z > 0.05 = 높이 5 cm가 넘는 점만.
 #
 # 5미터 앞, 바닥뿐인 자리에 **유령 벽**이 가로놓입니다. 다가가면 그만큼 물러나지만, 경로 계획기는 지나가려 하지 않습니다.
-# 벽이 0.14 % 가까워지는 일도 실제로 있지만 아무도 알아채지 못합니다.
+# 바닥에 닿지 않은 빛은 벽을 최대 0.14 % 멀게 측정하지만, 아무도 알아채지 못합니다.
 #
 # URDF를 제대로 적어도 점들은 벽 위로 되돌아오지 않습니다. 빛이 *실제로* 바닥에서 끝났기 때문입니다. 대신 점마다 z가 생기고, 그러면 걸러 낼 수 있습니다.
 # 평면 스캔만 받는 프로그램이라면 나사를 조절해 레이저를 수평으로 맞추십시오. 강의에서는 기울어진 레이저를 수평으로 여기면 장애물 위치가 틀어진다고 했습니다. URDF를 제대로 적는 것은 고치는 일의 시작이지 끝이 아닙니다.
@@ -579,7 +579,7 @@ for name, rpy in mounts.items():
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 로봇이 아닌 URDF
 #
-# 파일을 네 군데 바꿉니다. 손으로 쓰다 보면 생기는 일입니다. 읽는 프로그램이 무엇이 잘못인지 짚을 수 있는 것은 어느 것일지 **예측해 봅시다.**
+# 파일에 실수 네 가지를 하나씩 넣습니다. 손으로 쓰다 보면 생기는 실수입니다. 파일을 읽는 프로그램이 찾아내는 실수는 어느 것일지 **예측해 봅시다.**
 
 # %% name="broken-files" tags=["predicted"] slide="fragment"
 ends = '<parent link="base_link"/>\n    <child link="laser_frame"/>'
@@ -730,7 +730,7 @@ for what, text in broken.items():
 # ## 정리
 #
 # - [[urdf|URDF]]에는 장착이 도면의 값으로 적혀 있습니다. TF는 확인하지 않고 모든 노드에 그대로 전달합니다.
-# - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 단위는 미터와 라디안이고 부모 기준 자식입니다.
+# - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 값은 부모를 기준으로 한 자식의 포즈이고, 단위는 미터와 라디안입니다.
 # - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
 # - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
 # - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드에서가 아니라, 관절의 origin이나 실제 장착을 바로잡아 고칩니다.

@@ -92,7 +92,9 @@ from tflab.workbook import lesson
 # 누군가에게는 제대로 된 해결책이었고, 누군가에게는 원인을 가린 임시방편이었습니다.
 # **어느 쪽인지 어떻게 알 수 있을까요?** 그것이 이 장의 주제입니다.
 #
-# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. (숫자는 예시입니다. *그림 읽기:* stamped = 측정, sent = 송신, received = 수신, 62 ms, dropped = 측정하고 62 ms 뒤에 수신했으나 데스크톱이 그 스캔의 변환을 찾지 못해 버림.)
+# 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. 숫자는 예시입니다.
+#
+# *그림 읽기:* stamped = 측정, sent = 송신, received = 수신, dropped = 버림. “62 ms, dropped”는 측정 시각에서 62 ms 뒤에 수신했지만 데스크톱이 그 스캔의 변환을 찾지 못해 버렸다는 뜻입니다.
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_journeys([
@@ -310,7 +312,7 @@ for second in (12.3, 14.3, 10.6):
 #
 # <details><summary>더 깊이: 두 가지 주의</summary>
 #
-# 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 뒤에 더 일찍 끝난 연결이 있을 수 있습니다.
+# 여러 연결이 일찍 끝났어도 오류 메시지에는 하나만 나옵니다. 목표가 `map` 같은 루트라면, 원본에서 올라가며 처음 막힌 연결이 나옵니다. 그 위에 더 일찍 끝난 연결이 있을 수 있습니다.
 # `odom ← base_footprint`처럼 목표가 루트 아래에 있으면 tf2가 목표를 지나쳐 더 올라가, 경로에 있지도 않은 `map → odom`의 시각이 나오기도 합니다. 2026년 3월 릴리스에서 고쳐졌고([ros2/geometry2, 이슈 832](https://github.com/ros2/geometry2/issues/832)), tflab은 그 이전과 같습니다.
 #
 # </details>
@@ -721,7 +723,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # - **지연은 한때이고, 값에 지터가 있습니다**(A의 선이 들쭉날쭉합니다). 잠깐 기다리면 해결됩니다.
 # - **[[clock offset|시계 차이(clock offset)]]는 사라지지 않고, 값이 일정합니다.** 기다려도 줄지 않습니다.
 #
-# 하지만 오래 지켜볼 필요도 없습니다. 도구 하나로 바로 구별됩니다. `ros2 topic delay`는 메시지를 *받은 시각*에서 *측정 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B입니다.
+# 하지만 오래 지켜볼 필요도 없습니다. 도구 하나로 바로 구별됩니다. `ros2 topic delay`는 메시지를 *받은 시각*에서 *측정 시각*을 뺀 값을 보여 줍니다. 아직 달리고 있는 로봇 B에서 실행해 봅시다.
 
 # %% name="delay-scan" slide="-"
 # %ros2 --for 1.5 topic delay /scan
@@ -820,7 +822,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
 # 경고가 하나도 없습니다. 로그는 초록색이고, 인터넷 게시글의 말이 맞았습니다.
-# 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리 옆에 그려 봅시다.
+# 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리와 나란히 그려 봅시다.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
 # Before the picture, take a vote: is the map right or wrong? The log is green, so most will say right.
@@ -850,7 +852,7 @@ lesson.draw_placed({
 # *그림 읽기:* as measured = 측정한 그대로, with the wait that "works" = “통한다는” 기다림으로.
 #
 # 기다림은 매번 성공했습니다. 잠시 뒤 *틀린* 시각의 변환까지 버퍼에 들어왔기 때문입니다.
-# 그래서 레이저가 측정하고 0.3초 **지난 다음** 어디에 있었는지가 나왔습니다. 필요한 것은 측정한 시각의 위치였습니다.
+# 그래서 측정하고 0.3초 **지난 다음**의 레이저 위치가 나왔습니다. 필요한 것은 측정한 시각의 위치였습니다.
 #
 # timeout은 변환이 왔는지 확인할 뿐, 시각이 맞는지는 확인하지 않습니다.
 # **데이터가 늦은 것이면 기다림으로 해결됩니다. 시계 차이는 해결되지 않고 드러나지 않게 될 뿐입니다.** (게다가 이제 스캔마다 쓸데없이 0.2초를 더 기다립니다.)
@@ -1047,7 +1049,7 @@ lesson.draw_lanes(called)
 # </details>
 
 # %% [markdown] lang="ko" name="cures-compared" slide="subslide"
-# 30개 가운데 27개입니다. 첫 스캔은 변환이 올 수 없어, 그다음에 셋이 쌓이자 취소했고, 마지막 둘은 아직 기다리는 중입니다.
+# 30개 가운데 27개입니다. 첫 스캔의 변환은 올 수 없으므로, 퓨처가 셋을 넘자 가장 오래된 그것을 취소했습니다. 마지막 둘은 아직 기다리는 중입니다.
 # 콜백의 줄도 보십시오. 1초에 열 번 잠깐씩 실행될 뿐 한 번도 오래 걸리지 않습니다. 스레드를 여럿 두었을 때는 내내 실행 중이었습니다.
 #
 # | 기다리는 곳 | 알맞은 경우 |
@@ -1147,7 +1149,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - 그것이 도착하는 데 **지연**만큼, 최악의 경우 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
-# 경로 위 최악의 연결을 두고 `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
+# 경로에서 이 시간이 가장 긴 연결로 계산합니다. `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
 # 이보다 오래 기다려야 통한다면 시계를 확인하십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -1182,7 +1184,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 언제나 0.40초이고 오차는 2 ms 남짓입니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까? 하나를 고른 뒤 답을 펼쳐 보세요.
+# 로봇에 컴퓨터가 두 대 있습니다. 한 시간째 모든 스캔이 *extrapolation into the future*로 실패합니다. 차이는 언제나 0.40초이고, 2 ms 남짓만 달라집니다. `ros2 topic delay /scan`은 −0.31을 보여 줍니다. 어떻게 하겠습니까? 하나를 고른 뒤 답을 펼쳐 보세요.
 #
 # <details><summary>1. <code>timeout=Duration(seconds=1)</code>을 넣습니다</summary>
 #
@@ -1459,6 +1461,6 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # </details>
 #
-# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 반환한 것입니다. 종류가 다른 시계의 시각은 섞이지 않으므로 둘의 `.nanoseconds`를 뺍니다.
+# **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 반환한 것입니다. rclpy는 종류가 다른 시계의 시각을 서로 빼지 못하므로 둘의 `.nanoseconds`를 뺍니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
 # 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.

@@ -67,7 +67,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # The tool was the right one. It was read wrongly.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
-# 느린 것이 아니라 **51.7년**입니다. 시스템 시간에서, 0초에 시작한 시뮬레이션의 측정 시각을 뺀 값입니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
+# 느린 것이 아니라 **51.7년**입니다. 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값이고, 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
 # 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해, 측정할 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 측정했습니다.
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
@@ -75,7 +75,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # Six minutes with the title. A minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 제목까지 6분입니다. 1.6318e9초를 1년으로 나누게 하고 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
+# 제목까지 6분입니다. 1.6318e9초가 몇 년인지 계산하게 하고, 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), still open; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
@@ -135,7 +135,7 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # ## 질문부터 정하고, 그다음에 입력합니다
 #
 # 질문에 맞지 않는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
-# 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 그대로이고 조금 줄였습니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
+# 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 도구의 출력을 조금 줄인 것입니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
 
 # %% name="ask-first-panel" tags=["interactive"]
 lesson.start_robot()
@@ -157,7 +157,7 @@ lesson.draw_toolbox()
 # %% [markdown] lang="ko" name="ask-first-seen"
 # *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 경로의 지연, age = 메시지의 나이, owner = 발행자, look = 보이는 모습. ✓ answers = 알 수 있음, ~ half = 반만 알 수 있음, ✗ cannot = 알 수 없음.
 #
-# 어느 열에나 알 수 없는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
+# 어느 도구에나 알 수 없는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
 # 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 어느 노드나 `<no authority available>`로 나옵니다.
 
 # %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
@@ -383,7 +383,7 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
-# 굽은 길에서는 굽은 길을 안쪽으로 가로지릅니다. 실제 경로는 호, TF가 보간한 선은 현이고, 그 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
+# 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 실제 경로는 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 발행률이 낮은 연결에는 언제나 **기다림**이 따릅니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
@@ -510,7 +510,7 @@ for fixed_frame in ('map', 'odom', 'base_link'):
 # Five minutes for the three robots. Stop at the four ticks: which one was false? None. Then let them vote on paper, once for each robot.
 
 # %% [markdown] lang="ko" name="ok-is-not-true-notes" slide="notes"
-# 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 사실이 아닌 것은 어느 것입니까? 없습니다. 그다음 로봇마다 하나씩 종이에 적게 합니다.
+# 로봇 셋에 5분입니다. ✔ 네 개에서 멈추고 묻습니다. 사실이 아닌 것은 어느 것입니까? 없습니다. 그다음 로봇마다 오류가 나올 줄을 종이에 적게 합니다.
 
 # %% name="three-robots-mount" tags=["predicted"] slide="subslide"
 lesson.start_robot('mount')
@@ -578,13 +578,13 @@ lesson.start_robot('clock').run(seconds=5)
 # −0.200 where the ruler shows +0.20. `base_link` where the laser's frame is `laser_frame`. 0.405 s where a sweep and its transport take 0.105.
 
 # %% [markdown] lang="ko" name="one-minute-seen"
-# 자로 재면 +0.20인데 −0.200입니다. 레이저는 `laser_frame`인데 `base_link`입니다. 한 번 훑고 전송하는 데 0.105초면 되는데 0.405초입니다.
+# 장착 변환은 −0.200으로 나오는데 자로 재면 +0.20입니다. 헤더에는 `base_link`라고 적혀 있는데 레이저의 좌표계는 `laser_frame`입니다. 나이는 0.405초인데 한 번 훑고 전송하는 데는 0.105초면 됩니다.
 
 # %% [markdown] lang="en" name="one-minute-notes" slide="notes"
 # In pairs, a minute each. Before typing they say the correct value.
 
 # %% [markdown] lang="ko" name="one-minute-notes" slide="notes"
-# 둘씩 1분마다 하나씩 합니다. 입력하기 전에 정상인 값을 먼저 말합니다.
+# 두 사람씩 로봇 하나에 1분을 씁니다. 입력하기 전에 정상인 값을 먼저 말합니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
@@ -655,7 +655,7 @@ lesson.draw_rviz()
 # This message names its cause: `not part of the same tree`. `map` and `odom` are one tree, everything on the robot another; the edge between them has lost its publisher.
 
 # %% [markdown] lang="ko" name="break-odometry-seen" tags=["predicted"]
-# 원인을 알려 주는 오류입니다. `not part of the same tree`. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
+# `not part of the same tree`는 원인을 알려 주는 오류입니다. `map`과 `odom`이 한 트리, 로봇의 좌표계 모두가 다른 트리입니다. 둘 사이의 연결을 발행하는 노드가 없어졌습니다.
 
 # %% [markdown] lang="en" name="break-ekf-predict" slide="subslide"
 # And the one without a red line: the EKF publishes `odom → base_footprint`, too. RViz draws the robot here, then there; every single lookup is Ok. The list cannot show it, but several lookups in a row can:
@@ -858,7 +858,7 @@ graph.stop()
 #
 # - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]이 어느 노드에 있는지 알려 주는 도구는 없습니다.
 # - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모든 발행자를 합친 값입니다.
-# - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않고, 평균이 음수면 미래의 시각입니다.
+# - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않습니다. 평균이 음수이면 측정 시각이 미래입니다.
 # - 발행률이 낮은 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 됩니다.
 # - [[fixed frame|고정 좌표계]]를 바꾸면 그림의 기준만 바뀌고 데이터는 바뀌지 않습니다.
 # - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 비교해 확인합니다.

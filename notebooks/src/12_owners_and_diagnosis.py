@@ -13,12 +13,12 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 12 · 발행 책임과 진단
 #
-# **어느 노드가 무엇을 발행할까요?** · 약 60분, 진료실은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
+# **어느 노드가 무엇을 발행할까요?** · 약 60분, 진단 연습은 원하는 만큼 · 05, 06, 07, 09, 10, 11장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - 연결마다 어느 노드가, 어떤 데이터로, 어떤 스위치로 발행하는지, 곧 [[owner|발행 책임]]을 적을 수 있습니다.
-# - 터미널을 보고 연결의 네 가지 상태(발행자가 하나, 없음, 둘, 그리고 다른 연결)를 읽을 수 있습니다.
+# - 터미널을 보고 연결의 네 가지 상태(발행자가 하나, 없음, 둘, 같은 자식의 다른 연결)를 구별할 수 있습니다.
 # - [[suspect|용의자]]를 가장 적은 시간에 구별하는 검사를 고르고, 증명이 끝나면 멈출 수 있습니다.
 # - 원인을 고치는 처치와 증상만 가리는 임시방편을 구별할 수 있습니다.
 
@@ -112,7 +112,7 @@ graph.run(seconds=20.0)
 # Let those who said “one fewer” explain why. They think of a list of calls; this is a list of telephones. Then ask: what would show the calls? Wait for “the rate of the edge”.
 
 # %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
-# “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 통화 기록을 떠올렸겠지만, 이 도구는 전화기의 수를 셉니다. 그럼 통화를 보려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답이 나오게 합니다.
+# “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 지금 발행하는 노드를 센다고 생각했겠지만, 이 도구는 발행할 수 있는 노드를 셉니다. 그럼 실제로 발행하는지 알려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답이 나오게 합니다.
 
 # %% name="listen" slide="skip"
 import rclpy
@@ -155,7 +155,7 @@ for name, (x, y, *_) in places:
 # Twenty a second with one owner, fifty with two. And between the two a lookup interpolates, as between any two samples: **a position that no node ever published**. TF2 does not store owners; it sees one edge.
 
 # %% [markdown] lang="ko" name="between-seen" tags=["predicted"]
-# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 그 사이를 조회하면 여느 두 표본처럼 보간합니다. **아무도 발행한 적 없는 위치**가 나옵니다. TF2는 발행자를 기록하지 않습니다. 둘을 구별하지 않고 한 연결로 처리합니다.
+# 발행자가 하나면 1초에 스무 번, 둘이면 쉰 번입니다. 두 노드의 표본 사이를 조회하면 여느 두 표본처럼 보간하므로, **아무도 발행한 적 없는 위치**가 나옵니다. TF2는 발행자를 기록하지 않습니다. 둘을 구별하지 않고 한 연결로 처리합니다.
 
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
@@ -173,7 +173,7 @@ for name, (x, y, *_) in places:
 # %% [markdown] lang="ko" name="owner" slide="slide"
 # ## 발행 책임은 노드, 데이터, 스위치입니다
 #
-# 연결마다 세 가지를 적습니다. **어느 노드**가, **어떤 데이터로**, **어떤 스위치**로 발행하는지입니다. 발행자가 둘이면 스위치 하나를 꺼야 합니다. 실제 로봇에서 그 이름은 다음과 같습니다.
+# 연결마다 세 가지를 적습니다. **어느 노드**가, **어떤 데이터로** 발행하는지, **어떤 스위치**로 그 발행을 켜고 끄는지입니다. 발행자가 둘이면 스위치 하나를 꺼야 합니다. 스위치는 노드의 파라미터이며, 흔히 쓰는 패키지에서는 다음 이름입니다.
 #
 # | 패키지 | 스위치 |
 # |---|---|
@@ -236,7 +236,7 @@ lesson.draw_owners(
 # Fourteen minutes, most of them at the board: an empty table, one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
-# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 그리고 두 사람에 한 장씩 나눕니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보입니다.
+# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보입니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -343,7 +343,7 @@ print(looks)
 # Each `.` is a lookup after a message of the localiser: then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
 
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
-# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
+# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
 # %% name="stop-two" slide="skip"
 graph.stop()
@@ -380,7 +380,7 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # A: 1.000, `At time 0.0`. And a monitor output that looks wrong: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
-# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11). 정상부터 알아 두어야 합니다.
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
@@ -392,7 +392,7 @@ graph = lesson.new_graph()
 # B: `odm`. The first line is about the very first lookup; the second is the fact: **not part of the same tree**. If you suspect a dead node, you restart one now. But the node runs, and publishes what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 시작한 순간의 것이고 둘째 줄이 사실입니다. **같은 트리가 아닙니다.** 노드가 종료되었다고 생각하는 사람은 여기서 다시 시작합니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
+# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
 
 # %% name="experiment-b-rviz" slide="subslide"
 lesson.draw_rviz()
@@ -440,10 +440,10 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # *그림 읽기:* 행은 용의자, 열은 그들을 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now diagnose the eighteen faulty robots of the clinic below, each with another cause, without a complaint. One follows the six steps, one always chooses the check that rules out most per minute.
+# Two people now diagnose the eighteen robots of the clinic below, each with another cause, without a complaint. Nothing is wrong with one of them. One follows the six steps, one always chooses the check that rules out most per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
-# 이제 두 사람이 아래 진료실의 고장 난 로봇 열여덟 대를 진찰합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
+# 이제 두 사람이 아래 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
 
 # %% [markdown] lang="en" name="two-ways-notes" slide="notes"
 # Let them guess both averages first. The order is not wrong: it is safe, it teaches, and it finds everything. It just does not use what you already know.
@@ -470,7 +470,7 @@ lesson.draw_both_ways()
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
 #
-# 환자는 누군가 고장 낸 로봇이고, 그 로봇에서 모든 도구가 출력한 것이 들어 있습니다. 증상과 RViz 화면, 정상일 때의 카드는 그냥 받습니다. 검사마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
+# 진료실은 진단 연습이고, 환자는 누군가 고장 낸 로봇의 시뮬레이션입니다. 모든 도구의 출력이 기록되어 있습니다. 증상, RViz 화면, 정상일 때의 값을 적은 카드는 처음부터 볼 수 있습니다. 검사마다 시간이 들고, 쓸 수 있는 시간은 12분입니다.
 
 # %% [markdown] lang="en" name="clinic-notes" slide="notes"
 # Diagnose one patient together, aloud: read the complaint, read RViz, and let nobody type before the three suspects are named. If somebody proposes a fix, ask which result would change after it.
@@ -486,7 +486,7 @@ lesson.show_trolley()
 # `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect you mean; it is not marked.
 
 # %% [markdown] lang="ko" name="trolley-seen"
-# 왼쪽은 짧은 이름이고, 명령 대신 써도 됩니다. 공구를 드는 일은 명령을 입력하는 일보다 오래 걸립니다. 그래서 검사가 먼저입니다.
+# 왼쪽 열은 검사의 짧은 이름이고, 명령 대신 쓸 수 있습니다. 줄자나 케이블이 필요한 검사는 명령보다 오래 걸립니다. 그래서 명령으로 하는 검사가 먼저입니다.
 # `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked" tags=["translated"] slide="subslide"
@@ -507,7 +507,7 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# 거절당했습니다. 의심만으로는 고치지 않습니다. 그 대신 용의자마다 결과가 모두 다를 검사를 알려 줍니다. 다만 원인이 시계라면 `hz /odom`은 카드와 같을 것이고, 증명하려면 카드와 다른 값도 보여야 합니다. 그런 값은 어디에 나타날까요?
+# 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 답장에는 세 용의자의 결과가 모두 다를 검사인 `hz /odom`이 나옵니다. 그러나 원인이 시계라면 `hz /odom`은 카드와 같을 것입니다. 증명에는 카드와 다른 값이 필요합니다. 어느 검사에서 그런 값이 나올까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask" tags=["translated"]
@@ -551,7 +551,7 @@ lesson.draw_visit(visit)
 # On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are all Ok, and only one has the result of the card.
 
 # %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 시계입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
 #
 # 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
 
@@ -575,7 +575,7 @@ lesson.draw_visit(visit)
 # Five minutes in pairs. One makes the checks, one keeps the list of suspects and rules out. Then change roles for the next patient.
 
 # %% [markdown] lang="ko" name="faded-notes" slide="notes"
-# 둘씩 5분 동안 합니다. 한 사람은 묻고, 한 사람은 용의자 목록을 들고 지웁니다. 다음 환자에서는 역할을 바꿉니다.
+# 둘씩 5분 동안 합니다. 한 사람은 검사하고, 한 사람은 목록에서 용의자를 지웁니다. 다음 환자에서는 역할을 바꿉니다.
 
 # %% name="faded-visit" tags=["translated"]
 jumps = lesson.admit(lesson.worked_patient("two owners of one edge"))
@@ -617,7 +617,7 @@ lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node lis
 # And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it, as soon as you have named a suspect.
 
 # %% [markdown] lang="ko" name="second" slide="subslide"
-# 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 의사(doctor)에게 보입니다.
+# 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 `tflab doctor`로 진단합니다.
 
 # %% name="second-opinion" tags=["translated"] slide="-"
 my_suspect = ...  # one of the three
@@ -627,7 +627,7 @@ lesson.second_opinion(7, my_suspect)
 # Compare: did it name the same node, or only what is missing? Which of its sentences could you have written with your results, and which of your checks did it not need?
 
 # %% [markdown] lang="ko" name="second-seen"
-# 비교해 보세요. 의사도 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? 그 문장 가운데 여러분이 읽은 값으로 쓸 수 있었던 것은 무엇이고, 의사에게는 필요 없었던 검사는 무엇입니까?
+# 비교해 보세요. doctor는 같은 노드를 지목했습니까, 무엇이 빠졌는지만 알려 주었습니까? doctor가 출력한 문장 가운데 여러분의 검사 결과로도 쓸 수 있었던 것은 무엇입니까? doctor에는 필요 없었던 검사는 무엇입니까?
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
 # In pairs, 45 minutes together with E12.4. One types; the other gives the reason before each check. Change roles with each patient.
@@ -639,7 +639,7 @@ lesson.second_opinion(7, my_suspect)
 # For reference, without a panel: the six complaints with their suspects, and for one complaint the result of each check. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
 
 # %% [markdown] lang="ko" name="suspects" slide="skip"
-# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 검사마다 나올 소견입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
+# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 용의자마다 나올 검사 결과입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
 
 # %% name="suspects-words" tags=["translated"] slide="skip"
 lesson.show_suspects()
@@ -655,7 +655,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
 #
-# 야간 당직 때 오는 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
+# 이번 환자는 원인이 둘입니다. **예측해 봅시다.** 위치 추정 노드가 꺼져 있고, 레이저의 장착 변환도 틀렸습니다. 위치 추정 노드를 켜면 RViz에는 무엇이 나오고, 스캔은 어디에 있을까요?
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Let them write a sentence about the scan before you run it. The laugh comes with “all Ok”.
@@ -682,7 +682,7 @@ night.try_fix()
 # A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Those look like a robot that somebody built so. Only the card shows the difference.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
-# 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 의사(doctor)에게 보이면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
+# 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 `tflab doctor`로 진단하면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
 
 # %% [markdown] lang="en" name="doctor-notes" slide="notes"
 # Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
@@ -743,7 +743,7 @@ night.try_fix()
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 맞습니다. “No messages received”, “Frame [x] does not exist”, “into the future”는 한 번 보는 것만으로 용의자를 셋으로 나눕니다.
+# 맞습니다. “No messages received”, “Frame [x] does not exist”, “into the future”는 한 번 보는 것만으로 용의자를 세 무리로 나눕니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -1010,7 +1010,7 @@ night.try_fix()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] URDF는 robot_state_publisher를 통해 고정된 것과 관절을 모두 맡고, 드라이버는 되풀이하지 않습니다.
+# - [ ] URDF는 robot_state_publisher를 통해 고정된 것과 관절을 모두 맡고, 드라이버는 같은 변환을 다시 보내지 않습니다.
 # - [ ] `odom → base_footprint`는 오도메트리나 EKF *가운데 하나*가 맡습니다. EKF가 융합하면 바퀴 오도메트리 노드의 스위치를 끄고, /odom은 데이터로 계속 보냅니다.
 # - [ ] 위치 추정은 `map → odom`을 맡고, base는 건드리지 않습니다.
 # - [ ] 연결마다 발행자는 하나이고, 노드와 데이터와 스위치를 적어 둡니다.
@@ -1069,6 +1069,6 @@ night.try_fix()
 # On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분만의 환자 세 명이 기다립니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
+# **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분의 로봇 세 대를 진단합니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

@@ -118,7 +118,7 @@ check("E7.2", beam)
 # ## E7.3 · 정기구학 (5점)
 #
 # `chain`은 베이스에서 팔 끝까지의 관절 리스트입니다. 관절은 dict이고 키는 `"name"`, `"type"`(`"fixed"`, `"revolute"`, `"prismatic"`), `"xyz"`[m], `"rpy"`[rad], `"axis"`(`"x"`, `"y"`, `"z"`)입니다.
-# `positions`는 이름에서 값(rad 또는 m)으로 가는 dict입니다. 없는 관절은 0에 있고, 다른 이름이 섞여 있을 수 있습니다. fixed 관절은 움직이지 않습니다.
+# `positions`는 관절 이름이 키이고 관절 값(rad 또는 m)이 값인 dict입니다. dict에 없는 관절의 값은 0이고, 다른 이름이 섞여 있을 수 있습니다. fixed 관절은 움직이지 않습니다.
 # 베이스 기준의 팔 끝을 `Transform`으로 반환하십시오.
 
 
@@ -229,7 +229,7 @@ check("E7.5", imu)
 # %% [markdown] lang="ko" name="e7-6"
 # ## E7.6 · 표시에 대어 찾는 공구 끝 (4점)
 #
-# 그리퍼를 새로 달았습니다. 그 끝을 `base_link` 기준 위치 `base_p_tip`(x, y, z)[m]을 아는 표시에 댑니다. 그때 팔 드라이버가 발행한 tool0의 포즈가 `base_T_tool0`(`Transform`)입니다.
+# 그리퍼를 새로 달았습니다. 그 끝을 표시에 댑니다. 표시의 위치는 `base_link` 기준 `base_p_tip`(x, y, z)[m]입니다. 그때 팔 드라이버가 발행한 tool0의 포즈가 `base_T_tool0`(`Transform`)입니다.
 # 좌표계 `tcp`가 어디에 있는지 알리는 `TransformStamped`를 반환하십시오. 부모는 `tool0`이고, 그 기준으로 회전이 없으며, 시각은 그대로 둡니다.
 
 

@@ -46,7 +46,7 @@ from tf2_ros import LookupException, TransformException
 # %% [markdown] lang="ko" name="e9-1"
 # ## E9.1 · 로그 속 여덟 줄 (4점)
 #
-# 모두 한 로봇에서 나온 여덟 줄과, 그때 버퍼에 들어 있던 내용입니다.
+# `e9_1`에는 한 로봇의 로그 여덟 줄과 그때 버퍼에 들어 있던 내용이 있습니다.
 #
 # - `"a"`부터 `"h"`까지: 어떤 종류입니까? `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"`, `"invalid argument"`, `"not a TransformException"` 가운데 하나입니다.
 # - `"c edge"`, `"d edge"`: 어느 연결에서 막혔습니까? 그 연결의 자식 좌표계를 쓰십시오.
@@ -88,7 +88,7 @@ check("E9.1", lines)
 # `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 값이 있으면 `"ok"`, 없으면
 # `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"` 가운데 하나입니다.
 #
-# 로봇에서 얻을 수 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 무엇이 먼저인지는 tf2가 정하게 두십시오.
+# 로봇에서 얻을 수 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 문제가 둘이면 tf2가 보고하는 것을 따르십시오.
 
 # %% name="e9-2-answer" tags=["answer"]
 def classify(buffer, target, source, stamp):
@@ -225,7 +225,7 @@ check("E9.4", causes)
 # 시각이 `stamps_s`[s]인 메시지들이 도착한 순서대로 기다립니다. 지금은 `now_s`입니다.
 # 결정에 쓸 만한 것만 남기십시오. `max_age_s`보다 오래된 것은 버리고, 측정 시각이 미래인 것도 버리고, 나머지 가운데 가장 최근 것부터 `max_size`개까지만 남깁니다.
 #
-# `{"kept": [...], "lost": n}`을 반환하십시오. 남는 시각을 오래된 것부터, 그리고 버린 개수입니다.
+# `{"kept": [...], "lost": n}`을 반환하십시오. `"kept"`는 남은 메시지의 시각을 오래된 것부터 적은 리스트이고, `"lost"`는 버린 메시지의 수입니다.
 # 둘 다 채점합니다. 최근 것만 남기면 그만큼 메시지를 잃습니다.
 
 # %% name="e9-5-answer" tags=["answer"]

@@ -240,7 +240,7 @@ check("E11.5", changes)
 # %% [markdown] lang="ko" name="e11-6"
 # ## E11.6 · 프로그램으로 tf2_monitor 읽기 (4점)
 #
-# `report`는 `tf2_monitor A B`의 출력 전체이고, `static_frames`는 정적 변환에 매달린 좌표계의 이름들입니다. dict를 반환하십시오.
+# `report`는 `tf2_monitor A B`의 출력 전체이고, `static_frames`는 정적 변환의 자식인 좌표계의 이름들입니다. dict를 반환하십시오.
 #
 # - `"late"`: 동적 좌표계 가운데 최악의 경우 지연이 가장 큰 것
 # - `"future"`: 동적 좌표계 가운데 측정 시각이 평균적으로 미래인 것의 리스트

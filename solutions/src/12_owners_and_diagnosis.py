@@ -16,7 +16,7 @@
 # `...`이나 `your turn`이라고 적힌 자리에 답을 쓰고 셀을 실행한 다음, 아래의 확인 셀을 실행해 보세요.
 # 틀린 답을 내면 어떤 실수로 보이는지 알려 줍니다. `hint("E12.1")`은 세 힌트 가운데 첫 번째를 보여 줍니다.
 # 통과하거나 세 번 시도한 뒤에는 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 이 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요.
-# `task(...)`가 주는 것은 옆 사람과 다를 수 있습니다. 환자도 저마다 다릅니다.
+# `task(...)`가 주는 값과 로봇은 옆 사람과 다를 수 있습니다.
 
 # %% name="load"
 # %load_ext tflab
@@ -37,10 +37,10 @@ from tflab.workbook import call, check, hint, lesson, solution, task
 # ## E12.1 · 어느 노드가 무엇을 발행합니까? (4점)
 #
 # 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 발행합니다.
-# `task`가 주는 두 값으로 정해집니다.
+# 발행자는 `task`가 주는 두 값에 따라 정해집니다.
 #
 # - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무 노드도 `map → odom`을 발행하지 않습니다.
-# - `odometry`: `"wheels alone"`(바퀴만)이면 융합할 것이 없어 필터를 쓰지 않습니다. `"wheels and imu, fused by ekf_filter_node"`(바퀴와 imu를 융합)면 필터가 둘로 더 나은 포즈를 구하므로 필터의 포즈를 씁니다.
+# - `odometry`: `"wheels alone"`(바퀴만)이면 융합할 것이 없어 필터를 쓰지 않습니다. `"wheels and imu, fused by ekf_filter_node"`(바퀴와 imu를 융합)면 필터가 바퀴와 imu의 값을 합쳐 더 나은 포즈를 구하므로 필터의 포즈를 씁니다.
 #
 # 연결마다 발행자를 `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"` 가운데서 고르고, 스위치는 `True`나 `False`로 정하십시오.
 
@@ -125,7 +125,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="ko" name="e12-3"
 # ## E12.3 · 첫 검사 (3점)
 #
-# 열 가지 증상입니다. 무엇을 **먼저** 검사하겠습니까? 두 용의자를 구별하는 검사를 2분 이내의 것으로 고르십시오. 여럿이면 어느 것이든 좋습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
+# 열 가지 증상입니다. 무엇을 **먼저** 검사하겠습니까? 두 용의자의 결과가 다르고 2분을 넘지 않는 검사를 고르십시오. 그런 검사가 여럿이면 어느 것이든 맞습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
 #
 # - **no frame map** RViz에 `map`이 없습니다. 위치 추정 노드가 꺼졌습니까, 무언가를 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
@@ -174,16 +174,16 @@ check("E12.3", first)
 # - `"a fix"`: one of those that `visit.fixes()` prints
 
 # %% [markdown] lang="ko" name="e12-4"
-# ## E12.4 · 환자 세 명 (6점)
+# ## E12.4 · 로봇 세 대의 진단 (6점)
 #
-# 여러분의 로봇 세 대 `e12_4.a`, `e12_4.b`, `e12_4.c`입니다. 이 장에서처럼 진찰하십시오. `visit = lesson.admit(e12_4.a)`, `visit.ask("...")`, `visit.say(cause=..., fix=...)`, `visit.try_fix()`를 쓰거나, `lesson.clinic_panel(e12_4.a, helped=False)`를 씁니다. 한 명에 12분입니다.
+# 여러분의 로봇 세 대 `e12_4.a`, `e12_4.b`, `e12_4.c`입니다. 본문에서처럼 진단하십시오. `visit = lesson.admit(e12_4.a)`, `visit.ask("...")`, `visit.say(cause=..., fix=...)`, `visit.try_fix()`를 쓰거나, `lesson.clinic_panel(e12_4.a, helped=False)`를 씁니다. 로봇마다 12분입니다.
 #
-# 환자마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
+# 로봇마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
 #
-# - `"a checks"`: **이것으로 충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 12분을 넘지 않고, 그 증상의 다른 용의자를 모두 지우고, 고장 난 곳을 보여 주며, 그 뒤에는 검사가 더 없어야 합니다.
+# - `"a checks"`: 원인을 증명하는 데 **충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 네 가지 조건이 있습니다. 모두 12분을 넘지 않습니다. 그 증상의 다른 용의자를 모두 지웁니다. 카드와 다른 결과가 하나는 있습니다. 증명이 끝난 뒤의 검사는 쓰지 않습니다.
 # - `"a cause"`: `lesson.show_suspects()`가 출력하는 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
-# - `"a frame"`: 자리가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 연결이라면 그 자식입니다.
-# - `"a owner"`: 바뀌어야 할 쪽. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
+# - `"a frame"`: 포즈가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 틀린 것이 연결이면 그 연결의 자식을 씁니다.
+# - `"a owner"`: 고쳐야 할 노드. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
 # - `"a fix"`: `visit.fixes()`가 보여 주는 것 가운데 하나
 
 # %% name="e12-4-given"
@@ -222,13 +222,13 @@ check("E12.4", patients)
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
 #
-# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 링크(`…_link`)가 `base_link`에, 광학 좌표계(`…_optical_frame`)가 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 둘이고, 저마다 앞에 로봇의 이름과 슬래시(/)가 붙습니다. `map`은 함께 씁니다.
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 링크(`…_link`)가 `base_link`에, 광학 좌표계(`…_optical_frame`)가 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 좌표계 둘입니다. 이 다섯 이름의 앞에는 로봇의 이름과 슬래시(/)를 붙입니다. `map`은 두 로봇이 함께 씁니다.
 #
 # - `"tree"`: 자식 → 부모
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
 # - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"`, `"camera_driver"` 가운데 하나
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` 또는 `False`
-# - `"bag"`: 내일도 트리가 온전하도록 기록할 토픽. 꼭 필요한 것만 씁니다.
+# - `"bag"`: 내일 재생해도 트리가 온전하도록 기록할 토픽. 꼭 필요한 것만 씁니다.
 #
 # 답 아래의 셀은 쓴 그대로 로봇을 만들어 첫 번째 로봇 옆에서 실행합니다. RViz의 상태, 연결마다 누가 발행하는지, bag으로 무엇을 할 수 있는지 보여 줍니다. 채점은 하지 않습니다. 여기서 이상한 것은 실제 로봇에서도 이상합니다.
 
@@ -316,10 +316,10 @@ check("E12.6", steps)
 # Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. It includes your checks, and they have to be a proof: all seventeen others ruled out, in time, and no check after that.
 
 # %% [markdown] lang="ko" name="e12-7"
-# ## E12.7 · 회진하는 프로그램 (5점)
+# ## E12.7 · 진단하는 프로그램 (5점)
 #
-# 정보는 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그만큼의 분을 쓰고 한 줄짜리 소견을 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 소견과, 용의자마다 나올 소견을 출력합니다. 이름과 숫자는 로봇 한 대의 것입니다. 시계는 0.35초 틀릴 수도 있고, 좌표계 이름은 `lidar`일 수도 있습니다.
-# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. 실행한 검사도 함께 담기며, 그 검사들이 증명이 되어야 합니다. 나머지 열일곱을 시간 안에 모두 지우고, 그 뒤에는 검사가 더 없어야 합니다.
+# 정보는 “작동하지 않습니다”뿐입니다. 용의자는 열여덟, 시간은 12분입니다. `patient.ask(check)`는 그 검사의 시간을 쓰고 결과를 한 줄로 반환합니다. `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"`, `"not in one tree"` 같은 것입니다. 다음 셀은 검사마다 정상일 때(`카드`)의 결과와 용의자마다 나올 결과를 출력합니다. 출력의 이름과 숫자는 로봇 한 대의 예입니다. 다른 로봇에서는 시계가 0.35초 틀릴 수도 있고, 좌표계 이름이 `lidar`일 수도 있습니다.
+# `patient.verdict(cause, frame)`을 반환하십시오. 원인과 좌표계는 E12.4와 같은 이름을 씁니다. verdict에는 실행한 검사도 담기며, 그 검사로 원인이 증명되어야 합니다. 12분 안에 나머지 용의자 열일곱을 모두 지우고, 그다음에는 검사를 더 하지 마십시오.
 
 # %% name="e12-7-findings"
 lesson.show_findings()
@@ -659,7 +659,7 @@ check("E12.8", after)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 어느 노드가 발행하는지 적고, 터미널을 읽고, 가장 적은 검사로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점할 때는 다른 로봇으로 같은 것을 확인합니다. E12.7의 프로그램은 아무도 본 적 없는 환자를 만납니다.
+# 어느 노드가 발행하는지 적고, 터미널을 읽고, 가장 적은 검사로 원인을 증명하고, 로봇 한 대를 설계했습니다. 채점할 때는 다른 로봇으로 같은 것을 확인합니다. E12.7의 프로그램은 처음 보는 로봇을 진단합니다.
 # 로봇 앞에 갈 때는 카드를 가지고 가십시오. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 #
 # **다음:** [첫 페이지](../../notebooks/ko/00_start.ipynb)에서 두 시험 사이에 무엇을 배웠고 무엇을 다시 볼지 볼 수 있습니다. [끝없는 연습](../../notebooks/ko/91_practice.ipynb)에서는 다른 숫자로 다시 풀 수 있습니다.
