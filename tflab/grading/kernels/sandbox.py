@@ -90,7 +90,7 @@ class Sandbox:
     def announce(self) -> Text:
         """Return one line for the report: which wall, and why no better one; `gaps` are the lines after it."""
         why = f" ({'; '.join(self.refused)})" if self.refused else ""
-        return Text(f"Sandbox: {self.level}{why}.", f"샌드박스: {self.level}{why}.")
+        return Text(f"Sandbox: {self.level}{why}.", f"격리 방식: {self.level}{why}.")
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""

@@ -54,7 +54,7 @@ __all__ = [
 
 OPINIONS = {
     "en": {"first": "First your own diagnosis: name one of the suspects.", "you": "You", "doctor": "The doctor"},
-    "ko": {"first": "먼저 스스로 진단하십시오. 용의자 하나를 대면 됩니다.", "you": "나", "doctor": "의사"},
+    "ko": {"first": "먼저 직접 진단하고 용의자 하나를 고르십시오.", "you": "나", "doctor": "tflab doctor"},
 }
 
 # The lecture's six steps: names, tree, values, delays, message and clock, publishers and settings.
