@@ -817,7 +817,7 @@ def test_a_look_at_many_processes_takes_no_longer_than_it_may(monkeypatch: pytes
 
 
 def test_a_fallback_says_why_nothing_better_was_to_be_had() -> None:
-    assert Sandbox("namespaces").announce() == ("Sandbox: namespaces.", "샌드박스: namespaces.")
+    assert Sandbox("namespaces").announce() == ("Sandbox: namespaces.", "격리 방식: namespaces.")
     fallback = Sandbox("limits", refused=("no namespaces: not permitted", "no bubblewrap: there is no program bwrap"))
     why = "no namespaces: not permitted; no bubblewrap: there is no program bwrap"
     assert fallback.announce().en == f"Sandbox: limits ({why})."
