@@ -38,8 +38,8 @@ LABELS = {
         "try": "Try", "clock": "min left", "title": "The clinic",
     },
     "ko": {
-        "check": "검사", "because": "의심하는 원인", "ask": "검사하기", "nobody": "(아직 없음)", "cause": "원인", "fix": "처치",
-        "try": "해 보기", "clock": "남은 시간", "title": "진료실",
+        "check": "검사", "because": "의심하는 원인", "ask": "검사하기", "nobody": "(아직 없음)",
+        "cause": "원인", "fix": "처치", "try": "해 보기", "clock": "남은 시간", "title": "진료실",
     },
 }  # fmt: skip
 

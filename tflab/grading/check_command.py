@@ -16,7 +16,6 @@ import json
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -31,7 +30,7 @@ from tflab.workbook.tasks.task import TaskError
 from .judging.cells import master_of
 from .judging.job import HandedIn, Job, RunCells
 from .judging.pack import MALFORMED
-from .judging.submission import grade_with_retry, graded
+from .judging.submission import graded
 from .kernels.limits import Limits
 from .reports.feedback import SIGNS
 from .reports.feedback import TEXTS as FEEDBACK
@@ -132,11 +131,11 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         limits=limits,
         has_roster=workbook.learner is not None,
     )
-    record = grade_with_retry(job, partial(graded, run_cells=run_cells))
+    record = graded(job, run_cells=run_cells)  # grading gives what does not end a second, longer run
     found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:  # renamed, or of another chapter than its name tells
         job = replace(job, chapters={stem: _chapter(root, workbook, stem) for stem in there})
-        record = grade_with_retry(job, partial(graded, run_cells=run_cells))
+        record = graded(job, run_cells=run_cells)
         found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
         raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")

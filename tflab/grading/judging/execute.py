@@ -34,7 +34,7 @@ SHORTLY = 0.05  # of the time of a cell, for each own cell of one who has had se
 ENOUGH_TO_KNOW = 2  # cases of one task, or own cells, that do not end
 MOST_TIMES_THE_NOTEBOOK = 2.0
 OURS = ("ours", "stub")  # cells in which there is nothing of the learner's
-REMARK_OF = {"timed out": "timed out", "output limit": "flood", "unreadable output": "flood"}  # else it died
+REMARK_OF = {"output limit": "flood", "unreadable output": "flood"}  # else it died
 
 Runner = Callable[[Sequence[RunCell], bool], Run]  # patiently, or with the usual limits
 
@@ -111,6 +111,7 @@ class Tally:
         self.places_left: dict[str, set[int]] = {}
         self.seconds = 0.0
         self._transplanted, self._tasks, self._wanted, self._closely = transplanted, tasks, tuple(wanted), closely
+        self._timed_out = "timed out twice" if closely else "timed out"
         self._outcomes: dict[str, dict[int, Any]] = {}
         self._outcomes_again: dict[str, dict[int, Any]] = {}  # behind the learner's own cells
         self._trouble: dict[str, list[Remark]] = {}
@@ -137,7 +138,8 @@ class Tally:
             self.own_that_hang.add(cell.name)
             self.without.add(cell.name)
             return
-        self._trouble[cell.task] = [Remark(REMARK_OF.get(ran.stopped, "died"), cell.task, seconds=f"{cell_s:g}")]
+        kind = self._timed_out if ran.stopped == "timed out" else REMARK_OF.get(ran.stopped, "died")
+        self._trouble[cell.task] = [Remark(kind, cell.task, seconds=f"{cell_s:g}")]
         self._stopped(cell.task, planned.asked.get(cell.probe or ""))
         self.left = [task for task in self.left if task not in self._set_aside and not self._is_heard(task)]
 
@@ -149,7 +151,7 @@ class Tally:
         """Return what came out in the end."""
         for task in self.left:  # the time for all was over
             self._set_aside.append(task)
-            self._trouble[task] = [Remark("timed out", task, seconds=f"{notebook_s:g}")]
+            self._trouble[task] = [Remark(self._timed_out, task, seconds=f"{notebook_s:g}")]
         remarks = [Remark("left out", cell=name.rpartition("+")[0]) for name in sorted(self.own_that_hang)]
         # An answer may have needed an own cell that did not end.
         set_aside = list(self._wanted) if self.own_that_hang else self._set_aside
