@@ -6,13 +6,14 @@ import os
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from types import SimpleNamespace
 
 import psutil
 import pytest
 
-from tflab.grading.kernels import landlock, seccomp, supervisor
+from tflab.grading.kernels import kernel_pool, landlock, seccomp, supervisor
 from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe import PROBE_TYPE
@@ -685,18 +686,23 @@ print(landlock.CONFINES, with_landlock, dumpable())
     assert done.stdout.split()[-1] == "0"
 
 
-def test_the_best_wall_that_works_is_taken() -> None:
-    levels = {}
-    for level in LEVELS:
-        pool = Kernels(Sandbox(level), ahead=0)
-        try:
-            pool.take(Limits()).close()
-            levels[level] = True
-        except (KernelError, OSError):
-            levels[level] = False
-        finally:
-            pool.close()
-    assert choose_sandbox().level == next(level for level in LEVELS if levels[level])
+def test_the_best_wall_that_works_is_taken(monkeypatch: pytest.MonkeyPatch) -> None:
+    def kernels(works: tuple[str, ...]) -> Callable[[Sandbox], SimpleNamespace]:
+        def take(level: str) -> SimpleNamespace:
+            if level not in works:
+                raise KernelError("not permitted")
+            return SimpleNamespace(close=lambda: None)
+
+        return lambda sandbox: SimpleNamespace(begin=lambda: None, take=lambda limits: take(sandbox.level))
+
+    for works in (LEVELS, LEVELS[1:], LEVELS[2:]):
+        monkeypatch.setattr(kernel_pool, "for_this_process", kernels(works))
+        chosen = choose_sandbox()
+        assert chosen.level == works[0]
+        assert chosen.refused == tuple(f"no {level}: not permitted" for level in LEVELS[: -len(works)])
+    monkeypatch.setattr(kernel_pool, "for_this_process", kernels(()))
+    with pytest.raises(KernelError, match="no kernel can be started here; no namespaces: not permitted; no bubblewrap"):
+        choose_sandbox()
 
 
 def test_a_fallback_says_why_and_what_it_does_not_protect_from(monkeypatch: pytest.MonkeyPatch) -> None:
