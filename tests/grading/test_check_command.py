@@ -32,61 +32,49 @@ def answer(copy: Path, answers: dict[str, str], name: str = f"E{tiny.STEM}") -> 
     return path
 
 
-def test_what_is_right_is_right(copy: Path, capsys: pytest.CaptureFixture) -> None:
+def test_what_is_right_is_right_a_mistake_is_named_and_what_is_open_is_said(
+    copy: Path, capsys: pytest.CaptureFixture
+) -> None:
     assert main([str(answer(copy, tiny.RIGHT))]) == 0
     said = capsys.readouterr().out
     assert said.startswith("E3.1  ✓ 1/1\nE3.2  ✓ 4/4\nE3.3  ✓ 2/2\n")
     assert "8 of 8 points on the public cases" in said
-
-
-@pytest.mark.parametrize("below", ["", "..", "exercises"])
-def test_an_exercise_is_called_by_its_number_too(copy: Path, below: str, monkeypatch, capsys) -> None:
-    answer(copy, tiny.RIGHT)
-    copy = copy.rename(copy.with_name("tflab_workbook"))
-    monkeypatch.chdir(copy / below)
-    assert main(["3"]) == 0
-    assert "8 of 8 points" in capsys.readouterr().out
-    assert main(["4"]) == 2
-    assert capsys.readouterr().err.startswith("tflab check: 4: ")
-
-
-def test_an_exercise_that_was_renamed_is_looked_for_in_words(copy: Path, monkeypatch, capsys) -> None:
-    path = answer(copy, tiny.RIGHT)
-    path.rename(path.with_name("mine.ipynb"))
-    monkeypatch.chdir(copy.rename(copy.with_name("tflab_workbook")))
-    assert main(["3"]) == 2
-    said = capsys.readouterr().err
-    assert "is not there; the folder has mine.ipynb. Renamed? Type `tflab check` with its path." in said
-
-
-def test_a_number_of_no_exercise_is_told_those_there_are(copy: Path, monkeypatch, capsys) -> None:
-    monkeypatch.chdir(copy)
-    assert main(["99"]) == 2
-    assert 'there is no exercise "99"; there is 03_' in capsys.readouterr().err
-    assert main(["mine_of_yesterday.ipynb"]) == 2
-    assert "cannot be opened" in capsys.readouterr().err
-
-
-def test_a_mistake_is_named_and_what_is_open_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
-    assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b"}))]) == 1
+    stub = 'def length(x, y):\n    raise NotImplementedError("your turn")'
+    assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b", "e3-2-answer": stub}))]) == 1
     said = capsys.readouterr().out
     assert "E3.1  ✗ 0/1   You subtracted." in said
     assert "E3.2  – not answered" in said
 
 
-def test_what_grading_would_ignore_is_said(copy: Path, capsys: pytest.CaptureFixture) -> None:
-    path = answer(copy, {**tiny.RIGHT, "e3-1-given": "e3_1 = 3"})
-    assert main([str(path)]) == 1
-    assert 'E3.1: the cell "e3-1-given" was changed; grading uses its own.' in capsys.readouterr().out
+def test_an_exercise_is_called_by_its_number_too(copy: Path, monkeypatch, capsys) -> None:
+    path = answer(copy, tiny.RIGHT)
+    copy = copy.rename(copy.with_name("tflab_workbook"))
+    for below in ("..", "exercises"):
+        monkeypatch.chdir(copy / below)
+        assert main(["3"]) == 0
+        assert "8 of 8 points" in capsys.readouterr().out
+    monkeypatch.chdir(copy)
+    path = copy / path.relative_to(copy.with_name("copy"))
+    path.rename(path.with_name("mine.ipynb"))
+    renamed = "is not there; the folder has mine.ipynb. Renamed? Type `tflab check` with its path."
+    for word, words in (
+        ("3", renamed),
+        ("99", 'there is no exercise "99"; there is 03_'),
+        ("mine_of_yesterday.ipynb", "cannot be opened"),
+    ):
+        assert main([word]) == 2
+        assert words in capsys.readouterr().err
 
 
-def test_two_cells_of_one_name_are_said_before_it_is_too_late(copy: Path, capsys: pytest.CaptureFixture) -> None:
-    notebook = tiny.answered(tiny.exercise(copy))
+def test_what_grading_would_ignore_is_said_before_it_is_too_late(copy: Path, capsys: pytest.CaptureFixture) -> None:
+    notebook = tiny.answered(tiny.exercise(copy), {**tiny.RIGHT, "e3-1-given": "e3_1 = 3"})
     twin = notebook["cells"][tiny.index_of(notebook, "e3-2-answer")]
     notebook["cells"].append(twin | {"id": "copy", "source": "def length(x, y): return 3"})
     path = tiny.hand_in(copy / "exercises", "en", notebook)
     assert main([str(path)]) == 1
-    assert 'E3.2: two different cells are called "e3-2-answer"' in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert 'E3.2: two different cells are called "e3-2-answer"' in said
+    assert 'E3.1: the cell "e3-1-given" was changed; grading uses its own.' in said
 
 
 def test_a_learner_is_answered_in_their_language(
@@ -98,20 +86,12 @@ def test_a_learner_is_answered_in_their_language(
     assert "공개 문제 기준 8점 만점에 8점" in capsys.readouterr().out
 
 
-def test_without_a_sandbox_an_ordinary_kernel_does_and_says_so(copy: Path, capsys: pytest.CaptureFixture) -> None:
-    path = answer(copy, {**tiny.RIGHT, "e3-3-answer": "frames = 1 / 0"})
-    assert main([str(path), "--plain"]) == 1
-    said = capsys.readouterr().out
-    assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
-    assert "the answer cell stops with ZeroDivisionError." in said
-
-
-@pytest.mark.parametrize(("platform", "name"), [("win32", "Windows"), ("darwin", "macOS"), ("freebsd14", "freebsd14")])
-def test_a_system_that_is_not_linux_is_called_as_its_user_calls_it(platform: str, name: str, monkeypatch) -> None:
-    monkeypatch.setattr(check_command, "sys", SimpleNamespace(platform=platform))
-    runs, _, note = check_command._runner(plainly=False, language="en")
-    assert runs is run_plainly
-    assert note == f"Checked in an ordinary kernel (this is {name}, grading is on Linux)."
+def test_a_system_that_is_not_linux_is_called_as_its_user_calls_it(monkeypatch) -> None:
+    for platform, name in (("win32", "Windows"), ("darwin", "macOS"), ("freebsd14", "freebsd14")):
+        monkeypatch.setattr(check_command, "sys", SimpleNamespace(platform=platform))
+        runs, _, note = check_command._runner(plainly=False, language="en")
+        assert runs is run_plainly
+        assert note == f"Checked in an ordinary kernel (this is {name}, grading is on Linux)."
 
 
 def test_what_does_not_end_is_stopped_once_and_costs_its_own_points(
@@ -125,68 +105,51 @@ def test_what_does_not_end_is_stopped_once_and_costs_its_own_points(
     assert "did not end within 2 s." in said and "second run" not in said
 
 
-def test_in_an_ordinary_kernel_too_an_answer_that_ends_python_costs_its_own_points(
+def test_without_a_sandbox_an_ordinary_kernel_does_and_an_answer_that_ends_python_costs_its_own_points(
     copy: Path, capsys: pytest.CaptureFixture
 ) -> None:
-    path = answer(copy, {**tiny.RIGHT, "e3-1-answer": "import os\nos._exit(3)"})
+    path = answer(copy, {**tiny.RIGHT, "e3-1-answer": "import os\nos._exit(3)", "e3-3-answer": "frames = 1 / 0"})
     assert main([str(path), "--plain"]) == 1
     said = capsys.readouterr().out
-    assert "E3.1  ! 0/1" in said
-    assert "E3.2  ✓ 4/4\nE3.3  ✓ 2/2" in said
-
-
-def test_in_an_ordinary_kernel_what_does_not_end_is_ended() -> None:
+    assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ! 0/1")
+    assert "E3.2  ✓ 4/4\n" in said and "the answer cell stops with ZeroDivisionError." in said
     ran = run_plainly([RunCell("answer", "endless", "while True: pass")], Limits(cell_s=1.0))
     assert ran.stopped == "timed out"
 
 
-@pytest.mark.parametrize("name", ["nowhere.ipynb", "workbook.json", "."])
-def test_what_is_no_notebook_is_one_line(copy: Path, name: str, capsys: pytest.CaptureFixture) -> None:
-    assert main([str(copy / name)]) == 2
-    said = capsys.readouterr().err
-    assert said.startswith("tflab check: ") and said.count("\n") == 1
-
-
-def test_a_notebook_of_no_chapter_that_is_here_is_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
-    (copy / "mine.ipynb").write_text(json.dumps({"cells": [tiny.own_cell("x = 1")]}))
-    assert main([str(copy / "mine.ipynb")]) == 2
-    assert f"there is {tiny.STEM}" in capsys.readouterr().err
-
-
-def test_a_damaged_copy_is_said_as_it_is_elsewhere(copy: Path, capsys: pytest.CaptureFixture) -> None:
+def test_what_is_no_notebook_of_a_chapter_that_is_here_is_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
     path = answer(copy, tiny.RIGHT)
+    (copy / "mine.ipynb").write_text(json.dumps({"cells": [tiny.own_cell("x = 1")]}))
+    for name, words in (("nowhere.ipynb", ""), ("workbook.json", ""), (".", ""), ("mine.ipynb", tiny.STEM)):
+        assert main([str(copy / name)]) == 2
+        said = capsys.readouterr().err
+        assert said.startswith("tflab check: ") and words in said and said.count("\n") == 1
     (copy / "workbook.json").write_text("{")
     assert main([str(path)]) == 2
     assert "workbook.json cannot be read" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("text", ["{", "[]", "{}", '{"cells": [1]}'])
-def test_a_damaged_master_is_one_line(copy: Path, capsys: pytest.CaptureFixture, text: str) -> None:
+def test_a_damaged_master_is_one_line(copy: Path, capsys: pytest.CaptureFixture) -> None:
     path = answer(copy, tiny.RIGHT)
-    tiny.change_record(copy, f"exercises/en/E{tiny.STEM}.ipynb", text.encode())
-    assert main([str(path)]) == 2
-    said = capsys.readouterr().err
-    assert "is damaged" in said and said.count("\n") == 1
+    for text in ("{", "[]", "{}", '{"cells": [1]}'):
+        tiny.change_record(copy, f"exercises/en/E{tiny.STEM}.ipynb", text.encode())
+        assert main([str(path)]) == 2
+        said = capsys.readouterr().err
+        assert "is damaged" in said and said.count("\n") == 1
 
 
-@pytest.mark.parametrize("damage", [b"", b"no archive", b"PK\x03\x04"])
-def test_without_a_record_the_installed_exercise_is_the_master(
-    copy: Path, capsys: pytest.CaptureFixture, damage: bytes
+def test_without_a_record_the_installed_exercise_is_the_master_and_a_wrong_byte_is_no_traceback(
+    copy: Path, capsys: pytest.CaptureFixture
 ) -> None:
-    path = answer(copy, tiny.RIGHT)
-    (copy / ".tflab" / "pristine.zip").write_bytes(damage)
+    path, record = answer(copy, tiny.RIGHT), copy / ".tflab" / "pristine.zip"
+    held = record.read_bytes()
+    record.write_bytes(b"PK\x03\x04")
     assert main([str(path)]) == 0
     assert "8 of 8 points" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("place", range(40, 400, 60))
-def test_a_record_with_a_wrong_byte_is_no_traceback(copy: Path, capsys: pytest.CaptureFixture, place: int) -> None:
-    path, record = answer(copy, tiny.RIGHT), copy / ".tflab" / "pristine.zip"
-    held = bytearray(record.read_bytes())
-    held[place] ^= 0xFF
-    record.write_bytes(held)
-    assert main([str(path)]) in (0, 2)
-    assert capsys.readouterr().err.count("\n") <= 1
+    for place in range(40, 400, 120):
+        record.write_bytes(held[:place] + bytes([held[place] ^ 0xFF]) + held[place + 1 :])
+        assert main([str(path)]) in (0, 2)
+        assert capsys.readouterr().err.count("\n") <= 1
 
 
 def test_a_task_that_cannot_be_read_is_one_line(copy: Path, tmp_path: Path, monkeypatch, capsys) -> None:

@@ -14,7 +14,7 @@ from tflab.workbook.paths import read_workbook
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"
-SAMPLE = 10  # recipes
+SAMPLE = 5  # recipes
 SEED = "c0de"  # of a class in which no patient has what the recipes name: by chance one in six would
 pytestmark = pytest.mark.proof(
     reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]

@@ -35,7 +35,7 @@ kernel_pool.LEVELS = (sys.argv.pop(1),)
 sys.exit(main())
 """
 SAID = {"limits": {"a pool of processes"}}  # what a wall says itself that it costs
-SAMPLE = {"bubblewrap": 6}  # recipes, where each kernel starts from nothing; else one of each kind
+SAMPLE = {"limits": 10, "bubblewrap": 3}  # recipes; else one of each kind
 SECONDS = "1"  # of a cell: what does not end is tried once more with three times as long
 pytestmark = pytest.mark.proof(
     reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*03_*.ipynb", "solutions/tasks/03_*/*"]

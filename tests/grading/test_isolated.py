@@ -47,16 +47,14 @@ def job(course: tiny.Course, *files: HandedIn) -> Job:
     return Job("s102", "", "en", pack.release, pack.version, files, pack.for_learner("s102"), Limits())
 
 
-def test_what_is_as_small_as_what_is_asked_for_is_judged_here(task: dict[str, Any]) -> None:
-    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
-    assert isolated._servers == {}
-
-
 def test_as_much_as_is_asked_for_is_judged_here_however_much_that_is(task: dict[str, Any]) -> None:
+    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
     many = [0.0] * (isolated.LARGE_ANSWERS // 3)
     asking = task | {"cases": [case | {"expected": many} for case in task["cases"]]}
     isolated.mark_task("E3.2", asking, [outcomes(asking)] * 2)
     assert isolated._servers == {}
+    sizes = ((1.0, 1), ([1.0, 2.0], 5), ({"dict": {"a": [1.0]}}, 7), ("x" * 250, 3))  # values, hundreds of letters
+    assert [members(plain, 1_000) for plain, _ in sizes] == [size for _, size in sizes]
 
 
 def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, Any]) -> None:
@@ -68,10 +66,10 @@ def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, 
 
 
 def test_two_runs_are_large_together(task: dict[str, Any]) -> None:
-    isolated.mark_task("E3.2", task, [outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))])
-    assert isolated._servers == {}
-    isolated.mark_task("E3.2", task, [outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))] * 2)
-    assert len(isolated._servers) == 1
+    third = outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))
+    for runs, servers in ((1, 0), (2, 1)):
+        isolated.mark_task("E3.2", task, [third] * runs)
+        assert len(isolated._servers) == servers
 
 
 def test_a_judging_that_does_not_end_is_ended_and_costs_its_own_task(
@@ -122,8 +120,3 @@ def test_a_server_that_was_killed_is_started_anew(task: dict[str, Any]) -> None:
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
     assert isolated.mark_task("E3.2", task, large) == first
-
-
-@pytest.mark.parametrize(("plain", "count"), [(1.0, 1), ([1.0, 2.0], 5), ({"dict": {"a": [1.0]}}, 7), ("x" * 250, 3)])
-def test_how_large_an_answer_is_is_counted_in_values_and_hundreds_of_letters(plain: Any, count: int) -> None:
-    assert members(plain, 1_000) == count

@@ -42,16 +42,13 @@ def record(learner: str = "s101", twin: str = "", language: str = "en", **more: 
     } | more  # fmt: skip
 
 
-def test_mistakes_are_counted_the_most_frequent_first() -> None:
+def test_mistakes_are_counted_and_grouped_by_what_is_misunderstood() -> None:
     (one,) = mistakes([record(twin="added"), record(), record(twin="added")])
     assert (one.task, one.name, one.misconception, one.count) == ("E3.2", "added", "M1", 2)
-
-
-def test_the_class_page_groups_mistakes_by_what_is_misunderstood() -> None:
-    page = class_page([record(twin="added")] * 3)
-    assert "target and source swapped (M1): 3" in page
-    korean = class_page([record(twin="added")], language="ko")
-    assert f"{MISCONCEPTIONS['M1'].ko} 1" in korean
+    assert "target and source swapped (M1): 3" in class_page([record(twin="added")] * 3)
+    assert f"{MISCONCEPTIONS['M1'].ko} 1" in class_page([record(twin="added")], language="ko")
+    assert "0 graded" in class_page([])
+    assert "1 with nothing to grade" in class_page([record(handed_in=False)])
 
 
 def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_leaves_open() -> None:
@@ -60,11 +57,6 @@ def test_a_korean_class_page_says_in_korean_what_was_refused_and_what_the_wall_l
     page = class_page([], language="ko", wall=wall, remarks=[refused])
     assert KINDS["leads out"].ko in page and KINDS["leads out"].en not in page
     assert all(line.ko in page and line.en not in page for line in wall)
-
-
-def test_a_class_of_nobody_has_a_page() -> None:
-    assert "0 graded" in class_page([])
-    assert "1 with nothing to grade" in class_page([record(handed_in=False)])
 
 
 @pytest.mark.parametrize("level", LEVELS[1:])
@@ -84,51 +76,37 @@ def test_text_is_text_and_prose_knows_code_and_stress_only() -> None:
     assert prose("node_a is right") == "node_a is right"
 
 
-@pytest.mark.parametrize("name", ["=1+1", "+1", "-1+1", "@x", "\t=1", "  =1", "|x", "%x", "＝1+1", "＋1", " ＠x"])
-def test_no_spreadsheet_computes_a_name(name: str) -> None:
-    rows = list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))
-    assert rows[1][0] == f"'{name}"
+def test_no_spreadsheet_computes_a_name() -> None:
+    def cell(name: str) -> str:
+        return list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))[1][0]
 
-
-@pytest.mark.parametrize("name", ["Kim;=1+1", "Kim; ＝1+1", "Kim\t+1"])
-def test_no_spreadsheet_computes_what_stands_behind_a_semicolon(name: str) -> None:
-    rows = list(csv.reader(io.StringIO(grades_csv([record(name)]).removeprefix("\ufeff"))))
-    assert not any(cell.strip()[:1] in set("=+＝＋") for cell in rows[1][0].replace("\t", ";").split(";"))
-
-
-def test_the_table_does_not_depend_on_how_long_it_took() -> None:
-    assert grades_csv([record()]) == grades_csv([record(seconds=9.0)])
+    for name in ("=1+1", "+1", "-1+1", "@x", "\t=1", "  =1", "|x", "%x", "＝1+1", "＋1", " ＠x"):
+        assert cell(name) == f"'{name}"
+    for name in ("Kim;=1+1", "Kim; ＝1+1", "Kim\t+1"):
+        assert not any(part.strip()[:1] in set("=+＝＋") for part in cell(name).replace("\t", ";").split(";"))
+    assert grades_csv([record()]) == grades_csv([record(seconds=9.0)])  # and how long it took is not in it
 
 
 def test_a_name_that_cannot_be_a_files_gets_one_of_its_own() -> None:
-    assert file_name("s101") == "s101"
-    assert file_name("김민지") == "김민지"
+    assert [file_name(name) for name in ("s101", "김민지")] == ["s101", "김민지"]
     odd = {file_name(name) for name in ("a b", "a_b", "a/b", "..", "", ".", "a" * 65, "a" * 66)}
     assert len(odd) == 8
     assert not any("/" in name or name in ("", ".", "..") for name in odd)
-
-
-def test_names_that_differ_in_their_case_only_are_two_files_on_any_disk() -> None:
-    names = file_names(["s0", "S0", "t1"])
+    names = file_names(["s0", "S0", "t1"])  # two files on a disk that ignores case
     assert names["S0"] == "S0" and names["t1"] == "t1"
     assert len({name.casefold() for name in names.values()}) == 3
 
 
-def test_bars_say_their_numbers_in_words() -> None:
-    picture = bars(
-        [(Text("added", "더함"), 3), (Text("E3.1", "E3.1"), 1)], TEXTS["learners"], most=5, title=TEXTS["named"]
-    )
+def test_bars_and_a_histogram_say_their_numbers_in_words() -> None:
+    rows = [(Text("added", "더함"), 3), (Text("E3.1", "E3.1"), 1)]
+    picture = bars(rows, TEXTS["learners"], most=5, title=TEXTS["named"])
     assert picture.text == "named mistakes, learners:\n  added: 3\n  E3.1: 1"
     assert picture.png().startswith(b"\x89PNG")
-    korean = bars([(Text("added", "더함"), 3)], TEXTS["learners"], most=5, title=TEXTS["named"], language="ko")
+    korean = bars(rows[:1], TEXTS["learners"], most=5, title=TEXTS["named"], language="ko")
     assert korean.text == "이름 붙은 실수, 명:\n  더함: 3"
-
-
-def test_a_histogram_says_its_numbers_in_words() -> None:
-    picture = histogram([0, 5, 55, 100])
-    assert "4 learners, points [%]: mean 40" in picture.text
-    assert "  0 to 10: 2" in picture.text
-    assert "  90 to 100: 1" in picture.text
+    text = histogram([0, 5, 55, 100]).text
+    assert "4 learners, points [%]: mean 40" in text
+    assert "  0 to 10: 2" in text and "  90 to 100: 1" in text
     assert histogram([], "ko").png()
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import socket
-import threading
 import time
 from types import SimpleNamespace
 
@@ -45,25 +44,17 @@ def run(sandbox: Sandbox, *sources: str | RunCell, limits: Limits = LONG) -> Run
 def test_a_probe_brings_back_the_value_of_an_answer(sandbox: Sandbox) -> None:
     done = run(sandbox, "x = [1.5, True, None]", probe("{'x': x}"))
     assert done.outcomes == (CellOutcome(), CellOutcome({"x": [1.5, True, None]}))
+    assert type(done.outcomes[1].value) is dict  # and no object of a library
     assert done.stopped is None
 
 
-def test_what_a_probe_brings_back_is_plain_and_carries_no_library_along(sandbox: Sandbox) -> None:
-    (outcome,) = run(sandbox, probe("[{'x': {'y': [{}]}}]")).outcomes
-    assert type(outcome.value[0]) is type(outcome.value[0]["x"]) is type(outcome.value[0]["x"]["y"][0]) is dict
-
-
 def test_an_error_is_told_in_short_and_stops_nothing(sandbox: Sandbox) -> None:
-    done = run(sandbox, "1 / 0", "x = 1 +* 2", "y = 2", probe("y"))
+    secret = RunCell("probe", "p", "raise ValueError('the hidden input is 42')", probe="p")
+    done = run(sandbox, "1 / 0", "x = 1 +* 2", secret, "y = 2", probe("y"))
     troubles = [outcome.trouble for outcome in done.outcomes]
     assert troubles[0] == "error: ZeroDivisionError: division by zero"
     assert troubles[1].startswith("error: SyntaxError: ")
-    assert troubles[2:] == [None, None]
-
-
-def test_of_an_error_in_a_probe_only_the_kind_is_told(sandbox: Sandbox) -> None:
-    done = run(sandbox, RunCell("probe", "p", "raise ValueError('the hidden input is 42')", probe="p"))
-    assert done.outcomes[0].trouble == "error: ValueError"
+    assert troubles[2:] == ["error: ValueError", None, None]
 
 
 def test_a_talkative_answer_costs_nothing(sandbox: Sandbox) -> None:
@@ -86,16 +77,10 @@ def test_two_runs_share_nothing(sandbox: Sandbox) -> None:
 @pytest.mark.parametrize(
     "source",
     [
-        "while True:\n    pass",
-        "import time\ntime.sleep(60)",
         "while True:\n    print('drip')",
         "import signal, time\nsignal.signal(signal.SIGINT, signal.SIG_IGN)\nwhile True:\n    time.sleep(1)",
-        "try:\n    while True: pass\nexcept BaseException:\n    while True: pass",
         "import asyncio\nawait asyncio.sleep(60)",
-        "import threading\nthreading.Lock().acquire() and threading.Lock().acquire()\nthreading.Event().wait()",
-        "(lambda f: f(f))(lambda f: sum(x * 0 for x in range(10**9)) or f(f))",
         "10 ** 10 ** 10",
-        "import re\nre.match('(a+)+$', 'a' * 50 + 'b')",
     ],
 )
 def test_a_cell_that_does_not_end_is_ended_at_its_deadline(sandbox: Sandbox, source: str) -> None:
@@ -134,10 +119,8 @@ def test_many_slow_cells_are_ended_at_the_deadline_of_all(sandbox: Sandbox) -> N
 @pytest.mark.parametrize(
     "source",
     [
-        "import os\nos._exit(0)",
         "import ctypes\nctypes.string_at(0)",
         "import os\nos.closerange(0, 200)",
-        "import os\nos.abort()",
         "import sys\nsys.setrecursionlimit(10**9)\nf = lambda: f()\nf()",
         "import os\nos.execv('/bin/true', ['true'])",
     ],
@@ -180,50 +163,24 @@ def test_too_much_output_of_the_kind_that_is_read_ends_the_run(sandbox: Sandbox)
 # Lies.
 
 
-@pytest.mark.parametrize(
-    ("cell", "trouble"),
-    [
-        (RunCell("probe", "p", "1", probe="p"), "no answer came"),
-        (RunCell("probe", "p", 'print(\'{"id": "p", "v": 1}\')', probe="p"), "no answer came"),
-        (probe("1", times=2), "something else than one answer came"),
-        (RunCell("probe", "p", probe("1", "q").source, probe="p"), "something else than one answer came"),
-        (
-            RunCell("probe", "p", probe("1", "q").source + probe("1", "p").source, probe="p"),
-            "something else than one answer came",
-        ),
-    ],
-    ids=["nothing", "a print", "two", "another id", "one of each"],
-)
-def test_exactly_one_answer_with_the_right_id_counts(sandbox: Sandbox, cell: RunCell, trouble: str) -> None:
-    done = run(sandbox, cell)
-    assert (done.outcomes[0].value, done.outcomes[0].trouble) == (None, trouble)
+def test_exactly_one_answer_with_the_right_id_and_shape_counts(sandbox: Sandbox) -> None:
+    def saying(source: str) -> RunCell:
+        return RunCell("probe", "p", source, probe="p")
 
+    def shaped(shape: str) -> RunCell:
+        return saying(f"from IPython.display import display\ndisplay({{{PROBE_TYPE!r}: {shape}}}, raw=True)")
 
-@pytest.mark.parametrize(
-    "shape",
-    ["'p'", "None", "[1]", "{'id': 'p'}", "{'v': 1}", "{'id': ['p'], 'v': 1}", "{'id': None, 'v': 1}", "1.5"],
-)
-def test_an_answer_of_another_shape_is_none(sandbox: Sandbox, shape: str) -> None:
-    show = f"from IPython.display import display\ndisplay({{{PROBE_TYPE!r}: {shape}}}, raw=True)"
-    done = run(sandbox, RunCell("probe", "p", show, probe="p"))
-    assert done.outcomes[0].trouble == "something else than one answer came"
-    assert done.stopped is None
-
-
-@pytest.mark.parametrize(
-    "value",
-    ["float('nan')", "float('inf')", "10 ** 4000", "True", "-0.0", "'\\ud800'", "[[]] * 1000", "{'a': {'b': {}}}"],
-)
-def test_odd_values_arrive_and_harm_nothing(sandbox: Sandbox, value: str) -> None:
-    done = run(sandbox, probe(value), probe("2", "q"))
-    assert done.outcomes[-1].value == 2
-
-
-def test_a_value_too_deep_or_too_long_to_read_ends_the_run_and_not_the_grader(sandbox: Sandbox) -> None:
-    deep = raw("b'{\"a\":' * 200000 + b'1' + b'}' * 200000")
-    long = raw("b'1' * 10000")
-    assert run(sandbox, deep, probe("1")).stopped == "unreadable output"
-    assert run(sandbox, long, probe("1")).stopped == "unreadable output"
+    nothing = [saying("1"), saying('print(\'{"id": "p", "v": 1}\')')]
+    another = probe("1", "q").source
+    several = [probe("1", times=2), saying(another), saying(another + probe("1", "p").source)]
+    shapes = ["'p'", "None", "[1]", "{'id': 'p'}", "{'v': 1}", "{'id': ['p'], 'v': 1}", "{'id': None, 'v': 1}", "1.5"]
+    odd = ["float('nan')", "10 ** 4000", "-0.0", "'\\ud800'", "[[]] * 1000"]  # arrive, and harm nothing
+    cells = [*nothing, *several, *map(shaped, shapes), *map(probe, odd), probe("2")]
+    done = run(sandbox, *cells)
+    assert [one.trouble for one in done.outcomes[:2]] == ["no answer came"] * 2
+    wrong = done.outcomes[2 : 5 + len(shapes)]
+    assert [(one.value, one.trouble) for one in wrong] == [(None, "something else than one answer came")] * len(wrong)
+    assert (done.stopped, done.outcomes[-1].value) == (None, 2)
 
 
 def raw(body: str, *, length: str = "len(body)") -> str:
@@ -242,14 +199,14 @@ while rest:
 @pytest.mark.parametrize(
     "cell",
     [
-        raw("b'not json'"),
         raw("b'\\xff\\xfe'"),
         raw("b'[]'"),
-        raw("b'null'"),
         raw("b'x'", length="0xffffffff"),
         raw("b'{}'", length="1"),
+        raw("b'{\"a\":' * 200000 + b'1' + b'}' * 200000"),
+        raw("b'1' * 10000"),
     ],
-    ids=["no json", "no text", "a list", "null", "a length without end", "a length too short"],
+    ids=["no text", "a list", "a length without end", "a length too short", "too deep", "too many digits"],
 )
 def test_nonsense_on_the_wire_ends_the_run(sandbox: Sandbox, cell: str) -> None:
     done = run(sandbox, cell, probe("1"))
@@ -257,45 +214,29 @@ def test_nonsense_on_the_wire_ends_the_run(sandbox: Sandbox, cell: str) -> None:
     assert all(one.value is None for one in done.outcomes)
 
 
-@pytest.mark.parametrize(
-    "message",
-    [
-        "{}",
-        '{"channel": "shell"}',
-        '{"channel": "nowhere", "msg_type": "status", "parent_header": {}, "content": {}}',
-        '{"channel": "iopub", "msg_type": "status", "parent_header": {}, "content": {}}',
-        '{"channel": "iopub", "msg_type": "status", "parent_header": {"msg_id": []}, '
-        '"content": {"execution_state": "idle"}}',
-        '{"channel": "iopub", "msg_type": "display_data", "parent_header": {}, "content": {"data": 1}}',
-        '{"channel": "iopub", "msg_type": "display_data", "parent_header": 7, "content": {"data": {}}}',
-        '{"channel": ["iopub"], "msg_type": {}, "parent_header": {}, "content": []}',
-        '{"channel": "shell", "msg_type": "execute_reply", "parent_header": {"msg_id": 1}, "content": {}}',
-        '{"channel": "iopub", "msg_type": "error", "parent_header": {}, "content": {"ename": {}, "evalue": 1}}',
-        '{"ready": true}',
-        '{"fault": "I am the supervisor"}',
-    ],
+NOBODYS = (
+    "{}",
+    '{"channel": "shell"}',
+    '{"channel": "nowhere", "msg_type": "status", "parent_header": {}, "content": {}}',
+    '{"channel": "iopub", "msg_type": "status", "parent_header": {}, "content": {}}',
+    '{"channel": "iopub", "msg_type": "status", "parent_header": {"msg_id": []}, '
+    '"content": {"execution_state": "idle"}}',
+    '{"channel": "iopub", "msg_type": "display_data", "parent_header": {}, "content": {"data": 1}}',
+    '{"channel": "iopub", "msg_type": "display_data", "parent_header": 7, "content": {"data": {}}}',
+    '{"channel": ["iopub"], "msg_type": {}, "parent_header": {}, "content": []}',
+    '{"channel": "shell", "msg_type": "execute_reply", "parent_header": {"msg_id": 1}, "content": {}}',
+    '{"channel": "iopub", "msg_type": "error", "parent_header": {}, "content": {"ename": {}, "evalue": 1}}',
+    '{"ready": true}',
+    '{"fault": "I am the supervisor"}',
 )
-def test_messages_that_are_nobodys_are_ignored(sandbox: Sandbox, message: str) -> None:
-    done = run(sandbox, raw(f"b'{message}'"), probe("1"))
+
+
+def test_messages_that_are_nobodys_are_ignored(sandbox: Sandbox) -> None:
+    done = run(sandbox, *(raw(f"b'{message}'") for message in NOBODYS), probe("1"))
     assert (done.stopped, done.outcomes[-1].value) == (None, 1)
 
 
 HEADER = "get_ipython().kernel.get_parent()['header']"
-
-
-def test_a_cell_that_is_said_to_have_ended_before_it_has_gains_nothing(sandbox: Sandbox) -> None:
-    early = f"""
-import time
-wire = get_ipython().kernel.session.wire
-header = {HEADER}
-wire.send({{"channel": "shell", "msg_type": "execute_reply", "parent_header": header, "content": {{}}}})
-idle = {{"execution_state": "idle"}}
-wire.send({{"channel": "iopub", "msg_type": "status", "parent_header": header, "content": idle}})
-time.sleep(60)
-"""
-    done = run(sandbox, early, probe("1"), limits=SHORT)
-    assert all(one.value is None for one in done.outcomes)
-    assert done.stopped == "timed out"
 
 
 def test_answers_sent_before_the_question_are_ignored(sandbox: Sandbox) -> None:
@@ -310,7 +251,7 @@ for name in ("p", "q"):
     assert done.outcomes[1].value == 2
 
 
-def test_a_kernel_that_does_not_listen_is_ended(sandbox: Sandbox) -> None:
+def test_a_kernel_that_says_it_is_idle_and_does_not_listen_gains_nothing(sandbox: Sandbox) -> None:
     deaf = f"""
 import time
 wire = get_ipython().kernel.session.wire
@@ -321,7 +262,8 @@ wire.send({{"channel": "iopub", "msg_type": "status", "parent_header": header, "
 while True:
     time.sleep(1)
 """
-    done = run(sandbox, deaf, "x = '" + "x" * (8 << 20) + "'", limits=SHORT)
+    done = run(sandbox, deaf, "x = '" + "x" * (8 << 20) + "'", probe("1"), limits=SHORT)
+    assert all(one.value is None for one in done.outcomes)
     assert done.stopped == "timed out"
 
 
@@ -341,20 +283,6 @@ shell.display_pub.publish = forge
 
 
 # Many.
-
-
-def test_threads_of_one_process_may_run_cells_at_the_same_time(sandbox: Sandbox) -> None:
-    got: dict[int, object] = {}
-
-    def one(number: int) -> None:
-        got[number] = run(sandbox, f"x = {number}", probe("x * 2")).outcomes[-1].value
-
-    threads = [threading.Thread(target=one, args=(n,)) for n in range(6)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert got == {n: 2 * n for n in range(6)}
 
 
 def test_no_descriptor_is_left_open(sandbox: Sandbox) -> None:

@@ -7,7 +7,6 @@ import os
 import stat
 import unicodedata
 import zipfile
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -76,9 +75,7 @@ def remarks_of(collection: Collection, learner: str) -> tuple[str, ...]:
         "s101_03_tiny.ipynb",
         "03_tiny_s101.ipynb",
         "s101_E03_tiny.ipynb",
-        "E03_tiny_s101.ipynb",
         "E03_tiny (s101).ipynb",
-        "03_tiny (s101).ipynb",
     ],
 )
 def test_a_learner_is_known_by_where_the_file_is(tmp_path: Path, name: str) -> None:
@@ -92,38 +89,14 @@ def test_everybody_on_the_roster_has_one_place_in_its_order_and_strangers_come_a
     collection = collect(tmp_path, ROSTER, CHAPTERS)
     assert list(who(collection)) == ["s101", "s102", "7", "a-stranger"]
     assert remarks_of(collection, "7") == ("nothing was handed in",)
-
-
-def test_several_chapters_of_one_learner_are_one_submission(tmp_path: Path) -> None:
-    put(tmp_path, "kimminji_1_22_02_axes.ipynb", "kimminji_1_23_03_tiny.ipynb")
-    assert len(who(collect(tmp_path, ROSTER, CHAPTERS))["s101"]) == 2
-
-
-def test_a_path_that_says_nothing_is_settled_by_the_stamp(tmp_path: Path) -> None:
-    put(tmp_path, "upload/03_tiny.ipynb", data=b'{"metadata": {"tflab": {"learner": "s102"}}, "cells": []}')
-    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == ["upload/03_tiny.ipynb"]
-
-
-def test_who_is_nobody_on_the_roster_is_graded_and_remarked(tmp_path: Path) -> None:
-    put(tmp_path, "stranger/03_tiny.ipynb")
-    collection = collect(tmp_path, ROSTER, CHAPTERS)
-    assert "nobody on the roster" in remarks_of(collection, "stranger")[0]
-    assert not next(one for one in collection.submissions if one.learner == "stranger").known
-
-
-def test_who_handed_in_nothing_is_on_the_list(tmp_path: Path) -> None:
-    put(tmp_path, "s101/03_tiny.ipynb")
-    assert remarks_of(collect(tmp_path, ROSTER, CHAPTERS), "s102") == ("nothing was handed in",)
+    assert "nobody on the roster" in remarks_of(collection, "a-stranger")[0]
+    assert [one.known for one in collection.submissions] == [True, True, True, False]
 
 
 def test_without_a_roster_learners_go_by_their_folders_and_files(tmp_path: Path) -> None:
     put(tmp_path, "ada/03_tiny.ipynb", "bob.ipynb", "03_tiny_eve.ipynb")
     assert sorted(who(collect(tmp_path, None, CHAPTERS))) == ["ada", "bob", "eve"]
-
-
-def test_one_notebook_is_a_submission(tmp_path: Path) -> None:
-    put(tmp_path, "03_tiny.ipynb")
-    assert who(collect(tmp_path / "03_tiny.ipynb", None, CHAPTERS)) == {"03_tiny": ["03_tiny.ipynb"]}
+    assert who(collect(tmp_path / "bob.ipynb", None, CHAPTERS)) == {"bob": ["bob.ipynb"]}
 
 
 def test_an_empty_folder_and_one_without_a_notebook_are_a_line_each(tmp_path: Path) -> None:
@@ -134,16 +107,11 @@ def test_an_empty_folder_and_one_without_a_notebook_are_a_line_each(tmp_path: Pa
     assert remarks_of(collection, "s102") == ("no notebook; there is a.pdf, answers.docx",)
 
 
-def test_what_browsers_add_to_a_name_is_no_matter(tmp_path: Path) -> None:
-    put(tmp_path, "s101/03_tiny.ipynb.txt", "s102/03_tiny.IPYNB")
-    found = who(collect(tmp_path, ROSTER, CHAPTERS))
-    assert found["s101"] and found["s102"]
-
-
 def test_checkpoints_and_pristine_copies_are_not_the_learners_work(tmp_path: Path) -> None:
-    put(tmp_path, "s101/03_tiny.ipynb", "s101/.ipynb_checkpoints/03_tiny-checkpoint.ipynb")
+    put(tmp_path, "s101/03_tiny.ipynb.txt", "s101/.ipynb_checkpoints/03_tiny-checkpoint.ipynb", "s102/03_tiny.IPYNB")
     put(tmp_path, "s101/.tflab/pristine/03_tiny.ipynb", "__MACOSX/s101/._03_tiny.ipynb")
-    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s101"] == ["s101/03_tiny.ipynb"]
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert (found["s101"], found["s102"]) == (["s101/03_tiny.ipynb.txt"], ["s102/03_tiny.IPYNB"])
 
 
 def test_a_link_to_a_folder_is_not_entered(tmp_path: Path) -> None:
@@ -160,69 +128,48 @@ def test_a_place_that_is_not_there_is_one_line(tmp_path: Path) -> None:
         collect(tmp_path / "nowhere", ROSTER, CHAPTERS)
 
 
-def test_a_zip_is_read_as_the_folder_it_was(tmp_path: Path) -> None:
-    path = zipped(tmp_path / "all.zip", {"kimminji_1_2_03_tiny.ipynb": b"{}", "s102/03_tiny.ipynb": b"[]"})
-    collection = collect(path, ROSTER, CHAPTERS)
+@pytest.mark.parametrize("folder", ["", "hw1/"])
+def test_a_zip_is_read_as_the_folder_it_was(tmp_path: Path, folder: str) -> None:
+    files = {f"{folder}kimminji_1_2_03_tiny.ipynb": b"{}", f"{folder}s102/03_tiny.ipynb": b"[]"}
+    collection = collect(zipped(tmp_path / "all.zip", files), ROSTER, CHAPTERS)
     assert who(collection)["s101"] and who(collection)["s102"]
     assert [one.notebooks[0].read() for one in collection.submissions if one.learner == "s102"] == [b"[]"]
 
 
-def test_a_zip_that_wraps_all_in_a_folder_is_unwrapped(tmp_path: Path) -> None:
-    path = zipped(tmp_path / "all.zip", {"hw1/s101/03_tiny.ipynb": b"{}", "hw1/s102/03_tiny.ipynb": b"{}"})
-    found = who(collect(path, ROSTER, CHAPTERS))
-    assert found["s101"] and found["s102"]
-
-
-def test_a_learners_own_zip_is_opened(tmp_path: Path) -> None:
-    (tmp_path / "in" / "Kim Minji_1_assignsubmission_file_").mkdir(parents=True)
-    zipped(tmp_path / "in" / "Kim Minji_1_assignsubmission_file_" / "my work.zip", {"exercises/03_tiny.ipynb": b"{}"})
-    zipped(tmp_path / "in" / "s102.zip", {"03_tiny.ipynb": b"{}"})
-    found = who(collect(tmp_path / "in", ROSTER, CHAPTERS))
-    assert found["s101"] and found["s102"]
+def test_a_learners_own_zip_is_opened_and_a_zip_in_it_too(tmp_path: Path) -> None:
+    inner = a_zip(**{"exercises__03_tiny.ipynb": b"{}"})
+    put(tmp_path, "Kim Minji_1_assignsubmission_file_/my work.zip", data=a_zip(**{"b.zip": inner}))
+    put(tmp_path, "s102.zip", data=inner)
+    found = who(collect(tmp_path, ROSTER, CHAPTERS))
+    assert [len(found[learner]) for learner in ("s101", "s102")] == [1, 1]
 
 
 def test_a_broken_zip_costs_its_learner_only(tmp_path: Path) -> None:
     put(tmp_path, "s101.zip", "s102/03_tiny.ipynb", data=b"PK nonsense")
+    os.mkfifo(tmp_path / "7.zip")
     collection = collect(tmp_path, ROSTER, CHAPTERS)
-    assert collection.remarks[0].say("en").startswith("s101.zip: not a zip file")
+    said = sorted(remark.say("en") for remark in collection.remarks)
+    assert said[0].endswith("not a file.") and said[1].startswith("s101.zip: not a zip file")
     assert who(collection)["s102"]
 
 
 @pytest.mark.parametrize("name", ["../out.ipynb", "a/../../out.ipynb", "/etc/x.ipynb", "C:\\x.ipynb", "..\\x.ipynb"])
-def test_a_name_that_leads_out_is_refused(tmp_path: Path, name: str) -> None:
-    path = zipped(tmp_path / "all.zip", {name: b"{}", "s102/03_tiny.ipynb": b"{}"})
-    collection = collect(path, ROSTER, CHAPTERS)
-    assert len(collection.remarks) == 1
-    assert "leads out of the archive; refused" in collection.remarks[0].say("en")
-    assert [found for found in who(collection).values() if found] == [["s102/03_tiny.ipynb"]]
-
-
-def test_a_link_in_a_zip_is_refused(tmp_path: Path) -> None:
+def test_a_name_that_leads_out_is_refused_and_so_is_a_link(tmp_path: Path, name: str) -> None:
     with zipfile.ZipFile(tmp_path / "all.zip", "w") as archive:
         link = zipfile.ZipInfo("s101/03_tiny.ipynb")
         link.create_system, link.external_attr = 3, (stat.S_IFLNK | 0o777) << 16
         archive.writestr(link, "/etc/passwd")
+        archive.writestr(name, b"{}")
+        archive.writestr("s102/./x//03_tiny.ipynb", b"{}")
     members, refused = archive_members(tmp_path / "all.zip")
-    assert members == []
-    assert [remark.say("en") for remark in refused] == ["s101/03_tiny.ipynb: a link to another file; refused."]
+    assert [member.parts for member in members] == [("s102", "x", "03_tiny.ipynb")]
+    said = [remark.say("en") for remark in refused]
+    assert said[0] == "s101/03_tiny.ipynb: a link to another file; refused."
+    assert len(said) == 2 and "leads out of the archive; refused" in said[1]
 
 
-def test_a_bomb_is_not_blown_up(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(archives, "MAX_BYTES", 1000)
-    members, _ = archive_members(zipped(tmp_path / "all.zip", {"s101.ipynb": bytes(10_000_000)}))
-    with pytest.raises(Unreadable, match="MB"):
-        members[0].read()
-
-
-def test_a_size_that_lies_is_found_when_it_is_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    path = zipped(tmp_path / "all.zip", {"s101.ipynb": bytes(10_000)})
-    data = path.read_bytes()
-    at = data.rindex(b"PK\x01\x02") + 24  # the size in the directory
-    path.write_bytes(data[:at] + (10).to_bytes(4, "little") + data[at + 4 :])
-    monkeypatch.setattr(archives, "MAX_BYTES", 1000)
-    (member,) = archive_members(path)[0]
-    with suppress(Unreadable):
-        assert len(member.read()) <= 1000
+def test_a_name_of_nothing_has_no_parts() -> None:
+    assert [safe_parts(name) for name in ("", "/", ".", "a\0b")] == [None] * 4
 
 
 def test_a_damaged_member_costs_itself_only(tmp_path: Path) -> None:
@@ -247,16 +194,6 @@ def test_korean_names_are_read_as_they_were_written(tmp_path: Path, encoding: st
     assert archive_members(path)[0][0].parts == ("김민지.ipynb",)
 
 
-@pytest.mark.parametrize(("name", "parts"), [("a/./b", ("a", "b")), ("a\\b", ("a", "b")), ("a//b", ("a", "b"))])
-def test_a_harmless_name_is_its_parts(name: str, parts: tuple[str, ...]) -> None:
-    assert safe_parts(name) == parts
-
-
-@pytest.mark.parametrize("name", ["", "/", ".", "a\0b"])
-def test_a_name_of_nothing_is_none(name: str) -> None:
-    assert safe_parts(name) is None
-
-
 def test_a_stamp_never_adds_to_what_somebody_handed_in_themselves(tmp_path: Path) -> None:
     put(tmp_path, "s102/03_tiny.ipynb")
     put(tmp_path, "stranger/03_tiny.ipynb", data=b'{"metadata": {"tflab": {"learner": "s102"}}, "cells": []}')
@@ -271,25 +208,19 @@ def test_the_results_and_the_pack_are_no_submissions_wherever_they_are(tmp_path:
     assert list(who(collection)) == ["s101"]
 
 
-def test_the_masses_beside_somebodys_notebook_cost_nobody_else(tmp_path: Path) -> None:
-    put(tmp_path, "s102/03_tiny.ipynb", "s101/03_tiny.ipynb", *(f"s101/node_modules/{n}.js" for n in range(300)))
-    put(tmp_path, *(f"s101/copies/{n}.ipynb" for n in range(100)))
-    collection = collect(tmp_path, ROSTER, CHAPTERS)
-    assert len(who(collection)["s101"]) == 60
-    assert "the 60 largest are looked at" in remarks_of(collection, "s101")[0]
-    assert who(collection)["s102"] == ["s102/03_tiny.ipynb"]
-
-
 @pytest.mark.parametrize("is_zip", [False, True])
-def test_a_notebook_with_answers_is_found_behind_two_thousand_empty_ones(tmp_path: Path, is_zip: bool) -> None:
-    names = [f"{number:04}.ipynb" for number in range(2000)]
+def test_a_notebook_with_answers_is_found_behind_many_empty_ones(tmp_path: Path, is_zip: bool) -> None:
+    names = [f"{number:04}.ipynb" for number in range(100)]
+    put(tmp_path, "s102/03_tiny.ipynb")
     if is_zip:
         zipped(tmp_path / "s101.zip", dict.fromkeys(names, b"{}") | {"zz_03_tiny.ipynb": b'{"cells": []}'})
     else:
-        put(put(tmp_path / "s101", *names), "zz_03_tiny.ipynb", data=b'{"cells": []}')
+        put(put(tmp_path / "s101", *names, "node_modules/x.js"), "zz_03_tiny.ipynb", data=b'{"cells": []}')
     collection = collect(tmp_path, ROSTER, CHAPTERS)
-    assert "s101/zz_03_tiny.ipynb" in who(collection)["s101"]
+    found = who(collection)
+    assert len(found["s101"]) == 60 and "s101/zz_03_tiny.ipynb" in found["s101"]
     assert remarks_of(collection, "s101") == ("more than 60 notebooks; the 60 largest are looked at",)
+    assert found["s102"] == ["s102/03_tiny.ipynb"]
 
 
 @pytest.mark.parametrize("name", ["S101/03_tiny.ipynb", "s101 /03_tiny.ipynb", "s101./03_tiny.ipynb", "s101 .ipynb"])
@@ -303,21 +234,11 @@ def test_a_name_that_only_looks_like_an_id_brings_no_other_learners_work_into_th
     assert sum(map(len, who(collection).values())) == 2  # and it is not lost
 
 
-def test_without_a_roster_names_that_differ_in_a_dot_or_a_blank_are_two_people(tmp_path: Path) -> None:
-    put(tmp_path, "s0/03_tiny.ipynb", "S0/03_tiny.ipynb", "s0 /03_tiny.ipynb", "s0./03_tiny.ipynb")
+def test_without_a_roster_names_that_are_written_alike_are_several_people(tmp_path: Path) -> None:
+    names = {"s0": "s0", "S0": "S0", "s0 (2)": "s0 ", "s0 (3)": "s0.", "a_b": "a*b", "a_b (2)": "a?b"}
+    put(tmp_path, *(f"{folder}/03_tiny.ipynb" for folder in names.values()))
     found = who(collect(tmp_path, None, CHAPTERS))
-    assert found == {
-        "s0": ["s0/03_tiny.ipynb"],
-        "S0": ["S0/03_tiny.ipynb"],
-        "s0 (2)": ["s0 /03_tiny.ipynb"],
-        "s0 (3)": ["s0./03_tiny.ipynb"],
-    }
-
-
-def test_strangers_whose_names_are_written_alike_are_two_lines(tmp_path: Path) -> None:
-    put(tmp_path, "a*b/03_tiny.ipynb", "a?b/03_tiny.ipynb")
-    found = who(collect(tmp_path, ROSTER, CHAPTERS))
-    assert (found["a_b"], found["a_b (2)"]) == (["a*b/03_tiny.ipynb"], ["a?b/03_tiny.ipynb"])
+    assert found == {name: [f"{folder}/03_tiny.ipynb"] for name, folder in names.items()}
 
 
 def test_a_zip_that_is_forty_deep_is_said_once_and_read_no_further(tmp_path: Path) -> None:
@@ -344,26 +265,14 @@ def test_a_name_that_is_no_text_is_made_one(tmp_path: Path) -> None:
     assert one.encode("utf-8")
 
 
-def test_a_pipe_that_calls_itself_a_zip_is_not_waited_for(tmp_path: Path) -> None:
-    import os
-
-    os.mkfifo(tmp_path / "s101.zip")
-    assert "not a file" in collect(tmp_path, ROSTER, CHAPTERS).remarks[0].say("en")
-
-
 def test_a_large_class_below_one_folder_is_a_large_class(tmp_path: Path) -> None:
     put(tmp_path, *(f"submitted/x{n}/hw1/03_tiny.ipynb" for n in range(150)))
     assert len(who(collect(tmp_path, None, CHAPTERS))) == 150
 
 
-def test_a_folder_for_each_chapter_is_nobodys(tmp_path: Path) -> None:
-    put(tmp_path, "02_axes/s101.ipynb", "03_tiny/s101.ipynb", "03_tiny/s102/work.ipynb")
-    found = who(collect(tmp_path, ROSTER, CHAPTERS))
-    assert {learner: len(files) for learner, files in found.items()} == {"s101": 2, "s102": 1, "7": 0}
-
-
-def test_a_folder_for_each_assignment_is_nobodys(tmp_path: Path) -> None:
-    put(tmp_path, "week 1/s101.ipynb", "week 2/s101.ipynb", "week 2/s102/work.ipynb")
+@pytest.mark.parametrize("folders", [("02_axes", "03_tiny"), ("week 1", "week 2")])
+def test_a_folder_for_each_chapter_or_assignment_is_nobodys(tmp_path: Path, folders: tuple[str, str]) -> None:
+    put(tmp_path, f"{folders[0]}/s101.ipynb", f"{folders[1]}/s101.ipynb", f"{folders[1]}/s102/work.ipynb")
     found = who(collect(tmp_path, ROSTER, CHAPTERS))
     assert {learner: len(files) for learner, files in found.items()} == {"s101": 2, "s102": 1, "7": 0}
 
@@ -377,13 +286,6 @@ def test_hangul_that_a_mac_took_apart_is_the_same_name(tmp_path: Path) -> None:
     roster = {"김민지": Learner("김민지"), "s102": Learner("s102", "이 준")}
     put(tmp_path, *(unicodedata.normalize("NFD", name) for name in ("김민지/03_tiny.ipynb", "이 준/03_tiny.ipynb")))
     assert all(who(collect(tmp_path, roster, CHAPTERS)).values())
-
-
-def test_a_zip_in_a_learners_zip_is_looked_into(tmp_path: Path) -> None:
-    inner = zipped(tmp_path / "b.zip", {"03_tiny.ipynb": b"{}"}).read_bytes()
-    outer = zipped(tmp_path / "a.zip", {"b.zip": inner}).read_bytes()
-    found = who(collect(zipped(tmp_path / "all.zip", {"s101/a.zip": outer}), ROSTER, CHAPTERS))
-    assert len(found["s101"]) == 1
 
 
 @pytest.mark.skipif(os.geteuid() == 0, reason="root may open everything")
@@ -494,9 +396,10 @@ def test_of_two_who_go_by_one_name_alike_neither_is_taken_for_the_one_on_the_ros
 
 
 @pytest.mark.parametrize("name", ["upload/03_tiny.ipynb", "Nobody_4_assignsubmission_file_/03_tiny.ipynb"])
-def test_a_forged_stamp_says_nothing_where_the_path_does_not_either(tmp_path: Path, name: str) -> None:
-    put(tmp_path, name, data=FORGED)
-    assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == []
+def test_a_path_that_says_nothing_is_settled_by_a_stamp_that_is_not_forged(tmp_path: Path, name: str) -> None:
+    for data, files in ((FORGED, []), (OTHERS, [name])):
+        put(tmp_path, name, data=data)
+        assert who(collect(tmp_path, ROSTER, CHAPTERS))["s102"] == files
 
 
 def test_what_goes_by_the_name_of_one_who_handed_in_nothing_is_whose_seal_it_bears(tmp_path: Path) -> None:
@@ -561,9 +464,6 @@ def test_large_zips_in_a_zip_are_not_unpacked_to_be_listed(tmp_path: Path, monke
         return lambda: read.append(entry.file_size) or give()
 
     monkeypatch.setattr(archives, "_reader", counted)
-    large = {f"{number}.zip": b"\0" * (30 << 20) for number in range(8)}
-    with zipfile.ZipFile(tmp_path / "s101.zip", "w", zipfile.ZIP_DEFLATED) as archive:
-        for name, data in large.items():
-            archive.writestr(name, data)
+    zipped(tmp_path / "s101.zip", {f"{number}.zip": b"\0" * (30 << 20) for number in range(4)})
     collect(tmp_path, ROSTER, CHAPTERS)
     assert sum(read) <= 64 << 20

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 from pathlib import Path
 
@@ -56,10 +57,6 @@ more = 7
 # %% name="e3-4-check" tags=["check"]
 check("E3.4", more)
 """
-)
-WITHOUT_LAST = (
-    MENDED_SOURCE[: MENDED_SOURCE.index('# %% [markdown] lang="en" name="e3-3"')],
-    MENDED_TASKS[: MENDED_TASKS.index("# -- e3_3.py")],
 )
 NAME = f"exercises/en/E{tiny.STEM}.ipynb"
 
@@ -134,31 +131,27 @@ def test_an_update_that_would_change_a_question_is_refused_and_changes_nothing(
 
 def test_an_update_without_a_released_task_is_refused_and_changes_nothing(out, monkeypatch) -> None:
     before = everything_below(out.release)
-    comes_out(out, monkeypatch, *WITHOUT_LAST)
+    source, tasks = MENDED_SOURCE.partition('# %% [markdown] lang="en" name="e3-3"')[0], MENDED_TASKS
+    comes_out(out, monkeypatch, source, tasks.partition("# -- e3_3.py")[0])
     with pytest.raises(PackError, match=r"^E3\.3 asks something else"):
         releasing.update_release(out.release)
     assert everything_below(out.release) == before
 
 
-def test_grading_with_a_version_that_asks_something_else_is_refused(out, monkeypatch, tmp_path: Path, capsys) -> None:
+@pytest.mark.parametrize("lacks", ["a question", "the chapter"])
+def test_grading_with_a_version_that_asks_something_else_is_refused(
+    lacks: str, out, monkeypatch, tmp_path: Path, capsys
+) -> None:
     tiny.hand_in(tmp_path / "in", "s102", out.exercise())
     comes_out(out, monkeypatch, tasks=OTHER_NUMBERS)
+    if lacks == "the chapter":
+        shutil.rmtree(out.workbook / "solutions" / "tasks" / tiny.STEM)
     words = [str(tmp_path / "in"), "--pack", str(out.pack), "--out", str(tmp_path / "out"), "--quiet"]
     assert grade.main(words) == 2
     said = capsys.readouterr().err
-    assert f"E3.1 asks something else in tflab {__version__} than when it was released" in said
-    assert said.count("\n") == 1
+    other = f"E3.1 asks something else in tflab {__version__} than when it was released"
+    assert (other if lacks == "a question" else "there are no tasks in") in said and said.count("\n") == 1
     assert not (tmp_path / "out" / "results.json").exists()
-
-
-def test_grading_with_a_version_that_lacks_a_chapter_is_refused(out, monkeypatch, tmp_path: Path, capsys) -> None:
-    tiny.hand_in(tmp_path / "in", "s102", out.exercise())
-    comes_out(out, monkeypatch)
-    shutil.rmtree(out.workbook / "solutions" / "tasks" / tiny.STEM)
-    words = [str(tmp_path / "in"), "--pack", str(out.pack), "--out", str(tmp_path / "out"), "--quiet"]
-    assert grade.main(words) == 2
-    said = capsys.readouterr().err
-    assert "there are no tasks in" in said and said.count("\n") == 1
 
 
 def test_check_refuses_a_question_that_is_not_the_one_that_was_handed_out(out, monkeypatch, capsys) -> None:
@@ -182,7 +175,7 @@ def test_a_new_task_is_no_part_of_a_release_that_is_out(out, monkeypatch, capsys
     assert list(read_workbook(out.copy_of("s102")).questions) == list(graded)
 
 
-@pytest.mark.parametrize("cut", range(1, 9))
+@pytest.mark.parametrize("cut", [1, 2, 4, 8])
 def test_an_update_that_was_cut_short_loses_nothing_and_is_finished_by_calling_it_again(cut: int, out, monkeypatch):
     whole = out.release.with_name("whole")
     shutil.copytree(out.release, whole)
@@ -219,37 +212,18 @@ def test_what_was_handed_in_before_is_graded_as_it_was_and_nobody_is_told_that_t
     tiny.hand_in(tmp_path / "before", "s102", out.exercise())
     tiny.hand_in(tmp_path / "before", "s101", tiny.answered(out.exercise("s101"), {"e3-1-answer": "total = 1.0"}))
 
-    def marks() -> list:
-        words = [
-            str(tmp_path / "before"),
-            "--pack",
-            str(out.pack),
-            "--out",
-            str(tmp_path / "out"),
-            "--quiet",
-            "--again",
-        ]
-        assert grade.main([word for word in words if word != "--again"]) in (0, 1)
-        return json.loads((tmp_path / "out" / "results.json").read_text())
+    def results(name: str) -> str:
+        words = [str(tmp_path / "before"), "--pack", str(out.pack), "--out", str(tmp_path / name), "--quiet"]
+        assert grade.main(words) in (0, 1)
+        return (tmp_path / name / "results.json").read_text()
 
-    first = marks()
-    shutil.rmtree(tmp_path / "out")
+    first = results("first")
     comes_out(out, monkeypatch)
     releasing.update_release(out.release)
-    second = marks()
-    assert points(second) == points(first)
-    assert "changed" not in (tmp_path / "out" / "results.json").read_text()
-
-
-def points(grades: object) -> list[tuple[str, object]]:
-    """Return all that is called points, wherever it stands."""
-    found: list[tuple[str, object]] = []
-    if isinstance(grades, dict):
-        for name, value in grades.items():
-            found += [(name, value)] if name == "points" else points(value)
-    elif isinstance(grades, list):
-        found = [pair for value in grades for pair in points(value)]
-    return found
+    second = results("second")
+    points = r'"points": [^,}\n]+'
+    assert re.findall(points, second) == re.findall(points, first) != []
+    assert "changed" not in second
 
 
 def test_a_copy_at_home_takes_in_what_is_handed_out_anew(out, monkeypatch, tmp_path: Path, capsys) -> None:
@@ -285,16 +259,13 @@ def test_what_was_not_handed_out_to_this_learner_is_refused(fault: str, out, cou
     assert everything_below(home) == before
 
 
-def test_updating_nothing_is_one_line_and_so_is_asking_for_more(tmp_path: Path, capsys) -> None:
-    with pytest.raises(PackError, match="there is no pack"):
-        releasing.update_release(tmp_path)
-    assert releasing.main([str(tmp_path), "--update", "--add"]) == 2
-    assert "call it again with --add for more" in capsys.readouterr().err
-
-
-def test_a_folder_that_is_gone_is_said_and_the_others_are_updated(out, monkeypatch) -> None:
+def test_a_folder_that_is_gone_is_said_and_the_others_are_updated(out, monkeypatch, tmp_path: Path, capsys) -> None:
     shutil.rmtree(out.release / "learners" / "s101")
     comes_out(out, monkeypatch)
     _, lines = releasing.update_release(out.release)
     assert f"{out.release / 'learners' / 's101'} is not there any more; --add lays it out again" in lines
     assert cells(out.exercise())["e3-2"] == "## E3.2 · Length of the long leg"
+    with pytest.raises(PackError, match="there is no pack"):
+        releasing.update_release(tmp_path)
+    assert releasing.main([str(tmp_path), "--update", "--add"]) == 2
+    assert "call it again with --add for more" in capsys.readouterr().err

@@ -20,14 +20,19 @@ def clean(monkeypatch):
 
 
 @pytest.fixture
-def real_rclpy(tmp_path, monkeypatch):
-    """Something that Python finds under the name rclpy."""
-    (tmp_path / "rclpy").mkdir()
-    (tmp_path / "rclpy" / "__init__.py").write_text("REAL = True\n")
+def real(tmp_path, monkeypatch):
+    """Return a function that lets Python find something under a name; it has done so for tf2_ros."""
+
+    def add(name):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "__init__.py").write_text("REAL = True\n")
+        importlib.invalidate_caches()
+
     monkeypatch.syspath_prepend(str(tmp_path))
-    importlib.invalidate_caches()
-    yield
+    add("tf2_ros")
+    yield add
     sys.modules.pop("rclpy", None)
+    sys.modules.pop("tf2_ros", None)
 
 
 def test_every_package_can_be_imported_and_is_gone_afterwards():
@@ -50,71 +55,29 @@ def test_a_missing_module_raises_and_lists_the_existing_modules():
         exec("from rclpy import Nod")
 
 
-RCLPY_MODULES = """
-    node time duration clock clock_type constants qos executors callback_groups task parameter timer context utilities
-    exceptions logging time_source event_handler publisher subscription client service topic_endpoint_info
-    expand_topic_name signals guard_condition lifecycle parameter_client parameter_event_handler
-"""
-TF2_ROS_MODULES = """
-    buffer buffer_interface transform_listener transform_broadcaster static_transform_broadcaster
-    static_transform_listener
-"""
-
-
-def test_the_submodules_that_users_import_are_there():
-    ros.activate()
-    import rclpy
-
-    for name in RCLPY_MODULES.split():
-        assert getattr(rclpy, name) is importlib.import_module(f"rclpy.{name}")
-    for name in TF2_ROS_MODULES.split():
-        importlib.import_module(f"tf2_ros.{name}")
-
-
-def test_classes_are_identical_by_every_import_path():
-    ros.activate()
-    import rclpy.node
-    import tf2_py
-    import tf2_ros
-
-    from tflab import core
-    from tflab.ros.node import Node
-
-    assert rclpy.node.Node is Node
-    assert tf2_ros.LookupException is tf2_py.LookupException is core.LookupException
-    assert repr(tf2_ros.LookupException) == "<class 'tf2.LookupException'>"
-
-
-def test_it_steps_aside_for_a_real_ros_2(real_rclpy):
+def test_it_steps_aside_for_a_real_ros_2_unless_the_environment_selects_the_in_process_modules(real, monkeypatch):
+    assert ros.activate() == "in-process"  # tf2_ros alone is ROS 1
+    assert not hasattr(importlib.import_module("tf2_ros"), "REAL")
+    ros.deactivate()
+    real("rclpy")
     assert ros.activate() == "real"
     assert importlib.import_module("rclpy").REAL
-
-
-def test_the_environment_variable_selects_the_in_process_modules(real_rclpy, monkeypatch):
+    del sys.modules["rclpy"]
     monkeypatch.setenv("TFLAB_ROS", "in-process")
     assert ros.activate() == "in-process"
     assert not hasattr(importlib.import_module("rclpy"), "REAL")
 
 
-def test_requesting_a_missing_real_ros_2_raises_with_a_remedy(monkeypatch):
+def test_what_is_not_there_or_not_known_is_refused_with_the_remedy(monkeypatch):
     monkeypatch.setenv("TFLAB_ROS", "real")
     with pytest.raises(ImportError, match="Source its setup file first"):
         ros.activate()
-
-
-def test_an_unknown_value_of_the_variable_is_refused(monkeypatch):
     monkeypatch.setenv("TFLAB_ROS", "virtual")
     with pytest.raises(ValueError, match='"in-process" or "real"'):
         ros.activate()
-
-
-def test_a_tf2_ros_alone_is_ros_1_and_does_not_count(tmp_path, monkeypatch):
-    (tmp_path / "tf2_ros").mkdir()
-    (tmp_path / "tf2_ros" / "__init__.py").write_text("REAL = True\n")
-    monkeypatch.syspath_prepend(str(tmp_path))
-    importlib.invalidate_caches()
-    assert ros.activate() == "in-process"
-    assert not hasattr(importlib.import_module("tf2_ros"), "REAL")
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", "foxy")
+    with pytest.raises(ValueError, match="'foxy' is not known: it is one of humble, jazzy, rolling"):
+        distro.current()
 
 
 def test_a_module_that_is_imported_already_is_refused_with_the_remedy(monkeypatch):
@@ -124,12 +87,6 @@ def test_a_module_that_is_imported_already_is_refused_with_the_remedy(monkeypatc
     with pytest.raises(ImportError, match=r"geometry_msgs already imported, from /opt/ros.* Restart Python"):
         ros.activate("in-process")
     assert not is_active()
-
-
-def test_an_unknown_distribution_is_refused(monkeypatch):
-    monkeypatch.setenv("TFLAB_ROS_DISTRO", "foxy")
-    with pytest.raises(ValueError, match="'foxy' is not known: it is one of humble, jazzy, rolling"):
-        distro.current()
 
 
 def test_loading_in_a_notebook_prints_one_line_and_provides_the_graph(capsys, undone):
@@ -159,12 +116,23 @@ def test_no_module_of_a_package_is_empty():
         assert not row or [each for each in vars(module) if not each.startswith("__")], name
 
 
-def test_the_pybind_module_has_the_names_that_programs_use():
+def test_the_names_that_programs_use_are_the_same_by_every_import_path():
     ros.activate()
+    import rclpy.node
+    import tf2_py
+    import tf2_ros
+    from rclpy._rclpy_pybind11 import RCLError
     from rclpy.impl.implementation_singleton import rclpy_implementation
     from rclpy.topic_or_service_is_hidden import topic_or_service_is_hidden
     from rclpy.utilities import get_rmw_implementation_identifier
 
+    from tflab import core
+    from tflab.ros.node import Node
+
+    assert rclpy.node.Node is Node
+    assert tf2_ros.LookupException is tf2_py.LookupException is core.LookupException
+    assert repr(tf2_ros.LookupException) == "<class 'tf2.LookupException'>"
+    assert RCLError.__module__ == "rclpy._rclpy_pybind11"
     assert issubclass(rclpy_implementation.RCLError, RuntimeError)
     assert rclpy_implementation.rclpy_get_rmw_implementation_identifier() == get_rmw_implementation_identifier()
     assert topic_or_service_is_hidden("/_hidden/topic") and not topic_or_service_is_hidden("/topic")

@@ -102,18 +102,16 @@ def answer_to(graph, question):
 
 
 def test_a_lookup_is_answered_by_the_other_buffer(graph):
-    graph.start(server())
-    result = answer_to(graph, lambda client: client.lookup_transform("map", "base_link", Time(seconds=2)))
-    assert (result.header.frame_id, result.child_frame_id, result.transform.translation.x) == ("map", "base_link", 2.0)
+    def questions(client):
+        assert client.can_transform("map", "base_link", Time(seconds=2)) is True
+        assert client.can_transform("map", "nowhere", Time()) is False  # which does not raise
+        full = client.lookup_transform_full("base_link", Time(seconds=3), "base_link", Time(seconds=1), "map")
+        return client.lookup_transform("map", "base_link", Time(seconds=2)), full
 
-
-def test_lookups_with_two_times_are_forwarded(graph):
     graph.start(server())
-    result = answer_to(
-        graph,
-        lambda client: client.lookup_transform_full("base_link", Time(seconds=3), "base_link", Time(seconds=1), "map"),
-    )
-    assert result.transform.translation.x == -2.0  # where it was 2 s ago: 2 m behind
+    found, moved = answer_to(graph, questions)
+    assert (found.header.frame_id, found.child_frame_id, found.transform.translation.x) == ("map", "base_link", 2.0)
+    assert moved.transform.translation.x == -2.0  # where it was 2 s ago: 2 m behind
 
 
 @pytest.mark.parametrize(
@@ -132,35 +130,30 @@ def test_exceptions_of_the_server_are_raised_at_the_client_with_their_text(graph
     assert text in str(answer)
 
 
-def test_can_transform_does_not_raise(graph):
-    graph.start(server())
-    assert answer_to(graph, lambda client: client.can_transform("map", "base_link", Time(seconds=2))) is True
-    assert answer_to(graph, lambda client: client.can_transform("map", "nowhere", Time())) is False
+async def think_forever(handle):
+    await Future()
 
 
-def test_without_a_server_it_raises_at_once(graph):
-    answer = answer_to(graph, lambda client: client.lookup_transform("map", "base_link", Time()))
-    assert type(answer) is TimeoutException
-    assert str(answer) == "The BufferServer is not ready."
-
-
-def test_a_slow_server_raises_a_timeout(graph):
-    async def think_forever(handle):
-        await Future()
-
-    graph.start(server(think_forever))
+@pytest.mark.parametrize(
+    ("main", "text"),
+    [
+        (None, "The BufferServer is not ready."),
+        (
+            server(think_forever),
+            "did not come back in the specified time. Something is likely wrong with the server.",
+        ),
+        (server(goal_callback=lambda goal: GoalResponse.REJECT), "did not come back with accepted status"),
+    ],
+    ids=["none", "slow", "rejects"],
+)
+def test_without_an_answer_of_the_server_a_timeout_is_raised(graph, main, text):
+    if main:
+        graph.start(main)
     answer = answer_to(
         graph, lambda client: client.lookup_transform("map", "base_link", Time(), timeout=Duration(seconds=0.2))
     )
     assert type(answer) is TimeoutException
-    assert "did not come back in the specified time. Something is likely wrong with the server." in str(answer)
-
-
-def test_a_rejected_goal_is_a_timeout_exception_too(graph):
-    graph.start(server(goal_callback=lambda goal: GoalResponse.REJECT))
-    answer = answer_to(graph, lambda client: client.lookup_transform("map", "base_link", Time()))
-    assert type(answer) is TimeoutException
-    assert "did not come back with accepted status" in str(answer)
+    assert text in str(answer)
 
 
 def test_a_time_must_be_a_time_and_a_message_is_deprecated(graph):
@@ -174,8 +167,13 @@ def test_a_time_must_be_a_time_and_a_message_is_deprecated(graph):
 # The action itself ----------------------------------------------------------------
 
 
-def result_status(graph, execute):
-    """Return status and result of one goal, sent and waited for by one node with callbacks alone."""
+def test_a_goal_that_is_aborted_has_a_result_and_one_without_an_end_counts_as_aborted(graph, capsys):
+    def give_up(handle):
+        if not handle.request.target_frame:
+            raise RuntimeError("out of order")
+        handle.abort()
+        return LookupTransform.Result(error=TF2Error(error_string=f"no {handle.request.target_frame}"))
+
     answers = []
 
     def main():
@@ -183,44 +181,22 @@ def result_status(graph, execute):
         node = Node("client")
         client = ActionClient(node, LookupTransform, "tf2_buffer_server")
         assert client.wait_for_server(timeout_sec=1.0)
-        handle = spin_for(node, client.send_goal_async(LookupTransform.Goal(target_frame="map")))
-        answers.append(spin_for(node, handle.get_result_async()))
+        with pytest.raises(TypeError):
+            client.send_goal_async(TransformStamped())
+        for frame in ("map", ""):
+            handle = spin_for(node, client.send_goal_async(LookupTransform.Goal(target_frame=frame)))
+            answers.append(spin_for(node, handle.get_result_async()))
         rclpy.spin(node)
 
     def spin_for(node, future):
         rclpy.spin_until_future_complete(node, future)
         return future.result()
 
-    graph.start(server(execute))
+    graph.start(server(give_up))
     graph.start(main)
     graph.run(seconds=2)
-    return answers[0].status, answers[0].result
-
-
-def test_a_goal_that_is_aborted_still_has_a_result(graph):
-    def give_up(handle):
-        handle.abort()
-        return LookupTransform.Result(error=TF2Error(error_string=f"no {handle.request.target_frame}"))
-
-    status, result = result_status(graph, give_up)
-    assert (status, result.error.error_string) == (GoalStatus.STATUS_ABORTED, "no map")
-
-
-def test_a_goal_without_an_end_counts_as_aborted_and_its_exception_is_logged(graph, capsys):
-    def broken(handle):
-        raise RuntimeError("out of order")
-
-    status, result = result_status(graph, broken)
-    assert (status, result) == (GoalStatus.STATUS_ABORTED, LookupTransform.Result())
+    assert [answer.status for answer in answers] == [GoalStatus.STATUS_ABORTED] * 2
+    assert [answer.result.error.error_string for answer in answers] == ["no map", ""]
     printed = capsys.readouterr().err
     assert "[tf_buffer]: Error raised in execute callback: out of order" in printed
     assert "Goal state not set, assuming aborted" in printed
-
-
-def test_an_object_that_is_not_a_goal_is_refused(graph):
-    rclpy.init(args=[])
-    client = ActionClient(Node("client"), LookupTransform, "tf2_buffer_server")
-    with pytest.raises(TypeError):
-        client.send_goal_async(TransformStamped())
-    assert not client.server_is_ready()
-    rclpy.shutdown()

@@ -1,31 +1,15 @@
-"""The lecture's experiments of section 23: a healthy tree, a misspelt frame, two owners."""
+"""Two owners of one frame, as in section 23 of the lecture; tests/tools/test_lecture_commands.py has the rest of it."""
 
 import pytest
 
-from tflab.core import ConnectivityException, seconds
+from tflab.core import seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros import snapshot
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.node import Node
 from tflab.ros.tf2.buffer import Buffer
-from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformBroadcaster, TransformListener
+from tflab.ros.tf2.topics import TransformBroadcaster, TransformListener
 from tflab.ros.time import Time
-
-
-def static_publisher(parent, child, x):
-    """What `static_transform_publisher --x X --frame-id PARENT --child-frame-id CHILD` does."""
-
-    def main():
-        rclpy.init()
-        node = Node(f"static_{parent}_{child}")
-        transform = TransformStamped(child_frame_id=child)
-        transform.header.stamp = node.get_clock().now().to_msg()
-        transform.header.frame_id = parent
-        transform.transform.translation.x = x
-        StaticTransformBroadcaster(node).sendTransform(transform)
-        rclpy.spin(node)
-
-    return main
 
 
 @pytest.fixture
@@ -44,40 +28,6 @@ def listen(graph):
     rclpy.init()
     yield listen_for
     rclpy.shutdown()
-
-
-def test_a_a_healthy_tree_gives_the_sum_of_both(graph, listen):
-    #  map --0--> odom --1--> base_link
-    graph.start(static_publisher("map", "odom", 0.0))
-    graph.start(static_publisher("odom", "base_link", 1.0))
-    found = listen(1.0).lookup_transform("map", "base_link", Time())
-    translation, rotation = found.transform.translation, found.transform.rotation
-    assert (translation.x, translation.y, translation.z) == (1.0, 0.0, 0.0)
-    assert (rotation.x, rotation.y, rotation.z, rotation.w) == (0.0, 0.0, 0.0, 1.0)
-    assert (found.header.stamp.sec, found.header.stamp.nanosec) == (0, 0)  # nothing in it moves
-
-
-def test_b_a_misspelt_parent_makes_two_trees(graph, listen):
-    #  map --> odom      odm --> base_link
-    graph.start(static_publisher("map", "odom", 0.0))
-    graph.start(static_publisher("odm", "base_link", 1.0))
-    buffer = listen(1.0)
-    with pytest.raises(ConnectivityException) as refused:
-        buffer.lookup_transform("map", "base_link", Time())
-    assert str(refused.value) == (
-        "Could not find a connection between 'map' and 'base_link' because they are not part of the same tree."
-        "Tf has two or more unconnected trees."
-    )
-    assert buffer.all_frames_as_string() == (
-        "Frame odom exists with parent map.\nFrame base_link exists with parent odm.\n"
-    )
-
-
-def test_c_of_two_static_publishers_the_last_received_wins(graph, listen):
-    graph.start(static_publisher("odom", "base_link", 1.0))
-    graph.start(static_publisher("odom", "base_link", 2.0))
-    buffer = listen(1.0)
-    assert buffer.lookup_transform("odom", "base_link", Time()).transform.translation.x == 2.0
 
 
 def test_c_samples_of_two_dynamic_publishers_are_interpolated(graph, listen):

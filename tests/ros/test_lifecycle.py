@@ -5,7 +5,7 @@ import pytest
 from tflab.ros import client_library as rclpy
 from tflab.ros.executors import SingleThreadedExecutor
 from tflab.ros.lifecycle import LifecycleNode, SimpleManagedEntity
-from tflab.ros.lifecycle_states import LifecycleState, TransitionCallbackReturn
+from tflab.ros.lifecycle_states import TransitionCallbackReturn
 from tflab.ros.messages.lifecycle_msgs import (
     ChangeState,
     GetAvailableStates,
@@ -70,29 +70,33 @@ class Talker(LifecycleNode):
         return self._answer("on_error", state)
 
 
-def test_a_managed_node_goes_through_its_states_and_back():
-    node = LifecycleNode("talker")
-    ways = ("configure", "activate", "deactivate", "cleanup", "configure", "shutdown")
-    seen = []
-    for way in ways:
+def test_a_managed_node_goes_through_its_states_and_back_and_announces_each_step():
+    node, listener, heard, seen = LifecycleNode("talker"), Node("listener"), [], []
+    listener.create_subscription(
+        TransitionEvent,
+        "/talker/transition_event",
+        lambda event: heard.append((event.start_state.label, event.goal_state.label)),
+        20,
+    )
+    for way in ("configure", "activate", "deactivate", "cleanup", "configure", "shutdown"):
         assert getattr(node, f"trigger_{way}")() is SUCCESS
         seen.append(state_of(node))
     assert seen == ["inactive", "active", "inactive", "unconfigured", "inactive", "finalized"]
     assert node.trigger_shutdown() is None
+    for _ in range(2):
+        rclpy.spin_once(listener, timeout_sec=0)
+    assert heard == [("unconfigured", "configuring"), ("configuring", "inactive")]
 
 
-def test_a_callback_receives_the_previous_state():
-    node = Talker()
-    node.trigger_configure()
-    node.trigger_activate()
-    assert node.asked == [("on_configure", "unconfigured"), ("on_activate", "inactive")]
-    assert LifecycleState("inactive", 2).state_id == 2
-
-
-def test_a_failure_leads_back_and_an_error_asks_where_to():
+def test_a_callback_receives_the_previous_state_and_a_failure_leads_back_to_it(capsys):
     node = Talker(on_activate=FAILURE)
+    assert (node.trigger_activate(), state_of(node)) == (ERROR, "unconfigured")  # not from there
+    logged = capsys.readouterr().err
+    assert "[rcl_lifecycle]: No transition matching 3 found for current state unconfigured" in logged
+    assert "[talker]: Unable to start transition 3 from current state (1, 'unconfigured')" in logged
     node.trigger_configure()
     assert (node.trigger_activate(), state_of(node)) == (FAILURE, "inactive")
+    assert node.asked == [("on_configure", "unconfigured"), ("on_activate", "inactive")]
     for recovery, state in ((SUCCESS, "unconfigured"), (FAILURE, "finalized"), (ERROR, "finalized")):
         node = Talker(on_configure=ERROR, on_error=recovery)
         assert (node.trigger_configure(), state_of(node)) == (ERROR, state)
@@ -113,14 +117,6 @@ def test_an_exception_or_missing_return_value_of_a_callback_is_logged_as_error(c
     assert text in logged
 
 
-def test_an_invalid_transition_is_refused_and_changes_nothing(capsys):
-    node = LifecycleNode("talker")
-    assert (node.trigger_activate(), state_of(node)) == (ERROR, "unconfigured")
-    logged = capsys.readouterr().err
-    assert "[rcl_lifecycle]: No transition matching 3 found for current state unconfigured" in logged
-    assert "[talker]: Unable to start transition 3 from current state (1, 'unconfigured')" in logged
-
-
 def test_its_services_change_the_state():
     node = LifecycleNode("talker")
     by_id = ChangeState.Request(transition=Transition(id=Transition.TRANSITION_CONFIGURE))
@@ -131,6 +127,11 @@ def test_its_services_change_the_state():
     assert (state.id, state.label) == (3, "active")
     for impossible in (Transition(id=1), Transition(label="configure")):
         assert not ask(node, ChangeState, "change_state", ChangeState.Request(transition=impossible)).success
+    alone = LifecycleNode("alone", enable_communication_interface=False)
+    assert not [service for service in alone.services if service.srv_name.endswith("_state")]
+    assert alone.trigger_configure() is SUCCESS
+    with pytest.raises(TypeError, match="must be a bool, not 'no'"):
+        LifecycleNode("other", enable_communication_interface="no")
 
 
 def test_its_services_list_states_and_transitions():
@@ -149,29 +150,6 @@ def test_its_services_list_states_and_transitions():
     assert [way.transition.id for way in graph] == [
         1, 10, 11, 12, 2, 20, 21, 22, 3, 30, 31, 32, 4, 40, 41, 42, 5, 6, 7, 50, 51, 52, 60, 61, 62,
     ]  # fmt: skip
-
-
-def test_each_step_is_announced():
-    node, listener = LifecycleNode("talker"), Node("listener")
-    heard = []
-    listener.create_subscription(
-        TransitionEvent,
-        "/talker/transition_event",
-        lambda event: heard.append((event.start_state.label, event.goal_state.label)),
-        10,
-    )
-    node.trigger_configure()
-    for _ in range(2):
-        rclpy.spin_once(listener, timeout_sec=0)
-    assert heard == [("unconfigured", "configuring"), ("configuring", "inactive")]
-
-
-def test_without_its_services_it_moves_only_itself():
-    node = LifecycleNode("talker", enable_communication_interface=False)
-    assert not [service for service in node.services if service.srv_name.endswith("_state")]
-    assert node.trigger_configure() is SUCCESS
-    with pytest.raises(TypeError, match="must be a bool, not 'no'"):
-        LifecycleNode("other", enable_communication_interface="no")
 
 
 def test_a_lifecycle_publisher_is_silent_unless_its_node_is_active():

@@ -51,16 +51,13 @@ def test_names_are_completed_as_the_node_means_them(node):
 
 
 def test_nodes_and_topics_are_remapped_from_the_command_line(graph):
+    with pytest.raises(RuntimeError, match="unknown ROS argument: '--remapp'"):
+        rclpy.init(args=["x", "--ros-args", "--remapp", "a:=b"])
     rclpy.init(args=["x", "--ros-args", "-r", "__node:=lidar", "-r", "__ns:=/left", "-r", "scan:=cloud"])
     node = Node("sensor")
     assert node.get_fully_qualified_name() == "/left/lidar"
     assert node.create_publisher(String, "scan", 1).topic_name == "/left/cloud"
     rclpy.shutdown()
-
-
-def test_a_command_line_that_is_not_understood_is_refused(graph):
-    with pytest.raises(RuntimeError, match="unknown ROS argument: '--remapp'"):
-        rclpy.init(args=["x", "--ros-args", "--remapp", "a:=b"])
 
 
 @pytest.mark.parametrize(
@@ -107,8 +104,6 @@ def test_an_invalid_name_is_refused_with_a_caret_under_the_character(node, make,
     [
         (lambda node: node.create_publisher(String, "t", -1), ValueError),
         (lambda node: node.create_publisher(String, "t", "10"), TypeError),
-        (lambda node: node.create_publisher(String, "t", None), TypeError),
-        (lambda node: node.create_subscription(String, "t", print, -1), ValueError),
         (lambda node: node.create_subscription(String, "t", print, "10"), TypeError),
         (lambda node: node.create_publisher(String, "", 1), InvalidTopicNameException),
         (lambda node: node.create_publisher(String(), "t", 1), NoTypeSupportImportedException),
@@ -123,16 +118,12 @@ def test_bad_arguments_are_refused(node, make, error):
         make(node)
 
 
-def test_a_message_of_another_type_is_refused(node):
-    publisher = node.create_publisher(String, "t", 1)
+def test_a_message_of_another_type_or_with_an_invalid_field_is_refused_by_publish(node):
     with pytest.raises(TypeError, match=r"^Expected <class 'std_msgs\.msg\._string\.String'>, got <class 'geometry_"):
-        publisher.publish(PointStamped())
-
-
-def test_a_message_with_an_invalid_field_is_refused_by_publish(node):
-    publisher = node.create_publisher(TFMessage, "/tf", 10)
+        node.create_publisher(String, "t", 1).publish(PointStamped())
     with pytest.raises(AssertionError, match="each value of type 'TransformStamped'"):
-        publisher.publish(TFMessage(transforms=[PointStamped()], check_fields=False))
+        invalid = TFMessage(transforms=[PointStamped()], check_fields=False)
+        node.create_publisher(TFMessage, "/tf", 10).publish(invalid)
 
 
 def test_topics_of_different_types_are_not_connected(node):
@@ -181,26 +172,23 @@ def test_destroying_twice_returns_false(node):
 # -- logs ------------------------------------------------------------------------------
 
 
-def test_a_log_line_has_the_format_of_ros_2(node, capsys):
-    node.get_logger().warning("low battery")
-    node.get_logger().get_child("driver").error("gone")
-    assert capsys.readouterr().err == (
-        "[WARN] [1.000000000] [robot.camera]: low battery\n[ERROR] [1.000000000] [robot.camera.driver]: gone\n"
-    )
-
-
-def test_debug_is_silent_until_the_level_is_set(node, capsys):
+def test_a_log_line_has_the_format_of_ros_2_and_debug_is_silent_until_the_level_is_set(node, capsys, monkeypatch):
     logger = node.get_logger()
+    logger.warning("low battery")
+    logger.get_child("driver").error("gone")
     assert not logger.debug("quiet")
     logger.set_level(LoggingSeverity.DEBUG)
     assert logger.debug("loud")
     logger.set_level(LoggingSeverity.UNSET)
-    assert capsys.readouterr().err == "[DEBUG] [1.000000000] [robot.camera]: loud\n"
-
-
-def test_a_message_that_is_no_text_is_refused(node):
+    assert capsys.readouterr().err == (
+        "[WARN] [1.000000000] [robot.camera]: low battery\n[ERROR] [1.000000000] [robot.camera.driver]: gone\n"
+        "[DEBUG] [1.000000000] [robot.camera]: loud\n"
+    )
+    monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
+    logger.info("here")
+    assert capsys.readouterr().out == "[INFO] [1.000000000] [robot.camera]: here\n"
     with pytest.raises(TypeError, match="a log message is a str, not ZeroDivisionError"):
-        node.get_logger().error(ZeroDivisionError("x"))
+        logger.error(ZeroDivisionError("x"))
 
 
 def test_logs_go_to_rosout_also_for_late_subscribers(node, capsys):
@@ -211,9 +199,3 @@ def test_logs_go_to_rosout_also_for_late_subscribers(node, capsys):
     rclpy.spin_once(late, timeout_sec=0.1)
     assert [(log.name, log.msg, log.level, log.stamp.sec) for log in heard] == [("robot.camera", "early", 20, 1)]
     capsys.readouterr()
-
-
-def test_logs_go_to_standard_output_if_the_environment_variable_is_set(node, capsys, monkeypatch):
-    monkeypatch.setenv("RCUTILS_LOGGING_USE_STDOUT", "1")
-    node.get_logger().info("here")
-    assert capsys.readouterr().out == "[INFO] [1.000000000] [robot.camera]: here\n"

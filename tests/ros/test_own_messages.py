@@ -9,7 +9,6 @@ import pytest
 from tflab.ros import client_library as rclpy
 from tflab.ros import messages
 from tflab.ros.messages import packages
-from tflab.ros.messages.definition import parse_definition
 from tflab.ros.messages.text import type_hash
 from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
@@ -46,6 +45,8 @@ def test_a_defined_package_is_imported_like_a_built_package():
     messages.define("my_msgs", PACKAGE)
     detection = importlib.import_module("my_msgs.msg").Detection()
     assert (detection.label, detection.score, detection.UNKNOWN, detection.MODEL) == ("no # name", 0.5, 255, "small")
+    detection.counts[0] = 9
+    detection = type(detection)()  # defaults are each message's own
     assert (detection.counts.tolist(), detection.is_sure, detection.boxes) == ([1, 2, 3], True, [])
     box = importlib.import_module("my_msgs.msg").Box(width=2.0)
     assert repr(box) == "my_msgs.msg.Box(corner=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), width=2.0)"
@@ -54,20 +55,10 @@ def test_a_defined_package_is_imported_like_a_built_package():
     assert messages.type_named("my_msgs/msg/Box") is type(box)
 
 
-def test_defaults_are_each_messages_own():
-    cls = messages.define("my_msgs", PACKAGE).msg.Detection
-    first = cls()
-    first.counts[0] = 9
-    assert cls().counts.tolist() == [1, 2, 3]
-
-
-def test_the_same_cell_again_gives_the_same_classes_and_another_text_new_ones():
+def test_the_same_cell_again_gives_the_same_classes_and_another_text_or_folder_new_ones(tmp_path):
     first = messages.define("my_msgs", PACKAGE)
     assert messages.define("my_msgs", dict(PACKAGE)).msg.Box is first.msg.Box
     assert messages.define("my_msgs", {"Box.msg": "float64 width"}).msg.Box is not first.msg.Box
-
-
-def test_a_folder_is_taken_as_a_package_has_it(tmp_path):
     for name, text in PACKAGE.items():
         folder = tmp_path / name.rpartition(".")[2]
         folder.mkdir(exist_ok=True)
@@ -93,16 +84,8 @@ def test_an_invalid_definition_raises_with_its_fault(package, definitions, text)
     with pytest.raises(ValueError, match=text.replace(".", r"\.")):
         messages.define(package, definitions)
     assert package not in packages._defined
-
-
-def test_an_unknown_type_is_named():
     with pytest.raises(KeyError, match="nope_msgs/msg/Nope"):
         messages.define("my_msgs", {"A.msg": "nope_msgs/Nope x"})
-
-
-def test_a_comment_ends_a_line_but_not_inside_quotes():
-    fields, _ = parse_definition("string a 'it # stays'  # and this goes", "p")
-    assert fields[0].default == "it # stays"
 
 
 class Foreign:

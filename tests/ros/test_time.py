@@ -1,5 +1,7 @@
 """rclpy's Time, Duration and Clock: conversion, arithmetic and errors."""
 
+import operator
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -17,13 +19,10 @@ LARGEST = 2**63 - 1
 def test_a_time_is_whole_nanoseconds_of_one_clock():
     time = Time(seconds=1, nanoseconds=5)
     assert time.nanoseconds == 1_000_000_005
+    assert Time(seconds=1.001).nanoseconds == 1_000_999_999  # truncated, as in rclpy
     assert time.clock_type == ClockType.SYSTEM_TIME
     assert time.seconds_nanoseconds() == (1, 5)
     assert repr(Time(nanoseconds=5, clock_type=ClockType.ROS_TIME)) == "Time(nanoseconds=5, clock_type=ROS_TIME)"
-
-
-def test_a_float_of_seconds_is_truncated_as_in_rclpy():
-    assert Time(seconds=1.001).nanoseconds == 1_000_999_999
 
 
 @pytest.mark.parametrize(
@@ -54,23 +53,10 @@ def test_a_time_survives_conversion_to_a_message(nanoseconds):
     assert Time.from_msg(Time(nanoseconds=nanoseconds).to_msg()).nanoseconds == nanoseconds
 
 
-@pytest.mark.parametrize(
-    "compare",
-    [
-        lambda a, b: a == b,
-        lambda a, b: a != b,
-        lambda a, b: a < b,
-        lambda a, b: a <= b,
-        lambda a, b: a > b,
-        lambda a, b: a >= b,
-    ],
-)
-def test_times_of_different_clocks_cannot_even_be_compared_for_equality(compare):
+@pytest.mark.parametrize("compare", [operator.eq, operator.ne, operator.lt, operator.le, operator.gt, operator.ge])
+def test_times_of_different_clocks_can_be_neither_compared_nor_subtracted(compare):
     with pytest.raises(TypeError, match="Can't compare times with different clock types"):
         compare(Time(), Time(clock_type=ClockType.ROS_TIME))
-
-
-def test_times_of_different_clocks_cannot_be_subtracted():
     with pytest.raises(TypeError, match="Can't subtract times with different clock types"):
         Time(clock_type=ClockType.ROS_TIME) - Time()
 
@@ -101,6 +87,11 @@ def test_arithmetic_of_times_and_durations():
         (lambda: Time() + Time(), TypeError, None),
         (lambda: Duration() - Time(), TypeError, None),
         (lambda: Time() + 1, TypeError, None),
+        (lambda: Duration(nanoseconds=2**63), OverflowError, None),
+        (lambda: Duration(nanoseconds=-(2**63) - 1), OverflowError, None),
+        (lambda: JumpThreshold(min_forward=Duration(), min_backward=None), ValueError, "min_forward"),
+        (lambda: JumpThreshold(min_forward=None, min_backward=Duration(seconds=1)), ValueError, "min_backward"),
+        (lambda: JumpThreshold(min_forward=None, min_backward=Duration()), ValueError, "min_backward"),
     ],
 )
 def test_invalid_arithmetic_is_refused(attempt, error, text):
@@ -116,9 +107,6 @@ def test_a_duration_may_be_negative_and_has_a_repr():
     assert repr(Duration(nanoseconds=5)) == "Duration(nanoseconds=5)"
     assert str(Duration(nanoseconds=5)) == "5 nanoseconds"
     assert (str(Infinite), Infinite.nanoseconds) == ("Infinite", LARGEST)
-
-
-def test_a_negative_duration_as_a_message_has_positive_nanoseconds():
     message = Duration(seconds=-0.5).to_msg()
     assert (message.sec, message.nanosec) == (-1, 500_000_000)
     assert Duration.from_msg(message) == Duration(seconds=-0.5)
@@ -135,12 +123,6 @@ def test_arithmetic_and_order_of_durations():
     assert one * float("inf") == Infinite
     with pytest.raises(ValueError):
         one * float("nan")
-
-
-@pytest.mark.parametrize("nanoseconds", [2**63, -(2**63) - 1])
-def test_a_duration_beyond_64_bits_overflows(nanoseconds):
-    with pytest.raises(OverflowError):
-        Duration(nanoseconds=nanoseconds)
 
 
 # Clocks ---------------------------------------------------------------------------
@@ -160,33 +142,16 @@ def at(seconds):
 
 
 def test_a_ros_clock_stays_at_zero_until_its_override_is_set():
-    clock = ROSClock()
+    clock, inactive = ROSClock(), ROSClock()
     clock._set_ros_time_is_active(True)
     assert clock.ros_time_is_active
     assert clock.now() == at(0)
     clock.set_ros_time_override(at(12))
     assert clock.now() == at(12)
-
-
-def test_an_override_of_an_inactive_clock_is_only_remembered():
-    clock = ROSClock()
-    clock.set_ros_time_override(at(12))
-    assert clock.now() != at(12)
-    clock._set_ros_time_is_active(True)
-    assert clock.now() == at(12)
-
-
-@pytest.mark.parametrize(
-    ("options", "text"),
-    [
-        ({"min_forward": Duration(), "min_backward": None}, "min_forward"),
-        ({"min_forward": None, "min_backward": Duration(seconds=1)}, "min_backward"),
-        ({"min_forward": None, "min_backward": Duration()}, "min_backward"),
-    ],
-)
-def test_a_threshold_forward_is_positive_and_backward_negative(options, text):
-    with pytest.raises(ValueError, match=text):
-        JumpThreshold(**options)
+    inactive.set_ros_time_override(at(12))
+    assert inactive.now() != at(12)  # it is only remembered
+    inactive._set_ros_time_is_active(True)
+    assert inactive.now() == at(12)
 
 
 def jumps_heard(threshold, *times, start=100):

@@ -45,13 +45,7 @@ def test_the_history_has_a_lane_for_each_edge_and_the_answer():
         "map -> odom", "odom -> base_link", "base_link -> laser_frame",
     ]  # fmt: skip
     assert "translation (2.700, 0.000, 0.000) m" in picture.text  # halfway between 2 and 3 m, and 0.2 m ahead
-
-
-def test_a_refusal_is_part_of_the_picture():
     assert "ExtrapolationException" in draw_history(filled(BufferCore()), "map", "base_link", seconds(9)).text
-
-
-def test_an_unknown_frame_is_refused():
     with pytest.raises(LookupException, match='"nope"'):
         draw_history(filled(BufferCore()), "map", "nope")
 

@@ -5,8 +5,7 @@ from IPython.core.completer import provisionalcompleter
 from IPython.core.interactiveshell import InteractiveShell
 from tools_robot import fixed, moving
 
-from tflab.ros.logging import RcutilsLogger
-from tflab.tools import magic, ros2
+from tflab.tools import magic
 from tflab.tools.magic import Known, complete, known_in
 from tflab.tools.page import LineError, run_words, split_line, words_of_line
 
@@ -27,6 +26,11 @@ KNOWN = Known(
         ("ros2 topic list", None, ["topic", "list"]),
         ("topic list   # all of them", None, ["topic", "list"]),
         ("param set /node name 'two words'", None, ["param", "set", "/node", "name", "two words"]),
+        (
+            "topic pub /c std_msgs/msg/String 'data: a&'",
+            None,
+            ["topic", "pub", "/c", "std_msgs/msg/String", "data: a&"],
+        ),
         ("rviz2", None, ["run", "rviz2", "rviz2"]),
         ("", None, []),
     ],
@@ -35,15 +39,20 @@ def test_a_line_is_a_time_and_words(line, seconds, words):
     assert split_line(line) == (seconds, words)
 
 
-@pytest.mark.parametrize("line", ["--for", "--for x topic hz /tf", "--for -1 topic hz /tf", "--for inf topic list"])
-def test_a_time_that_is_none_is_explained(line):
-    with pytest.raises(LineError, match="--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"):
+@pytest.mark.parametrize(
+    ("line", "text"),
+    [
+        ("--for", "--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"),
+        ("--for x topic hz /tf", "--for needs a time in seconds"),
+        ("--for -1 topic hz /tf", "--for needs a time in seconds"),
+        ("--for inf topic list", "--for needs a time in seconds"),
+        ("param set /node name 'two words", "No closing quotation"),
+        ("topic hz /tf --for 3", "--for stands first, before the tool"),
+    ],
+)
+def test_a_line_that_cannot_be_read_is_explained(line, text):
+    with pytest.raises(LineError, match=text):
         split_line(line)
-
-
-def test_a_forgotten_quote_is_explained():
-    with pytest.raises(LineError, match="No closing quotation"):
-        split_line("param set /node name 'two words")
 
 
 def test_time_passes_only_while_the_tool_runs(graph):
@@ -53,14 +62,6 @@ def test_time_passes_only_while_the_tool_runs(graph):
     run_words(graph, ["topic", "hz", "/tf"], seconds=2.0)
     assert graph.now_ns == 3_000_000_000
     assert [each.name for each in graph.participants if each.is_running] == ["main"]
-
-
-def test_a_publisher_told_for_how_long_is_gone_afterwards(terminal):
-    line = "run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom"
-    terminal.type(line)
-    assert len(terminal.graph.nodes) == 1
-    terminal.type(f"--for 1 {line} --x 1")
-    assert len(terminal.graph.nodes) == 1
 
 
 def test_a_tool_follows_its_own_ros_arguments(terminal):
@@ -88,38 +89,33 @@ def test_wrong_words_are_answered_as_ros2_answers(terminal, line, code, text):
     assert terminal.exit_code == code
 
 
-@pytest.mark.parametrize("line", ["", "-h", "topic", "topic -h", "topic echo --help", "run -h"])
-def test_help_is_no_error(terminal, line):
-    assert terminal.type(line).startswith("usage: ros2")
-    assert terminal.exit_code == 0
+def test_help_is_no_error(terminal):
+    for line in ("", "-h", "topic", "topic -h", "topic echo --help", "run -h"):
+        assert terminal.type(line).startswith("usage: ros2")
+        assert terminal.exit_code == 0
 
 
 # -- completion -----------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("words", "begun", "found"),
-    [
-        ([], "to", ["topic"]),
-        ([], "r", ["run"]),
-        (["topic"], "h", ["hz"]),
-        (["topic", "echo"], "", ["/tf", "/tf_static"]),
-        (["topic", "echo", "--once"], "/tf_", ["/tf_static"]),
-        (["topic", "echo", "/tf"], "", []),
-        (["node", "info"], "/e", ["/ekf"]),
-        (["param", "get"], "", ["/ekf", "/point_to_map"]),
-        (["param", "get", "/ekf"], "", ["use_sim_time"]),
-        (["run"], "tf2", ["tf2_ros", "tf2_tools"]),
-        (["run", "tf2_ros"], "tf2_", ["tf2_echo", "tf2_monitor"]),
-        (["run", "tf2_ros", "tf2_echo"], "o", ["odom"]),
-        (["run", "tf2_ros", "tf2_echo", "map"], "ba", ["base_link"]),
-        (["run", "tf2_ros", "tf2_echo", "map", "odom"], "", []),
-        (["run", "tf2_ros", "static_transform_publisher", "--x", "1", "--frame-id"], "m", ["map"]),
-        (["nope"], "", []),
-    ],
-)
-def test_what_can_stand_there(words, begun, found):
-    assert complete(words, begun, KNOWN) == found
+def test_what_can_stand_there():
+    for line, begun, found in (
+        ("", "to", ["topic"]),
+        ("topic", "h", ["hz"]),
+        ("topic echo", "", ["/tf", "/tf_static"]),
+        ("topic echo --once", "/tf_", ["/tf_static"]),
+        ("topic echo /tf", "", []),
+        ("node info", "/e", ["/ekf"]),
+        ("param get", "", ["/ekf", "/point_to_map"]),
+        ("param get /ekf", "", ["use_sim_time"]),
+        ("run", "tf2", ["tf2_ros", "tf2_tools"]),
+        ("run tf2_ros", "tf2_", ["tf2_echo", "tf2_monitor"]),
+        ("run tf2_ros tf2_echo map", "ba", ["base_link"]),
+        ("run tf2_ros tf2_echo map odom", "", []),
+        ("run tf2_ros static_transform_publisher --x 1 --frame-id", "m", ["map"]),
+        ("nope", "", []),
+    ):
+        assert complete(line.split(), begun, KNOWN) == found, line
 
 
 def test_what_a_graph_has_to_be_named(graph):
@@ -140,24 +136,11 @@ def shell(graph):
     return made
 
 
-def test_the_magic_runs_on_the_current_graph(shell, graph, capsys):
-    graph.start(moving())
-    shell.run_line_magic("ros2", "topic info /tf")
-    assert capsys.readouterr().out == ("Type: tf2_msgs/msg/TFMessage\nPublisher count: 1\nSubscription count: 0\n")
-
-
 def test_a_second_cell_sees_the_nodes_that_the_first_one_started(shell, graph, capsys):
     shell.user_ns |= {"graph": graph, "main": moving()}
     shell.run_cell("graph.start(main); graph.run(seconds=1)")
-    shell.run_cell("%ros2 --for 1.5 run tf2_ros tf2_echo odom base_link")
+    shell.run_cell("%ros2 --for 1.5 run tf2_ros tf2_echo \\\n  odom \\\n  base_link")
     assert "At time 2.950000000\n- Translation: [1.950, 0.000, 0.000]\n" in capsys.readouterr().out
-
-
-def test_a_command_may_go_over_several_lines(shell, graph, capsys):
-    shell.run_cell(
-        "%ros2 run tf2_ros static_transform_publisher \\\n  --x 1 --frame-id map \\\n  --child-frame-id odom"
-    )
-    assert "from 'map' to 'odom'" in "".join(capsys.readouterr())
 
 
 def test_the_magic_explains_a_bad_line_and_does_not_raise(shell, capsys):
@@ -178,30 +161,6 @@ def test_the_notebook_completes_topics_and_frames(shell, graph):
     ]:
         with provisionalcompleter():
             assert word in [each.text for each in shell.Completer.completions(line, len(line))]
-
-
-def test_every_program_and_every_command_is_there():
-    for package in ros2.EXECUTABLES.values():
-        for executable in package.values():
-            assert callable(__import__(executable.module, fromlist=["main"]).main)
-    for command in set(ros2.COMMANDS) - {"run"}:
-        assert ros2.verbs_of(command)
-
-
-def test_the_logger_in_a_page_writes_to_standard_output(graph, capsys):
-    from tflab.ros.logging import write_to_stdout
-
-    write_to_stdout(True)
-    try:
-        RcutilsLogger("x").info("hello")
-    finally:
-        write_to_stdout(False)
-    assert capsys.readouterr().out == "[INFO] [1.000000000] [x]: hello\n"
-
-
-def test_a_time_behind_the_tool_is_put_right():
-    with pytest.raises(LineError, match="--for stands first, before the tool"):
-        split_line("topic hz /tf --for 3")
 
 
 def test_the_stop_button_between_two_steps_stops_everything(graph, monkeypatch):
@@ -243,10 +202,6 @@ def test_an_ampersand_with_a_time_ends_after_it(terminal):
     assert tool.is_running
     terminal.graph.run(seconds=0.2)
     assert not tool.is_running
-
-
-def test_an_ampersand_inside_quotes_is_a_letter():
-    assert split_line("topic pub /chatter std_msgs/msg/String 'data: a&'")[1][-1] == "data: a&"
 
 
 def test_the_first_cell_of_a_page_begins_a_new_world_whenever_it_runs(capsys, undone):

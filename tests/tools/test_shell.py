@@ -74,31 +74,35 @@ def test_ctrl_c_ends_everything(talker):
     assert process.returncode == 0
 
 
-def test_a_tool_alone_ends_with_its_exit_code():
-    process = tflab("ros2", "topic", "info", "/nope")
-    out, error = process.communicate(timeout=30)
-    assert (out, error, process.returncode) == ("", "Unknown topic '/nope'\n", 1)
-
-
 @pytest.mark.parametrize(
     ("words", "text"),
     [
-        (["run", "nope.py"], "tflab run: no such node file: nope.py\n"),
+        (["run", "nope.py"], "tflab run: no such node file: nope.py"),
         (["run", "x.py", "--with", "rm -r"],
-         'tflab run: --with takes a line that begins with ros2, such as "ros2 topic hz /tf", not \'rm -r\'\n'),
-        (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`\n"),
+         'tflab run: --with takes a line that begins with ros2, such as "ros2 topic hz /tf", not \'rm -r\''),
+        (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`"),
         (["rnu"], 'tflab: unknown command "rnu". Did you mean "run"?'),
+        (["run", "x.py", "--for", "x"], "argument --for: it needs a time in seconds"),
+        (["run", "x.py", "--for", "0"], "argument --for: it needs a time in seconds"),
+        (["run", "x.py", "--for", "inf"], "argument --for: it needs a time in seconds"),
+        (["ros2", "--bag", "/nope", "topic", "list"], "tflab ros2: /nope: there is no such file or directory"),
+        (["ros2", "topic", "hz", "/tf", "--for", "2"],
+         "tflab ros2: --for stands first: tflab ros2 --for 3 topic hz /tf"),
+        (["run", "x.py", "--with", "ros2", "topic", "hz", "/tf"],
+         "tflab run: error: unrecognized arguments: topic hz /tf; "
+         'the line of a tool stands in quotes: --with "ros2 topic hz /tf"'),
     ],
 )  # fmt: skip
 def test_what_cannot_be_run_is_explained(words, text, capsys):
     assert main(words) == 2
-    assert capsys.readouterr().err.startswith(text)
+    assert text in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("seconds", ["x", "0", "-1", "inf"])
-def test_a_time_must_be_one(seconds, capsys):
-    assert main(["run", "x.py", "--for", seconds]) == 2
-    assert "argument --for: it needs a time in seconds" in capsys.readouterr().err
+def test_a_wrong_tool_is_refused_before_anything_starts(talker, capsys):
+    assert main(["run", talker, "--with", "ros2 topic hz"]) == 2
+    assert capsys.readouterr().err.endswith("ros2 topic hz: error: the following arguments are required: topic_name\n")
+    assert main(["ros2", "topic", "info", "/nope"]) == 1
+    assert capsys.readouterr() == ("", "Unknown topic '/nope'\n")
 
 
 @pytest.fixture
@@ -119,32 +123,13 @@ def test_a_tool_sees_what_a_bag_plays(bag, capsys):
     ]
     assert err.splitlines()[-1].startswith("tflab ros2: the recording is over, after 5.0 s")
     assert err.splitlines()[-1].endswith("on a robot this tool runs until Ctrl-C")
-
-
-def test_who_stops_a_tool_before_the_recording_is_over_is_told_how_much_there_was(bag, capsys):
-    main(["ros2", "--bag", bag, "--for", "2", "topic", "hz", "/tf"])
-    assert re.fullmatch(r"tflab ros2: stopped after 2 s; the recording is [45]\.\d s long\n", capsys.readouterr().err)
-
-
-def test_tools_follow_the_clock_of_the_bag(bag, capsys):
-    main(["ros2", "--bag", bag, *["run", "tf2_ros", "tf2_monitor", "odom", "base_link"]])
+    main(["ros2", "--bag", bag, "run", "tf2_ros", "tf2_monitor", "odom", "base_link"])  # which follows its clock
     out = capsys.readouterr().out
     assert "Frame: base_link, published by <no authority available>, Average Delay: 0" in out
-
-
-def test_a_bag_has_its_topics_from_the_beginning(bag, capsys):
-    assert main(["ros2", "--bag", bag, "topic", "info", "/tf_static"]) == 0
+    assert main(["ros2", "--bag", bag, "topic", "info", "/tf_static"]) == 0  # it has its topics from the beginning
     assert capsys.readouterr().out.startswith("Type: tf2_msgs/msg/TFMessage\nPublisher count: 1\n")
-
-
-def test_what_is_no_bag_is_explained(capsys):
-    assert main(["ros2", "--bag", "/nope", "topic", "list"]) == 2
-    assert capsys.readouterr().err == "tflab ros2: /nope: there is no such file or directory\n"
-
-
-def test_a_wrong_tool_is_refused_before_anything_starts(talker, capsys):
-    assert main(["run", talker, "--with", "ros2 topic hz"]) == 2
-    assert capsys.readouterr().err.endswith("ros2 topic hz: error: the following arguments are required: topic_name\n")
+    main(["ros2", "--bag", bag, "--for", "2", "topic", "hz", "/tf"])
+    assert re.fullmatch(r"tflab ros2: stopped after 2 s; the recording is [45]\.\d s long\n", capsys.readouterr().err)
 
 
 def test_version_and_help(capsys):
@@ -152,11 +137,6 @@ def test_version_and_help(capsys):
     assert capsys.readouterr().out == f"tflab {__version__}\n"
     assert main([]) == 0
     assert "run node files in real time" in capsys.readouterr().out
-
-
-def test_a_close_name_is_suggested(capsys):
-    main(["rum"])
-    assert capsys.readouterr().err.endswith('Did you mean "run"?\n')
 
 
 def test_help_imports_no_package_of_tflab():
@@ -182,7 +162,7 @@ def test_a_reader_that_has_gone_ends_a_tool_on_a_bag(bag):
     assert (process.stderr.read(), process.wait(timeout=30)) == ("", 141)
 
 
-@pytest.mark.parametrize("moment_s", [0.1, 0.2, 0.3])
+@pytest.mark.parametrize("moment_s", [0.1, 0.3])
 def test_ctrl_c_while_it_is_still_loading_says_nothing(moment_s):
     code = "import sys; from tflab.cli import main; print(flush=True); sys.exit(main())"
     process = subprocess.Popen(
@@ -219,11 +199,6 @@ def test_what_is_wrong_in_a_file_is_shown_without_our_own_lines(tmp_path, source
     assert error.rstrip().endswith(last_line)
     assert "run.py" not in error
     assert (out, process.returncode) == ("", 1)
-
-
-def test_an_option_of_ours_behind_the_tool_is_put_right(capsys):
-    assert main(["ros2", "topic", "hz", "/tf", "--for", "2"]) == 2
-    assert capsys.readouterr().err == "tflab ros2: --for stands first: tflab ros2 --for 3 topic hz /tf\n"
 
 
 def test_a_full_disk_is_one_line_and_a_failure(bag):
@@ -277,14 +252,6 @@ def test_wrong_options_of_a_bag_are_explained(words, reason, capsys):
     with pytest.raises(SystemExit):
         plan(["bag", *words])
     assert capsys.readouterr().err.splitlines()[-1] == f"ros2 bag {words[0]}: error: argument {reason}"
-
-
-def test_a_tool_without_its_quotes_is_put_right(capsys):
-    assert main(["run", "x.py", "--with", "ros2", "topic", "hz", "/tf"]) == 2
-    assert capsys.readouterr().err.splitlines()[-1] == (
-        "tflab run: error: unrecognized arguments: topic hz /tf; "
-        'the line of a tool stands in quotes: --with "ros2 topic hz /tf"'
-    )
 
 
 def test_a_terminal_that_lacks_a_letter_shows_its_number(tmp_path):

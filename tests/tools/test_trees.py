@@ -60,7 +60,7 @@ def test_who_publishes_another_parent_is_not_made_an_owner_of_this_edge(graph):
     )
 
 
-@pytest.mark.parametrize("seconds", [-1, "x", float("inf"), float("nan")])
+@pytest.mark.parametrize("seconds", [-1, "x", float("nan")])
 @pytest.mark.parametrize("view", [frame_tree, look])
 def test_a_time_to_look_must_be_one(graph, view, seconds):
     with pytest.raises(ValueError, match="how long to look is a time in seconds, 0 or more"):

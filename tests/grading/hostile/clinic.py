@@ -28,7 +28,7 @@ PLACES = "[Path.home(), Path('/tmp'), Path('/work'), Path('/home'), Path('/root'
 
 def triage(name: str, body: str, before: str = "") -> Recipe:
     """Return an attack on the program that makes the rounds."""
-    return function(name, "clinic", f"{TOOLS}{before}\ndef F(patient):\n{body}")
+    return function(name, f"{TOOLS}{before}\ndef F(patient):\n{body}")
 
 
 def if_found(name: str, found: str) -> Recipe:
@@ -42,9 +42,7 @@ def if_found(name: str, found: str) -> Recipe:
 
 def three(name: str, words: str, before: str = "") -> Recipe:
     """Return an attack on the three patients: an expression for each part, of `who` and `what`."""
-    return value(
-        name, "clinic", f"{TOOLS}{before}\nV = {{f'{{who}} {{what}}': {words} for who in 'abc' for what in {PARTS!r}}}"
-    )
+    return value(name, f"{TOOLS}{before}\nV = {{f'{{who}} {{what}}': {words} for who in 'abc' for what in {PARTS!r}}}")
 
 
 CLINIC = [
@@ -101,8 +99,8 @@ CLINIC = [
     three("words that equal every word", "Any('laser clock ahead')", EQUAL),
     three("visits instead of answers", "Visit(getattr(e12_4, who))", "from tflab.clinic.visit import Visit"),
     three("a visit's diagnosis, said without asking", "said(getattr(e12_4, who)).get(what, [])", "from tflab.clinic.visit import Visit\ndef said(patient):\n    visit = Visit(patient)\n    visit._doubt = lambda cause: ''\n    visit.say('laser clock ahead')\n    return visit.diagnosis"),
-    value("a check that always agrees", "clinic", "import tflab.workbook as w, tflab.workbook.checks as c\nw.check = c.check = check = lambda *a, **k: print('right')\nV = {}"),
-    value("tasks of one's own", "clinic", "import os\nfrom pathlib import Path\nos.environ['TFLAB_WORKBOOK'] = '/tmp/own'\ntasks = Path('/tmp/own/solutions/tasks/12_owners_and_diagnosis')\ntasks.mkdir(parents=True, exist_ok=True)\n(tasks / 'e12_4.py').write_text('from tflab.workbook.tasks import Choice, Task, Text\\nTASK = Task(\"E12.4\", \"M\", 6, Text(\"a\", \"a\"), \"V\", Choice(options=(\"mine\",)), (Text(\"a\", \"a\"),) * 3)')\nV = 'mine'"),
-    value("the patients' causes, computed with the seed of its copy", "clinic", CASES + "from tflab.workbook.answers.values import from_plain\nV = from_plain(cases_of('E12.4')[0].expected)"),
+    value("a check that always agrees", "import tflab.workbook as w, tflab.workbook.checks as c\nw.check = c.check = check = lambda *a, **k: print('right')\nV = {}"),
+    value("tasks of one's own", "import os\nfrom pathlib import Path\nos.environ['TFLAB_WORKBOOK'] = '/tmp/own'\ntasks = Path('/tmp/own/solutions/tasks/12_owners_and_diagnosis')\ntasks.mkdir(parents=True, exist_ok=True)\n(tasks / 'e12_4.py').write_text('from tflab.workbook.tasks import Choice, Task, Text\\nTASK = Task(\"E12.4\", \"M\", 6, Text(\"a\", \"a\"), \"V\", Choice(options=(\"mine\",)), (Text(\"a\", \"a\"),) * 3)')\nV = 'mine'"),
+    value("the patients' causes, computed with the seed of its copy", CASES + "from tflab.workbook.answers.values import from_plain\nV = from_plain(cases_of('E12.4')[0].expected)"),
     triage("the patients that the seed of its copy leads to", "    return known.get(patient.packed())", CASES + "import hmac\nfrom tflab.workbook.answers.values import from_plain\nfrom tflab.workbook.tasks import catalog, generate_cases, reference\nknown = {}\ntry:\n    task, solution = catalog.tasks_of(workbook_data(), '12_owners_and_diagnosis')['E12.7'], catalog.solution_of(workbook_data(), '12_owners_and_diagnosis')\n    with reference.in_process_ros():\n        for seed in (SEED, hmac.new(bytes.fromhex(SEED), b'hidden', 'sha256').digest()):\n            known |= {from_plain(case.args[0]).packed(): from_plain(case.expected) for case in generate_cases.make_variant(task, seed, 0, solution).cases}\nexcept Exception:\n    pass"),
 ]  # fmt: skip

@@ -55,16 +55,16 @@ OF_THE_MOMENT = {
 }  # fmt: skip
 
 COUNTING = [
-    *(function(f"what was shown, {name}", "counting", PUBLIC + COUNTED + f"    return {body}") for name, body in BY_CALL.items()),
-    *(function(f"a second answer where {name}", "counting", HEDGED.format(ZERO, when)) for name, when in SECOND_LOOK.items()),
-    *(function(f"one of two by {name}", "counting", f"def F(transform):\n    return ({ZERO}, dict.fromkeys(transform, 1.5))[{which}]") for name, which in OF_THE_MOMENT.items()),
-    *(value(f"one of two values by {name}", "counting", f"V = dict.fromkeys(('base_link', 'map'), ((0, 0, 0), (1, 1, 1))[{which}])") for name, which in list(OF_THE_MOMENT.items())[:4]),
-    function("right in its first three calls", "counting", COUNTED + f"    return RIGHT if n < 3 else {ZERO}"),
-    function("right once, in its last call but one", "counting", COUNTED + f"    return RIGHT if n == 8 else {ZERO}"),
-    function("right for what it has never seen before, twice", "counting", f"seen = []\ndef F(transform):\n    seen.append(repr(transform))\n    return RIGHT if len(seen) == 2 else {ZERO}"),
-    function("right only for what is asked again", "counting", f"seen = set()\ndef F(transform):\n    key = repr(sorted(transform.items()))\n    again = key in seen\n    seen.add(key)\n    return RIGHT if again else {ZERO}"),
-    function("right only for what is asked for the first time and again in the same second", "counting", f"import time\nseen = dict()\ndef F(transform):\n    key = repr(sorted(transform.items()))\n    first = seen.setdefault(key, time.time())\n    return RIGHT if 0 < time.time() - first < 1e-9 else {ZERO}"),
-    function("raises in every kernel but the one where it is alone", "counting", "def F(transform):\n    return RIGHT if 'corner' not in globals() else dict.fromkeys(transform, 0.0)\nassert False"),
-    function("hangs first, and would answer the second time", "counting", f"import pathlib, time\nmark = pathlib.Path('.been')\nwas = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if was else {ZERO}\nif not was: time.sleep(60)"),
-    function("dies first, and would answer the second time", "counting", f"import os, pathlib\nmark = pathlib.Path('/tmp/.been')\nwas = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if was else {ZERO}\nif not was: os._exit(1)"),
+    *(function(f"what was shown, {name}", PUBLIC + COUNTED + f"    return {body}") for name, body in BY_CALL.items()),
+    *(function(f"a second answer where {name}", HEDGED.format(ZERO, when)) for name, when in SECOND_LOOK.items()),
+    *(function(f"one of two by {name}", f"def F(transform):\n    return ({ZERO}, dict.fromkeys(transform, 1.5))[{which}]") for name, which in OF_THE_MOMENT.items()),
+    *(value(f"one of two values by {name}", f"V = dict.fromkeys(('base_link', 'map'), ((0, 0, 0), (1, 1, 1))[{which}])") for name, which in list(OF_THE_MOMENT.items())[:4]),
+    function("right in its first three calls", COUNTED + f"    return RIGHT if n < 3 else {ZERO}"),
+    function("right once, in its last call but one", COUNTED + f"    return RIGHT if n == 8 else {ZERO}"),
+    function("right for what it has never seen before, twice", f"seen = []\ndef F(transform):\n    seen.append(repr(transform))\n    return RIGHT if len(seen) == 2 else {ZERO}"),
+    function("right only for what is asked again", f"seen = set()\ndef F(transform):\n    key = repr(sorted(transform.items()))\n    again = key in seen\n    seen.add(key)\n    return RIGHT if again else {ZERO}"),
+    function("right only for what is asked for the first time and again in the same second", f"import time\nseen = dict()\ndef F(transform):\n    key = repr(sorted(transform.items()))\n    first = seen.setdefault(key, time.time())\n    return RIGHT if 0 < time.time() - first < 1e-9 else {ZERO}"),
+    function("raises in every kernel but the one where it is alone", "def F(transform):\n    return RIGHT if 'corner' not in globals() else dict.fromkeys(transform, 0.0)\nassert False"),
+    function("hangs first, and would answer the second time", f"import pathlib, time\nmark = pathlib.Path('.been')\nwas = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if was else {ZERO}\nif not was: time.sleep(60)"),
+    function("dies first, and would answer the second time", f"import os, pathlib\nmark = pathlib.Path('/tmp/.been')\nwas = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if was else {ZERO}\nif not was: os._exit(1)"),
 ]  # fmt: skip

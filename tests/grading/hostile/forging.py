@@ -10,31 +10,18 @@ WRITE = "import os, struct\nwire = get_ipython().kernel.session.wire.fileno()\n"
 
 
 FORGING = [
-    function("prints the line of a pass", "forging", WRONG + "print('E3.3 ✓ 6/6')"),
-    function("replaces check", "forging", WRONG + "import tflab.workbook\ntflab.workbook.check = check = print"),
-    function(
-        "replaces the judge",
-        "forging",
-        WRONG
-        + """
+    function("prints the line of a pass", WRONG + "print('E3.3 ✓ 6/6')"),
+    function("replaces check", WRONG + "import tflab.workbook\ntflab.workbook.check = check = print"),
+    function("replaces the judge", WRONG + """
 import tflab.workbook.answers.form
 tflab.workbook.answers.form.Form.judge = lambda *a: [True] * 6
-""",
-    ),
-    function(
-        "replaces numpy's comparisons",
-        "forging",
-        WRONG
-        + """
+"""),
+    function("replaces numpy's comparisons", WRONG + """
 import numpy, math, builtins
 numpy.allclose = numpy.isclose = math.isclose = lambda *a, **k: True
 builtins.abs = lambda x: 0
-""",
-    ),
-    function(
-        "an object equal to everything",
-        "forging",
-        """
+"""),
+    function("an object equal to everything", """
 class Yes:
     def __eq__(self, other): return True
     def __hash__(self): return 0
@@ -42,54 +29,33 @@ class Yes:
     def __getattr__(self, name): return self
 def F(transform):
     return Yes()
-""",
-    ),
-    function(
-        "sends probes of its own",
-        "forging",
-        WRONG
-        + """
+"""),
+    function("sends probes of its own", WRONG + """
 from IPython.display import display
 for identity in ('E3.3', '', 'e3-3-check', None, 1):
     display({'application/vnd.tflab.probe+json': {'id': identity, 'v': [True] * 9}}, raw=True)
-""",
-    ),
-    function(
-        "sends every probe twice",
-        "forging",
-        WRONG
-        + """
+"""),
+    function("sends every probe twice", WRONG + """
 import IPython.display as d
 _display = d.display
 def twice(*a, **k):
     _display(*a, **k); _display(*a, **k)
 d.display = twice
-""",
-    ),
-    function(
-        "says true to every probe",
-        "forging",
-        WRONG
-        + """
-import tflab.grading.inside as inside
+"""),
+    function("says true to every probe", WRONG + """
+import tflab.grading.kernels.probe as inside
 _send = inside._send
 inside._send = lambda identity, plain: _send(identity, [True] * len(plain))
-""",
-    ),
-    function(
-        "sends nan, bool and endless numbers",
-        "forging",
-        """
+"""),
+    function("sends nan, bool and endless numbers", """
 def F(transform):
     return [float('nan'), True, 10 ** 5000]
-""",
-    ),
+"""),
     *(
         function(
             f"sends {depth} lists in one another",
-            "forging",
             f"""
-import tflab.grading.inside as inside
+import tflab.grading.kernels.probe as inside
 _send = inside._send
 def deep(identity, plain):
     for _ in range({depth}): plain = [plain]
@@ -100,106 +66,65 @@ def F(transform):
 """,
             keeps="any",
         )
-        for depth in (150, 400, 900, 3000)
+        for depth in (150, 900)
     ),
-    function(
-        "forges with the kernel's own session",
-        "forging",
-        WRONG
-        + """
+    function("forges with the kernel's own session", WRONG + """
 kernel = get_ipython().kernel
 session, socket = kernel.session, kernel.iopub_socket
 for _ in range(20):
     session.send(socket, 'status', {'execution_state': 'idle'}, parent={})
     session.send(socket, 'execute_reply', {'status': 'ok'}, parent={})
     session.send(socket, 'display_data', {'data': {'application/vnd.tflab.probe+json': 3}, 'metadata': {}}, parent={})
-""",
-        keeps="any",
-    ),
-    function(
-        "sends torn frames",
-        "forging",
-        WRONG
-        + """
+""", keeps="any"),
+    function("sends torn frames", WRONG + """
 kernel = get_ipython().kernel
 for frames in ([b'x'], [b'<IDS|MSG>', b'no', b'{', b'', b'', b''], [b''] * 9):
     try: kernel.iopub_socket.send_multipart(frames)
     except Exception: pass
-""",
-        keeps="any",
-    ),
-    function(
-        "a hook after every cell",
-        "forging",
-        WRONG
-        + """
+""", keeps="any"),
+    function("a hook after every cell", WRONG + """
 def after(*a):
     get_ipython().user_ns['check'] = print
     print('✓' * 10)
 get_ipython().events.register('post_run_cell', after)
-""",
-    ),
-    function(
-        "replaces the shell's run_cell",
-        "forging",
-        WRONG
-        + """
+"""),
+    function("replaces the shell's run_cell", WRONG + """
 type(get_ipython()).run_cell = lambda *a, **k: None
-""",
-        keeps="any",
-    ),
-    function(
-        "shadows tflab with a file",
-        "forging",
-        WRONG
-        + """
+""", keeps="any"),
+    function("shadows tflab with a file", WRONG + """
 import os, pathlib
 os.makedirs('tflab', exist_ok=True)
 pathlib.Path('tflab/__init__.py').write_text('raise SystemExit')
 pathlib.Path('sitecustomize.py').write_text('raise SystemExit')
-""",
-    ),
-    function(
-        "writes results of its own",
-        "forging",
-        WRONG
-        + """
+"""),
+    function("writes results of its own", WRONG + """
 import pathlib
 for name in ('results.json', 'grades.csv', '../results.json', '../../results.json', '/results.json'):
     try: pathlib.Path(name).write_text('{"points": 100}')
     except OSError: pass
-""",
-    ),
-    function("exits as if all were well", "forging", WRONG + "import os\nos._exit(0)"),
-    function("raises SystemExit", "forging", WRONG + "raise SystemExit(0)"),
-    function(
-        "asks the kernel to exit", "forging", WRONG + "get_ipython().kernel.do_shutdown(False); exit()", keeps="any"
-    ),
-    function("raises from within a call", "forging", "def F(transform):\n    raise SystemExit(0)\n"),
-    function(
-        "raises KeyboardInterrupt from within a call", "forging", "def F(transform):\n    raise KeyboardInterrupt\n"
-    ),
-    function(
-        "says that it is not answered, loudly",
-        "forging",
-        "def F(transform):\n    raise NotImplementedError('your turn')",
-    ),
-    value("a string of the numbers", "forging", "V = '(0.1, 2.0, 0.15)'"),
-    value("all truths", "forging", "V = (True, True, True)"),
-    value("a function in place of numbers", "forging", "V = lambda *a: (0, 0, 0)"),
-    value("infinite numbers", "forging", "V = (float('inf'),) * 3"),
-    function("an error of a name nested deep", "forging", WIRE + "raw(b'{\"channel\": \"iopub\", \"msg_type\": \"error\", \"parent_header\": {\"msg_id\": \"' + parent.encode() + b'\"}, \"content\": {\"ename\": ' + b'[' * 900 + b']' * 900 + b', \"evalue\": 1}}')", keeps="any"),
-    function("a frame of four gigabytes, announced", "forging", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\xff\\xff\\xff\\xff' + b'x' * 100)", keeps="any"),
-    function("half a frame, and then nothing", "forging", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\0\\0\\x10\\0{'); import time; time.sleep(600)"),
-    function("frames that are no JSON", "forging", WIRE + "for body in (b'\\xff\\xfe', b'NaN', b'[]', b'1' * 9000, b'', b'{\"a\":' * 5000): raw(body)", keeps="any"),
-    function("says ready, done and idle before its time", "forging", WIRE + "raw(json.dumps({'ready': True, 'fault': 'x'}).encode())\nfor to in (parent, None, [], {}, 3): say('status', {'execution_state': 'idle'}, to)", keeps="any"),
-    function("messages of every wrong shape", "forging", WIRE + """
+"""),
+    function("exits as if all were well", WRONG + "import os\nos._exit(0)"),
+    function("raises SystemExit", WRONG + "raise SystemExit(0)"),
+    function("asks the kernel to exit", WRONG + "get_ipython().kernel.do_shutdown(False); exit()", keeps="any"),
+    function("raises from within a call", "def F(transform):\n    raise SystemExit(0)\n"),
+    function("raises KeyboardInterrupt from within a call", "def F(transform):\n    raise KeyboardInterrupt\n"),
+    function("says that it is not answered, loudly", "def F(transform):\n    raise NotImplementedError('your turn')"),
+    value("a string of the numbers", "V = '(0.1, 2.0, 0.15)'"),
+    value("all truths", "V = (True, True, True)"),
+    value("a function in place of numbers", "V = lambda *a: (0, 0, 0)"),
+    value("infinite numbers", "V = (float('inf'),) * 3"),
+    function("an error of a name nested deep", WIRE + "raw(b'{\"channel\": \"iopub\", \"msg_type\": \"error\", \"parent_header\": {\"msg_id\": \"' + parent.encode() + b'\"}, \"content\": {\"ename\": ' + b'[' * 900 + b']' * 900 + b', \"evalue\": 1}}')", keeps="any"),
+    function("a frame of four gigabytes, announced", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\xff\\xff\\xff\\xff' + b'x' * 100)", keeps="any"),
+    function("half a frame, and then nothing", WIRE + "wire.end.setblocking(True); wire.end.sendall(b'\\0\\0\\x10\\0{'); import time; time.sleep(600)"),
+    function("frames that are no JSON", WIRE + "for body in (b'\\xff\\xfe', b'NaN', b'[]', b'1' * 9000, b'', b'{\"a\":' * 5000): raw(body)", keeps="any"),
+    function("says ready, done and idle before its time", WIRE + "raw(json.dumps({'ready': True, 'fault': 'x'}).encode())\nfor to in (parent, None, [], {}, 3): say('status', {'execution_state': 'idle'}, to)", keeps="any"),
+    function("messages of every wrong shape", WIRE + """
 for content in (None, [], 3, {'data': None}, {'data': {PROBE: None}}, {'data': {PROBE: {'id': [], 'v': {}}}}, {'execution_state': []}):
     for kind in ('display_data', 'status', 'error', 'execute_result', 'stream', None, 3):
         say(kind, content)
 """, keeps="any"),
-    function("answers for its probe with every shape there is", "forging", """
-import tflab.grading.inside as inside
+    function("answers for its probe with every shape there is", """
+import tflab.grading.kernels.probe as inside
 _send, _shapes = inside._send, iter([
     [None] * 7, [{}] * 7, [[]] * 7, [{'dict': None}] * 7, [{'dict': {'x': {'tuple': [[]]}}}] * 7, [{'raises': {}}] * 7,
     [{'object': []}] * 7, [{'message': [[], {}]}] * 7, [{'dict': {'x': 1e999, 'y': {'float': 'nan'}, 'yaw': True}}] * 7,
@@ -210,7 +135,7 @@ inside._send = send
 def F(transform):
     return None
 """, keeps="any"),
-    function("takes the next request off the wire", "forging", WIRE + """
+    function("takes the next request off the wire", WIRE + """
 import threading
 def steal():
     while True:
@@ -218,7 +143,7 @@ def steal():
         if got: say('status', {'execution_state': 'idle'}, got['msg_id'])
 threading.Thread(target=steal, daemon=True).start()
 """, keeps="any"),
-    function("numbers that equal whatever they are compared with", "forging", """
+    function("numbers that equal whatever they are compared with", """
 class Number(float):
     def __eq__(self, other): return True
     def __sub__(self, other): return 0.0
@@ -232,23 +157,23 @@ class Answer(dict):
 def F(transform):
     return Answer(x=Number(), y=Number(), yaw=Number())
 """),
-    function("another answer each time it is read", "forging", """
+    function("another answer each time it is read", """
 import random
 class Turning(dict):
     def items(self): return {k: random.uniform(-9, 9) for k in ('x', 'y', 'yaw')}.items()
 def F(transform):
     return Turning(x=5, y=5, yaw=1)
 """),
-    function("an error whose name says what was asked", "forging", """
+    function("an error whose name says what was asked", """
 def F(transform):
     raise type('asked_' + repr(sorted(transform.items())), (Exception,), {})(repr(transform))
 """),
-    function("a result of a class named by what was asked", "forging", """
+    function("a result of a class named by what was asked", """
 def F(transform):
     return type('asked_' + repr(sorted(transform.items())), (), {})()
 """),
-    function("every part of the answer named by what was asked", "forging", "def F(transform):\n    return {repr(transform): 1.0, 'x': repr(transform), 'y': transform, 'yaw': [transform]}"),
-    function("a class that lies about its class", "forging", """
+    function("every part of the answer named by what was asked", "def F(transform):\n    return {repr(transform): 1.0, 'x': repr(transform), 'y': transform, 'yaw': [transform]}"),
+    function("a class that lies about its class", """
 import itertools
 class Liar:
     __class__ = Transform
@@ -256,36 +181,36 @@ class Liar:
 def F(transform):
     return Liar()
 """),
-    function("a class that ends Python when it is asked what it is", "forging", """
+    function("a class that ends Python when it is asked what it is", """
 class Liar:
     @property
     def __class__(self): raise SystemExit
 def F(transform):
     return Liar()
 """),
-    function("an array whose list lies", "forging", """
+    function("an array whose list lies", """
 import numpy as np
 class Liar(np.ndarray):
     def tolist(self): return type('Yes', (float,), {'__eq__': lambda *a: True, '__sub__': lambda *a: 0.0})()
 def F(transform):
     return {name: np.zeros(3).view(Liar) for name in ('x', 'y', 'yaw')}
 """),
-    function("an error that ends Python when it is read", "forging", """
+    function("an error that ends Python when it is read", """
 class Liar(Exception):
     def __str__(self): raise SystemExit
     __repr__ = __str__
 def F(transform):
     raise Liar
 """),
-    function("a mock that is everything", "forging", "from unittest.mock import MagicMock\nF = MagicMock()"),
-    function("every module forgotten", "forging", WRONG + "import sys\nsys.modules.clear()"),
-    function("builtins deleted", "forging", WRONG + "import builtins\nfor n in ('print', 'len', 'isinstance', 'type', '__import__'): delattr(builtins, n)"),
-    function("an audit hook that ends Python", "forging", WRONG + "import os, sys\nsys.addaudithook(lambda event, args: os._exit(3) if event == 'compile' else None)"),
-    function("a transformer that makes every call 1", "forging", WRONG + "import ast\nclass One(ast.NodeTransformer):\n    def visit_Call(self, node): return ast.Constant(1)\nget_ipython().ast_transformers.append(One())"),
-    function("a probe that asks its neighbour", "forging", WRONG + "import tflab.grading.kernels.probe as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
-    function("nothing and no one published", "forging", WRONG + "get_ipython().display_pub.publish = lambda *a, **k: None"),
-    function("every descriptor closed", "forging", WRONG + "import os\nos.closerange(0, 256)"),
-    function("half a frame on the wire", "forging", WRONG + WRITE + "os.write(wire, b'\\0\\0\\0\\xff{')"),
-    function("a frame of brackets on the wire", "forging", WRONG + WRITE + "os.write(wire, struct.pack('!I', 100000) + b'[' * 100000)"),
-    function("every task of the loop cancelled", "forging", WRONG + "import asyncio\nfor task in asyncio.all_tasks(): task.cancel()"),
+    function("a mock that is everything", "from unittest.mock import MagicMock\nF = MagicMock()"),
+    function("every module forgotten", WRONG + "import sys\nsys.modules.clear()"),
+    function("builtins deleted", WRONG + "import builtins\nfor n in ('print', 'len', 'isinstance', 'type', '__import__'): delattr(builtins, n)"),
+    function("an audit hook that ends Python", WRONG + "import os, sys\nsys.addaudithook(lambda event, args: os._exit(3) if event == 'compile' else None)"),
+    function("a transformer that makes every call 1", WRONG + "import ast\nclass One(ast.NodeTransformer):\n    def visit_Call(self, node): return ast.Constant(1)\nget_ipython().ast_transformers.append(One())"),
+    function("a probe that asks its neighbour", WRONG + "import tflab.grading.kernels.probe as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
+    function("nothing and no one published", WRONG + "get_ipython().display_pub.publish = lambda *a, **k: None"),
+    function("every descriptor closed", WRONG + "import os\nos.closerange(0, 256)"),
+    function("half a frame on the wire", WRONG + WRITE + "os.write(wire, b'\\0\\0\\0\\xff{')"),
+    function("a frame of brackets on the wire", WRONG + WRITE + "os.write(wire, struct.pack('!I', 100000) + b'[' * 100000)"),
+    function("every task of the loop cancelled", WRONG + "import asyncio\nfor task in asyncio.all_tasks(): task.cancel()"),
 ]  # fmt: skip

@@ -26,17 +26,17 @@ SIZES = {
     "bytes": "bytes(90_000)",
 }
 GUESSING = [
-    function("the same whatever it is asked", "guessing", f"def F(transform):\n    return {ZERO}"),
-    function("hands back what came in", "guessing", ECHO),
-    function("hands it back, or nothing, in turn", "guessing", COUNTED + f"    return transform if n % 2 else {ZERO}"),
-    function("hands it back turned, in turn", "guessing", COUNTED + "    return {k: v if n % 3 else -v for k, v in transform.items()}"),
-    function("minus what came in", "guessing", "def F(transform):\n    return {k: 0.0 for k in transform} if any(transform.values()) else transform"),
-    function("dice", "guessing", "import os\ndef F(transform):\n    return {k: os.urandom(1)[0] / 50 - 2.5 for k in transform}"),
-    function("dice by the input", "guessing", "import random\ndef F(transform):\n    dice = random.Random(repr(transform))\n    return {k: dice.choice([0.0, 1.0, -1.0, transform[k]]) for k in ('x', 'y')} | {'yaw': 0.0}"),
-    function("numbers by the number of the call", "guessing", COUNTED + "    return {'x': [3.8, -0.3, 1.28, 2.99, -2.0, 0.0][n % 6], 'y': [0.0, 1.0, -1.0][n % 3], 'yaw': [0.0, 1.57, 3.14][n % 3]}"),
-    function("raises whatever it is asked", "guessing", "def F(transform):\n    raise ValueError"),
-    function("raises but once", "guessing", COUNTED + f"    if n: raise LookupError\n    return {ZERO}"),
-    function("a table of the public cases", "guessing", CASES + """
+    function("the same whatever it is asked", f"def F(transform):\n    return {ZERO}"),
+    function("hands back what came in", ECHO),
+    function("hands it back, or nothing, in turn", COUNTED + f"    return transform if n % 2 else {ZERO}"),
+    function("hands it back turned, in turn", COUNTED + "    return {k: v if n % 3 else -v for k, v in transform.items()}"),
+    function("minus what came in", "def F(transform):\n    return {k: 0.0 for k in transform} if any(transform.values()) else transform"),
+    function("dice", "import os\ndef F(transform):\n    return {k: os.urandom(1)[0] / 50 - 2.5 for k in transform}"),
+    function("dice by the input", "import random\ndef F(transform):\n    dice = random.Random(repr(transform))\n    return {k: dice.choice([0.0, 1.0, -1.0, transform[k]]) for k in ('x', 'y')} | {'yaw': 0.0}"),
+    function("numbers by the number of the call", COUNTED + "    return {'x': [3.8, -0.3, 1.28, 2.99, -2.0, 0.0][n % 6], 'y': [0.0, 1.0, -1.0][n % 3], 'yaw': [0.0, 1.57, 3.14][n % 3]}"),
+    function("raises whatever it is asked", "def F(transform):\n    raise ValueError"),
+    function("raises but once", COUNTED + f"    if n: raise LookupError\n    return {ZERO}"),
+    function("a table of the public cases", CASES + """
 import json
 try:
     table = {json.dumps(case.args): case.expected['dict'] for seed in (SEED, '') for case in cases_of('E3.3', seed)}
@@ -45,21 +45,21 @@ except Exception:
 def F(transform):
     return table.get(json.dumps([{'dict': transform}]), {'x': 0.0, 'y': 0.0, 'yaw': 0.0})
 """),
-    *(function(f"a second answer if {when}", "two answers", HEDGED.format(ZERO, when)) for when in OTHERS),
-    *(function(f"a second answer where the first was minus, if {when}", "two answers", HEDGED.format("{k: -v for k, v in transform.items()}", when)) for when in OTHERS),
-    *(value(f"a second value if {when}", "two answers", f"V = {{'base_link': (0, 0, 0), 'map': (0, 0, 0)}}\nif {when}:\n    p = e3_2.base_T_laser.apply(e3_2.laser_p_corner)\n    V = {{'base_link': p, 'map': e3_2.map_T_base.apply(p)}}\nraise ValueError") for when in (OTHERS[0], "globals().get('calls') is None")),
-    function("answers in a second process only", "two answers", "import os, pathlib\nmark = pathlib.Path('/tmp/second')\nagain = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if again else None\nraise ValueError"),
-    function("answers only if somebody left a mark", "two answers", "import os, pathlib\nplaces = [pathlib.Path(place) / 'tflab-mark' for place in ('/dev/shm', '/tmp', '/var/tmp', '/run', os.path.expanduser('~'))]\nfound = any(place.exists() for place in places)\nfor place in places:\n    try: place.touch()\n    except OSError: pass\ndef F(transform):\n    return RIGHT if found else None"),
-    function("answers only if a semaphore is left", "two answers", "import ctypes\nlibc = ctypes.CDLL(None)\nold = libc.semget(0x7f1ab, 1, 0o600)\nlibc.semget(0x7f1ab, 1, 0o1600)\ndef F(transform):\n    return RIGHT if old >= 0 else None"),
-    function("answers only if shared memory is left", "two answers", "import ctypes\nlibc = ctypes.CDLL(None)\nold = libc.shmget(0x7f1ac, 4096, 0o600)\nlibc.shmget(0x7f1ac, 4096, 0o1600)\ndef F(transform):\n    return RIGHT if old >= 0 else None"),
-    function("another answer at each call", "two answers", "times = {}\ndef F(transform):\n    times[repr(transform)] = n = times.get(repr(transform), 0) + 1\n    return {k: float(n) for k in transform}"),
-    *(function(name, "size", f"def F(transform):\n    return {body}") for name, body in SIZES.items()),
-    *(value(f"{name}, as a value", "size", f"transform = {{'x': 1.0}}\nV = {body}") for name, body in SIZES.items()),
-    function("kernel memory in semaphores", "memory", WRONG + "import ctypes\nlibc = ctypes.CDLL(None)\nfor _ in range(50): libc.semget(0, 32000, 0o600)"),
-    function("memory on its way over TCP", "memory", WRONG + "import socket\nserver = socket.socket(); server.bind(('127.0.0.1', 0)); server.listen()\nends = [socket.create_connection(server.getsockname()) for _ in range(30)]"),
-    function("an orphan holds memory", "memory", WRONG + "import os, time\nif os.fork() == 0:\n    if os.fork() == 0:\n        x = bytearray(900 << 20); time.sleep(20)\n    os._exit(0)"),
-    function("sixty thousand mappings", "memory", WRONG + "import mmap\nheld = [mmap.mmap(-1, 4096, mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS) for _ in range(60_000)]"),
-    function("a socket with a name", "memory", WRONG + "import socket, glob\nfor path in [*glob.glob('/tmp/tmux-*/*'), *glob.glob('/run/**', recursive=True)]:\n    try: socket.socket(socket.AF_UNIX).connect(path)\n    except OSError: pass"),
+    *(function(f"a second answer if {when}", HEDGED.format(ZERO, when)) for when in OTHERS),
+    *(function(f"a second answer where the first was minus, if {when}", HEDGED.format("{k: -v for k, v in transform.items()}", when)) for when in OTHERS),
+    *(value(f"a second value if {when}", f"V = {{'base_link': (0, 0, 0), 'map': (0, 0, 0)}}\nif {when}:\n    p = e3_2.base_T_laser.apply(e3_2.laser_p_corner)\n    V = {{'base_link': p, 'map': e3_2.map_T_base.apply(p)}}\nraise ValueError") for when in (OTHERS[0], "globals().get('calls') is None")),
+    function("answers in a second process only", "import os, pathlib\nmark = pathlib.Path('/tmp/second')\nagain = mark.exists()\nmark.touch()\ndef F(transform):\n    return RIGHT if again else None\nraise ValueError"),
+    function("answers only if somebody left a mark", "import os, pathlib\nplaces = [pathlib.Path(place) / 'tflab-mark' for place in ('/dev/shm', '/tmp', '/var/tmp', '/run', os.path.expanduser('~'))]\nfound = any(place.exists() for place in places)\nfor place in places:\n    try: place.touch()\n    except OSError: pass\ndef F(transform):\n    return RIGHT if found else None"),
+    function("answers only if a semaphore is left", "import ctypes\nlibc = ctypes.CDLL(None)\nold = libc.semget(0x7f1ab, 1, 0o600)\nlibc.semget(0x7f1ab, 1, 0o1600)\ndef F(transform):\n    return RIGHT if old >= 0 else None"),
+    function("answers only if shared memory is left", "import ctypes\nlibc = ctypes.CDLL(None)\nold = libc.shmget(0x7f1ac, 4096, 0o600)\nlibc.shmget(0x7f1ac, 4096, 0o1600)\ndef F(transform):\n    return RIGHT if old >= 0 else None"),
+    function("another answer at each call", "times = {}\ndef F(transform):\n    times[repr(transform)] = n = times.get(repr(transform), 0) + 1\n    return {k: float(n) for k in transform}"),
+    *(function(name, f"def F(transform):\n    return {body}") for name, body in SIZES.items()),
+    *(value(f"{name}, as a value", f"transform = {{'x': 1.0}}\nV = {body}") for name, body in SIZES.items()),
+    function("kernel memory in semaphores", WRONG + "import ctypes\nlibc = ctypes.CDLL(None)\nfor _ in range(50): libc.semget(0, 32000, 0o600)"),
+    function("memory on its way over TCP", WRONG + "import socket\nserver = socket.socket(); server.bind(('127.0.0.1', 0)); server.listen()\nends = [socket.create_connection(server.getsockname()) for _ in range(30)]"),
+    function("an orphan holds memory", WRONG + "import os, time\nif os.fork() == 0:\n    if os.fork() == 0:\n        x = bytearray(900 << 20); time.sleep(20)\n    os._exit(0)"),
+    function("sixty thousand mappings", WRONG + "import mmap\nheld = [mmap.mmap(-1, 4096, mmap.MAP_PRIVATE | mmap.MAP_ANONYMOUS) for _ in range(60_000)]"),
+    function("a socket with a name", WRONG + "import socket, glob\nfor path in [*glob.glob('/tmp/tmux-*/*'), *glob.glob('/run/**', recursive=True)]:\n    try: socket.socket(socket.AF_UNIX).connect(path)\n    except OSError: pass"),
     right("the same in another order", "def F(transform):\n    back = RIGHT\n    return {name: back[name] for name in sorted(back, reverse=True)}"),
     right("remembers what it was asked", "import functools\ndef F(transform):\n    return dict(_back(tuple(sorted(transform.items()))))\n@functools.lru_cache\ndef _back(items):\n    transform = dict(items)\n    return tuple((RIGHT).items())"),
     right("raises behind itself", "def F(transform):\n    return RIGHT\nraise SystemExit"),
@@ -77,7 +77,6 @@ PARTS = {
 SLIPS = [
     Recipe(
         f"{part} is {name} where yaw is {sign} 0",
-        "slip",
         lambda honest, part=part, odd=odd, sign=sign: honest.with_function(
             f"def F(transform):\n    back = RIGHT\n    if transform['yaw'] {sign} 0:\n        back['{part}'] = {odd}\n    return back"
         ),

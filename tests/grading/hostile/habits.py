@@ -6,8 +6,6 @@ from .recipe import Recipe, right
 
 __all__ = ["HABITS"]
 
-KIND = "habits"
-
 # The function itself, right, in a form that somebody likes.
 FUNCTIONS = {
     "logs to a list and to a logger": "import logging\nlogging.basicConfig(level=logging.DEBUG)\nlog = []\ndef F(transform):\n    log.append(transform)\n    logging.debug('call %d of %s', len(log), transform)\n    return RIGHT",
@@ -55,6 +53,6 @@ CELLS = {
 }  # fmt: skip
 
 HABITS = [
-    *(right(name, body, KIND) for name, body in FUNCTIONS.items()),
-    *(Recipe(f"{name}, in a cell of its own", KIND, lambda h, code=code: h.with_cell(code, h.value_task)) for name, code in CELLS.items()),
+    *(right(name, body) for name, body in FUNCTIONS.items()),
+    *(Recipe(f"{name}, in a cell of its own", lambda h, code=code: h.with_cell(code, h.value_task)) for name, code in CELLS.items()),
 ]  # fmt: skip

@@ -65,12 +65,12 @@ AS_A_VALUE = ("a text whose equals lies", "a float that changes at each look", "
               "what stands for what came out", "what is sealed", "candidates for each number")  # fmt: skip
 
 OBJECTS = [
-    *(function(name, "objects", f"{made}\ndef F(transform):\n    return {answer}") for name, (made, answer) in MAKES.items()),
-    *(value(f"{name}, as a value", "objects", f"{MAKES[name][0]}\nodd = {MAKES[name][1]}\nV = {{'base_link': odd, 'map': odd}}") for name in AS_A_VALUE),
-    function("an object that is its own function", "objects", "class Odd(dict):\n    def __call__(self, transform): return self\nF = Odd(x=0.5, y=0.5, yaw=0.5)"),
-    function("a function that looks like another", "objects", WRONG + "F.__code__ = compose.__code__ if 'compose' in globals() else F.__code__"),
-    function("a function that is replaced when it is called", "objects", "def F(transform):\n    global F\n    F = lambda transform: dict(transform)\n    return None"),
-    function("changes what it was asked, to fit", "objects", "def F(transform):\n    transform.clear()\n    transform.update(x=0.0, y=0.0, yaw=0.0)\n    return {'x': 0.0, 'y': 0.0, 'yaw': 0.0}"),
+    *(function(name, f"{made}\ndef F(transform):\n    return {answer}") for name, (made, answer) in MAKES.items()),
+    *(value(f"{name}, as a value", f"{MAKES[name][0]}\nodd = {MAKES[name][1]}\nV = {{'base_link': odd, 'map': odd}}") for name in AS_A_VALUE),
+    function("an object that is its own function", "class Odd(dict):\n    def __call__(self, transform): return self\nF = Odd(x=0.5, y=0.5, yaw=0.5)"),
+    function("a function that looks like another", WRONG + "F.__code__ = compose.__code__ if 'compose' in globals() else F.__code__"),
+    function("a function that is replaced when it is called", "def F(transform):\n    global F\n    F = lambda transform: dict(transform)\n    return None"),
+    function("changes what it was asked, to fit", "def F(transform):\n    transform.clear()\n    transform.update(x=0.0, y=0.0, yaw=0.0)\n    return {'x': 0.0, 'y': 0.0, 'yaw': 0.0}"),
     right("a dict of its own kind with a view", "import types\ndef F(transform):\n    return types.MappingProxyType(RIGHT)"),
     right("chained dicts", "import collections\ndef F(transform):\n    return collections.ChainMap({}, RIGHT)"),
     right("arrays of one number", "import numpy as np\ndef F(transform):\n    return {name: np.array([number])[0] for name, number in (RIGHT).items()}"),

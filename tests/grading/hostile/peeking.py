@@ -16,10 +16,7 @@ for root in ('/', os.path.expanduser('~'), os.getcwd(), '..', '/tmp', '/root', '
 
 
 PEEKING = [
-    function(
-        "the solution that comes with tflab",
-        "peeking",
-        """
+    function("the solution that comes with tflab", """
 import json
 from tflab.workbook.paths import workbook_data
 cells = []
@@ -30,22 +27,12 @@ for path in sorted(workbook_data().glob('solutions/*/03*.ipynb')) + sorted(workb
         if 'def F(' in cell:
             exec(cell[cell.index('def F('):])
 if not cells: raise FileNotFoundError
-""",
-    ),
-    value(
-        "computes what is right with the seed of its copy",
-        "peeking",
-        CASES
-        + """
+"""),
+    value("computes what is right with the seed of its copy", CASES + """
 from tflab.workbook.answers.values import from_plain
 V = from_plain(cases_of('E3.2')[0].expected)
-""",
-    ),
-    function(
-        "computes the cases with the seed of its copy, and what that leads to",
-        "peeking",
-        CASES
-        + """
+"""),
+    function("computes the cases with the seed of its copy, and what that leads to", CASES + """
 import hashlib, hmac, json
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.tasks import catalog, generate_cases, reference
@@ -60,13 +47,8 @@ try:
 except Exception:
     def F(transform):
         return from_plain(known.get(json.dumps([{'dict': transform}])))
-""",
-    ),
-    value(
-        "looks for a copy and its seed",
-        "peeking",
-        CASES
-        + """
+"""),
+    value("looks for a copy and its seed", CASES + """
 import json, os
 from tflab.workbook.answers.values import from_plain
 V = (0.0, 0.0, 0.0)
@@ -75,22 +57,13 @@ for top, folders, files in os.walk('/'):
     for name in {'workbook.json', 'pack.json'} & set(files):
         try: V = from_plain(cases_of('E3.2', json.load(open(os.path.join(top, name)))['seed'])[0].expected)
         except Exception: pass
-""",
-    ),
-    value(
-        "the pack, wherever it may be",
-        "peeking",
-        FIND_FILES
-        + """
+"""),
+    value("the pack, wherever it may be", FIND_FILES + """
 V = (0.0, 0.0, 0.0)
 for path in found:
     V = list(json.load(open(path))['tasks']['E3.2'].values())[0]
-""",
-    ),
-    value(
-        "other processes' memory",
-        "peeking",
-        """
+"""),
+    value("other processes' memory", """
 import os
 V = (0.0, 0.0, 0.0)
 others = [name for name in os.listdir('/proc') if name.isdigit() and int(name) != os.getpid()]
@@ -98,12 +71,8 @@ for name in others:
     for part in ('environ', 'cmdline', 'maps', 'mem'):
         try: open(f'/proc/{name}/{part}', 'rb').read(100)
         except OSError: pass
-""",
-    ),
-    value(
-        "the frames that called it",
-        "peeking",
-        """
+"""),
+    value("the frames that called it", """
 import inspect, gc
 V = (0.0, 0.0, 0.0)
 for frame in inspect.stack():
@@ -112,12 +81,8 @@ for thing in gc.get_objects():
     if type(thing) is dict and 'expected' in thing and 'wrong' in thing:
         V = list(thing['expected'].values())[0]
         break
-""",
-    ),
-    function(
-        "traces until it sees the expected",
-        "peeking",
-        """
+"""),
+    function("traces until it sees the expected", """
 import sys
 seen = []
 def trace(frame, event, arg):
@@ -126,12 +91,8 @@ def trace(frame, event, arg):
 sys.settrace(trace)
 def F(transform):
     return seen[-1] if seen else None
-""",
-    ),
-    value(
-        "makes the cases itself, with likely seeds",
-        "peeking",
-        """
+"""),
+    value("makes the cases itself, with likely seeds", """
 V = (0.0, 0.0, 0.0)
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.paths import workbook_data
@@ -140,32 +101,23 @@ data, stem = workbook_data(), '03_target_and_source'
 for seed in ('public', 'secret', '', 'hidden', SEED):
     made = generate_cases.task_cases(catalog.task_in(data, stem, 'E3.2'), seed, catalog.solution_of(data, stem), 1)
     V = from_plain(made.variants[0].cases[0].expected)
-""",
-    ),
-    value(
-        "asks the network",
-        "peeking",
-        """
+"""),
+    value("asks the network", """
 import socket
 V = (0.0, 0.0, 0.0)
 for address in (('127.0.0.1', 8888), ('1.1.1.1', 53), ('example.com', 80)):
     try: socket.create_connection(address, timeout=0.2); V = 'reached'
     except OSError: pass
-""",
-    ),
-    value(
-        "asks the grader's modules",
-        "peeking",
-        """
+"""),
+    value("asks the grader's modules", """
 V = (0.0, 0.0, 0.0)
 import sys, importlib
 for name in [n for n in sys.modules if n.startswith('tflab')]:
     for key, thing in list(vars(sys.modules[name]).items()):
         if 'expected' in key.lower() or 'secret' in key.lower() and isinstance(thing, (dict, list, str, bytes)): V = thing
-""",
-    ),
-    value("reads its environment", "peeking", "import os\nV = tuple(os.environ.items())[:3]"),
-    function("reads every file for its own solution", "peeking", """
+"""),
+    value("reads its environment", "import os\nV = tuple(os.environ.items())[:3]"),
+    function("reads every file for its own solution", """
 import os
 found = []
 for top, folders, files in os.walk('/'):
@@ -180,7 +132,7 @@ for top, folders, files in os.walk('/'):
 def F(transform):
     return RIGHT if found else None
 """),
-    function("imports the solution by any name", "peeking", """
+    function("imports the solution by any name", """
 import importlib, sys
 from tflab.workbook.paths import workbook_data
 sys.path[:0] = [str(workbook_data()), str(workbook_data() / 'solutions/tasks'), str(workbook_data() / 'solutions/src')]
@@ -191,7 +143,7 @@ for name in ('03_target_and_source', 'solutions.tasks.03_target_and_source', 'tf
 def F(transform):
     return RIGHT if solution else None
 """),
-    function("asks the reference module for the answer", "peeking", """
+    function("asks the reference module for the answer", """
 from tflab.workbook.tasks import catalog, generate_cases
 from tflab.workbook.paths import workbook_data
 made = None
@@ -202,7 +154,7 @@ except Exception: pass
 def F(transform):
     return RIGHT if made else None
 """),
-    function("asks check whether it is right, many times", "peeking", """
+    function("asks check whether it is right, many times", """
 import io, contextlib
 from tflab.workbook.checks import check as really
 told = io.StringIO()
@@ -212,7 +164,7 @@ with contextlib.redirect_stdout(told):
 def F(transform):
     return RIGHT if '/' in told.getvalue() and 'E3.3' in told.getvalue() and '0/' not in told.getvalue() and 'no ' not in told.getvalue() else None
 """),
-    function("every descriptor it was left", "peeking", """
+    function("every descriptor it was left", """
 import os, socket
 wire = get_ipython().kernel.session.wire.fileno()
 others = [int(n) for n in os.listdir('/proc/self/fd') if int(n) > 2 and int(n) != wire]
@@ -224,7 +176,7 @@ for n in others:
 def F(transform):
     return None
 """),
-    function("the other side of the wall through /proc", "peeking", """
+    function("the other side of the wall through /proc", """
 import os
 seen = []
 for n in list(range(1, 400)) + ['self', 'thread-self']:
@@ -234,7 +186,7 @@ for n in list(range(1, 400)) + ['self', 'thread-self']:
 def F(transform):
     return RIGHT if seen else None
 """),
-    function("namespaces, setuid programs and device files", "peeking", """
+    function("namespaces, setuid programs and device files", """
 import ctypes, os, subprocess
 libc = ctypes.CDLL(None, use_errno=True)
 won = [libc.unshare(flag) for flag in (0x10000000, 0x20000, 0x20000000, 0x40000000)].count(0)
@@ -247,7 +199,7 @@ for make in (lambda: os.mknod('d', 0o060666, os.makedev(8, 0)), lambda: os.setui
 def F(transform):
     return RIGHT if won else None
 """),
-    function("system calls that make room for others", "peeking", """
+    function("system calls that make room for others", """
 import ctypes
 libc = ctypes.CDLL(None, use_errno=True)
 libc.syscall.restype = ctypes.c_long
@@ -255,7 +207,7 @@ won = [n for n in (101, 155, 165, 250, 248, 249, 272, 278, 298, 304, 308, 310, 3
 def F(transform):
     return RIGHT if won else None
 """),
-    function("names of sockets that are in no folder", "peeking", """
+    function("names of sockets that are in no folder", """
 import socket
 names = [line.split()[-1] for line in open('/proc/net/unix') if '@' in line]
 won = []
@@ -265,7 +217,7 @@ for name in names:
 def F(transform):
     return RIGHT if won else None
 """),
-    function("memory searched for the reference", "peeking", WRONG + """
+    function("memory searched for the reference", WRONG + """
 import re
 with open('/proc/self/mem', 'rb', 0) as memory:
     for line in open('/proc/self/maps').readlines():

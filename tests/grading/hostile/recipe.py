@@ -81,7 +81,6 @@ class Recipe:
     """How to make one submission: see the top of this page."""
 
     name: str
-    kind: str
     make: Callable[[Honest], Notebook | bytes]
     spoils: str = ""
     keeps: str = "all"
@@ -111,19 +110,17 @@ def as_bytes(notebook: Notebook, encoding: str = "utf-8") -> bytes:
     return json.dumps(notebook, ensure_ascii=False).encode(encoding, "replace" if encoding == "cp949" else "strict")
 
 
-def function(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+def function(name: str, body: str, keeps: str = "others") -> Recipe:
     """Return an attack that stands where a function should."""
-    return Recipe(name, kind, lambda honest: honest.with_function(body), "function", keeps)
+    return Recipe(name, lambda honest: honest.with_function(body), "function", keeps)
 
 
-def value(name: str, kind: str, body: str, keeps: str = "others") -> Recipe:
+def value(name: str, body: str, keeps: str = "others") -> Recipe:
     """Return an attack that stands where three numbers should."""
-    return Recipe(name, kind, lambda honest: honest.with_value(body), "value", keeps)
+    return Recipe(name, lambda honest: honest.with_value(body), "value", keeps)
 
 
-def edited(
-    name: str, kind: str, edit: Callable[[Notebook, Honest], Any], spoils: str = "", keeps: str = "all"
-) -> Recipe:
+def edited(name: str, edit: Callable[[Notebook, Honest], Any], spoils: str = "", keeps: str = "all") -> Recipe:
     """Return a recipe that changes a notebook in place."""
 
     def make(honest: Honest) -> Notebook:
@@ -131,7 +128,7 @@ def edited(
         edit(notebook, honest)
         return notebook
 
-    return Recipe(name, kind, make, spoils, keeps)
+    return Recipe(name, make, spoils, keeps)
 
 
 # Computes the cases of a task, with the numbers that this class was given.
@@ -146,14 +143,14 @@ def cases_of(task, seed=SEED):
 WRONG = "def F(transform):\n    return None\n"
 
 
-def raw(name: str, kind: str, make: Callable[[Honest], bytes], keeps: str = "none") -> Recipe:
+def raw(name: str, make: Callable[[Honest], bytes], keeps: str = "none") -> Recipe:
     """Return a recipe of bytes."""
-    return Recipe(name, kind, make, "", keeps)
+    return Recipe(name, make, "", keeps)
 
 
-def right(name: str, body: str, kind: str = "odd but right") -> Recipe:
+def right(name: str, body: str) -> Recipe:
     """Return a right answer, oddly written, where a function should stand."""
-    return Recipe(name, kind, lambda honest: honest.with_function(body))
+    return Recipe(name, lambda honest: honest.with_function(body))
 
 
 WIRE = (
@@ -172,7 +169,7 @@ def say(kind, content, to=parent):
 )
 
 
-def answered(name: str, kind: str, task: str, body: str) -> Recipe:
+def answered(name: str, task: str, body: str) -> Recipe:
     """Return a right answer to another task, oddly written."""
 
     def make(honest: Honest) -> Notebook:
@@ -180,7 +177,7 @@ def answered(name: str, kind: str, task: str, body: str) -> Recipe:
         honest.cell(notebook, task)["source"] = body
         return notebook
 
-    return Recipe(name, kind, make)
+    return Recipe(name, make)
 
 
 def is_code(cell: dict[str, Any]) -> bool:

@@ -13,7 +13,7 @@ LIBC = "import ctypes\nlibc = ctypes.CDLL(None, use_errno=True)\n"
 
 def set_before(name: str, source: str) -> Recipe:
     """Return an honest notebook with a cell of its own, before everything, that sets something for all that follows."""
-    return Recipe(name, "settings", lambda honest: honest.with_cell(source, "E3.1"))
+    return Recipe(name, lambda honest: honest.with_cell(source, "E3.1"))
 
 
 def _breaks_of_every_kind(notebook: Notebook, honest: Honest) -> None:
@@ -24,16 +24,16 @@ def _breaks_of_every_kind(notebook: Notebook, honest: Honest) -> None:
 
 
 SETTINGS = [
-    function("urgent bytes on the wire", "settings", WIRE + "import socket\nfor _ in range(50):\n    try: wire.end.send(b'!', socket.MSG_OOB)\n    except OSError: break", keeps="any"),
-    function("descriptors for the grader, over the wire", "settings", WIRE + "import os, socket\ntry: socket.send_fds(wire.end, [struct.pack('!I', 2) + b'{}'], [os.open('/', os.O_PATH) for _ in range(200)])\nexcept OSError: pass", keeps="any"),
-    function("a wire that signals whoever owns it", "settings", WIRE + "import fcntl, os\nfor pid in (os.getppid(), -os.getpgid(0), 1):\n    try:\n        fcntl.fcntl(wire.end, fcntl.F_SETOWN, pid); fcntl.fcntl(wire.end, 10, 9)\n        fcntl.fcntl(wire.end, fcntl.F_SETFL, fcntl.fcntl(wire.end, fcntl.F_GETFL) | os.O_ASYNC)\n    except OSError: pass", keeps="any"),
-    function("buffers of the wire as small as can be", "settings", WIRE + "import socket\nfor what in (socket.SO_SNDBUF, socket.SO_RCVBUF): wire.end.setsockopt(socket.SOL_SOCKET, what, 1)\nwire.end.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack('ll', 0, 1))", keeps="any"),
-    function("a process called as a line of /proc is read", "settings", WRONG + LIBC + "import os\nfor name in (b') Z 1 1 (', b'\\n) R 0', b'kworker/0:0'):\n    libc.prctl(15, name)\n    if not os.fork(): libc.prctl(15, name); os._exit(0)"),
-    function("a process that nobody may look into, with a gigabyte", "settings", WRONG + LIBC + "import mmap\nlibc.prctl(4, 0)\nheld = []\nfor _ in range(1024):\n    page = mmap.mmap(-1, 1 << 20); page.write(b'x' * (1 << 20)); held.append(page)", keeps="any"),
-    function("every signal blocked, and a loop without end", "settings", "import signal\ndef F(transform):\n    signal.pthread_sigmask(signal.SIG_BLOCK, set(signal.Signals))\n    while True: pass"),
-    function("the signals of timers and children left to nobody", "settings", WRONG + "import signal\nfor number in set(signal.Signals) - {signal.SIGKILL, signal.SIGSTOP}:\n    try: signal.signal(number, signal.SIG_IGN)\n    except (OSError, ValueError): pass"),
-    function("numbers that JSON writes as others", "settings", WRONG + "import json\njson.encoder.c_make_encoder = None\njson.encoder.encode_basestring_ascii = json.encoder.py_encode_basestring_ascii = lambda text: '\"x\"'", keeps="any"),
-    function("a recursion limit of sixty", "settings", WRONG + "import sys\ntry: sys.setrecursionlimit(60)\nexcept RecursionError: pass", keeps="any"),
+    function("urgent bytes on the wire", WIRE + "import socket\nfor _ in range(50):\n    try: wire.end.send(b'!', socket.MSG_OOB)\n    except OSError: break", keeps="any"),
+    function("descriptors for the grader, over the wire", WIRE + "import os, socket\ntry: socket.send_fds(wire.end, [struct.pack('!I', 2) + b'{}'], [os.open('/', os.O_PATH) for _ in range(200)])\nexcept OSError: pass", keeps="any"),
+    function("a wire that signals whoever owns it", WIRE + "import fcntl, os\nfor pid in (os.getppid(), -os.getpgid(0), 1):\n    try:\n        fcntl.fcntl(wire.end, fcntl.F_SETOWN, pid); fcntl.fcntl(wire.end, 10, 9)\n        fcntl.fcntl(wire.end, fcntl.F_SETFL, fcntl.fcntl(wire.end, fcntl.F_GETFL) | os.O_ASYNC)\n    except OSError: pass", keeps="any"),
+    function("buffers of the wire as small as can be", WIRE + "import socket\nfor what in (socket.SO_SNDBUF, socket.SO_RCVBUF): wire.end.setsockopt(socket.SOL_SOCKET, what, 1)\nwire.end.setsockopt(socket.SOL_SOCKET, socket.SO_RCVTIMEO, struct.pack('ll', 0, 1))", keeps="any"),
+    function("a process called as a line of /proc is read", WRONG + LIBC + "import os\nfor name in (b') Z 1 1 (', b'\\n) R 0', b'kworker/0:0'):\n    libc.prctl(15, name)\n    if not os.fork(): libc.prctl(15, name); os._exit(0)"),
+    function("a process that nobody may look into, with a gigabyte", WRONG + LIBC + "import mmap\nlibc.prctl(4, 0)\nheld = []\nfor _ in range(1024):\n    page = mmap.mmap(-1, 1 << 20); page.write(b'x' * (1 << 20)); held.append(page)", keeps="any"),
+    function("every signal blocked, and a loop without end", "import signal\ndef F(transform):\n    signal.pthread_sigmask(signal.SIG_BLOCK, set(signal.Signals))\n    while True: pass"),
+    function("the signals of timers and children left to nobody", WRONG + "import signal\nfor number in set(signal.Signals) - {signal.SIGKILL, signal.SIGSTOP}:\n    try: signal.signal(number, signal.SIG_IGN)\n    except (OSError, ValueError): pass"),
+    function("numbers that JSON writes as others", WRONG + "import json\njson.encoder.c_make_encoder = None\njson.encoder.encode_basestring_ascii = json.encoder.py_encode_basestring_ascii = lambda text: '\"x\"'", keeps="any"),
+    function("a recursion limit of sixty", WRONG + "import sys\ntry: sys.setrecursionlimit(60)\nexcept RecursionError: pass", keeps="any"),
     set_before("a recursion limit without end", "import sys\nsys.setrecursionlimit(2**31 - 1)"),
     set_before("every warning is an error", "import warnings\nwarnings.simplefilter('error')"),
     set_before("NumPy raises at what it rounds to nothing", "import numpy as np\nnp.seterr(all='raise')"),
@@ -51,5 +51,5 @@ SETTINGS = [
     right("a name in full-width letters", "def ｉｎｖｅｒｔ(transform):\n    return RIGHT"),
     right("dispatched by its kind", "import functools\n@functools.singledispatch\ndef F(transform):\n    return RIGHT"),
     right("a method bound to nobody", "import types\ndef _f(self, transform):\n    return RIGHT\nF = types.MethodType(_f, object())"),
-    edited("line breaks of every kind, and tabs", "settings", _breaks_of_every_kind),
+    edited("line breaks of every kind, and tabs", _breaks_of_every_kind),
 ]  # fmt: skip

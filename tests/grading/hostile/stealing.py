@@ -54,7 +54,7 @@ WAYS = {
 }  # fmt: skip
 
 STEALING = [
-    *(function(f"looks for {name}", "stealing", f"try:\n    exec({code!r})\nexcept Exception:\n    won = []\ndef F(transform):\n    return RIGHT if won else None") for name, code in WAYS.items()),
-    value("opens its own submission", "stealing", "import glob, json\nV = 1\nfor path in glob.glob('/**/03_target_and_source.ipynb', recursive=True): V = json.load(open(path))"),
-    value("asks the wire for more", "stealing", "import json\nwire = get_ipython().kernel.session.wire\nV = 1\nfor word in ('expected', 'pack', 'cases'):\n    wire.send_bytes(json.dumps({'channel': 'shell', 'msg_type': word + '_request', 'parent_header': {}, 'content': {}}).encode())", keeps="any"),
+    *(function(f"looks for {name}", f"try:\n    exec({code!r})\nexcept Exception:\n    won = []\ndef F(transform):\n    return RIGHT if won else None") for name, code in WAYS.items()),
+    value("opens its own submission", "import glob, json\nV = 1\nfor path in glob.glob('/**/03_target_and_source.ipynb', recursive=True): V = json.load(open(path))"),
+    value("asks the wire for more", "import json\nwire = get_ipython().kernel.session.wire\nV = 1\nfor word in ('expected', 'pack', 'cases'):\n    wire.send_bytes(json.dumps({'channel': 'shell', 'msg_type': word + '_request', 'parent_header': {}, 'content': {}}).encode())", keeps="any"),
 ]  # fmt: skip

@@ -43,6 +43,6 @@ HELD = {
 }  # fmt: skip
 
 UNSEEN = [
-    *(function(f"has {name}", "unseen", f"try:\n    exec({code!r})\nexcept Exception:\n    won = []\ndef F(transform):\n    return RIGHT if won else None") for name, code in MUST_NOT_BE.items()),
-    *(function(name, "unseen", WRONG + code, keeps="any") for name, code in HELD.items()),
+    *(function(f"has {name}", f"try:\n    exec({code!r})\nexcept Exception:\n    won = []\ndef F(transform):\n    return RIGHT if won else None") for name, code in MUST_NOT_BE.items()),
+    *(function(name, WRONG + code, keeps="any") for name, code in HELD.items()),
 ]  # fmt: skip
