@@ -32,8 +32,9 @@ def nbval(copy: Path, page: str, option: str) -> tuple[int, str]:
     return done.returncode, done.stdout
 
 
-@pytest.mark.parametrize("option", ["--nbval", "--nbval-lax"])
-@pytest.mark.parametrize(("language", "stem"), [("en", "03_target_and_source"), ("ko", "00_start")])
+@pytest.mark.parametrize(
+    ("language", "stem", "option"), [("en", "03_target_and_source", "--nbval"), ("ko", "00_start", "--nbval-lax")]
+)
 def test_nbval_passes_on_a_page_of_a_fresh_copy(tmp_path: Path, language: str, stem: str, option: str) -> None:
     copy = lay_out(tmp_path / "copy", language)
     status, printed = nbval(copy, f"notebooks/{language}/{stem}.ipynb", option)

@@ -1,4 +1,4 @@
-"""The tasks of all chapters: complete, in two languages, and with distinct mistakes for any seed."""
+"""The tasks of all chapters are complete, in two languages, and have distinct mistakes for any seed."""
 
 from __future__ import annotations
 
@@ -52,17 +52,12 @@ def test_a_function_that_ignores_its_input_earns_nothing(stem, file):
 
 
 @each_task
-def test_the_texts_of_a_task_are_english_and_korean(stem, file):
+def test_a_task_has_variants_and_mistakes_and_texts_in_english_and_korean(stem, file):
     task = task_in(stem, file)
     for text in [task.title, *task.hints, *(mistake.reply for mistake in task.mistakes)]:
         assert re.search("[가-힣]", text.ko), f"not in Korean: {text.ko}"
         assert not re.search("[가-힣]", text.en), f"not in English: {text.en}"
     assert len({text.en for text in task.hints}) == (0 if task.counts else 3)
-
-
-@each_task
-def test_a_task_has_variants_and_mistakes(stem, file):
-    task = task_in(stem, file)
     if task.kind in "NFT":
         assert task.variants >= 3 or task.inputs is not None
         assert task.mistakes
