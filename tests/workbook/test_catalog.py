@@ -165,5 +165,5 @@ def test_threads_can_read_the_tasks_of_one_chapter():
             return [task.id for task in read_tasks(folder)]
 
     with ThreadPoolExecutor(8) as threads:
-        (ids,) = {tuple(found) for found in threads.map(read, range(40))}
+        (ids,) = {tuple(found) for found in threads.map(read, range(16))}
     assert len(ids) == 7

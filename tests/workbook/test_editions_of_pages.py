@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import json
 import re
+from itertools import cycle
 from pathlib import Path
 
+import nbformat
 import pytest
+from nbclient import NotebookClient
 
+from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.pages.build import build_pages, sources
 from tflab.workbook.pages.editions import with_figures
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.paths import chapters, workbook_data
+from tflab.workbook.progress import attempts
 from tflab.workbook.tasks.catalog import tasks_of
 from tflab.workbook.tasks.task import slug
 
@@ -54,14 +59,8 @@ def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) ->
 @pytest.mark.proof(
     reads=["exercises/{language}/E{stem}.ipynb", "solutions/tasks/{stem}/*", "solutions/en/{stem}.ipynb"]
 )
-@pytest.mark.parametrize("language", ["en", "ko"])
-@pytest.mark.parametrize("stem", CHAPTERS)
+@pytest.mark.parametrize(("stem", "language"), zip(CHAPTERS, cycle(("en", "ko")), strict=False))  # of the same code
 def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, language: str, tmp_path: Path) -> None:
-    import nbformat
-    from nbclient import NotebookClient
-
-    from tflab.workbook.copy.lay_out import lay_out
-    from tflab.workbook.progress import attempts
 
     root = lay_out(tmp_path / "copy", language)
     path = root / "exercises" / language / f"E{stem}.ipynb"
