@@ -17,6 +17,11 @@ from .conftest import HandedOut
 PAGE, START = "exercises/en/E03_small.ipynb", "notebooks/en/00_start.ipynb"
 
 
+@pytest.fixture
+def copy(handed_out: HandedOut, tmp_path: Path) -> Path:
+    return lay_out(tmp_path / "copy", "en")
+
+
 def cells(path: Path) -> dict[str, str]:
     return {cell["id"]: "".join(cell["source"]) for cell in json.loads(path.read_text())["cells"]}
 
@@ -82,8 +87,7 @@ def first_version(copy: Path) -> None:
     (copy / "workbook.json").write_text(json.dumps(mark))
 
 
-def test_a_copy_of_the_first_version_is_updated_around_what_was_written(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_a_copy_of_the_first_version_is_updated_around_what_was_written(handed_out: HandedOut, copy: Path) -> None:
     write_into(copy / PAGE, "answer", "x = 42")
     first_version(copy)
     (copy / START).unlink()
@@ -98,8 +102,7 @@ def test_a_copy_of_the_first_version_is_updated_around_what_was_written(handed_o
     assert update(copy) == []
 
 
-def test_what_was_deleted_comes_back_and_what_was_written_stays(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_what_was_deleted_comes_back_and_what_was_written_stays(handed_out: HandedOut, copy: Path) -> None:
     (copy / "notebooks/en/00_start.ipynb").unlink()
     (copy / PAGE).write_text("mine")
     lay_out(copy, "en")
@@ -118,8 +121,7 @@ def test_a_folder_with_something_else_in_it_is_refused(handed_out: HandedOut, tm
 
 
 @pytest.mark.parametrize("text", ["", "[]", '{"tflab":"1","edition":"x","language":"en","learner":null}'])
-def test_a_workbook_json_that_is_broken_is_said_and_kept(text: str, handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_a_workbook_json_that_is_broken_is_said_and_kept(text: str, handed_out: HandedOut, copy: Path) -> None:
     (copy / "workbook.json").write_text(text)
     for attempt in (lambda: read_workbook(copy), lambda: update(copy), lambda: lay_out(copy, "ko")):
         with pytest.raises(WorkbookError, match="Nothing was changed"):
@@ -127,8 +129,7 @@ def test_a_workbook_json_that_is_broken_is_said_and_kept(text: str, handed_out: 
     assert (copy / "workbook.json").read_text() == text
 
 
-def test_an_answer_stays_where_the_page_around_it_is_new(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_an_answer_stays_where_the_page_around_it_is_new(handed_out: HandedOut, copy: Path) -> None:
     write_into(copy / PAGE, "answer", "x = 42")
     handed_out.write(PAGE, title="# E3, better", answer="x = ...", more="print(x)", check="check('E3.1', x)")
     assert update(copy) == [Change(PAGE, "merged", kept=1)]
@@ -141,10 +142,7 @@ def test_an_answer_stays_where_the_page_around_it_is_new(handed_out: HandedOut, 
     assert cells(copy / ".tflab/backups/1" / PAGE)["title"] == "# E3"
 
 
-def test_a_cell_that_both_changed_stays_and_has_the_new_one_beside_it_once(
-    handed_out: HandedOut, tmp_path: Path
-) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_a_cell_that_both_changed_stays_and_has_the_new_one_beside_it_once(handed_out: HandedOut, copy: Path) -> None:
     write_into(copy / PAGE, "answer", "x = 42")
     handed_out.write(PAGE, title="# E3", answer="y = ...", check="check('E3.1', y)")
     assert update(copy) == [Change(PAGE, "merged", kept=1, beside=1)]
@@ -155,8 +153,7 @@ def test_a_cell_that_both_changed_stays_and_has_the_new_one_beside_it_once(
     assert list(cells(copy / PAGE).items()) == now
 
 
-def test_cells_of_ones_own_stay_behind_the_cell_that_they_stood_behind(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_cells_of_ones_own_stay_behind_the_cell_that_they_stood_behind(handed_out: HandedOut, copy: Path) -> None:
     page = json.loads((copy / PAGE).read_text())
     for place, name in ((2, "own-2"), (2, "own-1"), (0, "own-0")):
         page["cells"].insert(place, {"cell_type": "code", "id": name, "metadata": {}, "source": name, "outputs": []})
@@ -166,8 +163,7 @@ def test_cells_of_ones_own_stay_behind_the_cell_that_they_stood_behind(handed_ou
     assert list(cells(copy / PAGE)) == ["own-0", "first", "title", "answer", "own-1", "own-2", "check"]
 
 
-def test_a_cell_that_is_no_longer_part_goes_unless_it_was_written_in(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_a_cell_that_is_no_longer_part_goes_unless_it_was_written_in(handed_out: HandedOut, copy: Path) -> None:
     write_into(copy / PAGE, "check", "check('E3.1', x)  # mine")
     handed_out.write(PAGE, answer="x = ...")
     update(copy)
@@ -175,9 +171,8 @@ def test_a_cell_that_is_no_longer_part_goes_unless_it_was_written_in(handed_out:
 
 
 def test_outputs_stay_where_a_cell_is_the_same_and_two_cells_with_one_id_are_both_kept(
-    handed_out: HandedOut, tmp_path: Path
+    handed_out: HandedOut, copy: Path
 ) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
     page = json.loads((copy / PAGE).read_text())
     page["cells"][2]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "E3.1 ✓ 6/6\n"}]
     (copy / PAGE).write_text(json.dumps(page))
@@ -301,9 +296,8 @@ def test_an_older_copy_loses_the_outputs_that_gave_predictions_away_unless_they_
 
 
 def test_a_page_that_is_no_notebook_any_more_stays_and_the_new_one_is_put_beside(
-    handed_out: HandedOut, tmp_path: Path
+    handed_out: HandedOut, copy: Path
 ) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
     (copy / PAGE).write_text("half a noteb")
     handed_out.write(PAGE, title="# E3, better")
     assert update(copy) == [Change(PAGE, "kept")]
@@ -311,8 +305,7 @@ def test_a_page_that_is_no_notebook_any_more_stays_and_the_new_one_is_put_beside
     assert len(list((copy / PAGE).parent.glob("E03_small.new-*.ipynb"))) == 1
 
 
-def test_without_the_pages_as_they_were_handed_out_answers_stay(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "en")
+def test_without_the_pages_as_they_were_handed_out_answers_stay(handed_out: HandedOut, copy: Path) -> None:
     write_into(copy / PAGE, "answer", "x = 42")
     shutil.rmtree(copy / ".tflab")
     handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
