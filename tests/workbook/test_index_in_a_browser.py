@@ -106,21 +106,13 @@ def test_a_picture_says_what_it_shows_a_page_its_language_and_no_line_of_code_is
     )
 
 
-def test_a_dotted_word_explains_itself_by_key(lab, page) -> None:
-    cell = nbformat.v4.new_markdown_cell('An <abbr title="An origin and three axes.">frame</abbr> has a name.')
-    open_page(lab, page, "dotted.ipynb", cell)
-    page.wait_for_selector("abbr[tabindex='0']").focus()
-    said = "getComputedStyle(document.querySelector('abbr'), '::after').content"
-    assert page.evaluate(said) == '"An origin and three axes."'
-    page.evaluate("document.activeElement.blur()")
-    assert page.evaluate(said) == "none"
-
-
-def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -> None:
+def test_a_view_without_a_kernel_and_a_dotted_word_explain_themselves_and_only_edits_are_unsaved(lab, page) -> None:
     view = {"model_id": "0" * 32, "version_major": 2, "version_minor": 0}
     shown = {"application/vnd.jupyter.widget-view+json": view, "text/plain": "odom and base_link, 2.00 m apart"}
-    cell = nbformat.v4.new_code_cell("scene", outputs=[nbformat.v4.new_output("display_data", shown)])
-    notebook = nbformat.v4.new_notebook(cells=[cell], metadata={"tflab": {"language": "en"}, "kernelspec": PYTHON})
+    dotted = nbformat.v4.new_markdown_cell('An <abbr title="An origin and three axes.">frame</abbr> has a name.')
+    scene = nbformat.v4.new_code_cell("scene", outputs=[nbformat.v4.new_output("display_data", shown)])
+    metadata = {"tflab": {"language": "en"}, "kernelspec": PYTHON}
+    notebook = nbformat.v4.new_notebook(cells=[dotted, scene], metadata=metadata)
     nbformat.write(notebook, lab.folder / "yesterday.ipynb")
     NotebookNotary().sign(nbformat.read(lab.folder / "yesterday.ipynb", 4))
     lab.open(page, "yesterday.ipynb")
@@ -129,10 +121,13 @@ def test_a_view_whose_kernel_is_gone_says_its_words_and_what_to_run(lab, page) -
     assert said.startswith("odom and base_link, 2.00 m apart")
     assert "model not found" not in said
 
+    page.wait_for_selector("abbr[tabindex='0']").focus()
+    title = "getComputedStyle(document.querySelector('abbr'), '::after').content"
+    assert page.evaluate(title) == '"An origin and three axes."'
+    page.evaluate("document.activeElement.blur()")
+    assert page.evaluate(title) == "none"
 
-def test_a_page_is_unsaved_when_somebody_writes_into_it_and_not_for_what_its_kernel_is_called(lab, page) -> None:
-    open_page(lab, page, "clean.ipynb", nbformat.v4.new_code_cell("1 + 1"), nbformat.v4.new_code_cell("2 + 2"))
-    page.wait_for_function(f"{MODEL}.getMetadata('language_info').version !== undefined")
+    page.wait_for_function(f"{MODEL}.getMetadata('language_info').version !== undefined")  # what its kernel is called
     page.wait_for_timeout(500)
     assert page.evaluate(f"{MODEL}.dirty") is False
     page.evaluate(f"{MODEL}.cells.get(1).sharedModel.setSource('3 + 3')")
