@@ -119,15 +119,6 @@ def test_outlines_are_in_order_and_without_cases() -> None:
         assert task.variants == () and task.title.ko and len(task.hints) == 3 and task.feedback
 
 
-def test_a_variant_is_computed_once(tmp_path, monkeypatch) -> None:
-    chapter.copy_of_workbook(tmp_path, monkeypatch)
-    one, again, other = (
-        assigned_cases(workbook_data(), chapter.STEM, "E3.1", Workbook(seed=seed)) for seed in ("", "", "of a class")
-    )
-    assert one is again and one.variants != other.variants
-    assert catalog._assigned.cache_info()[:2] == (1, 2)
-
-
 def test_an_edit_of_a_yaml_file_is_read(tmp_path, monkeypatch) -> None:
     chapter.copy_of_workbook(tmp_path, monkeypatch)
     path = workbook_data() / "solutions" / "tasks" / chapter.STEM / "e3_3.yaml"
