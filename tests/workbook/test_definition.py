@@ -69,6 +69,8 @@ def test_a_task_has_the_texts_and_the_mistakes_of_its_file_in_order(tmp_path):
         (COMPUTED, 'line 12: "half" has one of `at`, `answer` and an entry in ANSWERS of e3_1.py'),
         (SWAPPED.replace("misc", "answer: 1, misc"), 'line 12: "swapped" has one of `at`, `answer` and an entry'),
         ("  - swapped\n", "line 12: a mapping is expected"),
+        ("  swapped: {}\n", "line 12: a list is expected"),
+        (SWAPPED.replace("part: x", "part: y"), 'line 12: there is no part "y"; there is x'),
     ],
 )
 def test_a_faulty_file_is_refused_with_its_line(tmp_path, texts, message):

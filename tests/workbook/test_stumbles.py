@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.core import BufferCore, ConnectivityException, StampedTransform, Transform
 from tflab.ros.messages import checks as field_checks
 from tflab.ros.messages import geometry_msgs
 from tflab.ros.tf2.buffer import Buffer
@@ -35,6 +35,10 @@ def looked_up():
     return in_a_buffer("map", "base", 5)
 
 
+def raised_by_oneself():
+    raise ConnectivityException("no way")
+
+
 STUMBLES = [
     (lambda: Time(clock_type=ClockType.ROS_TIME) - Time(), "nanoseconds"),
     (lambda: POSE @ POSE.inverse, "not called"),
@@ -49,6 +53,10 @@ STUMBLES = [
     (lambda: Time().sec, "two kinds of Time"),
     (lambda: {["base_link"]}, "`.update(…)`"),
     (lambda: 1 / 0.0, "is 0"),
+    (lambda: int("5", basis=2), "of that name"),
+    (lambda: {}.append(1), "by a key"),
+    (lambda: Time().to_msg() - Time().to_msg(), "does not compute"),
+    (raised_by_oneself, "a `raise` of your own"),
     (lambda: undefined_name, "misspelt"),  # noqa: F821
     (lambda: looked_up().inverse(), "`.transform`"),
     (lambda: geometry_msgs.TransformStamped().inverse(), "does not compute"),
