@@ -35,7 +35,7 @@ def test_a_name_stands_below_on_the_right_and_keeps_off_lines_and_the_edge(ax):
         (label_at(ax, 200, 200), [label_at(ax, 300, 300, name="")], line, (-1, -1)),  # but its lines do
     ):
         (others or [label])[0].keep_off = keep_off
-        place_labels([*others, label])
+        place_labels([label, *others] if keep_off else [*others, label])
         assert way(label) == place
         assert not label.leader.get_visible()
 
