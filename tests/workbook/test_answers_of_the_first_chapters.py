@@ -171,6 +171,12 @@ def test_an_officer_is_told_which_question_is_another(judge, slips):
     assert slips_of("E2.4", judge) == slips
 
 
+def test_a_verdict_that_is_never_returned_is_told_by_its_name():
+    verdict = verdict_on("E2.4", lambda q: None if customs()(q) == "ok" else customs()(q))
+    assert verdict.mistake is Mistake.SOMETIMES_NOTHING
+    assert 'it is the way to "ok" that has no `return`' in verdict.detail["certain"].en
+
+
 def test_a_verdict_that_is_raised_is_told_to_be_returned():
     def judge(q):
         if customs()(q) == "nan":

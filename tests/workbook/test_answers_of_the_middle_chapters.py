@@ -75,6 +75,7 @@ OWN, AT = "message.header.frame_id", "Time.from_msg(stamp)"
     [
         ("Time(seconds=stamp.sec + stamp.nanosec)", "is its sec plus nanosec, taken for seconds, too."),
         ("Time(nanoseconds=stamp.sec * 10**6 + stamp.nanosec)", "is its nanosec, and sec taken for milliseconds."),
+        ("Time(nanoseconds=now.nanoseconds + 10**9)", "is 1 s later than argument 3, in each call."),
         ("Time(nanoseconds=now.nanoseconds - Time.from_msg(stamp).nanoseconds)", "to argument 3, and no moment."),
         ("Time(nanoseconds=Time.from_msg(stamp).nanoseconds - 2 * 10**9)", "2 s earlier than the stamp, in each call."),
     ],

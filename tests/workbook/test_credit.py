@@ -166,6 +166,7 @@ LOOP = Parts({"leap_m": Number("m"), "step_m": Number("m")})
     [
         ((1.0, 0.0), [(2.0, 0.0), (3.0, 5.0)], [False, True]),
         ((1.0, 0.0), [(2.0, 4.0), (3.0, 5.0), (4.0, 0.0)], [False, False]),
+        ((1.0, 0.0), [], []),
         ((1.0, 0.0), [(1.0, 0.0), (1.0, 0.0)], []),  # nothing differs: this is known, or not
     ],
 )

@@ -136,11 +136,18 @@ def test_of_mistakes_that_give_some_of_the_words_none_is_named():
     assert list(judged_function(WORDS, asked, twins).slips) == ["wall for sim"]
 
 
-def test_beside_words_that_are_confused_stands_what_there_is_to_see():
-    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off"))]
-    task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("out", "out", "out", "off"), " There the door is open."),
+        (("out", "out", "out", "out"), '"in": There the door is open.'),  # of several words, of which one it is
+    ],
+)
+def test_beside_words_that_are_confused_stands_what_there_is_to_see(given, said):
+    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off", "ok"))]
+    task, variant = bare(Choice(("in", "out", "off", "ok")), *cases, is_function=True)
     task = task._replace(seen={"in": Text("There the door is open.", "문이 열려 있습니다.")})
-    assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en
+    assert said in judge_outcomes(task, variant, [*given, "ok"]).said.en
 
 
 def test_the_call_that_is_shown_is_one_of_which_the_reply_speaks():

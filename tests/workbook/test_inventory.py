@@ -167,11 +167,17 @@ def spoilt(old: str, new: str, count: int = 1):
         ('says: "(0.2, 2.0)", shows: right', 'says: "(0.2, 2.0)", shows: M1', "form A, item 1: 0 options are right"),
         ('says: "(0, 2.2)", shows: M2', 'says: "(0, 2.2)", shows: ""', 'option "d" shows no misconception'),
         ("- shows: M2", "- shows: M16", "one for each of M1 to M15"),
+        ('    d: {says: "(0, 2.2)"', '    z: {says: "(0, 2.2)"', "it has the options a, b, c, not a, b, c, d"),
         ('says: "(0, 1.2)", shows: M1', 'says: "(0, 1.2)", shows: M3', "looks for M1, which no option of form B shows"),
     ],
 )  # fmt: skip
 def test_what_is_out_of_balance_is_a_fault(old, new, said):
     assert any(said in fault for fault in imbalances(spoilt(old, new), "A"))
+
+
+def test_more_than_five_right_options_of_one_letter_are_a_fault():
+    text = re.sub(r"    b: (.*) shows: \w+,", r"    b: \1 shows: right,", inventory_file().read_text(encoding="utf-8"))
+    assert 'form B: "b" is right 13 times, more than 5' in list(imbalances(parsed(text), "B"))
 
 
 def test_the_build_finds_a_form_out_of_balance_and_a_question_that_was_edited_on_its_page(tmp_path: Path):
@@ -186,6 +192,9 @@ def test_the_build_finds_a_form_out_of_balance_and_a_question_that_was_edited_on
         "form A, item 1: 0 options are right (none), and one has to be",
         "the questions are not those of solutions/inventory.yaml",
     ]
+    (tmp_path / "inventory.yaml").write_text("items: 3", encoding="utf-8")
+    (fault,) = form_faults(read_page(page), read_tasks(TASKS / "00_start"))
+    assert "cannot be read" in fault.wrong
 
 
 def test_a_task_where_taking_part_counts_has_nothing_that_could_help():

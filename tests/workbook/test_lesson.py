@@ -26,6 +26,11 @@ def test_the_sentence_of_a_panel_is_in_the_language_of_the_copy(language, words,
     panel.close()
 
 
+def test_the_cloud_is_a_wall_two_metres_ahead_and_a_floor_below():
+    assert set(lesson.wall_cloud()[:, 2]) == {2.0}
+    assert set(lesson.floor_cloud()[:, 1]) == {0.4}
+
+
 def test_the_drive_is_played_with_a_robot_a_laser_and_the_walls():
     words = lesson.show_drive(for_s=1.0).describe()
     assert "robot, 13 of 13 links" in words

@@ -58,6 +58,7 @@ def seen(old, new):
         ("    words =", '    finally:\n        return "ok"\n    words =', 14, lint.TEXTS["goes_over_all"]),
         ("words.sort()", "return words\n    words.sort()", 15, lint.TEXTS["after_the_end"]),
         ('return "key"', 'print("key")', 6, lint.TEXTS["only_printed"]),
+        ('return "past"', 'print("past")', 11, lint.TEXTS["only_printed"]),
         ("words.sort()", "words.sort", 14, lint.TEXTS["not_called"]),
         ("words.sort()", "sorted(words)", 14, lint.TEXTS["not_kept"]),
         ("words.sort()", 'words == ["ok"]', 14, lint.TEXTS["not_set"]),
