@@ -1,4 +1,4 @@
-"""What do tests in a real browser need?  One JupyterLab and one Chromium for the whole run.
+"""One JupyterLab and one Chromium for all tests in a real browser.
 
     lab        a real JupyterLab on a free port of this machine, in an empty folder
     chromium   a browser without a window, WebGL in software

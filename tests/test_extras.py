@@ -33,39 +33,28 @@ def test_command_runs_with_the_bags_extra_alone(words: list[str], tmp_path: Path
     assert "--html" not in words or "</html>" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
-def test_help_of_the_base_install_names_the_extra_with_jupyterlab(tmp_path: Path) -> None:
-    done = run_without(list(EXTRA_OF), "from tflab.cli import main; main([])", tmp_path)
+def test_the_base_install_names_the_extra_with_jupyterlab_makes_no_copy_and_replies(tmp_path: Path) -> None:
+    done = run_without(list(EXTRA_OF), "from tflab.cli import main; main([]); sys.exit(main(['lab']))", tmp_path)
     assert 'Figures and JupyterLab are not installed. Install them with: pip install "tflab[lab]"\n' in done.stdout
-
-
-def test_lab_of_the_base_install_names_the_extra_and_makes_no_copy(tmp_path: Path) -> None:
-    done = run_without(list(EXTRA_OF), "from tflab.cli import main; sys.exit(main(['lab']))", tmp_path)
     assert done.stderr == 'tflab lab: This needs jupyterlab. Install it with: pip install "tflab[lab]"\n'
     assert done.returncode == 2 and not any(tmp_path.iterdir())
-
-
-def test_check_replies_in_plain_python_without_any_extra(tmp_path: Path) -> None:
     code = "from tflab.workbook import check; check('E3.2', {'base_link': (1, 0, 0), 'map': (1, 0, 0)})"
     done = run_without(list(EXTRA_OF), code, tmp_path)
     assert done.stdout.startswith("E3.2 ✗") and done.stderr == ""
 
 
-@pytest.mark.parametrize(
-    "module",
-    [
-        "views.frames",
-        "views.slider_frames",
-        "views.panels",
-        "views.scene",
-        "views.rviz",
-        "clinic.panel",
-        "workbook.lesson",
-    ],
-)
-def test_importing_what_draws_names_the_extra(module: str, tmp_path: Path) -> None:
-    done = run_without(VIEWS, f"import tflab.{module}", tmp_path)
-    last = done.stderr.splitlines()[-1]
-    assert last == 'ModuleNotFoundError: This needs matplotlib. Install it with: pip install "tflab[views]"'
+def test_importing_what_draws_names_the_extra(tmp_path: Path) -> None:
+    modules = ("frames", "slider_frames", "panels", "scene", "rviz")
+    names = [*(f"tflab.views.{name}" for name in modules), "tflab.clinic.panel", "tflab.workbook.lesson"]
+    code = f"""
+for name in {names}:
+    try:
+        __import__(name)
+    except ModuleNotFoundError as error:
+        print(error)
+"""
+    said = 'This needs matplotlib. Install it with: pip install "tflab[views]"'
+    assert run_without(VIEWS, code, tmp_path).stdout.splitlines() == [said] * len(names)
 
 
 def test_a_hint_names_the_library_of_a_module_and_only_ours() -> None:

@@ -7,8 +7,6 @@ import re
 import sys
 from pathlib import Path
 
-import pytest
-
 ROOT = Path(__file__).parents[1]
 FOLDERS = ("tflab", "tests", "solutions", "notebooks/src", "benchmarks", "docs")
 FILES = sorted(path for folder in FOLDERS for path in (ROOT / folder).rglob("*.py"))
@@ -67,16 +65,13 @@ def test_nothing_asks_for_a_later_library() -> None:
     assert {name: names for name, names in later.items() if names} == {}
 
 
-@pytest.mark.parametrize(
-    ("source", "found"),
-    [
+def test_what_is_later_is_seen() -> None:
+    for source, found in (
         ("from enum import StrEnum", ["enum.StrEnum"]),
         ("import tomllib", ["tomllib"]),
         ("import sys\nif sys.version_info >= (3, 11):\n    import tomllib\nelse:\n    import tomli", []),
         ("import asyncio\nasyncio.TaskGroup()", ["asyncio.TaskGroup"]),
         ("from enum import Enum", []),
-    ],
-)
-def test_what_is_later_is_seen(source: str, found: list[str]) -> None:
-    assert later_than_the_oldest(source) == found
+    ):
+        assert later_than_the_oldest(source) == found
     assert sys.version_info >= OLDEST

@@ -28,6 +28,7 @@ ROOT = Path(__file__).parents[1]
 READMES = {"en": "README.md", "ko": "README.ko.md"}
 PYPROJECT = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
 HERE = [sys.executable, "-m", "tflab"]
+needs_make = pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
 
 
 def readme(language: str) -> str:
@@ -44,23 +45,18 @@ def test_every_command_that_is_named_is_there() -> None:
     assert {"lab", "build", "check", "doctor", "grade"} <= typed_commands() <= set(SUBCOMMANDS)
 
 
-@pytest.mark.parametrize("language", sorted(READMES))
-def test_the_table_of_chapters_is_the_course(language: str) -> None:
+@pytest.mark.parametrize(("language", "begins"), [("en", "To come: "), ("ko", "준비 중인 장: ")])
+def test_the_table_of_chapters_is_the_course_and_what_is_to_come_is_what_is_not_there(
+    language: str, begins: str
+) -> None:
     assert readme(language) == contents.readme(language, ROOT), "run: python -m tflab.workbook.course.contents"
     there = {path.stem for path in (ROOT / "notebooks" / "en").glob("*.ipynb")}
+    numbers = {f"{chapter.number:02}": chapter.stem in there for chapter in read_course().chapters}
     rows = re.findall(r"^\| (\d\d) \|", readme(language), re.MULTILINE)
-    assert rows == [f"{one.number:02}" for one in read_course().chapters if one.stem in there]
-
-
-@pytest.mark.parametrize(("language", "begins"), [("en", "To come: "), ("ko", "준비 중인 장: ")])
-def test_what_is_to_come_is_what_is_not_there(language: str, begins: str) -> None:
+    assert rows == [number for number, is_there in numbers.items() if is_there]
     (line,) = [line for line in readme(language).splitlines() if line.startswith(begins)] or [begins]
-    there = {path.stem[:2] for path in (ROOT / "notebooks" / "en").glob("*.ipynb")}
     assert "{" not in line
-    numbers = re.findall(r"\b(\d\d) ", line)
-    assert numbers == [
-        f"{chapter.number:02}" for chapter in read_course().chapters if f"{chapter.number:02}" not in there
-    ]
+    assert re.findall(r"\b(\d\d) ", line) == [number for number, is_there in numbers.items() if not is_there]
 
 
 @pytest.mark.parametrize("language", sorted(READMES))
@@ -126,35 +122,26 @@ def test_the_files_that_the_readme_names_are_there() -> None:
         "install.ko", "docs/install.ko"
     )
     named = set(re.findall(r"(?<![\w/])((?:docs/|\.\w+/?)?[\w.]+\.(?:md|py)|\.\w+/)(?![\w/])", text))
-    assert {
-        "CONTRIBUTING.md",
-        "CHANGELOG.md",
-        "docs/grading.md",
-        "docs/install.md",
-        "README.ko.md",
-        ".binder/",
-    } <= named
+    assert {"CONTRIBUTING.md", "docs/grading.md", "docs/install.md", "README.ko.md", ".binder/"} <= named
     missing = [name for name in named if name.endswith((".md", "/")) and not (ROOT / name).exists()]
     assert set(missing) <= {".venv/"}
 
 
-@pytest.mark.parametrize("path", [f"docs/{name}{ko}.md" for name in ("install", "grading") for ko in ("", ".ko")])
-def test_what_keeps_nbval_out_of_every_pytest_is_called_as_it_is_there(path: str) -> None:
-    (plugin,) = re.findall(r"`pytest -p no:(\w+)`", (ROOT / path).read_text(encoding="utf-8"))
-    assert "nbval" in {one.name for one in entry_points(group="pytest11")} & {plugin}
-
-
-def test_containers_install_an_extra_that_there_is() -> None:
-    there = set(re.findall(r"^(\w+) = \[", PYPROJECT.partition("[project.optional-dependencies]")[2], re.MULTILINE))
-    for name in (".devcontainer/devcontainer.json", ".binder/requirements.txt", "Dockerfile"):
-        (extra,) = re.findall(r"(?:\.|/opt/tflab)\[(\w+)\]", (ROOT / name).read_text(encoding="utf-8"))
-        assert extra in there
+def test_what_keeps_nbval_out_of_every_pytest_is_called_as_it_is_there() -> None:
+    plugins = {one.name for one in entry_points(group="pytest11")}
+    for name in ("install.md", "install.ko.md", "grading.md", "grading.ko.md"):
+        (plugin,) = re.findall(r"`pytest -p no:(\w+)`", (ROOT / "docs" / name).read_text(encoding="utf-8"))
+        assert plugin == "nbval" and plugin in plugins
 
 
 def test_the_files_of_containers_can_be_read() -> None:
     settings = json.loads((ROOT / ".devcontainer" / "devcontainer.json").read_text(encoding="utf-8"))
     assert "tflab lab ./tflab_workbook --copy-only" in settings["postCreateCommand"]
     assert os.access(ROOT / ".binder" / "postBuild", os.X_OK)
+    there = set(re.findall(r"^(\w+) = \[", PYPROJECT.partition("[project.optional-dependencies]")[2], re.MULTILINE))
+    for name in (".devcontainer/devcontainer.json", ".binder/requirements.txt", "Dockerfile"):
+        (extra,) = re.findall(r"(?:\.|/opt/tflab)\[(\w+)\]", (ROOT / name).read_text(encoding="utf-8"))
+        assert extra in there
     for path in (ROOT / ".github" / "workflows").glob("*.yml"):
         for job in yaml.safe_load(path.read_text(encoding="utf-8"))["jobs"].values():
             for step in job["steps"]:
@@ -200,7 +187,7 @@ def make(*words: str, folder: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run(["make", *words], cwd=folder, capture_output=True, text=True, env=alone)
 
 
-@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+@needs_make
 def test_an_old_python_is_named_before_anything_is_installed(tmp_path: Path) -> None:
     old = fake_python(tmp_path, "python3.8", 'case "$1" in -V) echo Python 3.8.10;; *) exit 1;; esac')
     done = make("lab", f"PYTHON={old}", folder=tmp_path)
@@ -211,7 +198,7 @@ def test_an_old_python_is_named_before_anything_is_installed(tmp_path: Path) -> 
     assert not (tmp_path / ".venv").exists()
 
 
-@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+@needs_make
 @pytest.mark.parametrize(
     ("status", "last"), [(0, "  installed; what pip said is in"), (1, "Not installed. What pip said is in")]
 )
@@ -229,7 +216,7 @@ def test_installing_says_a_few_lines_and_keeps_the_others(tmp_path: Path, status
     assert len((tmp_path / ".venv" / "install.log").read_text(encoding="utf-8").splitlines()) == 122
 
 
-@pytest.mark.skipif(not any((Path(p) / "make").exists() for p in os.defpath.split(":")), reason="no make")
+@needs_make
 def test_an_environment_of_another_python_is_made_anew_and_options_reach_the_lab(tmp_path: Path) -> None:
     (tmp_path / ".venv" / "bin").mkdir(parents=True)
     fake_python(tmp_path / ".venv" / "bin", "python", "echo 3.9")
@@ -270,17 +257,13 @@ def test_the_sample_and_the_picture_show_what_check_says_today(
     assert shown.split() == said, "run: make pictures"
 
 
-def test_what_a_korean_teacher_is_told_to_type_is_what_an_english_one_is() -> None:
-    ko, en = ((ROOT / "docs" / name).read_text(encoding="utf-8") for name in ("grading.ko.md", "grading.md"))
-    for typed in (r"tflab [a-z]+", r"--[a-z][a-z-]+", r"[\w/]+\.(?:csv|json|html|zip)"):
-        named = [set(re.findall(typed, text.replace("--lang ko", ""))) for text in (ko, en)]
-        assert named[0] and named[0] <= named[1]
-
-
-def test_the_korean_readme_and_installation_name_the_same_commands_and_figures() -> None:
+def test_the_korean_pages_name_the_same_commands_and_figures() -> None:
     named = (r"tflab\.\w+`", r"\*\*(?:VS Code|Windows)", r"TFLAB_\w+=\w+", r"`tflab [a-z]+", r"\| *\d+ \| \d+ \|$")
-    for name in ("README{}.md", "docs/install{}.md"):
+    for name in ("README{}.md", "docs/install{}.md", "docs/grading{}.md"):
         both = [(ROOT / name.format(language)).read_text(encoding="utf-8") for language in ("", ".ko")]
-        for pattern in (*named, *([r"(?<!\.ko)\.md"] if name.startswith("README") else [])):
-            en, ko = (set(re.findall(pattern, text, re.MULTILINE)) for text in both)
-            assert en == ko, pattern
+        patterns = (*named, r"(?<!\.ko)\.md") if name.startswith("README") else named
+        if "grading" in name:
+            patterns = (r"tflab [a-z]+", r"--[a-z][a-z-]+", r"[\w/]+\.(?:csv|json|html|zip)")
+        for pattern in patterns:
+            en, ko = (set(re.findall(pattern, text.replace("--lang ko", ""), re.MULTILINE)) for text in both)
+            assert ko and ko <= en if "grading" in name else en == ko, pattern

@@ -1,4 +1,4 @@
-"""Texts in two languages: what a file of texts may hold, and that each file of the package is used."""
+"""Texts in two languages: what a file of texts may hold, and that each text of the package is used."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ ROTATIONS = [(0, 0, 0, 1), (0, 0, 1, 0), (0.5, -0.5, 0.5, -0.5), (0, 0, 0.6, 0.8
 
 
 @given(st.integers(0, 2**32))
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=100, deadline=None)
 def test_the_engine_agrees_with_the_reference_without_caches(seed: int) -> None:
     chance = random.Random(seed)
     buffer, plain = BufferCore(CACHE_TIME_NS), PlainBuffer(CACHE_TIME_NS)

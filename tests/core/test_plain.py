@@ -2,28 +2,15 @@
 
 from __future__ import annotations
 
-import gzip
-import json
-from pathlib import Path
-
 import pytest
 
 from tflab.core import Transform, TransformException
 from tflab.core.plain import PlainBuffer
 
-VECTORS = Path(__file__).parent / "data" / "tf2_vectors.jsonl.gz"
-SCENARIOS = {s["name"]: s for s in map(json.loads, gzip.decompress(VECTORS.read_bytes()).splitlines())}
-BEYOND_THE_PAGE = {  # a frame called NO_PARENT, and a robot at infinity
-    "edge_no_parent_name",
-    "pub_names_002",
-    "pub_names_005",
-    "pub_quat_015",
-}
-DIRECTIONS = {
-    "BackwardExtrapolationException": "past",
-    "ForwardExtrapolationException": "future",
-    "NoDataForExtrapolationException": "no_data",
-}
+from .test_tf2_vectors import CPP_NAMES, SCENARIOS, numbers
+
+# A frame called NO_PARENT, and a robot at infinity.
+BEYOND_THE_PAGE = {"edge_no_parent_name", "pub_names_002", "pub_names_005", "pub_quat_015"}
 
 
 @pytest.mark.parametrize("name", sorted(set(SCENARIOS) - BEYOND_THE_PAGE))
@@ -57,7 +44,7 @@ def play(buffer: PlainBuffer, op: dict) -> None:
 
 
 def publish(buffer: PlainBuffer, op: dict, parent: str, child: str) -> None:
-    transform = Transform(tuple(map(float, op["t"])), tuple(map(float, op["q"])))
+    transform = Transform(numbers(op["t"]), numbers(op["q"]))
     assert buffer.set_transform(parent, child, op["ns"], transform, op.get("static", False)) == op["ok"]
 
 
@@ -71,10 +58,10 @@ def outcome(ask, *arguments) -> tuple[str, object]:
 
 def expected_kind(op: dict) -> str:
     name = op["err"]["cls"] if "err" in op else ""
-    return DIRECTIONS.get(name, name)
+    return CPP_NAMES.get(name, name)
 
 
 def same_place(got: Transform, out: dict) -> None:
-    assert got.translation == pytest.approx(tuple(map(float, out["t"])), rel=1e-9, abs=1e-9, nan_ok=True)
-    same = sum(a * float(b) for a, b in zip(got.rotation, out["q"], strict=True))
+    assert got.translation == pytest.approx(numbers(out["t"]), rel=1e-9, abs=1e-9, nan_ok=True)
+    same = sum(a * b for a, b in zip(got.rotation, numbers(out["q"]), strict=True))
     assert abs(same) == pytest.approx(1.0, abs=1e-9)

@@ -1,4 +1,4 @@
-"""(x, y, z, w): REP-103's signs by hand, and the laws of rotations."""
+"""Quaternions (x, y, z, w): REP-103's signs by hand, and the laws of rotations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from tflab.core import quaternions as q
 
-HALF = math.sqrt(0.5)
+HALF, QUARTER = math.sqrt(0.5), math.pi / 2
 numbers = st.floats(-1, 1).map(lambda c: round(c, 6))
 rotations = st.tuples(numbers, numbers, numbers, numbers).filter(lambda r: math.hypot(*r) > 0.1).map(q.normalized)
 angles = st.floats(-3.1, 3.1)
@@ -20,21 +20,17 @@ def same_rotation(a: q.Quaternion, b: q.Quaternion) -> bool:
     return q.angle(a, b) < 1e-7
 
 
-def test_a_positive_yaw_turns_forward_to_the_left() -> None:
-    assert q.rotate(q.from_rpy(0, 0, math.pi / 2), (1, 0, 0)) == pytest.approx((0, 1, 0))
-
-
-def test_a_positive_pitch_turns_the_nose_down() -> None:
-    assert q.rotate(q.from_rpy(0, math.pi / 2, 0), (1, 0, 0)) == pytest.approx((0, 0, -1))
-
-
-def test_a_positive_roll_turns_left_to_up() -> None:
-    assert q.rotate(q.from_rpy(math.pi / 2, 0, 0), (0, 1, 0)) == pytest.approx((0, 0, 1))
-
-
-def test_roll_pitch_and_yaw_turn_about_fixed_axes_in_that_order() -> None:
-    # Roll takes y to z, then pitch takes that z to x, then yaw takes that x to y.
-    assert q.rotate(q.from_rpy(math.pi / 2, math.pi / 2, math.pi / 2), (0, 1, 0)) == pytest.approx((0, 1, 0))
+@pytest.mark.parametrize(
+    ("rpy", "before", "after"),
+    [
+        ((0, 0, QUARTER), (1, 0, 0), (0, 1, 0)),  # yaw turns forward to the left
+        ((0, QUARTER, 0), (1, 0, 0), (0, 0, -1)),  # pitch turns the nose down
+        ((QUARTER, 0, 0), (0, 1, 0), (0, 0, 1)),  # roll turns left to up
+        ((QUARTER, QUARTER, QUARTER), (0, 1, 0), (0, 1, 0)),  # roll takes y to z, then pitch to x, then yaw to y
+    ],
+)
+def test_roll_pitch_and_yaw_turn_about_fixed_axes_in_that_order(rpy, before, after) -> None:
+    assert q.rotate(q.from_rpy(*rpy), before) == pytest.approx(after)
 
 
 def test_the_optical_frame_looks_along_z_with_x_to_the_right_and_y_down() -> None:
@@ -75,12 +71,9 @@ def test_scaling_and_sign_are_canonical() -> None:
     assert q.canonical((0, 0, 0, -2)) == (0, 0, 0, 1)
     assert q.canonical((0, 0, -1, 0)) == (0, 0, 1, 0)
     assert all(map(math.isnan, q.canonical((0, 0, 0, 0))))
-
-
-@pytest.mark.parametrize("bad", [(0, 0, 0, 0), (math.nan, 0, 0, 1), (math.inf, 0, 0, 0)])
-def test_a_zero_quaternion_cannot_be_normalized(bad) -> None:
-    with pytest.raises(ValueError, match=r"'No rotation' is \(0, 0, 0, 1\)"):
-        q.normalized(bad)
+    for bad in ((0, 0, 0, 0), (math.nan, 0, 0, 1), (math.inf, 0, 0, 0)):
+        with pytest.raises(ValueError, match=r"'No rotation' is \(0, 0, 0, 1\)"):
+            q.normalized(bad)
 
 
 def test_order_is_changed_by_name_at_the_border() -> None:

@@ -16,28 +16,16 @@ def test_ages_in_words():
     )
 
 
-def test_without_a_limit_nothing_is_over_it():
-    picture = draw_ages([GROWS])
-    assert "limit:" not in picture.text
-    assert len(picture.figure.axes[0].lines) == 1
-
-
-def test_curves_differ_in_line_and_mark_not_in_colour_alone():
-    lines = draw_ages([GROWS, STAYS]).figure.axes[0].lines
-    assert len({line.get_marker() for line in lines}) == 2
-    assert len({line.get_linestyle() for line in lines}) == 2
-
-
-def test_the_limit_stands_at_its_height():
-    picture = draw_ages([GROWS], limit_s=0.5)
-    assert list(picture.figure.axes[0].lines[-1].get_ydata()) == [0.5, 0.5]
-    assert [text.get_text() for text in picture.figure.axes[0].texts] == ["limit 0.500 s"]
-
-
-def test_negative_values_are_in_sight():
-    picture = draw_ages([Curve("gap", (0.0, 1.0), (-0.5, -0.1))])
-    low, high = picture.figure.axes[0].get_ylim()
-    assert low < -0.5 and high > 0.0
+def test_curves_differ_in_line_and_mark_the_limit_has_its_height_and_negative_values_are_in_sight():
+    below = Curve("gap", (0.0, 1.0), (-0.5, -0.1))
+    (ax,) = draw_ages([GROWS, below], limit_s=0.5).figure.axes
+    *lines, limit = ax.lines
+    assert len({line.get_marker() for line in lines}) == len({line.get_linestyle() for line in lines}) == 2
+    assert list(limit.get_ydata()) == [0.5, 0.5]
+    assert [text.get_text() for text in ax.texts] == ["limit 0.500 s"]
+    assert ax.get_ylim()[0] < -0.5
+    without = draw_ages([GROWS])
+    assert "limit:" not in without.text and len(without.figure.axes[0].lines) == 1
 
 
 MS = 1_000_000
@@ -54,20 +42,10 @@ def test_journeys_in_words():
     )
 
 
-def test_age_is_counted_from_the_stamp_to_the_last_step():
-    assert GOOD.age_ns == 60 * MS
-    assert CLOCKS_APART.age_ns == 28 * MS
-
-
 def test_each_step_has_its_own_shape_at_its_own_place():
     picture = draw_journeys([GOOD])
     marks = {line.get_gid(): (line.get_marker(), float(line.get_xdata()[0])) for line in picture.figure.axes[0].lines}
-    assert marks["scan 1 stamped"] == ("o", 0.0)
-    assert marks["scan 1 sent"] == (">", 0.02)
-    assert marks["scan 1 received"] == ("s", 0.035)
-    assert marks["scan 1 transformed"] == ("D", 0.06)
-
-
-def test_a_dropped_message_says_so():
-    words = [text.get_text() for text in draw_journeys([CLOCKS_APART]).figure.axes[0].texts]
-    assert words == ["28 ms, dropped"]
+    steps = {"stamped": ("o", 0.0), "sent": (">", 0.02), "received": ("s", 0.035), "transformed": ("D", 0.06)}
+    assert marks | {f"scan 1 {name}": mark for name, mark in steps.items()} == marks
+    assert (GOOD.age_ns, CLOCKS_APART.age_ns) == (60 * MS, 28 * MS)  # from the stamp to the last step
+    assert [text.get_text() for text in draw_journeys([CLOCKS_APART]).figure.axes[0].texts] == ["28 ms, dropped"]

@@ -4,7 +4,6 @@ import math
 
 import pytest
 
-from tflab.core import Transform
 from tflab.views.axes import (
     BODY_T_OPTICAL,
     FROM_BEHIND,
@@ -19,38 +18,22 @@ from tflab.views.axes import (
 )
 
 
-def test_the_optical_turn_is_the_one_to_remember():
+def test_optical_axes_are_right_down_forward():
     assert BODY_T_OPTICAL.rotation == pytest.approx((-0.5, 0.5, -0.5, 0.5))
-
-
-@pytest.mark.parametrize(
-    ("body_p", "optical_p"),
-    [
-        ((2.0, 0.0, 0.0), (0.0, 0.0, 2.0)),  # ahead
+    for body_p, optical_p in (
+        (straight_ahead(2.0), (0.0, 0.0, 2.0)),
         ((0.0, 1.0, 0.0), (-1.0, 0.0, 0.0)),  # left is minus right
         ((0.0, 0.0, 1.0), (0.0, -1.0, 0.0)),  # up is minus down
-    ],
-)
-def test_optical_axes_are_right_down_forward(body_p, optical_p):
-    assert optical_from_body(body_p) == pytest.approx(optical_p, abs=1e-12)
+    ):
+        assert optical_from_body(body_p) == pytest.approx(optical_p, abs=1e-12)
 
 
-def test_what_is_ahead_is_in_the_middle_of_the_picture():
+def test_what_is_right_and_below_is_so_in_the_picture_and_what_is_behind_or_aside_is_not_in_it():
     assert pixel_from_optical((0.0, 0.0, 2.0)) == (0.0, 0.0)
-    assert optical_from_body(straight_ahead(2.0)) == pytest.approx((0.0, 0.0, 2.0))
-
-
-def test_what_is_right_and_below_is_right_and_below_in_the_picture():
     assert pixel_from_optical((0.4, 0.2, 2.0)) == pytest.approx((0.2, 0.1))
-
-
-@pytest.mark.parametrize("optical_p", [(0.0, 0.0, -1.0), (0.0, 0.0, 0.0), (2.0, 0.0, 2.0), (0.0, -1.0, 2.0)])
-def test_what_is_behind_or_aside_is_not_in_the_picture(optical_p):
-    assert pixel_from_optical(optical_p) is None
-
-
-def test_from_behind_the_camera_left_is_left_and_up_is_up():
-    assert FROM_BEHIND.on_paper((5.0, 1.0, 2.0)).tolist() == [-1.0, 2.0]
+    for optical_p in ((0.0, 0.0, -1.0), (0.0, 0.0, 0.0), (2.0, 0.0, 2.0), (0.0, -1.0, 2.0)):
+        assert pixel_from_optical(optical_p) is None
+    assert FROM_BEHIND.on_paper((5.0, 1.0, 2.0)).tolist() == [-1.0, 2.0]  # left is left, and up is up
 
 
 def test_both_cameras_see_the_same_and_write_it_differently():
@@ -69,16 +52,13 @@ def test_both_cameras_see_the_same_and_write_it_differently():
     ]
 
 
-def test_a_point_straight_ahead_in_words():
-    assert draw_cameras().text.endswith("it is seen in the middle of the picture")
-
-
 def test_a_point_that_leaves_the_picture_loses_its_dot_and_may_come_back():
     picture = draw_cameras((2.0, 1.9, 0.0))
     assert not any(side.dot.get_visible() for side in picture.sides)
     assert picture.text.endswith("it is not in the picture")
     picture.show((2.0, 0.0, 0.0))
     assert all(side.dot.get_visible() for side in picture.sides)
+    assert picture.text.endswith("it is seen in the middle of the picture")
 
 
 def test_a_rotation_in_words():
@@ -92,27 +72,25 @@ def test_a_rotation_in_words():
     )
 
 
-def test_turning_left_by_a_quarter_puts_x_where_y_was():
-    fixed, turned = draw_rotation(), draw_rotation(0.0, 0.0, math.pi / 2)
-    y_tip = fixed.frame.axes["y"].head.get_xy()[1]
-    assert turned.frame.axes["x"].head.get_xy()[1] == pytest.approx(y_tip)
-
-
 def test_roll_pitch_yaw_turn_about_the_fixed_axes_in_that_order():
     # first roll a quarter, then yaw a quarter: y goes up to z and stays; x goes to y
-    frame = draw_rotation(math.pi / 2, 0.0, math.pi / 2).frame
-    fixed = draw_rotation().frame
-    assert frame.axes["y"].head.get_xy()[1] == pytest.approx(fixed.axes["z"].head.get_xy()[1])
-    assert frame.axes["x"].head.get_xy()[1] == pytest.approx(fixed.axes["y"].head.get_xy()[1])
+    frame, fixed = draw_rotation(math.pi / 2, 0.0, math.pi / 2).frame, draw_rotation().frame
+    for turned, at in (("y", "z"), ("x", "y")):
+        assert frame.axes[turned].head.get_xy()[1] == pytest.approx(fixed.axes[at].head.get_xy()[1])
 
 
-def test_the_words_at_the_axes_are_those_of_rep_103():
+def test_the_words_at_the_axes_and_on_the_card_are_those_of_rep_103():
     words = {text.get_text() for text in draw_body_axes().figure.axes[0].texts}
     assert {"forward", "left", "up", "base_link"} <= words
+    text = draw_card().text
+    assert "base_link, camera_link: x forward, y left, z up" in text
+    assert "..._optical_frame: x right, y down, z forward" in text
+    assert "xyzw  (-0.5, 0.5, -0.5, 0.5)" in text
 
 
 def test_the_right_hand_has_one_curl_for_each_turn():
     picture = draw_right_hand()
+    assert "nose goes down" in picture.text and "left side goes up" in picture.text
     assert [ax.texts[-1].get_text() for ax in picture.figure.axes] == [
         "roll: about x",
         "pitch: about y",
@@ -125,17 +103,3 @@ def test_the_right_hand_has_one_curl_for_each_turn():
         last = arc._path_original.vertices[-1]
         apart = {name: float(((place / 1.15 - last) ** 2).sum()) for name, place in letters.items() if name != axis}
         assert min(apart, key=apart.get) == end
-
-
-def test_turn_words_agree_with_the_engine():
-    # "positive pitch: the nose goes down", "positive roll: the left side goes up"
-    assert Transform.from_rpy(pitch=0.1).apply((1.0, 0.0, 0.0))[2] < 0.0
-    assert Transform.from_rpy(roll=0.1).apply((0.0, 1.0, 0.0))[2] > 0.0
-    assert "nose goes down" in draw_right_hand().text and "left side goes up" in draw_right_hand().text
-
-
-def test_the_card_names_both_conventions_and_the_turn_between_them():
-    text = draw_card().text
-    assert "base_link, camera_link: x forward, y left, z up" in text
-    assert "..._optical_frame: x right, y down, z forward" in text
-    assert "xyzw  (-0.5, 0.5, -0.5, 0.5)" in text

@@ -27,8 +27,3 @@ def test_bars_and_marks_stand_at_their_times():
     assert (bar.x0, bar.x1) == (1.0, 3.0)
     marks = next(line for line in picture.figure.axes[0].lines if line.get_gid() == "/tf stored")
     assert list(marks.get_xdata()) == [0.5, 3.5]
-
-
-def test_a_row_names_itself():
-    picture = draw_work([WAITING, STORED], 0, 4 * S)
-    assert [label.get_text() for label in picture.figure.axes[0].get_yticklabels()] == ["on_scan", "/tf stored"]

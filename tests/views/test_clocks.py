@@ -3,17 +3,14 @@
 import pytest
 
 from tflab.views.clocks import NowAnswer, Play, asked_now, bag_time, clock_of, describe_clocks, draw_clocks
-from tflab.views.panels import clocks_panel
 
 DAY_LATER = Play(begin_s=1.0, length_s=15.0, wall_s=86401.0, tf_behind_s=0.25)
 
 
-def test_a_node_that_follows_the_clock_lives_in_the_time_of_the_bag():
-    assert clock_of(DAY_LATER, True, 4.0) == 5.0
-
-
-def test_a_node_that_does_not_lives_in_the_time_of_the_machine():
-    assert clock_of(DAY_LATER, False, 4.0) == 86405.0
+def test_a_node_lives_in_the_time_of_the_bag_or_of_the_machine_and_now_is_short_by_what_transforms_take():
+    for follows, now_s, short_s in ((True, 5.0, 0.25), (False, 86405.0, 86400.25)):
+        assert clock_of(DAY_LATER, follows, 4.0) == now_s
+        assert asked_now(DAY_LATER, follows, 4.0) == NowAnswer("future", pytest.approx(short_s))
 
 
 def test_without_a_clock_to_follow_the_time_is_zero_and_zero_asks_for_the_latest():
@@ -23,19 +20,11 @@ def test_without_a_clock_to_follow_the_time_is_zero_and_zero_asks_for_the_latest
     assert asked_now(silent, False, 4.0).kind == "future"
 
 
-def test_the_rate_is_the_slope_and_at_the_end_the_time_of_the_bag_stands_still():
+def test_the_rate_is_the_slope_and_at_the_end_the_time_of_the_bag_stands_still_or_begins_again():
     assert bag_time(Play(rate=2.0), 3.0) == 7.0
     assert bag_time(Play(rate=2.0), 8.0) == bag_time(Play(), 40.0) == 16.0
-
-
-def test_a_loop_begins_again_a_moment_after_the_end():
     loop = Play(loops=True)
     assert [round(bag_time(loop, played_s), 3) for played_s in (14.9, 15.01, 17.01)] == [15.9, 1.0, 3.0]
-
-
-def test_who_asks_for_now_is_short_by_what_the_transforms_take():
-    assert asked_now(DAY_LATER, True, 4.0) == NowAnswer("future", 0.25)
-    assert asked_now(DAY_LATER, False, 4.0) == NowAnswer("future", pytest.approx(86400.25))
 
 
 def test_a_clock_that_is_behind_everything_in_the_buffer_asks_for_the_past():
@@ -64,26 +53,13 @@ def test_each_clock_stands_where_its_time_is_and_is_told_apart_by_line_and_mark(
         assert all(value != value for value in absent.get_ydata())
     assert rviz_bag.get_linestyle() != detector_wall.get_linestyle()
     assert picture.dots[0][1].get_marker() != picture.dots[1][0].get_marker()
+    back = draw_clocks({"rviz2": True}, Play(loops=True)).lines[0][1].get_ydata()
+    assert sum(value != value for value in back) == 1  # a line is broken where the clock goes back
 
 
-def test_a_line_is_broken_where_the_clock_goes_back():
-    picture = draw_clocks({"rviz2": True}, Play(loops=True))
-    shown = picture.lines[0][1].get_ydata()
-    assert sum(value != value for value in shown) == 1
-
-
-@pytest.mark.parametrize("nodes", [{}, dict.fromkeys("abcd", True)])
-def test_more_clocks_than_can_be_told_apart_are_refused(nodes):
-    with pytest.raises(ValueError, match="between one and 3 clocks"):
-        draw_clocks(nodes)
-
-
-def test_a_bag_has_a_length_and_a_rate():
+def test_more_clocks_than_can_be_told_apart_and_a_rate_of_zero_are_refused():
+    for nodes in ({}, dict.fromkeys("abcd", True)):
+        with pytest.raises(ValueError, match="between one and 3 clocks"):
+            draw_clocks(nodes)
     with pytest.raises(ValueError, match="above 0"):
         Play(rate=0.0)
-
-
-def test_the_panel_speaks_the_language_of_the_copy():
-    assert "재생 시간 [s]" in clocks_panel(language="ko").controls
-    with pytest.raises(ValueError, match='no words in "fr"'):
-        clocks_panel(language="fr")

@@ -1,4 +1,4 @@
-"""The steps of a visit, and the order of its checks."""
+"""The steps of a diagnosis, and the order of its checks."""
 
 import pytest
 
@@ -53,9 +53,8 @@ def test_what_comes_later_is_not_told_yet():
 def test_a_line_ends_where_its_suspect_is_struck_and_a_bar_begins_where_the_one_before_ends():
     picture = draw_visit(STEPS, 12.0)
     assert len(ends(picture)) == 2
-    assert [mark.get_ydata()[0] for mark in ends(picture)] == sorted(
-        (mark.get_ydata()[0] for mark in ends(picture)), reverse=True
-    )
+    heights = [mark.get_ydata()[0] for mark in ends(picture)]
+    assert heights == sorted(heights, reverse=True)
     begin = [bar.get_x() for bar in bars(picture)]
     over = [bar.get_x() + bar.get_width() for bar in bars(picture)]
     assert begin[1:] == pytest.approx(over[:-1]) and [bool(bar.get_hatch()) for bar in bars(picture)][-1]
@@ -70,12 +69,9 @@ def test_of_many_suspects_only_the_last_few_bear_their_names():
     assert not [text for text in picture.ax.texts if text.get_text() in many]
 
 
-def test_a_long_finding_ends_in_dots_in_the_picture_alone():
+def test_a_long_finding_ends_in_dots_in_the_picture_alone_and_no_step_is_refused():
     picture = draw_visit([VisitStep("node list", 1.0, "node " * 30, "", ("a",))], 12.0)
     assert any(text.get_text().endswith("…") for text in picture.ax.texts) and "…" not in picture.text
-
-
-def test_nothing_is_no_visit():
     with pytest.raises(ValueError, match="no step to draw"):
         draw_visit([], 12.0)
 
@@ -83,19 +79,16 @@ def test_nothing_is_no_visit():
 LOG = [("view_frames", 3, 3), ("delay /scan", 1, 1), ("monitor", 4, 1)]
 
 
-def test_the_words_are_a_list_with_the_moment_at_which_it_was_clear():
+def test_the_order_is_a_list_and_bars_with_the_moment_at_which_the_cause_was_clear():
     assert describe_order([]) == "nothing was asked"
-    assert draw_order(LOG).text.splitlines() == [
+    picture = draw_order(LOG)
+    assert picture.text.splitlines() == [
         "1. view_frames: 3 min, 3 in all, 3 left",
         "2. delay /scan: 1 min, 4 in all, 1 left  one suspect left",
         "3. monitor: 4 min, 8 in all, 1 left  told nothing more",
     ]
-
-
-def test_a_bar_begins_where_the_one_before_ends():
-    bars = draw_order(LOG).figure.axes[0].patches
-    assert [(bar.get_x(), bar.get_width()) for bar in bars] == [(0, 3), (3, 1), (4, 4)]
-    assert [str(bar.get_hatch()) for bar in bars] == ["", "", "////"]
+    bars = [(bar.get_x(), bar.get_width(), str(bar.get_hatch())) for bar in picture.figure.axes[0].patches]
+    assert bars == [(0, 3, ""), (3, 1, ""), (4, 4, "////")]
 
 
 def test_ways_of_asking_are_compared_by_mean_worst_and_budget():

@@ -43,19 +43,14 @@ def notebook_at(path, models: dict, shown: tuple[str, ...], source: str = "1 + 1
     ("model", "text"),
     [
         (widget("FloatSlider", description="yaw:", value=0.5, readout_format=".2f"), "yaw: 0.50"),
-        (widget("FloatSlider", description="yaw", value=1.5707963), "yaw: 1.57"),
-        (widget("IntSlider", description="n", value=3, readout_format="d"), "n: 3"),
         (widget("FloatRangeSlider", description="t", value=[0.0, 1.0], readout_format=".1f"), "t: 0.0 to 1.0"),
         (widget("Checkbox", description="names", value=True), "names: yes"),
         (widget("Dropdown", description="Frame", index=1, _options_labels=["map", "odom"]), "Frame: odom"),
         (widget("Text", description="", value="<b>"), "&lt;b&gt;"),
     ],
 )
-def test_an_input_stands_as_text_at_its_stored_value(model, text):
+def test_an_input_stands_as_text_at_its_stored_value_and_a_button_is_left_out(model, text):
     assert words_of(top=model) == [f'<p class="tflab-value">{text}</p>']
-
-
-def test_a_button_without_a_kernel_is_left_out():
     assert words_of(top=widget("Button", description="Go")) == []
     assert words_of(top=widget("Dropdown", description="Frame", index=None, _options_labels=["map"])) == []
 
@@ -101,19 +96,20 @@ def test_a_panel_whose_kernel_is_gone_says_that_it_stands_still_and_how_to_have_
     assert said in sentence and "tflab build --html" in sentence
 
 
-def test_the_command_counts_the_panels_that_stand_still(tmp_path, capsys):
-    notebook = notebook_at(tmp_path / "page.ipynb", PANEL, ("top",))
-    assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
-    said = capsys.readouterr().err
-    assert "1 panel stands still" in said and f'tflab build --html "{notebook}"' in said
+def exported_image(folder: Path, data: dict, **metadata: dict) -> str:
+    """Export a page that shows this, and return the tag of its image."""
+    output = nbformat.v4.new_output("display_data", data, metadata=metadata)
+    cell = nbformat.v4.new_code_cell("picture", outputs=[output], execution_count=1, id="a")
+    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), folder / "page.ipynb")
+    (image,) = re.findall(r"<img[^>]*>", export_html(folder / "page.ipynb", folder / "out").read_text(encoding="utf-8"))
+    return image
 
 
-def test_a_drawing_shrinks_with_its_column_by_a_fifth_and_no_more(tmp_path):
-    data = {"image/svg+xml": '<svg xmlns="http://www.w3.org/2000/svg" width="1087.2" height="9"/>', "text/plain": "x"}
-    cell = nbformat.v4.new_code_cell("tree", outputs=[nbformat.v4.new_output("display_data", data)], id="a")
-    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
-    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
-    assert 'style="min-width: 870px"' in re.findall(r"<img[^>]*>", text)[0]
+def test_a_drawing_shrinks_with_its_column_by_a_fifth_and_no_more_and_brings_its_words_along(tmp_path):
+    svg = '<svg xmlns="http://www.w3.org/2000/svg" width="1087.2" height="9"/>'
+    image = exported_image(tmp_path, {"image/svg+xml": svg, "text/plain": "a tree of two"})
+    assert 'style="min-width: 870px"' in image
+    assert 'alt="a tree of two"' in image
 
 
 def test_pages_share_their_assets_and_fetch_nothing(tmp_path):
@@ -124,21 +120,10 @@ def test_pages_share_their_assets_and_fetch_nothing(tmp_path):
         assert ".of-the-view {}" in page
     assets = sorted({path.name.rsplit("-", 1)[0] for path in (tmp_path / "site" / "assets").iterdir()})
     assert assets == ["live", "meshcat", "meshcat.LICENSE.txt", "module", "style"]
-
-
-def test_the_viewers_licences_go_along_with_their_texts(tmp_path):
-    notebook = notebook_at(tmp_path / "one.ipynb", {"m": live(description="one")}, ("m",))
-    export_html(notebook, tmp_path / "site")
     beside = (tmp_path / "site" / "assets" / "meshcat.LICENSE.txt").read_text(encoding="utf-8")
     for word in ("Robin Deits", "three", "dat.gui", "Permission is hereby granted", "Apache License"):
         assert word in beside
     assert beside in export_html(notebook, tmp_path / "mail", single_file=True).read_text(encoding="utf-8")
-
-
-def test_a_page_without_live_views_has_no_script(tmp_path):
-    page = export_html(notebook_at(tmp_path / "plain.ipynb", {}, ()), tmp_path / "site").read_text()
-    assert "<script" not in page
-    assert "Prose." in page
 
 
 def test_the_same_notebook_gives_the_same_bytes(tmp_path):
@@ -156,18 +141,14 @@ def test_what_a_view_stores_cannot_end_the_script_it_stands_in(tmp_path):
     assert "</script><b>" not in page
 
 
-def test_the_page_says_its_language(tmp_path):
+def test_a_page_says_its_language_and_without_live_views_it_has_no_script(tmp_path):
     path = notebook_at(tmp_path / "page.ipynb", {}, ())
-    assert '<html lang="en">' in export_html(path, tmp_path).read_text()
+    page = export_html(path, tmp_path).read_text()
+    assert '<html lang="en">' in page and "Prose." in page and "<script" not in page
     notebook = nbformat.read(path, as_version=4)
     notebook.metadata["tflab"] = {"language": "ko"}
     nbformat.write(notebook, path)
     assert '<html lang="ko">' in export_html(path, tmp_path).read_text()
-
-
-def test_a_notebook_that_is_not_there_is_an_error(tmp_path):
-    with pytest.raises(FileNotFoundError):
-        export_html(tmp_path / "missing.ipynb", tmp_path)
 
 
 def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys, monkeypatch):
@@ -181,41 +162,31 @@ def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path,
     assert "there is no notebook" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize("text", ["hi", "[1, 2]", '{"nbformat": 4}', "\udc80"])
-def test_a_file_that_is_no_notebook_is_said(tmp_path, capsys, text):
+def test_a_file_that_is_no_notebook_is_said(tmp_path, capsys):
     path = tmp_path / "none.ipynb"
-    path.write_bytes(text.encode(errors="surrogateescape"))
-    assert main([str(path), "--out", str(tmp_path / "site")]) == 2
-    assert capsys.readouterr().err == f"tflab export: {path}: this is no notebook, or a damaged one\n"
-    assert not (tmp_path / "site").exists()
-
-
-def test_a_drawing_brings_its_words_along(tmp_path):
-    data = {"image/svg+xml": "<svg xmlns='http://www.w3.org/2000/svg'/>", "text/plain": "a tree of two"}
-    cell = nbformat.v4.new_code_cell("tree", outputs=[nbformat.v4.new_output("display_data", data)], id="a")
-    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
-    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
-    assert 'alt="a tree of two"' in re.findall(r"<img[^>]*>", text)[0]
+    for text in ("hi", "[1, 2]", '{"nbformat": 4}', "\udc80"):
+        path.write_bytes(text.encode(errors="surrogateescape"))
+        assert main([str(path), "--out", str(tmp_path / "site")]) == 2
+        assert capsys.readouterr().err == f"tflab export: {path}: this is no notebook, or a damaged one\n"
+        assert not (tmp_path / "site").exists()
 
 
 def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):
     data = {"image/png": "AAAA", "text/plain": 'two frames: "map" & odom'}
-    output = nbformat.v4.new_output("display_data", data, metadata={"image/png": {"width": 76, "height": 38}})
-    cell = nbformat.v4.new_code_cell("picture", outputs=[output], execution_count=1, id="a")
-    nbformat.write(nbformat.v4.new_notebook(cells=[cell]), tmp_path / "page.ipynb")
-    text = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
-    (image,) = re.findall(r"<img[^>]*>", text)
+    image = exported_image(tmp_path, data, **{"image/png": {"width": 76, "height": 38}})
     assert 'alt="two frames: &quot;map&quot; &amp; odom"' in image or "alt='two frames: \"map\" &amp; odom'" in image
-    assert 'width="76"' in image
-    assert 'height="38"' in image
+    assert 'width="76"' in image and 'height="38"' in image
 
 
-def test_the_command_says_how_many_views_were_not_stored_and_how_to_have_them(tmp_path, capsys):
-    notebook = notebook_at(tmp_path / "page.ipynb", {}, ("gone", "gone_too"))
-    assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
-    said = capsys.readouterr().err
-    assert "2 live views are missing" in said
-    assert f'tflab build --html "{notebook}"' in said
+def test_the_command_says_how_many_views_stand_still_or_were_not_stored_and_how_to_have_them(tmp_path, capsys):
+    for models, shown, said in (
+        ({}, ("gone", "gone_too"), "2 live views are missing"),
+        (PANEL, ("top",), "1 panel stands still"),
+    ):
+        notebook = notebook_at(tmp_path / "page.ipynb", models, shown)
+        assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
+        printed = capsys.readouterr().err
+        assert said in printed and f'tflab build --html "{notebook}"' in printed
 
 
 pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")
@@ -228,15 +199,12 @@ def test_a_formula_in_a_line_and_one_on_its_own():
     assert "$" not in text
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
+def test_code_and_prices_stay_as_they_are():
+    for text in (
         "in xacro: `${pi/2}` and `$HOME`",
         "```\n$ ros2 topic list $x$\n```",
         "    $ source $HOME/setup.bash $x$",
         "it costs 5$ or 6$ a piece",
         r"a price of \$5 and \$6",
-    ],
-)
-def test_code_and_prices_stay_as_they_are(text):
-    assert with_mathml(text) == text
+    ):
+        assert with_mathml(text) == text

@@ -88,42 +88,25 @@ VERDICTS = {
 ASKED = {"value": "Where is b?", "rate": "How often?"}
 
 
-@pytest.fixture
-def panel():
-    made = tools_panel(ASKED, TOOLS, VERDICTS, ("question", "tool"))
-    yield made
-    made.close()
-
-
-def said(panel):
-    return panel.widget.children[2].value
-
-
-def test_a_panel_shows_what_the_tool_printed_and_says_whether_it_answers(panel):
+def test_a_panel_shows_what_the_tool_printed_and_says_whether_it_answers():
+    panel = tools_panel(ASKED, TOOLS, VERDICTS, ("question", "tool"))
+    said = panel.widget.children[2]
     assert panel.text == "value: ✓ answers. the pose\n$ ros2 run tf2_ros tf2_echo a b\nAt time 1.0"
-    assert said(panel) == "<b>✓</b> the pose"
-
-
-def test_another_question_or_tool_has_another_verdict(panel):
+    assert said.value == "<b>✓</b> the pose"
     panel.controls["question"].value = "rate"
-    assert said(panel) == "<b>✗</b> its own rate"
+    assert said.value == "<b>✗</b> its own rate"
     panel.controls["tool"].index = 1
-    assert said(panel) == "<b>~</b> of everybody" and "$ ros2 topic hz /tf\n50" in panel.text
-
-
-def test_a_missing_verdict_is_refused():
+    assert said.value == "<b>~</b> of everybody" and "$ ros2 topic hz /tf\n50" in panel.text
+    panel.close()
     with pytest.raises(ValueError, match="no verdict on 'hz' for 'rate'"):
         tools_panel(ASKED, TOOLS, {**VERDICTS, "rate": {"echo": Suitability("half", "")}}, ("question", "tool"))
 
 
-def test_the_table_says_in_words_who_answers_what():
-    assert draw_tools(VERDICTS).text == "value: answers echo; cannot hz\nrate: half hz; cannot echo"
-
-
-def test_the_table_has_a_sign_for_each_pair():
-    texts = [text.get_text() for text in draw_tools(VERDICTS).figure.texts]
-    assert texts[:2] == ["echo", "hz"]
-    assert texts[2:8] == ["value", "✓", "✗", "rate", "✗", "~"]
+def test_the_table_has_a_sign_for_each_pair_and_says_in_words_who_answers_what():
+    picture = draw_tools(VERDICTS)
+    assert picture.text == "value: answers echo; cannot hz\nrate: half hz; cannot echo"
+    texts = [text.get_text() for text in picture.figure.texts]
+    assert texts[:8] == ["echo", "hz", "value", "✓", "✗", "rate", "✗", "~"]
 
 
 def test_a_long_line_is_folded_as_a_terminal_does_it():

@@ -7,7 +7,7 @@ import pytest
 
 from tflab.core import Transform
 from tflab.views import style
-from tflab.views.frames import draw_arrow, draw_frames, draw_points, draw_scene
+from tflab.views.frames import draw_arrow, draw_frames, draw_scene
 from tflab.views.projection import FROM_ABOVE, eye_at
 
 
@@ -22,18 +22,10 @@ def place(line):
     return (float(line.get_xdata()[0]), float(line.get_ydata()[0]))
 
 
-def test_from_above_x_is_right_and_y_is_up_as_on_a_map():
+def test_from_above_it_is_as_on_a_map_from_the_front_left_is_right_and_directions_are_at_right_angles():
     assert FROM_ABOVE.on_paper((1.0, 2.0, 3.0)).tolist() == [1.0, 2.0]
     assert FROM_ABOVE.nearness((1.0, 2.0, 3.0)) == 3.0
-
-
-def test_from_the_front_left_is_right():
-    # looking back at the robot from ahead of it: its left hand is on our right
-    eye = eye_at(0.0, 0.0)
-    assert eye.on_paper((5.0, 2.0, 3.0)) == pytest.approx([2.0, 3.0])
-
-
-def test_an_eye_has_three_directions_at_right_angles():
+    assert eye_at(0.0, 0.0).on_paper((5.0, 2.0, 3.0)) == pytest.approx([2.0, 3.0])
     eye = eye_at(math.radians(-125), math.radians(28))
     directions = np.array((eye.right, eye.up, eye.towards))
     assert directions @ directions.T == pytest.approx(np.eye(3))
@@ -70,27 +62,19 @@ def test_axes_are_told_apart_by_letter_colour_and_line(ax):
     assert [shaft.get_color() for shaft in shafts] == ["#D55E00", "#009E73", "#0072B2"]
     assert len({str(shaft._unscaled_dash_pattern) for shaft in shafts}) == 3
     assert [drawn.axes[axis].letter.get_gid() for axis in "xyz"] == ["x", "y", "z"]
-
-
-def test_a_ghost_is_grey_and_hollow(ax):
     ghost = draw_frames(ax, {"wrong": Transform()}, FROM_ABOVE, is_ghost=True)["wrong"]
     assert {ghost.axes[axis].shaft.get_color() for axis in "xyz"} == {style.GREY}
     assert ghost.label.text.get_fontstyle() == "italic"
 
 
-def test_moving_a_frame_adds_nothing_to_the_axes(ax):
-    drawn = draw_frames(ax, {"base_link": Transform()}, FROM_ABOVE)["base_link"]
-    before = len(ax.get_children())
-    drawn.move(Transform((1.0, 1.0, 0.0)))
-    assert len(ax.get_children()) == before
-    assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((1.3, 1.0))
-
-
-def test_a_name_stands_beside_its_frame_and_moves_with_it(ax):
+def test_a_frame_moves_with_its_name_and_adds_nothing_to_the_axes(ax):
     drawn = draw_frames(ax, {"base_link": Transform((1.0, 2.0, 0.0))}, FROM_ABOVE)["base_link"]
+    before = len(ax.get_children())
     assert drawn.label.text.xy == (1.0, 2.0)
     drawn.move(Transform((2.0, 0.5, 0.0)))
     assert drawn.label.text.xy == (2.0, 0.5)
+    assert drawn.axes["x"].head.get_xy()[1] == pytest.approx((2.3, 0.5))
+    assert len(ax.get_children()) == before
 
 
 def test_what_is_nearer_covers_what_is_farther_and_nothing_covers_a_name(ax):
@@ -99,13 +83,6 @@ def test_what_is_nearer_covers_what_is_farther_and_nothing_covers_a_name(ax):
     levels = [drawn[name].axes["x"].shaft.get_zorder() for name in heights]
     assert sorted(levels) == levels
     assert levels[0] > 0 and levels[2] < drawn["far"].label.text.get_zorder()
-
-
-def test_points_and_arrows_return_what_they_drew(ax):
-    points = draw_points(ax, {"corner": (2.0, 1.0, 5.0)}, FROM_ABOVE)
-    assert place(points["corner"].mark) == (2.0, 1.0)
-    arrow = draw_arrow(ax, (0, 0, 0), (2, 0, 0), "step", FROM_ABOVE)
-    assert arrow.label.anchor == (1.0, 0.0)
 
 
 def test_names_keep_off_the_curve_that_is_drawn(ax):
@@ -140,8 +117,5 @@ def test_an_arrow_is_written_in_its_frames_own_axes_and_drawn_where_that_frame_p
     (tail, head) = arrow._posA_posB
     assert tuple(tail) == pytest.approx((2.0, 1.0)) and tuple(head) == pytest.approx((1.2, 1.0))
     assert picture.text.splitlines()[-1] == "  arrow slide in base_link: forward 0.000, left 0.200, up 0.000"
-
-
-def test_an_arrow_of_a_frame_without_a_pose_is_refused():
     with pytest.raises(ValueError, match='arrow "slide" is of "base", which has no pose; there is map'):
         draw_scene({"map": Transform()}, arrows={"slide": ("base", (0.0, 0.2, 0.0))})

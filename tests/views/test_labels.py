@@ -25,18 +25,19 @@ def way(label):
     return (int(x > 0) - int(x < 0), int(y > 0) - int(y < 0))
 
 
-def test_a_lonely_name_stands_below_on_the_right(ax):
-    label = label_at(ax, 200, 200)
-    place_labels([label])
-    assert way(label) == (1, -1)
-    assert not label.leader.get_visible()
-
-
-def test_a_name_keeps_off_lines(ax):
-    label = label_at(ax, 200, 200)
-    label.keep_off = [((200, 200), (300, 100))]
-    place_labels([label])
-    assert way(label) == (-1, -1)
+def test_a_name_stands_below_on_the_right_and_keeps_off_lines_and_the_edge(ax):
+    line = [((200, 200), (300, 100))]
+    for label, others, keep_off, place in (
+        (label_at(ax, 200, 200), [], [], (1, -1)),
+        (label_at(ax, 200, 200), [], line, (-1, -1)),
+        (label_at(ax, 395, 200), [], [], (-1, -1)),
+        (label_at(ax, 200, 200), [label_at(ax, 200, 200, name="")], [], (1, -1)),  # no letters take no place
+        (label_at(ax, 200, 200), [label_at(ax, 300, 300, name="")], line, (-1, -1)),  # but its lines do
+    ):
+        (others or [label])[0].keep_off = keep_off
+        place_labels([label, *others] if keep_off else [*others, label])
+        assert way(label) == place
+        assert not label.leader.get_visible()
 
 
 def test_a_name_keeps_off_the_name_before_it(ax):
@@ -46,27 +47,8 @@ def test_a_name_keeps_off_the_name_before_it(ax):
     assert not boxes[0].overlaps(boxes[1])
 
 
-def test_a_name_stays_on_the_paper(ax):
-    label = label_at(ax, 395, 200)
-    place_labels([label])
-    assert way(label) == (-1, -1)
-
-
 def test_a_name_that_finds_no_place_near_goes_far_and_gets_a_line(ax):
     label = label_at(ax, 200, 200)
     label.keep_off = [((150, y), (250, y)) for y in range(170, 231, 4)]
     place_labels([label])
     assert label.leader.get_visible()
-
-
-def test_a_thing_without_a_name_is_kept_off_too(ax):
-    label, nameless = label_at(ax, 200, 200), label_at(ax, 300, 300, name="")
-    nameless.keep_off = [((200, 200), (300, 100))]
-    place_labels([label, nameless])
-    assert way(label) == (-1, -1)
-
-
-def test_a_name_without_letters_takes_no_place(ax):
-    empty, label = label_at(ax, 200, 200, name=""), label_at(ax, 200, 200)
-    place_labels([empty, label])
-    assert way(label) == (1, -1)

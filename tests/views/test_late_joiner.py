@@ -1,4 +1,4 @@
-"""What a listener knows that joins late: the last letter of each board that still hangs."""
+"""What a listener that joins late still hears: the last message of each transient local publisher that is alive."""
 
 import pytest
 
@@ -27,27 +27,17 @@ def test_a_board_keeps_its_last_letter_as_long_as_its_publisher_lives(join_s, fr
     assert frames_known([CALIBRATOR], join_s, 5.0) == frames
 
 
-def test_who_asks_for_what_is_stored_is_not_connected_to_one_who_stores_nothing():
+def test_a_listener_that_asks_for_what_is_stored_is_not_connected_to_one_who_stores_nothing():
     assert letters_heard(DRIVER, 0.5, 5.0) == []
     assert letters_heard(DRIVER, 0.5, 5.0, asks_for_stored=False) == list(DRIVER.letters)
+    assert letters_heard(WHEELS, 2.5, 5.0) == [WHEELS.letters[2]]  # on /tf, nothing is stored
 
 
-def test_who_does_not_ask_hears_only_what_is_sent_from_now_on():
+def test_who_does_not_ask_hears_only_what_is_sent_from_now_on_and_nothing_of_the_future():
     assert frames_known([CALIBRATOR], 1.5, 5.0, asks_for_stored=False) == ["camera_2"]
     assert frames_known([CALIBRATOR], 2.5, 5.0, asks_for_stored=False) == []
-
-
-def test_nothing_on_tf_is_stored_and_every_listener_is_connected():
-    assert letters_heard(WHEELS, 2.5, 5.0) == [WHEELS.letters[2]]
-
-
-def test_what_a_process_would_have_sent_after_its_end_is_never_heard():
-    silenced = CALIBRATOR._replace(ends_s=1.5)
-    assert frames_known([silenced], 0.5, 5.0) == ["camera_1"]
-
-
-def test_the_future_is_not_known():
     assert frames_known([CALIBRATOR], 0.5, 1.5) == ["camera_1"]
+    assert frames_known([CALIBRATOR._replace(ends_s=1.5)], 0.5, 5.0) == ["camera_1"]
 
 
 def test_joins_in_words():

@@ -8,31 +8,19 @@ from tflab.views.map_error import describe_tracks, distances_to, draw_placed, dr
 WALL = ((0.0, 0.0), (4.0, 0.0))
 
 
-def test_a_point_is_as_far_from_a_wall_as_from_its_nearest_spot():
+def test_the_distance_of_a_point_is_that_to_the_nearest_spot_of_a_wall_or_thing():
     beside, beyond = (1.0, 0.5), (7.0, 4.0)  # 3-4-5 from the wall's end
     assert distances_to(np.array([beside, beyond]), walls=[WALL]) == pytest.approx([0.5, 5.0])
-
-
-def test_the_nearest_of_walls_and_things_counts():
     points = np.array([(1.0, 3.0, 9.9), (1.0, 0.25, 9.9)])  # heights do not count
     assert distances_to(points, walls=[WALL], things=[(1.0, 2.0, 0.3)]) == pytest.approx([1.0, 0.25])
-
-
-def test_a_wall_without_length_is_a_point():
     assert distances_to(np.array([(3.0, 4.0)]), walls=[((0.0, 0.0), (0.0, 0.0))]) == pytest.approx([5.0])
+    with pytest.raises(ValueError, match="nothing is really there"):
+        distances_to(np.array([(0.0, 0.0)]))
 
 
 def test_points_that_hit_nothing_are_left_out():
     points = np.array([(1.0, 0.1, 0.0), (np.nan, np.nan, np.nan), (1.0, 0.3, 0.0)])
     assert offs(points, walls=[WALL]) == pytest.approx((2, 0.2, 0.3))
-
-
-def test_without_anything_there_nothing_can_be_off():
-    with pytest.raises(ValueError, match="nothing is really there"):
-        distances_to(np.array([(0.0, 0.0)]))
-
-
-def test_no_points_are_not_off():
     assert offs(np.full((2, 3), np.nan), things=[(0.0, 0.0)]) == (0, 0.0, 0.0)
 
 
@@ -63,15 +51,9 @@ DRIFTS = TRUTH * (0.99, 1.0)
 LEAPS = TRUTH + np.array([(0, 0), (0, 0), (0, 0.5), (0, 0.5), (0, 0.5)])
 
 
-def test_a_track_that_drifts_has_small_steps_and_a_growing_error():
+def test_a_track_that_drifts_has_small_steps_and_one_that_leaps_has_one_that_no_robot_drives():
     assert smoothness(DRIFTS, TRUTH) == pytest.approx((0.99, 0.04))
-
-
-def test_a_track_that_leaps_has_one_step_that_no_robot_drives():
     assert smoothness(LEAPS, TRUTH) == pytest.approx((np.hypot(1.0, 0.5), 0.5))
-
-
-def test_the_words_say_the_same():
     assert describe_tracks({"map": LEAPS, "odom": DRIFTS}, TRUTH).splitlines() == [
         "map   largest step 1.118 m, worst error 0.500 m",
         "odom  largest step 0.990 m, worst error 0.040 m",
@@ -85,13 +67,10 @@ def test_tracks_are_told_apart_by_their_lines_too():
     assert [text.get_text() for text in ground.get_legend().get_texts()] == ["truth", "map", "odom"]
 
 
-@pytest.mark.parametrize(
-    ("tracks", "why"),
-    [
+def test_what_cannot_be_drawn_is_said():
+    for tracks, why in (
         ({}, "between one and 3 tracks"),
-        ({"short": TRUTH[:3]}, "short has 3 samples, and there are 5 times"),
-    ],
-)
-def test_what_cannot_be_drawn_is_said(tracks, why):
-    with pytest.raises(ValueError, match=why):
-        draw_tracks(tracks, TRUTH, TIMES_S)
+        ({"short": TRUTH[:3]}, "short has 3 samples, and there are 5"),
+    ):
+        with pytest.raises(ValueError, match=why):
+            draw_tracks(tracks, TRUTH, TIMES_S)

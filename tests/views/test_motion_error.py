@@ -21,43 +21,29 @@ from tflab.views.motion_error import (
 from tflab.views.panels import rate_panel
 
 
-def test_a_robot_that_does_not_turn_drives_straight():
-    then_T_now = drive(1.0, 0.0, seconds(0.2))
-    assert then_T_now.translation == pytest.approx((0.2, 0.0, 0.0))
-    assert then_T_now.rpy() == pytest.approx((0.0, 0.0, 0.0))
-
-
-def test_a_robot_that_turns_drives_an_arc_of_a_circle():
+def test_a_robot_drives_straight_or_along_an_arc_of_a_circle():
+    straight = drive(1.0, 0.0, seconds(0.2))
+    assert straight.translation == pytest.approx((0.2, 0.0, 0.0))
+    assert straight.rpy() == pytest.approx((0.0, 0.0, 0.0))
     # a quarter of a circle of radius 2 m, to the left: 2 m ahead and 2 m to the left
-    then_T_now = drive(math.pi, math.pi / 2, seconds(1.0))
-    assert then_T_now.translation == pytest.approx((2.0, 2.0, 0.0))
-    assert then_T_now.rpy() == pytest.approx((0.0, 0.0, math.pi / 2))
+    arc = drive(math.pi, math.pi / 2, seconds(1.0))
+    assert arc.translation == pytest.approx((2.0, 2.0, 0.0))
+    assert arc.rpy() == pytest.approx((0.0, 0.0, math.pi / 2))
 
 
-def test_the_error_splits_into_speed_and_turn():
+def test_the_error_splits_into_speed_and_turn_and_the_exact_one_is_that_of_the_arc():
     # 1 m/s x 0.2 s = 0.2 m; 5 m x 0.5 rad/s x 0.2 s = 0.5 m; together sqrt(0.04 + 0.25)
     error = latency_error(Sight(speed_mps=1.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.2)))
     assert error.forwards_m == pytest.approx(0.2)
     assert error.sideways_m == pytest.approx(0.5)
     assert error.approximate_m == pytest.approx(0.53852, abs=1e-5)
-
-
-def test_the_exact_error_is_that_of_the_arc():
     # radius 2 m, turned 0.1 rad: (2 sin 0.1, 2 - 2 cos 0.1) + 5 (cos 0.1 - 1, sin 0.1)
-    error = latency_error(Sight(1.0, 0.5, 5.0, seconds(0.2)))
     assert error.exact == pytest.approx((0.174688, 0.509159, 0.0), abs=1e-6)
     assert error.exact_m == pytest.approx(0.538293, abs=1e-6)
     assert error.drawn_at == pytest.approx((5.174688, 0.509159, 0.0), abs=1e-6)
-
-
-def test_no_delay_means_no_error():
+    to_the_right = latency_error(Sight(0.0, -0.5, 4.0, seconds(0.1)))
+    assert to_the_right.sideways_m == pytest.approx(-0.2) and to_the_right.exact[1] < 0.0
     assert latency_error(Sight(3.0, 1.0, 10.0, 0)).exact_m == 0.0
-
-
-def test_turning_right_moves_the_object_to_the_right():
-    error = latency_error(Sight(0.0, -0.5, 4.0, seconds(0.1)))
-    assert error.sideways_m == pytest.approx(-0.2)
-    assert error.exact[1] < 0.0
 
 
 def test_the_pieces_are_good_only_while_the_robot_turns_little():
@@ -80,14 +66,6 @@ def test_latency_in_words():
     )
 
 
-def test_the_picture_says_which_number_is_exact_and_which_is_not():
-    picture = draw_latency(Sight(1.0, 0.5, 5.0, seconds(0.2)))
-    words = [text.get_text() for text in picture.figure.findobj(match=lambda a: hasattr(a, "get_text"))]
-    assert "exactly\n0.538 m" in words
-    assert "speed × delay\n≈ 0.200 m" in words
-    assert "range × yaw rate × delay\n≈ 0.500 m" in words
-
-
 @pytest.mark.parametrize("sight", [Sight(3.0, 1.0, 10.0, seconds(0.5)), Sight(0.0, -1.0, 1.0, 0), Sight(0, 0, 10, 0)])
 def test_any_sight_that_a_slider_can_choose_stays_in_the_picture(sight):
     picture = draw_latency(sight)
@@ -97,18 +75,12 @@ def test_any_sight_that_a_slider_can_choose_stays_in_the_picture(sight):
     assert x0 < error.drawn_at[0] < x1 and y0 < error.drawn_at[1] < y1
 
 
-@pytest.mark.parametrize(("rate_hz", "gap_mm"), [(1.0, 61.21), (2.0, 15.54), (10.0, 0.62), (20.0, 0.16)])
-def test_the_gap_in_a_bend_of_half_a_metre_radius(rate_hz, gap_mm):
+def test_the_gap_in_a_bend_of_half_a_metre_radius():
     # (0.5 / 1) (1 - cos(1 / 2f)): 0.5 * 0.122417 = 0.061209 at 1 Hz
-    assert 1000 * gap_m(Bend(0.5, 1.0, rate_hz)) == pytest.approx(gap_mm, abs=0.005)
-
-
-def test_straight_ahead_nothing_is_missed_at_any_rate():
+    for rate_hz, gap_mm in ((1.0, 61.21), (2.0, 15.54), (10.0, 0.62), (20.0, 0.16)):
+        for yaw_rate in (1.0, -1.0):
+            assert 1000 * gap_m(Bend(0.5, yaw_rate, rate_hz)) == pytest.approx(gap_mm, abs=0.005)
     assert gap_m(Bend(2.0, 0.0, 1.0)) == 0.0
-
-
-def test_to_the_right_the_gap_is_as_large_as_to_the_left():
-    assert gap_m(Bend(0.5, -1.0, 2.0)) == gap_m(Bend(0.5, 1.0, 2.0)) > 0
 
 
 def test_a_scan_waits_a_period_less_its_own_way_and_never_less_than_nothing():
@@ -116,36 +88,28 @@ def test_a_scan_waits_a_period_less_its_own_way_and_never_less_than_nothing():
     assert wait_s(Bend(rate_hz=20.0)) == 0.0
 
 
-def test_the_words_say_the_three_numbers():
+def test_the_words_say_the_three_numbers_and_the_panel_passes_its_sliders_on():
     assert draw_bend(Bend(0.5, 1.0, 1.0)).text.splitlines() == [
         "between two samples 0.500 m driven, 1.000 rad turned",
         "gap between arc and chord 61.21 mm at worst",
         "wait 0.899 s at worst",
     ]
-
-
-@pytest.mark.parametrize("yaw_rate", [1.0, -1.0, 0.0])
-def test_the_arc_bulges_to_the_outside_of_the_turn_and_begins_and_ends_on_the_chord(yaw_rate):
-    arc = np.column_stack(draw_bend(Bend(0.5, yaw_rate, 1.0))._arc.get_data())
-    assert arc[[0, -1]] == pytest.approx(np.array([(-0.5, 0.0), (0.5, 0.0)]), abs=1e-9)
-    assert np.sign(round(arc[30, 1], 9)) == -np.sign(yaw_rate)
-
-
-@pytest.mark.parametrize("turn", [0.0, 0.5, -1.5, 3.0])
-def test_the_card_is_as_high_as_the_arc_and_nothing_is_cut(turn):
-    picture = draw_bend(Bend(0.5, turn, 1.0))
-    low, high = picture.ax.get_ylim()
-    heights = picture._arc.get_ydata()
-    assert low < heights.min() and heights.max() < high
-    assert np.abs(heights).max() == pytest.approx(deepest(turn), abs=1e-9)
-    across, up = 1.24 / picture.ax.bbox.width, (high - low) / picture.ax.bbox.height
-    assert across == pytest.approx(up)  # a circle is drawn round
-
-
-def test_rate_panel_passes_each_slider_to_its_parameter():
     panel = rate_panel()
     panel.controls["rate [Hz]"].value = 1.0
     assert "61.21 mm" in panel.text
     panel.controls["yaw rate [rad/s]"].value = 0.0
     assert "0.00 mm" in panel.text
     panel.close()
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.5, -1.5, 3.0])
+def test_the_arc_bulges_to_the_outside_of_the_turn_and_the_card_is_as_high_as_it(turn):
+    picture = draw_bend(Bend(0.5, turn, 1.0))
+    arc = np.column_stack(picture._arc.get_data())
+    assert arc[[0, -1]] == pytest.approx(np.array([(-0.5, 0.0), (0.5, 0.0)]), abs=1e-9)  # on the chord
+    assert np.sign(round(arc[30, 1], 9)) == -np.sign(turn)
+    low, high = picture.ax.get_ylim()
+    assert low < arc[:, 1].min() and arc[:, 1].max() < high
+    assert np.abs(arc[:, 1]).max() == pytest.approx(deepest(turn), abs=1e-9)
+    across, up = 1.24 / picture.ax.bbox.width, (high - low) / picture.ax.bbox.height
+    assert across == pytest.approx(up)  # a circle is drawn round

@@ -114,42 +114,26 @@ def drawn_fixture(request):
     return request.param, picture, png
 
 
-def test_a_second_drawing_gives_the_same_bytes_whatever_the_learners_settings(drawn):
+def test_a_second_drawing_gives_the_same_small_png_whatever_the_learners_settings_and_its_words(drawn):
     name, _, png = drawn
+    assert png.startswith(b"\x89PNG") and len(png) <= 60_000
     with matplotlib.rc_context({"font.size": 20, "axes.grid": True, "text.color": "red", "axes.facecolor": "black"}):
-        assert PICTURES[name]().png() == png
-
-
-def test_a_picture_is_a_png_of_at_most_60_kb(drawn):
-    _, _, png = drawn
-    assert png.startswith(b"\x89PNG")
-    assert len(png) <= 60_000
-
-
-def test_a_picture_is_shown_at_its_size_with_its_words_as_plain_text(drawn):
-    name, _, png = drawn
-    picture = PICTURES[name]()
-    data, metadata = picture._repr_mimebundle_()
+        picture = PICTURES[name]()
+        data, metadata = picture._repr_mimebundle_()
     width, height = picture.figure.get_size_inches()
     assert data == {"image/png": png, "text/plain": picture.text}
     assert picture.text == repr(picture) != ""
     assert metadata["image/png"] == {"width": round(width * 100), "height": round(height * 100)}
 
 
-def test_no_two_names_cover_each_other(drawn):
+def test_every_word_is_on_the_card_and_covers_no_other(drawn):
     _, picture, _ = drawn
-    boxes = [text.get_window_extent() for text in visible_texts(picture.figure)]
-    for i, box in enumerate(boxes):
+    card, texts = picture.figure.bbox, list(visible_texts(picture.figure))
+    boxes = [text.get_window_extent() for text in texts]
+    for i, (text, box) in enumerate(zip(texts, boxes, strict=True)):
+        assert card.x0 <= box.x0 and box.x1 <= card.x1 and card.y0 <= box.y0 and box.y1 <= card.y1, text
         for other in boxes[:i]:
             assert box.x1 <= other.x0 or other.x1 <= box.x0 or box.y1 <= other.y0 or other.y1 <= box.y0
-
-
-def test_every_word_is_on_the_card(drawn):
-    _, picture, _ = drawn
-    card = picture.figure.bbox
-    for text in visible_texts(picture.figure):
-        box = text.get_window_extent()
-        assert card.x0 <= box.x0 and box.x1 <= card.x1 and card.y0 <= box.y0 and box.y1 <= card.y1, text
 
 
 def test_a_live_picture_shows_what_moved_and_what_stands_still():

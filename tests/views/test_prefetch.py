@@ -78,24 +78,18 @@ def test_a_place_that_was_drawn_ahead_is_not_drawn_again_when_the_slider_comes_t
     assert picture.anew == before + 1  # nothing else tells a browser of it where no control has moved
 
 
-def test_drawn_anew_means_that_nothing_from_before_is_used():
-    speed = widgets.FloatSlider(1.0, description="speed")
-    picture, drawn = drawn_ahead(speed)
-    picture.show()
-    picture.show()
-    assert len(drawn) == 1
-    picture.show(anew=True)
-    assert len(drawn) == 2
-
-
-def test_no_more_drawings_are_kept_than_fit():
+def test_nothing_from_before_is_used_when_drawn_anew_and_no_more_is_kept_than_fits():
     speed = widgets.FloatSlider(0.0, max=1e6, description="speed")
     picture, drawn = drawn_ahead(speed)
-    for place in range(KEPT + 1):
+    for anew, count in ((False, 1), (False, 1), (True, 2)):
+        picture.show(anew=anew)
+        assert len(drawn) == count
+    drawn.clear()
+    for place in range(1, KEPT + 2):
         picture.drawing([place], 0)
-    picture.drawing([KEPT], 0)
+    picture.drawing([KEPT + 1], 0)
     assert len(drawn) == KEPT + 1
-    picture.drawing([0], 0)  # the oldest went
+    picture.drawing([1], 0)  # the oldest went
     assert len(drawn) == KEPT + 2
 
 
@@ -134,12 +128,6 @@ def test_a_menu_is_at_the_value_of_its_option_and_a_box_at_yes_or_no():
     assert (at(menu), at(plain), at(box), at.moved) == (2, "a", True, box)
 
 
-def test_a_panel_drawn_ahead_is_the_panel_moved_there():
-    panel, ahead = cameras_panel(), cameras_panel()
-    panel.controls["left [m]"].value = 0.5
-    assert ahead.shown.drawing([2.0, 0.5, 0.0], 1) == Drawing(panel.shown.png, panel.text)
-
-
 def test_a_sentence_drawn_ahead_is_the_one_that_the_menu_leads_to():
     panel = sentence_panel(POSES, "map", "laser_frame")
     places = [control.index for control in panel.controls.values()]
@@ -151,10 +139,13 @@ def test_a_sentence_drawn_ahead_is_the_one_that_the_menu_leads_to():
     assert panel.text == words
 
 
-def test_a_timeline_drawn_ahead_leaves_its_slider_usable():
+def test_a_panel_drawn_ahead_is_the_panel_moved_there_and_leaves_its_slider_usable():
     def ask(target: str, source: str, stamp_ns: int) -> StampedTransform:
         return StampedTransform(target, source, stamp_ns, Transform())
 
+    panel, ahead = cameras_panel(), cameras_panel()
+    panel.controls["left [m]"].value = 0.5
+    assert ahead.shown.drawing([2.0, 0.5, 0.0], 1) == Drawing(panel.shown.png, panel.text)
     panel = timeline_panel("map", "odom", [Lane("map", "odom", (seconds(1), seconds(3)))], ask)
     query = panel.controls["query [s]"]
     assert "LATEST" in panel.shown.drawing([query.value, True], 1).words

@@ -1,4 +1,4 @@
-"""What is left of a view when the cell that showed it has run again?"""
+"""A view of a cell that runs again is closed, and what a learner computed stays."""
 
 from __future__ import annotations
 
@@ -48,16 +48,13 @@ def test_a_panel_of_a_cell_that_runs_again_is_closed(shell: InteractiveShell) ->
     assert panel.widget.comm is None
 
 
-def test_what_a_learner_computed_stays(shell: InteractiveShell) -> None:
+def test_what_a_learner_computed_stays_and_a_cell_without_an_id_is_known_by_its_text(shell: InteractiveShell) -> None:
     shell.run_cell("[1, 2]", store_history=True, cell_id="a")
     shell.run_cell("[3, 4]", store_history=True, cell_id="a")
     assert shell.user_ns["_oh"] == {1: [1, 2], 2: [3, 4]}
-
-
-def test_a_cell_without_an_id_is_known_by_its_text(shell: InteractiveShell) -> None:
     shell.run_cell("Picture()", store_history=True)
     shell.run_cell("Picture()", store_history=True)
-    assert results(shell) == [2]
+    assert results(shell) == [1, 2, 4]
 
 
 def test_a_cell_that_ran_outside_a_notebook_is_no_matter(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -31,12 +31,9 @@ def test_two_quarter_turns_end_differently_in_the_other_order():
     ]
 
 
-def test_a_direction_that_has_no_word_is_given_in_numbers():
+def test_a_direction_that_has_no_word_is_given_in_numbers_and_an_unknown_turn_is_refused():
     text = describe_orders(("yaw", math.pi / 4), ("roll", 0.0))
     assert "nose (0.707, 0.707, 0.000), top up" in text
-
-
-def test_an_unknown_turn_is_refused_with_those_there_are():
     with pytest.raises(ValueError, match="no turn is called 'heading'; there are roll, pitch, yaw"):
         turn("heading", 0.1)
 

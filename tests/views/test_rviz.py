@@ -123,20 +123,14 @@ def test_another_fixed_frame_changes_the_picture_and_not_the_data():
 # -- the six symptoms ---------------------------------------------------------
 
 
-def test_symptom_1_a_misspelt_fixed_frame_does_not_exist():
+def test_symptom_1_a_misspelt_fixed_frame_does_not_exist_and_without_any_frame_there_is_no_tf_data():
     shown = look_through("mpa", *world())
     assert text_of(entry(shown, "Global Status"), "Fixed Frame") == "Frame [mpa] does not exist"
     assert entry(shown, "Global Status").level == "Error"
     expected = "For frame [laser_frame]: Fixed Frame [mpa] does not exist"
     assert text_of(entry(shown, "LaserScan"), "Transform") == expected
     assert entry(shown, "TF").poses == {}
-
-
-def test_symptom_1_without_any_frame_there_is_no_tf_data():
-    def nobody(target_frame, source_frame, stamp_ns):
-        return BufferCore().lookup_transform(target_frame, source_frame, stamp_ns)
-
-    (status,) = entry(look_through("map", {}, (), nobody), "Global Status").statuses
+    (status,) = entry(look_through("map", {}, (), BufferCore().lookup_transform), "Global Status").statuses
     assert status == ("Warn", "Fixed Frame", "No tf data.  Actual error: Frame [map] does not exist")
 
 
@@ -226,24 +220,15 @@ def test_symptom_6_a_broken_chain_leaves_the_map_without_a_robot():
 # -- the other displays, and the widget ---------------------------------------
 
 
-def test_a_path_in_an_unknown_frame_could_not_be_transformed():
+def test_a_path_or_cloud_in_an_unknown_frame_and_a_topic_without_messages_are_named():
     at = world()
     path = Display("Path", (Path("plan", LATEST, ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))),), "/plan")
-    shown = look_through("map", at.parents, (path,), at.ask)
-    assert text_of(entry(shown, "Path"), "Transform") == "Could not transform from [plan] to [map]"
-
-
-def test_a_cloud_in_an_unknown_frame_is_named():
-    at = world()
     cloud = Display("PointCloud2", (PointCloud2("camera", LATEST, ((0.0, 0.0, 1.0),)),), "/points")
-    shown = look_through("map", at.parents, (cloud,), at.ask)
-    expected = "For frame [camera]: Frame [camera] does not exist"
-    assert text_of(entry(shown, "PointCloud2"), "Transform") == expected
-
-
-def test_a_topic_without_messages_says_so():
-    shown = look_through("map", {"map": ""}, (Display("LaserScan", (), "/scna"),), world().ask)
-    assert statuses_as_text(shown[2:]) == "LaserScan (/scna): Warn\n  Topic: No messages received"
+    shown = look_through("map", at.parents, (path, cloud, Display("LaserScan", (), "/scna")), at.ask)
+    assert text_of(entry(shown, "Path"), "Transform") == "Could not transform from [plan] to [map]"
+    unknown = "For frame [camera]: Frame [camera] does not exist"
+    assert text_of(entry(shown, "PointCloud2"), "Transform") == unknown
+    assert statuses_as_text(shown[4:]) == "LaserScan (/scna): Warn\n  Topic: No messages received"
 
 
 def test_choosing_a_fixed_frame_in_the_widget_redraws_and_takes_away_what_cannot_be_turned():
@@ -273,16 +258,12 @@ def test_another_fixed_frame_moves_maps_paths_clouds_and_scans_and_sends_none_of
     assert not [command["path"] for command in sent if command["type"] == "set_object"]
 
 
-def test_new_values_keep_the_fixed_frame():
+def test_new_values_keep_the_fixed_frame_and_an_exported_page_goes_through_all(monkeypatch):
+    monkeypatch.setenv("TFLAB_FILMS", "1")
     rviz = RViz(*world(), fixed_frame="odom")
     rviz.update(*world(without=("wheel_link",)))
     assert rviz.fixed_frame == "odom"
     assert "wheel_link: No transform from [wheel_link] to [odom]" in rviz.text
-
-
-def test_a_page_that_is_built_for_export_can_go_through_the_fixed_frames(monkeypatch):
-    monkeypatch.setenv("TFLAB_FILMS", "1")
-    rviz = RViz(*world(), fixed_frame="odom")
     rviz._repr_mimebundle_()
     rviz.scene.flush()
     assert b"Fixed Frame = base_link" in rviz.scene.scene

@@ -70,17 +70,11 @@ def test_ok_says_nothing_of_the_walls_and_the_words_measure_it():
     assert "off the walls by 0.000 m" in describe_shown(shown(), [WALL])
 
 
-def test_frames_are_in_the_words_where_they_are_in_the_fixed_frame():
-    assert "map at (-2.000, 0.000, 0.000) m" in draw_shown(shown("base_link")).text
-
-
 def test_a_link_is_drawn_as_its_outline_from_above():
+    assert "map at (-2.000, 0.000, 0.000) m" in draw_shown(shown("base_link")).text
+    assert points_of(PointCloud2("base_link", 0, [(1.0, 2.0, 3.0)])).tolist() == [[1.0, 2.0, 3.0]]
+    assert points_of(SCAN).tolist() == [[3.0, 0.0, 0.0]]
     ax = draw_shown(shown()).figure.axes[0]
     box = ax.patches[0].get_xy()
     assert box.min(axis=0) == pytest.approx((1.8, -0.1)) and box.max(axis=0) == pytest.approx((2.2, 0.1))
     assert len(box) == 5  # four corners, and the first again
-
-
-def test_points_of_a_cloud_are_its_own():
-    assert points_of(PointCloud2("base_link", 0, [(1.0, 2.0, 3.0)])).tolist() == [[1.0, 2.0, 3.0]]
-    assert points_of(SCAN).tolist() == [[3.0, 0.0, 0.0]]

@@ -28,7 +28,7 @@ from tflab.views.scene import (
     draw_robot,
     draw_scan,
 )
-from tflab.views.scene.shapes import ball, grid, mug
+from tflab.views.scene.shapes import ball, mug
 
 FORWARD = Transform((1.0, 0.0, 0.0))
 TURNED = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 2.0, 0.0))
@@ -105,55 +105,35 @@ def test_the_words_name_everything_else(scene):
     assert lines[1].split(maxsplit=1)[1].startswith("ghost frame at x 1.000 m, y 2.000 m")
 
 
-def test_moving_what_is_there_sends_only_where_it_is(scene):
-    draw_frame(scene, "base_link", Transform())
+def test_a_redraw_is_one_message_and_moving_what_is_there_sends_only_where_it_is(scene):
     sent = sent_by(scene)
+    draw_frames(scene, {"map": Transform(), "base_link": FORWARD}, {"base_link": "map"})
+    assert len(sent) == 1
+    sent.clear()
     with scene.redraw():
-        draw_frame(scene, "base_link", FORWARD)
+        draw_frame(scene, "base_link", TURNED, "map")
     assert sent == [1]
 
 
-def test_an_arrow_points_from_its_start_to_its_end(scene):
-    draw_arrow(scene, "step", (1.0, 2.0, 0.0), (1.0, 2.0, 3.0))
+def test_an_arrow_points_from_its_start_to_its_end_and_its_name_keeps_clear_of_it(scene):
+    draw_arrow(scene, "step", (1.0, 2.0, 0.0), (1.0, 2.0, 3.0), "3 m")
     pose = scene._state.pose("/meshcat/step")
     assert pose.translation == (1.0, 2.0, 0.0)
     assert pose.apply((3.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 3.0))
-
-
-def test_an_arrow_says_which_line_its_name_keeps_clear_of(scene):
-    draw_arrow(scene, "step", (1.0, 2.0, 0.0), (1.0, 2.0, 3.0), "3 m")
     (label,) = scene._state.properties("labels")["/meshcat/step"]
     assert (label["at"], label["along"]) == ([1.5, 0.0, 0.0], [3.0, 0.0, 0.0])
 
 
-def test_a_ball_is_round_and_said_by_name(scene):
-    draw_ball(scene, "ball", (6.5, -1.5, 0.3))
-    assert scene._state.pose("/meshcat/ball").translation == (6.5, -1.5, 0.3)
-    assert scene.describe().splitlines()[1].split(maxsplit=1) == ["ball", "ball at (6.500, -1.500, 0.300) m"]
+def test_a_ball_and_a_mug_stand_where_they_are_seen_and_are_said_by_name(scene):
+    for draw, name, place in ((draw_ball, "ball", (6.5, -1.5, 0.3)), (draw_mug, "mug", (1.6, -0.4, 0.5))):
+        draw(scene, name, place)
+        assert scene._state.pose(f"/meshcat/{name}").translation == place
+        said = [line.split(maxsplit=1) for line in scene.describe().splitlines()]
+        assert [name, "{} at ({:.3f}, {:.3f}, {:.3f}) m".format(name, *place)] in said
     assert np.linalg.norm(ball(0.3, "#B5539B").points, axis=1) == pytest.approx(0.3)
-
-
-def test_a_mug_stands_where_it_is_seen_and_is_said_by_name(scene):
-    draw_mug(scene, "mug", (1.6, -0.4, 0.5))
-    assert scene._state.pose("/meshcat/mug").translation == (1.6, -0.4, 0.5)
-    assert scene.describe().splitlines()[1].split(maxsplit=1) == ["mug", "mug at (1.600, -0.400, 0.500) m"]
-
-
-def test_a_mug_is_as_tall_as_it_is_said_and_has_a_handle_on_one_side():
     points = mug(0.2, "#B5539B").points
     assert np.ptp(points[:, 2]) == pytest.approx(0.2)
-    assert -points[:, 1].min() > 1.5 * points[:, 1].max()
-
-
-def test_the_ground_is_as_large_as_one_asks():
-    ends = grid(0.5, cells=16).geometry.position
-    assert (ends.min(), ends.max()) == (-4.0, 4.0)
-
-
-def test_a_redraw_is_one_message(scene):
-    sent = sent_by(scene)
-    draw_frames(scene, {"map": Transform(), "base_link": FORWARD}, {"base_link": "map"})
-    assert len(sent) == 1
+    assert -points[:, 1].min() > 1.5 * points[:, 1].max()  # the handle
 
 
 def test_two_threads_may_draw_into_one_scene(scene):
@@ -170,12 +150,6 @@ def test_two_threads_may_draw_into_one_scene(scene):
     assert [scene._state.pose(f"/meshcat/frames/{name}").translation[0] for name in "abcd"] == [49.0] * 4
 
 
-def test_a_frame_whose_name_has_a_slash_does_not_hang_on_another_frame(scene):
-    draw_frame(scene, "robot1", FORWARD)
-    draw_frame(scene, "robot1/base_link", Transform())
-    assert "  robot1/base_link  frame\n" in scene.describe() + "\n"
-
-
 def test_a_sweep_leaves_the_scene_at_its_start_and_stores_what_changes(scene):
     scene.sweep("x", [0.0, 1.0, 2.0], lambda x_m: draw_frame(scene, "a", Transform((x_m, 0.0, 0.0))), "m", start=2)
     assert "x 2.000 m" in scene.describe()
@@ -185,30 +159,24 @@ def test_a_sweep_leaves_the_scene_at_its_start_and_stores_what_changes(scene):
     assert [[command["type"] for command in step] for step in sweep["steps"]] == [["set_transform"]] * 3
 
 
-def test_a_failed_drawing_in_a_sweep_leaves_the_scene_usable(scene):
+def test_a_failed_drawing_leaves_the_scene_usable_and_an_unknown_part_is_refused_by_name(scene):
     with pytest.raises(ZeroDivisionError):
         scene.sweep("x", [0.0], lambda x: 1 / x)
-    draw_frame(scene, "map", Transform())
-    assert scene.describe().startswith("3D scene: 1 frame,")
-
-
-def test_an_unknown_part_is_refused_by_name(scene):
     with pytest.raises(ValueError, match='not a "cone"'):
         draw_robot(scene, "robot", {"base": [Part("cone", (1.0,))]}, {"base": Transform()})
-
-
-def test_who_opens_late_gets_everything_in_the_state(scene):
     draw_frame(scene, "map", Transform())
+    assert "3D scene: 1 frame," in scene.describe()
+
+
+def test_who_opens_late_gets_everything_and_a_slash_in_a_name_hangs_it_on_no_other_frame(scene):
+    draw_frame(scene, "robot1", FORWARD)
+    draw_frame(scene, "robot1/base_link", Transform())
+    assert "  robot1/base_link  frame\n" in scene.describe() + "\n"
     state = scene.get_state()
-    assert b"frames/map" in state["scene"]
+    assert b"frames/robot1" in state["scene"]
     assert state["description"] == scene.describe()
 
 
 def test_importing_the_module_does_not_import_meshcat():
     code = "import sys, tflab.views.scene; sys.exit('meshcat' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], timeout=60).returncode == 0
-
-
-def test_the_viewer_is_carried_once_for_all_scenes(scene):
-    assert Scene().asset is scene.asset
-    assert len(scene.asset.viewer_gz) > 100_000

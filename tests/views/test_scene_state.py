@@ -1,4 +1,4 @@
-"""A compacted scene must be the scene: the same last words, in an order that gives the same picture."""
+"""A compacted scene is the scene: the same last commands, in an order that gives the same picture."""
 
 from __future__ import annotations
 
@@ -48,22 +48,15 @@ def delete(path: str) -> dict:
     return {"type": "delete", "path": path}
 
 
-def test_of_two_words_on_one_subject_only_the_last_is_kept():
+def test_of_two_commands_on_one_subject_only_the_last_is_kept_and_all_are_counted():
     state = heard(put("/meshcat/a"), move("/meshcat/a", 1.0), move("/meshcat/a", 2.0))
     assert replayed(state) == [put("/meshcat/a"), move("/meshcat/a", 2.0)]
-
-
-def test_the_snapshot_says_how_many_commands_it_stands_for():
-    state = heard(put("/meshcat/a"), move("/meshcat/a", 1.0), move("/meshcat/a", 2.0))
     assert struct.unpack_from("<I", state.packed()) == (3,)
 
 
-def test_a_deleted_branch_is_not_mentioned_but_a_namesake_is():
+def test_a_deleted_branch_is_not_mentioned_but_a_namesake_and_what_is_the_viewers_own_is():
     state = heard(put("/meshcat/a/b"), put("/meshcat/ab"), delete("/meshcat/a"))
     assert replayed(state) == [put("/meshcat/ab")]
-
-
-def test_deleting_something_of_the_viewers_own_is_kept():
     assert replayed(heard(delete("/Grid"))) == [delete("/Grid")]
 
 

@@ -20,13 +20,10 @@ def pictures_of(film: Film) -> list[bytes]:
     return pictures
 
 
-def test_a_film_keeps_each_picture_with_its_text():
+def test_a_film_keeps_each_picture_with_its_text_and_one_whose_parts_do_not_fit_together_is_refused():
     film = Film([b"one", b"three"], ["x = 1", "x = 3"], ["one", "three"], (760, 380), start=1)
     assert pictures_of(film) == [b"one", b"three"]
     assert (film.texts, film.position, film.width) == (["x = 1", "x = 3"], 1.0, 760)
-
-
-def test_a_film_whose_parts_do_not_fit_together_is_refused():
     with pytest.raises(ValueError, match="it has 2 pictures, 1 texts, 2 words and start 0"):
         Film([b"one", b"two"], ["x = 1"], ["one", "two"], (760, 380))
 

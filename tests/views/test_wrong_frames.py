@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tflab.core import Transform
-from tflab.views.wrong_frames import describe_extent, describe_mount, draw_misread, draw_mount, seen_from
+from tflab.views.wrong_frames import describe_mount, draw_misread, draw_mount, seen_from
 
 LASER_AT = (0.2, 0.0, 0.15)
 
@@ -24,12 +24,9 @@ def test_a_laser_that_looks_left_sees_the_corner_on_the_left():
     assert places["swapped"] == pytest.approx((0.0, -1.8, -0.15))
 
 
-def test_without_a_turn_forgetting_the_turn_is_no_mistake():
+def test_a_mistake_can_hide_without_a_turn_the_forgotten_one_and_at_half_a_turn_the_swapped_lookup():
     places = seen_from(turned(0.0), (2.0, 0.5, 0.0))
     assert places["turn forgotten"] == pytest.approx(places["corner"])
-
-
-def test_swapped_lookup_is_visible_only_in_z_for_rear_facing_laser():
     places = seen_from(turned(math.pi), (2.0, 0.7, 0.0))
     assert places["swapped"][:2] == pytest.approx(places["corner"][:2])
     assert places["swapped"][2] == pytest.approx(-0.15)
@@ -45,7 +42,7 @@ def test_the_picture_in_words():
     )
 
 
-@pytest.mark.parametrize("yaw_rad", [-math.pi, -1.0, 0.0, 0.7, math.pi])
+@pytest.mark.parametrize("yaw_rad", [-math.pi, -1.0, 0.7])
 def test_points_stay_in_the_picture_for_any_yaw(yaw_rad):
     picture = draw_mount(yaw_rad)
     low, high = picture.figure.axes[0].get_xlim()
@@ -62,12 +59,6 @@ def test_a_mistake_that_hides_behind_the_truth_is_a_ring_around_it():
 WALL = np.array([(2.0, -1.0, 0.0), (2.0, 1.0, 1.5)])
 
 
-def test_a_cloud_is_described_by_how_far_it_reaches_and_a_flat_side_by_one_number():
-    assert (
-        describe_extent({"wall": WALL}) == "In base_link:\n  wall: x 2.000 m, y -1.000 to 1.000 m, z 0.000 to 1.500 m"
-    )
-
-
 def test_both_readings_are_in_the_words_and_the_picture_fits_on_a_page():
     picture = draw_misread({"wall": WALL}, {"wall": WALL[:, [1, 2, 0]]}, ("as it is", "as misread"))
     assert picture.text == (
@@ -75,7 +66,4 @@ def test_both_readings_are_in_the_words_and_the_picture_fits_on_a_page():
         "as misread. In base_link:\n  wall: x -1.000 to 1.000 m, y 0.000 to 1.500 m, z 2.000 m"
     )
     assert len(picture.png()) < 60_000
-
-
-def test_a_side_may_be_empty():
     assert draw_misread({"wall": WALL}, {}, ("all", "none")).text.endswith("none. In base_link:")

@@ -1,7 +1,4 @@
-"""What do tests of the workbook need?  A small one to hand out, that can be changed as a new version changes it.
-
-And a page maker next door: the test folders are no packages, so it is loaded by its path.
-"""
+"""A small workbook for tests, which can be changed as a new version changes it, and the module `making_pages`."""
 
 from __future__ import annotations
 

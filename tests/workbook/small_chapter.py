@@ -90,11 +90,11 @@ CELLS = {
 }
 
 
-def make_cases(seed, solutions, stem=STEM, **options):
-    """Return the tasks of a chapter with their cases, by id; `options` as of `task_cases`."""
-    solution = solution_in_notebook(solutions / "en" / f"{stem}.ipynb")
+def make_cases(seed, solutions, **options):
+    """Return the tasks of the chapter with their cases, by id; `options` as of `task_cases`."""
+    solution = solution_in_notebook(solutions / "en" / f"{STEM}.ipynb")
     with in_process_ros():
-        tasks = read_tasks(solutions / "tasks" / stem)
+        tasks = read_tasks(solutions / "tasks" / STEM)
         return {task.id: generate_cases.task_cases(task, seed, solution, **options) for task in tasks}
 
 

@@ -1,12 +1,13 @@
-"""What is said of whole answers in chapters 1 to 4: the reply that they mean, and not what is untrue of them."""
+"""What `check` replies to whole answers of chapters 1 to 4: what is wrong with them, and nothing untrue."""
 
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import pytest
 
-from tflab.core import Transform
+from tflab.core import ConnectivityException, Transform
 from tflab.ros.time import Time
 from tflab.workbook.diagnosis.mistake import Mistake
 
@@ -40,22 +41,11 @@ def exact(stamp, now):
         (reader(exact, is_old=lambda age, limit: round(age - limit, 10) > 0), []),
         (reader(lambda stamp, now: now.nanoseconds // 10**9 - stamp.sec, is_old=lambda age, limit: age >= limit),
          ["whole seconds", "already at the bound"]),
-        (reader(lambda stamp, now: now.nanoseconds - stamp.nanosec), ["now in nanoseconds"]),
-        (reader(lambda stamp, now: (now.nanoseconds - stamp.nanosec) / 1e9), ["stamp by nanosec alone"]),
-        (reader(lambda stamp, now: now.nanoseconds - Time.from_msg(stamp).nanoseconds,
-                is_old=lambda age, limit: age > limit * 1e6), ["age in milliseconds"]),
         (reader(exact, is_old=lambda age, limit: age > limit * 1e9), ["no look back"]),
     ],
 )  # fmt: skip
 def test_a_reader_is_told_what_its_verdicts_show(judge, slips):
     assert slips_of("E1.3", judge) == slips
-
-
-def test_nanosec_alone_is_not_called_a_stamp_in_seconds_and_no_unit_is_guessed():
-    alone = verdict_on("E1.3", reader(lambda stamp, now: now.nanoseconds - stamp.nanosec)).said
-    assert "seconds, or nanosec alone" in alone.en and "초이거나 nanosec뿐" in alone.ko
-    limit = reader(exact, is_old=lambda age, limit: age > limit / 1e3)
-    assert "a thousand times too large for max_age_s, like milliseconds" in verdict_on("E1.3", limit).said.en
 
 
 def on_arrival(given, age_s):
@@ -66,27 +56,13 @@ def on_arrival(given, age_s):
     ("age", "slip"),
     [
         (lambda s, a: abs(a[1] - s[1]) / 1e9, "nanosec alone, without sign"),
-        (lambda s, a: (a[1] - s[1]) / 1e9, "nanosec alone"),
-        (lambda s, a: s[0] - a[0] + (s[1] - a[1]) / 1e9, "backwards"),
         (lambda s, a: a[0] - s[0] + (s[1] - a[1]) / 1e9, "without borrowing"),
-        (lambda s, a: a[0] + a[1] / 1e9 - s[0], "stamp cut"),
-        (lambda s, a: a[0] - s[0] + (a[1] - s[1]) / 1e8, "a zero too few"),
-        (lambda s, a: 1e9 * (a[0] - s[0]) + a[1] - s[1], "nanoseconds"),
     ],
 )
 def test_an_age_is_told_by_what_went_into_it(age, slip):
     verdict = verdict_on("E1.4", lambda given: on_arrival(given, age(given.stamp, given.arrived)))
     assert list(verdict.slips) == [slip]
     assert "below zero" not in verdict.said.en or slip != "nanosec alone, without sign"
-
-
-def test_a_ball_straight_ahead_is_told_that_its_distance_shrinks():
-    right = {"ball in map": "stays", "ball in base_link": "changes", "ball in laser_frame": "stays",
-             "cup in map": "changes", "cup in base_link": "stays", "cup in laser_frame": "stays",
-             "lamp in map": "changes", "lamp in base_link": "changes", "lamp in laser_frame": "changes"}  # fmt: skip
-    said = verdict_on("E1.5", lambda given: right).said
-    assert "Even if the ball stays straight ahead, its x gets smaller" in said.en
-    assert "정면에 있더라도" in said.ko
 
 
 # -- chapter 2 ------------------------------------------------------------------------
@@ -100,9 +76,6 @@ SIGNS = {"angular_z_turning_left": "positive", "pitch_nose_down": "positive", "y
     ("turned", "slips"),
     [
         (("angular_z_turning_left", "y_right_in_base_link"), ["left hand"]),
-        (("angular_z_turning_left", "pitch_nose_down"), ["turned by the left hand"]),
-        (("angular_z_turning_left", "pitch_nose_down", "y_right_in_base_link"), ["an aeroplane's axes"]),
-        (("pitch_nose_down", "y_above_in_optical_frame"), ["by the word"]),
         (("angular_z_turning_left", "y_above_in_optical_frame"), ["compass", "y up in the picture"]),
     ],
 )
@@ -116,13 +89,7 @@ def test_signs_that_come_of_one_thought_are_told_it_together(turned, slips):
     ("places", "slips"),
     [
         (lambda x, y, z: (x, z, y), ["put together: x, z, y"]),
-        (lambda x, y, z: (-z, y, x), ["pitch, minus"]),
-        (lambda x, y, z: (z, -x, y), ["up and down"]),
-        (lambda x, y, z: (z, -x * z, -y * z), ["times the depth"]),
         (lambda x, y, z: (math.sqrt(z * z - x * x - y * y), -x, -y), ["depth of a ray"]),
-        (lambda x, y, z: (1.5, -0.4, 0.2), ["the mug of the page"]),
-        (lambda x, y, z: (-0.5, 0.5, -0.5), ["numbers of the rotation"]),
-        (lambda x, y, z: Transform(rotation=(0.5, 0.5, -0.5, 0.5)).apply((x, y, z)), ["sign of x tossed"]),
         (lambda x, y, z: (z, -x, -y), []),
     ],
 )
@@ -143,13 +110,6 @@ def test_of_numbers_put_together_each_place_is_judged(places, said):
     assert said in verdict_on("E2.2", lambda given: places(*given.optical_p_part)).said.en
 
 
-def test_two_angles_by_position_in_degrees_are_told_for_what_they_are():
-    def answer(given):
-        return Transform.from_rpy(-90, -90).apply(given.optical_p_part)
-
-    assert slips_of("E2.2", answer) == ["degrees, by position"]
-
-
 def about_z(z, w):
     return (0.0, 0.0, z, w)
 
@@ -159,24 +119,12 @@ def about_z(z, w):
     [
         (lambda yaw: about_z(math.sqrt((1 - math.cos(yaw)) / 2), math.sqrt((1 + math.cos(yaw)) / 2)),
          ["no sign at all"]),
-        (lambda yaw: about_z(math.sin(-yaw / 2), math.cos(yaw / 2)), ["to the right"]),
         (lambda yaw: about_z(abs(math.sin(yaw / 2)), math.cos(yaw / 2)), ["never to the right"]),
-        (lambda yaw: about_z(math.sin(yaw) / 2, math.cos(yaw / 2)), ["sine halved outside"]),
-        (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw) / 2), ["cosine halved outside"]),
-        (lambda yaw: (0.0, 0.0, 1.0, yaw), ["axis and angle"]),
-        (lambda yaw: about_z(math.sin(math.atan(math.tan(yaw)) / 2), math.cos(math.atan(math.tan(yaw)) / 2)),
-             ["by atan"]),
         (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw / 2)) if yaw else (0.0,) * 4, ["zeros for no turn"]),
     ],
 )  # fmt: skip
 def test_a_quaternion_of_a_yaw_is_told_what_became_of_its_signs_and_halves(of_yaw, slips):
     assert slips_of("E2.3", of_yaw) == slips
-
-
-def test_of_a_turn_to_the_other_side_it_is_not_said_which_was_asked():
-    said = verdict_on("E2.3", lambda yaw: about_z(math.sin(-yaw / 2), math.cos(yaw / 2))).said
-    assert "the opposite way" in said.en and "to the right" not in said.en
-    assert "방향이 반대입니다" in said.ko
 
 
 def customs(
@@ -210,36 +158,13 @@ def scaled_first(q):
     ("judge", "slips"),
     [
         (customs(), []),
-        (customs(is_first=lambda q: q[0] > q[3]), ["x over w, signs and all"]),
         (customs(is_first=lambda q: abs(q[0]) > abs(q[3])), ["x over w"]),
-        (customs(is_first=lambda q: q[3] > q[2]), ["w over z, signs and all"]),
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > abs(q[3])), ["x or y over w"]),
-        (customs(length=lambda q: math.hypot(*q) ** 2), ["square everywhere"]),
-        (customs(length=sum), ["signed sum"]),
         (scaled_first, ["scaled first"]),
-        (customs(off=0.02), ["tolerance 0.1"]),
-        (customs(off=0.005), ["tolerance 0.005"]),
-        (customs(zero=1e-9), ["exactly zero"]),
         (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) >= 0.1), ["at the bound"]),
-        (customs(is_first=lambda q: max(q[0], abs(q[1])) > 0.1), ["negative x passes"]),
-        (customs(is_first=lambda q: abs(q[0] or q[1]) > 0.1), ["the first that is not zero"]),
-        (customs(is_first=lambda q: abs(q[0]) or abs(q[1]) > 0.1), ["any x"]),
-        (customs(is_first=lambda q: max(abs(q[1]), abs(q[2])) > 0.1), ["read w first"]),
-        (customs(finite=any), ["none finite"]),
-        (customs(finite=lambda parts: next(iter(parts))), ["asked of x"]),
-        (customs(off=math.inf), ["never not unit"]),
-        (customs(off=0.5), ["tolerance 0.5"]),
         (customs(off=math.inf, is_first=lambda q: False), ["nan and zero alone"]),
-        (
-            customs(is_first=lambda q: max(-q[0], -q[1]) > 0.1 if q[3] < 0 else max(q[0], q[1]) > 0.1),
-            ["signs turned by w"],
-        ),
         (customs(is_first=lambda q: abs(q[0] and q[1]) > 0.1), ["x and y in Python"]),
-        (lambda q: "w first" if max(abs(q[0]), abs(q[1])) > 0.1 else customs()(q), ["w first before all"]),
-        (customs(length=lambda q: max(map(abs, q))), ["largest for the length"]),
         (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
-        (customs(zero=1e-3), ["zero by square"]),
-        (customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.05), ["any x or y"]),
     ],
 )
 def test_an_officer_is_told_which_question_is_another(judge, slips):
@@ -270,32 +195,6 @@ def test_a_bound_of_one_call_is_not_told_of_all():
     assert verdict.said is None and verdict.detail["certain"].en.startswith("in the call below: off by at most")
 
 
-def test_a_bound_that_is_another_is_not_said_to_be_a_certain_one():
-    assert "slightly above 1.01" in verdict_on("E2.4", customs(off=0.02)).said.en
-    assert "lower than the task's, or 0 itself" in verdict_on("E2.4", customs(zero=1e-9)).said.en
-    assert "or the length with 0.001" in verdict_on("E2.4", customs(zero=1e-3)).said.en
-    assert (
-        "lower than the task's, or missing"
-        in verdict_on("E2.4", customs(is_first=lambda q: max(abs(q[0]), abs(q[1])) > 0.05)).said.en
-    )
-
-
-@pytest.mark.parametrize(
-    ("off", "slip"),
-    [
-        (lambda r, a: 1000 * r * 2 * math.pi * abs(math.pi / 2 - a) / 360, "converted once more"),
-        (lambda r, a: 1000 * r * abs(math.pi / 2 - a) / (2 * math.pi), "of a whole turn"),
-        (lambda r, a: 1000 * r * abs(1.571 - a), "pi / 2 to three digits"),
-        (lambda r, a: 1000 * r * math.pi / 2, "a quarter of a circle"),
-        (lambda r, a: 10_000 * abs(math.pi / 2 - a), "at 10 m"),
-        (lambda r, a: 1000 * r * abs(90 - a), "90 and radians"),
-        (lambda r, a: 1000 * r * abs(math.cos(math.radians(a))), "cosine of the written, converted"),
-    ],
-)
-def test_how_far_a_point_is_off_is_told_by_the_angle_that_went_in(off, slip):
-    assert slips_of("E2.7", lambda given: off(given.range_m, given.written_yaw_rad)) == [slip]
-
-
 def test_the_angles_of_the_right_turn_are_no_quaternion():
     def angles(given):
         pitch, yaw = Transform.from_rpy(pitch=given.then_pitch_rad), Transform.from_rpy(yaw=given.first_yaw_rad)
@@ -305,30 +204,11 @@ def test_the_angles_of_the_right_turn_are_no_quaternion():
     three = verdict_on("E2.5", angles)
     assert three.mistake is Mistake.SHAPE and "as `.rpy()` gives them" in three.detail["tip"].en
     for row, said in (
-        ([[0.0, 0.0, 0.0, 1.0]], "a pair of brackets too many"),
         ([[0.0, 0.0, 0.0, 1.0]] * 2, "Several rows of numbers"),
         ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "That is a matrix"),
         ([0.0, 0.0, 0.0, 1.0] * 2, "`+` between two lists"),
-        ([0.0, 1.0], "Two numbers say too little"),
     ):
         assert said in verdict_on("E2.5", lambda given, row=row: row).detail["tip"].en
-
-
-@pytest.mark.parametrize(
-    ("pitch_of", "yaw_of", "slip"),
-    [
-        (lambda s, c: (0.0, s, 0.0, c), lambda s, c: (0.0, 0.0, c, s), "sine in the yaw's w"),
-        (lambda s, c: (c, 0.0, s, 0.0), lambda s, c: (c, 0.0, 0.0, s), "w first inside"),
-    ],
-)
-def test_of_two_quaternions_made_by_hand_the_wrong_one_is_told(pitch_of, yaw_of, slip):
-    def answer(given):
-        pitch, yaw = given.then_pitch_rad / 2, given.first_yaw_rad / 2
-        rows = (pitch_of(math.sin(pitch), math.cos(pitch)), yaw_of(math.sin(yaw), math.cos(yaw)))
-        then, first = (Transform(rotation=row) for row in rows)
-        return (then @ first).rotation
-
-    assert slips_of("E2.5", answer) == [slip]
 
 
 # -- chapters 3 and 4 -----------------------------------------------------------------
@@ -357,9 +237,6 @@ def with_the_new_x(u, v, a):
     ("turn", "slips"),
     [
         (lambda u, v, a: (u * math.cos(a) - v * math.sin(a), u * math.sin(a) + v * math.cos(a)), []),
-        (lambda u, v, a: (u * math.cos(a) + v * math.sin(a), u * math.sin(a) + v * math.cos(a)),
-         ["both sine's sign in x"]),
-        (lambda u, v, a: (u * math.cos(a), v * math.cos(a)), ["both cosines alone"]),
         (with_the_new_x, ["both new x"]),
     ],
 )  # fmt: skip
@@ -367,7 +244,7 @@ def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, s
     assert slips_of("E3.2", by_hand(turn)) == slips
 
 
-def echoed_back(back, yaw=lambda yaw: -yaw):
+def echoed_back(back):
     """Return an answer to E3.5 whose way back was computed so, of x, y, z and the sine and cosine of the yaw."""
 
     def answer(given):
@@ -375,7 +252,7 @@ def echoed_back(back, yaw=lambda yaw: -yaw):
         x, y, z = map(float, lines[1].split(", "))
         angle = float(lines[3].split(", ")[2])
         there = back(x, y, z, math.sin(angle), math.cos(angle))
-        return {"laser_in_base": (x, y, z), "base_in_laser": there, "yaw_back": yaw(angle)}
+        return {"laser_in_base": (x, y, z), "base_in_laser": there, "yaw_back": -angle}
 
     return answer
 
@@ -384,10 +261,8 @@ def echoed_back(back, yaw=lambda yaw: -yaw):
     ("back", "slips"),
     [
         (lambda x, y, z, s, c: (-x * c - y * s, x * s - y * c, -z), []),
-        (lambda x, y, z, s, c: (-x * c + y * s, x * s - y * c, -z), ["sine's sign in x"]),
         (lambda x, y, z, s, c: (-x * c - y * s, (-x * c - y * s) * s - y * c, -z), ["new x, taken off"]),
         (lambda x, y, z, s, c: (-x * c, -y * c, z), ["cosines alone, height kept"]),
-        (lambda x, y, z, s, c: (0.0, 0.0, 0.0), ["nowhere"]),
     ],
 )
 def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, slips):
@@ -403,31 +278,6 @@ def test_a_way_back_right_in_all_but_that_it_writes_into_what_it_got_is_told_so(
     assert verdict_on("E3.3", inverted).mistake is Mistake.INPUT_CHANGED
 
 
-@pytest.mark.parametrize(
-    ("yaw", "slip"),
-    [
-        (lambda yaw: -math.asin(math.sin(yaw)), "yaw by asin"),
-        (lambda yaw: -math.atan(math.tan(yaw)), "yaw by atan"),
-        (abs, "yaw always positive"),
-    ],
-)
-def test_a_yaw_that_went_through_an_arc_is_told_where_it_goes_wrong(yaw, slip):
-    def inverted(pose):
-        x, y, c, s = pose["x"], pose["y"], math.cos(pose["yaw"]), math.sin(pose["yaw"])
-        return {"x": -x * c - y * s, "y": x * s - y * c, "yaw": yaw(pose["yaw"])}
-
-    assert slips_of("E3.3", inverted) == [slip]
-
-
-def test_the_way_back_by_a_distance_is_told_term_by_term():
-    def polar(pose):
-        far, yaw = math.hypot(pose["x"], pose["y"]), pose["yaw"]
-        return {"x": -far * math.cos(yaw), "y": -far * math.sin(yaw), "yaw": -yaw}
-
-    said = verdict_on("E3.3", polar).said.en
-    assert "`hypot(argument 1: x, argument 1: y)` is how far away it lies: in which direction is lost." in said
-
-
 @pytest.mark.parametrize("same", ["base_link", "map"])
 def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     calls = {"a": ["map", "laser_frame"], "b": [same, same], "c": ["base_link", "camera_link"],
@@ -439,7 +289,6 @@ def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     ("node", "said"),
     [
         (" Node_B ", None),
-        ("Node-B", None),
         (["node_b", "node_c"], "Exactly one of them is asked for"),
     ],
 )
@@ -453,71 +302,21 @@ def test_a_node_is_read_as_it_is_meant_and_one_alone_is_asked_for(node, said):
     assert (verdict.detail["tip"].en if said else verdict.mistake) == said
 
 
-def test_a_way_is_told_apart_from_two_mistakes_that_look_like_it():
+def test_a_path_that_was_reversed_is_told_apart_from_one_that_goes_up_to_the_root():
     def climbed(parent_of, frame):
-        way = [frame]
-        while way[-1] in parent_of:
-            way.append(parent_of[way[-1]])
-        return way
+        return [frame, *climbed(parent_of, parent_of[frame])] if frame in parent_of else [frame]
 
-    def path(parent_of, target, source):
-        from tflab.core import ConnectivityException
-
+    def path(parent_of, target, source, *, to_the_root=False):
         up, down = climbed(parent_of, source), climbed(parent_of, target)
         if up[-1] != down[-1]:
             raise ConnectivityException("two trees")
         top = next(frame for frame in up if frame in down)
-        there = [(frame, "up") for frame in up[: up.index(top)]]
-        return there + [(frame, "down") for frame in reversed(down[: down.index(top)])]
-
-    def to_the_root(parent_of, target, source):
-        steps = path(parent_of, target, source)
-        whole = [(frame, "up") for frame in climbed(parent_of, source)[:-1]] if target != source else []
-        return whole + [step for step in steps if step[1] == "down"]
+        rest = up[:-1] if to_the_root and target != source else up[: up.index(top)]
+        return [(frame, "up") for frame in rest] + [(frame, "down") for frame in reversed(down[: down.index(top)])]
 
     assert slips_of("E4.3", path) == []
     assert slips_of("E4.3", lambda *asked: path(*asked)[::-1]) == ["reversed"]
-    assert slips_of("E4.3", to_the_root) == ["up to the root"]
-
-
-def owners(log, who=lambda node, parent: node):
-    seen = {}
-    for node, parent, child in log:
-        seen.setdefault(child, set()).add(who(node, parent))
-    return sorted(child for child, found in seen.items() if len(found) > 1)
-
-
-def test_children_that_are_missing_or_too_many_are_told_without_a_guess_at_how():
-    def of_one_parent(log):
-        return [name for name in owners(log) if len({parent for _, parent, child in log if child == name}) == 1]
-
-    missing, more = (
-        verdict_on("E4.6", answer).said.en
-        for answer in (of_one_parent, lambda log: sorted({*owners(log), *owners(log, lambda node, parent: parent)}))
-    )
-    assert missing.startswith("You counted for each edge, parent and child together.")
-    assert more.startswith("You also count a child to which one node gives two parents.")
-    assert slips_of("E4.6", owners) == []
-
-
-def test_a_name_of_which_the_last_word_is_left_is_told_so():
-    def named(prefix, name):
-        name = name.strip("/").rpartition("/")[2]
-        return name if name == "map" or not prefix.strip("/") else f"{prefix.strip('/')}/{name}"
-
-    assert slips_of("E4.7", named) == ["last word of the name"]
-
-
-def test_two_dominoes_turned_round_at_the_end_are_called_the_way_back():
-    def way_back(a_pose_b, b_pose_c):
-        one, two = (
-            Transform.from_rpy(yaw=pose["yaw"], translation=(pose["x"], pose["y"], 0.0))
-            for pose in (a_pose_b, b_pose_c)
-        )
-        back = (one @ two).inverse()
-        return {"x": back.translation[0], "y": back.translation[1], "yaw": back.rpy()[2]}
-
-    assert slips_of("E3.4", way_back) == ["way_back"]
+    assert slips_of("E4.3", partial(path, to_the_root=True)) == ["up to the root"]
 
 
 def test_a_first_pose_that_is_not_turned_still_has_its_step():
@@ -534,9 +333,7 @@ def test_a_first_pose_that_is_not_turned_still_has_its_step():
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("no stmp", "usable"), 'The nearest of them is "no stamp"'),
         (("no stmp", "x"), 'The nearest of them is "no stamp". Not among them either: "e": "x"'),
-        (("y", "x"), 'Not among them either: "e": "x"'),
     ],
 )
 def test_every_word_that_is_none_to_choose_from_is_named(words, said):

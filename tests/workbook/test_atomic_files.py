@@ -13,23 +13,20 @@ from tflab.workbook.atomic_files import locked, write_whole
 fcntl = pytest.importorskip("fcntl", reason="Windows locks in another way")
 
 
-@pytest.mark.parametrize("number", [errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP])
-def test_a_share_without_locks_is_used_without(number: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def refuses(handle: int, operation: int) -> None:
-        raise OSError(number, "no locks here")
+def test_a_share_without_locks_is_used_without_and_a_lock_that_fails_is_said(tmp_path: Path, monkeypatch) -> None:
+    def fails_with(number: int) -> None:
+        def fails(handle: int, operation: int) -> None:
+            raise OSError(number, "no locks here")
 
-    monkeypatch.setattr(atomic_files.fcntl, "flock", refuses)
-    with locked(tmp_path):
-        write_whole(tmp_path / "kept", "mine")
-    assert (tmp_path / "kept").read_text() == "mine"
+        monkeypatch.setattr(atomic_files.fcntl, "flock", fails)
 
-
-def test_a_lock_that_fails_for_another_reason_is_said(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    def fails(handle: int, operation: int) -> None:
-        raise OSError(errno.EIO, "the disk is broken")
-
-    monkeypatch.setattr(atomic_files.fcntl, "flock", fails)
-    with pytest.raises(OSError, match="the disk is broken"), locked(tmp_path):
+    for number in (errno.ENOLCK, errno.ENOSYS, errno.EOPNOTSUPP):
+        fails_with(number)
+        with locked(tmp_path):
+            write_whole(tmp_path / "kept", f"mine {number}")
+        assert (tmp_path / "kept").read_text() == f"mine {number}"
+    fails_with(errno.EIO)
+    with pytest.raises(OSError, match="no locks here"), locked(tmp_path):
         pass
 
 
@@ -40,3 +37,15 @@ def test_a_share_without_rights_is_written_to_all_the_same(tmp_path: Path, monke
     monkeypatch.setattr(atomic_files.os, "chmod", refuses)
     write_whole(tmp_path / "kept", "mine")
     assert (tmp_path / "kept").read_text() == "mine"
+
+
+def test_a_file_is_there_as_it_was_if_writing_it_fails(tmp_path: Path, monkeypatch) -> None:
+    def fail(*_: object) -> None:
+        raise OSError("no space left")
+
+    write_whole(tmp_path / "progress.json", "as it was")
+    monkeypatch.setattr("os.replace", fail)
+    with pytest.raises(OSError, match="no space"):
+        write_whole(tmp_path / "progress.json", "as it will be")
+    assert (tmp_path / "progress.json").read_text() == "as it was"
+    assert [found.name for found in tmp_path.iterdir()] == ["progress.json"]

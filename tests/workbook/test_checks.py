@@ -11,11 +11,11 @@ from dataclasses import replace
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
 
-from tflab.core import BufferCore, LookupException, Transform
-from tflab.ros.messages import geometry_msgs
+from tflab.core import LookupException, Transform
+from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.time import Time
 from tflab.workbook import check, checks, hint, solution, task, trying
-from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence, Vector
+from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.diagnosis import comparison
@@ -59,6 +59,10 @@ def test_each_stage_has_its_own_words(copy, capsys):
     assert "the value is not" in said(capsys, "E3.1", (9.0, 9.0, 9.0))
     assert "that is the inverse" in said(capsys, "E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner))
     assert "is a function" in said(capsys, "E3.1", lambda: right)
+    assert "in degrees" in said(capsys, "E3.4", 90.0)
+    place = geometry_msgs.Point(**dict(zip("xyz", right, strict=True)))
+    wrong = geometry_msgs.PointStamped(header=std_msgs.Header(frame_id="map"), point=place)
+    assert '"map", and "base_link" is asked for' in said(capsys, "E3.1", wrong)
 
 
 def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(copy, capsys):
@@ -68,16 +72,13 @@ def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(
     assert ["·", "a text that was not filled in (seen)"] in rows and rows[-1] == ["✓", "one mistake of the task (fits)"]
 
 
-def test_a_message_in_the_wrong_frame_is_told_its_frame(copy, capsys):
-    from tflab.ros.messages import geometry_msgs, std_msgs
-
-    _, (x, y, z) = right_corner(capsys)
-    place = geometry_msgs.Point(x=x, y=y, z=z)
-    wrong = geometry_msgs.PointStamped(header=std_msgs.Header(frame_id="map"), point=place)
-    assert '"map", and "base_link" is asked for' in said(capsys, "E3.1", wrong)
-
-
 def test_functions_are_called_on_the_public_inputs(copy, capsys):
+    calls = []
+
+    def growing(transform):
+        calls.append(id(transform))
+        return Transform((len(calls), 0, 0))
+
     def your_turn(transform):
         raise NotImplementedError("your turn")
 
@@ -86,15 +87,6 @@ def test_functions_are_called_on_the_public_inputs(copy, capsys):
     assert "not answered yet" in said(capsys, "E3.2", your_turn)
     assert "should be a function" in said(capsys, "E3.2", Transform())
     assert "ZeroDivisionError" in said(capsys, "E3.2", lambda T: 1 / 0)
-
-
-def test_a_function_that_remembers_is_found_out(copy, capsys):
-    calls = []
-
-    def growing(transform):
-        calls.append(1)
-        return Transform((len(calls), 0, 0))
-
     assert "two different results" in said(capsys, "E3.2", growing)
 
 
@@ -114,10 +106,6 @@ def test_parts_have_credit_and_a_slip_in_one_is_named(copy, capsys):
     assert said(capsys, "E3.3", {"target": "map", "source": "map"}).startswith('E3.3 ✗ 1/2: "source": turned round')
     assert '"source"' in said(capsys, "E3.3", {"target": "map"})
     assert "not among" in said(capsys, "E3.3", {"target": "odom", "source": "map"})
-
-
-def test_degrees_are_recognised(copy, capsys):
-    assert "in degrees" in said(capsys, "E3.4", 90.0)
 
 
 class Hostile:
@@ -145,36 +133,25 @@ RUBBISH = [
 ]
 
 
-@pytest.mark.parametrize("answer", RUBBISH, ids=lambda answer: type(answer).__name__)
 @pytest.mark.parametrize("task_id", ["E3.1", "E3.2", "E3.3", "E3.4"])
-def test_check_never_raises_and_never_gives_points_for_rubbish(copy, capsys, task_id, answer):
-    assert "✗ 0/" in said(capsys, task_id, answer)
+def test_check_never_raises_and_never_gives_points_for_rubbish(copy, capsys, task_id):
+    for answer in RUBBISH:
+        assert "✗ 0/" in said(capsys, task_id, answer)
 
 
-@pytest.mark.parametrize("task_id", ["E3.9", "E7.1", "foo", "", 3, None])
-def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys, task_id):
-    assert "E3.1, E3.2, E3.3, E3.4" in said(capsys, task_id, 1)
-    with pytest.raises(WorkbookError):
-        task(task_id)
-
-
-@pytest.mark.parametrize("chapter_id", ["E3", "3", "03", 3])
-def test_asked_of_a_chapter_alone_it_says_which_tasks_there_are(copy, capsys, chapter_id):
-    for ask in (check, hint, solution):
-        ask(chapter_id)
-        assert "there is E3.1, E3.2, E3.3, E3.4." in capsys.readouterr().out
-
-
-def test_asked_of_nothing_it_asks_for_which_task(copy, capsys):
+def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys):
+    there = "there is E3.1, E3.2, E3.3, E3.4."
+    for task_id in ("E3.9", "E7.1", "foo", "", 3, None, "E3", "03"):
+        for ask in (check, hint, solution):
+            ask(task_id)
+            printed = capsys.readouterr().out
+            assert there in printed and not (task_id in ("E3", "03") and "Did you mean" in printed)
+        with pytest.raises(WorkbookError):
+            task(task_id)
     for ask in (hint, solution):
         ask()
-        said = capsys.readouterr().out
-        assert said.startswith("E?: for which task?") and "there is E3.1, E3.2, E3.3, E3.4." in said
-
-
-def test_a_chapter_alone_is_not_taken_for_one_of_its_tasks(copy, capsys):
-    hint("E3")
-    assert "Did you mean" not in capsys.readouterr().out
+        printed = capsys.readouterr().out
+        assert printed.startswith("E?: for which task?") and there in printed
 
 
 def test_in_a_page_an_unknown_task_is_one_line_without_where_it_was_found(copy, capsys):
@@ -185,23 +162,14 @@ def test_in_a_page_an_unknown_task_is_one_line_without_where_it_was_found(copy, 
     assert line == "there is no such task here; there is E3.1, E3.2, E3.3, E3.4."
 
 
-@pytest.mark.parametrize("task_id", ["e3.1", "3.1", " E3.1 ", "e3-1"])
-def test_a_task_is_found_as_one_would_write_it(copy, capsys, task_id):
-    assert said(capsys, task_id, "rubbish").startswith("E3.1 ✗")
-
-
-def test_a_task_and_its_answer_may_be_exchanged_where_that_is_plain(copy, capsys):
+def test_what_was_meant_by_a_call_is_understood_or_asked_for(copy, capsys):
+    for task_id in ("e3.1", "3.1", " E3.1 ", "e3-1"):
+        assert said(capsys, task_id, "rubbish").startswith("E3.1 ✗")
     _, right = right_corner(capsys)
     assert said(capsys, right, "E3.1").startswith("E3.1 ✓")
     assert said(capsys, right, "elsewhere").startswith(str(right))
-
-
-def test_an_answer_left_out_is_asked_for(copy, capsys):
     check("E3.1")
     assert 'check("E3.1", base_p_corner)' in capsys.readouterr().out
-
-
-def test_a_task_without_its_point_is_the_one_that_is_meant(copy, capsys):
     hint("e31")
     assert 'Did you mean "E3.1"?' in capsys.readouterr().out
 
@@ -212,15 +180,6 @@ def test_hints_come_one_by_one_below_those_before_and_are_counted(copy, capsys):
         hint("E3.1")
         assert [line.rpartition(": ")[2] for line in capsys.readouterr().out.splitlines()] == shown
     assert json.loads((copy / "progress.json").read_text())["tasks"]["E3.1"]["hints"] == 4
-
-
-def test_what_was_tried_is_kept(copy, capsys):
-    said(capsys, "E3.3", {"target": "laser", "source": "map"})
-    said(capsys, "E3.3", {"target": "map", "source": "laser"})
-    said(capsys, "E3.1", ...)
-    kept = json.loads((copy / "progress.json").read_text())["tasks"]
-    assert kept["E3.3"]["tries"] == 2 and kept["E3.3"]["passed"] and kept["E3.3"]["twins"] == {"swapped": 1}
-    assert "E3.1" not in kept
 
 
 def test_replies_are_in_the_learners_language(tmp_path, monkeypatch, capsys):
@@ -251,25 +210,25 @@ def test_the_solution_opens_after_three_tries(copy, capsys):
     solution("E3.4")
     assert "2 so far" in capsys.readouterr().out
     assert "solution(" in said(capsys, "E3.4", 9.0)
+    for wrong in ("no function", "none, either"):  # stopped by the same thing
+        said(capsys, "E3.2", wrong)
+    said(capsys, "E3.1", ...)
+    said(capsys, "E3.3", {"target": "laser", "source": "map"})
+    kept = json.loads((copy / "progress.json").read_text())["tasks"]
+    assert (kept["E3.2"]["tries"], kept["E3.3"]["twins"]) == (1, {"swapped": 1}) and "E3.1" not in kept
 
 
-def test_an_answer_that_lacks_a_part_is_no_try_yet(copy, capsys):
+def test_an_answer_that_lacks_a_part_is_no_try_yet_and_a_solution_is_shown_without_its_marks(copy, capsys):
     for unfinished in (..., {"target": "map"}, {"target": "map", "source": ...}):
         said(capsys, "E3.3", unfinished)
     solution("E3.3")
     assert "0 so far" in capsys.readouterr().out
-
-
-@pytest.mark.parametrize("ask", [hint, solution])
-def test_asked_of_no_task_it_says_which_there_are(copy, capsys, ask):
-    ask()
-    assert "E3.1" in capsys.readouterr().out
-
-
-def test_what_stops_a_check_in_the_same_way_again_is_no_new_try(copy, capsys):
-    for wrong in ("no function", "none, either"):
-        said(capsys, "E3.2", wrong)
-    assert json.loads((copy / "progress.json").read_text())["tasks"]["E3.2"]["tries"] == 1
+    cell = "# BEGIN SOLUTION\nangle_rad = 1.57\n# END SOLUTION"
+    chapter.lay_out(workbook_data() / "solutions", cells=chapter.CELLS | {"e3-4-answer": cell})
+    for wrong in (7.0, 8.0, 9.0):
+        said(capsys, "E3.4", wrong)
+    solution("E3.4")
+    assert capsys.readouterr().out == "angle_rad = 1.57\n"
 
 
 def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
@@ -280,15 +239,6 @@ def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
     for wrong in (7.0, 8.0, 9.0):
         check("E3.4", wrong)
     assert shown == ["words"] * 3 + ["picture"]
-
-
-def test_a_solution_is_shown_without_the_marks_of_its_regions(copy, capsys):
-    cell = "# BEGIN SOLUTION\nangle_rad = 1.57\n# END SOLUTION"
-    chapter.lay_out(workbook_data() / "solutions", cells=chapter.CELLS | {"e3-4-answer": cell})
-    for wrong in (7.0, 8.0, 9.0):
-        said(capsys, "E3.4", wrong)
-    solution("E3.4")
-    assert capsys.readouterr().out == "angle_rad = 1.57\n"
 
 
 def test_a_class_has_no_solutions(tmp_path, monkeypatch, capsys):
@@ -395,18 +345,6 @@ def test_a_part_under_another_name_is_named_beside_the_one_that_is_missing():
     assert verdict.detail["tip"].en == 'Nobody asked for "theta"'
 
 
-def test_units_inside_parts_are_recognised():
-    form = Parts({"place": Vector(3), "yaw": Angle()})
-    expected = to_plain({"place": (1.0, 2.0, 3.0), "yaw": 0.5})
-    task, variant = chapter.bare(form, Case(None, expected, {}))
-    for answer, part, unit in (
-        ({"place": (1000.0, 2000.0, 3000.0), "yaw": 0.5}, "place", "mm"),
-        ({"place": (1.0, 2.0, 3.0), "yaw": math.degrees(0.5)}, "yaw", "degrees"),
-    ):
-        verdict = judge_outcomes(task, variant, [to_plain(answer)])
-        assert (verdict.mistake, verdict.detail["part"], verdict.detail["unit"]) == ("unit", part, unit)
-
-
 a_point = geometry_msgs.PointStamped()
 a_point.header.frame_id, a_point.header.stamp = "laser_frame", Time(nanoseconds=2_500_000_000).to_msg()
 
@@ -416,12 +354,10 @@ a_point.header.frame_id, a_point.header.stamp = "laser_frame", Time(nanoseconds=
     [
         ({"x": -3.87, "kept": ["a", 1]}, '{"x": -3.870, "kept": ["a", 1]}'),
         (-1.03e-13, "0.000"),
-        (0.00012, "0.00012"),
         ([23.0005, 23.0], "[23.0005, 23.000]"),
         (Transform(), "translation (0.000, 0.000, 0.000), rotation xyzw (0.000, 0.000, 0.000, 1.000)"),
         ("two\nlines", "two …"),
         (a_point, 'PointStamped in "laser_frame" at 2.500000000 s'),
-        (BufferCore(), "buffer with 0 frames"),
     ],
 )
 def test_a_value_is_shown_in_a_line(value, text):

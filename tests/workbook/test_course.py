@@ -1,4 +1,4 @@
-"""The course covers the lecture, its files agree with the pages, and every word of the glossary is explained twice."""
+"""The course covers the lecture, its files agree with the pages, and its words are in both languages."""
 
 from __future__ import annotations
 
@@ -43,7 +43,6 @@ CHECKLIST = {
     13: {4, 12}, 14: {12},
 }  # fmt: skip
 OBJECTIVES = {1: {1, 2}, 2: {3, 4}, 3: {5}, 4: {6}, 5: {8}, 6: {11}, 7: {9, 12}, 8: {7, 12}}
-ON_THE_SCREEN = [1]  # of the checklist: what needs no robot
 HANGUL = re.compile("[가-힣]")
 
 
@@ -56,27 +55,20 @@ def test_the_chapters_have_their_names_and_build_only_on_earlier_ones() -> None:
         assert 45 <= chapter.minutes <= 90
 
 
-def test_every_section_of_the_lecture_has_its_chapter() -> None:
-    found = {chapter.number: set(chapter.sections) for chapter in read_course().chapters[1:]}
-    assert found == SECTIONS
-    assert set().union(*found.values()) == set(range(1, 32))
-
-
-def test_every_practice_question_has_its_chapter() -> None:
+def test_every_section_and_every_question_of_the_lecture_has_its_chapter() -> None:
     course = read_course()
-    assert len(course.questions) == 15
-    found = {
-        number: {chapter.number for chapter in course.chapters if number in chapter.practice} for number in range(1, 16)
-    }
-    assert found == PRACTICE
+    assert {chapter.number: set(chapter.sections) for chapter in course.chapters[1:]} == SECTIONS
+    assert set().union(*SECTIONS.values()) == set(range(1, 32))
+    assert len(course.questions) == len(PRACTICE) == 15
+    for number, wanted in PRACTICE.items():
+        assert {chapter.number for chapter in course.chapters if number in chapter.practice} == wanted
 
 
-@pytest.mark.parametrize("stem", chapters())
-def test_a_chapter_ends_with_its_practice_questions_and_a_rubric_for_each(stem: str) -> None:
-    page = read_page(workbook_data() / "notebooks" / "src" / f"{stem}.py")
-    questions = next(chapter.practice for chapter in read_course().chapters if chapter.stem == stem)
-    texts = [cell.source for cell in page.cells if cell.name == "practice"]
-    assert [text.count("<details>") for text in texts] == ([len(questions)] * 2 if questions else [])  # in en and ko
+def test_a_chapter_ends_with_its_practice_questions_and_a_rubric_for_each() -> None:
+    for chapter in (chapter for chapter in read_course().chapters if chapter.stem in chapters()):
+        page = read_page(workbook_data() / "notebooks" / "src" / f"{chapter.stem}.py")
+        rubrics = [cell.source.count("<details>") for cell in page.cells if cell.name == "practice"]  # in en and ko
+        assert rubrics == ([len(chapter.practice)] * 2 if chapter.practice else []), chapter.stem
 
 
 def test_objectives_and_checklist_are_shown_by_tasks_of_their_chapters() -> None:
@@ -84,29 +76,17 @@ def test_objectives_and_checklist_are_shown_by_tasks_of_their_chapters() -> None
     for goals, wanted in ((course.objectives, OBJECTIVES), (course.checklist, CHECKLIST)):
         found = {number: {chapter_of(task) for task in goal.tasks} for number, goal in enumerate(goals, start=1)}
         assert found == wanted
-
-
-def test_what_is_done_on_a_robot_comes_with_what_to_type_there() -> None:
-    for number, goal in enumerate(read_course().checklist, start=1):
-        assert bool(goal.robot) == (number not in ON_THE_SCREEN)
+    for number, goal in enumerate(course.checklist, start=1):
+        assert bool(goal.robot) == (number > 1)  # the first needs no robot
         assert all(re.match(r"(ros2 |rviz2$|python3 )", command) for command in goal.robot)
 
 
-@pytest.mark.parametrize("stem", chapters())
-def test_a_goal_names_only_tasks_that_its_chapter_has(stem: str) -> None:
+def test_a_goal_names_only_tasks_that_its_chapter_has() -> None:
     course = read_course()
-    there = set(task_ids(workbook_data(), stem))
+    there = {task for stem in chapters() for task in task_ids(workbook_data(), stem)}
+    numbers = {int(stem[:2]) for stem in chapters()}
     named = {task for goal in (*course.objectives, *course.checklist) for task in goal.tasks}
-    assert {task for task in named if chapter_of(task) == int(stem[:2])} <= there
-
-
-def test_the_course_says_everything_in_both_languages() -> None:
-    course = read_course()
-    words = [chapter.question for chapter in course.chapters]
-    words += [goal.words for goal in (*course.objectives, *course.checklist)] + list(course.questions)
-    for said in words:
-        assert HANGUL.search(said.ko)
-        assert not HANGUL.search(said.en)
+    assert {task for task in named if chapter_of(task) in numbers} <= there
 
 
 def test_the_map_draws_each_chapter_behind_those_that_it_builds_on() -> None:
@@ -147,34 +127,28 @@ def test_the_map_on_the_first_page_knows_which_chapters_are_here() -> None:
     assert f"lesson.draw_course({here})" in (root / START_PAGE).read_text(encoding="utf-8")
 
 
-def test_the_glossary_has_the_twenty_words_of_the_lecture_and_explains_each_in_both_languages() -> None:
-    glossary = read_glossary()
+def test_the_course_and_the_twenty_words_of_the_lecture_are_in_both_languages() -> None:
+    course, glossary = read_course(), read_glossary()
     assert sum(term.lecture for term in glossary.values()) == 20
+    said = [*(chapter.question for chapter in course.chapters), *course.questions]
+    said += [goal.words for goal in (*course.objectives, *course.checklist)]
+    for text in (*said, *(term.definition for term in glossary.values())):
+        assert HANGUL.search(text.ko) and not HANGUL.search(text.en)
     for key, term in glossary.items():
-        assert key == term.key.lower()
-        assert term.chapter in CHAPTERS
-        assert HANGUL.search(term.definition.ko)
-        assert not HANGUL.search(term.definition.en)
-        assert term.definition.en.endswith(".")
-        assert term.definition.ko.endswith("니다.")
+        assert key == term.key.lower() and term.chapter in CHAPTERS
+        assert term.definition.en.endswith(".") and term.definition.ko.endswith("니다.")
 
 
 def test_a_marked_word_explains_itself_and_code_stays_as_it_is() -> None:
-    text = "A [[target frame]], `[[x]]`, [[frame|place]].\n\n```\n[[no]]\n```\n"
-    shown = expand(text, "en")
+    shown = expand("A [[target frame]], `[[x]]`, [[frame|place]].\n\n```\n[[no]]\n```\n[[odom|`odom`]] and ```", "en")
     assert '<abbr title="The frame in which you want the data: the first argument of lookup_transform.">' in shown
     assert ">target frame</abbr>, `[[x]]`, <abbr" in shown
-    assert ">place</abbr>.\n\n```\n[[no]]\n```\n" in shown
+    assert ">place</abbr>.\n\n```\n[[no]]\n```\n<abbr" in shown
+    assert shown.endswith(">`odom`</abbr> and ```")
 
 
-def test_a_word_may_be_shown_as_code() -> None:
-    assert expand("in [[odom|`odom`]], `[[odom]]`", "en").endswith(">`odom`</abbr>, `[[odom]]`")
-    assert expand("```\n[[odom]]\n```\n[[odom|it]] and ```", "en").startswith("```\n[[odom]]\n```\n<abbr")
-
-
-@pytest.mark.parametrize("language", ["en", "ko"])
-def test_no_mark_is_left_in_a_page(language: str) -> None:
-    for path in sorted((workbook_data() / "notebooks" / language).glob("*.ipynb")):
+def test_no_mark_is_left_in_a_page() -> None:
+    for path in sorted((workbook_data() / "notebooks").glob("*/*.ipynb")):
         cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
         prose = "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
         assert not re.search(r"\[\[[a-z_ -]+(\||\]\])", re.sub(r"(?s)```.*?```", "", prose)), path.name

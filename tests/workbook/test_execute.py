@@ -1,4 +1,4 @@
-"""What a page stores when it is run, and what it must not put out."""
+"""What a page stores when it is run, and which outputs are refused."""
 
 from __future__ import annotations
 
@@ -57,10 +57,12 @@ def test_everything_that_must_not_be_put_out_is_a_fault_and_the_rest_still_runs(
         code("address", "print(object())"),
         code("place", "import os\nprint(os.getcwd())"),
         code("widget", WIDGET),
-        code("no-words", wordless()),
-        code("large", large()),
+        code("no-words", WORDLESS),
+        code("large", LARGE),
         code("turn", WIDGET, ' tags=["interactive"]'),
         code("no-figure", "print('nothing to see')"),
+        code("ends", "import os\nos._exit(1)"),
+        code("after", "1"),
     )
     said = {fault.cell: fault.wrong for fault in faults}
     expected = {
@@ -73,6 +75,7 @@ def test_everything_that_must_not_be_put_out_is_a_fault_and_the_rest_still_runs(
         "no-words": "shows an image without words",
         "large": r"shows an image of \d+ kB",
         "turn": 'the next code cell, "no-figure", shows no figure',
+        "ends": "raised DeadKernelError: the kernel died",
     }
     assert set(said) == set(expected)
     for cell, wrong in expected.items():
@@ -80,22 +83,18 @@ def test_everything_that_must_not_be_put_out_is_a_fault_and_the_rest_still_runs(
     assert len(faults) == len(expected), [str(fault) for fault in faults]
 
 
-def wordless() -> str:
-    return "from matplotlib.figure import Figure\nfigure = Figure()\nfigure.savefig('f.png')\n" + (
-        "from IPython.display import Image\nImage('f.png')"
-    )
-
-
-def large() -> str:
-    noise = "import numpy as np\nfrom PIL import Image as Photo\nrng = np.random.default_rng(1)\n"
-    save = "Photo.fromarray(rng.integers(0, 255, (200, 200, 3), dtype=np.uint8)).save('n.png')\n"
-    show = "from IPython.display import display\nraw = open('n.png', 'rb').read()\n"
-    return noise + save + show + "display({'image/png': raw, 'text/plain': 'noise'}, raw=True)"
-
-
-def test_a_kernel_that_dies_is_a_fault_of_the_cell_that_ended_it(tmp_path: Path) -> None:
-    _, faults = run(tmp_path, code("ends", "import os\nos._exit(1)"), code("after", "1"))
-    assert [(fault.cell, fault.wrong) for fault in faults] == [("ends", "raised DeadKernelError: the kernel died")]
+WORDLESS = """
+from matplotlib.figure import Figure
+from IPython.display import Image
+Figure().savefig('f.png')
+Image('f.png')"""
+LARGE = """
+import numpy as np
+from PIL import Image as Photo
+from IPython.display import display
+rng = np.random.default_rng(1)
+Photo.fromarray(rng.integers(0, 255, (200, 200, 3), dtype=np.uint8)).save('n.png')
+display({'image/png': open('n.png', 'rb').read(), 'text/plain': 'noise'}, raw=True)"""
 
 
 def test_the_event_loop_of_windows_is_nothing_to_whoever_waits_for_a_page(monkeypatch, recwarn) -> None:

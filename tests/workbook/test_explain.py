@@ -1,4 +1,4 @@
-"""How a wrong answer came about: one slip, two, one in each part, or nothing that is known."""
+"""How `check` explains a wrong answer: one mistake, two, one in each part, or none that is known."""
 
 from __future__ import annotations
 
@@ -81,18 +81,12 @@ def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_t
     assert judged(Pose(), there.inverse(), {}, beside).said.en.startswith('"rotation": this is the inverse rotation')
 
 
-def test_two_slips_are_named_in_the_order_of_the_work():
+def test_one_mistake_comes_before_two_and_two_are_named_in_the_order_of_the_work():
     verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.25}, 7.25)
     assert list(verdict.slips) == ["late", "far"]
     assert verdict.said.en == "Two things together give just this. First: late Then: far"
-
-
-def test_one_slip_comes_before_two_and_the_tasks_before_everybodys():
     assert list(judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 2.0}, 2.0).slips) == ["late"]
-    assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).slips) == ["backwards"]
-
-
-def test_a_slip_of_the_task_and_then_one_of_everybodys():
+    assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).slips) == ["backwards"]  # and not "sign"
     assert list(judged(Number("m"), 1.0, {"late": 2.512}, 2512.0).slips) == ["late", "unit mm"]
 
 
@@ -112,7 +106,7 @@ def test_a_number_is_called_rounded_only_if_the_right_one_rounds_to_it(answer, s
 
 def test_each_part_may_have_a_slip_of_its_own():
     right = {"a": 1.0, "b": 2.0, "c": 3.0}
-    twins = {"first": {**right, "a": 5.0}, "last": {**right, "c": 7.0}}
+    twins = {"first": right | {"a": 5.0}, "last": right | {"c": 7.0}}
     verdict = judged(PARTS, right, twins, {"a": 5.0, "b": -2.0, "c": 7.0})
     assert verdict.said.en == '"a": first "b": the size is right, the sign is not. "c": last'
 
@@ -127,20 +121,30 @@ def test_two_beliefs_each_held_in_some_parts_are_both_named():
     assert verdict.said.en == '"first": waiting cures "second", "fourth": sensor first'
 
 
-def test_what_only_follows_from_a_slip_costs_nothing():
-    right = {"a": 1.0, "b": 2.0, "c": 3.0}
-    twins = {"first": {"a": 5.0, "b": 6.0, "c": 3.0}}
-    said = {"first": words("first", part="a")}
-    verdict = judged(PARTS, right, twins, {"a": 5.0, "b": 6.0, "c": 3.0}, said)
-    assert (verdict.passed, verdict.of, verdict.mistake) == (2, 3, Mistake.SLIP)
-    assert judged(PARTS, right, twins, {"a": 5.0, "b": 6.5, "c": 3.0}, said).passed == 1  # b does not follow
+RIGHT = {"a": 1.0, "b": 2.0, "c": 3.0}
+LATE = RIGHT | {"a": 5.0, "b": 6.0}
+ANOTHER_A = '"b": this is what would follow from another "a" than the one you give: late'
 
 
-def test_a_slip_is_named_by_the_part_that_it_is_made_in_though_nothing_followed_from_it():
-    known = {"late": words("late", part="a")}
-    verdict = judged(PARTS, {"a": 1.0, "b": 2.0, "c": 3.0}, {"late": {"a": 5.0, "b": 6.0, "c": 3.0}},
-                     {"a": 5.0, "b": 2.0, "c": 3.0}, known)  # fmt: skip
-    assert (list(verdict.slips), verdict.said.en, verdict.passed) == (["late"], '"a": late', 2)
+@pytest.mark.parametrize(
+    ("late", "more", "answer", "slips", "said", "passed"),
+    [
+        (LATE, {"part": "a"}, LATE, ["late"], "late", 2),  # b only follows, which costs nothing
+        (LATE, {"part": "a"}, LATE | {"b": 6.5}, ["late"], "late", 1),
+        (LATE, {"part": "a"}, RIGHT | {"a": 5.0}, ["late"], '"a": late', 2),
+        (LATE, {}, RIGHT | {"a": 5.0}, [], "", 2),  # only a part of it shows
+        (LATE, {"partly": True}, RIGHT | {"a": 5.0}, ["late"], "late", 2),
+        (LATE, {"part": "a"}, RIGHT | {"b": 6.0}, ["late"], ANOTHER_A, 2),
+        (LATE, {}, RIGHT | {"b": 6.0}, [], "", 2),
+        (LATE | {"b": 0.0}, {"part": "a"}, RIGHT | {"b": 0.0}, ["zero"], "", 2),
+    ],
+)
+def test_a_mistake_is_named_by_its_part_and_what_only_follows_from_it_costs_nothing(
+    late, more, answer, slips, said, passed
+):
+    verdict = judged(PARTS, RIGHT, {"late": late}, answer, {"late": words("late", **more)})
+    assert (list(verdict.slips), verdict.passed) == (slips, passed)
+    assert not said or said in verdict.said.en
 
 
 def test_words_that_are_confused_in_lists_are_named():
@@ -149,44 +153,15 @@ def test_words_that_are_confused_in_lists_are_named():
     assert list(judged_function(form, asked).slips) == ["sim for off"]
 
 
-def test_a_slip_is_not_named_where_only_a_part_of_it_shows():
-    right = {"a": 1.0, "b": 2.0, "c": 3.0}
-    twins = {"both": {"a": 5.0, "b": 6.0, "c": 3.0}}
-    assert judged(PARTS, right, twins, {"a": 5.0, "b": 2.0, "c": 3.0}).mistake is Mistake.PARTS
-    partly = {"both": words("both", partly=True)}
-    assert list(judged(PARTS, right, twins, {"a": 5.0, "b": 2.0, "c": 3.0}, partly).slips) == ["both"]
-
-
-def test_an_option_says_what_it_would_mean_and_the_part_what_it_shows():
+def test_an_option_says_what_it_would_mean_and_then_what_there_is_to_see():
     form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
     task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
-    task = task._replace(
-        means={"mount": Text("It would stay.", "남습니다.")}, shows={"a": Text("It goes.", "사라집니다.")}
-    )
-    verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
-    assert verdict.said.en == '"a": It would stay. It goes.'
-    loosely = judge_outcomes(task, variant, [to_plain({"a": "Mount.", "b": "mount"})])
-    assert loosely.said == verdict.said
-
-
-def test_an_option_says_what_there_is_to_see_where_another_one_is_right():
-    form = Parts({"a": Choice(("clock", "mount")), "b": Choice(("clock", "mount"))})
-    task, variant = bare(form, Case(None, to_plain({"a": "clock", "b": "mount"}), {}))
-    task = task._replace(
-        means={"mount": Text("It stays.", "남습니다.")}, seen={"clock": Text("It goes.", "사라집니다.")}
-    )
-    verdict = judge_outcomes(task, variant, [to_plain({"a": "mount", "b": "mount"})])
-    assert verdict.said.en == '"a": It stays. It goes.'
-
-
-def test_a_slip_on_the_way_to_a_part_is_named_though_the_part_that_it_is_made_in_is_right():
-    right, twin = {"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 5.0, "b": 6.0, "c": 3.0}
-    said = {"late": words("late", part="a")}
-    verdict = judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, said)
-    assert verdict.said.en == '"b": this is what would follow from another "a" than the one you give: late'
-    assert not judged(PARTS, right, {"late": twin}, right | {"b": 6.0}, {"late": words("late")}).slips
-    cut_off = judged(PARTS, right, {"late": twin | {"b": 0.0}}, right | {"b": 0.0}, said)
-    assert list(cut_off.slips) == ["zero"]
+    goes = Text("It goes.", "사라집니다.")
+    for more in ({"shows": {"a": goes}}, {"seen": {"clock": goes}}):  # of the part, and of the option that is right
+        task = task._replace(means={"mount": Text("It would stay.", "남습니다.")}, shows={}, seen={})._replace(**more)
+        for answer in ("mount", "Mount."):
+            verdict = judge_outcomes(task, variant, [to_plain({"a": answer, "b": "mount"})])
+            assert verdict.said.en == '"a": It would stay. It goes.'
 
 
 def test_a_slip_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
@@ -201,74 +176,46 @@ def test_a_slip_is_named_though_the_labels_of_its_message_were_put_right_by_hand
     assert list(judged_function(form, asked, twins).slips) == ["left"]
 
 
-def test_where_nothing_fits_the_bounds_are_said_and_not_the_answer():
-    verdict = judged(Vector(3), (1.0, 2.0, 3.0), {}, (1.0, 2.5, 2.0))
-    assert (verdict.mistake, verdict.detail["certain"].en) == (Mistake.VALUE, "x: right; y: too large; z: too small")
-
-
-@pytest.mark.parametrize(
-    ("answer", "said"),
-    [
-        ((0.8, 9.0), "translation: x, y: right; z: too large. Rotation: right"),
-        ((0.803, 0.0), "translation: x, y, z: right. Rotation: off by at most 1°"),
-        ((0.8 + math.pi / 2, 0.0), "translation: x, y, z: right. Rotation: off by at most 90°"),
-        ((0.8 + math.pi / 2 + 0.001, 0.0), "translation: x, y, z: right. Rotation: off by more than 90°"),
-    ],
-)
-def test_a_turn_that_is_right_is_called_right(answer, said):
-    pose = Transform.from_rpy(yaw=0.8, translation=(1.0, 2.0, 0.0))
-    yaw, z = answer
-    given = Transform.from_rpy(yaw=yaw, translation=(1.0, 2.0, z))
-    certainly = judged(Pose(), pose, {}, given).detail["certain"]
-    assert certainly.en == said
-    assert ("회전: 맞음" in certainly.ko) is said.endswith("right")
-
-
 @pytest.mark.parametrize(
     ("form", "answer", "got"),
     [
         (Sequence(Sequence(Name())), ["map", "odom"], "list of 2, holding str"),
         (Sequence(Sequence(Name())), [["map", 3]], "list of 1, holding list of 2, holding int"),
         (Tree(), {"odom": "map", "base": 3}, "dict, holding int"),
-        (Parts({"a": Sequence(Name())}), {"a": [3]}, "list of 1, holding int"),
     ],
 )
 def test_where_a_list_or_a_dict_is_right_and_a_member_is_of_the_wrong_kind_it_is_the_member_that_is_named(
     form, answer, got
 ):
-    right = {"a": ["map"]} if isinstance(form, Parts) else FIVE if isinstance(form, Tree) else [["map", "odom"]]
+    right = FIVE if isinstance(form, Tree) else [["map", "odom"]]
     assert judged(form, right, {}, answer).detail["got"] == got
 
 
 FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
+LAMP = {"odom": "map", "base": "odom", "lamp": "base"}
+
+
+def posed(yaw, z=0.0):
+    return Transform.from_rpy(yaw=yaw, translation=(1.0, 2.0, z))
 
 
 @pytest.mark.parametrize(
-    ("answer", "said"),
+    ("form", "right", "answer", "said"),
     [
-        (FIVE | {"laser": "lamp"}, 'wrong as a child, or below the wrong parent: "laser"'),
-        (
-            {"odom": "map", "base": "odom", "lamp": "base"},
-            'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2',
-        ),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.5, 2.0), "x: right; y: too large; z: too small"),
+        (Pose(), posed(0.8), posed(0.8, 9.0), "translation: x, y: right; z: too large. Rotation: right"),
+        (Pose(), posed(0.8), posed(0.803), "translation: x, y, z: right. Rotation: off by at most 1°"),
+        (Pose(), posed(0.8), posed(0.8 + math.pi / 2), "translation: x, y, z: right. Rotation: off by at most 90°"),
+        (Pose(), posed(0.8), posed(2.372), "translation: x, y, z: right. Rotation: off by more than 90°"),
+        (Angle(), 0.5, 0.1, "turned too far to the right, by at most 45°"),
+        (Tree(), FIVE, FIVE | {"laser": "lamp"}, 'wrong as a child, or below the wrong parent: "laser"'),
+        (Tree(), FIVE, LAMP, 'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2'),
+        (Set(Name()), {"map", "odom"}, set(), "members that are missing: 2"),
+        (Set(Name()), {"map", "odom"}, {"odom", "lamp"}, "members that do not belong: 1; members that are missing: 1"),
     ],
 )
-def test_a_tree_says_which_child_hangs_wrong(answer, said):
-    task, variant = bare(Tree(), Case(None, to_plain(FIVE), {}))
-    assert judge_outcomes(task, variant, [to_plain(answer)]).detail["certain"].en == said
-
-
-@pytest.mark.parametrize(
-    ("answer", "said"),
-    [
-        ({"map", "odom", "lamp"}, "members that do not belong: 1"),
-        ({"map"}, "members that are missing: 1"),
-        (set(), "members that are missing: 2"),
-        ({"lamp", "odom"}, "members that do not belong: 1; members that are missing: 1"),
-    ],
-)
-def test_of_a_set_it_is_said_how_many_are_wrong_and_not_which(answer, said):
-    assert judged(Set(Name()), {"map", "odom"}, {}, answer).detail["certain"].en == said
+def test_where_nothing_fits_it_is_said_what_is_certain_and_not_the_answer(form, right, answer, said):
+    assert judged(form, right, {}, answer).detail["certain"].en == said
 
 
 def test_of_a_tree_what_stood_in_the_givens_shows_nothing():
@@ -281,36 +228,16 @@ def test_of_a_tree_what_stood_in_the_givens_shows_nothing():
     assert judge_outcomes(task, variant, [variant.cases[0].expected]).passed == 3
 
 
-@pytest.mark.parametrize(
-    ("answer", "slip"),
-    [("Odom", "other case"), ("/odom", "slash in front"), ("odom ", "space around")],
-)
-def test_a_name_that_is_right_but_for_how_it_is_written_is_told_so(answer, slip):
-    assert list(judged(Name(), "odom", {}, answer).slips) == [slip]
-
-
-def test_a_function_that_changes_what_it_is_given_is_told_so():
-    def popped(stamps):
-        return float(len(stamps) * 0 + stamps.pop())
-
-    case = Case([[1.0, 2.0]], 2.0, {})
-    task, variant = bare(Number("s"), case, is_function=True)
-    verdict = judge_outcomes(task, variant, [outcome_of(popped, case.args)])
-    assert (verdict.mistake, verdict.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
-
-
-def test_what_a_function_gives_is_explained_though_it_changes_what_it_is_given():
-    def first_and_gone(stamps):
-        return stamps.pop(0)
-
+def test_a_function_that_changes_its_argument_is_told_so_and_its_result_is_explained():
     cases = [Case([[1.0, 2.5]], 2.5, {"first": 1.0}), Case([[3.0, 4.5]], 4.5, {"first": 3.0})]
     task, variant = bare(Number("s"), *cases, is_function=True)
-    verdict = judge_outcomes(
-        task._replace(feedback={"first": words("first")}),
-        variant,
-        [outcome_of(first_and_gone, case.args) for case in cases],
+    task = task._replace(feedback={"first": words("first")})
+    popped, first = (
+        judge_outcomes(task, variant, [outcome_of(lambda stamps, n=n: stamps.pop(n), case.args) for case in cases])
+        for n in (-1, 0)
     )
-    assert list(verdict.slips) == ["first", "input changed"]
+    assert (popped.mistake, popped.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
+    assert list(first.slips) == ["first", "input changed"]
 
 
 def judged_function(form, asked, twins=None):
@@ -326,25 +253,6 @@ def judged_function(form, asked, twins=None):
     return judge_outcomes(task, variant, [to_plain(outcome) for _, outcome in asked])
 
 
-@pytest.mark.parametrize(
-    ("form", "right", "wrong", "name"),
-    [
-        (Number("m"), 3.14, 6.28, "twice"),
-        (Number("m"), 3.14, 9.8596, "squared"),
-        (Angle(), 1.0, 1.0 - math.pi, "half a turn"),
-        (Angle(), 1.0, math.sin(0.5), "z for the angle"),
-        (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),
-        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
-        (Vector(3), (1.0, 2.0, 3.0), (2.0, 0.0, 3.0), "written over"),
-        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 2.0), "stands twice"),
-        (Quaternion(), (0.5, 0.1, 0.7, 0.5), (0.5, 0.1, 0.5, 1.0), "written over"),
-        (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
-    ],
-)
-def test_what_is_lost_or_moved_within_an_answer_is_named(form, right, wrong, name):
-    assert list(judged(form, right, {}, wrong).slips) == [name]
-
-
 def test_a_place_that_is_right_in_one_call_was_not_left_at_zero():
     asked = [((1,), (0.3, 0.0, 0.6)), ((2,), (1.0, 0.0, 2.0)), ((3,), (1.5, 0.0, 0.5))]
     cut = [(0.0, 0.0, 0.0), (1.0, 0.0, 2.0), (1.0, 0.0, 0.0)]
@@ -356,9 +264,14 @@ def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
     assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).slips == {}
 
 
-def test_two_parts_that_changed_places_are_told_so():
+def test_two_parts_that_changed_places_are_told_so_before_two_mistakes():
     verdict = judged(PARTS, {"a": 1.0, "b": 2.5, "c": 3.0}, {}, {"a": 2.5, "b": 1.0, "c": 3.0})
     assert list(verdict.slips) == ["a and b changed places"]
+    right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
+    wrong = [row | {"a": row["b"], "b": row["a"]} for row in right]
+    twins = {name: [row | {part: 9.0} for row in right] for name, part in (("one", "a"), ("other", "b"))}
+    asked = list(zip(right, wrong, strict=True))
+    assert list(judged_function(PARTS, asked, twins | {"one + other": wrong}).slips) == ["a and b changed places"]
 
 
 def test_what_was_given_is_named_where_it_comes_back():
@@ -417,7 +330,6 @@ def test_each_part_of_what_a_function_gives_is_explained_by_itself():
     [
         (["ok", "future", "future", "future"], "future for past"),
         (["ok", "past", "future", "future"], "past and future swapped"),
-        (["future", "future", "past", "past"], "future for ok"),
     ],
 )
 def test_words_that_a_function_confuses_are_named(said, name):
@@ -467,8 +379,20 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
     ("form", "right", "wrong", "name"),
     [
         (Number("m"), 2.5, 0.25, "power of ten"),
+        (Number("m"), 3.14, 6.28, "twice"),
+        (Number("m"), 3.14, 9.8596, "squared"),
+        (Angle(), 1.0, 1.0 - math.pi, "half a turn"),
+        (Angle(), 1.0, math.sin(0.5), "z for the angle"),
+        (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
+        (Vector(3), (1.0, 2.0, 3.0), (2.0, 0.0, 3.0), "written over"),
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 2.0), "stands twice"),
+        (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
+        (Name(), "odom", "Odom", "other case"),
+        (Name(), "odom", "/odom", "slash in front"),
+        (Name(), "odom", "odom ", "space around"),
+        (Set(Name()), {"a", "b"}, ["a", "a", "b"], None),
         (Number("m"), 2.5, 0.0, "zero"),
-        (Vector(3), (1.0, 2.0, 3.0), (10.0, 20.0, 30.0), "power of ten"),
         (Sequence(Name()), ["a", "b", "c"], ["c", "b", "a"], "other order"),
         (Sequence(Name()), ["a", "b", "c"], ["b", "a", "c"], "another order"),
         (Sequence(Name()), ["a", "b"], ["a", "a", "b"], "members twice"),
@@ -483,7 +407,6 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
         (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
         (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),
-        (Tree(), FIVE, [(None, "map"), *((parent, child) for child, parent in FIVE.items())], "tree: None for a name"),
         (Tree(), FIVE, FIVE | {"laser": "odom"}, "tree: too high"),
         (Tree(), FIVE, FIVE | {"laser": "camera"}, "tree: too low"),
         (
@@ -502,7 +425,6 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Tree(), {"r/odom": "map"}, {"r/odom": "r/map"}, "tree: names with a robot's"),
         (Tree(), {"r/odom": "map"}, {"r/odom": "world"}, "tree: other names"),
         (Tree(), {"r/odom": "map"}, {"r_odom": "map"}, "other separator"),
-        (Tree(), {"r/odom": "map"}, {"/r/odom": "/map"}, "slash in front"),
         (Set(Name()), {"/tf", "/tf_static"}, {"tf", "tf_static"}, "no slash in front"),
         (Command(), "ros2 topic hz /tf", "rostopic hz /tf", "line: ROS 1"),
         (Command(), "ros2 topic hz /tf", "topic hz /tf", "line: no ros2"),
@@ -530,19 +452,13 @@ def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, na
     ("form", "right", "wrong", "told"),
     [
         (Tree(), {"odom": "map", "base": "odom"}, {"base": "odom"}, 'these have no parent: "odom"'),
-        (Tree(), FIVE, FIVE | {"laser": "odom"}, 'It shows at "laser"'),
         (Tree(), {"odom": "map"}, {"odom": "world"}, 'Not asked for: "world"'),
         (Command(), "ros2 topic hz /tf", "ros2 topic hz /odom", "Not asked for: `/odom`"),
-        (Command(), "ros2 topic hz /tf", "ros2 topic list", "`ros2 topic list` lists the topics"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools view_frames", "`view_frames` draws the tree"),
     ],
 )
 def test_where_it_shows_is_told_by_what_stands_in_the_answer(form, right, wrong, told):
     assert told in judged(form, right, {}, wrong).said.en
-
-
-def test_a_set_takes_a_member_twice_unless_it_says_that_each_counts_once():
-    assert judged(Set(Name()), {"a", "b"}, {}, ["a", "a", "b"]).mistake is None
 
 
 def test_a_dict_may_hold_what_nobody_asked_for_unless_it_stands_alone():
@@ -572,12 +488,8 @@ def test_an_error_that_was_swallowed_is_called_so(instead, name):
     assert judge_outcomes(task, variant, [1.0, 2.0, REFUSED, REFUSED]).mistake is None
     both = judge_outcomes(task, variant, [-1.0, -2.0, instead, instead])
     assert list(both.slips) == ["sign", name]
-
-
-def test_a_refusal_that_is_answered_by_something_else_each_time_is_no_swallowed_error():
-    cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], REFUSED, {}), Case([4], REFUSED, {}))
-    task, variant = bare(Number("m"), *cases, is_function=True)
-    assert judge_outcomes(task, variant, [1.0, 2.0, 3.0, 4.0]).mistake is Mistake.NO_REFUSAL
+    each_another = judge_outcomes(task, variant, [1.0, 2.0, 3.0, 4.0])
+    assert each_another.mistake is Mistake.NO_REFUSAL
 
 
 def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
@@ -592,17 +504,6 @@ def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
     verdict = judged_function(form, asked)
     assert list(verdict.slips) == ["slash in front"]
     assert verdict.said.en.startswith('"header.frame_id": ')
-
-
-def test_two_parts_of_a_function_that_have_changed_places_come_before_two_slips():
-    right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
-    wrong = [{"a": 2.0, "b": 1.0, "c": 3.0}, {"a": 5.0, "b": 4.0, "c": 6.0}]
-    twins = {
-        "one": [row | {"a": 9.0} for row in right],
-        "other": [row | {"b": 9.0} for row in right],
-        "one + other": wrong,
-    }
-    assert list(judged_function(PARTS, list(zip(right, wrong, strict=True)), twins).slips) == ["a and b changed places"]
 
 
 def robot(origin='xyz="0.2 -0.1 0.4" rpy="0 0 -0.6"', axis="0 1 0", kind="revolute", parent="base_link"):
@@ -624,10 +525,8 @@ def test_words_that_two_slips_would_give_in_different_calls_are_confused_words()
     ("wrong", "said"),
     [
         ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": where it is in its parent: y has the wrong sign'),
-        ({"origin": 'xyz="20 -10 40" rpy="0 0 -0.6"'}, '"head": where it is in its parent: right, if it were in cm.'),
         ({"origin": 'xyz="0.2 -0.1 0.4" rpy="0 0 0.6"'}, '"head": how it is turned in its parent: this is the inverse'),
         ({"axis": "-1 0 0"}, '"head": at 0 it stands right; moved, it turns about -x of its own axes'),
-        ({"axis": "0 0 1"}, '"head": at 0 it stands right; moved, it turns about z of its own axes'),
         ({"kind": "fixed"}, '"head": its joint is fixed'),
         ({"kind": "prismatic"}, '"head": its joint slides'),
         ({"parent": "lens"}, '"head": it hangs on lens'),

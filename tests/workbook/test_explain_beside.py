@@ -1,4 +1,4 @@
-"""How a wrong answer came about, where two mistakes stand beside each other: in other calls, in other places."""
+"""How `check` explains two mistakes that stand beside each other: in other calls, in other places."""
 
 from __future__ import annotations
 
@@ -72,14 +72,9 @@ def test_a_whole_list_is_called_by_its_name_and_one_reply_is_given_once():
         (ASKED.replace("--child-frame-id", "--child"), "static: no such option"),
         (ASKED.replace("--frame-id base_link ", ""), "static: a frame missing"),
         (ASKED.replace("0.2 --y", "0.2 0.1 --y"), "static: a word without option"),
-        (ASKED.replace(" --", " -"), "line: hyphens"),
         (f"{MOUNT} 0.2 -0.1 0.3 base_link laser", "static: not eight words"),
         (f"{MOUNT} 0.2 -0.1 0.3 0.5 0 0 base_link laser 100", "static: a period"),
-        (f"{MOUNT} 0.2 -0.1 0.3 0 0 0.2 0.9 base_link laser 100", "static: a period"),
         (ASKED.replace("publisher", "broadcaster"), "line: other program"),
-        (ASKED.replace("run", "launch"), "line: other command"),
-        (ASKED.replace("laser", "/laser"), "slash in front"),
-        (ASKED.replace("0.2", "200").replace("-0.1", "-100").replace("0.3", "300"), "unit mm"),
         (ASKED.replace("0.5", "-0.5"), "inverse rotation"),
     ],
 )
@@ -146,7 +141,6 @@ def test_an_answer_of_another_kind_hears_how_the_right_one_is_made_of_it(form, r
     assert tip in verdict.detail["tip"].en
 
 
-@pytest.mark.parametrize("wrong", [None, 5.0, True])
-def test_an_answer_of_a_kind_of_which_nothing_can_be_made_hears_no_tip(wrong):
-    for form, right in ((Quaternion(), (0.0, 0.0, 0.0, 1.0)), (Sequence(Name()), ["a"])):
+def test_an_answer_of_a_kind_of_which_nothing_can_be_made_hears_no_tip():
+    for form, right, wrong in ((Quaternion(), (0.0, 0.0, 0.0, 1.0), None), (Sequence(Name()), ["a"], 5.0)):
         assert "tip" not in judged(form, right, {}, wrong).detail

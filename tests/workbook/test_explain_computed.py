@@ -1,4 +1,4 @@
-"""How a wrong answer came about, where it can be seen: what a function computes, what its names hold."""
+"""How `check` explains what a function computes, and what the names in an answer hold."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 import pytest
 
 from tflab.core import Transform
-from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Sequence, Tree, Vector
+from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Quaternion, Tree, Vector
 from tflab.workbook.answers.values import raised
 from tflab.workbook.diagnosis.python_errors import tip_for
 from tflab.workbook.diagnosis.verdict import judge_outcomes
@@ -58,29 +58,25 @@ def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not
     assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).slips == {}
 
 
-@pytest.mark.parametrize("text", ["{prefix}/odom", "{t.x/100}", "{yaw:.3f}", "{t.right_cm / 100}"])
-def test_braces_that_are_left_in_a_text_are_told_as_an_f_that_is_missing(text):
-    assert list(judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips) == ["nothing filled in"]
+@pytest.mark.parametrize(
+    ("text", "is_missing"),
+    [
+        ("{prefix}/odom", True),
+        ("{t.x/100}", True),
+        ("{yaw:.3f}", True),
+        ("{data:5}", False),  # of YAML
+        ("/${robot}/tf", False),  # of a shell
+        ('pub /a std_msgs/msg/Int32 "{data: 1}"', False),
+    ],
+)
+def test_braces_that_are_left_in_a_text_are_told_as_an_f_that_is_missing(text, is_missing):
+    slips = judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips
+    assert ("nothing filled in" in slips) is is_missing
 
 
 def test_braces_without_an_end_are_looked_through_once():
     long = "{a" + "+a" * 100_000
     assert judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {long}").slips.get("nothing filled in") is None
-
-
-@pytest.mark.parametrize("text", ["{data:5}", "/${robot}/tf"])
-def test_braces_of_yaml_and_of_a_shell_are_none_that_were_left(text):
-    assert "nothing filled in" not in judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips
-
-
-def test_braces_of_a_message_are_none_that_were_left():
-    line = 'ros2 topic pub /a std_msgs/msg/Int32 "{data: 1}"'
-    assert "nothing filled in" not in judged(Command(), line.replace("1", "2"), {}, line).slips
-
-
-def test_of_a_list_that_is_too_long_the_members_are_shown_that_nobody_asked_for():
-    assert judged(Sequence(Name()), ["a", "b"], {}, ["a", "c", "b"]).said.en.endswith('The first time it shows: "c".')
-    assert judged(Sequence(Name()), ["a", "b"], {}, ["a", "a", "b"]).said.en.endswith('The first time it shows: "a".')
 
 
 def test_a_half_is_rounded_up_or_down_and_is_rounded_either_way():
@@ -89,17 +85,12 @@ def test_a_half_is_rounded_up_or_down_and_is_rounded_either_way():
     assert judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, 0.7)).slips == {}
 
 
-@pytest.mark.parametrize(
-    ("text", "tip"),
-    [
-        ("The 'nanosec' field must be an unsigned integer in [0, 4294967295]", "does not fit"),
+def test_a_field_of_a_message_says_what_it_takes():
+    for text, tip in (
         ("The 'translation' field must be a sub message of type 'Vector3'", "one by one"),
-        ("The 'stamp' field must be a sub message of type 'Time'", "`.to_msg()`"),
         ("The 'x' field must be of type 'float'", "`float(…)`"),
-    ],
-)
-def test_a_field_of_a_message_says_what_it_takes(text, tip):
-    assert tip in tip_for("AssertionError", text).en
+    ):
+        assert tip in tip_for("AssertionError", text).en
 
 
 def test_a_slip_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
@@ -126,16 +117,12 @@ TURNED = [{"x": 1.0 + n, "y": 0.4 - 0.3 * n, "yaw": 0.5 + 0.7 * n} for n in rang
     ("wrong", "seen"),
     [
         (lambda x, y, a: x * math.cos(a), "`argument 1: y` does not come into it at all."),
-        (lambda x, y, a: x * math.cos(a) + y * math.sin(a),
-         "`argument 1: y * sin(argument 1: yaw)` has the wrong sign."),
         (lambda x, y, a: x * math.sin(a) - y * math.sin(a), "`argument 1: x` goes with the other of sine and cosine."),
         (lambda x, y, a: x / math.cos(a) - y * math.sin(a),
          "`argument 1: x` is divided there: to turn is to multiply by a sine or a cosine, whichever way it goes."),
         (lambda x, y, a: x * math.cos(a) - y * a,
          "`argument 1: y` is multiplied by the angle itself, where its sine or cosine belongs: they are alike only for "
          "small angles."),
-        (lambda x, y, a: x * math.cos(a / 2) - y * math.sin(a),
-         "`argument 1: x` is turned by another angle than it should be."),
         (lambda x, y, a: math.hypot(x, y) * math.cos(a),
          "`hypot(argument 1: x, argument 1: y)` is how far away it lies: in which direction is lost."),
         (lambda x, y, a: x - y * math.sin(a),

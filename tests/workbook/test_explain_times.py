@@ -1,4 +1,4 @@
-"""A length of time for a number of seconds: what it is, and what is wrong with the number in it."""
+"""A length of time in place of a number of seconds: what it is, and what is wrong with the number in it."""
 
 from __future__ import annotations
 
@@ -34,19 +34,12 @@ def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(a
     assert "빠른 쪽을 셌습니다." in verdict.said.ko
 
 
-def test_a_time_that_is_right_inside_hears_only_what_it_is():
-    verdict = judged(Number("s"), 3.4, TWINS, Duration(seconds=3.4), REPLIES)
-    assert verdict.mistake is Mistake.TYPE and ".nanoseconds / 1e9" in verdict.detail["tip"].en
-
-
-@pytest.mark.parametrize("answer", [Duration(seconds=3.1), 3.05, "3.05"])
-def test_what_is_no_time_or_holds_another_number_hears_nothing_of_both(answer):
-    assert "no number" not in judged(Number("s"), 3.4, TWINS, answer, REPLIES).slips
-
-
-def test_a_time_for_metres_is_only_of_the_wrong_kind():
-    verdict = judged(Number("m"), 3.4, TWINS, Duration(seconds=3.05), REPLIES)
-    assert verdict.mistake is Mistake.TYPE and "tip" not in verdict.detail
+def test_a_time_that_no_known_mistake_explains_hears_only_what_it_is():
+    right, other = (judged(Number("s"), 3.4, TWINS, Duration(seconds=s), REPLIES) for s in (3.4, 3.1))
+    assert right.mistake is Mistake.TYPE and ".nanoseconds / 1e9" in right.detail["tip"].en
+    assert "no number" not in other.slips
+    metres = judged(Number("m"), 3.4, TWINS, Duration(seconds=3.05), REPLIES)
+    assert metres.mistake is Mistake.TYPE and "tip" not in metres.detail
 
 
 @pytest.mark.parametrize(("together", "is_anothers"), [(0.6, True), (math.hypot(0.05, 0.6), False)])

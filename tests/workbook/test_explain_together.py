@@ -1,4 +1,4 @@
-"""How a wrong answer came about, seen from all its parts and all its calls together: orders and habits."""
+"""How `check` explains an answer by all its parts and all its calls together: orders and habits."""
 
 from __future__ import annotations
 
@@ -107,11 +107,6 @@ def test_a_function_that_takes_one_thing_of_a_list_is_told_which(takes, name):
     assert next(iter(verdict.slips), None) == name
 
 
-def test_a_name_that_is_always_the_first_is_told_so():
-    rows = [([["b", "a"]], "a", "b"), ([["d", "c"]], "c", "d"), ([["f", "e"]], "e", "f")]
-    assert list(called(Name(), rows).slips) == ["the first member"]
-
-
 def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():
     rows = [([[1, 2, 8, 9]], [8, 9], [2, 8, 9]), ([[3, 7]], [7], [7])]
     assert list(called(Sequence(Number()), rows).slips) == ["removed in the loop"]
@@ -122,46 +117,37 @@ def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_ma
 # -- words, each on its own --------------------------------------------------------------------
 
 
-def lists_of_words(answers, twins):
-    """Return the verdict on lists of words, where `answers` are (expected, outcome), by call, and twins by call."""
-    form = Sequence(Choice(("sim", "wall", "off")))
-    return judged_function(form, answers, twins)
+WORDS = Sequence(Choice(("sim", "wall", "off")))
 
 
-def test_slips_that_show_in_different_words_of_a_list_are_all_named():
-    asked = [(["sim", "off", "wall"], ["wall", "sim", "wall"]), (["off", "wall"], ["sim", "wall"])]
-    twins = {
-        "never sim": [["wall", "off", "wall"], ["off", "wall"]],
-        "text is read": [["sim", "sim", "wall"], ["sim", "wall"]],
-    }
-    assert list(lists_of_words(asked, twins).slips) == ["never sim", "text is read"]
-
-
-def test_of_slips_that_give_some_of_the_words_none_is_told():
-    asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
-    twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
-    assert list(lists_of_words(asked, twins).slips) == ["wall for sim"]
-
-
-def test_where_several_slips_give_the_same_words_only_what_is_sure_is_told():
+def test_mistakes_that_show_in_different_words_of_a_list_are_named_as_far_as_they_are_certain():
     asked = [(["sim", "off", "wall"], ["wall", "sim", "wall"]), (["off", "wall"], ["sim", "wall"])]
     read = [["sim", "sim", "wall"], ["sim", "wall"]]
-    twins = {"never sim": [["wall", "off", "wall"], ["off", "wall"]], "text is read": read, "text is truthy": read}
-    verdict = lists_of_words(asked, twins)
+    twins = {"never sim": [["wall", "off", "wall"], ["off", "wall"]], "text is read": read}
+    assert list(judged_function(WORDS, asked, twins).slips) == ["never sim", "text is read"]
+    verdict = judged_function(WORDS, asked, twins | {"text is truthy": read})
     assert list(verdict.slips) == ["never sim"]
     assert verdict.said.en.endswith("Something else is wrong beside it.")
 
 
-def test_beside_words_that_are_confused_stands_what_there_is_to_see():
-    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out"))]
-    task, variant = bare(Choice(("in", "out")), *cases, is_function=True)
+def test_of_mistakes_that_give_some_of_the_words_none_is_named():
+    asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
+    twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
+    assert list(judged_function(WORDS, asked, twins).slips) == ["wall for sim"]
+
+
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        (("out", "out", "out", "off"), " There the door is open."),
+        (("out", "out", "out", "out"), '"in": There the door is open.'),  # of several words, of which one it is
+    ],
+)
+def test_beside_words_that_are_confused_stands_what_there_is_to_see(given, said):
+    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off", "ok"))]
+    task, variant = bare(Choice(("in", "out", "off", "ok")), *cases, is_function=True)
     task = task._replace(seen={"in": Text("There the door is open.", "문이 열려 있습니다.")})
-    verdict = judge_outcomes(task, variant, ["out", "out", "out"])
-    assert verdict.mistake is Mistake.CONSTANT
-    cases = [Case([place], want, {}) for place, want in enumerate(("in", "in", "out", "off"))]
-    task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
-    task = task._replace(seen={"in": Text("There the door is open.", "문이 열려 있습니다.")})
-    assert "There the door is open." in judge_outcomes(task, variant, ["out", "out", "out", "off"]).said.en
+    assert said in judge_outcomes(task, variant, [*given, "ok"]).said.en
 
 
 def test_the_call_that_is_shown_is_one_of_which_the_reply_speaks():

@@ -1,4 +1,4 @@
-"""When two answers are the same."""
+"""When two answers are the same, for each form of an answer."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.ros.convert import msg_from_stamped
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.workbook.answers.forms import (
     Angle,
@@ -37,9 +38,13 @@ STAMPED = StampedTransform("map", "base", 7, LEFT)
 
 
 def message_of(stamped: StampedTransform) -> geometry_msgs.TransformStamped:
-    from tflab.ros.convert import msg_from_stamped
-
     return msg_from_stamped(stamped)
+
+
+def buffer_of(stamped: StampedTransform) -> BufferCore:
+    buffer = BufferCore()
+    buffer.set_transform(stamped, "test")
+    return buffer
 
 
 def point(frame: str) -> geometry_msgs.PointStamped:
@@ -98,7 +103,8 @@ SAME = [
     (Set(Name()), {"odom", "map"}, ["map", "odom"]), (Set(Name()), ("odom", "map", "odom"), {"map", "odom"}),
     (Set(Name()), {"odom": 1, "map": 2}.keys(), {"map", "odom"}), (Set(Name()), [], set()),
     (Set(Pair(Name(), Name())), {("a", "b"), ("c", "d")}, [("c", "d"), ("a", "b")]),
-    (Tree(), [STAMPED], {"base": "map"}), (Tree(), [("map", "base"), ("map", "base")], {"base": "map"}),
+    (Tree(), [STAMPED], {"base": "map"}), (Tree(), buffer_of(STAMPED), {"base": "map"}),
+    (Tree(), [("map", "base"), ("map", "base")], {"base": "map"}),
     (Tree(), {"odom": "map", "base": "odom"}, {"base": "odom", "odom": "map"}), (Tree(), {}, {}),
     (Command(), f"$ {ECHO}", ECHO), (Command(), "ros2 topic echo --once tf", "ros2 topic echo /tf --once"),
     (Command(), f"{STATIC} --yaw 3.14159265 --frame-id a --child-frame-id b",
@@ -154,9 +160,12 @@ def test_different_answers_are_not(form, answer, expected):
     assert not form.same(to_plain(answer), to_plain(expected))
 
 
-@pytest.mark.parametrize("form", {type(form).__name__: form for form, _, _ in SAME}.values())
-def test_a_form_comes_back_from_json(form):
-    assert form_from_plain(form.plain()) == form
+def test_a_form_comes_back_from_json_and_an_unknown_one_is_refused():
+    within = (Sequence(Pair(Name(), WAY)), Set(Pair(Name(), Number("m"))), Parts({"tree": Tree(), "at": Name()}))
+    for form in (*{type(form).__name__: form for form, _, _ in SAME}.values(), *within):
+        assert form_from_plain(form.plain()) == form
+    with pytest.raises(ValueError, match="Vector"):
+        form_from_plain({"form": "Colour"})
 
 
 def test_parts_have_credit_of_their_own_and_come_back():
@@ -165,7 +174,6 @@ def test_parts_have_credit_of_their_own_and_come_back():
     assert form.judge(to_plain({"target": "odom", "x": 1.0}), expected) == [False, True]
     assert form.judge(to_plain({"x": 1.0}), expected) == [False, True]
     assert form.judge(to_plain("map"), expected) == [False, False]
-    assert form_from_plain(form.plain()) == form
 
 
 def test_a_message_has_credit_for_each_field():
@@ -184,44 +192,23 @@ def test_an_outcome_that_should_be_an_error_is_judged_by_its_class():
     assert not Number().same(1.0, expected)
 
 
-def test_a_tree_may_be_a_buffer():
-    buffer = BufferCore()
-    buffer.set_transform(STAMPED, "test")
-    assert Tree().same(to_plain(buffer), to_plain({"base": "map"}))
-
-
 FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
 
 
 @pytest.mark.parametrize(
-    ("answer", "right"),
+    ("form", "answer", "expected", "right"),
     [
-        (FIVE, 5),
-        (FIVE | {"laser": "odom"}, 4),
-        ({"odom": "map", "base": "odom"}, 2),
-        (FIVE | {"lamp": "base"}, 4),  # one too many takes one back
-        ({parent: child for child, parent in FIVE.items()}, 0),
+        (Tree(), FIVE | {"laser": "odom"}, FIVE, 4),
+        (Tree(), {"odom": "map", "base": "odom"}, FIVE, 2),
+        (Tree(), FIVE | {"lamp": "base"}, FIVE, 4),  # one too many takes one back
+        (Tree(), {parent: child for child, parent in FIVE.items()}, FIVE, 0),
+        (Set(Name()), {"a", "b", "c", "d"}, {"a", "b"}, 0),
+        (Set(Name()), {"a", "b", "c"}, {"a", "b"}, 1),
+        (Set(Name()), {"a", "c"}, {"a", "b"}, 1),
     ],
 )
-def test_a_tree_has_credit_for_each_edge(answer, right):
-    assert sum(Tree().judge(to_plain(answer), to_plain(FIVE))) == right
-
-
-def test_who_names_everything_has_named_nothing():
-    form, expected = Set(Name()), to_plain({"a", "b"})
-    assert form.judge(to_plain({"a", "b", "c", "d"}), expected) == [False, False]
-    assert sum(form.judge(to_plain({"a", "b", "c"}), expected)) == 1
-    assert sum(form.judge(to_plain({"a", "c"}), expected)) == 1
-
-
-def test_a_form_within_a_form_comes_back_from_json():
-    for form in (Sequence(Pair(Name(), WAY)), Set(Pair(Name(), Number("m"))), Parts({"tree": Tree(), "at": Name()})):
-        assert form_from_plain(form.plain()) == form
-
-
-def test_an_unknown_form_is_an_error_that_names_the_others():
-    with pytest.raises(ValueError, match="Vector"):
-        form_from_plain({"form": "Colour"})
+def test_each_edge_and_each_member_has_credit_and_one_too_many_costs_one(form, answer, expected, right):
+    assert sum(form.judge(to_plain(answer), to_plain(expected))) == right
 
 
 MADE_UP = [
@@ -231,10 +218,12 @@ MADE_UP = [
 ]  # fmt: skip
 
 
-@pytest.mark.parametrize("hostile", MADE_UP, ids=repr)
 @pytest.mark.parametrize(("form", "answer", "expected"), SAME[::3])
-def test_made_up_json_is_merely_wrong(form, answer, expected, hostile):
-    assert not any(form.judge(hostile, to_plain(expected)))
+def test_made_up_json_is_merely_wrong(form, answer, expected):
+    for hostile in MADE_UP:
+        assert not any(form.judge(hostile, to_plain(expected))), hostile
+    if isinstance(form, Name | Command):
+        assert form.judge(f"{expected}\ud800", expected) == [False]  # half of a pair of a letter
 
 
 def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_written() -> None:
@@ -249,11 +238,6 @@ def test_a_message_in_a_message_is_the_same_in_whichever_order_its_fields_were_w
     assert not form.same(point({"sec": 4, "nanosec": 5}), point({"nanosec": 6, "sec": 4}))
 
 
-@pytest.mark.parametrize(("form", "expected"), [(Name(), "map"), (Command(), ECHO)])
-def test_half_a_pair_of_a_letter_is_merely_wrong(form, expected):
-    assert form.judge(f"{expected}\ud800", expected) == [False]
-
-
 SHAPES = (
     None, True, 0, 1.5, "map", [], [None], {"tuple": []}, {"tuple": [1.0, None]}, {"dict": {}}, {"dict": {"a": None}},
     {"dict": {"a": 1.0, "b": "x"}}, {"dict": {"b": {"dict": {"a": 1.0}}}}, {"array": [[1.0], [2.0]]}, {"float": "nan"},
@@ -264,14 +248,11 @@ NESTED = (Number(), Angle(), Vector(), Quaternion(), Pose(), Choice(("map",)), N
           Pair(Name(), Number()))  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    "form",
-    [*NESTED, *(Sequence(form) for form in NESTED), *(Parts({"a": form, "b": Number()}) for form in NESTED)],
-    ids=lambda form: repr(form)[:60],
-)
+@pytest.mark.parametrize("form", NESTED, ids=lambda form: repr(form)[:60])
 def test_whether_two_answers_are_alike_can_be_asked_of_any_two_whatever_each_is(form):
-    for one, other in product(SHAPES, SHAPES):
-        assert form.alike(one, other) in (True, False)
+    for each in (form, Sequence(form), Parts({"a": form, "b": Number()})):
+        for one, other in product(SHAPES, SHAPES):
+            assert each.alike(one, other) in (True, False)
 
 
 def test_parts_that_cannot_be_read_are_alike_only_if_they_are_the_same():

@@ -1,4 +1,4 @@
-"""Real tools put to questions, and robots that look healthy to RViz."""
+"""What ROS 2's tools print on a page, and robots with a fault that RViz does not show."""
 
 from __future__ import annotations
 
@@ -33,15 +33,12 @@ def test_the_list_of_a_disguised_robot_is_all_ok_and_its_points_lie_beside_the_w
     assert f"off the walls by {off} m on average" in picture.text
 
 
-def test_a_node_that_does_not_run_cannot_be_stopped():
+def test_a_robot_or_a_node_that_is_not_there_is_refused():
+    with pytest.raises(ValueError, match="no robot 'sick'"):
+        lesson.start_robot("sick")
     lesson.start_robot()
     with pytest.raises(ValueError, match="no node 'localisation' runs; there is imu_driver"):
         lesson.stop_node("localisation")
     lesson.stop_node("localization")
     lesson.stop_node("localization")  # by a cell that runs again
     lesson.new_graph()
-
-
-def test_a_robot_that_nobody_knows_is_refused():
-    with pytest.raises(ValueError, match="no robot 'sick'"):
-        lesson.start_robot("sick")

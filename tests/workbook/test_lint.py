@@ -1,4 +1,4 @@
-"""What is plain to see in a function's text: said where it stands, and of nothing that means what it says."""
+"""What can be seen in the text of a function is said with its line, and correct code is left alone."""
 
 from __future__ import annotations
 
@@ -48,7 +48,6 @@ def seen(old, new):
     ("old", "new", "line", "said"),
     [
         ('"future" in text', '"future" or "Future" in text', 8, lint.TEXTS["holds_always"].filled(word='"future"')),
-        ('"future" in text', 'text == "future" or "past"', 8, lint.TEXTS["holds_always"].filled(word='"past"')),
         ('"future" in text', '"into" and "future" in text', 8, lint.TEXTS["asks_nothing"].filled(word='"into"')),
         ('"future" in text', '("future" or "later") in text', 8, lint.TEXTS["one_always"].filled(word='"future"')),
         ('"future" in text', 'text.find("future")', 8, lint.TEXTS["found_nowhere"]),
@@ -78,9 +77,7 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
     [
         ("words.sort()", "words = sorted(words)"),
         ("words.sort()", "words.append(text)"),
-        ('return "past"', "print(text)"),
         ('return words or "ok"', 'return words\n    raise NotImplementedError("your turn")'),
-        ("except KeyError", "except (KeyError, IndexError)"),
         ('"past" in text', '"past" in text or "before" in text'),
         ('"past" in text', 'text.find("past") >= 0'),
         ("return words", 'return words if text else text or "none"'),
@@ -88,7 +85,4 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
 )
 def test_nothing_is_said_of_what_means_what_it_says(old, new):
     assert seen(old, new) is None
-
-
-def test_what_cannot_be_read_is_let_be():
-    assert lint.describe_function_text(len) is None
+    assert lint.describe_function_text(len) is None  # of which there is no text

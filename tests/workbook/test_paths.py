@@ -1,4 +1,4 @@
-"""Files that are written whole, pages that are named, and what the first page says of the machine."""
+"""Pages that are named, where the workbook lies, and what the first page says of the machine."""
 
 from __future__ import annotations
 
@@ -6,47 +6,25 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.atomic_files import write_whole
+from tflab.workbook import paths
 from tflab.workbook.copy import environment
 from tflab.workbook.paths import Workbook, chapters, stems_called, workbook_data, write_workbook
 
 from .conftest import HandedOut
 
 
-def test_a_file_is_there_as_it_was_if_writing_it_fails(tmp_path: Path, monkeypatch) -> None:
-    path = tmp_path / "progress.json"
-    write_whole(path, "as it was")
-
-    def fail(*_: object) -> None:
-        raise OSError("no space left")
-
-    monkeypatch.setattr("os.replace", fail)
-    with pytest.raises(OSError, match="no space"):
-        write_whole(path, "as it will be")
-    assert path.read_text() == "as it was"
-    assert [found.name for found in tmp_path.iterdir()] == ["progress.json"]
-
-
-def test_the_workbook_of_an_editable_install_is_the_repository(monkeypatch) -> None:
-    monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
-    assert (workbook_data() / "pyproject.toml").is_file()
-
-
 def test_installed_from_a_wheel_the_workbook_is_inside_the_package(monkeypatch, tmp_path: Path) -> None:
-    from tflab.workbook import paths
 
     inside = tmp_path / "tflab" / "_workbook"
     inside.mkdir(parents=True)
     monkeypatch.delenv("TFLAB_WORKBOOK", raising=False)
+    assert (workbook_data() / "pyproject.toml").is_file()  # of an editable install: the repository
     monkeypatch.setattr(paths, "__file__", str(tmp_path / "tflab" / "workbook" / "paths.py"))
     assert workbook_data() == inside
 
 
-def test_chapters_are_those_with_tasks(handed_out: HandedOut) -> None:
-    assert chapters() == ["03_small"]
-
-
-def test_a_page_is_named_by_its_stem_or_its_number_and_stands_once() -> None:
+def test_a_page_is_named_by_its_stem_or_its_number_and_stands_once(handed_out: HandedOut) -> None:
+    assert chapters() == ["03_small"]  # those with tasks
     there = ["03_target", "08_buffer"]
     assert stems_called(["8", "03_target", "03", "E3", "E03_target"], there) == ["08_buffer", "03_target"]
     assert stems_called([], there) == []

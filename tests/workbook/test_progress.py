@@ -1,4 +1,4 @@
-"""What was tried is written down, by two notebooks at once, and nothing of it is ever lost."""
+"""What was tried is written down, also by two notebooks at once, and nothing of it is lost."""
 
 from __future__ import annotations
 
@@ -47,25 +47,20 @@ def test_tries_hints_and_mistakes_are_counted_and_a_pass_stays(copy: Path) -> No
     assert attempts(copy, "E3.4") == Attempts()
 
 
-def test_an_answer_that_was_checked_before_is_no_new_try(copy):
+def test_an_answer_that_was_checked_before_is_no_new_try_and_may_be_right_by_now(copy):
     for outcomes in ([1.0, "a"], [1.0, "a"], [2.0, "a"], [1.0, "a"]):
         record_try(copy, "E3.2", 0, 6, "swapped", outcomes)
     assert attempts(copy, "E3.2").tries == 2
     assert attempts(copy, "E3.2").twins == {"swapped": 2}
-
-
-def test_an_answer_that_was_wrong_and_is_right_by_now_passes(copy):
-    record_try(copy, "E3.2", 0, 1, None, [1.0])
-    record_try(copy, "E3.2", 1, 1, None, [1.0])
-    assert attempts(copy, "E3.2").passed and attempts(copy, "E3.2").tries == 1
+    record_try(copy, "E3.2", 6, 6, None, [1.0, "a"])
+    assert attempts(copy, "E3.2").passed and attempts(copy, "E3.2").tries == 2
 
 
 def test_a_file_that_knows_the_last_answer_alone_is_read(copy):
     record_try(copy, "E3.2", 0, 1, None, [1.0])
     file = copy / progress.FILE
     plain = json.loads(file.read_text())
-    line = plain["tasks"]["E3.2"]
-    line["last"] = line.pop("seen")[0]
+    plain["tasks"]["E3.2"]["last"] = plain["tasks"]["E3.2"].pop("seen")[0]
     file.write_text(json.dumps(plain))
     record_try(copy, "E3.2", 0, 1, None, [1.0])
     assert attempts(copy, "E3.2").tries == 1
@@ -95,10 +90,7 @@ def test_notebooks_that_write_at_once_lose_nothing(copy: Path) -> None:
     "text",
     [
         '{"format": 1, "tasks": {"E3',
-        "[]",
         '{"format": 99, "tasks": {}}',
-        '{"format": 1, "tasks": {"E3.2": {"stars": 5}}}',
-        '{"format": 1, "tasks": {"E3.2": 5}}',
         '{"format": 1, "tasks": {"E3.2": {"tries": "many"}}}',
     ],
 )
@@ -137,34 +129,24 @@ def test_only_passed_checks_tick_and_what_is_not_here_is_later(handed_out: Hande
     assert course_progress(copy).objectives[1].state == "open"  # its tasks of chapter 4 are not here
 
 
-def test_the_page_says_what_is_left_and_what_to_type_on_a_robot(handed_out: HandedOut, copy: Path) -> None:
-    give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5")
-    record_try(copy, "E3.1", 4, 4)
-    text = ProgressPage(course_progress(copy)).text
-    assert "Your progress: 1 of 2 tasks passed" in text
-    assert "03  ■ □   1/2   Target and source" in text
-    assert "1 of 2 · to pass: E3.5" in text
-    assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in text
-    assert "ros2 bag record" not in text  # later
-    assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in ProgressPage(course_progress(copy)).html
-
-
-def test_every_sign_of_the_page_is_explained_where_it_stands(handed_out: HandedOut, copy: Path) -> None:
+def test_the_page_says_what_is_left_what_its_signs_mean_and_what_to_type_on_a_robot(
+    handed_out: HandedOut, copy: Path, tmp_path: Path
+) -> None:
     give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5", "E3.6")
     record_try(copy, "E3.1", 4, 4)
     record_try(copy, "E3.5", 1, 4)
     page = ProgressPage(course_progress(copy))
+    assert "Your progress: 1 of 3 tasks passed" in page.text
+    assert "03  ■ ◧ □   1/3   Target and source" in page.text
+    assert "1 of 2 · to pass: E3.5" in page.text
+    assert "$ ros2 run tf2_ros tf2_echo base_link laser_frame" in page.text
+    assert "ros2 bag record" not in page.text  # later
     assert "Chapters (■ passed, ◧ tried and not passed yet, □ not tried)" in page.text.splitlines()
-    assert "03  ■ ◧ □   1/3" in page.text
+    assert 'title="E3.1 · Which? · tries: 1, hints: 0"' in page.html
     assert page.html.index("◧ tried") < page.html.index(">◧</span>")
     assert page.html.count("○ not yet") == 2  # of what one can do, and of what one has done
-
-
-def test_the_page_is_in_the_language_of_the_copy(handed_out: HandedOut, tmp_path: Path) -> None:
-    copy = lay_out(tmp_path / "copy", "ko")
-    text = ProgressPage(course_progress(copy)).text
-    assert "학습 현황" in text
-    assert "What you can do" not in text
+    korean = ProgressPage(course_progress(lay_out(tmp_path / "korean", "ko"))).text
+    assert "학습 현황" in korean and "What you can do" not in korean
 
 
 def test_tflab_progress_finds_the_copy_below_the_folder_it_is_called_in(

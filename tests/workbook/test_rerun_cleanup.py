@@ -1,4 +1,4 @@
-"""A cell that runs twice: what it began the first time has ended, and nothing is there twice."""
+"""A cell that runs twice ends what it began the first time, so that nothing is there twice."""
 
 from __future__ import annotations
 
@@ -65,7 +65,8 @@ def test_what_a_cell_puts_in_the_place_of_anothers_stays(run, graph) -> None:
     assert names(graph) == ["circle"]
 
 
-def test_two_cells_that_begin_rclpy_are_told_as_on_a_robot(run) -> None:
+def test_two_cells_that_begin_or_end_rclpy_are_told_as_on_a_robot(run) -> None:
+    assert str(run("b", f"{HEAD}rclpy.shutdown()")) == "Context must be initialized before it can be shutdown"
     run("a", READER)
     assert str(run("b", READER)) == "Context.init() must only be called once"
 
@@ -75,10 +76,6 @@ def test_a_cell_that_ends_rclpy_may_do_so_again(run, graph) -> None:
     stop = "node.destroy_node()\nrclpy.shutdown()"
     assert [run("b", stop), run("b", stop)] == [None, None]
     assert names(graph) == []
-
-
-def test_one_that_has_nothing_to_end_is_told_so(run) -> None:
-    assert str(run("b", f"{HEAD}rclpy.shutdown()")) == "Context must be initialized before it can be shutdown"
 
 
 def test_a_cell_that_makes_a_new_world_is_left_alone(run) -> None:

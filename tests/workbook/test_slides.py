@@ -1,4 +1,4 @@
-"""`tflab slides`: a page as a deck that works from a disk, with its views, its steps and what the speaker says."""
+"""`tflab slides` makes a deck of a page that works from a disk, with its views, its steps and the speaker's notes."""
 
 from __future__ import annotations
 
@@ -137,7 +137,13 @@ DRAWN = """() => [...document.querySelectorAll('.deck-slide canvas')].every((c) 
 
 
 @pytest.mark.browser
-def test_before_it_is_printed_every_view_is_drawn_once(deck: Path, page) -> None:
+def test_a_view_is_drawn_when_its_slide_is_shown_and_all_are_before_they_are_printed(deck: Path, page) -> None:
+    page.goto(f"{deck.as_uri()}#crate")
+    page.wait_for_selector(".deck-current canvas")
+    page.wait_for_function(DRAWN)
+    assert page.locator(".deck-current img[alt]").count() == 0  # the same, standing still
+
+    page.goto("about:blank")
     page.goto(deck.as_uri())
     page.wait_for_selector(".deck-slide canvas", state="attached")
     page.evaluate("window.print = () => { window.printed = document.body.className; }")
@@ -169,27 +175,6 @@ def test_the_deck_of_a_chapter_shows_every_slide_and_draws_every_view(tmp_path: 
 
 
 @pytest.mark.browser
-def test_no_picture_is_cut_where_it_stands_in_half_a_slide(page) -> None:
-    style = (Path(slides.__file__).parent / "static" / "deck.css").read_text(encoding="utf-8")
-    drawn = '<svg width="900" height="300"></svg>'
-    picture = f'<img width="900" height="300" src="data:image/svg+xml,{quote(drawn)}">'
-    wide = f'<div class="jp-OutputArea-output">{picture}{drawn}</div>'
-    half = f'<div class="deck-content deck-columns" style="width: 800px">{wide}</div>'
-    page.set_content(f'<style>{style}</style><div class="deck-slide deck-current">{half}</div>')
-    widths = page.evaluate("[...document.querySelectorAll('img, svg')].map((one) => one.getBoundingClientRect().width)")
-    assert len(widths) == 2 and max(widths) < 400
-
-
-@pytest.mark.browser
-def test_a_view_is_drawn_when_its_slide_is_shown(deck: Path, page) -> None:
-    page.goto(f"{deck.as_uri()}#crate")
-    page.wait_for_selector(".deck-current canvas")
-    page.wait_for_function(DRAWN)
-    assert page.locator(".deck-current canvas").count() >= 1
-    assert page.locator(".deck-current img[alt]").count() == 0  # the same, standing still
-
-
-@pytest.mark.browser
 def test_the_speaker_has_notes_in_the_page_and_in_a_window_that_follows(deck: Path, page) -> None:
     page.goto(deck.as_uri())
     assert not page.locator("#deck-notes").is_visible()
@@ -207,17 +192,19 @@ def test_the_speaker_has_notes_in_the_page_and_in_a_window_that_follows(deck: Pa
 
 
 @pytest.mark.browser
-def test_all_slides_are_seen_at_a_glance_and_one_is_picked(deck: Path, page) -> None:
+def test_keys_show_all_slides_put_the_code_away_and_change_the_theme_and_all_is_printed(deck: Path, page) -> None:
+    page.emulate_media(color_scheme="dark")
     page.goto(deck.as_uri())
     page.keyboard.press("o")
     assert page.locator(".deck-slide").nth(3).is_visible()
     page.locator(".deck-slide").nth(3).click()
     assert page.inner_text("#deck-place") == "4 / 4"
     assert not page.locator(".deck-slide").nth(0).is_visible()
+    ground = "getComputedStyle(document.body).backgroundColor"
+    assert page.evaluate(ground) == "rgb(17, 17, 17)"
+    page.keyboard.press("t")
+    assert page.evaluate(ground) in ("rgb(255, 255, 255)", "white")
 
-
-@pytest.mark.browser
-def test_the_code_can_be_put_away_and_what_it_drew_stays(deck: Path, page) -> None:
     page.goto(f"{deck.as_uri()}#crate")
     assert "set_object" in shown(page)
     page.keyboard.press("c")
@@ -226,20 +213,6 @@ def test_the_code_can_be_put_away_and_what_it_drew_stays(deck: Path, page) -> No
     page.keyboard.press("c")
     assert "set_object" in shown(page)
 
-
-@pytest.mark.browser
-def test_the_theme_follows_the_machine_and_a_key(deck: Path, page) -> None:
-    page.emulate_media(color_scheme="dark")
-    page.goto(deck.as_uri())
-    ground = "getComputedStyle(document.body).backgroundColor"
-    assert page.evaluate(ground) == "rgb(17, 17, 17)"
-    page.keyboard.press("t")
-    assert page.evaluate(ground) in ("rgb(255, 255, 255)", "white")
-
-
-@pytest.mark.browser
-def test_printed_every_slide_and_step_is_there(deck: Path, page) -> None:
-    page.goto(deck.as_uri())
     page.emulate_media(media="print")
     assert page.get_by_text("Because.").is_visible()
     assert page.get_by_text("division by zero").first.is_visible()
@@ -263,15 +236,22 @@ def test_what_is_too_long_for_a_slide_stands_in_two_columns(deck: Path, page) ->
     assert page.locator("#deck-more.deck-shown").count() == 1
 
 
+HALVES = '<div class="deck-slide deck-current"><div class="deck-content deck-columns" style="{}">{}</div></div>'
+
+
 @pytest.mark.browser
-def test_a_long_text_goes_on_in_the_second_half_of_its_slide(page) -> None:
+def test_in_a_slide_of_two_halves_no_picture_is_cut_and_a_long_text_goes_on_in_the_second(page) -> None:
     style = (Path(slides.__file__).parent / "static" / "deck.css").read_text(encoding="utf-8")
+    drawn = '<svg width="900" height="300"></svg>'
+    picture = f'<img width="900" height="300" src="data:image/svg+xml,{quote(drawn)}">'
+    wide = f'<div class="jp-OutputArea-output">{picture}{drawn}</div>'
+    page.set_content(f"<style>{style}</style>" + HALVES.format("width: 800px", wide))
+    widths = page.evaluate("[...document.querySelectorAll('img, svg')].map((one) => one.getBoundingClientRect().width)")
+    assert len(widths) == 2 and max(widths) < 400
+
     child = '<div class="jp-OutputArea-child" style="display: table; overflow: hidden">{}</div>'
     text = f'<div class="jp-OutputArea-output" style="display: table-cell"><pre>{"line<br>" * 40}</pre></div>'
     area = f'<div class="jp-OutputArea jp-Cell-outputArea" style="overflow: auto">{child.format(text)}</div>'
-    page.set_content(
-        f'<style>{style}</style><div class="deck-slide deck-current">'
-        f'<div class="deck-content deck-columns" style="width: 900px; height: 600px">{area}</div></div>'
-    )
+    page.set_content(f"<style>{style}</style>" + HALVES.format("width: 900px; height: 600px", area))
     content = page.locator(".deck-content")
     assert content.evaluate("(all) => all.scrollHeight <= all.clientHeight && all.scrollWidth <= all.clientWidth")

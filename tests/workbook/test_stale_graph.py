@@ -1,4 +1,4 @@
-"""A cell that runs again in another world than its own: a line says so, and what to run first."""
+"""A cell that runs again in another world than its own says so, and what to run first."""
 
 from __future__ import annotations
 
@@ -51,6 +51,8 @@ ALL = tuple(CELLS)
 
 def test_a_page_may_run_from_its_start_again_and_again(said) -> None:
     assert said(*ALL, *ALL, *ALL) == []
+    assert said("look", "stop", "anew") == []  # of a cell that only looks
+    assert said("load", "run", "anew", "more", no_ids=True) == []
 
 
 @pytest.mark.parametrize("below", [("start", "run"), ("run", "look", "run")])
@@ -73,12 +75,3 @@ def test_a_cell_above_a_stop_says_that_its_programs_have_ended(said) -> None:
     said("load", "start", "run", "stop")
     (told,) = said("run")
     assert told.startswith("run: Since this cell ran, `graph.stop()` has ended every program of its world.")
-
-
-def test_nothing_is_said_of_a_cell_that_only_looks(said) -> None:
-    said(*ALL)
-    assert said("look", "stop", "anew") == []
-
-
-def test_cells_without_ids_may_have_the_same_text(said) -> None:
-    assert said("load", "run", "anew", "more", no_ids=True) == []

@@ -1,9 +1,8 @@
-"""What one of Python's own errors means: a tip where it is sure, none where it is not."""
+"""What one of Python's own errors means: a tip where it is certain, none where it is not."""
 
 from __future__ import annotations
 
 import math
-import re
 
 import pytest
 
@@ -15,18 +14,13 @@ from tflab.ros.time import ClockType, Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
 from tflab.workbook.diagnosis.mistake import Mistake
-from tflab.workbook.diagnosis.python_errors import TIPS, tip_for
+from tflab.workbook.diagnosis.python_errors import tip_for
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 
 from .small_chapter import bare
 
 POSE = Transform((1.0, 0.0, 0.0))
-
-
-def stamped_with_a_time():
-    point = geometry_msgs.PointStamped()
-    point.header.stamp = Time(seconds=1)
 
 
 def in_a_buffer(*args):
@@ -44,21 +38,19 @@ def looked_up():
 STUMBLES = [
     (lambda: Time(clock_type=ClockType.ROS_TIME) - Time(), "nanoseconds"),
     (lambda: POSE @ POSE.inverse, "not called"),
-    (lambda: POSE.rpy[2], "not called"),
     (lambda: POSE - POSE, "`@` joins"),
     (lambda: [1.0] - [2.0], "one by one"),
-    (lambda: (1.0, 2.0) * 0.5, "one by one"),
     (lambda: None + 1, "is None"),
     (lambda: {"x": 1.0}.x, "square brackets"),
     (lambda: "2" + 1, "float(text)"),
     (lambda: int("5.0"), "a point where a whole number"),
-    (lambda: int("5", basis=2), "of that name"),
     (lambda: Time().sec, "two kinds of Time"),
     (lambda: {["base_link"]}, "`.update(…)`"),
+    (lambda: int("5", basis=2), "of that name"),
+    (lambda: {}.append(1), "by a key"),
+    (lambda: Time().to_msg() - Time().to_msg(), "does not compute"),
     (lambda: looked_up().inverse(), "`.transform`"),
-    (lambda: POSE @ looked_up(), "`.transform`"),
     (lambda: geometry_msgs.TransformStamped().inverse(), "does not compute"),
-    (lambda: geometry_msgs.Transform() @ geometry_msgs.Transform(), "does not compute"),
     (lambda: geometry_msgs.TransformStamped().translation, "one level down"),
     (lambda: geometry_msgs.TransformStamped().frame, "three parts"),
     (lambda: geometry_msgs.PointStamped().stamp, "header"),
@@ -69,10 +61,8 @@ STUMBLES = [
     (lambda: POSE.translation.x, "places, and no names"),
     (lambda: POSE.rpy().yaw, "in this order"),
     (lambda: POSE.translation(), "Brackets behind a value"),
-    (lambda: Time().to_msg() - Time().to_msg(), "does not compute"),
     (lambda: Time().to_msg().to_msg(), "already"),
     (lambda: Time() - 5, "no number"),
-    (lambda: Time() - Time() > 0.5, "no number"),
     (lambda: (Time() - Time()).sec, "a Duration"),
     (lambda: Time(5), "`Time(nanoseconds="),
     (lambda: (5).nanoseconds, "plain number"),
@@ -85,8 +75,6 @@ STUMBLES = [
     (lambda: len(5), "no members"),
     (lambda: [{"x": 1}].__getitem__("x"), "numbers, and no names"),
     (lambda: [].add(1), "`.append("),
-    (lambda: set().append(1), "`.add("),
-    (lambda: {}.append(1), "by a key"),
     (lambda: math.sin((1.0, 2.0)), "single numbers"),
     (lambda: math.asin(1.5), "from -1 to 1"),
     (lambda: max([{"x": 1}, {"x": 2}]), "no order"),
@@ -107,29 +95,23 @@ def test_an_error_that_python_raises_here_gets_its_tip(stumble, tip):
     assert tip in tip_for(raised.type.__name__, str(raised.value)).en
 
 
-def test_a_message_that_gets_a_time_says_how_a_time_becomes_a_stamp(monkeypatch):
-    monkeypatch.setattr(field_checks, "on", True)
-    with pytest.raises(AssertionError) as raised:
-        stamped_with_a_time()
-    assert "`.to_msg()`" in tip_for("AssertionError", str(raised.value)).en
-
-
 @pytest.mark.parametrize(
     ("field", "value", "tip"),
-    [("sec", 5_000_000_000, "whole seconds"), ("sec", 5.5, "whole seconds"), ("nanosec", 0.5, "`int(…)`")],
+    [
+        ("stamp", Time(seconds=1), "`.to_msg()`"),
+        ("frame_id", 5, "takes a text"),
+        ("stamp.sec", 5_000_000_000, "whole seconds"),
+        ("stamp.sec", 5.5, "whole seconds"),
+        ("stamp.nanosec", 0.5, "`int(…)`"),
+    ],
 )
-def test_a_stamp_that_is_filled_wrongly_says_what_its_fields_hold(monkeypatch, field, value, tip):
+def test_a_field_that_is_filled_wrongly_says_what_it_takes(monkeypatch, field, value, tip):
     monkeypatch.setattr(field_checks, "on", True)
+    *owners, name = field.split(".")
+    header = geometry_msgs.PointStamped().header
     with pytest.raises(AssertionError) as raised:
-        setattr(geometry_msgs.PointStamped().header.stamp, field, value)
+        setattr(header.stamp if owners else header, name, value)
     assert tip in tip_for("AssertionError", str(raised.value)).en
-
-
-def test_a_frame_that_is_no_text_hears_that_a_text_is_wanted(monkeypatch):
-    monkeypatch.setattr(field_checks, "on", True)
-    with pytest.raises(AssertionError) as raised:
-        geometry_msgs.PointStamped().header.frame_id = 5
-    assert "takes a text" in tip_for("AssertionError", str(raised.value)).en
 
 
 def test_an_error_of_ones_own_gets_none():
@@ -138,15 +120,7 @@ def test_an_error_of_ones_own_gets_none():
     assert tip_for("AttributeError", "'Robot' object has no attribute 'x'").en == ""
     assert tip_for("AttributeError", "type object 'Transform' has no attribute 'from_ryp'").en == ""
     assert tip_for("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
-
-
-def test_however_long_an_error_is_its_tip_is_there_at_once():
-    assert tip_for("TypeError", "unsupported operand" * 100_000).en == ""
-
-
-def test_each_tip_is_said_in_both_languages():
-    for words in TIPS.values():
-        assert re.search("[가-힣]", words.ko) and not re.search("[가-힣]", words.en)
+    assert tip_for("TypeError", "unsupported operand" * 100_000).en == ""  # at once
 
 
 def test_the_verdict_on_a_function_that_stops_carries_the_tip():

@@ -57,6 +57,7 @@ def test_a_copy_from_the_wheel_is_the_copy_from_the_repository(installed: Path, 
     from_the_wheel = contents(tmp_path / "empty" / "tflab_workbook")
     assert from_the_wheel == contents(lay_out(tmp_path / "from_the_repository", "ko"))
     assert {f"exercises/ko/E{stem}.ipynb" for stem in chapters()} <= set(from_the_wheel)
+    assert "check를 통과해야만" in run(installed, tmp_path / "empty", "progress")
 
 
 def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(installed: Path) -> None:
@@ -74,22 +75,11 @@ def test_the_wheel_has_the_kernel_that_pages_run_in_and_all_that_jupyterlab_is_t
     ours = installed / "tflab" / "workbook" / "copy" / "jupyter"
     assert contents(ours) == contents(SETTINGS)
     assert json.loads(contents(ours)["kernels/python3/kernel.json"])["argv"][0] == "python"  # of whoever starts it
-
-
-def test_a_package_index_is_told_who_wrote_it(installed: Path) -> None:
-    (metadata,) = installed.glob("tflab-*.dist-info/METADATA")
-    assert message_from_string(metadata.read_text(encoding="utf-8"))["Author"] == "the authors of tflab"
-
-
-def test_a_jupyterlab_that_runs_already_finds_our_extension_where_it_looks_for_them(installed: Path) -> None:
-    (data,) = installed.glob("tflab-*.data/data/share/jupyter/labextensions/tflab")
+    (data,) = installed.glob("tflab-*.data/data/share/jupyter/labextensions/tflab")  # where a JupyterLab looks
     assert contents(data) == contents(SETTINGS / "labextensions" / "tflab")
     assert {"package.json", "static/remoteEntry.js", "static/tflab.css"} <= set(contents(data))
-
-
-def test_progress_is_shown_from_the_folder_that_holds_the_copy(installed: Path, tmp_path: Path) -> None:
-    run(installed, tmp_path, "lab")
-    assert "check를 통과해야만" in run(installed, tmp_path, "progress")
+    (metadata,) = installed.glob("tflab-*.dist-info/METADATA")
+    assert message_from_string(metadata.read_text(encoding="utf-8"))["Author"] == "the authors of tflab"
 
 
 def test_an_editable_install_is_the_repository(tmp_path: Path) -> None:

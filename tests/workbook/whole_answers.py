@@ -1,4 +1,4 @@
-"""What is said of a whole answer, as a learner writes it or as Python has it, for tests that read replies."""
+"""The verdict on a whole answer, as a learner writes it or as Python has it."""
 
 from __future__ import annotations
 
