@@ -49,7 +49,7 @@ def taken(answers: dict[str, str] | None, form: str, language: str = "en", remar
     """The chapter of a record in which a form was answered; in part, or not at all."""
     passed = len(answers or {})
     row = {"status": "right" if passed == 15 else "partly" if passed else "missing", "passed": passed, "of": 15,
-           "points": passed / 15, "most": 1.0, "slips": {}, "said": None, "remarks": []}  # fmt: skip
+           "points": passed / 15, "most": 1.0, "mistakes": {}, "said": None, "remarks": []}  # fmt: skip
     row |= {"answers": answers} if passed == 15 else {}
     return {"file": "a.ipynb", "language": language, "tasks": {FORMS[form]: row}, "remarks": list(remarks)}
 

@@ -75,7 +75,7 @@ def test_honest_work_gets_all_points_a_mistake_is_named_and_what_is_malformed_st
     records = results[1]
     assert records["s101"]["points"] == records["s101"]["most"] == 8.0
     tasks = records["s102"]["chapters"][tiny.STEM]["tasks"]
-    assert (list(tasks["E3.2"]["slips"]), tasks["E3.2"]["points"]) == (["added"], 0.0)
+    assert (list(tasks["E3.2"]["mistakes"]), tasks["E3.2"]["points"]) == (["added"], 0.0)
     assert [remark["words"]["error"] for remark in tasks["E3.1"]["remarks"]] == ["ZeroDivisionError"]
     assert tasks["E3.3"]["status"] == "unanswered"
     assert "unreadable" in remarks(records["s102"])

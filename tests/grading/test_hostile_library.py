@@ -95,9 +95,9 @@ def tasks(record: dict[str, Any]) -> dict[str, dict[str, Any]]:
 
 def undeserved_or_lost(record: dict[str, Any], recipe: hostile.Recipe) -> list[str]:
     """Return what is not as the recipe says."""
-    spoilt = {"function": "E3.3", "value": "E3.2", "slip": "E3.3", "": ""}[recipe.spoils]
+    spoilt = {"function": "E3.3", "value": "E3.2", "mistake": "E3.3", "": ""}[recipe.spoils]
     rows = tasks(record)
-    undeserved = bool(spoilt) and recipe.spoils != "slip" and rows[spoilt]["points"]
+    undeserved = bool(spoilt) and recipe.spoils != "mistake" and rows[spoilt]["points"]
     found = [f"{spoilt}: {rows[spoilt]['points']} points for {recipe.name}"] if undeserved else []
     if recipe.keeps in ("all", "others"):
         lost = [task for task, row in rows.items() if task != spoilt and row["points"] < row["most"]]

@@ -42,7 +42,7 @@ def test_what_the_solution_gives_gets_all_points_and_a_mistake_is_named(tasks: d
     mark = judged(task_id, tasks[task_id], expected(tasks[task_id]))
     assert (mark.status, mark.points, mark.remarks) == ("right", tasks[task_id]["points"], ())
     mark = judged(task_id, tasks[task_id], twin(tasks[task_id], name))
-    assert (mark.status, mark.points, list(mark.slips)) == ("wrong", 0.0, [name])
+    assert (mark.status, mark.points, list(mark.mistakes)) == ("wrong", 0.0, [name])
 
 
 def test_points_are_for_each_probe(tasks: dict) -> None:

@@ -30,7 +30,7 @@ def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("language", ["en", "ko"])
-def test_check_and_both_pages_of_a_class_say_of_a_slip_the_same_words(pack: Pack, language: str) -> None:
+def test_check_and_both_pages_of_a_class_say_of_a_mistake_the_same_words(pack: Pack, language: str) -> None:
     task = pack.for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
     got = {place: task["cases"][number]["wrong"]["added"] for place, number in enumerate(asks_of(task))}
     mark = judged("E3.2", task, got)

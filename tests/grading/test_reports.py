@@ -33,8 +33,8 @@ def titles(course: tiny.Course) -> dict[str, dict[str, Text]]:
 def record(learner: str = "s101", twin: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
     row = {"status": "wrong" if twin else "right", "passed": 0 if twin else 8, "of": 8, "most": 4.0, "remarks": []}
     said = {"en": "You added the legs.", "ko": "두 변을 더했습니다."}
-    slips = {twin: {"reply": said, "misconception": "M1", "part": "", "partly": False}} if twin else {}
-    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "slips": slips, "said": said if twin else None}}
+    mistakes = {twin: {"reply": said, "misconception": "M1", "part": "", "partly": False}} if twin else {}
+    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "mistakes": mistakes, "said": said if twin else None}}
     return {
         "learner": learner, "name": "", "language": language, "handed_in": True, "remarks": [], "seconds": 0.1,
         "chapters": {tiny.STEM: {"file": "a.ipynb", "tasks": tasks, "remarks": []}},

@@ -9,7 +9,7 @@ import pytest
 from tflab.workbook import checks
 from tflab.workbook.answers.values import to_plain
 
-from .whole_answers import slips_of, task_of, verdict_on
+from .whole_answers import mistakes_of, task_of, verdict_on
 
 # -- chapter 9 ------------------------------------------------------------------------
 
@@ -31,7 +31,7 @@ def classify(buffer, target, source, stamp):
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "slips"),
+    ("old", "new", "mistakes"),
     [
         ('"into the ', '"in the ', ["no text is read"]),
         ("except ", "except KeyError or ", ["nothing is caught"]),
@@ -42,10 +42,10 @@ def classify(buffer, target, source, stamp):
         ),
     ],
 )
-def test_how_a_refusal_is_classified_wrongly_is_told(old, new, slips):
+def test_how_a_refusal_is_classified_wrongly_is_told(old, new, mistakes):
     assert old in CLASSIFY
-    assert slips_of("E9.2", CLASSIFY) == []
-    assert slips_of("E9.2", CLASSIFY.replace(old, new)) == slips
+    assert mistakes_of("E9.2", CLASSIFY) == []
+    assert mistakes_of("E9.2", CLASSIFY.replace(old, new)) == mistakes
 
 
 def test_whoever_looks_at_the_names_first_is_not_told_for_sure_that_they_are_turned_round():
@@ -74,7 +74,7 @@ def decide(buffer, message):
 
 
 @pytest.mark.parametrize(
-    ("changes", "slips"),
+    ("changes", "mistakes"),
     [
         ({"200_000_000": "0.2"}, ["never waits"]),
         ({"behind <=": "-behind <="}, ["waits however far"]),
@@ -90,18 +90,18 @@ def decide(buffer, message):
         ),
     ],
 )
-def test_why_a_decision_is_wrong_is_told_by_its_cause(changes, slips):
+def test_why_a_decision_is_wrong_is_told_by_its_cause(changes, mistakes):
     source = DECIDE
     for old, new in changes.items():
         assert old in source
         source = source.replace(old, new)
-    assert sorted(slips_of("E9.3", source)) == sorted(slips)
+    assert sorted(mistakes_of("E9.3", source)) == sorted(mistakes)
 
 
 def test_that_no_branch_waits_for_the_past_is_said_without_calling_a_single_sample_old():
     waits = DECIDE.replace('return "drop"', 'return "wait"')
     verdict = verdict_on("E9.3", waits)
-    assert list(verdict.slips) == ["waits for the past"]
+    assert list(verdict.mistakes) == ["waits for the past"]
     assert "older than everything" not in verdict.said.en
 
 
@@ -114,20 +114,20 @@ def keep(stamps_s, now_s, max_age_s, max_size):
 
 
 @pytest.mark.parametrize(
-    ("test", "slips"),
+    ("test", "mistakes"),
     [
         ("abs(now_s - s) <= max_age_s", ["age by its size"]),
         ("now_s - s <= max_age_s", ["future kept"]),
         ("0 <= round(now_s - s, 1) <= max_age_s", ["everything rounded"]),
     ],
 )
-def test_what_a_queue_keeps_too_much_is_told(test, slips):
-    assert slips_of("E9.5", KEEP.replace("0 <= now_s - s <= max_age_s", test)) == slips
+def test_what_a_queue_keeps_too_much_is_told(test, mistakes):
+    assert mistakes_of("E9.5", KEEP.replace("0 <= now_s - s <= max_age_s", test)) == mistakes
 
 
 def test_two_limits_that_are_left_out_are_both_named():
     both = KEEP.replace("0 <= now_s - s <= max_age_s", "0 < now_s - s < max_age_s")
-    assert sorted(slips_of("E9.5", both)) == ["now is the future", "the limit is too old"]
+    assert sorted(mistakes_of("E9.5", both)) == ["now is the future", "the limit is too old"]
 
 
 DELAYS = """
@@ -142,13 +142,13 @@ for name in "abc":
 
 
 def test_what_a_delay_shows_is_told_to_whoever_leaves_it_open():
-    for cause, slips in (
+    for cause, mistakes in (
         ("FAST if is_early else LATE if trembles else OPEN", []),
         ("OPEN", ["always open"]),
         ("OPEN if is_early or not trembles else LATE", ["sign overlooked"]),
     ):
         for variant in range(6):
-            assert slips_of("E9.4", DELAYS % cause, variant) == slips
+            assert mistakes_of("E9.4", DELAYS % cause, variant) == mistakes
     said = verdict_on("E9.4", DELAYS % "OPEN if is_early or not trembles else LATE").said
     assert "/odom" in said.en
 
@@ -172,16 +172,16 @@ wait_s = max(period(s) + late(s) for s in sources) {} given.scan_delay_s
 @pytest.mark.parametrize("variant", range(2))
 def test_a_wait_of_which_two_things_are_wrong_is_not_called_by_one_that_comes_near(variant):
     no_period = "lambda s: 0.0, lambda s: s['delay_s'] + s['jitter_s']"
-    assert slips_of("E9.7", WAIT.format(no_period, "+"), variant) == ["period forgotten", "scan's delay added"]
+    assert mistakes_of("E9.7", WAIT.format(no_period, "+"), variant) == ["period forgotten", "scan's delay added"]
     both = "lambda s: 1 / s['rate_hz'], lambda s: s['delay_s'] + s['jitter_s']"
     mean = WAIT.format(both, "-").replace("max(", "0.5 * sum(")
-    assert slips_of("E9.7", mean, variant) == ["mean of the edges"]
+    assert mistakes_of("E9.7", mean, variant) == ["mean of the edges"]
 
-    assert slips_of("E9.7", WAIT.format(both, "-"), variant) == []
+    assert mistakes_of("E9.7", WAIT.format(both, "-"), variant) == []
     for margin in (" + 0.05", " + 0.1"):
-        assert slips_of("E9.7", WAIT.format(both, "-").rstrip() + margin, variant) == []
+        assert mistakes_of("E9.7", WAIT.format(both, "-").rstrip() + margin, variant) == []
     less = WAIT.format(both.replace("s['delay_s'] +", "-s['delay_s'] +"), "-")
-    assert slips_of("E9.7", less.replace("for s in sources", "for s in sources[:1]"), variant) == ["delay taken off"]
+    assert mistakes_of("E9.7", less.replace("for s in sources", "for s in sources[:1]"), variant) == ["delay taken off"]
 
 
 # -- chapter 10 -----------------------------------------------------------------------
@@ -199,22 +199,22 @@ def clock_of(params, nodes):
 
 
 @pytest.mark.parametrize(
-    ("test", "slips"),
+    ("test", "mistakes"),
     [
         ("value is True or value == 'true'", ["true in quotes"]),
         ("value in (True, 'true')", ["true in quotes, and 1"]),
         ("value is True", []),
     ],
 )
-def test_a_true_in_quotes_is_told_whatever_word_was_drawn(test, slips):
+def test_a_true_in_quotes_is_told_whatever_word_was_drawn(test, mistakes):
     for variant in range(4):
-        assert slips_of("E10.4", CLOCK_OF % test, variant) == slips
+        assert mistakes_of("E10.4", CLOCK_OF % test, variant) == mistakes
 
 
 def test_a_general_entry_that_stands_for_all_nodes_is_one_mistake():
     old = '("/**", node.lstrip("/"), node)'
     alone = (CLOCK_OF % "value is True").replace(old, '(("/**",) if "/**" in params else (node.lstrip("/"), node))')
-    assert slips_of("E10.4", alone) == ["everyone alone"]
+    assert mistakes_of("E10.4", alone) == ["everyone alone"]
 
 
 # -- chapter 11 -----------------------------------------------------------------------
@@ -231,19 +231,19 @@ def read_monitor(report, static_frames):
 
 
 @pytest.mark.parametrize(
-    ("changes", "slips"),
+    ("changes", "mistakes"),
     [
         ({r"Max Delay: (\S+)": r"Max Delay: ([\d.]+)"}, ["exponent lost of frames"]),
         ({"float(most)": "most"}, ["compared as text"]),
         ({"if avg < 0": "if most <= 0"}, ["max for average"]),
     ],
 )
-def test_which_figure_of_a_report_was_read_and_how_is_told(changes, slips):
+def test_which_figure_of_a_report_was_read_and_how_is_told(changes, mistakes):
     source = READ_MONITOR
     for old, new in changes.items():
         assert old in source
         source = source.replace(old, new)
-    assert slips_of("E11.6", source) == slips
+    assert mistakes_of("E11.6", source) == mistakes
 
 
 # -- chapter 12 -----------------------------------------------------------------------

@@ -11,7 +11,7 @@ from tflab.core import ConnectivityException, Transform
 from tflab.ros.time import Time
 from tflab.workbook.diagnosis.mistake import Mistake
 
-from .whole_answers import slips_of, verdict_on
+from .whole_answers import mistakes_of, verdict_on
 
 # -- chapter 1 ------------------------------------------------------------------------
 
@@ -36,7 +36,7 @@ def exact(stamp, now):
 
 
 @pytest.mark.parametrize(
-    ("judge", "slips"),
+    ("judge", "mistakes"),
     [
         (reader(exact, is_old=lambda age, limit: round(age - limit, 10) > 0), []),
         (reader(lambda stamp, now: now.nanoseconds // 10**9 - stamp.sec, is_old=lambda age, limit: age >= limit),
@@ -44,8 +44,8 @@ def exact(stamp, now):
         (reader(exact, is_old=lambda age, limit: age > limit * 1e9), ["no look back"]),
     ],
 )  # fmt: skip
-def test_a_reader_is_told_what_its_verdicts_show(judge, slips):
-    assert slips_of("E1.3", judge) == slips
+def test_a_reader_is_told_what_its_verdicts_show(judge, mistakes):
+    assert mistakes_of("E1.3", judge) == mistakes
 
 
 def on_arrival(given, age_s):
@@ -53,16 +53,16 @@ def on_arrival(given, age_s):
 
 
 @pytest.mark.parametrize(
-    ("age", "slip"),
+    ("age", "mistake"),
     [
         (lambda s, a: abs(a[1] - s[1]) / 1e9, "nanosec alone, without sign"),
         (lambda s, a: a[0] - s[0] + (s[1] - a[1]) / 1e9, "without borrowing"),
     ],
 )
-def test_an_age_is_told_by_what_went_into_it(age, slip):
+def test_an_age_is_told_by_what_went_into_it(age, mistake):
     verdict = verdict_on("E1.4", lambda given: on_arrival(given, age(given.stamp, given.arrived)))
-    assert list(verdict.slips) == [slip]
-    assert "below zero" not in verdict.said.en or slip != "nanosec alone, without sign"
+    assert list(verdict.mistakes) == [mistake]
+    assert "below zero" not in verdict.said.en or mistake != "nanosec alone, without sign"
 
 
 # -- chapter 2 ------------------------------------------------------------------------
@@ -73,28 +73,28 @@ SIGNS = {"angular_z_turning_left": "positive", "pitch_nose_down": "positive", "y
 
 
 @pytest.mark.parametrize(
-    ("turned", "slips"),
+    ("turned", "mistakes"),
     [
         (("angular_z_turning_left", "y_right_in_base_link"), ["left hand"]),
         (("angular_z_turning_left", "y_above_in_optical_frame"), ["compass", "y up in the picture"]),
     ],
 )
-def test_signs_that_come_of_one_thought_are_told_it_together(turned, slips):
+def test_signs_that_come_of_one_thought_are_told_it_together(turned, mistakes):
     other = {"positive": "negative", "negative": "positive"}
     signs = {name: other[sign] if name in turned else sign for name, sign in SIGNS.items()}
-    assert slips_of("E2.1", lambda given: signs) == slips
+    assert mistakes_of("E2.1", lambda given: signs) == mistakes
 
 
 @pytest.mark.parametrize(
-    ("places", "slips"),
+    ("places", "mistakes"),
     [
         (lambda x, y, z: (x, z, y), ["put together: x, z, y"]),
         (lambda x, y, z: (math.sqrt(z * z - x * x - y * y), -x, -y), ["depth of a ray"]),
         (lambda x, y, z: (z, -x, -y), []),
     ],
 )
-def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places, slips):
-    assert slips_of("E2.2", lambda given: places(*given.optical_p_part)) == slips
+def test_numbers_of_the_picture_in_other_places_are_told_by_their_places(places, mistakes):
+    assert mistakes_of("E2.2", lambda given: places(*given.optical_p_part)) == mistakes
 
 
 @pytest.mark.parametrize(
@@ -115,7 +115,7 @@ def about_z(z, w):
 
 
 @pytest.mark.parametrize(
-    ("of_yaw", "slips"),
+    ("of_yaw", "mistakes"),
     [
         (lambda yaw: about_z(math.sqrt((1 - math.cos(yaw)) / 2), math.sqrt((1 + math.cos(yaw)) / 2)),
          ["no sign at all"]),
@@ -123,8 +123,8 @@ def about_z(z, w):
         (lambda yaw: about_z(math.sin(yaw / 2), math.cos(yaw / 2)) if yaw else (0.0,) * 4, ["zeros for no turn"]),
     ],
 )  # fmt: skip
-def test_a_quaternion_of_a_yaw_is_told_what_became_of_its_signs_and_halves(of_yaw, slips):
-    assert slips_of("E2.3", of_yaw) == slips
+def test_a_quaternion_of_a_yaw_is_told_what_became_of_its_signs_and_halves(of_yaw, mistakes):
+    assert mistakes_of("E2.3", of_yaw) == mistakes
 
 
 def customs(
@@ -155,7 +155,7 @@ def scaled_first(q):
 
 
 @pytest.mark.parametrize(
-    ("judge", "slips"),
+    ("judge", "mistakes"),
     [
         (customs(), []),
         (customs(is_first=lambda q: abs(q[0]) > abs(q[3])), ["x over w"]),
@@ -167,8 +167,8 @@ def scaled_first(q):
         (lambda q: customs()(q) if all(map(math.isfinite, q[:3])) else "nan", []),
     ],
 )
-def test_an_officer_is_told_which_question_is_another(judge, slips):
-    assert slips_of("E2.4", judge) == slips
+def test_an_officer_is_told_which_question_is_another(judge, mistakes):
+    assert mistakes_of("E2.4", judge) == mistakes
 
 
 def test_a_verdict_that_is_never_returned_is_told_by_its_name():
@@ -200,7 +200,7 @@ def test_the_angles_of_the_right_turn_are_no_quaternion():
         pitch, yaw = Transform.from_rpy(pitch=given.then_pitch_rad), Transform.from_rpy(yaw=given.first_yaw_rad)
         return (pitch @ yaw).rpy()
 
-    assert slips_of("E2.5", lambda given: (*angles(given), 1.0)) == ["angles for a quaternion"]
+    assert mistakes_of("E2.5", lambda given: (*angles(given), 1.0)) == ["angles for a quaternion"]
     three = verdict_on("E2.5", angles)
     assert three.mistake is Mistake.SHAPE and "as `.rpy()` gives them" in three.detail["tip"].en
     for row, said in (
@@ -234,14 +234,14 @@ def with_the_new_x(u, v, a):
 
 
 @pytest.mark.parametrize(
-    ("turn", "slips"),
+    ("turn", "mistakes"),
     [
         (lambda u, v, a: (u * math.cos(a) - v * math.sin(a), u * math.sin(a) + v * math.cos(a)), []),
         (with_the_new_x, ["both new x"]),
     ],
 )  # fmt: skip
-def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, slips):
-    assert slips_of("E3.2", by_hand(turn)) == slips
+def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, mistakes):
+    assert mistakes_of("E3.2", by_hand(turn)) == mistakes
 
 
 def echoed_back(back):
@@ -258,15 +258,15 @@ def echoed_back(back):
 
 
 @pytest.mark.parametrize(
-    ("back", "slips"),
+    ("back", "mistakes"),
     [
         (lambda x, y, z, s, c: (-x * c - y * s, x * s - y * c, -z), []),
         (lambda x, y, z, s, c: (-x * c - y * s, (-x * c - y * s) * s - y * c, -z), ["new x, taken off"]),
         (lambda x, y, z, s, c: (-x * c, -y * c, z), ["cosines alone, height kept"]),
     ],
 )
-def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, slips):
-    assert slips_of("E3.5", echoed_back(back)) == slips
+def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, mistakes):
+    assert mistakes_of("E3.5", echoed_back(back)) == mistakes
 
 
 def test_a_way_back_right_in_all_but_that_it_writes_into_what_it_got_is_told_so():
@@ -282,7 +282,7 @@ def test_a_way_back_right_in_all_but_that_it_writes_into_what_it_got_is_told_so(
 def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     calls = {"a": ["map", "laser_frame"], "b": [same, same], "c": ["base_link", "camera_link"],
              "d": ["laser_frame", "base_link"]}  # fmt: skip
-    assert slips_of("E3.1", lambda given: calls) == [f"b[{int(same == 'base_link')}]: {same}"]
+    assert mistakes_of("E3.1", lambda given: calls) == [f"b[{int(same == 'base_link')}]: {same}"]
 
 
 @pytest.mark.parametrize(
@@ -314,9 +314,9 @@ def test_a_path_that_was_reversed_is_told_apart_from_one_that_goes_up_to_the_roo
         rest = up[:-1] if to_the_root and target != source else up[: up.index(top)]
         return [(frame, "up") for frame in rest] + [(frame, "down") for frame in reversed(down[: down.index(top)])]
 
-    assert slips_of("E4.3", path) == []
-    assert slips_of("E4.3", lambda *asked: path(*asked)[::-1]) == ["reversed"]
-    assert slips_of("E4.3", partial(path, to_the_root=True)) == ["up to the root"]
+    assert mistakes_of("E4.3", path) == []
+    assert mistakes_of("E4.3", lambda *asked: path(*asked)[::-1]) == ["reversed"]
+    assert mistakes_of("E4.3", partial(path, to_the_root=True)) == ["up to the root"]
 
 
 def test_a_first_pose_that_is_not_turned_still_has_its_step():

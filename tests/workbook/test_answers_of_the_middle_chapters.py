@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from .whole_answers import slips_of, verdict_on
+from .whole_answers import mistakes_of, verdict_on
 
 # -- chapter 8 ------------------------------------------------------------------------
 
@@ -31,7 +31,7 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
 
 
 @pytest.mark.parametrize(
-    ("changes", "slips"),
+    ("changes", "mistakes"),
     [
         ({}, []),
         ({"turn -= math.tau": "turn -= math.pi", "turn += math.tau": "turn += math.pi"}, ["what is left over of pi"]),
@@ -48,7 +48,7 @@ BELOW = "    if turn < -math.pi:\n        turn += math.tau\n"
         ({"(t0, x0, y0, a0), (t1, x1, y1, a1)": "(t0, a0, x0, y0), (t1, a1, x1, y1)"}, ["yaw before x"]),
     ],
 )
-def test_between_two_samples(changes, slips):
+def test_between_two_samples(changes, mistakes):
     source = BETWEEN
     marks = {old: f"<{number}>" for number, old in enumerate(changes)}  # one may hold what another is replaced by
     for old, mark in marks.items():
@@ -56,7 +56,7 @@ def test_between_two_samples(changes, slips):
         source = source.replace(old, mark)
     for old, new in changes.items():
         source = source.replace(marks[old], new)
-    assert slips_of("E8.2", source) == slips
+    assert mistakes_of("E8.2", source) == mistakes
 
 
 ON_THE_MAP = """
@@ -88,7 +88,7 @@ def test_whoever_is_always_refused_is_told_for_which_moment_the_buffer_was_asked
 def test_what_was_moved_and_not_kept_is_told_so(result):
     source = ON_THE_MAP.replace("return do_transform_point(message, buffer", "transform = buffer").rstrip().rstrip(")")
     source = source.format(source=OWN, time=AT) + f")\n    return {result}\n"
-    assert slips_of("E8.3", source) == ["nothing moved"]
+    assert mistakes_of("E8.3", source) == ["nothing moved"]
 
 
 def test_a_refusal_that_is_swallowed_is_named_though_most_lookups_are_refused():
@@ -96,11 +96,11 @@ def test_a_refusal_that_is_swallowed_is_named_though_most_lookups_are_refused():
     source = ON_THE_MAP.format(source=OWN, time="stamp").replace(
         "    return", f"{lookup}        return None\n    return"
     )
-    assert slips_of("E8.3", source) == ["swallows the refusal"]
+    assert mistakes_of("E8.3", source) == ["swallows the refusal"]
 
 
 @pytest.mark.parametrize(
-    ("source", "time", "slips"),
+    ("source", "time", "mistakes"),
     [
         (OWN, AT, []),
         (OWN, "Time(seconds=stamp.sec)", ["sec alone"]),
@@ -108,22 +108,22 @@ def test_a_refusal_that_is_swallowed_is_named_though_most_lookups_are_refused():
          ["now", "falls back on latest"]),
     ],
 )  # fmt: skip
-def test_a_point_onto_the_map(source, time, slips):
-    assert slips_of("E8.3", ON_THE_MAP.format(source=source, time=time)) == slips
+def test_a_point_onto_the_map(source, time, mistakes):
+    assert mistakes_of("E8.3", ON_THE_MAP.format(source=source, time=time)) == mistakes
 
 
 def test_a_point_left_in_odom_and_called_map_is_told_apart_from_one_that_says_odom():
     left = ON_THE_MAP.format(source=OWN, time=AT).replace('"map"', '"odom"')
-    assert slips_of("E8.3", left) == ["left in odom"]
+    assert mistakes_of("E8.3", left) == ["left in odom"]
     called = left.replace("return do", "moved = do") + '    moved.header.frame_id = "map"\n    return moved\n'
-    assert slips_of("E8.3", called) == ["odom called map"]
+    assert mistakes_of("E8.3", called) == ["odom called map"]
 
 
-@pytest.mark.parametrize(("of_map", "of_the_rest", "slip"), [("now", AT, "map of now"), (AT, "now", "robot of now")])
-def test_two_moments_on_one_way_are_told_apart(of_map, of_the_rest, slip):
+@pytest.mark.parametrize(("of_map", "of_the_rest", "mistake"), [("now", AT, "map of now"), (AT, "now", "robot of now")])
+def test_two_moments_on_one_way_are_told_apart(of_map, of_the_rest, mistake):
     lookup = f'full("map", {of_map}, {OWN}, {of_the_rest}, "odom")'
     source = ON_THE_MAP.replace('("map", {source}, {time})', f"_{lookup}")
-    assert slip in slips_of("E8.3", source)
+    assert mistake in mistakes_of("E8.3", source)
 
 
 LATE_ERROR = """
@@ -136,21 +136,21 @@ LEFT = "given.range_m * math.radians(given.yaw_rate_degps) * delay_s"
 
 
 @pytest.mark.parametrize(
-    ("delay", "left", "slips"),
+    ("delay", "left", "mistakes"),
     [
         (1000, LEFT, []),
         (100, "given.range_m * given.yaw_rate_degps * delay_s", ["hundredths", "degrees"]),
         (1e6, "given.range_m * given.yaw_rate_degps * delay_s", ["microseconds", "degrees"]),
     ],
 )
-def test_how_far_off(delay, left, slips):
+def test_how_far_off(delay, left, mistakes):
     source = LATE_ERROR.format(delay=delay, left=left, together="math.hypot(forwards_m, left_m)")
-    assert slips_of("E8.4", source) == slips
+    assert mistakes_of("E8.4", source) == mistakes
 
 
 @pytest.mark.parametrize("variant", range(2))
 @pytest.mark.parametrize(
-    ("more", "slips"),
+    ("more", "mistakes"),
     [
         ("1 / min(rates)", []),
         ("0.1 * given.thinking_s", ["1.1 times the thinking time"]),
@@ -159,9 +159,9 @@ def test_how_far_off(delay, left, slips):
         ("math.ceil(given.thinking_s * min(rates)) + 1 - given.thinking_s", ["count of min samples, and 1"]),
     ],
 )
-def test_how_long_it_must_remember(more, slips, variant):
+def test_how_long_it_must_remember(more, mistakes, variant):
     source = f"rates = given.rate_hz.values()\ncache_time_s = given.thinking_s + {more}"
-    assert slips_of("E8.6", source, variant) == slips
+    assert mistakes_of("E8.6", source, variant) == mistakes
 
 
 def test_a_duration_for_the_seconds_hears_what_is_wrong_with_them_too():
@@ -169,7 +169,7 @@ def test_a_duration_for_the_seconds_hears_what_is_wrong_with_them_too():
 from rclpy.duration import Duration
 cache_time_s = Duration(seconds=given.thinking_s + 1 / max(given.rate_hz.values()))
 """
-    assert slips_of("E8.6", source) == ["the fast lane", "no number"]
+    assert mistakes_of("E8.6", source) == ["the fast lane", "no number"]
 
 
 # -- chapters 5 to 7 ------------------------------------------------------------------
@@ -177,12 +177,12 @@ cache_time_s = Duration(seconds=given.thinking_s + 1 / max(given.rate_hz.values(
 
 @pytest.mark.parametrize("variant", range(2))
 @pytest.mark.parametrize(
-    ("age", "slips"),
+    ("age", "mistakes"),
     [
         ("delay / given.speed_mps", []),
         ("1 / given.rate_hz + delay / 2", ["half the delay"]),
     ],
 )
-def test_how_far_a_bolt_falls_behind(age, slips, variant):
+def test_how_far_a_bolt_falls_behind(age, mistakes, variant):
     source = f"delay = given.delay_ms / 1000\nworst_error_m = given.speed_mps * ({age})"
-    assert slips_of("E6.6", source, variant) == slips
+    assert mistakes_of("E6.6", source, variant) == mistakes

@@ -101,7 +101,7 @@ def test_arguments_are_fresh_copies(copy, capsys):
     assert len(seen) == 8
 
 
-def test_parts_have_credit_and_a_slip_in_one_is_named(copy, capsys):
+def test_parts_have_credit_and_a_mistake_in_one_is_named(copy, capsys):
     assert said(capsys, "E3.3", {"target": "laser", "source": "map"}).startswith("E3.3 ✗ 0/2: turned round")
     assert said(capsys, "E3.3", {"target": "map", "source": "map"}).startswith('E3.3 ✗ 1/2: "source": turned round')
     assert '"source"' in said(capsys, "E3.3", {"target": "map"})

@@ -55,13 +55,13 @@ NEGATED = [({"x": x, "yaw": yaw}, planar(-x, -yaw)) for x, yaw in POSES]
         (lambda pose: {"x": -pose["x"], "yaw": -pose["yaw"]}, 8, None),
         (lambda pose: {"x": 0.0, "yaw": 0.0}, 0, "constant"),
         (lambda pose: dict(pose), 0, "echo"),
-        (lambda pose: {"x": -pose["x"], "yaw": 0.0}, 4, "slip"),  # the x is understood
+        (lambda pose: {"x": -pose["x"], "yaw": 0.0}, 4, "known"),  # the x is understood
         (lambda pose: {"x": pose["x"] ** 2, "yaw": -pose["yaw"]}, 4, "parts"),  # 0 ** 2 shows nothing
-        (lambda pose: {"x": -pose["x"], "yaw": pose["yaw"]}, 4, "slip"),  # neither does a yaw of 0
+        (lambda pose: {"x": -pose["x"], "yaw": pose["yaw"]}, 4, "known"),  # neither does a yaw of 0
         (
             lambda pose: {"x": -pose["x"] if pose["x"] < 2 else 9.0, "yaw": 9.0},
             2,
-            "slip",
+            "known",
         ),  # two different ones do; a yaw that is always the same is told so
     ],
 )

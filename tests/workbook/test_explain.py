@@ -40,7 +40,7 @@ def words(text, **more):
 
 
 def judged(form, expected, twins, answer, said=None):
-    """Return the verdict on one value, where `twins` gives the value of each slip and of each two."""
+    """Return the verdict on one value, where `twins` gives the value of each mistake and of each two."""
     plain = {name: to_plain(value) for name, value in twins.items()}
     case = Case(None, to_plain(expected), {name: value for name, value in plain.items() if " + " not in name})
     task, variant = bare(form, case)
@@ -65,46 +65,46 @@ def judged(form, expected, twins, answer, said=None):
     ],
 )
 def test_what_any_answer_can_have_wrong_is_named_and_a_neighbour_is_not(form, right, wrong, name):
-    assert list(judged(form, right, {}, wrong).slips) == [name]
+    assert list(judged(form, right, {}, wrong).mistakes) == [name]
     shifted = wrong * 1.3 if isinstance(wrong, float) else (*wrong[:-1], wrong[-1] + 0.3)
-    assert name not in judged(form, right, {}, shifted).slips
+    assert name not in judged(form, right, {}, shifted).mistakes
     assert judged(form, right, {}, right).mistake is None
 
 
 def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_the_inverse():
     there = Transform.from_rpy(0.1, 0.2, 0.7, translation=(1.0, 2.0, 3.0))
     half = Transform((-1.0, -2.0, -3.0), there.rotation)
-    assert list(judged(Pose(), there.inverse(), {}, half).slips) == ["not turned back"]
-    assert list(judged(Pose(), there.inverse(), {}, there).slips) == ["inverse transform"]
+    assert list(judged(Pose(), there.inverse(), {}, half).mistakes) == ["not turned back"]
+    assert list(judged(Pose(), there.inverse(), {}, there).mistakes) == ["inverse transform"]
     beside = Transform((-1.0, -2.0, -3.3), there.rotation)
-    assert list(judged(Pose(), there.inverse(), {}, beside).slips) == ["inverse rotation"]
+    assert list(judged(Pose(), there.inverse(), {}, beside).mistakes) == ["inverse rotation"]
     assert judged(Pose(), there.inverse(), {}, beside).said.en.startswith('"rotation": this is the inverse rotation')
 
 
 def test_one_mistake_comes_before_two_and_two_are_named_in_the_order_of_the_work():
     verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.25}, 7.25)
-    assert list(verdict.slips) == ["late", "far"]
+    assert list(verdict.mistakes) == ["late", "far"]
     assert verdict.said.en == "Two things together give just this. First: late Then: far"
-    assert list(judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 2.0}, 2.0).slips) == ["late"]
-    assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).slips) == ["backwards"]  # and not "sign"
-    assert list(judged(Number("m"), 1.0, {"late": 2.512}, 2512.0).slips) == ["late", "unit mm"]
+    assert list(judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 2.0}, 2.0).mistakes) == ["late"]
+    assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).mistakes) == ["backwards"]  # and not "sign"
+    assert list(judged(Number("m"), 1.0, {"late": 2.512}, 2512.0).mistakes) == ["late", "unit mm"]
 
 
 @pytest.mark.parametrize(
-    ("answer", "slips"),
+    ("answer", "mistakes"),
     [(2.5, ["late"]), (1000.0, ["unit mm"]), (-1.0, ["sign"]), (3.5, []), (2500.0, []), (2.0, []), (5.0, [])],
 )
-def test_a_number_of_two_digits_shows_one_exact_mistake_at_most(answer, slips):
+def test_a_number_of_two_digits_shows_one_exact_mistake_at_most(answer, mistakes):
     form, twins = Number("m", tolerance=0.05), {"late": 2.5, "far": 3.52, "far + late": 5.0}
-    assert list(judged(form, 1.0, twins, answer).slips) == slips
+    assert list(judged(form, 1.0, twins, answer).mistakes) == mistakes
 
 
-@pytest.mark.parametrize(("answer", "slips"), [(5.2, ["rounded"]), (5.1, []), (5.0, []), (5.19, [])])
-def test_a_number_is_called_rounded_only_if_the_right_one_rounds_to_it(answer, slips):
-    assert list(judged(Number("s"), 5.1957, {}, answer).slips) == slips
+@pytest.mark.parametrize(("answer", "mistakes"), [(5.2, ["rounded"]), (5.1, []), (5.0, []), (5.19, [])])
+def test_a_number_is_called_rounded_only_if_the_right_one_rounds_to_it(answer, mistakes):
+    assert list(judged(Number("s"), 5.1957, {}, answer).mistakes) == mistakes
 
 
-def test_each_part_may_have_a_slip_of_its_own():
+def test_each_part_may_have_a_mistake_of_its_own():
     right = {"a": 1.0, "b": 2.0, "c": 3.0}
     twins = {"first": right | {"a": 5.0}, "last": right | {"c": 7.0}}
     verdict = judged(PARTS, right, twins, {"a": 5.0, "b": -2.0, "c": 7.0})
@@ -117,7 +117,7 @@ def test_two_beliefs_each_held_in_some_parts_are_both_named():
     twins = {"sensor first": dict.fromkeys(right, "cable"), "waiting cures": dict.fromkeys(right, "wait")}
     said = {name: words(name, partly=True) for name in twins}
     verdict = judged(form, right, twins, right | {"first": "wait", "second": "cable", "fourth": "cable"}, said)
-    assert (list(verdict.slips), verdict.passed) == (["waiting cures", "sensor first"], 1)
+    assert (list(verdict.mistakes), verdict.passed) == (["waiting cures", "sensor first"], 1)
     assert verdict.said.en == '"first": waiting cures "second", "fourth": sensor first'
 
 
@@ -127,7 +127,7 @@ ANOTHER_A = '"b": this is what would follow from another "a" than the one you gi
 
 
 @pytest.mark.parametrize(
-    ("late", "more", "answer", "slips", "said", "passed"),
+    ("late", "more", "answer", "mistakes", "said", "passed"),
     [
         (LATE, {"part": "a"}, LATE, ["late"], "late", 2),  # b only follows, which costs nothing
         (LATE, {"part": "a"}, LATE | {"b": 6.5}, ["late"], "late", 1),
@@ -140,17 +140,17 @@ ANOTHER_A = '"b": this is what would follow from another "a" than the one you gi
     ],
 )
 def test_a_mistake_is_named_by_its_part_and_what_only_follows_from_it_costs_nothing(
-    late, more, answer, slips, said, passed
+    late, more, answer, mistakes, said, passed
 ):
     verdict = judged(PARTS, RIGHT, {"late": late}, answer, {"late": words("late", **more)})
-    assert (list(verdict.slips), verdict.passed) == (slips, passed)
+    assert (list(verdict.mistakes), verdict.passed) == (mistakes, passed)
     assert not said or said in verdict.said.en
 
 
 def test_words_that_are_confused_in_lists_are_named():
     form = Sequence(Choice(("sim", "wall", "off")))
     asked = [(["sim", "off"], ["sim", "sim"]), (["off", "wall"], ["sim", "wall"])]
-    assert list(judged_function(form, asked).slips) == ["sim for off"]
+    assert list(judged_function(form, asked).mistakes) == ["sim for off"]
 
 
 def test_an_option_says_what_it_would_mean_and_then_what_there_is_to_see():
@@ -164,7 +164,7 @@ def test_an_option_says_what_it_would_mean_and_then_what_there_is_to_see():
             assert verdict.said.en == '"a": It would stay. It goes.'
 
 
-def test_a_slip_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
+def test_a_mistake_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
     def point(frame, x):
         message = geometry_msgs.PointStamped()
         message.header.frame_id, message.point.x = frame, x
@@ -173,7 +173,7 @@ def test_a_slip_is_named_though_the_labels_of_its_message_were_put_right_by_hand
     form = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
     asked = [(point("map", x), point("map", 7.3 * x)) for x in (1.0, 2.0)]
     twins = {"left": [point("odom", 7.3 * x) for x in (1.0, 2.0)]}
-    assert list(judged_function(form, asked, twins).slips) == ["left"]
+    assert list(judged_function(form, asked, twins).mistakes) == ["left"]
 
 
 @pytest.mark.parametrize(
@@ -237,7 +237,7 @@ def test_a_function_that_changes_its_argument_is_told_so_and_its_result_is_expla
         for n in (-1, 0)
     )
     assert (popped.mistake, popped.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
-    assert list(first.slips) == ["first", "input changed"]
+    assert list(first.mistakes) == ["first", "input changed"]
 
 
 def judged_function(form, asked, twins=None):
@@ -257,29 +257,29 @@ def test_a_place_that_is_right_in_one_call_was_not_left_at_zero():
     asked = [((1,), (0.3, 0.0, 0.6)), ((2,), (1.0, 0.0, 2.0)), ((3,), (1.5, 0.0, 0.5))]
     cut = [(0.0, 0.0, 0.0), (1.0, 0.0, 2.0), (1.0, 0.0, 0.0)]
     task, variant = bare(Vector(3, "m"), *(Case(to_plain(list(args)), to_plain(want), {}) for args, want in asked))
-    assert list(judge_outcomes(task, variant, [to_plain(each) for each in cut]).slips) == ["rounded"]
+    assert list(judge_outcomes(task, variant, [to_plain(each) for each in cut]).mistakes) == ["rounded"]
 
 
 def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
-    assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).slips == {}
+    assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).mistakes == {}
 
 
 def test_two_parts_that_changed_places_are_told_so_before_two_mistakes():
     verdict = judged(PARTS, {"a": 1.0, "b": 2.5, "c": 3.0}, {}, {"a": 2.5, "b": 1.0, "c": 3.0})
-    assert list(verdict.slips) == ["a and b changed places"]
+    assert list(verdict.mistakes) == ["a and b changed places"]
     right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
     wrong = [row | {"a": row["b"], "b": row["a"]} for row in right]
     twins = {name: [row | {part: 9.0} for row in right] for name, part in (("one", "a"), ("other", "b"))}
     asked = list(zip(right, wrong, strict=True))
-    assert list(judged_function(PARTS, asked, twins | {"one + other": wrong}).slips) == ["a and b changed places"]
+    assert list(judged_function(PARTS, asked, twins | {"one + other": wrong}).mistakes) == ["a and b changed places"]
 
 
 def test_what_was_given_is_named_where_it_comes_back():
     case = Case(None, to_plain((1.0, 2.0, 3.0)), {})
     task, variant = bare(Vector(3), case)
     given = variant._replace(given={"p_laser": [4.0, 5.0, 6.0]})
-    assert list(judge_outcomes(task, given, [[4.0, 5.0, 6.0]]).slips) == ["given p_laser"]
-    assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).slips == {}
+    assert list(judge_outcomes(task, given, [[4.0, 5.0, 6.0]]).mistakes) == ["given p_laser"]
+    assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).mistakes == {}
 
 
 @pytest.mark.parametrize(
@@ -313,9 +313,9 @@ def test_of_calls_it_is_told_only_where_it_is_the_same_number_in_all_that_are_wr
 
 def test_a_mistake_in_some_calls_is_said_to_be_in_some():
     verdict = judged_function(Number("m"), [(1.0, 1.0), (2.0, -2.0), (3.0, -3.0)])
-    assert list(verdict.slips) == ["in some: sign"]
+    assert list(verdict.mistakes) == ["in some: sign"]
     assert verdict.said.en.startswith("In some calls, not in all:")
-    assert list(judged_function(Number("m"), [(1.0, -1.0), (2.0, -2.0)]).slips) == ["sign"]
+    assert list(judged_function(Number("m"), [(1.0, -1.0), (2.0, -2.0)]).mistakes) == ["sign"]
 
 
 def test_each_part_of_what_a_function_gives_is_explained_by_itself():
@@ -335,8 +335,10 @@ def test_each_part_of_what_a_function_gives_is_explained_by_itself():
 def test_words_that_a_function_confuses_are_named(said, name):
     form = Choice(("ok", "past", "future"))
     asked = ["ok", "future", "past", "past"]
-    slips = judged_function(form, list(zip(asked, said, strict=True))).slips
-    assert [set(slip.replace(" and ", " ").split()) for slip in slips] == [set(name.replace(" and ", " ").split())]
+    mistakes = judged_function(form, list(zip(asked, said, strict=True))).mistakes
+    assert [set(mistake.replace(" and ", " ").split()) for mistake in mistakes] == [
+        set(name.replace(" and ", " ").split())
+    ]
 
 
 # -- what was computed ------------------------------------------------------------------------
@@ -352,27 +354,29 @@ def judged_with_givens(form, right, answer):
 
 @pytest.mark.parametrize("answer", [0.64, 0.6, 0.635])
 def test_a_number_that_no_sum_gives_to_the_last_digit_hears_of_none(answer):
-    assert judged_with_givens(Number("rad/s"), -0.87, answer).slips.keys() <= {"a round number"}
+    assert judged_with_givens(Number("rad/s"), -0.87, answer).mistakes.keys() <= {"a round number"}
 
 
 # -- near, and not it -------------------------------------------------------------------------
 
 
-def test_a_slip_is_not_named_by_a_tolerance_that_is_wide_beside_it():
+def test_a_mistake_is_not_named_by_a_tolerance_that_is_wide_beside_it():
     form = Number("mm", 0.5)
-    assert list(judged(form, 400.0, {"cosine": 0.2163}, 0.2163).slips) == ["cosine"]
-    assert "cosine" not in judged(form, 400.0, {"cosine": 0.2163}, 0.0208).slips
+    assert list(judged(form, 400.0, {"cosine": 0.2163}, 0.2163).mistakes) == ["cosine"]
+    assert "cosine" not in judged(form, 400.0, {"cosine": 0.2163}, 0.0208).mistakes
     pair = {"late": 80.0, "far": 90.0, "late + far": 101.5}
-    assert list(judged(form, 400.0, pair, 101.5).slips) == ["late", "far"]
-    assert not judged(Number("mm", 5.0), 400.0, pair, 103.0).slips
+    assert list(judged(form, 400.0, pair, 101.5).mistakes) == ["late", "far"]
+    assert not judged(Number("mm", 5.0), 400.0, pair, 103.0).mistakes
 
 
 def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
     form = Parts({"a": Name(), "b": Name(), "c": Name()})
     assert list(
-        judged(form, {"a": "lidar", "b": "imu", "c": "none"}, {}, {"a": "none", "b": "imu", "c": "none"}).slips
+        judged(form, {"a": "lidar", "b": "imu", "c": "none"}, {}, {"a": "none", "b": "imu", "c": "none"}).mistakes
     ) == ["c under a"]
-    assert not judged(form, {"a": "lidar", "b": "none", "c": "none"}, {}, {"a": "none", "b": "none", "c": "none"}).slips
+    assert not judged(
+        form, {"a": "lidar", "b": "none", "c": "none"}, {}, {"a": "none", "b": "none", "c": "none"}
+    ).mistakes
 
 
 @pytest.mark.parametrize(
@@ -445,7 +449,7 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
     ],
 )
 def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, name):
-    assert next(iter(judged(form, right, {}, wrong).slips), None) == name
+    assert next(iter(judged(form, right, {}, wrong).mistakes), None) == name
 
 
 @pytest.mark.parametrize(
@@ -484,10 +488,10 @@ REFUSED = raised(LookupError("no"))
 def test_an_error_that_was_swallowed_is_called_so(instead, name):
     cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], REFUSED, {}), Case([4], REFUSED, {}))
     task, variant = bare(Number("m"), *cases, is_function=True)
-    assert list(judge_outcomes(task, variant, [1.0, 2.0, instead, instead]).slips) == [name]
+    assert list(judge_outcomes(task, variant, [1.0, 2.0, instead, instead]).mistakes) == [name]
     assert judge_outcomes(task, variant, [1.0, 2.0, REFUSED, REFUSED]).mistake is None
     both = judge_outcomes(task, variant, [-1.0, -2.0, instead, instead])
-    assert list(both.slips) == ["sign", name]
+    assert list(both.mistakes) == ["sign", name]
     each_another = judge_outcomes(task, variant, [1.0, 2.0, 3.0, 4.0])
     assert each_another.mistake is Mistake.NO_REFUSAL
 
@@ -502,7 +506,7 @@ def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
     asked = [([sent("map", 1.0), sent("odom", 2.0)], [sent("/map", 1.0), sent("/odom", 2.0)])]
     asked += [([sent("map", 3.0)], [sent("/map", 3.0)])]
     verdict = judged_function(form, asked)
-    assert list(verdict.slips) == ["slash in front"]
+    assert list(verdict.mistakes) == ["slash in front"]
     assert verdict.said.en.startswith('"header.frame_id": ')
 
 
@@ -514,11 +518,11 @@ def robot(origin='xyz="0.2 -0.1 0.4" rpy="0 0 -0.6"', axis="0 1 0", kind="revolu
     )
 
 
-def test_words_that_two_slips_would_give_in_different_calls_are_confused_words():
+def test_words_that_two_mistakes_would_give_in_different_calls_are_confused_words():
     form = Choice(("wait", "check", "drop"))
     asked = [("wait", "check"), ("check", "wait"), ("wait", "check"), ("drop", "drop")]
     twins = {"never waits": ["check", "check", "check", "drop"], "always waits": ["wait", "wait", "wait", "drop"]}
-    assert list(judged_function(form, asked, twins).slips) == ["wait and check swapped"]
+    assert list(judged_function(form, asked, twins).mistakes) == ["wait and check swapped"]
 
 
 @pytest.mark.parametrize(

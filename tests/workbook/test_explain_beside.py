@@ -24,36 +24,36 @@ def test_a_function_that_stops_in_some_calls_hears_what_is_wrong_in_the_others_f
     cases = [Case([place], float(place + 1), {}) for place in range(4)]
     task, variant = bare(Number("m"), *cases, is_function=True)
     verdict = judge_outcomes(task, variant, [-1.0, -2.0, -3.0, STOPPED])
-    assert list(verdict.slips) == ["sign", "stops: TypeError"]
+    assert list(verdict.mistakes) == ["sign", "stops: TypeError"]
     assert "in 1 of the 4 calls" in verdict.said.en
     assert judge_outcomes(task, variant, [1.0, 2.0, 3.0, STOPPED]).mistake is Mistake.RAISES
-    assert judge_outcomes(task, variant, [-1.0, 2.5, -3.0, STOPPED]).mistake is not Mistake.SLIP
+    assert judge_outcomes(task, variant, [-1.0, 2.5, -3.0, STOPPED]).mistake is not Mistake.KNOWN
 
 
-def test_a_slip_that_would_show_only_where_a_function_stops_is_not_said_of_it():
+def test_a_mistake_that_would_show_only_where_a_function_stops_is_not_said_of_it():
     cases = [Case([place], float(place + 1), {"late": float(place + 1) if place < 3 else 9.0}) for place in range(4)]
     task, variant = bare(Number("m"), *cases, is_function=True)
     verdict = judge_outcomes(task._replace(feedback={"late": words("late")}), variant, [1.0, 2.0, 3.0, STOPPED])
-    assert (verdict.mistake, verdict.slips) == (Mistake.RAISES, {})
+    assert (verdict.mistake, verdict.mistakes) == (Mistake.RAISES, {})
 
 
-def test_two_slips_that_show_in_different_calls_are_both_named_and_a_third_mistake_is_not_passed_over():
+def test_two_mistakes_that_show_in_different_calls_are_both_named_and_a_third_mistake_is_not_passed_over():
     twins = {"bound": ["a", "y", "c", "d"], "empty": ["a", "b", "c", "z"]}
     right = ["a", "b", "c", "d"]
-    assert list(judged_function(Name(), list(zip(right, ["a", "y", "c", "z"], strict=True)), twins).slips) == [
+    assert list(judged_function(Name(), list(zip(right, ["a", "y", "c", "z"], strict=True)), twins).mistakes) == [
         "bound",
         "empty",
     ]
-    assert judged_function(Name(), list(zip(right, ["q", "y", "c", "z"], strict=True)), twins).slips == {}
+    assert judged_function(Name(), list(zip(right, ["q", "y", "c", "z"], strict=True)), twins).mistakes == {}
 
 
-def test_each_member_of_a_list_of_choices_has_a_slip_of_its_own():
+def test_each_member_of_a_list_of_choices_has_a_mistake_of_its_own():
     form = Parts({name: Sequence(Choice(("in", "out"))) for name in "ab"})
     right = {"a": ["in", "in", "in"], "b": ["out", "out", "out"]}
     twins = {f"no {place}": right | {"a": ["in"] * place + ["out"] + ["in"] * (2 - place)} for place in range(3)}
     answer = right | {"a": ["out", "out", "out"]}
     verdict = judged(form, right, twins, answer)
-    assert list(verdict.slips) == ["no 0", "no 1", "no 2"]
+    assert list(verdict.mistakes) == ["no 0", "no 1", "no 2"]
     assert verdict.said.en == '"a[0]": no 0 "a[1]": no 1 "a[2]": no 2'
 
 
@@ -79,29 +79,29 @@ def test_a_whole_list_is_called_by_its_name_and_one_reply_is_given_once():
     ],
 )
 def test_what_is_wrong_with_a_mount_on_a_command_line_is_said_of_its_option_or_its_part(line, name):
-    assert list(judged(Command(), ASKED, {}, line).slips) == [name]
+    assert list(judged(Command(), ASKED, {}, line).mistakes) == [name]
     assert judged(Command(), ASKED, {}, ASKED).mistake is None
 
 
 @pytest.mark.parametrize(("answer", "fits"), [(0.3333333333, True), (0.333, True), (0.332, False), (0.3326667, False)])
-def test_the_more_digits_a_number_has_the_closer_a_slip_has_to_fit(answer, fits):
+def test_the_more_digits_a_number_has_the_closer_a_mistake_has_to_fit(answer, fits):
     form = Number("m", tolerance=0.002)
     verdict = judged(form, 0.47, {"one third": 1 / 3}, answer)
-    assert (list(verdict.slips) == ["one third"]) is fits
+    assert (list(verdict.mistakes) == ["one third"]) is fits
 
 
-def test_three_slips_are_named_where_each_shows_alone_in_some_call():
+def test_three_mistakes_are_named_where_each_shows_alone_in_some_call():
     right = ["a", "b", "c", "d"]
     gives = {"one": ["x", "b", "c", "d"], "two": ["a", "y", "c", "d"], "three": ["a", "b", "z", "d"]}
 
-    def slips(*outcomes):
-        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives).slips)
+    def mistakes(*outcomes):
+        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives).mistakes)
 
-    assert slips("x", "y", "z", "d") == ["one", "two", "three"]
-    assert slips("x", "y", "z", "q") == []  # none of the three gives the last
+    assert mistakes("x", "y", "z", "d") == ["one", "two", "three"]
+    assert mistakes("x", "y", "z", "q") == []  # none of the three gives the last
 
 
-def test_two_slips_in_two_parts_are_each_said_of_its_own():
+def test_two_mistakes_in_two_parts_are_each_said_of_its_own():
     form = Parts({name: Choice(("in", "out")) for name in "ab"})
     right, both = {"a": "in", "b": "in"}, {"a": "out", "b": "out"}
     twins = {"first": right | {"a": "out"}, "second": right | {"b": "out"}, "first + second": both}
@@ -114,11 +114,11 @@ def test_another_exception_than_the_one_asked_for_hides_no_other_mistake(error):
     cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], wanted, {}), Case([4], wanted, {}))
     task, variant = bare(Number("m"), *cases, is_function=True)
     verdict = judge_outcomes(task, variant, [-1.0, -2.0, other, other])
-    assert list(verdict.slips) == ["sign", "another exception"]
+    assert list(verdict.mistakes) == ["sign", "another exception"]
     assert type(error).__name__ in verdict.said.en and type(error).__name__ in verdict.said.ko
-    assert list(judge_outcomes(task, variant, [-1.0, -2.0, wanted, wanted]).slips) == ["sign"]
-    assert "another exception" not in judge_outcomes(task, variant, [-1.0, -2.0, wanted, other]).slips
-    assert judge_outcomes(task, variant, [1.0, 2.0, other, other]).slips == {}
+    assert list(judge_outcomes(task, variant, [-1.0, -2.0, wanted, wanted]).mistakes) == ["sign"]
+    assert "another exception" not in judge_outcomes(task, variant, [-1.0, -2.0, wanted, other]).mistakes
+    assert judge_outcomes(task, variant, [1.0, 2.0, other, other]).mistakes == {}
 
 
 POINT = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))

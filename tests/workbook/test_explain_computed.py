@@ -24,24 +24,24 @@ def test_step_and_turn_of_a_pose_are_looked_at_each_by_itself():
     here, there = POSES[0], POSES[1]
     half = Transform(here.translation, there.rotation)
     verdict = judged(Pose(), here, {"turn kept": half}, Transform((9.0, 8.0, 7.7), there.rotation))
-    assert list(verdict.slips) == ["turn kept"] and '"rotation": turn kept' in verdict.said.en
+    assert list(verdict.mistakes) == ["turn kept"] and '"rotation": turn kept' in verdict.said.en
     assert '"translation": not right yet' in verdict.said.en
 
 
-def test_a_slip_in_all_calls_that_have_an_answer_is_named_and_one_in_some_is_not():
+def test_a_mistake_in_all_calls_that_have_an_answer_is_named_and_one_in_some_is_not():
     cases = [Case([n], float(n), {"late": n + 5.0}) for n in range(1, 4)]
     cases.append(Case([9], raised(LookupError("no")), {"late": 14.0}))
     task, variant = bare(Number("m"), *cases, is_function=True)
     task = task._replace(feedback={"late": words("late")})
     outcomes = [6.0, 7.0, 8.0, raised(LookupError("no"))]
     assert judge_outcomes(task, variant, outcomes).said.en == "late"
-    assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).slips == {}
+    assert judge_outcomes(task, variant, [1.0, *outcomes[1:]]).mistakes == {}
 
 
 def test_a_quaternion_that_was_taken_for_w_first_is_told_so():
     x, y, z, w = POSES[2].rotation
-    assert list(judged(Quaternion(), [x, y, z, w], {}, [y, z, w, x]).slips) == ["w taken first"]
-    assert list(judged(Quaternion(), [x, y, z, w], {}, [w, x, y, z]).slips) == ["w first"]
+    assert list(judged(Quaternion(), [x, y, z, w], {}, [y, z, w, x]).mistakes) == ["w taken first"]
+    assert list(judged(Quaternion(), [x, y, z, w], {}, [w, x, y, z]).mistakes) == ["w first"]
 
 
 def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not_all():
@@ -55,7 +55,7 @@ def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not
         "in 2 of the 3 names that are wrong: a slash in front, `/r/odom`; "
         "in 1 of the 3 names that are wrong: two slashes in a row, `r//arm/tool`."
     )
-    assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).slips == {}
+    assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).mistakes == {}
 
 
 @pytest.mark.parametrize(
@@ -70,19 +70,19 @@ def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not
     ],
 )
 def test_braces_that_are_left_in_a_text_are_told_as_an_f_that_is_missing(text, is_missing):
-    slips = judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").slips
-    assert ("nothing filled in" in slips) is is_missing
+    mistakes = judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {text}").mistakes
+    assert ("nothing filled in" in mistakes) is is_missing
 
 
 def test_braces_without_an_end_are_looked_through_once():
     long = "{a" + "+a" * 100_000
-    assert judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {long}").slips.get("nothing filled in") is None
+    assert judged(Command(), "ros2 topic hz /tf", {}, f"ros2 topic hz {long}").mistakes.get("nothing filled in") is None
 
 
 def test_a_half_is_rounded_up_or_down_and_is_rounded_either_way():
     for number in (0.8, 0.9):
-        assert list(judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, number)).slips) == ["rounded"]
-    assert judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, 0.7)).slips == {}
+        assert list(judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, number)).mistakes) == ["rounded"]
+    assert judged(Vector(3, "m"), (2.76, 0.64, 0.85), {}, (2.8, 0.6, 0.7)).mistakes == {}
 
 
 def test_a_field_of_a_message_says_what_it_takes():
@@ -93,14 +93,14 @@ def test_a_field_of_a_message_says_what_it_takes():
         assert tip in tip_for("AssertionError", text).en
 
 
-def test_a_slip_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
+def test_a_mistake_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
     form = Parts({"leap": Number("m"), "step": Number("m")})
     right = {"leap": 1.25, "step": 0.0}
     twins = {"step leaps": {"leap": 1.25, "step": 1.25}, "far": {"leap": 3.617, "step": 0.0}}
     said = {"step leaps": words("in odom nothing leaps", part="step"), "far": words("too far", part="leap")}
     verdict = judged(form, right, twins, {"leap": 3.617, "step": 3.617}, said)
-    assert list(verdict.slips) == ["far", "step leaps"] and '"step": in odom nothing leaps' in verdict.said.en
-    assert judged(form, right, twins, {"leap": 4.219, "step": 4.219}, said).slips == {}
+    assert list(verdict.mistakes) == ["far", "step leaps"] and '"step": in odom nothing leaps' in verdict.said.en
+    assert judged(form, right, twins, {"leap": 4.219, "step": 4.219}, said).mistakes == {}
 
 
 def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written():
@@ -137,10 +137,10 @@ def test_of_a_turn_that_is_asked_for_it_is_told_where_the_terms_differ(wrong, se
     assert called(form, rows).said.en.endswith(f"terms. {seen}")
 
 
-def test_a_sign_in_one_part_alone_is_told_before_two_slips_that_meet_there():
+def test_a_sign_in_one_part_alone_is_told_before_two_mistakes_that_meet_there():
     form = Parts({"x": Number("m"), "y": Number("m")})
     right, wrong = {"x": 1.0, "y": 2.0}, {"x": 1.0, "y": -2.0}
     twins = {"late": {"x": 3.0, "y": 2.0}, "far": {"x": 5.0, "y": 7.0}, "late + far": wrong}
     assert judged(form, right, twins, wrong).said.en == '"y": the size is right, the sign is not.'
     both = {"x": 4.123, "y": -2.345}
-    assert list(judged(form, right, twins | {"late + far": both}, both).slips) == ["late", "far"]
+    assert list(judged(form, right, twins | {"late + far": both}, both).mistakes) == ["late", "far"]

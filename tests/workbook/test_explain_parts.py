@@ -32,7 +32,7 @@ IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
         (READ | {"turn": 0.3137}, "Zeros."),
     ],
 )
-def test_a_part_that_follows_from_a_slip_is_told_so_and_a_second_mistake_on_it_is_named(answer, said):
+def test_a_part_that_follows_from_a_mistake_is_told_so_and_a_second_mistake_on_it_is_named(answer, said):
     verdict = judged(STAMP, READ, {"zeros lost": DECIMALS}, answer, IN)
     assert said in verdict.said.en
 
@@ -107,30 +107,30 @@ def test_a_class_for_its_name_is_told_how_it_is_written():
     assert verdict.said is None or "`type(error).__name__`" not in verdict.said.en
 
 
-def test_a_slip_that_stops_in_some_calls_is_named_in_a_part_where_the_others_show_it():
+def test_a_mistake_that_stops_in_some_calls_is_named_in_a_part_where_the_others_show_it():
     form = Message("geometry_msgs/msg/Point", ("x", "y"))
     raised = {"raises": "ExtrapolationException", "text": ""}
     wants = [{"message": ["geometry_msgs/msg/Point", {"x": float(x), "y": 1.0}]} for x in (1, 2, 3)]
     gives = [{"message": ["geometry_msgs/msg/Point", {"x": x + 0.5, "y": 2.0}]} for x in (1, 2, 3)]
     halves = [{"message": ["geometry_msgs/msg/Point", {"x": x + 0.5, "y": 1.0}]} for x in (1, 2)]
 
-    def verdict(last_of_the_slip, last):
-        rows = zip(wants, [*gives[:2], last_of_the_slip], strict=True)
+    def verdict(last_of_the_mistake, last):
+        rows = zip(wants, [*gives[:2], last_of_the_mistake], strict=True)
         task, variant = bare(form, *(Case([n], want, {"late": give}) for n, (want, give) in enumerate(rows)),
                              is_function=True)  # fmt: skip
         task = task._replace(feedback={"late": Feedback(Text("Late.", "늦습니다."), "", partly=True)})
         return judge_outcomes(task, variant, [*halves, last])
 
-    assert list(verdict(raised, raised).slips) == ["late"]
-    assert verdict(gives[2], raised).slips == {}
+    assert list(verdict(raised, raised).mistakes) == ["late"]
+    assert verdict(gives[2], raised).mistakes == {}
 
 
 def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
     form = Parts(dict.fromkeys("abc", Sequence(Choice(("works", "never", "years off")))))
     right = {"a": ["works", "never", "works"], "b": ["works", "years off", "works"], "c": ["never", "works", "works"]}
     first_two = {name: [row[1], row[0], row[2]] for name, row in right.items()}
-    assert list(judged(form, right, {}, first_two).slips) == ["places exchanged"]
-    assert "places exchanged" not in judged(form, right, {}, first_two | {"c": ["works", "works", "never"]}).slips
+    assert list(judged(form, right, {}, first_two).mistakes) == ["places exchanged"]
+    assert "places exchanged" not in judged(form, right, {}, first_two | {"c": ["works", "works", "never"]}).mistakes
 
 
 def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
@@ -161,7 +161,7 @@ def in_order(*cards):
 )
 def test_a_single_word_out_of_its_place_is_told_as_one_and_others_are_not(cards, said):
     verdict = judged(PLACED, in_order(*FIVE), {}, in_order(*cards))
-    assert (list(verdict.slips) == ["one out of place"]) is (said is not None)
+    assert (list(verdict.mistakes) == ["one out of place"]) is (said is not None)
     assert said is None or said in verdict.said.en
 
 
@@ -181,7 +181,7 @@ def test_a_word_for_one_part_alone_is_told_for_which(answer, part):
     assert part in verdict.detail["tip"].en if part else "tip" not in verdict.detail
 
 
-def test_a_slip_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_follows():
+def test_a_mistake_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_follows():
     form = Parts({"cause": Choice(("late", "fast")), "frame": Choice(("all", "laser"))})
     late, fast = to_plain({"cause": "late", "frame": "all"}), to_plain({"cause": "fast", "frame": "laser"})
     cases = [
@@ -194,16 +194,16 @@ def test_a_slip_of_a_function_that_is_made_in_one_part_is_told_and_costs_what_fo
         is_function=True, feedback={"never late": Feedback(Text("Late?", "늦었습니까?"), "", part="cause")}
     )
     verdict = judge_outcomes(task, variant, [fast, fast, to_plain({"cause": "fast", "frame": "all"})])
-    assert next(iter(verdict.slips)) == "never late"
+    assert next(iter(verdict.mistakes)) == "never late"
     assert verdict.follows == ()
 
 
-def test_a_number_that_two_slips_give_to_a_hair_is_not_called_by_one_that_it_is_only_near_to():
+def test_a_number_that_two_mistakes_give_to_a_hair_is_not_called_by_one_that_it_is_only_near_to():
     twins = {"mean": 0.1445, "late": 0.2, "far": 0.3, "late + far": 0.144}
-    assert list(judged(Number("s"), 0.223, twins, 0.144).slips) == ["late", "far"]
-    assert list(judged(Number("s"), 0.223, twins, 0.1445).slips) == ["mean"]
+    assert list(judged(Number("s"), 0.223, twins, 0.144).mistakes) == ["late", "far"]
+    assert list(judged(Number("s"), 0.223, twins, 0.1445).mistakes) == ["mean"]
     near = judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144)  # to three digits
-    assert list(near.slips) == ["mean"]
+    assert list(near.mistakes) == ["mean"]
     assert near.said.en.startswith("Rounding aside, this is what comes of the following. ")
     assert judged(Number("s"), 0.223, {"mean": 0.1445}, 0.1445).said.en == "mean"
 
@@ -214,8 +214,8 @@ def test_a_number_that_two_slips_give_to_a_hair_is_not_called_by_one_that_it_is_
 def test_only_words_in_an_order_are_out_of_their_place(names, is_order):
     form = Parts({name: Choice(FIVE) for name in names})
     right, moved = (dict(zip(names, row, strict=True)) for row in (FIVE, ("header", *FIVE[:4])))
-    assert ("one place too late" in judged(form, right, {}, moved).slips) is is_order
-    assert is_order or "one out of place" not in judged(form, right, {}, moved).slips
+    assert ("one place too late" in judged(form, right, {}, moved).mistakes) is is_order
+    assert is_order or "one out of place" not in judged(form, right, {}, moved).mistakes
 
 
 def test_exceptions_that_go_through_where_words_are_asked_for_are_named():
@@ -225,11 +225,11 @@ def test_exceptions_that_go_through_where_words_are_asked_for_are_named():
     task = task._replace(is_function=True)
     outcomes = ["ok", {"raises": "LookupException"}, {"raises": "ConnectivityException"}, "past", "future"]
     verdict = judge_outcomes(task, variant, outcomes)
-    assert list(verdict.slips) == ["uncaught"]
+    assert list(verdict.mistakes) == ["uncaught"]
     assert (
         "in 2 of the 5 your function lets an exception through: ConnectivityException, LookupException"
         in verdict.said.en
     )
-    assert list(judge_outcomes(task, variant, ["ok", {"raises": "KeyError"}, *expected[2:]]).slips) == []
+    assert list(judge_outcomes(task, variant, ["ok", {"raises": "KeyError"}, *expected[2:]]).mistakes) == []
     beside = judge_outcomes(task, variant, ["ok", *outcomes[1:3], "ok", "future"])
-    assert list(beside.slips) == ["ok for past", "uncaught"]
+    assert list(beside.mistakes) == ["ok for past", "uncaught"]

@@ -35,7 +35,7 @@ def placed(*cards):
 )
 def test_a_whole_order_is_recognised_and_another_one_is_not(given, name):
     verdict = judged(IN_ORDER, placed(*CARDS[:4]), {}, placed(*given))
-    assert next(iter(verdict.slips), None) == name
+    assert next(iter(verdict.mistakes), None) == name
 
 
 def test_parts_keep_the_order_of_the_work_in_a_file():
@@ -47,11 +47,11 @@ def test_edges_that_were_named_by_their_parents_are_told_so_and_a_single_one_is_
     frames = Choice(("odom", "base_footprint", "base_link"))
     form = Parts({"c edge": frames, "d edge": frames})
     right = {"c edge": "odom", "d edge": "base_footprint"}
-    assert list(judged(form, right, {}, {"c edge": "map", "d edge": "odom"}).slips) == ["parents for children"]
-    assert judged(form, right, {}, right | {"d edge": "odom"}).slips == {}
+    assert list(judged(form, right, {}, {"c edge": "map", "d edge": "odom"}).mistakes) == ["parents for children"]
+    assert judged(form, right, {}, right | {"d edge": "odom"}).mistakes == {}
     assert judged(form, right, {}, right | {"c edge": "nonsense"}).mistake is Mistake.OPTION
     jobs = Parts({"line": frames, "speed": frames})  # which frame for which job: no edge is asked for
-    assert judged(jobs, {"line": "odom", "speed": "odom"}, {}, {"line": "map", "speed": "map"}).slips == {}
+    assert judged(jobs, {"line": "odom", "speed": "odom"}, {}, {"line": "map", "speed": "map"}).mistakes == {}
 
 
 def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():
@@ -81,7 +81,7 @@ def test_which_word_is_said_for_which_comes_after_a_cause():
     form = Parts({"a": Choice(("in", "out")), "b": Number("m")})
     asked = [({"a": "in", "b": 1.0}, {"a": "out", "b": -1.0}), ({"a": "in", "b": 2.0}, {"a": "out", "b": -2.0}),
              ({"a": "out", "b": 3.0}, {"a": "out", "b": -3.0})]  # fmt: skip
-    assert list(judged_function(form, asked).slips) == ["sign", "a: out for in"]
+    assert list(judged_function(form, asked).mistakes) == ["sign", "a: out for in"]
 
 
 # -- habits ------------------------------------------------------------------------------------
@@ -104,14 +104,14 @@ LISTS = [[3.0, 9.0, 4.0], [8.0, 1.0, 2.5], [5.0, 7.0, 6.0]]
 )  # fmt: skip
 def test_a_function_that_takes_one_thing_of_a_list_is_told_which(takes, name):
     verdict = called(Number("m"), [([held], 100.0 * max(held) + 0.7, float(takes(held))) for held in LISTS])
-    assert next(iter(verdict.slips), None) == name
+    assert next(iter(verdict.mistakes), None) == name
 
 
 def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():
     rows = [([[1, 2, 8, 9]], [8, 9], [2, 8, 9]), ([[3, 7]], [7], [7])]
-    assert list(called(Sequence(Number()), rows).slips) == ["removed in the loop"]
+    assert list(called(Sequence(Number()), rows).mistakes) == ["removed in the loop"]
     rows = [([[1, 2, 8, 9]], [8, 9], [1, 8, 9]), ([[3, 7]], [7], [7])]
-    assert list(called(Sequence(Number()), rows).slips) == ["members too many"]
+    assert list(called(Sequence(Number()), rows).mistakes) == ["members too many"]
 
 
 # -- words, each on its own --------------------------------------------------------------------
@@ -124,16 +124,16 @@ def test_mistakes_that_show_in_different_words_of_a_list_are_named_as_far_as_the
     asked = [(["sim", "off", "wall"], ["wall", "sim", "wall"]), (["off", "wall"], ["sim", "wall"])]
     read = [["sim", "sim", "wall"], ["sim", "wall"]]
     twins = {"never sim": [["wall", "off", "wall"], ["off", "wall"]], "text is read": read}
-    assert list(judged_function(WORDS, asked, twins).slips) == ["never sim", "text is read"]
+    assert list(judged_function(WORDS, asked, twins).mistakes) == ["never sim", "text is read"]
     verdict = judged_function(WORDS, asked, twins | {"text is truthy": read})
-    assert list(verdict.slips) == ["never sim"]
+    assert list(verdict.mistakes) == ["never sim"]
     assert verdict.said.en.endswith("Something else is wrong beside it.")
 
 
 def test_of_mistakes_that_give_some_of_the_words_none_is_named():
     asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
     twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
-    assert list(judged_function(WORDS, asked, twins).slips) == ["wall for sim"]
+    assert list(judged_function(WORDS, asked, twins).mistakes) == ["wall for sim"]
 
 
 @pytest.mark.parametrize(
@@ -180,4 +180,4 @@ ROWS = [["c", "a", "b"], ["b", "c"], ["d"]]
     ],
 )
 def test_what_a_function_loses_in_every_call_is_named(form, asked, name):
-    assert next(iter(judged_function(form, asked).slips), None) == name
+    assert next(iter(judged_function(form, asked).mistakes), None) == name

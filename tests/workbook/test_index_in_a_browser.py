@@ -59,7 +59,7 @@ def test_the_first_page_runs_and_shows_what_has_been_passed(language: str, lab, 
     page.wait_for_function(f"jupyterapp.shell.currentWidget?.context?.path === '{exercise}'")
 
 
-def test_what_the_first_cell_brings_is_told_from_a_slip_of_ones_own(lab, page) -> None:
+def test_what_the_first_cell_brings_is_told_from_a_mistake_of_ones_own(lab, page) -> None:
     copy = lay_out(lab.folder / "copy_too_early", "en")
     going_on = {"tags": ["raises-exception"]}
     sources = [

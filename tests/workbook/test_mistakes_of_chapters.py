@@ -55,14 +55,14 @@ def test_each_mistake_gets_its_own_reply_and_the_solution_full_marks(stem: str, 
     task = cases_of(stem, file, len(sample(range(task_in(stem, file).variants), 1)))
     for variant in task.variants:
         verdict = judge_outcomes(task, variant, [case.expected for case in variant.cases])
-        assert (verdict.mistake, verdict.slips) == (None, {})
+        assert (verdict.mistake, verdict.mistakes) == (None, {})
         for name in variant.cases[0].wrong:
             assert_own_reply(task, variant, name)
 
 
 def assert_own_reply(task: TaskCases, variant, name: str) -> None:
     verdict = judge_outcomes(task, variant, [case.wrong[name] for case in variant.cases])
-    assert verdict.mistake is Mistake.SLIP and list(verdict.slips) == [name]
+    assert verdict.mistake is Mistake.KNOWN and list(verdict.mistakes) == [name]
     reply = task.feedback[name].reply
     assert without_its_part(task.form, reply.en) in verdict.said.en
     assert without_its_part(task.form, reply.ko) in verdict.said.ko
@@ -87,7 +87,7 @@ def assert_other_numbers_do_not_get_it(task: TaskCases, name: str, outcomes: lis
         outcome if is_raised(case.expected) else changed(outcome)
         for case, outcome in zip(variant.cases, outcomes, strict=True)
     ]
-    assert others == outcomes or name not in judge_outcomes(task, variant, others).slips
+    assert others == outcomes or name not in judge_outcomes(task, variant, others).mistakes
 
 
 def assert_a_function_that_is_right_in_one_call_does_not_get_it(task: TaskCases, name: str, outcomes: list) -> None:
@@ -96,7 +96,7 @@ def assert_a_function_that_is_right_in_one_call_does_not_get_it(task: TaskCases,
     wrong = [place for place, row in enumerate(outcomes) if not task.form.alike(row, right[place])]
     if len(wrong) > 1:
         fixed = [right[place] if place == wrong[0] else outcome for place, outcome in enumerate(outcomes)]
-        assert list(judge_outcomes(task, variant, fixed).slips) != [name]
+        assert list(judge_outcomes(task, variant, fixed).mistakes) != [name]
 
 
 @pytest.mark.proof(reads=READS)
@@ -117,5 +117,5 @@ def test_two_mistakes_made_together_are_explained_by_two_or_by_a_simpler_one(ste
         outcomes = [row[pair] for row in rows]
         verdict = judge_outcomes(made, variant, outcomes)
         too_short = {Mistake.VALUE} if has_few_digits(made, outcomes) else set()
-        assert verdict.mistake in {Mistake.SLIP, None, *SIMPLER} | too_short, pair
-        assert len(verdict.slips) <= 2, pair
+        assert verdict.mistake in {Mistake.KNOWN, None, *SIMPLER} | too_short, pair
+        assert len(verdict.mistakes) <= 2, pair

@@ -56,11 +56,11 @@ def of_a_value() -> TaskCases:
     return made(task_of(), "answer = e3_1.measured + e3_1.mounted")
 
 
-def slips_found(task: TaskCases, **steps: float) -> list[str]:
+def mistakes_found(task: TaskCases, **steps: float) -> list[str]:
     """Return the mistakes that explain what the model gives with these steps."""
     (variant,) = task.variants
     given = SimpleNamespace(**variant.given)
-    return list(judge_outcomes(task, variant, [to_plain(distance(given, **steps))]).slips)
+    return list(judge_outcomes(task, variant, [to_plain(distance(given, **steps))]).mistakes)
 
 
 def test_mistakes_combine_at_different_steps():
@@ -76,17 +76,17 @@ def test_mistakes_combine_at_different_steps():
 
 
 def test_a_pair_that_gives_the_answer_is_found(of_a_value):
-    assert slips_found(of_a_value, offset=-1.0, scale=2.0) == ["mount subtracted", "doubled"]
-    assert slips_found(of_a_value, offset=0.0, sign=-1.0) == ["mount forgotten", "sign turned"]
-    assert slips_found(of_a_value, offset=5.0, scale=7.0) == []
+    assert mistakes_found(of_a_value, offset=-1.0, scale=2.0) == ["mount subtracted", "doubled"]
+    assert mistakes_found(of_a_value, offset=0.0, sign=-1.0) == ["mount forgotten", "sign turned"]
+    assert mistakes_found(of_a_value, offset=5.0, scale=7.0) == []
 
 
 def test_no_pair_is_searched_if_one_mistake_explains_the_answer(of_a_value, monkeypatch):
     monkeypatch.setattr(PairSearch, "fitting", lambda *_: pytest.fail("a pair was searched"))
     for steps in ({"offset": -1.0}, {"scale": 2.0}, {"sign": -1.0}):
-        assert len(slips_found(of_a_value, **steps)) == 1
+        assert len(mistakes_found(of_a_value, **steps)) == 1
     with pytest.raises(pytest.fail.Exception, match="a pair was searched"):
-        slips_found(of_a_value, offset=-1.0, scale=2.0)
+        mistakes_found(of_a_value, offset=-1.0, scale=2.0)
 
 
 def times(x, flag=False, *, scale=1.0, offset=0.0, limit=9.0):
@@ -118,7 +118,7 @@ def test_a_pair_in_a_function_is_found(of_a_function):
         ({"scale": 3.0, "offset": 0.7}, []),
     ):
         outcomes = [outcome_of(lambda x, s=steps: times(x, **s), case.args) for case in variant.cases]
-        assert sorted(judge_outcomes(of_a_function, variant, outcomes).slips) == names
+        assert sorted(judge_outcomes(of_a_function, variant, outcomes).mistakes) == names
 
 
 def test_pairs_are_computed_only_while_they_fit(of_a_function, monkeypatch):
@@ -183,9 +183,9 @@ def test_a_pair_explains_one_part_of_an_answer():
     given = SimpleNamespace(**variant.given)
     answer = model(given, offset=-1.0, scale=2.0)
     verdict = judge_outcomes(task, variant, [to_plain(answer)])
-    assert (verdict.passed, verdict.of, list(verdict.slips)) == (2, 3, ["mount subtracted", "doubled"])
+    assert (verdict.passed, verdict.of, list(verdict.mistakes)) == (2, 3, ["mount subtracted", "doubled"])
     verdict = judge_outcomes(task, variant, [to_plain(answer | {"far": 77.7})])
-    assert (verdict.passed, list(verdict.slips)) == (2, [])
+    assert (verdict.passed, list(verdict.mistakes)) == (2, [])
 
 
 def test_a_search_without_its_task_finds_nothing():

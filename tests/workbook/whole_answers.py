@@ -54,5 +54,5 @@ def verdict_on(task_id: str, answer: str | Callable[..., Any], variant: int = 0)
     return judge_outcomes(task, drawn, outcomes)
 
 
-def slips_of(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> list[str]:
-    return list(verdict_on(task_id, answer, variant).slips)
+def mistakes_of(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> list[str]:
+    return list(verdict_on(task_id, answer, variant).mistakes)

@@ -123,7 +123,7 @@ class TaskItem(pytest.Item):
         if row["status"] != "right":
             remarks = row["remarks"] or (record["remarks"] if row["status"] == "missing" else [])
             said = [Remark.from_plain(remark).say("en") for remark in remarks]
-            mistake = [f"As the mistake {name!r} would have it." for name in row["slips"]]
+            mistake = [f"As the mistake {name!r} would have it." for name in row["mistakes"]]
             worth = f"{self.name}: {points(row['points'])} of {points(row['most'])} points, {row['status']}."
             pytest.fail(" ".join([worth, *mistake, *said]), pytrace=False)
 

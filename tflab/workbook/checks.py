@@ -100,7 +100,7 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
     else:
         verdict, outcomes = tried_on(assigned, answer)
         if verdict.mistake not in UNFINISHED:
-            twin = next(iter(verdict.slips), None)
+            twin = next(iter(verdict.mistakes), None)
             came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
             progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
         if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
@@ -197,7 +197,7 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
         more.append(_passed(assigned))
     elif assigned.workbook.edition == "self-study" and tries >= TRIES_BEFORE_SOLUTION:
         more.append(assigned.phrase("solution"))
-    elif verdict.mistake in (Mistake.VALUE, Mistake.SLIP, Mistake.PARTS):
+    elif verdict.mistake in (Mistake.VALUE, Mistake.KNOWN, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
     say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
 

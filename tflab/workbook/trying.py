@@ -26,7 +26,7 @@ from .reply import shell, show_caption, show_reply
 
 __all__ = ["say_verdict", "show_hint", "tried_on"]
 
-DRAWN = {Mistake.SLIP, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
+DRAWN = {Mistake.KNOWN, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
 
 
@@ -130,7 +130,7 @@ def say_verdict(
 
 def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
     place = verdict.detail.get("place")
-    if verdict.said is not None and verdict.mistake is Mistake.SLIP:
+    if verdict.said is not None and verdict.mistake is Mistake.KNOWN:
         return assigned.words(Text.joined(verdict.said, place))
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds, tip = names.get("certain"), names.get("tip")

@@ -64,7 +64,7 @@ def walk_chain(
     fixed="stays",
     axis="its own",
 ):
-    """Return base_T_tip, joint by joint; other steps are the slips."""
+    """Return base_T_tip, joint by joint; other steps are the mistakes."""
     pose, moved = Transform(), 0
     for number, each in enumerate(chain):
         rpy = each["rpy"][::-1] if rotation == "ypr" else (0.0, 0.0, 0.0) if rotation == "none" else each["rpy"]

@@ -5,7 +5,7 @@
     peeking      what was asked, or expected       files      no notebook, an old one, another encoding
     exhaustion   time and memory                   helpers    honest cells of one's own
     survival     what is left for others           odd        right, oddly written
-    guessing     no understanding, two answers, any size, slips in one branch
+    guessing     no understanding, two answers, any size, mistakes in one branch
     counting     by the number of the call, the kernel, the clock, the machine
     objects      objects that are not what they say
     shell        the kernel, what it shows and imports; what stands in the notebook around the cells
@@ -21,7 +21,7 @@
 
 Each entry is a recipe: an honest notebook, of chapter 03 but for the clinic, goes in, what is handed in
 comes out.  `spoils` names the task whose answer the recipe replaces by an attack
-("function", "value", or "" for none): it must get nothing; a "slip" may get a part.  `keeps` says which
+("function", "value", or "" for none): it must get nothing; a "mistake" may get a part.  `keeps` says which
 honest points have to survive: "all" of them, the "others" (all but the spoilt
 task's), or "none" where there is nothing left to read.
 """

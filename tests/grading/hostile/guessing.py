@@ -1,4 +1,4 @@
-"""Answers without understanding, two answers for one task, answers of any size; and honest slips in one branch."""
+"""Answers without understanding, two answers for one task, answers of any size; and honest mistakes in one branch."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ SLIPS = [
         lambda honest, part=part, odd=odd, sign=sign: honest.with_function(
             f"def F(transform):\n    back = RIGHT\n    if transform['yaw'] {sign} 0:\n        back['{part}'] = {odd}\n    return back"
         ),
-        "slip",
+        "mistake",
         "others",
     )
     for part in ("x", "y", "yaw")

@@ -52,7 +52,7 @@ class TaskMark:
     Attributes:
         status: "right", "partly", "wrong", "unanswered" or "trouble".
         passed: probes that are right, of `of`.
-        slips: the mistakes that the answer comes of, by name, and what is said of each.
+        mistakes: the mistakes that the answer comes of, by name, and what is said of each.
         said: all of it together.
         answers: where taking part counts, the option of each part if all have one.
     """
@@ -63,7 +63,7 @@ class TaskMark:
     of: int
     points: float
     most: float
-    slips: dict[str, Feedback] = field(default_factory=dict)
+    mistakes: dict[str, Feedback] = field(default_factory=dict)
     said: Text | None = None
     remarks: tuple[Remark, ...] = ()
     answers: Mapping[str, str] = field(default_factory=dict)
@@ -73,7 +73,7 @@ class TaskMark:
         row = {"status": self.status, "passed": self.passed, "of": self.of, "points": self.points, "most": self.most}
         row |= {"answers": dict(self.answers)} if self.answers else {}
         return row | {
-            "slips": {name: words.plain() for name, words in self.slips.items()},
+            "mistakes": {name: words.plain() for name, words in self.mistakes.items()},
             "said": self.said.plain() if self.said else None,
             "remarks": [remark.plain() for remark in self.remarks],
         }
@@ -100,11 +100,11 @@ def judged(
         status, remarks = "right", []
     else:
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
-    if not remarks and status != "right" and not found.slips:
+    if not remarks and status != "right" and not found.mistakes:
         remarks += _what_went_wrong(task_id, held, got, found)
     answers = chosen(held.form, got[0]) if held.counts else {}
     return TaskMark(
-        task_id, status, found.passed, found.of, points, float(held.points), found.slips, found.said, tuple(remarks),
+        task_id, status, found.passed, found.of, points, float(held.points), found.mistakes, found.said, tuple(remarks),
         answers,
     )  # fmt: skip
 

@@ -66,11 +66,11 @@ class CommonMistake(NamedTuple):
 def mistakes(records: Sequence[Mapping[str, Any]]) -> list[CommonMistake]:
     """Return the mistakes that were made, the most frequent first."""
     made = [
-        (task, name, slip["misconception"], Text(**slip["reply"]))
+        (task, name, mistake["misconception"], Text(**mistake["reply"]))
         for record in records
         for chapter in record["chapters"].values()
         for task, row in chapter["tasks"].items()
-        for name, slip in row.get("slips", {}).items()
+        for name, mistake in row.get("mistakes", {}).items()
     ]
     found = [CommonMistake(*what, count) for what, count in Counter(made).items()]
     return sorted(found, key=lambda mistake: (-mistake.count, mistake.task, mistake.name))

@@ -5,7 +5,7 @@
     swapped   0.25   (0, 0)            0.25   0   0                   no: 0.25 is not 1.57
     the z     1.57   (0, 1e-9)         1.57   0   1e-9                perhaps: ask the form
 
-A task with forty slips has hundreds of pairs of them, and each is compared with all
+A task with forty mistakes has hundreds of pairs of them, and each is compared with all
 before it.  Only what all ways of writing an answer share decides (of a quaternion and
 its negative, how large each number is), so nothing is called different here that the
 form would call the same.

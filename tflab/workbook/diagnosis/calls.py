@@ -112,16 +112,16 @@ MOST = 3  # that are looked for
 def mistakes_by_call(
     form: Form, outcomes: Sequence[Plain], expected: Sequence[Plain], gives: dict[str, list[Plain]]
 ) -> Iterator[tuple[str, ...]]:
-    """Yield two or three slips of which each shows alone in some call, and that give together what came out.
+    """Yield two or three mistakes of which each shows alone in some call, and that give together what came out.
 
     Args:
-        gives: what each slip gives, call by call.
+        gives: what each mistake gives, call by call.
     """
     wrong = _calls(not alike(form, *pair) for pair in zip(outcomes, expected, strict=True))
     shown = partial(_shown, form.comparing(), expected)
     shows = {name: shown(row) for name, row in gives.items()}
     within = [name for name, seen in shows.items() if seen and not seen & ~wrong]
-    for chosen in (slips for count in range(2, MOST + 1) for slips in combinations(within, count)):
+    for chosen in (mistakes for count in range(2, MOST + 1) for mistakes in combinations(within, count)):
         if _covers(shows, chosen, wrong) and _fit(form, outcomes, gives, shows, chosen):
             yield chosen
 
@@ -132,12 +132,12 @@ def _calls(marks: Iterator[bool]) -> int:
 
 
 def _shown(is_alike: Callable[[Plain, Plain], bool], expected: Sequence[Plain], row: Sequence[Plain]) -> int:
-    """Return the calls in which what a slip gives is not what is right."""
+    """Return the calls in which what a mistake gives is not what is right."""
     return _calls(not is_alike(*pair) for pair in zip(row, expected, strict=True))
 
 
 def _covers(shows: dict[str, int], chosen: tuple[str, ...], wrong: int) -> bool:
-    """Return whether the slips show in just the calls that are wrong, and each alone in one of them."""
+    """Return whether the mistakes show in just the calls that are wrong, and each alone in one of them."""
     seen = once = 0
     for name in chosen:
         once = (once & ~shows[name]) | (shows[name] & ~seen)
@@ -148,7 +148,7 @@ def _covers(shows: dict[str, int], chosen: tuple[str, ...], wrong: int) -> bool:
 def _fit(
     form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], shows: dict[str, int], chosen: Sequence[str]
 ) -> bool:
-    """Return whether each call that is wrong gives what one of the slips gives that show in it."""
+    """Return whether each call that is wrong gives what one of the mistakes gives that show in it."""
     for number, outcome in enumerate(outcomes):
         seen = [name for name in chosen if shows[name] >> number & 1]
         if seen and not any(matches_closely(form, [outcome], [gives[name][number]]) for name in seen):
@@ -165,7 +165,7 @@ class _Word(NamedTuple):
 
 
 def explain_options_one_by_one(question: Question) -> Explanation | None:
-    """Return which slips give the words in a function's lists; None if no few of them do."""
+    """Return which mistakes give the words in a function's lists; None if no few of them do."""
     task, form = question.task, question.form
     places = _places(question.cases, question.outcomes) if isinstance(form, ListForm) else []
     if not places or not isinstance(form.of, Choice):
@@ -173,12 +173,12 @@ def explain_options_one_by_one(question: Question) -> Explanation | None:
     sure, is_all = _sure(form.of, places)
     if not sure:
         return None
-    told, slips = describe(task, sure), {name: feedback_of(task, name) for name in sure}
-    return Explanation(slips, told if is_all else Text.joined(told, TEXTS["and_more"]))
+    told, mistakes = describe(task, sure), {name: feedback_of(task, name) for name in sure}
+    return Explanation(mistakes, told if is_all else Text.joined(told, TEXTS["and_more"]))
 
 
 def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
-    """Return the slips that all the simplest explanations have in common, and whether there is but one."""
+    """Return the mistakes that all the simplest explanations have in common, and whether there is but one."""
     gives = {name: [place.wrong[name] for place in places] for name in places[0].wrong}
     found = list(mistakes_by_call(form, [place.said for place in places], [place.wanted for place in places], gives))
     ways = [way for way in found if len(way) == len(found[0])]

@@ -133,11 +133,11 @@ def _explain_unfilled_text(question: Question) -> Explanation | None:
 def _explain_value_of_parts(question: Question) -> Explanation | None:
     """Explain each part; several mistakes only where there is nothing simpler, and no two give all of it."""
     found = explain_parts(question)
-    if found is None or len(found.slips) < 2:
+    if found is None or len(found.mistakes) < 2:
         return found
     if simpler := explain_obvious_part(question):
         return simpler
-    pair = next(_pairs(question, ONE), None) if len(found.slips) > 2 else None
+    pair = next(_pairs(question, ONE), None) if len(found.mistakes) > 2 else None
     return _explained_by(question, *pair) if pair else found
 
 

@@ -19,13 +19,13 @@ class Explanation(NamedTuple):
     """How an answer came about.
 
     Attributes:
-        slips: by name, the first in the work first, and what is said of each.
+        mistakes: by name, the first in the work first, and what is said of each.
         said: what to say of them.
         follows: parts that are wrong only because of an earlier one.
         shows: the number of the call in which it is plain to see; None: the first that goes wrong.
     """
 
-    slips: dict[str, Feedback]
+    mistakes: dict[str, Feedback]
     said: Text
     follows: tuple[str, ...] = ()
     shows: int | None = None
@@ -40,14 +40,14 @@ def and_then(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
     said = (
         TEXTS["and_then"].filled(first=first.said, then=then.said)
-        if len(first.slips) == 1
+        if len(first.mistakes) == 1
         else _in_a_row(first.said, then.said)
     )
-    return Explanation(first.slips | then.slips, said, first.follows)
+    return Explanation(first.mistakes | then.mistakes, said, first.follows)
 
 
 def describe(task: TaskCases, names: Sequence[str]) -> Text:
-    """Return what to say of one slip, or of two or three in the order of the work."""
+    """Return what to say of one mistake, or of two or three in the order of the work."""
     said = [feedback_of(task, name).reply for name in names]
     if len(said) == 1:
         return said[0]
@@ -64,11 +64,11 @@ MOST_TOLD = 4  # causes; who reads more than that at once mends none
 
 
 class Found(NamedTuple):
-    """What explains some parts: the slips by name, what to say, whether the rest of it shows, and whether it is only
+    """What explains some parts: the mistakes by name, what to say, whether the rest of it shows, and whether it is only
     a fact about words.
     """
 
-    slips: dict[str, Feedback]
+    mistakes: dict[str, Feedback]
     said: Text
     parts: set[str]
     is_whole: bool = False
@@ -103,9 +103,9 @@ def together(found: Sequence[Found], left: Mapping[str, Text | None], names: Seq
     if rest := {name for cause in found[len(told) :] for name in cause.parts}:
         said.append(_where(TEXTS["later"], rest, names))
     said += [_where(words, parts, names) for words, parts in _looks(left).items()]
-    slips = {name: words for cause in found for name, words in cause.slips.items()}
+    mistakes = {name: words for cause in found for name, words in cause.mistakes.items()}
     follows = set() if left else {name for cause in found for name in _follows(cause)}
-    return Explanation(slips, Text.joined(*said), tuple(sorted(follows)))
+    return Explanation(mistakes, Text.joined(*said), tuple(sorted(follows)))
 
 
 def _looks(left: Mapping[str, Text | None]) -> dict[Text, set[str]]:
@@ -121,14 +121,18 @@ def _merged(found: Sequence[Found]) -> list[Found]:
     merged: dict[Text, Found] = {}
     for cause in found:
         held = merged.get(cause.said)
-        both = cause if held is None else held._replace(slips=held.slips | cause.slips, parts=held.parts | cause.parts)
+        both = (
+            cause
+            if held is None
+            else held._replace(mistakes=held.mistakes | cause.mistakes, parts=held.parts | cause.parts)
+        )
         merged[cause.said] = both
     return list(merged.values())
 
 
 def _follows(found: Found) -> set[str]:
-    """Return the parts that are wrong only because of a slip in another part."""
-    made_in = {words.part for words in found.slips.values()} - {""}
+    """Return the parts that are wrong only because of a mistake in another part."""
+    made_in = {words.part for words in found.mistakes.values()} - {""}
     return found.parts - made_in if found.is_whole and made_in & found.parts else set()
 
 

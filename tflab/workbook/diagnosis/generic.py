@@ -186,7 +186,7 @@ OF_FORM = {
     Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half", "power of ten"),
     Quaternion: ("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
 }
-# What is seen at once, and so may stand behind another slip; of the others nobody could say that it was just that.
+# What is seen at once, and so may stand behind another mistake; of the others nobody could say that it was just that.
 PLAIN_TO_SEE = {
     *("unit", "sign", "all signs", "w first", "w taken first", "not normalised"),
     *("inverse rotation", "inverse transform", "not turned back"),

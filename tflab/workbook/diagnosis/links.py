@@ -31,13 +31,13 @@ def explain_links(question: Question) -> Explanation | None:
     given = form.read(answer) if isinstance(form, Urdf) else None
     if not given:
         return None
-    slips, said = {}, []
+    mistakes, said = {}, []
     for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
         row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
         for name, words in [] if any(_fits(row, right[0]) for row in rows) else _explain_link(task, row, right[0]):
-            slips[f"{link}: {name}"] = Feedback(words, "")
+            mistakes[f"{link}: {name}"] = Feedback(words, "")
             said.append(Text(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
-    return Explanation(slips, Text.joined(*said)) if said else None
+    return Explanation(mistakes, Text.joined(*said)) if said else None
 
 
 def _fits(row: Row, right: Row) -> bool:

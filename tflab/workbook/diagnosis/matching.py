@@ -36,7 +36,7 @@ ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplemen
 IN_SOME = "in some: "
 EXACT = {"sign", "power of ten"}  # what a number of one or two digits can show, beside a unit
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
-ONE, TWO = 0.1, 0.005  # how far from what one slip, or two, give: the more there are, the sooner one fits by chance
+ONE, TWO = 0.1, 0.005  # how far from what one mistake, or two, give: the more there are, the sooner one fits by chance
 FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 A_HAIR = 1e-6  # how far, as a share, a number that was not rounded is from what gives it
 COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
@@ -94,7 +94,7 @@ def is_short(number: float) -> bool:
 
 
 def _decimals(number: float) -> int:
-    """Return to how many digits behind its point a number is written: the more, the closer a slip has to fit."""
+    """Return to how many digits behind its point a number is written: the more, the closer a mistake has to fit."""
     return len(f"{number:.9f}".rstrip("0").partition(".")[2])
 
 
@@ -152,7 +152,7 @@ def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool
 
 
 def feedback_of(task: TaskCases, name: str) -> Feedback:
-    """Return what is said of a slip, the task's or one that any answer can have, and what is behind it."""
+    """Return what is said of a mistake, the task's or one that any answer can have, and what is behind it."""
     if name in task.feedback:
         return task.feedback[name]
     if name.startswith(IN_SOME):

@@ -6,7 +6,7 @@
 
 The second table repeats nothing that a learner's code made, for that could carry
 hidden inputs out.  Both cover every mistake, coarse to fine; the field calls such a
-list an error taxonomy.  A mistake of one task, its *slips*, stands with the task.
+list an error taxonomy.  A mistake of one task stands with the task.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class Mistake(str, Enum):
     TOO_LARGE = "too large"
     INTERRUPTED = "interrupted"
     UNSTEADY = "unsteady"
-    SLIP = "slip"  # one that the task knows, or two
+    KNOWN = "known"  # one that the task knows, or two
     NOTHING_RETURNED = "nothing returned"
     SOMETIMES_NOTHING = "sometimes nothing"
     INPUT_CHANGED = "input changed"

@@ -15,7 +15,7 @@ from ..tasks.case_types import AND, Case, Feedback, TaskCases
 from .explanation import Found, describe, each_part_once
 from .matching import ONE, TWO, alike, feedback_of, is_short, matches_closely, matching_corrections
 
-__all__ = ["Table", "after_a_slip", "followers", "is_something", "only_follows", "slips_in_parts"]
+__all__ = ["Table", "after_a_mistake", "followers", "is_something", "mistakes_in_parts", "only_follows"]
 
 TEXTS = Texts(__file__)
 
@@ -31,10 +31,10 @@ class Table(NamedTuple):
     args: list[list[Plain]]
 
 
-def slips_in_parts(
+def mistakes_in_parts(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> list[Found]:
-    """Return what slips explain, most parts and fewest slips first; pairs, unless one or two slips explain all."""
+    """Return what mistakes explain, most parts and fewest mistakes first; pairs, unless one or two explain all."""
     single = {name: [case.wrong[name] for case in cases] for name in cases[0].wrong}
     found = _in_order(_causes(task, table, cases, wrong, single))
     if task.pairs is None or _is_explained(found, wrong):
@@ -43,11 +43,11 @@ def slips_in_parts(
 
 
 def _in_order(found: list[Found]) -> list[Found]:
-    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.slips), not cause.is_whole))
+    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.mistakes), not cause.is_whole))
 
 
 def _is_explained(found: list[Found], wrong: set[str]) -> bool:
-    """Return whether one or two slips explain all wrong parts."""
+    """Return whether one or two mistakes explain all wrong parts."""
     causes = each_part_once(found, wrong)
     return wrong <= set().union(*(cause.parts for cause in causes)) and len(causes) <= 2
 
@@ -55,7 +55,7 @@ def _is_explained(found: list[Found], wrong: set[str]) -> bool:
 def _pairs(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> dict[str, list[Plain]]:
-    """Return what those two slips give, case by case, that give one of the wrong parts at least."""
+    """Return what those two mistakes give, case by case, that give one of the wrong parts at least."""
     assert task.pairs is not None
     parts = [name for name in table.forms if name in wrong]
 
@@ -84,41 +84,43 @@ def _is_short(table: Table, name: str) -> bool:
 def _causes(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], rows: dict[str, list[Plain]]
 ) -> list[Found]:
-    """Return what each slip, or each two, explain of the wrong parts."""
+    """Return what each mistake, or each two, explain of the wrong parts."""
     found = []
     for key, answers in rows.items():
-        slips = {name: feedback_of(task, name) for name in key.split(AND)}
+        mistakes = {name: feedback_of(task, name) for name in key.split(AND)}
         changed, same = _shown(task.form, table, answers, TWO if AND in key else ONE)
         same = _explain_whole_lists(same, changed)
         if changed and changed <= same & wrong:
-            found.append(Found(slips, describe(task, list(slips)), changed, is_whole=True))
-        elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in slips.items()):
-            found.append(Found(slips, describe(task, list(slips)), same & changed & wrong))
-        elif len(slips) == 1 and (made_in := slips[key].part) in same & changed & wrong:  # but what follows is not so
-            found.append(Found(slips, describe(task, list(slips)), {made_in}))
-        elif len(slips) == 1:
-            found += _explain_one_slip(task.form, table, key, slips[key], changed, same & wrong, wrong)
+            found.append(Found(mistakes, describe(task, list(mistakes)), changed, is_whole=True))
+        elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in mistakes.items()):
+            found.append(Found(mistakes, describe(task, list(mistakes)), same & changed & wrong))
+        elif (
+            len(mistakes) == 1 and (made_in := mistakes[key].part) in same & changed & wrong
+        ):  # but what follows is not so
+            found.append(Found(mistakes, describe(task, list(mistakes)), {made_in}))
+        elif len(mistakes) == 1:
+            found += _explain_one_mistake(task.form, table, key, mistakes[key], changed, same & wrong, wrong)
     return found
 
 
 def _explain_whole_lists(same: set[str], changed: set[str]) -> set[str]:
-    """Return the parts without members of lists of which another member is not what the slip gives."""
+    """Return the parts without members of lists of which another member is not what the mistake gives."""
     others = {name.partition("[")[0] for name in changed - same if "[" in name}
     return {name for name in same if name.partition("[")[0] not in others}
 
 
 def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words: Feedback) -> bool:
-    """Return whether a slip's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
+    """Return whether a mistake's reply is true of some parts alone: it says so, or it shows in a single one anyway."""
     return words.partly or (
         bool(words.part) and _shown(form, table, [case.wrong.get(name) for case in cases], ONE)[0] == {words.part}
     )
 
 
 def _held_together(found: list[Found]) -> list[Found]:
-    return [cause for cause in found if len(cause.slips) == 1 or not _falls_apart(cause, found)]
+    return [cause for cause in found if len(cause.mistakes) == 1 or not _falls_apart(cause, found)]
 
 
-def _explain_one_slip(
+def _explain_one_mistake(
     form: Form,
     table: Table,
     name: str,
@@ -127,7 +129,7 @@ def _explain_one_slip(
     same: set[str],
     wrong: set[str],
 ) -> list[Found]:
-    """Return what a slip explains whose labels were put right by hand, or that was made on the way to another part."""
+    """Return what a mistake explains whose labels were corrected by hand, or that was made in another part."""
     values = {part for part in changed if not part.startswith(LABELS)}
     same = _more_than_zero(table, same)
     if isinstance(form, Message) and values and values <= same:
@@ -139,10 +141,10 @@ def _explain_one_slip(
 
 
 def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
-    """Return whether each of two slips, and no other, explains parts of its own: then each is said of those."""
-    single = [cause for cause in found if len(cause.slips) == 1]
-    alone = [cause.parts for cause in single if cause.slips.keys() <= both.slips.keys()]
-    if len(alone) < len(both.slips) or set.intersection(*alone) or not both.parts <= set.union(*alone):
+    """Return whether each of two mistakes, and no other, explains parts of its own: then each is said of those."""
+    single = [cause for cause in found if len(cause.mistakes) == 1]
+    alone = [cause.parts for cause in single if cause.mistakes.keys() <= both.mistakes.keys()]
+    if len(alone) < len(both.mistakes) or set.intersection(*alone) or not both.parts <= set.union(*alone):
         return False
     return all(sum(cause.parts == parts for cause in single) == 1 for parts in alone)
 
@@ -185,15 +187,15 @@ JOINED: tuple[Callable[[float, float], float], ...] = (
 )
 
 
-def after_a_slip(
+def after_a_mistake(
     task: TaskCases, name: str, form: Form, outcomes: Sequence[Plain], made_in: str, row: Sequence[Plain]
 ) -> list[Found]:
-    """Return what a part is beside a slip that another part shows; nothing if it is none of it.
+    """Return what a part is beside a mistake that another part shows; nothing if it is none of it.
 
     Args:
         name: of the part, and its `form` and `outcomes`.
-        made_in: the part in which the slip was made.
-        row: what the slip gives in this part, case by case.
+        made_in: the part in which the mistake was made.
+        row: what the mistake gives in this part, case by case.
     """
     if not form.is_measured or any(value is None for value in row):
         return []

@@ -1,11 +1,11 @@
 """Explain the wrong parts of an answer, each part of a dict and each field of a message by itself.
 
-    {"base_link": right, "map": wrong}     a slip of the task that shows in "map" alone
+    {"base_link": right, "map": wrong}     a mistake of the task that shows in "map" alone
                                            a mistake that any answer can have, in that part
                                            the answer of another part, or what was given
 
 A value has one case, a function several: a part is explained where it is in all of
-them.  What only follows from an earlier slip costs nothing: *error carried forward*.
+them.  What only follows from an earlier mistake costs nothing: *error carried forward*.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from .matching import (
     matching_corrections,
 )
 from .options import confused, explain_list_orders, explain_orders, named_twice, seen_of, word_of
-from .part_mistakes import Table, after_a_slip, followers, is_something, only_follows, slips_in_parts
+from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
 from .precision import TOLD, stamp_of, time_of
 from .question import Question
 from .vector_terms import turned_in_all
@@ -60,11 +60,11 @@ def explain_parts(question: Question) -> Explanation | None:
 def _beside_stops(
     task: TaskCases, stopped: Sequence[tuple[Case, Plain]], going: Sequence[Case], outcomes: Sequence[Plain]
 ) -> Explanation | None:
-    """Return which of the task's slips explains the calls that go on, if it stops in the others just as this did."""
+    """Return which of the task's mistakes explains the calls that go on, if it stops in the others just as this did."""
     names = {name for name in going[0].wrong if all(alike(task.form, was, case.wrong[name]) for case, was in stopped)}
     only = [case._replace(wrong={name: case.wrong[name] for name in case.wrong if name in names}) for case in going]
     found = _explain_table(task._replace(pairs=None), only, outcomes, None) if names else None
-    return found if found and found.slips.keys() <= task.feedback.keys() else None
+    return found if found and found.mistakes.keys() <= task.feedback.keys() else None
 
 
 def _explain_table(
@@ -82,8 +82,8 @@ def _explain_table(
             found += (
                 _by_itself(task, table, name, given, cases[0].wrong, wrong - left)
                 or _as_it_came(task.form, table, name, cases)
-                or _after_a_slip(task, table, name, cases, found)
-                or _slip_and_then(task, table, name, cases)
+                or _after_a_mistake(task, table, name, cases, found)
+                or _mistake_and_then(task, table, name, cases)
             )
     left -= {name for cause in found for name in cause.parts}
     found += [only_follows(*pair) for pair in follow.items()] if found else []
@@ -103,13 +103,15 @@ def _explain_several_and_what_follows(
 def _explain_several(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
 ) -> list[Found]:
-    """Return what explains parts together: two that changed places, slips, an order; all that is wrong by one first."""
-    slips = slips_in_parts(task, table, cases, wrong, given)
-    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= slip.parts for slip in slips)]
+    """Return what explains parts together: two that changed places, mistakes, an order."""
+    mistakes = mistakes_in_parts(task, table, cases, wrong, given)
+    pairs = [
+        pair for pair in _changed_places(table, wrong) if not any(pair.parts <= mistake.parts for mistake in mistakes)
+    ]
     rows = (table.forms, table.given, table.wanted)
     orders = [*explain_list_orders(*rows), *explain_orders(*rows, task.means)]
-    is_one_slip = any(wrong <= slip.parts for slip in slips)
-    return [*pairs, *slips, *orders] if is_one_slip else [*pairs, *orders, *slips]
+    is_one_mistake = any(wrong <= mistake.parts for mistake in mistakes)
+    return [*pairs, *mistakes, *orders] if is_one_mistake else [*pairs, *orders, *mistakes]
 
 
 def explain_exchanged_parts(question: Question) -> Explanation | None:
@@ -124,7 +126,7 @@ def explain_exchanged_parts(question: Question) -> Explanation | None:
 
 
 def explain_obvious_part(question: Question) -> Explanation | None:
-    """Return what is plain to see in the only part that is wrong: no two slips have to meet for a sign alone."""
+    """Return what is plain to see in the only part that is wrong: no two mistakes have to meet for a sign alone."""
     task, cases, outcomes = question.task, question.cases, question.outcomes
     if not isinstance(task.form, Parts) or any(map(is_raised, (*outcomes, *(case.expected for case in cases)))):
         return None
@@ -212,28 +214,32 @@ def _explain_kinds(table: Table, name: str) -> list[Found]:
     return [Found.of(f"{name}: no word", Text(*texts), name)] if said else []
 
 
-def _after_a_slip(
+def _after_a_mistake(
     task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[Found]
 ) -> list[Found]:
-    """Return what a part is beside the slips of the task that were found in others."""
+    """Return what a part is beside the mistakes of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
-    for slip, part in ((slip, words.part) for slip, words in task.feedback.items() if words.part in known):
-        rows = {one: [task.form.part_of(case.wrong[slip], one) for case in cases] for one in (part, name)}
-        more = after_a_slip(task, name, table.forms[name], table.given[name], part, rows[name])
+    for mistake, part in ((mistake, words.part) for mistake, words in task.feedback.items() if words.part in known):
+        rows = {one: [task.form.part_of(case.wrong[mistake], one) for case in cases] for one in (part, name)}
+        more = after_a_mistake(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and matches_closely(table.forms[part], table.given[part], rows[part]):
             return more
     return []
 
 
-def _slip_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
-    """Return a slip of the task and what is plain to see on top of it, if both give one part."""
+def _mistake_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+    """Return a mistake of the task and what is plain to see on top of it, if both give one part."""
     form = table.forms[name]
-    for slip in task.feedback if form.is_measured else ():
-        row = [task.form.part_of(twin, name) for twin in (case.wrong.get(slip) for case in cases)]
+    for mistake in task.feedback if form.is_measured else ():
+        row = [task.form.part_of(twin, name) for twin in (case.wrong.get(mistake) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
         for way in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
-            return [Found({each: feedback_of(task, each) for each in (slip, way)}, describe(task, [slip, way]), {name})]
+            return [
+                Found(
+                    {each: feedback_of(task, each) for each in (mistake, way)}, describe(task, [mistake, way]), {name}
+                )
+            ]
     return []
 
 
@@ -298,7 +304,7 @@ def _explain_the_given(
 def _as_another_is(
     task: TaskCases, table: Table, name: str, wrong_answers: dict[str, Plain], known: set[str]
 ) -> list[Found]:
-    """Return the slip that writes another part's right answer here, where that one, wrong as is `known`, stands."""
+    """Return the mistake that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form = table.forms[name]
     for other, part in table.forms.items():
         is_like = other in known and type(part) is type(form) and form.is_measured

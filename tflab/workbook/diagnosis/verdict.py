@@ -2,7 +2,7 @@
 
     what came out of each case  +  what was expected, and what each twin gives  -->  Verdict
 
-    Verdict(passed=0, of=6, mistake=Mistake.SLIP, slips={"swapped": ...})    "that is the inverse"
+    Verdict(passed=0, of=6, mistake=Mistake.KNOWN, mistakes={"swapped": ...})    "that is the inverse"
     Verdict(passed=0, of=6, mistake=Mistake.UNIT, detail={"unit": "mm"})
     Verdict(passed=6, of=6)
 
@@ -52,18 +52,18 @@ class Verdict:
         passed: probes that earn credit; of a function's, those that show something (see credit.py).
         of: how many there are.
         mistake: what is wrong with it; None if all of it is right.
-        slips: those that it comes of, the first in the work first, and what is said of each.
+        mistakes: those that it comes of, the first in the work first, and what is said of each.
         case: the first case that failed, from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
-        follows: of a value's, whether it is counted as right only since it follows from the slip; empty if none is.
+        follows: of a value's, whether it is counted as right only since it follows from the mistake; empty if none is.
         detail: what a reply fills in.
-        said: what to say of the slips; None if it comes of none that is known.
+        said: what to say of the mistakes; None if it comes of none that is known.
     """
 
     passed: int
     of: int
     mistake: Mistake | None = None
-    slips: dict[str, Feedback] = field(default_factory=dict)
+    mistakes: dict[str, Feedback] = field(default_factory=dict)
     case: int = 0
     right: tuple[bool, ...] = ()
     detail: dict[str, Any] = field(default_factory=dict)
@@ -100,12 +100,12 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
     case = _to_show(found, case)
     follows = () if task.is_function else _following(form, found, right)
-    right = tuple(map(max, right, follows)) if follows else right  # one slip costs the part that it is made in
-    return Verdict(sum(right), len(right), mistake, found.slips, case, right, detail, found.said, follows)
+    right = tuple(map(max, right, follows)) if follows else right  # one mistake costs the part that it is made in
+    return Verdict(sum(right), len(right), mistake, found.mistakes, case, right, detail, found.said, follows)
 
 
 def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[bool, ...]:
-    """Return for each part of a value whether it is wrong only since it follows from a slip; empty if none is."""
+    """Return for each part of a value whether it is wrong only since it follows from a mistake; empty if none is."""
     if not found.follows or not isinstance(form, Parts):
         return ()
     return tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
@@ -161,16 +161,16 @@ def _mistake(
     missing = _missing(task, outcomes, outcome)
     if missing is not None and missing[0] is Mistake.OPTION:  # a frame that is no child at all is none to choose from
         found = explain(Question(task, cases, outcomes, variant.given or {}))
-        if found is not None and "parents for children" in found.slips:
-            return Mistake.SLIP, {}, found
+        if found is not None and "parents for children" in found.mistakes:
+            return Mistake.KNOWN, {}, found
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
     found = explain(Question(task, cases, outcomes, variant.given or {}))
-    is_unit = found is not None and len(found.slips) == 1 and next(iter(found.slips)).startswith("unit ")
+    is_unit = found is not None and len(found.mistakes) == 1 and next(iter(found.mistakes)).startswith("unit ")
     if is_unit and not isinstance(form, Message | Command):
-        return Mistake.UNIT, _unit(form, next(iter(found.slips)), rights[case]), found
+        return Mistake.UNIT, _unit(form, next(iter(found.mistakes)), rights[case]), found
     if found is not None:
-        return Mistake.SLIP, {}, found
+        return Mistake.KNOWN, {}, found
     return *_unexplained(task, cases, outcomes, rights, case, outcome, expected), None
 
 
@@ -195,7 +195,7 @@ def _unexplained(
     outcome: Plain,
     expected: Plain,
 ) -> tuple[Mistake, dict[str, Any]]:
-    """Return what can be said of an answer that no slip gives."""
+    """Return what can be said of an answer that no mistake gives."""
     form = task.form
     if (ending := _ending(task, outcomes, outcome, expected)) is not None:
         return (ending[0], _describe_nothing(form, cases, outcomes, rights)) if outcome is None else ending

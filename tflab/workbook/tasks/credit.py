@@ -37,7 +37,7 @@ __all__ = [
     "habit", "negated", "usual_among",
 ]  # fmt: skip
 
-FEWEST_ALIKE = 3  # choices between the same words: of two, one word is as likely a slip as a guess
+FEWEST_ALIKE = 3  # choices between the same words: of two, one word is as likely a mistake as a guess
 
 
 def credited(
@@ -102,7 +102,7 @@ def usual_among(form: Form, expected: Plain, others: Sequence[Plain]) -> list[bo
 def beyond_the_usual(right: Sequence[bool], usual: Sequence[bool], follows: Sequence[bool] = ()) -> list[bool]:
     """Return which probes of a value earn credit: all if all are right, else those that are not usual.
 
-    What only follows from a slip earns none unless something else does.
+    What only follows from a mistake earns none unless something else does.
     """
     if all(right) or len(right) != len(usual):
         return list(right)

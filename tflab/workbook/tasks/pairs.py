@@ -29,9 +29,9 @@ Fits = Callable[[int, Plain], Collection[str]]  # the number of a case, a value 
 def combinable(task: Task) -> list[tuple[WrongStep, WrongStep]]:
     """Return the pairs of mistakes at different steps of the model, the earlier step first."""
     steps = list(inspect.signature(task.model).parameters) if task.model else []
-    slips = [twin for twin in task.mistakes if isinstance(twin, WrongStep)]
-    slips.sort(key=lambda slip: min(map(steps.index, slip.at)))
-    return [(first, then) for first, then in combinations(slips, 2) if not set(first.at) & set(then.at)]
+    mistakes = [twin for twin in task.mistakes if isinstance(twin, WrongStep)]
+    mistakes.sort(key=lambda mistake: min(map(steps.index, mistake.at)))
+    return [(first, then) for first, then in combinations(mistakes, 2) if not set(first.at) & set(then.at)]
 
 
 class PairSearch:
