@@ -38,6 +38,10 @@ def refuse(target, source, stamp_ns):
     )
 
 
+def one_lane(parent, child, stamps_ns, asked_ns, ask=lookup, **more):
+    return timeline.draw_timeline(parent, child, [timeline.Lane(parent, child, stamps_ns, **more)], ask, asked_ns)
+
+
 PICTURES = {
     "scene": lambda: frames.draw_scene(POSES, points={"corner": (3.0, 0.0, 0.0)}),
     "body axes": axes.draw_body_axes,
@@ -45,35 +49,20 @@ PICTURES = {
     "rotation": lambda: axes.draw_rotation(0.1, 0.2, 0.3),
     "cameras": axes.draw_cameras,
     "sentence": lambda: sentence.draw_sentence(POSES, lookup("map", "base_link", 0)),
-    "timeline": lambda: timeline.draw_timeline(
-        "map", "odom", [timeline.Lane("map", "odom", (1_000_000_000, 2_000_000_000))], lookup, 1_500_000_000
-    ),
+    "timeline": lambda: one_lane("map", "odom", (10**9, 2 * 10**9), 1_500_000_000),
     "long names": lambda: sentence.draw_sentence(
         {"base_footprint": Transform(), "camera_optical_frame": Transform((1.0, 0.4, 0.5))},
         lookup("camera_optical_frame", "base_footprint", 0),
     ),
-    "long lanes": lambda: timeline.draw_timeline(
-        "camera_link",
-        "camera_optical_frame",
-        [timeline.Lane("camera_link", "camera_optical_frame", (), is_static=True)],
-        lookup,
-        0,
-    ),
-    "refusal": lambda: timeline.draw_timeline(
-        "base_footprint", "camera_optical_frame", [timeline.Lane("map", "odom", (10**9, 2 * 10**9))], refuse, 10**10
-    ),
-    "stamps since 1970": lambda: timeline.draw_timeline(
-        "map",
-        "odom",
-        [timeline.Lane("map", "odom", (1_700_000_000_250_000_000, 1_700_000_003_250_000_000))],
-        lookup,
-        1_700_000_003_000_000_000,
-    ),
+    "long lanes": lambda: one_lane("camera_link", "camera_optical_frame", (), 0, is_static=True),
+    "refusal": lambda: one_lane("base_footprint", "camera_optical_frame", (10**9, 2 * 10**9), 10**10, refuse),
+    "stamps since 1970": lambda: one_lane("map", "odom", (SINCE_1970, SINCE_1970 + 3 * 10**9), SINCE_1970 + 2 * 10**9),
     "journeys": lambda: ages.draw_journeys([ages.Journey("scan", 0, 10_000_000, 20_000_000)]),
     "latency": lambda: motion_error.draw_latency(motion_error.Sight()),
 }
 
 
+SINCE_1970 = 1_700_000_000_250_000_000
 PARENTS = {"odom": "map", "base": "odom", "laser": "base"}
 SENDER = Sender("driver", (Letter(1.0, ("laser_frame",)),))
 ARM = [

@@ -120,14 +120,6 @@ def test_matplotlibs_settings_are_held_for_one_thread():
     assert rcParams["axes.ymargin"] == before != 0.0
 
 
-def test_a_menu_is_at_the_value_of_its_option_and_a_box_at_yes_or_no():
-    menu = widgets.Dropdown(options=[("one", 1), ("two", 2)], description="number")
-    plain = widgets.Dropdown(options=["a", "b"], description="letter")
-    box = widgets.Checkbox(description="box")
-    at = At([menu, plain, box], [1, 0, True], 2)
-    assert (at(menu), at(plain), at(box), at.moved) == (2, "a", True, box)
-
-
 def test_a_sentence_drawn_ahead_is_the_one_that_the_menu_leads_to():
     panel = sentence_panel(POSES, "map", "laser_frame")
     places = [control.index for control in panel.controls.values()]

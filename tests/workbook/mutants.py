@@ -11,7 +11,7 @@ same as the solution; those stand with the task as `equivalent`, each with its r
 from __future__ import annotations
 
 import ast
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 from tflab.workbook.answers.values import from_plain, outcome_of
@@ -19,11 +19,12 @@ from tflab.workbook.tasks.case_types import Variant
 from tflab.workbook.tasks.reference import Solution, answer_cell_name
 from tflab.workbook.tasks.task import Task, TaskError
 
-from .ast_locations import EDGES, OPPOSITES, SIDES, SIGNS, locations_in, replaced_field
-
 __all__ = ["mutants_of", "survivors"]
 
-COMPUTED = SIGNS | {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
+EDGES = {ast.Lt: ast.LtE, ast.LtE: ast.Lt, ast.Gt: ast.GtE, ast.GtE: ast.Gt}
+SIDES = {ast.Lt: ast.Gt, ast.LtE: ast.GtE, ast.Gt: ast.Lt, ast.GtE: ast.LtE}
+OPPOSITES = {ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.In: ast.NotIn, ast.NotIn: ast.In}
+COMPUTED = {ast.Add: ast.Sub, ast.Sub: ast.Add} | {ast.Mult: ast.Div, ast.Div: ast.Mult, ast.Pow: ast.Mult}
 SYMMETRIC = {"min", "max", "hypot"}  # the same whichever argument comes first
 CALLED = {"sin": "cos", "cos": "sin", "min": "max", "max": "min", "any": "all", "all": "any"}
 
@@ -40,13 +41,27 @@ def mutants_of(source: str, hair: float = 1e-3) -> list[Mutant]:
     tree = ast.parse(source)
     whole = ast.unparse(tree)
     made: dict[str, Mutant] = {}
-    for location in locations_in(tree):
-        for new in _changes(location.node, hair):
-            with replaced_field(location.owner, location.field, location.with_(*(() if new is None else (new,)))):
-                after = ast.unparse(ast.fix_missing_locations(tree))
+    for owner, field, place, node in list(_locations(tree)):
+        held = getattr(owner, field)
+        for new in _changes(node, hair):
+            after_all = [new] if new is not None else []
+            replaced = new if place is None else [*held[:place], *after_all, *held[place + 1 :]] or [ast.Pass()]
+            setattr(owner, field, replaced)
+            after = ast.unparse(ast.fix_missing_locations(tree))
+            setattr(owner, field, held)
             if after != whole:
-                made.setdefault(after, Mutant(_name(tree, location.node, new), after))
+                made.setdefault(after, Mutant(_name(tree, node, new), after))
     return list(made.values())
+
+
+def _locations(tree: ast.AST) -> Iterator[tuple[ast.AST, str, int | None, ast.AST]]:
+    """Yield each node with its owner, the owner's field, and its place if that is a list, level by level."""
+    for owner in ast.walk(tree):
+        for field, held in ast.iter_fields(owner):
+            if isinstance(held, ast.AST):
+                yield owner, field, None, held
+            elif isinstance(held, list):
+                yield from ((owner, field, place, node) for place, node in enumerate(held) if isinstance(node, ast.AST))
 
 
 def _name(tree: ast.AST, node: ast.AST, new: ast.AST | None) -> str:

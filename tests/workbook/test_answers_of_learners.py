@@ -219,32 +219,6 @@ def test_a_general_entry_that_stands_for_all_nodes_is_one_mistake():
 
 # -- chapter 11 -----------------------------------------------------------------------
 
-READ_MONITOR = r"""
-def read_monitor(report, static_frames):
-    found = re.findall(r"Frame: (\S+), published by .*, Average Delay: (\S+), Max Delay: (\S+)", report)
-    moving = [(name, float(avg), float(most)) for name, avg, most in found if name not in static_frames]
-    late = max(moving, key=lambda row: row[2])[0]
-    future = [name for name, avg, most in moving if avg < 0]
-    delay_s = float(re.search(r"Net delay .*max = (\S+)", report).group(1))
-    return {"late": late, "future": future, "delay_s": delay_s}
-"""
-
-
-@pytest.mark.parametrize(
-    ("changes", "mistakes"),
-    [
-        ({r"Max Delay: (\S+)": r"Max Delay: ([\d.]+)"}, ["exponent lost of frames"]),
-        ({"float(most)": "most"}, ["compared as text"]),
-        ({"if avg < 0": "if most <= 0"}, ["max for average"]),
-    ],
-)
-def test_which_figure_of_a_report_was_read_and_how_is_told(changes, mistakes):
-    source = READ_MONITOR
-    for old, new in changes.items():
-        assert old in source
-        source = source.replace(old, new)
-    assert mistakes_of("E11.6", source) == mistakes
-
 
 # -- chapter 12 -----------------------------------------------------------------------
 

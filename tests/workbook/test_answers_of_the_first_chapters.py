@@ -214,70 +214,6 @@ def test_the_angles_of_the_right_turn_are_no_quaternion():
 # -- chapters 3 and 4 -----------------------------------------------------------------
 
 
-def by_hand(turn):
-    """Return an answer to E3.2 that turns points by a function of its own."""
-
-    def answer(given):
-        place, corner = given.laser_p_corner, {}
-        for frame, pose in (("base_link", given.base_T_laser), ("map", given.map_T_base)):
-            x, y = turn(*place[:2], pose.rpy()[2])
-            tx, ty, tz = pose.translation
-            place = corner[frame] = (x + tx, y + ty, place[2] + tz)
-        return corner
-
-    return answer
-
-
-def with_the_new_x(u, v, a):
-    x = u * math.cos(a) - v * math.sin(a)
-    return x, x * math.sin(a) + v * math.cos(a)
-
-
-@pytest.mark.parametrize(
-    ("turn", "mistakes"),
-    [
-        (lambda u, v, a: (u * math.cos(a) - v * math.sin(a), u * math.sin(a) + v * math.cos(a)), []),
-        (with_the_new_x, ["both new x"]),
-    ],
-)  # fmt: skip
-def test_a_function_that_turns_points_wrongly_is_told_once_for_both_ways(turn, mistakes):
-    assert mistakes_of("E3.2", by_hand(turn)) == mistakes
-
-
-def echoed_back(back):
-    """Return an answer to E3.5 whose way back was computed so, of x, y, z and the sine and cosine of the yaw."""
-
-    def answer(given):
-        lines = [line.rstrip("]").split("[")[-1] for line in given.echo.splitlines()]
-        x, y, z = map(float, lines[1].split(", "))
-        angle = float(lines[3].split(", ")[2])
-        there = back(x, y, z, math.sin(angle), math.cos(angle))
-        return {"laser_in_base": (x, y, z), "base_in_laser": there, "yaw_back": -angle}
-
-    return answer
-
-
-@pytest.mark.parametrize(
-    ("back", "mistakes"),
-    [
-        (lambda x, y, z, s, c: (-x * c - y * s, x * s - y * c, -z), []),
-        (lambda x, y, z, s, c: (-x * c - y * s, (-x * c - y * s) * s - y * c, -z), ["new x, taken off"]),
-        (lambda x, y, z, s, c: (-x * c, -y * c, z), ["cosines alone, height kept"]),
-    ],
-)
-def test_a_way_back_that_was_computed_by_hand_is_told_by_its_wrong_term(back, mistakes):
-    assert mistakes_of("E3.5", echoed_back(back)) == mistakes
-
-
-def test_a_way_back_right_in_all_but_that_it_writes_into_what_it_got_is_told_so():
-    def inverted(pose):
-        x, y, c, s = pose["x"], pose["y"], math.cos(pose["yaw"]), math.sin(pose["yaw"])
-        pose["x"], pose["y"], pose["yaw"] = -x * c - y * s, x * s - y * c, -pose["yaw"]
-        return pose
-
-    assert verdict_on("E3.3", inverted).mistake is Mistake.INPUT_CHANGED
-
-
 @pytest.mark.parametrize("same", ["base_link", "map"])
 def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     calls = {"a": ["map", "laser_frame"], "b": [same, same], "c": ["base_link", "camera_link"],
@@ -302,6 +238,17 @@ def test_a_node_is_read_as_it_is_meant_and_one_alone_is_asked_for(node, said):
     assert (verdict.detail["tip"].en if said else verdict.mistake) == said
 
 
+def test_a_first_pose_that_is_not_turned_still_has_its_step():
+    def joined(one, two):
+        if one["yaw"] == 0.0:
+            return two
+        c, s = math.cos(one["yaw"]), math.sin(one["yaw"])
+        x, y = one["x"] + c * two["x"] - s * two["y"], one["y"] + s * two["x"] + c * two["y"]
+        return {"x": x, "y": y, "yaw": one["yaw"] + two["yaw"]}
+
+    assert verdict_on("E3.4", joined).mistake is not None
+
+
 def test_a_path_that_was_reversed_is_told_apart_from_one_that_goes_up_to_the_root():
     def climbed(parent_of, frame):
         return [frame, *climbed(parent_of, parent_of[frame])] if frame in parent_of else [frame]
@@ -317,17 +264,6 @@ def test_a_path_that_was_reversed_is_told_apart_from_one_that_goes_up_to_the_roo
     assert mistakes_of("E4.3", path) == []
     assert mistakes_of("E4.3", lambda *asked: path(*asked)[::-1]) == ["reversed"]
     assert mistakes_of("E4.3", partial(path, to_the_root=True)) == ["up to the root"]
-
-
-def test_a_first_pose_that_is_not_turned_still_has_its_step():
-    def joined(one, two):
-        if one["yaw"] == 0.0:
-            return two
-        c, s = math.cos(one["yaw"]), math.sin(one["yaw"])
-        x, y = one["x"] + c * two["x"] - s * two["y"], one["y"] + s * two["x"] + c * two["y"]
-        return {"x": x, "y": y, "yaw": one["yaw"] + two["yaw"]}
-
-    assert verdict_on("E3.4", joined).mistake is not None
 
 
 @pytest.mark.parametrize(

@@ -42,13 +42,10 @@ def test_messages_are_drawn_by_what_they_hold():
     assert "As seen from map" in drawn(POINT, geometry_msgs.PointStamped(), seen)
 
 
-def test_what_is_nowhere_in_space_is_not_drawn():
+def test_what_is_nowhere_in_space_and_two_that_lie_on_each_other_are_not_drawn():
     assert drawn(Parts({"a": Choice(("left", "right"))}), {"a": "left"}, {"a": "right"}) is None
     assert drawn(PLANAR, {"x": "left"}, {"x": 1.0, "y": -2.0, "yaw": 0.5}) is None
     assert drawn(POINTS, {"map": (1e9, 0.0, 0.0)}, {"base_link": (1.0, 2.0, 0.0), "map": (5.0, 6.0, 0.0)}) is None
-
-
-def test_two_that_lie_on_each_other_are_not_drawn():
     mount = geometry_msgs.TransformStamped(child_frame_id="camera_link", header=std_msgs.Header(frame_id="base_link"))
     swapped = geometry_msgs.TransformStamped(child_frame_id="base_link", header=std_msgs.Header(frame_id="camera_link"))
     assert drawn(MOUNT, swapped, mount) is None

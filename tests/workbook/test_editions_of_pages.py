@@ -62,7 +62,6 @@ def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) ->
 # In one language each: the other has the same code.
 @pytest.mark.parametrize(("stem", "language"), [*zip(CHAPTERS, cycle(("en", "ko")), strict=False)])
 def test_an_untouched_exercise_runs_to_its_last_cell_and_scores_zero(stem: str, language: str, tmp_path: Path) -> None:
-
     root = lay_out(tmp_path / "copy", language)
     path = root / "exercises" / language / f"E{stem}.ipynb"
     page = nbformat.read(path, as_version=4)

@@ -21,30 +21,27 @@ ASKED = f"{MOUNT} --x 0.2 --y -0.1 --z 0.3 --yaw 0.5 --frame-id base_link --chil
 
 
 def test_a_function_that_stops_in_some_calls_hears_what_is_wrong_in_the_others_first():
-    cases = [Case([place], float(place + 1), {}) for place in range(4)]
+    cases = [Case([place], float(place + 1), {"late": float(place + 1) if place < 3 else 9.0}) for place in range(4)]
     task, variant = bare(Number("m"), *cases, is_function=True)
+    task = task._replace(feedback={"late": words("late")})
     verdict = judge_outcomes(task, variant, [-1.0, -2.0, -3.0, STOPPED])
     assert list(verdict.mistakes) == ["sign", "stops: TypeError"]
     assert "in 1 of the 4 calls" in verdict.said.en
-    assert judge_outcomes(task, variant, [1.0, 2.0, 3.0, STOPPED]).mistake is Mistake.RAISES
+    verdict = judge_outcomes(task, variant, [1.0, 2.0, 3.0, STOPPED])
+    assert (verdict.mistake, verdict.mistakes) == (Mistake.RAISES, {})  # "late" would show only where it stops
     assert judge_outcomes(task, variant, [-1.0, 2.5, -3.0, STOPPED]).mistake is not Mistake.KNOWN
 
 
-def test_a_mistake_that_would_show_only_where_a_function_stops_is_not_said_of_it():
-    cases = [Case([place], float(place + 1), {"late": float(place + 1) if place < 3 else 9.0}) for place in range(4)]
-    task, variant = bare(Number("m"), *cases, is_function=True)
-    verdict = judge_outcomes(task._replace(feedback={"late": words("late")}), variant, [1.0, 2.0, 3.0, STOPPED])
-    assert (verdict.mistake, verdict.mistakes) == (Mistake.RAISES, {})
-
-
-def test_two_mistakes_that_show_in_different_calls_are_both_named_and_a_third_mistake_is_not_passed_over():
-    twins = {"bound": ["a", "y", "c", "d"], "empty": ["a", "b", "c", "z"]}
+def test_mistakes_that_show_in_different_calls_are_all_named_and_another_one_is_not_passed_over():
     right = ["a", "b", "c", "d"]
-    assert list(judged_function(Name(), list(zip(right, ["a", "y", "c", "z"], strict=True)), twins).mistakes) == [
-        "bound",
-        "empty",
-    ]
-    assert judged_function(Name(), list(zip(right, ["q", "y", "c", "z"], strict=True)), twins).mistakes == {}
+    gives = {"one": ["x", "b", "c", "d"], "two": ["a", "y", "c", "d"], "three": ["a", "b", "z", "d"]}
+
+    def mistakes(*outcomes):
+        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives).mistakes)
+
+    assert mistakes("x", "y", "c", "d") == ["one", "two"]
+    assert mistakes("x", "y", "z", "d") == ["one", "two", "three"]
+    assert mistakes("x", "y", "z", "q") == mistakes("q", "y", "c", "d") == []  # none of the three gives q
 
 
 def test_each_member_of_a_list_of_choices_has_a_mistake_of_its_own():
@@ -88,17 +85,6 @@ def test_the_more_digits_a_number_has_the_closer_a_mistake_has_to_fit(answer, fi
     form = Number("m", tolerance=0.002)
     verdict = judged(form, 0.47, {"one third": 1 / 3}, answer)
     assert (list(verdict.mistakes) == ["one third"]) is fits
-
-
-def test_three_mistakes_are_named_where_each_shows_alone_in_some_call():
-    right = ["a", "b", "c", "d"]
-    gives = {"one": ["x", "b", "c", "d"], "two": ["a", "y", "c", "d"], "three": ["a", "b", "z", "d"]}
-
-    def mistakes(*outcomes):
-        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives).mistakes)
-
-    assert mistakes("x", "y", "z", "d") == ["one", "two", "three"]
-    assert mistakes("x", "y", "z", "q") == []  # none of the three gives the last
 
 
 def test_two_mistakes_in_two_parts_are_each_said_of_its_own():

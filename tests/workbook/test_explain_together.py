@@ -70,9 +70,8 @@ def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
 
 
 def test_a_part_whose_name_the_reply_says_already_is_named_once():
-    named = Feedback(Text("a: it was turned.", "a: 돌렸습니다."), "")
-    other = Feedback(Text("b: it was moved.", "b: 옮겼습니다."), "")
-    found = [Found({"turned": named}, named.reply, {"a"}), Found({"moved": other}, other.reply, {"b"})]
+    replies = {"a": Text("a: it was turned.", "a: 돌렸습니다."), "b": Text("b: it was moved.", "b: 옮겼습니다.")}
+    found = [Found({name: Feedback(reply, "")}, reply, {name}) for name, reply in replies.items()]
     said = together(found, {}, ["a", "b"]).said
     assert said == Text('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
 

@@ -63,23 +63,35 @@ def planar(x: float, turned_deg: float) -> Transform:
     return Transform.from_rpy(yaw=math.radians(turned_deg), translation=(x, 0.0, 0.0))
 
 
-@pytest.mark.parametrize(("form", "ahead", "turned_deg", "ball"), [("A", 0.2, 90, 2.0), ("B", 0.3, -90, 1.5)])
-def test_the_ball_is_where_the_engine_puts_it(form, ahead, turned_deg, ball):
-    robot_T_laser = planar(ahead, turned_deg)
-    assert numbers_of(1, form) == pytest.approx(robot_T_laser.apply((ball, 0.0, 0.0))[:2])
+def zero_of_the_count(counted: float, on_the_map: float) -> float:
+    return (Transform((on_the_map, 0.0, 0.0)) @ Transform((counted, 0.0, 0.0)).inverse()).translation[0]
 
 
-@pytest.mark.parametrize(("form", "turned_deg", "away"), [("A", 90, 2.0), ("B", -90, 3.0)])
-def test_the_way_back_is_the_engines_inverse(form, turned_deg, away):
-    assert numbers_of(3, form) == pytest.approx(planar(away, turned_deg).inverse().translation[:2])
+def post_is_off_by(v: float, w: float, old_s: float, post: float) -> float:
+    """Return how far off a post is that was seen `old_s` ago, after an arc at `v` m/s and `w` rad/s [m]."""
+    turned = w * old_s
+    arc = (v / w * math.sin(turned), v / w * (1.0 - math.cos(turned)), 0.0)
+    then_T_now = Transform.from_rpy(yaw=turned, translation=arc)
+    return round(math.dist(then_T_now.apply((post, 0.0, 0.0)), (post, 0.0, 0.0)), 2)
 
 
-@pytest.mark.parametrize(("form", "body_p_cup"), [("A", (2.0, 0.5, 0.0)), ("B", (3.0, -0.4, 0.0))])
-def test_the_camera_writes_what_its_axes_say_and_once_more_is_a_wrong_option(form, body_p_cup):
-    optical_p_cup = optical_from_body(body_p_cup)
-    assert numbers_of(4, form) == pytest.approx(optical_p_cup)
-    said = {option.says.en.replace("−", "-") for option in ITEMS[3].forms[form].options.values()}
-    assert "({:g}, {:g}, {:g})".format(*(round(x, 9) + 0.0 for x in optical_from_body(optical_p_cup))) in said
+@pytest.mark.parametrize(
+    ("number", "form", "expected"),
+    [
+        (1, "A", planar(0.2, 90).apply((2.0, 0.0, 0.0))[:2]),  # where a ball is in the robot's frame
+        (1, "B", planar(0.3, -90).apply((1.5, 0.0, 0.0))[:2]),
+        (3, "A", planar(2.0, 90).inverse().translation[:2]),  # the way back
+        (3, "B", planar(3.0, -90).inverse().translation[:2]),
+        (4, "A", optical_from_body((2.0, 0.5, 0.0))),  # what a camera writes
+        (4, "B", optical_from_body((3.0, -0.4, 0.0))),
+        (7, "A", [zero_of_the_count(10.0, 9.4)]),
+        (7, "B", [zero_of_the_count(25.0, 25.8)]),
+        (9, "A", [post_is_off_by(1.0, 0.5, 0.2, 5.0)]),
+        (9, "B", [post_is_off_by(0.8, 0.6, 0.25, 4.0)]),
+    ],
+)
+def test_the_numbers_of_the_right_option_are_those_of_the_engine(number, form, expected):
+    assert numbers_of(number, form) == pytest.approx(expected)
 
 
 def test_four_zeros_are_refused_and_the_other_order_is_upside_down():
@@ -104,20 +116,6 @@ def test_two_who_say_one_place_give_places_that_nobody_said(form, one, other):
     assert {one, other} <= heard
     assert any(one < place < other for place in heard)
     assert ITEMS[5].forms[form].options[KEY[form][5]].shows == RIGHT
-
-
-@pytest.mark.parametrize(("form", "counted", "on_the_map"), [("A", 10.0, 9.4), ("B", 25.0, 25.8)])
-def test_zero_of_the_count_lies_where_the_two_places_meet(form, counted, on_the_map):
-    map_T_zero = Transform((on_the_map, 0.0, 0.0)) @ Transform((counted, 0.0, 0.0)).inverse()
-    assert numbers_of(7, form) == pytest.approx([map_T_zero.translation[0]])
-
-
-@pytest.mark.parametrize(("form", "v", "w", "old_s", "post"), [("A", 1.0, 0.5, 0.2, 5.0), ("B", 0.8, 0.6, 0.25, 4.0)])
-def test_the_post_is_off_by_the_way_driven_and_the_turn_at_its_distance(form, v, w, old_s, post):
-    turned = w * old_s
-    arc = (v / w * math.sin(turned), v / w * (1.0 - math.cos(turned)), 0.0)
-    then_T_now = Transform.from_rpy(yaw=turned, translation=arc)
-    assert numbers_of(9, form) == [round(math.dist(then_T_now.apply((post, 0.0, 0.0)), (post, 0.0, 0.0)), 2)]
 
 
 # -- how it is made -----------------------------------------------------------------------

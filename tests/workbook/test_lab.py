@@ -66,25 +66,19 @@ def test_the_second_time_it_opens_the_same_copy_and_lays_out_only_what_was_delet
     assert "  exercises/en/E03_small.ipynb: was missing, laid out again\n" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    ("environment", "language"),
-    [
+def test_a_new_copy_has_the_language_of_the_locale_or_of_windows(monkeypatch) -> None:
+    for environment, language in (
         ({}, "en"),
         ({"LC_ALL": "en_GB.UTF-8", "LANG": "ko_KR.UTF-8"}, "en"),
         ({"LC_ALL": "", "LC_MESSAGES": "ko_KR", "LANG": "en_GB"}, "ko"),
-    ],
-)
-def test_a_new_copy_has_the_language_of_the_locale(environment: dict, language: str) -> None:
-    assert text.language_of_locale(environment) == language
-
-
-@pytest.mark.parametrize(("of_windows", "language"), [(0x412, "ko"), (0x409, "en"), (0x812, "ko")])
-def test_windows_says_its_language_in_no_variable(of_windows: int, language: str, monkeypatch) -> None:
-    windows = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda: of_windows))
-    monkeypatch.setattr(ctypes, "windll", windows, raising=False)
+    ):
+        assert text.language_of_locale(environment) == language
     monkeypatch.setattr(text, "os", SimpleNamespace(name="nt"))
-    assert text.language_of_locale({}) == language
-    assert text.language_of_locale({"LANG": "en_US.UTF-8"}) == "en"
+    for of_windows, language in ((0x412, "ko"), (0x409, "en"), (0x812, "ko")):
+        windows = SimpleNamespace(kernel32=SimpleNamespace(GetUserDefaultUILanguage=lambda said=of_windows: said))
+        monkeypatch.setattr(ctypes, "windll", windows, raising=False)
+        assert text.language_of_locale({}) == language
+        assert text.language_of_locale({"LANG": "en_US.UTF-8"}) == "en"
 
 
 def test_a_second_language_is_added_and_switched_to_and_stays(started: list, capsys) -> None:
@@ -127,31 +121,21 @@ def test_a_folder_of_something_else_is_left_as_it_is_and_opened_only_as_is(
     assert files(other) == {"chapter.ipynb"}
 
 
-def test_an_option_of_jupyterlab_that_does_not_stand_after_the_dashes_is_told_where_it_does(
-    started: list, capsys
-) -> None:
+def test_what_cannot_be_opened_is_said_and_nothing_is_started_or_changed(started: list, capsys) -> None:
     with pytest.raises(SystemExit):
         lab.lab(["--ip", "0.0.0.0"])
     assert "unrecognized arguments: --ip; an option of JupyterLab stands after --" in capsys.readouterr().err
+    for words in (["/no/such/folder"], ["/no/such/folder", "--as-is"]):
+        assert lab.lab(words) == 2
+        assert "there is no folder /no/such" in capsys.readouterr().err
     assert started == []
-
-
-@pytest.mark.parametrize("words", [["/no/such/folder"], ["/no/such/folder", "--as-is"]])
-def test_a_folder_that_is_not_there_is_said_and_nothing_is_started(words: list, started: list, capsys) -> None:
-    assert lab.lab(words) == 2
-    assert "there is no folder /no/such" in capsys.readouterr().err
-    assert started == []
-
-
-def test_a_broken_workbook_json_is_said_and_nothing_is_changed(started: list, capsys) -> None:
-    lab.lab(["mine"])
-    copy = started[0][1]
-    (copy / "workbook.json").write_text('{"tflab": "0.1')
-    lab.os.chdir(copy.parent)
+    lab.lab(["mine", "--copy-only"])
+    mark = Path("mine", "workbook.json").resolve()
+    mark.write_text('{"tflab": "0.1')
     assert lab.lab(["mine", "--update"]) == 2
     assert "workbook.json cannot be read" in capsys.readouterr().err
-    assert (copy / "workbook.json").read_text() == '{"tflab": "0.1'
-    assert len(started) == 1
+    assert mark.read_text() == '{"tflab": "0.1'
+    assert started == []
 
 
 def test_a_copy_of_another_version_opens_as_it_is_and_update_is_offered(started: list, handed_out, capsys) -> None:

@@ -152,17 +152,17 @@ def test_the_page_says_what_is_left_what_its_signs_mean_and_what_to_type_on_a_ro
 def test_tflab_progress_finds_the_copy_below_the_folder_it_is_called_in(
     handed_out: HandedOut, tmp_path: Path, monkeypatch, capsys
 ) -> None:
+    def said() -> str:
+        assert progress_command([]) == 0
+        return capsys.readouterr().out
+
     monkeypatch.chdir(tmp_path)
-    assert progress_command([]) == 0
-    assert "Nothing is kept here" in capsys.readouterr().out
+    assert "Nothing is kept here" in said()
     lay_out(tmp_path / "tflab_workbook", "en")
-    assert progress_command([]) == 0
-    assert "Only a passed check ticks" in capsys.readouterr().out
+    assert "Only a passed check ticks" in said()
     (tmp_path / "tflab_workbook").rename(tmp_path / "mine")  # the only one there is
-    assert progress_command([]) == 0
-    assert "Only a passed check ticks" in capsys.readouterr().out
+    assert "Only a passed check ticks" in said()
     lay_out(tmp_path / "yours", "en")
-    assert progress_command([]) == 0
-    assert "Nothing is kept here" in capsys.readouterr().out
+    assert "Nothing is kept here" in said()
     assert progress_command([str(tmp_path)]) == 2
     assert "tflab lab makes one" in capsys.readouterr().err

@@ -1,4 +1,4 @@
-"""Reading a page: cells with their names, languages, tags, lines, and magics as they are typed."""
+"""A page is read as cells with their names, languages, tags and lines, and with magics as they are typed."""
 
 from __future__ import annotations
 
@@ -17,15 +17,12 @@ def test_a_cell_has_its_name_its_language_its_tags_and_its_line(tmp_path: Path) 
     assert (load.source, load.lang, load.slide) == ("%load_ext tflab", None, "-")
     assert (look.tags, look.slide, look.line) == (("check", "answer"), "fragment", 10)
     assert read.stem == "03_x"
+    assert page(tmp_path, TITLE, code("look", "1", ' colour="red"')).cells[-1].unknown == ("colour",)
 
 
 def test_a_reader_of_one_language_sees_its_texts_and_all_code(tmp_path: Path) -> None:
     read = page(tmp_path, TITLE, text("why", "Because.", "그래서입니다."))
     assert [cell.source for cell in read.in_language("ko")] == ["# 한 쪽", "%load_ext tflab", "그래서입니다."]
-
-
-def test_an_option_that_means_nothing_is_kept_for_the_rules_to_complain(tmp_path: Path) -> None:
-    assert page(tmp_path, TITLE, code("look", "1", ' colour="red"')).cells[-1].unknown == ("colour",)
 
 
 def test_text_before_the_first_cell_is_said_with_its_file(tmp_path: Path) -> None:
