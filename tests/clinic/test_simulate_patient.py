@@ -19,8 +19,13 @@ def found_in(patient):
 
 
 @pytest.fixture(scope="module")
-def patients():
-    return {cause: make_patient([cause], draw_numbers(np.random.default_rng([3, i]))) for i, cause in enumerate(CAUSES)}
+def patients(sample):
+    chosen = {"laser clock ahead", "mount volatile", *sample(CAUSES, 3)}
+    return {
+        cause: make_patient([cause], draw_numbers(np.random.default_rng([3, i])))
+        for i, cause in enumerate(CAUSES)
+        if cause in chosen
+    }
 
 
 def test_the_causes_are_the_suspects():
@@ -28,16 +33,20 @@ def test_the_causes_are_the_suspects():
     assert sorted(cause for causes in CURES.values() for cause in causes) == sorted(SUSPECTS)
 
 
-@pytest.mark.parametrize("cause", SUSPECTS)
-def test_a_patients_findings_fit_its_cause_and_no_other(patients, cause):
-    assert fitting(found_in(patients[cause])) == (cause,)
+def test_a_patients_findings_fit_its_cause_and_no_other_and_do_not_name_it(patients):
+    for cause, patient in patients.items():
+        assert fitting(found_in(patient)) == (cause,)
+        texts = [patient.screen, *(patient.reading(key)[1] for key in TROLLEY)]
+        assert not [suspect for suspect in SUSPECTS for text in texts if suspect in text]
 
 
-def test_every_reading_of_a_healthy_robot_is_as_on_the_card():
+def test_every_reading_of_a_healthy_robot_is_as_on_the_card_and_leaves_no_file(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
     with ExaminedRobot(HEALTHY, Numbers()) as well:
         screen = well.screen()
         kinds = {key: check.kind(well.ask(key, screen)[1]) for key, check in TROLLEY.items()}
     assert kinds == {key: check.usual for key, check in TROLLEY.items()}
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_a_tools_terminal_shows_no_log_of_the_robots_nodes(patients):
@@ -46,22 +55,13 @@ def test_a_tools_terminal_shows_no_log_of_the_robots_nodes(patients):
     assert "[laser_mount]" not in text  # the mount's stands where the mount was launched
 
 
-def test_a_tool_that_writes_files_leaves_none_here(tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    with ExaminedRobot(HEALTHY, Numbers()) as well:
-        assert "frames_" in well.ask("view_frames")[0]
-    assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize("cause", SUSPECTS)
-def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients, cause):
-    cure = next(fix for fix, causes in CURES.items() if cause in causes)
-    assert "RViz: all Ok" in seen_after(patients[cause], cure)[1] or cause in (
-        "localizer owns the base",
-        "nothing is wrong",
-    )
-    if cause not in ("two owners of one edge", "nothing is wrong"):
-        assert seen_after(patients[cause], "new sensor")[1] != seen_after(patients[cause], cure)[1]
+def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients):
+    for cause, patient in patients.items():
+        cure = next(fix for fix, causes in CURES.items() if cause in causes)
+        well = seen_after(patient, cure)[1]
+        assert "RViz: all Ok" in well or cause in ("localizer owns the base", "nothing is wrong")
+        if cause not in ("two owners of one edge", "nothing is wrong"):
+            assert seen_after(patient, "new sensor")[1] != well
 
 
 def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
@@ -90,12 +90,6 @@ def test_the_same_numbers_make_the_same_patient(patients):
         ["laser clock ahead"], draw_numbers(np.random.default_rng([3, SUSPECTS.index("laser clock ahead")]))
     )
     assert again.packed() == patients["laser clock ahead"].packed()
-
-
-def test_a_patient_does_not_name_its_cause(patients):
-    for cause, patient in patients.items():
-        texts = [patient.screen, *(patient.reading(key)[1] for key in TROLLEY)]
-        assert not [suspect for suspect in SUSPECTS for text in texts if suspect in text], cause
 
 
 def test_two_causes_show_the_first_one_first():

@@ -12,7 +12,7 @@ from tflab.robots.faults.catalogue import Fault
 from tflab.robots.faults.inject import inject, inject_all
 from tflab.robots.teaching import TeachingRobot
 
-SEEDS = (0, 1, 2)
+SEEDS = (0, 1)
 
 
 def run(seed):
@@ -66,7 +66,3 @@ def test_faults_of_different_edges_are_all_named(runs):
     broken, _ = inject_all(runs[1], wanted, seed=5)
     named = {fault for finding in alarms(broken) for fault in faults_of_code(finding.code)}
     assert set(wanted) <= named
-
-
-def test_every_fault_has_a_code():
-    assert all(codes_of(fault) for fault in Fault)

@@ -18,7 +18,7 @@ from tflab.robots.faults.streams import edges_of
 from tflab.robots.teaching import TeachingRobot
 
 CLEAN = TeachingRobot().records(until_s=21.0)
-SEEDS = range(6)
+SEEDS = range(3)
 
 
 def small_stream() -> list[TransformRecord]:
@@ -50,10 +50,6 @@ def filled(records) -> BufferCore:
     return buffer
 
 
-def test_every_fault_of_the_catalogue_has_an_injector():
-    assert set(INJECTORS) == set(Fault)
-
-
 def test_the_order_of_the_catalogue_does_not_change_injected_faults(monkeypatch):
     before = {fault: repr(inject(CLEAN, fault, 1)) for fault in Fault}
     reordered = {"NEW": "new", **{fault.name: fault.value for fault in reversed(Fault)}}
@@ -63,33 +59,19 @@ def test_the_order_of_the_catalogue_does_not_change_injected_faults(monkeypatch)
 
 @pytest.mark.parametrize("fault", list(Fault))
 @pytest.mark.parametrize("seed", [0, 1])
-def test_the_same_seed_makes_the_same_fault_and_the_original_stays_as_it_was(fault, seed):
+def test_the_same_seed_makes_the_same_fault_on_edges_that_its_diagnosis_names_and_on_no_other(fault, seed):
     before = list(CLEAN)
     first, again = inject(CLEAN, fault, seed), inject(CLEAN, fault, seed)
     assert repr(first) == repr(again)  # NaN is not equal to itself, but its text is
     assert before == CLEAN
     assert first.records != CLEAN
     assert first.diagnosis.fault == fault
-
-
-@pytest.mark.parametrize("fault", list(Fault))
-def test_streams_stay_in_the_order_of_arrival(fault):
-    heard = [record.receive_ns for record in inject(CLEAN, fault, 2).records]
+    heard = [record.receive_ns for record in first.records]
     assert heard == sorted(heard)
-
-
-@pytest.mark.parametrize("fault", list(Fault))
-def test_edges_that_the_diagnosis_does_not_name_are_untouched(fault):
-    records, diagnosis = inject(CLEAN, fault, 3)
-    touched = set(diagnosis.frames)
     for edge in edges_of(CLEAN).values():
-        if edge.child not in touched:
+        if edge.child not in first.diagnosis.frames:
             original = [CLEAN[place] for place in edge.places]
-            assert [r for r in records if r.stamped.child_frame_id == edge.child] == original
-
-
-def test_seeds_differ():
-    assert len({repr(inject(CLEAN, Fault.GAP, seed).diagnosis) for seed in range(10)}) > 5
+            assert [r for r in first.records if r.stamped.child_frame_id == edge.child] == original
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -100,7 +82,7 @@ def test_reparented_frames_have_two_parents_and_no_loop(seed):
     filled(records).lookup_transform("map", child, LATEST)
 
 
-@pytest.mark.parametrize("seed", range(12))
+@pytest.mark.parametrize("seed", range(4))
 def test_a_second_owner_contradicts_the_first_at_other_moments(seed):
     records, diagnosis = inject(CLEAN, Fault.SECOND_OWNER, seed)
     (child,) = diagnosis.frames
@@ -157,19 +139,14 @@ def test_bad_numbers_are_in_the_edge_that_is_named(seed):
 
 
 @pytest.mark.parametrize("seed", SEEDS)
-def test_a_missing_edge_leaves_two_trees(seed):
-    records, diagnosis = inject(CLEAN, Fault.MISSING_EDGE, seed)
-    with pytest.raises(ConnectivityException):
-        filled(records).lookup_transform("map", diagnosis.frames[0], LATEST)
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_loop_is_one(seed):
-    records, _ = inject(CLEAN, Fault.LOOP, seed)
-    buffer = filled(records)
+def test_a_loop_is_one_and_a_missing_edge_leaves_two_trees(seed):
+    buffer = filled(inject(CLEAN, Fault.LOOP, seed).records)
     buffer.set_transform(StampedTransform("island", "rock", seconds(1.0), Transform()), is_static=True)
     with pytest.raises(LookupException, match="contains a loop"):
         buffer.lookup_transform("island", "laser_frame", LATEST)
+    records, diagnosis = inject(CLEAN, Fault.MISSING_EDGE, seed)
+    with pytest.raises(ConnectivityException):
+        filled(records).lookup_transform("map", diagnosis.frames[0], LATEST)
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -203,26 +180,20 @@ def test_a_clock_offset_is_the_same_for_all_of_one_publisher_and_none_of_another
     assert all(abs(offset) >= seconds(1.0) for values in offsets.values() for offset in values - {0})
 
 
-def test_statics_on_tf_repeat_and_never_change():
+def test_an_edge_on_the_wrong_topic_is_there_and_nowhere_else():
     records, diagnosis = inject(CLEAN, Fault.STATIC_ON_TF)
     laser = [record for record in records if record.stamped.child_frame_id == "laser_frame"]
     assert len(laser) > 150
     assert {record.topic for record in laser} == {"/tf"}
     assert {record.stamped.transform for record in laser} == {Transform((0.2, 0.0, 0.15))}
     assert "laser_frame" in diagnosis.frames
-
-
-@pytest.mark.parametrize("seed", SEEDS)
-def test_a_moving_edge_on_tf_static_is_there_and_nowhere_else(seed):
-    records, diagnosis = inject(CLEAN, Fault.MOVING_ON_TF_STATIC, seed)
-    topics = {(r.topic, r.is_static) for r in records if r.stamped.child_frame_id == diagnosis.frames[0]}
-    assert topics == {("/tf_static", True)}
-
-
-def test_without_tf_static_there_are_no_sensors():
     records, diagnosis = inject(CLEAN, Fault.NO_TF_STATIC)
     assert not any(record.is_static for record in records)
     assert "laser_frame" in diagnosis.frames
+    for seed in SEEDS:
+        records, diagnosis = inject(CLEAN, Fault.MOVING_ON_TF_STATIC, seed)
+        topics = {(r.topic, r.is_static) for r in records if r.stamped.child_frame_id == diagnosis.frames[0]}
+        assert topics == {("/tf_static", True)}
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -290,21 +261,15 @@ def test_corrupted_samples_are_not_used_for_later_faults():
     assert not bad & {record.stamped.stamp_ns for record in records if record.stamped.child_frame_id == "odom"}
 
 
-def test_a_robot_can_have_every_fault_and_a_single_edge_only_some():
-    assert possible_faults(CLEAN) == list(Fault)
+def test_an_impossible_fault_names_what_is_missing():
+    assert possible_faults(CLEAN) == list(Fault) == sorted(INJECTORS, key=list(Fault).index)
     few = possible_faults(small_stream())
     assert Fault.GAP in few
     assert not {Fault.NO_TF_STATIC, Fault.OPTICAL_IDENTITY, Fault.MISSING_EDGE, Fault.CLOCK_OFFSET} & set(few)
-
-
-def test_an_impossible_fault_names_what_is_missing():
     with pytest.raises(CannotInject, match="it needs a frame called optical"):
         inject(small_stream(), Fault.OPTICAL_IDENTITY)
     with pytest.raises(CannotInject, match="it needs a moving edge of at least 20 samples"):
         inject([], Fault.GAP)
-
-
-def test_an_unknown_fault_is_refused():
     with pytest.raises(ValueError, match="'gremlins' is not a valid Fault; there is reparented, second-owner, "):
         inject(CLEAN, "gremlins")
 
@@ -320,14 +285,11 @@ def test_aim_selects_the_edge(fault):
     assert hit
 
 
-@pytest.mark.parametrize("fault", [Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC])
-def test_a_fault_of_all_edges_cannot_be_aimed(fault):
-    with pytest.raises(CannotInject, match="it cannot be aimed at one"):
-        inject(CLEAN, fault, aim="base_footprint")
-
-
 def test_an_aim_at_an_unsuitable_edge_raises():
     with pytest.raises(ValueError, match="nobody sends 'bse_link' as a child; there is base_footprint, base_link"):
         inject(CLEAN, Fault.GAP, aim="bse_link")
     with pytest.raises(CannotInject, match="laser_frame cannot have the fault: it needs a moving edge"):
         inject(CLEAN, Fault.GAP, aim="laser_frame")
+    for fault in (Fault.CLOCK_JUMPED_BACK, Fault.NO_TF_STATIC):
+        with pytest.raises(CannotInject, match="it cannot be aimed at one"):
+            inject(CLEAN, fault, aim="base_footprint")

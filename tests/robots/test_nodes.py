@@ -142,13 +142,6 @@ def test_filter_and_odometry_are_two_owners_unless_one_does_not_publish_tf(graph
     assert len(stamps) == 20
 
 
-def test_the_localizer_does_not_publish_tf_if_disabled(graph):
-    launch(graph, only=["localization"])
-    (localizer,) = (each for each in graph.nodes if each.get_name() == "localization")
-    localizer.set_parameters([Parameter("tf_broadcast", value=False)])
-    assert not Audience(graph, 1.0, {}).buffer.core.frame_exists("odom")
-
-
 def test_a_prefix_separates_two_robots_on_one_graph(graph):
     names = ["robot_state_publisher", "wheel_odometry", "localization"]
     launch(graph, TeachingRobot(prefix="robot1/"), only=names)
@@ -167,17 +160,17 @@ def test_the_robot_begins_to_drive_when_it_is_launched(graph):
     assert first.pose.pose.position.x == 0.0
 
 
-def test_participants_end_when_they_are_stopped(graph):
-    participants = launch(graph)
-    assert [each.name for each in participants] == list(USUAL_NODES)
-    graph.stop()
-    assert not any(each.is_running for each in participants)
-
-
-def test_an_unknown_node_is_refused_before_anything_starts(graph):
+def test_an_unknown_node_is_refused_before_anything_starts_and_participants_end_when_they_are_stopped(graph):
     with pytest.raises(ValueError, match="the robot has no node 'lidar'; it has robot_state_publisher, joint_driver"):
         launch(graph, only=["imu_driver", "lidar"])
     assert graph.participants == []
+    participants = launch(graph)
+    assert [each.name for each in participants] == list(USUAL_NODES)
+    (localizer,) = (each for each in graph.nodes if each.get_name() == "localization")
+    localizer.set_parameters([Parameter("tf_broadcast", value=False)])
+    assert not Audience(graph, 1.0, {}).buffer.core.frame_exists("map")
+    graph.stop()
+    assert not any(each.is_running for each in participants)
 
 
 def test_a_map_server_publishes_the_map_to_late_subscribers(graph):

@@ -82,17 +82,13 @@ def clean_graph():
     new_graph()
 
 
-def test_fixed_joints_are_latched_on_tf_static_with_the_time_of_the_start():
-    (message,) = staged().static
+def test_fixed_joints_and_the_description_are_latched_with_the_time_of_the_start():
+    stage, texts = staged(), []
+    (message,) = stage.static
     bolt, glide = (stamped_from_msg(each) for each in message.transforms)
     assert (bolt.frame_id, bolt.child_frame_id, bolt.stamp_ns) == ("base", "plate", seconds(1.0))
     assert bolt.transform.translation == (0.0, 0.0, 0.5)
     assert (glide.child_frame_id, glide.transform.translation) == ("puck", (0.0, 2.0, 0.0))  # planar counts as fixed
-
-
-def test_the_description_is_latched_as_it_was_given():
-    stage = staged()
-    texts = []
     stage.listener.create_subscription(std_msgs.String, "/robot_description", texts.append, LATCHED)
     stage.settle()
     assert [text.data for text in texts] == [URDF]
@@ -108,17 +104,9 @@ def test_moving_joints_are_published_with_the_stamp_of_the_message_by_the_alphab
     assert turn.transform.translation == (1.0, 0.0, 0.0)
     assert turn.transform.rpy()[2] == pytest.approx(math.pi / 2)
     assert follow.transform.rpy()[2] == pytest.approx(math.pi / 4 + 0.1)
-
-
-def test_only_joints_that_a_message_names_are_published():
-    stage = staged()
-    stage.say(2.0, slide=0.25, stranger=1.0)
-    assert stage.heard() == ["hand"]
-
-
-def test_a_mimic_joint_that_is_named_itself_keeps_its_own_value():
-    stage = staged()
-    stage.say(2.0, turn=1.0, follow=0.0)
+    stage.moving.clear()
+    stage.say(3.0, follow=0.0, stranger=1.0)  # only what a message names, and that with its own value
+    assert stage.heard() == ["finger"]
     follow = stamped_from_msg(stage.moving[0].transforms[0])
     assert follow.transform.rpy()[2] == pytest.approx(0.0)
 
@@ -128,6 +116,10 @@ def test_messages_come_through_at_most_at_the_publish_frequency():
     for stamp_s in (2.0, 2.05, 2.09, 2.1, 2.15, 2.2):
         stage.say(stamp_s, slide=0.0)
     assert [stamped_from_msg(m.transforms[0]).stamp_ns for m in stage.moving] == [seconds(t) for t in (2.0, 2.1, 2.2)]
+    stage = staged(publish_frequency=300.0)  # 3.33 ms count as 3
+    stage.say(2.0, slide=0.0)
+    stage.say(2.003, slide=0.0)
+    assert len(stage.moving) == 2
 
 
 def test_the_joint_that_waited_longest_decides():
@@ -135,13 +127,6 @@ def test_the_joint_that_waited_longest_decides():
     stage.say(2.0, slide=0.0)
     stage.say(2.01, slide=0.0, turn=0.0)  # turn is new, so it is due
     assert stage.heard() == ["hand", "finger", "hand", "arm"]
-
-
-def test_the_period_is_cut_to_whole_milliseconds():
-    stage = staged(publish_frequency=300.0)  # 3.33 ms count as 3
-    stage.say(2.0, slide=0.0)
-    stage.say(2.003, slide=0.0)
-    assert len(stage.moving) == 2
 
 
 def test_a_joint_state_without_a_stamp_is_published_only_with_ignore_timestamp():
@@ -223,23 +208,23 @@ def test_parameters_that_cannot_work_are_refused_with_the_reason(name, value, re
 
 
 @pytest.mark.parametrize(
-    ("parameters", "words"),
+    ("parameters", "words", "logged"),
     [
-        ({"robot_description": ""}, "robot_description parameter must not be empty"),
-        ({"robot_description": "<robot/>"}, "Unable to initialize urdf::model from robot description"),
-        ({"publish_frequency": -1.0}, "publish_frequency must be between 0 (exclusive) and 1000"),
+        ({"robot_description": ""}, "robot_description parameter must not be empty", ""),
+        ({"robot_description": '<robot name="r"><link name="${p}a"/></robot>'},
+         "Unable to initialize urdf::model from robot description", "this is xacro, not yet URDF"),
+        ({"publish_frequency": -1.0}, "publish_frequency must be between 0 (exclusive) and 1000", ""),
     ],
-)
-def test_without_a_robot_or_with_an_impossible_rate_it_does_not_start(parameters, words):
+)  # fmt: skip
+def test_without_a_robot_or_with_an_impossible_rate_it_does_not_start(parameters, words, logged, capfd):
     with pytest.raises(RuntimeError) as caught:
         staged(**parameters)
     assert str(caught.value) == words
-
-
-def test_a_robot_that_cannot_be_read_is_explained_on_the_log(capfd):
-    with pytest.raises(RuntimeError):
-        staged(robot_description='<robot name="r"><link name="${p}a"/></robot>')
-    assert "this is xacro, not yet URDF" in capfd.readouterr().err
+    assert logged in capfd.readouterr().err
+    participant = new_graph().start(main)
+    assert not participant.is_running
+    last = "terminate called after throwing an instance of 'std::runtime_error'\n"
+    assert last + "  what():  robot_description parameter must not be empty" in capfd.readouterr().err
 
 
 def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
@@ -259,10 +244,3 @@ def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
     assert [each.child_frame_id for each in heard[0].transforms] == ["hand"]
     graph.stop()
     assert not participant.is_running
-
-
-def test_as_a_program_it_prints_the_last_line_of_a_cpp_program(capfd):
-    participant = new_graph().start(main)
-    assert not participant.is_running
-    words = "terminate called after throwing an instance of 'std::runtime_error'\n"
-    assert words + "  what():  robot_description parameter must not be empty" in capfd.readouterr().err

@@ -10,29 +10,20 @@ from tflab.core import LATEST, Transform, seconds
 from tflab.robots import teaching
 from tflab.robots.model import link_transform
 from tflab.robots.motion import Drive, Leg
-from tflab.robots.readings import Detection, JointReading, OdometryReading, Scan
+from tflab.robots.readings import Detection, OdometryReading, Scan
 from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf
 from tflab.robots.urdf import parse_urdf
 
 
-def test_mounts_are_those_of_the_lecture():
+def test_mounts_are_those_of_the_lecture_and_the_chain_to_the_tool_is_whole():
     buffer = TeachingRobot().buffer(until_s=3.0)
     laser = buffer.lookup_transform("base_link", "laser_frame", LATEST)
     assert laser.transform.translation == (0.20, 0.0, 0.15)
     camera = buffer.lookup_transform("base_link", "camera_link", LATEST)
     assert camera.transform.translation == (0.10, 0.0, 0.30)
-
-
-def test_the_optical_frame_looks_along_z_with_x_to_the_right():
-    buffer = TeachingRobot().buffer(until_s=3.0)
     link_T_optical = buffer.lookup_transform("camera_link", "camera_optical_frame", LATEST).transform
     assert link_T_optical.rotation == pytest.approx((-0.5, 0.5, -0.5, 0.5))
-    assert link_T_optical.apply((0.0, 0.0, 2.0)) == pytest.approx((2.0, 0.0, 0.0))
-    assert link_T_optical.apply((1.0, 0.0, 0.0)) == pytest.approx((0.0, -1.0, 0.0))
-
-
-def test_the_chain_from_map_to_the_tool_is_whole():
-    buffer = TeachingRobot().buffer(until_s=3.0)
+    assert link_T_optical.apply((0.0, 0.0, 2.0)) == pytest.approx((2.0, 0.0, 0.0))  # it looks along z
     assert buffer.chain("map", "tcp")[::-1] == [
         "map", "odom", "base_footprint", "base_link", "shoulder", "elbow", "wrist", "tool0", "tcp",
     ]  # fmt: skip
@@ -94,23 +85,18 @@ def test_streams_come_in_the_order_of_arrival_and_end_where_asked():
         assert seconds(1.0) < heard[0] and seconds(3.8) < heard[-1] < seconds(4.0)
 
 
-def test_mounts_are_static_and_the_rest_is_not():
-    records = TeachingRobot().records(until_s=3.0)
-    static = {record.stamped.child_frame_id for record in records if record.is_static}
-    assert static == {
-        "base_link", "laser_frame", "camera_link", "camera_optical_frame", "imu_link", "tool0", "tcp",
-    }  # fmt: skip
-    assert {record.topic for record in records if record.is_static} == {"/tf_static"}
-
-
-def test_each_edge_has_one_owner():
-    owners = {}
-    for record in TeachingRobot().records(until_s=3.0):
+def test_each_edge_has_one_owner_and_mounts_alone_are_static():
+    owners, records = {}, TeachingRobot().records(until_s=3.0)
+    for record in records:
         owners.setdefault(record.stamped.child_frame_id, set()).add(record.publisher)
     assert all(len(names) == 1 for names in owners.values())
     assert owners["odom"] == {"/localization"}
     assert owners["base_footprint"] == {"/wheel_odometry"}
     assert owners["wrist"] == owners["laser_frame"] == {"/robot_state_publisher"}
+    assert {(record.stamped.child_frame_id, record.topic) for record in records if record.is_static} == {
+        (child, "/tf_static")
+        for child in ("base_link", "laser_frame", "camera_link", "camera_optical_frame", "imu_link", "tool0", "tcp")
+    }
 
 
 def test_the_odometry_message_and_the_transform_agree():
@@ -133,12 +119,6 @@ def test_the_filter_drifts_less_than_the_wheels():
     assert 0.0 < off["filter"] < off["wheels"]
 
 
-def test_joint_readings_name_every_moving_joint():
-    robot = TeachingRobot()
-    joints = next(r.value for r in robot.readings(until_s=2.0) if isinstance(r.value, JointReading))
-    assert sorted(joints.names) == sorted(joint.name for joint in robot.model.moving_joints)
-
-
 def test_two_robots_with_prefixes_share_the_map():
     buffer = TeachingRobot(prefix="robot1/").buffer(until_s=3.0)
     for record in TeachingRobot(prefix="robot2/", seed=1).records(until_s=3.0):
@@ -159,12 +139,6 @@ def test_the_same_seed_gives_the_same_stream_and_another_seed_another():
     first, again, other = (TeachingRobot(seed=seed).records(until_s=5.0) for seed in (3, 3, 4))
     assert first == again
     assert first != other
-
-
-def test_a_custom_drive_is_used():
-    robot = TeachingRobot(Drive([Leg(5.0, speed_mps=1.0)]))
-    x0 = robot.truth_at(seconds(1.0))["base_link"].translation[0]
-    assert robot.truth_at(seconds(3.0))["base_link"].translation[0] == pytest.approx(x0 + 2.0)
 
 
 def test_the_urdf_survives_a_command_line_where_parameters_are_yaml():
@@ -198,27 +172,21 @@ def test_a_misplaced_sensor_measures_from_there_while_tf_follows_the_urdf():
     assert ahead_drawn != pytest.approx(ahead_now, abs=0.1)
     assert ahead_now == pytest.approx(drawn[270], abs=0.05)  # what is to the left, both times while standing still
     assert robot.truth_at(seconds(1.0))["laser_frame"].rpy()[2] == pytest.approx(math.pi / 2)
-
-
-def test_an_unknown_misplaced_sensor_is_refused():
     with pytest.raises(ValueError, match="nothing is bolted on as 'lazer'; there is base_link, camera_link"):
         TeachingRobot(screws={"lazer": Transform()})
 
 
-def test_tf_follows_a_changed_urdf():
-    urdf = teaching_urdf().replace('<origin xyz="0.20 0.0 0.15"', '<origin xyz="0.25 0.0 0.15"')
-    assert urdf != teaching_urdf()
-    buffer = TeachingRobot(urdf=urdf).buffer(until_s=3.0)
-    laser = buffer.lookup_transform("base_link", "laser_frame", LATEST).transform
-    assert laser.translation == (0.25, 0.0, 0.15)
-
-
-def test_parts_missing_from_the_urdf_exist_but_are_not_in_tf():
+def test_tf_follows_the_urdf_in_which_parts_may_be_missing_and_the_drive():
     box = '<robot name="box"><link name="base_footprint"/></robot>'
-    robot = TeachingRobot(urdf=box)
+    robot = TeachingRobot(Drive([Leg(5.0, speed_mps=1.0)]), urdf=box)
     assert robot.laser.mount == TeachingRobot().laser.mount
     assert {record.stamped.child_frame_id for record in robot.records(until_s=3.0)} == {"odom", "base_footprint"}
     assert set(robot.truth_at(seconds(2.0))) == {"base_footprint"}
+    x0, x2 = (robot.truth_at(seconds(at_s))["base_footprint"].translation[0] for at_s in (1.0, 3.0))
+    assert x2 == pytest.approx(x0 + 2.0)
+    urdf = teaching_urdf().replace('<origin xyz="0.20 0.0 0.15"', '<origin xyz="0.25 0.0 0.15"')
+    laser = TeachingRobot(urdf=urdf).buffer(until_s=3.0).lookup_transform("base_link", "laser_frame", LATEST).transform
+    assert laser.translation == (0.25, 0.0, 0.15)
 
 
 def test_shared_frames_can_be_chosen():

@@ -201,6 +201,22 @@ def test_a_listener_stores_into_its_current_buffer_by_the_default_authority(node
     assert calls == [("b", "default_authority"), ("c", "default_authority")]  # who replaces it is called
 
 
+def test_an_overridden_set_transform_is_called(node):
+    class Counting(Buffer):
+        count = 0
+
+        def set_transform(self, transform, authority):
+            self.count += 1
+            super().set_transform(transform, authority)
+
+    buffer = Counting()
+    node.listener = TransformListener(buffer, node)
+    TransformBroadcaster(node).sendTransform([transform("a", "b", 1.0), transform("b", "c", 1.0)])
+    rclpy.spin_once(node, timeout_sec=0.1)
+    assert buffer.count == 2
+    assert buffer.all_frames_as_string() == "Frame b exists with parent a.\nFrame c exists with parent b.\n"
+
+
 def test_a_listener_without_references_stops_listening(node):
     import gc
 

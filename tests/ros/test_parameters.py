@@ -75,7 +75,7 @@ def test_a_parameter_is_declared_once_with_a_default_and_use_sim_time_is_always_
     node = create_node("n")
     assert node.declare_parameter("rate", 20.0).value == 20.0
     assert node.get_parameter("rate").value == 20.0
-    assert node.get_parameter("use_sim_time").value is False
+    assert [parameter.value for parameter in node.get_parameters(["rate", "use_sim_time"])] == [20.0, False]
     with pytest.raises(ParameterAlreadyDeclaredException, match=r"Parameter\(s\) already declared: \['rate'\]"):
         node.declare_parameter("rate", 1.0)
 

@@ -89,7 +89,7 @@ def test_severities_have_names_and_levels_are_forgotten(graph):
     with pytest.raises(RCLError, match="'loud', it is none of UNSET, DEBUG"):
         ros_logging.get_logging_severity_from_string("loud")
     ros_logging.set_logger_level("test", LoggingSeverity.ERROR)
-    assert ros_logging.get_logger_effective_level("test") is LoggingSeverity.ERROR
+    assert get_logger("test").get_effective_level() is LoggingSeverity.ERROR
     ros_logging.clear_config()
     assert ros_logging.get_logger_effective_level("test") is LoggingSeverity.INFO
 

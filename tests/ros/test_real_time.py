@@ -172,3 +172,24 @@ def test_ctrl_c_with_the_present_idiom_ends_quietly():
         until="ready",
     )
     assert (out, err) == ("bye\n", "ready\n")
+
+
+def test_stopping_a_graph_in_real_time_waits_for_its_participants():
+    from tflab.ros import client_library as rclpy
+    from tflab.ros.node import Node
+
+    seen = []
+
+    def main():
+        rclpy.init()
+        try:
+            rclpy.spin(Node("spinner"))
+        except KeyboardInterrupt:
+            time.sleep(0.1)
+            seen.append(rclpy.ok())
+
+    graph = ros.new_graph(virtual=False)
+    participant = graph.start(main)
+    graph.run(seconds=0.2)
+    graph.stop()
+    assert (participant.is_running, seen) == (False, [True])
