@@ -111,7 +111,7 @@ lesson.ask_first(base_p_post)
 # One node calculates the pose from the wheels, another finds the robot on the map, and a third publishes where each part is mounted.
 # Each node *publishes* the transforms that it knows. TF2 combines them.
 #
-# `new_graph` creates the simulation, `launch` starts the nodes, and `graph.run` lets two seconds pass. (On a robot you need neither the first nor the last: time passes by itself.)
+# `new_graph` creates the simulation, `launch` starts the nodes, and `graph.run` lets two seconds pass. (On a robot you need neither `new_graph` nor `graph.run`: time passes by itself.)
 
 # %% [markdown] lang="ko" name="robot-why" slide="slide"
 # ## 같은 로봇을 ROS 2로
@@ -132,7 +132,7 @@ graph.run(seconds=2.0)
 #
 # Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. The frame in which you want the data comes first.
 # `%ros2` is what you type as `ros2` in a terminal.
-# The first line that it prints is a warning. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
+# The first line that it prints is no error. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
@@ -208,14 +208,14 @@ graph.stop()
 # %% [markdown] lang="en" name="chapters" slide="slide"
 # ## The chapters
 #
-# Each chapter begins with something that went wrong on a real robot.
+# Each chapter begins with a fault that somebody reported.
 # For a first evening, read 01, 03 and 08. They take about three hours, and their exercises about two and a half more.
 # The minutes are for reading, predicting and running. The exercise of a chapter takes about as long again.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
 #
-# 장마다 실제 로봇에서 일어난 실패로 시작합니다.
+# 장마다 누군가 실제로 겪고 알린 실패로 시작합니다.
 # 어느 장에서든 시작할 수 있습니다. 앞 장에서 알아야 할 내용은 각 장의 첫머리에 적어 두었습니다.
 # 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 푸는 데 다시 그만큼 걸립니다.
 

@@ -139,7 +139,7 @@ lesson.draw_scene(
 #
 # **Write down two sets of coordinates on paper, now:** where is the mug in `camera_link`, and where is it in `camera_optical_frame`?
 #
-# You may guess. But write it down: a guess that you only remember changes when you see the answer.
+# You may guess, but write the guess down. If you only remember it, your memory changes when you see the answer.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -444,8 +444,8 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # Not at all: they are the same. With the nose down, roll and yaw rotate about the same line, so one of the three angles is redundant.
 # That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles becomes unstable.
 #
-# A [[quaternion]] has no such orientation. It has four numbers, one more than necessary, and a small motion is always a small change.
-# So ROS **stores and sends** quaternions. Angles are for people: URDF reads them, tools print them.
+# With a [[quaternion]] there is no such orientation. It has four numbers, one more than necessary, and a small motion is always a small change.
+# So ROS **stores and sends** quaternions. Angles are for people: URDF files contain them, and tools print them.
 
 # %% [markdown] lang="ko" name="gimbal-after" tags=["predicted"] slide="fragment"
 # 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw의 회전축이 같은 직선이 되어, 세 각도 가운데 하나가 쓸모없어집니다.
@@ -455,10 +455,10 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
-# Say what it means on a real machine: an arm whose wrist points straight down is in gimbal lock all day long.
+# Say what it means on a real machine: a gripper whose x axis (forward) points straight down has a pitch of 90° all day long.
 
 # %% [markdown] lang="ko" name="gimbal-notes" slide="notes"
-# 실제 기계에서 어떤 뜻인지 말해 줍니다. 손목이 똑바로 아래를 향하는 로봇 팔은 하루 종일 이 방향에 있습니다.
+# 실제 기계에서 어떤 뜻인지 말해 줍니다. x축(앞)이 똑바로 아래를 향하는 그리퍼는 하루 종일 pitch가 90°입니다.
 
 # %% [markdown] lang="en" name="recipe" slide="slide"
 # ## How to write one: half the angle
@@ -533,7 +533,7 @@ else:
 #
 # `math.sin(half)` and `math.cos(half)`. You should read "a yaw of -40.0 degrees".
 #
-# - 40.0: the sign got lost. `half` has it; use `half`, not 20°.
+# - 40.0: the minus sign is missing. Use `half`, which is negative, and not 20°.
 # - -80.0: a quaternion uses *half* the angle, and you used the whole angle.
 # - -140.0: you swapped sine and cosine. z takes the sine, w the cosine.
 #
@@ -583,7 +583,7 @@ print(" q turns it to", lesson.fmt_all(Transform(rotation=left_90).apply(point),
 print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), ""))
 
 # %% [markdown] lang="en" name="four-facts-notes" slide="notes"
-# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open: it comes back as an accident.
+# Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns below, in the configuration file of the second camera.
 
 # %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
 # 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. 뒤에서 사고로 다시 만납니다.
@@ -592,8 +592,8 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # ### How long is it?
 #
 # The quaternion of a rotation has length one: x² + y² + z² + w² = 1. Such a quaternion is called a [[unit quaternion]].
-# If the length is off, TF normalises it without a message. Other programs use it as it is, and stretch the robot.
-# Rounded numbers are fine, so no program requires *exactly* one.
+# If the length is off, TF normalises it without a message. Other programs use it as it is, and draw the robot stretched.
+# Rounded numbers are normal, so a check allows a small difference from one.
 #
 # And there is NaN, "not a number", the result of 0/0. **Predict:** is NaN close to 1, or far from it?
 
@@ -621,7 +621,7 @@ for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, ma
 # `math.isfinite`로 먼저 확인하십시오.
 
 # %% [markdown] lang="en" name="w-first" slide="subslide"
-# And the w-first accident, with a small rotation to the left by 20°. **Predict** what the robot does.
+# Now the quaternion with w first, of a rotation by 20° to the left. **Predict** what the robot does.
 
 # %% [markdown] lang="ko" name="w-first" slide="subslide"
 # 이번에는 w를 먼저 쓰는 사고입니다. 왼쪽으로 20° 도는 작은 회전입니다. 로봇이 어떻게 될지 **예측**해 봅시다.
@@ -635,7 +635,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 
 # %% [markdown] lang="en" name="w-first-after" tags=["predicted"] slide="fragment"
 # Roll 160°: upside down, wheels in the air.
-# A small rotation becomes a roll of nearly 180°. So if a robot stands on its head in RViz, suspect w first.
+# A small rotation becomes a roll of nearly 180°. So if a robot is upside down in RViz, check first whether the quaternion was written with w first.
 # Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
@@ -757,7 +757,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # - `camera_link` is where the camera is **mounted**. It is used for mechanics and URDF: x forward, like everything else on the robot.
 # - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, depth clouds.
 #
-# Both have the same origin. Only a rotation is between them.
+# Both have the same origin. They differ only by a rotation.
 # The driver stamps its data with the **optical** one. Then no node has to convert anything: TF does.
 #
 # Here are all three frames; the two of the camera have the same origin. The arrow is the ray to the mug. The pyramid is the camera's field of view; *u* counts its pixels to the right, *v* counts them down.
@@ -951,7 +951,7 @@ graph.run(seconds=0.5)
 buffer.lookup_transform("base_link", "rear_camera_link", Time())
 
 # %% [markdown] lang="en" name="zero-notes" slide="notes"
-# Before running the cell that raised, ask which exception they expect. "InvalidArgument" is a reasonable answer, and it is what the engine raises for bad *lookups*. A bad *transform* is never stored.
+# Before you run the cell that raises, ask which exception they expect. "InvalidArgument" is a reasonable answer, and it is what the engine raises for bad *lookups*. A bad *transform* is never stored.
 
 # %% [markdown] lang="ko" name="zero-notes" slide="notes"
 # 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
@@ -963,7 +963,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 2. **Each listener** rejected the transform, in its own log, with a message about `nan`. To turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
 # 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which publishes as before.
 #
-# The error and its cause are two programs apart.
+# The error appears two programs away from its cause.
 # So: when a frame "does not exist" and its publisher runs, search the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
 #
 # A new message in ROS 2 has w = 1 already. The zeros come from other sources: files, arrays made by `zeros(4)`, programs in C, ROS 1.
@@ -1113,7 +1113,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # 해결책은 언제나 같습니다. 좌표계를 둘 다 두고, 데이터에는 광학 좌표계를 적습니다.
 
 # %% [markdown] lang="en" name="cloud-notes" slide="notes"
-# Show the zero for a moment. Then ask which of the three programs should have noticed: camera, TF, or planner. (None of them could.)
+# Show the line with 0 points for a moment. Then ask which of the three programs should have noticed: camera, TF, or planner. (None of them could.)
 
 # %% [markdown] lang="ko" name="cloud-notes" slide="notes"
 # 화면의 0을 잠시 그대로 둡니다. 그러고 나서 카메라, TF, 경로 계획기 중 누가 알아챘어야 하는지 묻습니다. (아무도 알 수 없었습니다.)
@@ -1278,12 +1278,12 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # |---|---|---|
 # | a depth cloud above the robot like a ceiling | optical data stamped with the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
 # | what is ahead appears at the robot's right | the optical rotation applied twice, or to the body as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
-# | the robot on its back | quaternion written w first | print it where it enters |
+# | the robot on its back | quaternion written w first | print the quaternion where your program reads it |
 # | "frame does not exist", but its publisher runs | all zeros, or NaN | the **listener's** log |
 # | a sensor rotated by an unexpected angle | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
 # | IMU: gravity appears on the wrong axis | `imu_link` not rotated as the chip is | at rest, level, `ros2 topic echo /imu --field linear_acceleration`: z must read about **+9.8** |
 #
-# An IMU measures rotation and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means that it is upside down; 9.8 on x or y, that it is on its side.
+# An IMU measures angular velocity and acceleration. At rest it measures how the table pushes it *up*: with z up, it reads plus 9.8. Minus 9.8 means that it is upside down; 9.8 on x or y, that it is on its side.
 # Then correct the mount (the `rpy` of `imu_link`), not the numbers.
 #
 # </details>
@@ -1302,7 +1302,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # | 센서가 아무도 정한 적 없는 각도로 회전해 있다 | 라디안 자리에 도(degree)를 씀 | URDF의 `rpy`에 3.2보다 큰 수가 있는지 |
 # | IMU의 중력이 엉뚱한 축에 나타난다 | `imu_link`가 실제 칩 방향대로 회전해 있지 않음 | 수평으로 정지한 채 `ros2 topic echo /imu --field linear_acceleration`: z가 약 **+9.8**이어야 함 |
 #
-# IMU는 회전과 가속도를 재는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 잽니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
+# IMU는 각속도와 가속도를 재는 칩입니다. 정지한 IMU는 책상이 자신을 *위로* 미는 힘을 잽니다. z가 위라면 +9.8이 나옵니다. −9.8이면 뒤집힌 것이고, x나 y에 9.8이 나오면 옆으로 누운 것입니다.
 # 이때 고칠 것은 숫자가 아니라 장착 변환(`imu_link`의 `rpy`)입니다.
 #
 # </details>
@@ -1319,7 +1319,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - Body frame: x forward, y left, z up. Optical frame: x right, y down, z forward. Both are right-handed.
 # - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
 # - rpy rotates about fixed axes, roll first. The order matters.
-# - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) is no rotation, (0, 0, 0, 0) is none at all, q and −q are the same.
+# - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) means no rotation, (0, 0, 0, 0) is not a rotation, q and −q are the same rotation.
 # - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
 # - If data is rotated by 90°, change the frame name or the mount, never the data.
 #

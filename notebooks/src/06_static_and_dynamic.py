@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - decide for each edge whether it belongs on `/tf_static` or on `/tf`, and say what the wrong choice costs,
-# - say what a listener receives that joins late, and what remains when a publisher stops,
+# - say what a late listener receives, and what remains when a publisher stops,
 # - publish a [[static transform]] from the command line, and both kinds from Python,
 # - find out that a robot slides sideways although RViz shows a perfect circle.
 
@@ -39,7 +39,7 @@ from tflab.workbook import lesson
 # Then somebody closes RViz and opens it again: **one** camera is left (Ikerlan-KER/extrinsic_calibrator, 2025).
 # A hundred frames that were sent in a loop had the same problem, and the library itself was changed because of it (ros2/geometry2, 2023).
 #
-# Another driver did the opposite. It published its laser's mount about 110 times a second, so that RViz would not call it old (ouster-ros, 2023).
+# Another driver did the opposite. It published its laser's mount about 110 times a second, so that RViz would not report it as old (ouster-ros, 2023).
 # The first published too little, the second too much. This chapter shows what is right.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
@@ -73,7 +73,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. Four cameras were sent on `/tf_static`, each in a message of its own. **How many** of them does an RViz receive that is opened afterwards: none, one or all four?
+# 1. Four cameras were sent on `/tf_static`, each in a message of its own. Then RViz is opened. **How many** of them does it receive: none, one or all four?
 # 2. The program is stopped with Ctrl-C. **Which listeners** still have the cameras: all, none, or those that received them before?
 # 3. A lift rises for two seconds to 0.5 m and publishes its height. At 3 s it stops publishing. It stays where it is. A node looks up its height at 5 s. **What** is the answer?
 # 4. The lecture's robot drives a circle. **In which direction** does it drive in its own frame: forward, backward, left or right?
@@ -87,7 +87,7 @@ from tflab.workbook import lesson
 # 4. 강의의 로봇이 원을 그리며 달립니다. 로봇을 기준으로 **어느 쪽**으로 움직일까요? 앞, 뒤, 왼쪽, 오른쪽 가운데 골라 보세요.
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
-# Four shows of hands. Write the numbers on the board and leave them there: you need each of them again. To 4 nearly everybody says forward.
+# Ask for a show of hands for each. Write the numbers on the board and leave them there: you need each of them again. For question 4 nearly everybody says forward.
 
 # %% [markdown] lang="ko" name="predict-notes" slide="notes"
 # 네 번 손을 들게 하고 숫자를 칠판에 남겨 둡니다. 하나씩 다시 나옵니다. 4번에는 거의 모두가 앞이라고 합니다.
@@ -101,7 +101,7 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 # A mount does not change, so one message is enough, if it is kept for listeners that join later.
 # That is what `/tf_static` is for. Think of a **notice board**: each publisher has one, and its last message hangs there. A listener that joins reads the board first.
 #
-# The board is a part of the [[qos|quality of service]] of a topic. Its ROS name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. The `depth` is the number of messages that it keeps. On `/tf_static` it is **one**.
+# The board is a part of the [[qos|quality of service]] of a publisher. Its ROS name is durability, and the value is [[transient local|TRANSIENT_LOCAL]]. The `depth` is the number of messages that it keeps. tf2's publishers on `/tf_static` use **one**.
 #
 # Here is the program of the story, and a function that creates a listener.
 
@@ -180,7 +180,7 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # %% [markdown] lang="en" name="two-listeners-seen" tags=["predicted"]
 # `early` has four cameras, `late` has **one**. Not zero, because there is a board. Not four, because the board keeps only the last message.
 #
-# The same as a picture. A circle is a message; it is filled if the listener received it. The strip is the board, and what it holds.
+# The next figure shows the same. A circle is a message; it is filled if the listener received it. The strip shows what the board holds.
 
 # %% [markdown] lang="ko" name="two-listeners-seen" tags=["predicted"]
 # `early`는 카메라 네 대를, `late`는 **한 대**를 받았습니다. 게시판이 있으므로 0대는 아닙니다. 게시판에는 마지막 메시지만 남으므로 네 대도 아닙니다.
@@ -241,7 +241,7 @@ print(later.all_frames_as_string())
 # | Jazzy | all | is **ignored**: the old value stays |
 # | Rolling, and C++ everywhere | all | replaces the old value |
 #
-# One list in one call is right on all of them. On Jazzy, a mount that was measured again needs a new broadcaster.
+# One list in one call is right on all releases. On Jazzy, create a new broadcaster to publish a mount that was measured again.
 #
 # </details>
 
@@ -442,13 +442,13 @@ graph = lesson.new_graph()
 # %ros2 run tf2_ros static_transform_publisher --x=0.2 --yaw 0.52 --frame-id base_link --child-frame-id camera_link
 
 # %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
-# - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The one without an error is the one that does harm.
+# - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The command without an error is the harmful one.
 # - `--x=0.2` is right in any other program. Here an option and its value are two words.
 # - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
 #
 # <details><summary>Deeper: the old order</summary>
 #
-# Old tutorials write eight numbers and names without options: `x y z yaw pitch roll parent child`. Note that **yaw** comes first. It still works, with a warning, and one day it will not.
+# Old tutorials pass six numbers and two frames without option names: `x y z yaw pitch roll parent child`. Note that **yaw** comes first. It still works, with a warning, and one day it will not.
 #
 # </details>
 
@@ -600,7 +600,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
 #
-# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, a twentieth of a second.
+# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at most a twentieth of a second.
 # Here is the lecture's robot on its circle, 20 times a second. (The complete file is below, folded.)
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
@@ -765,7 +765,7 @@ print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refu
 lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
 
 # %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
-# Up to a second old, and for the laser at most a twentieth. The odometry is as fast as before; but "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data once a second.
+# The answer for the camera is up to a second old, and for the laser at most a twentieth. The odometry is as fast as before. But "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data only once a second.
 # So the camera, which is screwed to the robot, jumps by half a metre each second, and nine of ten lookups for a tenth of a second ago raise an exception.
 #
 # A mount on `/tf` costs more than bandwidth: it makes every path that contains it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
@@ -785,7 +785,7 @@ lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1)
 # %% [markdown] lang="en" name="mover" slide="slide"
 # ## A moving frame on the board
 #
-# And the other way round: the lift of before, each height sent as static. **Predict** what the buffer returns for 1, 3 and 6 s.
+# Now the opposite mistake: each height of the lift is sent as static. **Predict** what the buffer returns for 1, 3 and 6 s.
 
 # %% [markdown] lang="ko" name="mover" slide="slide"
 # ## 게시판에 붙인 움직이는 것
@@ -800,8 +800,8 @@ for t in (1.0, 3.0, 6.0):
     print(t, 's:', lesson.fmt(static_lift.lookup_transform('base_link', 'lift', seconds(t)).transform.translation[2]))
 
 # %% [markdown] lang="en" name="static-lift-seen" tags=["predicted"]
-# 0.5 m, for all times, also for 1 s, when it was on the floor. A board has no past and no future: its last message is used for all times.
-# There is no error message for that. A link that is sent once and then moves stays in RViz where it was at first.
+# The buffer returns 0.5 m for all times, also for 1 s, when the lift was at the bottom. A board has no past and no future: its last message is used for all times.
+# There is no error message for that. If a link is sent once and then moves, RViz still shows it in its first pose.
 #
 # | the link | on the board `/tf_static` | on the radio `/tf` |
 # |---|---|---|
@@ -980,8 +980,6 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #     main()
 # ```
 #
-# (The comment says: yaw in the plane as a quaternion.)
-#
 # </details>
 #
 # Stamp a dynamic transform with the time of its *measurement*. With the time at which a callback happened to run, every delay before it is hidden.
@@ -1148,7 +1146,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then raises an `RCLError`. Use `rclpy.try_shutdown()`, or `with rclpy.init():`.
+# Since Humble, Ctrl-C shuts ROS down by itself, and the last line of the lecture's nodes, `rclpy.shutdown()`, then raises an `RCLError`. Use `rclpy.try_shutdown()`.
 # The important lines of the first command, for a driver with a board and one without:
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
@@ -1163,7 +1161,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # ros2 run tf2_ros static_transform_publisher --help
 # ```
 #
-# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 요즘은 `rclpy.try_shutdown()`이나 `with rclpy.init():`을 씁니다.
+# Humble부터는 Ctrl-C가 ROS를 직접 종료하므로, 강의 노드의 마지막 줄 `rclpy.shutdown()`에서 `RCLError`가 납니다. 대신 `rclpy.try_shutdown()`을 씁니다.
 #
 # 첫 명령의 출력에서 볼 것은 다음 줄들입니다. 게시판이 있는 발행자와 없는 발행자가 하나씩 있습니다.
 

@@ -7,7 +7,7 @@
 #
 # - describe a [[buffer]] as one [[timeline]] for each edge of the tree,
 # - say what the buffer returns between two samples, and what it rejects outside them,
-# - find the [[latest common time]] of a path, and say what `Time()` asks for,
+# - find the [[latest common time]] of a path, and say what `Time()` means,
 # - transform a message at the time of its measurement,
 # - estimate the error if you use another time.
 
@@ -70,7 +70,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Fifty years, and the length of a hand
 #
-# A mapping node asked TF for the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
+# A mapping node looked up the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
 # The newest transform was from 3.235 s.
 # The node used the date of 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
@@ -190,7 +190,7 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 # A gripper would close on nothing.
 #
 # The mathematics was right, and so was the tree.
-# The lookup was wrong: it asked where the camera is *now* for an image that was taken *then*.
+# The lookup was wrong: it returned the camera's *newest* pose, for an image that was taken *earlier*.
 
 # %% [markdown] lang="ko" name="many-balls" tags=["predicted"] slide="subslide"
 # 고리가 실제 공이고, 점은 지도에 찍힌 공의 위치입니다. 그림의 가로는 1.9 m입니다.
@@ -205,7 +205,7 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 
 # %% [markdown] lang="en" name="many-balls-notes" slide="notes"
 # Let them count. Wait for the laugh, then ask why there are two groups and not one cloud.
-# The robot was turning left or turning right; it hardly ever drove straight.
+# The robot turned left or right nearly all the time. It hardly ever drove straight.
 # Real numbers to mention: in a recorded Nav2 run, looking up map → base_link "now" instead of at the localiser's stamp moved the robot by 3 cm in the median and 15 cm at worst.
 
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
@@ -241,14 +241,14 @@ for name, sight in (("straight", straight), ("turning", turning)):
     print(f"{name}: {error.exact_m:.3f} m off, at ({error.drawn_at[0]:.3f}, {error.drawn_at[1]:.3f})")
 
 # %% [markdown] lang="en" name="two-pieces" tags=["predicted"] slide="subslide"
-# Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, from a rotation that you would hardly notice.
+# Straight: 0.2 m. Turning: 0.54 m, nearly three times as much, although the robot rotates by less than 6° in that time.
 #
 # The error has two components, at right angles to each other:
 #
 # - **forwards**: speed × delay = 1.0 × 0.2 = 0.2 m;
 # - **sideways**: range × yaw rate × delay = 5 × 0.5 × 0.2 = 0.5 m.
 #
-# Many texts give only the first, `speed × delay`. On a robot that turns, that is the small one.
+# Many texts give only the first component, `speed × delay`. On a robot that turns, it is the smaller one.
 # The second grows with the range: distant objects are far off.
 # (On our map the error is only about half of what this formula gives for 0.2 s, because `Time()` returned a pose that was itself 0.1 s old.)
 #
@@ -257,7 +257,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # - *0.2 m both times*: you left out the rotation. By now the robot has rotated another 0.1 rad, and at 5 m that is half a metre.
 # - *0.7 m*: you added the components. They are at right angles, so it is √(0.2² + 0.5²).
 # - *To the right*: the old detection is placed straight ahead of the robot. Now the robot faces further left, so the error is to the left.
-# - *Hundreds of metres, or millimetres*: you mixed up degrees and radians.
+# - *About 29 m, or 9 mm sideways*: you mixed up degrees and radians.
 #
 # </details>
 
@@ -278,7 +278,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # - *두 번 다 0.2 m*: 회전을 빠뜨렸습니다. 지금의 로봇은 0.1 rad 더 회전해 있고, 5 m 앞에서는 그것이 0.5 m입니다.
 # - *0.7 m*: 두 성분을 더했습니다. 서로 직각이므로 √(0.2² + 0.5²)입니다.
 # - *오른쪽으로 빗나간다*: 관측값은 ‘정면 5 m’라는 뜻일 뿐입니다. 지금 로봇은 더 왼쪽을 보고 있으니 관측도 왼쪽으로 어긋납니다.
-# - *수백 m, 또는 몇 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
+# - *약 29 m, 또는 옆으로 9 mm*: 라디안을 쓰는 식에 도 단위 각속도를 넣었거나 그 반대입니다.
 #
 # </details>
 
@@ -322,8 +322,8 @@ lesson.draw_latency(turning)
 #
 # There are four sliders. Find out, and say it aloud before you move one:
 #
-# - Which of speed, yaw rate, range and delay can make the error zero all by itself?
-# - The error of your robot may be 0.1 m at 5 m, and it turns at 0.5 rad/s. How old may a detection be?
+# - Which one of speed, yaw rate, range and delay makes the error zero if it alone is zero?
+# - Your robot turns at 0.5 rad/s, and at a range of 5 m you accept an error of 0.1 m. How old may a detection be?
 
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
 # ### 직접 해 보세요
@@ -433,7 +433,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
 # 180°. The robot rotated by 20°, past the rear, as any robot would.
-# If you average the two angles you get 0°: for one image the robot faces backwards.
+# If you average the two angles you get 0°, and the robot appears to face in the opposite direction.
 # Many programs contain this bug. The exercise lets you write it once more, safely.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
@@ -477,7 +477,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # - 1.00 s is the stamp of the static edge, which is valid at all times and limits nothing.
 # - 4.80 s is now, and nothing in the buffer is that new.
 #
-# From `odom` the slow timeline is not on the path, so it is 4.75 s.
+# The path from `odom` does not contain the slow timeline, so its latest common time is 4.75 s.
 # A path of static edges only has no latest time; tf2 returns 0.
 # (On a robot: `buffer.get_latest_common_time("map", "laser_frame")`.)
 #
@@ -505,7 +505,7 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 # %% [markdown] lang="en" name="latest-live-read"
 # There are three times here: 13.00 s is now, 12.89 s is the latest common time, and 12.80 s is the stamp of the image.
 # `Time()` gives neither now nor the time of the image. It gives what the slowest timeline has.
-# The answer carries its stamp. Print it, and you will never again call it "now".
+# The returned transform contains its stamp. Print the stamp: it is not now.
 #
 # Now drag the requested time through the small buffer, and past both of its ends.
 
@@ -691,7 +691,7 @@ finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
 # Read the last line. The lookup was for 13.000 s. The transform named in the message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
-# So 110 ms are missing, and a "fix" seems near: let 0.2 s pass and try again.
+# So 110 ms are missing. A "fix" suggests itself: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
 # 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
@@ -746,7 +746,7 @@ lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 # In RViz people call this "the walls are smeared", and look for a broken laser.
 # Distant walls are off by most: that is range × yaw rate × delay again.
 #
-# The left picture is not perfect either: it is off by 4 cm on average, by up to 27 cm at worst.
+# The left figure is not perfect either: its points are off by 4 cm on average, and by 27 cm at worst.
 # A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last ray is 0.1 s newer.
 # That is [[motion distortion]], and you know the fix by now: look up each ray at its own time.
 
@@ -767,7 +767,7 @@ for heard in scans:
 lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(rays)}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
-# This is the slide for the engineers in the class: laser_geometry does the same in C++ if it is given a TF buffer.
+# This slide is for the engineers in the class: laser_geometry does the same in C++ if you pass it a TF buffer.
 # In a sweep of 0.1 s a robot at 0.5 rad/s rotates by 0.05 rad from the first ray to the last: 25 cm at 5 m.
 # Then go back: most of the smear in practice comes from stamps, and costs nothing to fix.
 
@@ -862,7 +862,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
 #
-# And the story from the beginning, with its own numbers: simulated TF, and a node that uses the computer's own clock (wall time):
+# Now the story from the beginning, with its own numbers: TF in simulation time, and a node that uses the computer's clock (wall time):
 
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
@@ -876,7 +876,7 @@ for stamp_s in (3.185, 3.235):
 simulation.lookup_transform("map", "base_link", seconds(1574652168.59))
 
 # %% [markdown] lang="en" name="fifty-years-read"
-# A slow network never explains two times this far apart. They are two clocks: set `use_sim_time` on every node, or on none (chapter 10).
+# A slow network never explains two times this far apart. They come from two clocks: set `use_sim_time` on every node, or on none (chapter 10).
 
 # %% [markdown] lang="ko" name="fifty-years-read"
 # 두 숫자가 이렇게 멀면 네트워크 지연이 원인일 수 없습니다. 시계가 둘입니다. `use_sim_time`을 모든 노드에 켜거나 모두 끄십시오(10장).
@@ -920,7 +920,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # So it needs the ball of *then* in the base_link of *now*.
 #
 # One stamp is not enough for that. You need a frame that does not move between the two times: the [[fixed frame]], here `odom`.
-# `lookup_transform_full` goes from the camera at the **first** time up to `odom`, and down to base_link at the **second** time.
+# `lookup_transform_full` follows the path from the camera at the **first** time up to `odom`, and down to `base_link` at the **second** time.
 # Its arguments are two frames, each followed by its own time, and the fixed frame.
 
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
@@ -955,7 +955,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 
 # %% [markdown] lang="en" name="two-moments-read"
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
-# The old coordinates were correct for the old pose. Steering by them would have turned the robot away.
+# The old coordinates were correct for the old pose. If the planner had used them, it would have turned the robot away from the ball.
 #
 # Why `odom` and not `map`? The ball is at rest in both. But `map` may jump when the localisation corrects the pose in between, and the ball would jump with it (chapter 05).
 
@@ -981,7 +981,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # Your node looks up at `header.stamp`. Every few messages it gets "extrapolation into the future", and 40 ms are missing.
 # Four colleagues suggest four changes. Choose one, then open its reply.
 #
-# <details><summary>A. Ask for <code>Time()</code> instead of the stamp.</summary>
+# <details><summary>A. Look up at <code>Time()</code> instead of the stamp.</summary>
 #
 # The error goes away, and each point is now transformed with a pose of another time. On a turning robot that was 20 cm in our room. You replaced an exception by a silent error.
 #
@@ -1220,7 +1220,7 @@ node.stop()
 # The lookup for the first point fails, so its callback waits 0.2 s for a transform. While it waits, nothing reads `/tf`.
 # Then comes the next point, and its callback waits 0.2 s as well.
 # Transforms queue up, and the node processes one of them between two waiting callbacks.
-# After one missed lookup, the timeout itself keeps the node from receiving transforms.
+# After one failed lookup, the timeout itself keeps the node from receiving transforms.
 #
 # Without it:
 
@@ -1256,7 +1256,7 @@ node.stop()
 # 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 어떤 오차가 생겼을지 이제 알 수 있습니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
-# Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one miss it no longer receives any.
+# Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one failed lookup it no longer receives any transforms.
 # With a slower detector (1 Hz) it would recover: 0.2 s of waiting in each second leaves time to receive. Ask the class why.
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 
@@ -1415,7 +1415,7 @@ node.stop()
 # | scan smeared along walls while turning | stamp overwritten, or late odometry | `ros2 topic delay`, then `tf2_monitor` |
 # | smeared, and the delay reads 0.000 s | stamp overwritten on the way | which node republishes the topic? |
 # | "extrapolation into the future" by some ms | transform still on its way | wait a little (09) |
-# | "extrapolation into the past" | long computing, or a short cache | data age, `cache_time` |
+# | "extrapolation into the past" | long computation, or a short cache | age of the data, `cache_time` |
 # | off by the same amount, standing or moving | static mount is wrong | `tf2_echo base_link laser_frame` |
 
 # %% [markdown] lang="ko" name="topic-delay-read"
@@ -1434,7 +1434,7 @@ node.stop()
 # ## Recap
 #
 # - The buffer keeps a timeline for each edge. Between samples it interpolates; outside them it raises an exception.
-# - `Time()` is the latest common time: the earliest of the latest samples, without the static edges. It is not now.
+# - `Time()` means the latest common time: the earliest of the edges' newest samples. Static edges do not count. It is not now.
 # - Value + frame + stamp. `buffer.transform()` uses all three, and so should you.
 # - A wrong time gives a wrong position: speed × delay forwards, range × yaw rate × delay sideways.
 # - The stamp is the time of the measurement. If you overwrite it, the error becomes invisible.

@@ -6,8 +6,8 @@
 # After this chapter you can
 #
 # - record a [[bag]] that contains the transforms for its own messages, and check it with one number,
-# - say which time a node uses: the machine's, the bag's, or none ([[simulation time]]),
-# - recognise a forgotten `--clock`, a node that uses another day, and a bag that plays in a loop,
+# - say which time a node uses: the machine's, the bag's, or a clock that stays at 0 ([[simulation time]]),
+# - recognise a forgotten `--clock`, a node whose clock shows another day, and a bag that plays in a loop,
 # - examine a bag of your own.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -32,7 +32,7 @@
 # ## What you need to begin
 #
 # - **Static transforms** (06) are sent once, on `/tf_static`. Their publisher keeps the message for listeners that join later.
-# - **The stamp** (08) is the time of the measurement. The [[buffer]] answers between its oldest and its newest sample; `Time()` asks for the latest.
+# - **The stamp** (08) is the time of the measurement. The [[buffer]] answers between its oldest and its newest sample; `Time()` means the latest.
 # - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). With a single sample in the buffer there is a third text about times.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
@@ -43,7 +43,7 @@
 # - **세 가지 거절**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% [markdown] lang="en" name="needed-notes" slide="notes"
-# Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the number down for tonight.
+# Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the chapter's number down and read it at home.
 
 # %% [markdown] lang="ko" name="needed-notes" slide="notes"
 # 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
@@ -86,7 +86,7 @@ nodes = lesson.launch(graph, robot)
 bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
 
 # %% [markdown] lang="en" name="record-intro" slide="subslide"
-# The lecture's command, with an IMU. On a robot you end it with Ctrl-C; here `--for` does.
+# The lecture's command, with an IMU. On a robot you stop the command with Ctrl-C. Here `--for` stops it.
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
 # 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`가 끝냅니다.
@@ -128,7 +128,7 @@ lesson.draw_heard(lap, for_s=2.0)
 #
 # ### Predict
 #
-# Of the 150 scans the bag's own transforms can place 149 on the map: at each scan's own stamp, `map ← laser_frame`. (The first scan is older than all transforms.)
+# With its own transforms the bag can place 149 of its 150 scans on the map: a lookup of `map ← laser_frame` at each scan's own stamp. (The first scan is older than all transforms.)
 # How many can be placed if you play with `--start-offset 0.001`, one millisecond later?
 
 # %% [markdown] lang="ko" name="heard-read"
@@ -149,7 +149,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # 마지막 줄을 손으로 가리고 나머지 줄의 발행률을 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
-# To find out you need a node that listens while the bag plays. For each scan it looks up three times: the scan's stamp, its own now, and `Time()`. It also counts its timer callbacks, and the age of a scan by its own clock.
+# To find out you need a node that listens while the bag plays. For each scan it looks up three times: the scan's stamp, its own now, and `Time()`. It also counts its timer callbacks, and measures the age of a scan by its own clock.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
 # 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
@@ -252,7 +252,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | the sensor on the map, as the robot placed it | `/tf` `/tf_static` |
 # | to run the localisation again, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
-# | the same from a simulation | the same, and `/clock`, which contains how fast it ran; play that bag without `--clock`, because older players would publish the time twice |
+# | the same from a simulation | the same, and `/clock`, which shows how fast the simulation ran; play that bag without `--clock`, because older players would publish `/clock` twice |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 버퍼에 센서의 좌표계가, `/tf`가 없으면 지도의 좌표계가 없습니다.
@@ -267,7 +267,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션의 속도가 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
-# Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." And the one behind it: "laser_frame does not exist" makes people take the laser apart (M15).
+# Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." Then M15: people read "laser_frame does not exist" and take the laser apart.
 
 # %% [markdown] lang="ko" name="place-all-notes" slide="notes"
 # 숫자보다 오류 메시지를 먼저 예측하게 합니다. “센서를 기록했으니 데이터는 있다”는 오개념(M13)이 여기서 나옵니다. "laser_frame does not exist"를 보고 레이저를 뜯는 사람도 있습니다(M15).
@@ -308,8 +308,8 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="en" name="four-set-ups-read" tags=["predicted"]
 # - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and they agree whatever a clock shows. That is another reason to look up at the stamp (08).
 # - **With the machine's time** everything else is a day off: now is 86 400 s in the future of all data, a scan seems a day old, and a new stamp of this node is from tomorrow.
-# - **With both** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup of *now* fails by a hundredth of a second: transforms take time to arrive, too.
-# - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and *now* succeeds 59 times out of 60. It is the only set-up in which it does!
+# - **With both** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup at *now* fails because a hundredth of a second is missing: transforms take time to arrive, too.
+# - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and the lookup at *now* succeeds 59 times out of 60. It succeeds in no other set-up!
 
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
 # - **측정 시각으로는 언제나 60개 가운데 59개입니다.** 측정 시각과 변환은 같은 bag에서 왔으므로, 시계가 몇 시이든 서로 맞습니다. 측정 시각의 변환을 써야 하는 또 하나의 이유입니다(08).
@@ -327,7 +327,7 @@ for use_sim_time in (False, True):
 # ### The stopped clock
 #
 # A node with `use_sim_time` that receives no `/clock` has a clock that stays at **0**. Nothing that waits for a time ever happens.
-# And `Time(0)` is how tf2 writes *the latest*. So a node that looks up *now* gets the latest transform, without an error, while its clock stands still. The broken set-up is the one that looks best.
+# And tf2 reads the time 0 as *the latest*. So a node that looks up *now* gets the latest transform, without an error, while its clock stands still. The broken set-up is the one that looks best.
 #
 # A user once reported that a transform library failed with `use_sim_time`, and withdrew it the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
 
@@ -335,7 +335,7 @@ for use_sim_time in (False, True):
 # ### 멈춘 시계
 #
 # `use_sim_time`을 켰는데 `/clock`이 오지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흐르기를 기다리는 일은 하나도 일어나지 않습니다.
-# 그런데 tf2에서 `Time(0)`은 *최신*을 뜻합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 오류 없이 최신 변환이 나옵니다. 고장 난 설정이 가장 정상으로 보입니다.
+# 그런데 tf2는 시각 0을 *최신*으로 처리합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 오류 없이 최신 변환이 나옵니다. 고장 난 설정이 가장 정상으로 보입니다.
 #
 # 어느 사용자는 변환 라이브러리가 `use_sim_time`에서 동작하지 않는다고 보고했다가 그날 바로 거두었습니다. `--clock`을 빠뜨렸던 것입니다([swri-robotics/marti_common, 이슈 495](https://github.com/swri-robotics/marti_common/issues/495)).
 
@@ -374,7 +374,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
 # ### By hand
 #
-# The lecture's two questions. The `&` keeps the player running, as a second terminal would. `param set` on a running node works, too. Read what it costs.
+# These are the lecture's two checks. The `&` keeps the player running, as a second terminal would. `param set` works on a running node, too. Read what it costs.
 
 # %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
 # ### 직접 확인하기
@@ -399,7 +399,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %ros2 param set /asker use_sim_time false
 
 # %% [markdown] lang="en" name="by-hand-read"
-# *Clearing tf buffer*: when a node changes its clock, the data in its buffer belongs to another time, so it deletes every dynamic edge. Only the mounts stay, because a static transform is valid at all times. Until `/tf` has arrived again nothing can be placed; what was measured before the switch, never. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every node), in the launch file:
+# *Clearing tf buffer*: when a node changes its clock, the data in its buffer belongs to another time, so the buffer deletes every dynamic edge. Only the mounts stay, because a static transform is valid at all times. Until `/tf` has arrived again nothing can be placed. Data that was measured before the switch can never be placed. So set `use_sim_time` when you start a node, for all nodes alike (`/**` means every node), in the parameter file that the launch file passes to them:
 #
 # ```yaml
 # /**:
@@ -408,7 +408,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일이 넘겨주는 파라미터 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -452,7 +452,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="innocent" slide="slide"
 # ## The node that reports the error is not the cause
 #
-# You want to run the localisation again: the bag contains laser, wheel odometry and mounts, a new localiser publishes `map → odom`. Every node has `use_sim_time`, except one that was forgotten: the localiser.
+# You want to run the localisation again. The bag contains laser, wheel odometry and mounts, and a new localiser publishes `map → odom`. Every node has `use_sim_time`, except one that was forgotten: the localiser.
 #
 # **Predict:** which node reports an error, and what does it say?
 
@@ -478,10 +478,10 @@ except TransformException as error:
     print(error)
 
 # %% [markdown] lang="en" name="innocent-read" tags=["predicted"]
-# Every node that looks up a transform gets the error; the one at fault has none. It publishes with tomorrow's time, because this localiser stamps its transform with its own now. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
+# Every node that looks up a transform gets the error; the one at fault has none. It stamps its transforms a day later than the bag, because this localiser uses its own clock for the stamp. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
 #
 # *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path the two days have no common time.
-# Whose stamps are they? Use a tool that sees all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
+# Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
 # 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 이 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
@@ -547,7 +547,7 @@ long = lesson.replay(lambda: Looped(lecture), bags / "lap", "--clock --loop", fo
 show(long)
 
 # %% [markdown] lang="en" name="twenty-seconds-read" tags=["predicted"]
-# At the end of the *last* pass, almost two metres from its true position. No error, no warning, and every scan placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
+# `Time()` places the robot at the end of the *previous* pass, almost two metres from its true position. There is no error and no warning, and every scan is placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
 #
 # With the usual ten seconds there is a warning. Many:
 
@@ -570,11 +570,11 @@ print(len(warnings), "warnings, such as")
 print(warnings[0])
 
 # %% [markdown] lang="en" name="ten-seconds-read"
-# Fifty scans lost. The new stamps are older than the data in the buffer, so the buffer rejects the new pass until the clock has caught up.
+# Fifty scans are lost. The new stamps are more than ten seconds older than the newest sample, so the buffer rejects the new pass until its stamps are within those ten seconds.
 # A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
-# 스캔 쉰 개를 잃었습니다. 버퍼는 이미 지나간 시각으로 보고, 시각이 다시 거기에 이를 때까지 다시 재생한 변환을 버립니다.
+# 스캔 쉰 개를 잃었습니다. 다시 재생한 변환의 측정 시각은 최신 표본보다 10초 넘게 이전입니다. 버퍼는 측정 시각이 그 10초 안에 들어올 때까지 변환을 버립니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시각이 되돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
@@ -588,8 +588,8 @@ sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "la
 show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
-# One line for each pass, and everything is right: it deletes the dynamic edges, keeps the mounts, and fills up with the new pass.
-# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then there is `node=`, and you have to write it.
+# One line for each pass, and everything is right: the buffer deletes the dynamic edges, keeps the mounts, and stores the transforms of the new pass.
+# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the argument `node=` exists, and you have to pass it.
 #
 # How old is the newest transform, for each of the three?
 
@@ -665,7 +665,7 @@ for record in [record for record in recording.records() if record.is_static][:2]
 print(lesson.doctor(recording))
 
 # %% [markdown] lang="en" name="bag-read"
-# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only says when it was sent. It has been mistaken for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only says when it was sent. Somebody has mistaken such a stamp for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
 #
 # Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
 
@@ -722,7 +722,7 @@ print(lesson.doctor(recording))
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# Then the error is gone, and the node still uses another day: its stamps, its ages and its timers are wrong, without an error.
+# Then the error is gone, but the node's clock still shows another day: its stamps and its ages are wrong, without an error.
 #
 # </details>
 # <details><summary>I chose 3</summary>
@@ -760,7 +760,7 @@ print(lesson.doctor(recording))
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 오류는 사라지지만 노드는 여전히 다른 날짜의 시각을 씁니다. 측정 시각도, 나이도, 타이머도 오류 없이 틀립니다.
+# 오류는 사라지지만 노드는 여전히 다른 날짜의 시각을 씁니다. 측정 시각도, 나이도 오류 없이 틀립니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -831,7 +831,7 @@ print(lesson.doctor(recording))
 # ```
 #
 # From a simulation record `/clock`, too: `ros2 bag record /scan /odom /tf /tf_static /clock`.
-# `use_sim_time` goes into the launch file, under `/**:`, so that no node is forgotten. RViz is a node, too.
+# `use_sim_time` goes under `/**:` into the parameter file that the launch file passes to the nodes, so that no node is forgotten. RViz is a node, too.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -846,7 +846,7 @@ print(lesson.doctor(recording))
 # ```
 #
 # 시뮬레이션에서는 `/clock`도 기록합니다. `ros2 bag record /scan /odom /tf /tf_static /clock`입니다.
-# `use_sim_time`은 launch 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
+# `use_sim_time`은 launch 파일이 넘겨주는 파라미터 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
 # To photograph, not to read aloud. One sentence: RViz is a node, too.
@@ -864,10 +864,10 @@ rclpy.try_shutdown()
 # - A message in a [[bag]] has two times: the time of its arrival, by which it is played, and its stamp, which TF uses.
 # - `/tf_static` is sent once, at the beginning. If you skip that, no sensor can be placed.
 # - *Can the transforms in the bag place its own messages?* One number, without playing it.
-# - `use_sim_time` on every node, `--clock` at the player: both, or neither. With only one of them there is a stopped clock, or a node that uses another day ([[simulation time]]).
-# - A clock at 0 asks for the latest, so the broken set-up looks best. A lookup at the stamp is always right.
+# - `use_sim_time` on every node, `--clock` at the player: both, or neither. With only one of them there is a stopped clock, or a node whose clock shows another day ([[simulation time]]).
+# - With a clock at 0, a lookup at *now* returns the latest transform, so the broken set-up looks best. A lookup at the stamp is always right.
 # - The node that reports an error about times is seldom the one at fault.
-# - `Buffer(node=self)`, or a loop leads to wrong transforms.
+# - Use `Buffer(node=self)`. Without it, a bag in a loop leads to wrong transforms.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -881,7 +881,7 @@ rclpy.try_shutdown()
 # - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 지난 재생의 변환이 최신으로 나옵니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
-# Leave it on the screen while the slips are handed out.
+# Leave the recap on the screen while you hand out the paper for the exit ticket.
 
 # %% [markdown] lang="ko" name="recap-notes" slide="notes"
 # 쪽지를 나누어 주는 동안 화면에 띄워 둡니다.
@@ -890,14 +890,14 @@ rclpy.try_shutdown()
 # ### Three questions from earlier chapters
 #
 # 1. 06: why does a node that starts late on a robot receive `/tf_static`?
-# 2. 08: what does `Time()` ask for, and why is it not now?
+# 2. 08: what does `Time()` mean, and why is it not now?
 # 3. 09: two texts mention the future, one by 0.05 s and one by a day. For which does waiting help?
 #
 # <details><summary>Answers</summary>
 #
 # 1. Its publisher keeps the last message for listeners that join later (transient local).
 # 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as new as now.
-# 3. For the first, perhaps. The second is a clock.
+# 3. For the first, perhaps. The second comes from a clock that shows another day, and waiting does not help.
 #
 # </details>
 
@@ -930,7 +930,7 @@ rclpy.try_shutdown()
 # <details><summary>What a full answer contains</summary>
 #
 # - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's. A node with `use_sim_time` takes its now from `/clock`.
-# - [ ] All nodes must agree: one with the machine's time stamps and looks up in another day, and other nodes get the errors.
+# - [ ] All nodes must agree: if one uses the machine's time, its stamps and lookups are a day off, and other nodes get the errors.
 # - [ ] With `use_sim_time` and without `/clock` the time stays at 0: no timer, no age, and a lookup at the current time gives the latest without an error.
 # - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
 # - [ ] In a loop time goes back, and earlier data has to be deleted.

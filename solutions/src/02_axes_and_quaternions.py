@@ -125,7 +125,7 @@ check("E2.3", quaternion_from_yaw)
 # | `"nan"` | one of the four is not finite (NaN or infinite) |
 # | `"zero"` | the length is zero (below 0.000001) |
 # | `"not unit"` | the length differs from 1 by more than 0.01 |
-# | `"w first"` | x or y is larger than 0.1 in size: on a flat floor, w was written first |
+# | `"w first"` | the absolute value of x or y is larger than 0.1: on a flat floor, w was written first |
 # | `"ok"` | none of these |
 
 # %% [markdown] lang="ko" name="e2-4"
@@ -232,8 +232,8 @@ check("E2.6", diagnosis)
 # %% [markdown] lang="en" name="e2-7"
 # ## E2.7 · Too few digits (2 points)
 #
-# A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote it with too few digits.
-# How far off sideways is a point at this range [mm], to the nearest millimetre or finer, as a number without a sign?
+# A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote the number with too few digits.
+# By how many millimetres does this shift a point at this range sideways? Give a number without a sign, to the nearest millimetre or finer.
 
 # %% [markdown] lang="ko" name="e2-7"
 # ## E2.7 · 모자란 숫자 몇 자리 (2점)

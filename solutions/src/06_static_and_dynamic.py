@@ -32,7 +32,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e6-1"
 # ## E6.1 · Board or radio? (4 points)
 #
-# Four robots, three edges each. For each robot a list of three, in this order: `"/tf_static"` or `"/tf"`.
+# Four robots have three edges each. For each robot give a list of three topics, in the order of its edges: `"/tf_static"` or `"/tf"`.
 #
 # - **cart**, parked since yesterday: `odom → base_link` from its wheels · `base_link → laser_frame`, screwed on · `map → odom`, corrected once in a while
 # - **scout**: `base_link → imu_link`, screwed on · `base_link → mast_link`, a mast that goes up and down only while the robot is parked · `camera_link → camera_optical_frame`
@@ -92,8 +92,8 @@ check("E6.2", command)
 # %% [markdown] lang="en" name="e6-3"
 # ## E6.3 · One message for all mounts (4 points)
 #
-# `mounts` is a list of one to four rows such as `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}`, in metres and radians; `stamp` is a message's time.
-# Return the list of `TransformStamped` for **one** `sendTransform`: one message a row, in their order, each with `header.stamp = stamp`.
+# `mounts` is a list of one to four rows such as `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}`, in metres and radians. `stamp` has the type of `header.stamp`.
+# Return the list of `TransformStamped` for **one** `sendTransform`: one message for each row, in the order of the rows, each with `header.stamp = stamp`.
 # `Transform.from_rpy(roll=…, pitch=…, yaw=…).rotation` is a quaternion (x, y, z, w).
 
 # %% [markdown] lang="ko" name="e6-3"
@@ -161,7 +161,7 @@ check("E6.4", on_circle)
 # %% [markdown] lang="en" name="e6-5"
 # ## E6.5 · Six extracts from a log (5 points)
 #
-# Six robots; the next cell prints what was found of each. For each of a to f give the cause, and under `"a do"` to `"f do"` what to do. Causes:
+# The next cell prints what was found on each of six robots, a to f. For each give the cause, and under `"a do"` to `"f do"` what to do. Causes:
 #
 # `"several letters"` sent one after the other by one node · `"publisher gone"` · `"no board"`: VOLATILE · `"silent mover"`: it can move and is no longer published · `"bolt on /tf"`: a fixed mount · `"mover on /tf_static"` · `"misspelt name"`
 #
@@ -212,7 +212,7 @@ check("E6.5", diagnosis)
 # %% [markdown] lang="en" name="e6-6"
 # ## E6.6 · How far does a mount on /tf fall behind? (2 points)
 #
-# A mount is sent on `/tf`, `rate_hz` times a second, and each message takes `delay_ms` **milliseconds** to arrive. The odometry is so fast that it does not matter. The robot drives straight on at `speed_mps`.
+# A mount is sent on `/tf`, `rate_hz` times a second, and each message takes `delay_ms` **milliseconds** to arrive. The odometry is published so often that it adds no error. The robot drives straight on at `speed_mps`.
 # You use "the latest" position of the sensor in `odom` as its current position. How large is the error at worst [m]?
 
 # %% [markdown] lang="ko" name="e6-6"
@@ -235,8 +235,8 @@ check("E6.6", worst_error_m)
 # %% [markdown] lang="en" name="e6-7"
 # ## E6.7 · Which frames does the listener know? (5 points)
 #
-# `letters` contains all messages that were ever sent, in order of time: dicts with `node`, `topic` (`"/tf"` or `"/tf_static"`), `sent_s` and `children`, a list of names. `ends` contains the time at which a node ended, by its name; a node that is not in it still runs.
-# tf2's listener joins at `join_s`. Return the children that it knows at `now_s`, each once.
+# `letters` contains all messages that were ever sent, in order of time: dicts with `node`, `topic` (`"/tf"` or `"/tf_static"`), `sent_s` and `children`, a list of names. `ends` maps the name of a node to the time at which it ended; a node that is not in it still runs.
+# tf2's listener joins at `join_s`. Return the children that it has received by `now_s`, each once.
 #
 # It receives what is sent from `join_s` to `now_s`, both included. Of what was sent *before*, it reads the boards of the nodes that end *after* `join_s`. Every node on `/tf_static` has a board of depth 1.
 

@@ -37,7 +37,7 @@ from tf2_ros import Buffer, ExtrapolationException, TransformException
 # A buffer has the timelines below. `oldest_s` and `newest_s` contain, for each dynamic edge, the stamps of its first and its last sample; the edges in `static` were sent once, long ago.
 # The current time is `clock_s`.
 #
-# You call `lookup_transform('map', 'laser_frame', Time())`. At which time [s] is the answer?
+# You call `lookup_transform('map', 'laser_frame', Time())`. Which stamp [s] does the returned transform have?
 
 # %% [markdown] lang="ko" name="e8-1"
 # ## E8.1 · “최신”은 언제의 것입니까? (2점)
@@ -61,7 +61,7 @@ check("E8.1", latest_common_s)
 # %% [markdown] lang="en" name="e8-2"
 # ## E8.2 · Between two samples (4 points)
 #
-# Write what the buffer does between two samples of one edge, in the plane.
+# Write a function that does what the buffer does between two samples of one edge, in the plane.
 # A sample is a tuple `(stamp_s, x, y, yaw)` in seconds, metres and radians.
 #
 # Return a dict: `"position"` is `(x, y)` on the straight line, `"yaw"` is on the shortest arc.
@@ -96,7 +96,7 @@ check("E8.2", interpolate)
 # %% [markdown] lang="en" name="e8-3"
 # ## E8.3 · PointToMap: a point onto the map (4 points)
 #
-# The main part of the lecture's node, as a function. It gets a `tf2_ros.Buffer`, a `PointStamped`, and `now`, the time at which the message arrived.
+# Write the main part of the lecture's node as a function. It takes a `tf2_ros.Buffer`, a `PointStamped`, and `now`, the time at which the message arrived.
 #
 # Return the point in `map`, as a `PointStamped` that keeps the stamp of the measurement.
 # If the buffer has no answer for that time, let its exception through: the caller decides what to do.

@@ -31,12 +31,12 @@ from tf2_ros import TransformException
 # %% [markdown] lang="en" name="e10-1"
 # ## E10.1 · Four set-ups (4 points)
 #
-# A bag of last year is played, and a node looks up `map ← laser_frame` for each scan. `e10_1.setups` has four set-ups: the node's `use_sim_time`, and whether the bag is played with `--clock`.
+# A bag that was recorded last year is played, and a node looks up `map ← laser_frame` for each scan. `e10_1.setups` has four set-ups: the node's `use_sim_time`, and whether the bag is played with `--clock`.
 # For each, give a list of three, in this order, with the result of
 #
 # 1. the lookup at the scan's stamp, 2. the lookup at `self.get_clock().now()`, 3. a timer of one second:
 #
-# `"works"` · `"just short"` (an exception, by less than a second) · `"years off"` (an exception, by very much) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
+# `"works"` · `"just short"` (an exception: less than a second is missing) · `"years off"` (an exception: the two times are years apart) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
 #
 # such as `["works", "works", "never"]`. The first scan, which is older than all transforms, does not count.
 
@@ -80,7 +80,7 @@ check("E10.1", outcomes)
 #
 # - **a** A real robot with localisation and wheel odometry, like ours. Tomorrow you want to see `e10_2.sensor["a"]` on the map, where the robot placed it.
 # - **b** The same in a simulation, with `e10_2.sensor["b"]`; tomorrow it should use the simulation's own time.
-# - **c** A real robot without localisation. Its wheels publish odometry messages on `e10_2.wheels["c"]`, and no transforms. Tomorrow you want to localise it with `e10_2.sensor["c"]`; a node will turn the odometry into transforms then.
+# - **c** A real robot without localisation. Its wheel odometry is published as messages on `e10_2.wheels["c"]`, and not as transforms. Tomorrow you want to localise it with `e10_2.sensor["c"]`; a node will turn the odometry into transforms then.
 
 # %% [markdown] lang="ko" name="e10-2"
 # ## E10.2 · 가장 작은 기록 (4점)
@@ -108,7 +108,7 @@ check("E10.2", recordings)
 # %% [markdown] lang="en" name="e10-3"
 # ## E10.3 · Five failures (5 points)
 #
-# `e10_3.failures` has five, each with the counts of `bag info`, the line that plays it, each node's `use_sim_time`, and the first line of the log. For each give its cause and what to do first:
+# `e10_3.failures` describes five failures. Each has the counts of `bag info`, the command that plays the bag, each node's `use_sim_time`, and the first line of the log. For each give its cause and what to do first:
 #
 # - causes: `"mounts not recorded"`, `"mounts skipped"`, `"nobody publishes /clock"`, `"one node in another time"`, `"time went back"`, `"sensor broken"`
 # - what to do: `"record again, with /tf_static"`, `"play from the start"`, `"play with --clock"`, `"set use_sim_time on that node"`, `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`, `"raise the timeout"`, `"replace the sensor"`
@@ -147,10 +147,10 @@ check("E10.3", findings)
 # %% [markdown] lang="en" name="e10-4"
 # ## E10.4 · Which clock does a node get? (4 points)
 #
-# `params` is a launch file's YAML as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
+# `params` is a YAML parameter file as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
 # - `/**` applies to all nodes. A node's own entry, written with or without its slash, replaces what it names, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
-# - `True` is `"sim"`, `False` is `"wall"`, and so is a node for which it is not set.
+# - `True` is `"sim"`, and `False` is `"wall"`. A node without a value is `"wall"`, too.
 # - Anything else than `True` or `False` is `"refused"`: rclpy logs an error.
 #
 # Return a list with one word for each node, in the order of `nodes`.
@@ -158,7 +158,7 @@ check("E10.3", findings)
 # %% [markdown] lang="ko" name="e10-4"
 # ## E10.4 · 노드는 어느 시계를 얻습니까? (4점)
 #
-# `params`는 launch 파일의 YAML을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
+# `params`는 YAML 파라미터 파일을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
 #
 # - `/**`는 모든 노드의 것입니다. 노드 자신의 항목은 슬래시가 있든 없든, 파일의 어디에 있든, 거기에 적힌 것을 바꿉니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
 # - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.
@@ -187,7 +187,7 @@ check("E10.4", clock_of)
 # %% [markdown] lang="en" name="e10-5"
 # ## E10.5 · How wrong is the sensor's clock? (3 points)
 #
-# `e10_5.log` contains (stamp, arrival) of a sensor's messages [s]: the stamp by the sensor's clock, the arrival by the robot's. A healthy message takes `e10_5.shortest_delay_s`, and in a log as long as this one at least one message arrives without further delay.
+# `e10_5.log` contains (stamp, arrival) of a sensor's messages [s]: the stamp by the sensor's clock, the arrival by the robot's. A message that is not held up takes `e10_5.shortest_delay_s`, and in a log as long as this one at least one message arrives without further delay.
 # By how many seconds is the sensor's clock **behind** the robot's? Negative if it is ahead.
 
 # %% [markdown] lang="ko" name="e10-5"
@@ -245,7 +245,7 @@ check("E10.6", placeable)
 # ## E10.7 · When must a buffer be cleared? (3 points)
 #
 # `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; less is disorder on the network.
-# Return the values at which it must be cleared: for each such step the first value after it.
+# Return the values at which it must be cleared: for each jump back, the first value after the jump.
 
 # %% [markdown] lang="ko" name="e10-7"
 # ## E10.7 · 버퍼는 언제 비워야 합니까? (3점)
