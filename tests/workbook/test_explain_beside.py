@@ -13,7 +13,7 @@ from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 
 from .small_chapter import bare
-from .test_explain import judged, judged_function, words
+from .test_explain import judged, words
 
 STOPPED = raised(TypeError("no"))
 MOUNT = "ros2 run tf2_ros static_transform_publisher"
@@ -30,18 +30,6 @@ def test_a_function_that_stops_in_some_calls_hears_what_is_wrong_in_the_others_f
     verdict = judge_outcomes(task, variant, [1.0, 2.0, 3.0, STOPPED])
     assert (verdict.mistake, verdict.mistakes) == (Mistake.RAISES, {})  # "late" would show only where it stops
     assert judge_outcomes(task, variant, [-1.0, 2.5, -3.0, STOPPED]).mistake is not Mistake.KNOWN
-
-
-def test_mistakes_that_show_in_different_calls_are_all_named_and_another_one_is_not_passed_over():
-    right = ["a", "b", "c", "d"]
-    gives = {"one": ["x", "b", "c", "d"], "two": ["a", "y", "c", "d"], "three": ["a", "b", "z", "d"]}
-
-    def mistakes(*outcomes):
-        return list(judged_function(Name(), list(zip(right, outcomes, strict=True)), gives).mistakes)
-
-    assert mistakes("x", "y", "c", "d") == ["one", "two"]
-    assert mistakes("x", "y", "z", "d") == ["one", "two", "three"]
-    assert mistakes("x", "y", "z", "q") == mistakes("q", "y", "c", "d") == []  # none of the three gives q
 
 
 def test_each_member_of_a_list_of_choices_has_a_mistake_of_its_own():

@@ -119,16 +119,6 @@ def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_ma
 WORDS = Sequence(Choice(("sim", "wall", "off")))
 
 
-def test_mistakes_that_show_in_different_words_of_a_list_are_named_as_far_as_they_are_certain():
-    asked = [(["sim", "off", "wall"], ["wall", "sim", "wall"]), (["off", "wall"], ["sim", "wall"])]
-    read = [["sim", "sim", "wall"], ["sim", "wall"]]
-    twins = {"never sim": [["wall", "off", "wall"], ["off", "wall"]], "text is read": read}
-    assert list(judged_function(WORDS, asked, twins).mistakes) == ["never sim", "text is read"]
-    verdict = judged_function(WORDS, asked, twins | {"text is truthy": read})
-    assert list(verdict.mistakes) == ["never sim"]
-    assert verdict.said.en.endswith("Something else is wrong beside it.")
-
-
 def test_of_mistakes_that_give_some_of_the_words_none_is_named():
     asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
     twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}

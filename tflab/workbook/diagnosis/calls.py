@@ -2,28 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from functools import partial
-from itertools import combinations
-from typing import NamedTuple
+from collections.abc import Sequence
 
 from ...text import Text, Texts
-from ..answers.form import Form, inside
 from ..answers.forms import Choice
-from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from ..tasks.case_types import Case
-from .explanation import Explanation, describe
-from .matching import ANY_BUG, alike, all_alike, feedback_of, matches_closely
+from .explanation import Explanation
+from .matching import ANY_BUG, all_alike
 from .python_errors import tip_for
 from .question import Question, Rest
 
 __all__ = [
     "explain_changed_arguments",
-    "explain_options_one_by_one",
     "explain_raises",
     "explain_swallowed_exceptions",
-    "mistakes_by_call",
     "return_value",
 ]  # fmt: skip
 
@@ -104,97 +96,3 @@ def _uncaught(question: Question, stopped: Sequence[Plain]) -> Explanation | Non
         return None
     counts = {"stopped": len(stopped), "of": len(question.cases), "errors": ", ".join(errors)}
     return Explanation.of("uncaught", TEXTS["uncaught"].filled(**counts))
-
-
-MOST = 3  # that are looked for
-
-
-def mistakes_by_call(
-    form: Form, outcomes: Sequence[Plain], expected: Sequence[Plain], gives: dict[str, list[Plain]]
-) -> Iterator[tuple[str, ...]]:
-    """Yield two or three mistakes of which each shows alone in some call, and that give together what came out.
-
-    Args:
-        gives: what each mistake gives, call by call.
-    """
-    wrong = _calls(not alike(form, *pair) for pair in zip(outcomes, expected, strict=True))
-    shown = partial(_shown, form.comparing(), expected)
-    shows = {name: shown(row) for name, row in gives.items()}
-    within = [name for name, seen in shows.items() if seen and not seen & ~wrong]
-    for chosen in (mistakes for count in range(2, MOST + 1) for mistakes in combinations(within, count)):
-        if _covers(shows, chosen, wrong) and _fit(form, outcomes, gives, shows, chosen):
-            yield chosen
-
-
-def _calls(marks: Iterator[bool]) -> int:
-    """Return the calls that are marked, as the bits of a number."""
-    return sum(1 << number for number, mark in enumerate(marks) if mark)
-
-
-def _shown(is_alike: Callable[[Plain, Plain], bool], expected: Sequence[Plain], row: Sequence[Plain]) -> int:
-    """Return the calls in which what a mistake gives is not what is right."""
-    return _calls(not is_alike(*pair) for pair in zip(row, expected, strict=True))
-
-
-def _covers(shows: dict[str, int], chosen: tuple[str, ...], wrong: int) -> bool:
-    """Return whether the mistakes show in just the calls that are wrong, and each alone in one of them."""
-    seen = once = 0
-    for name in chosen:
-        once = (once & ~shows[name]) | (shows[name] & ~seen)
-        seen |= shows[name]
-    return seen == wrong and all(shows[name] & once for name in chosen)
-
-
-def _fit(
-    form: Form, outcomes: Sequence[Plain], gives: dict[str, list[Plain]], shows: dict[str, int], chosen: Sequence[str]
-) -> bool:
-    """Return whether each call that is wrong gives what one of the mistakes gives that show in it."""
-    for number, outcome in enumerate(outcomes):
-        seen = [name for name in chosen if shows[name] >> number & 1]
-        if seen and not any(matches_closely(form, [outcome], [gives[name][number]]) for name in seen):
-            return False
-    return True
-
-
-class _Word(NamedTuple):
-    """One word: what was said, what is asked for, and what each mistake gives."""
-
-    said: Plain
-    wanted: Plain
-    wrong: dict[str, Plain]
-
-
-def explain_options_one_by_one(question: Question) -> Explanation | None:
-    """Return which mistakes give the words in a function's lists; None if no few of them do."""
-    task, form = question.task, question.form
-    places = _places(question.cases, question.outcomes) if isinstance(form, ListForm) else []
-    if not places or not isinstance(form.of, Choice):
-        return None
-    sure, is_all = _sure(form.of, places)
-    if not sure:
-        return None
-    told, mistakes = describe(task, sure), {name: feedback_of(task, name) for name in sure}
-    return Explanation(mistakes, told if is_all else Text.joined(told, TEXTS["and_more"]))
-
-
-def _sure(form: Choice, places: Sequence[_Word]) -> tuple[list[str], bool]:
-    """Return the mistakes that all the simplest explanations have in common, and whether there is but one."""
-    gives = {name: [place.wrong[name] for place in places] for name in places[0].wrong}
-    found = list(mistakes_by_call(form, [place.said for place in places], [place.wanted for place in places], gives))
-    ways = [way for way in found if len(way) == len(found[0])]
-    return [name for name in (ways or [()])[0] if all(name in way for way in ways)], len(ways) == 1
-
-
-def _places(cases: Sequence[Case], outcomes: Sequence[Plain]) -> list[_Word]:
-    """Return each word on its own; nothing if lists differ in length, or something is no answer."""
-    if any(is_raised(case.expected) for case in cases):
-        return []
-    found = []
-    for case, outcome in zip(cases, outcomes, strict=True):
-        said, wanted = inside(outcome), inside(case.expected)
-        wrong = {name: inside(answer) for name, answer in case.wrong.items()}
-        if not all(isinstance(held, list) and len(held) == len(wanted) for held in (said, *wrong.values())):
-            return []
-        found += [_Word(said[place], wanted[place], {name: answer[place] for name, answer in wrong.items()})
-                  for place in range(len(wanted))]  # fmt: skip
-    return found

@@ -22,10 +22,8 @@ from ..tasks.case_types import AND
 from ..tasks.credit import habit
 from .calls import (
     explain_changed_arguments,
-    explain_options_one_by_one,
     explain_raises,
     explain_swallowed_exceptions,
-    mistakes_by_call,
     return_value,
 )
 from .coding_patterns import find_coding_pattern, find_input
@@ -174,12 +172,6 @@ def _explain_two_mistakes(question: Question) -> Explanation | None:
     return _explained_by_first(question, _pairs(question, TWO))
 
 
-def _explain_mistakes_by_call(question: Question) -> Explanation | None:
-    """Name two or three mistakes of which each shows alone in some call."""
-    found = mistakes_by_call(question.form, question.outcomes, question.expected, question.single_mistakes)
-    return _explained_by_first(question, found)
-
-
 def _explain_mistake_and_generic(question: Question) -> Explanation | None:
     """Name a mistake of the task and an obvious one that any answer can have, made after it."""
     rows = question.single_mistakes.items()
@@ -231,8 +223,6 @@ def _explain_confused_options(question: Question) -> Explanation | None:
     found = confused(form, outcomes, wanted) if isinstance(form, Choice) else confused_in_lists(form, outcomes, wanted)
     if found is None or not found.word:
         return Explanation.of(found.name, found.said) if found else None
-    if (one_by_one := explain_options_one_by_one(question)) is not None:
-        return one_by_one
     explanation = Explanation.of(
         found.name, Text.joined(found.said, task.means.get(found.word), seen_of(found, task.seen))
     )
@@ -272,11 +262,6 @@ def _is_not_short(question: Question) -> bool:
     return not is_short(row[0]) and "rounded" not in lost
 
 
-def _is_no_option(question: Question) -> bool:
-    """Return whether no options are asked for: those fit mistakes by chance."""
-    return not isinstance(getattr(question.form, "of", question.form), Choice)
-
-
 def _fits_order_alone(question: Question) -> bool:
     """Return whether no generic mistake says more than that places, or places and signs, are others."""
     names = matching_corrections(question.form, question.outcomes, question.expected)
@@ -308,7 +293,6 @@ TABLE: tuple[Explainer, ...] = (
         "numbers of a given point", _explain_given_point, of="value", forms=(Vector,), condition=_fits_order_alone
     ),
     Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
-    Explainer("mistakes by call", _explain_mistakes_by_call, of="function", condition=_is_no_option),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
     Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", is_measured=True),

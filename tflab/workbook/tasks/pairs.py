@@ -62,7 +62,8 @@ class PairSearch:
     ) -> dict[str, list[Plain]]:
         """Return the pairs that reproduce the answer or a part of it in every case, and what each gives case by case.
 
-        A pair whose values are the right ones, or those of one mistake or of an earlier pair, is left out.
+        A pair whose values are the right ones, or those of one mistake, is left out; pairs with the same values have
+        the name of the mistake that they share.
 
         Args:
             order: the numbers of all cases, the wrong ones first.
@@ -88,13 +89,21 @@ class PairSearch:
 
 
 def _distinct(form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -> dict[str, list[Plain]]:
-    """Return the pairs without those that look like something simpler, or like an earlier pair."""
+    """Return the pairs without those that look like something simpler.
+
+    Of pairs that look alike nobody knows which it was: only the mistake that they have in common is kept.
+    """
     simple = [[case.expected for case in cases], *([case.wrong[name] for case in cases] for name in cases[0].wrong)]
     likeness = Likeness(form, [*simple, *rows.values()])
-    kept = list(range(len(simple)))
-    distinct = {}
+    groups: dict[int, list[str]] = {}  # the number of the first of some pairs that look alike: all their names
     for number, name in enumerate(rows, start=len(simple)):
-        if not likeness.any_of(kept, number):
-            kept.append(number)
-            distinct[name] = rows[name]
-    return distinct
+        if not likeness.any_of(range(len(simple)), number):
+            first = next((first for first in groups if likeness.any_of([first], number)), number)
+            groups.setdefault(first, []).append(name)
+    certain = {names[0]: _in_common(names) for names in groups.values()}
+    return {AND.join(known): rows[name] for name, known in certain.items() if known}
+
+
+def _in_common(pairs: Sequence[str]) -> list[str]:
+    """Return the mistakes that are in each of these pairs, in their order."""
+    return [name for name in pairs[0].split(AND) if all(name in pair.split(AND) for pair in pairs)]
