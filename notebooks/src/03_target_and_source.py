@@ -70,9 +70,9 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="ten-years" slide="slide"
 # ## Ten years of "reversed"
 #
-# A robot's IMU, which measures rotation and acceleration, was mounted rotated, and somewhere a transform seemed to be reversed.
-# So its team published a *wrong* mount, and the numbers came out right.
-# Later they proposed to swap two frames in the program that uses the IMU. The answer was: the target comes first, and it already does.
+# A robot's IMU, which measures rotation and acceleration, was mounted rotated. Its readings came out as if a transform were reversed.
+# So the team published a *wrong* mount, and the readings came out right.
+# Later they proposed to swap two frames in the program that uses the IMU. The maintainers answered that the target comes first, and that the program already passes it first.
 #
 # They are in good company.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
@@ -369,7 +369,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # lookup_transform('base_link', 'laser_frame', time)   # wanted in, expressed in, when
 # ```
 #
-# The answer is `base_T_laser`: same order, same words.
+# The call returns `base_T_laser`, with the two frames in the same order.
 # The sentence contains no "from" and no "to", so there is nothing to swap.
 #
 # | you want | target | source |
@@ -677,8 +677,8 @@ lesson.draw_sentence(places, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
 # The laser is 10 cm in front of the camera and 15 cm below it. Check that with the numbers of both mounts.
-# The tile `camera_link | base_link` is the published one, `base_link | camera_link`, turned round.
-# `inverse()` turns a tile round. The next section shows how it is calculated.
+# The domino `camera_link | base_link` is the published one, `base_link | camera_link`, turned round.
+# `inverse()` turns a domino round. The next section shows how it is calculated.
 
 # %% [markdown] lang="ko" name="siblings-seen"
 # 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서의 장착 위치로 확인해 보세요.
@@ -758,7 +758,7 @@ if ... not in (wanted_in, expressed_in):
 # laser_T_base:  R⁻¹    then  −R⁻¹ t
 # ```
 #
-# Negating the translation alone is right only if there is no rotation.
+# Negating the translation alone is right only if the rotation does not change it, for example if there is no rotation.
 
 # %% [markdown] lang="ko" name="inverse-why" slide="fragment"
 # 변환은 회전 R을 한 다음 이동 t를 더하는 것입니다. 되돌리려면 이동을 먼저 빼고, 그다음 반대로 회전시킵니다.
@@ -769,7 +769,7 @@ if ... not in (wanted_in, expressed_in):
 # laser_T_base:  R⁻¹    then  −R⁻¹ t
 # ```
 #
-# 부호만 바꾸는 것은 회전이 없을 때만 맞습니다.
+# 부호만 바꾸는 것은 회전이 이동을 바꾸지 않을 때만 맞습니다. 회전이 없을 때가 그렇습니다.
 
 # %% name="inverse-in-numbers" slide="subslide"
 laser_T_base = base_T_laser.inverse()
@@ -797,7 +797,7 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 
 # %% [markdown] lang="en" name="inverse-seen-notes" slide="notes"
 # Really let one person stand up. It takes twenty seconds, and nobody forgets it.
-# Then ask: for which rotations is the changed sign right? Only for zero. How large is the error?
+# Then ask: for which yaw of this mount is the changed sign right? Only for zero. How large is the error?
 # Twice the translation times the sine of half the rotation: 2 × 0.20 m × sin 45° = 0.28 m.
 
 # %% [markdown] lang="ko" name="inverse-seen-notes" slide="notes"
@@ -810,7 +810,7 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 #
 # Move the slider, and watch two mistakes.
 #
-# 1. At which yaw do you not see "turn forgotten" (the missing rotation)?
+# 1. At which yaw does "turn forgotten" (the rotation left out) make no difference?
 # 2. At which yaw do you not see "swapped" from above? Look at z as well.
 # 3. At which yaw is the error of the swap largest?
 
@@ -952,7 +952,7 @@ print('right  ', lesson.fmt_all(rear.apply(seen_at)))
 print('swapped', lesson.fmt_all(rear.inverse().apply(seen_at)))
 
 # %% [markdown] lang="en" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
-# They are identical. Two rotations by 180° cancel, so this mount is its own inverse.
+# They are identical: this mount is its own inverse. If you apply it twice, the two rotations by 180° cancel, and so do the two translations.
 # Every test passes.
 
 # %% [markdown] lang="ko" name="swap-at-the-back-seen" tags=["predicted"] slide="subslide"
@@ -980,7 +980,7 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 #
 # There is none.
 # Both lookups are valid, and TF2 cannot know which one you meant.
-# The shelf is on the left. The robot keeps clear of its right side, and drives into the shelf.
+# The shelf is on the robot's left. The robot keeps clear of its own right side, and drives into the shelf.
 #
 # An unknown frame name *does* raise an exception, and the message tells you in which argument you used it.
 # (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
@@ -1002,7 +1002,7 @@ from rclpy.time import Time
 buffer.lookup_transform('laser_fame', 'base_link', Time())
 
 # %% [markdown] lang="en" name="unknown-name-seen"
-# `argument target_frame`: the misspelt name is in the place of the target.
+# `argument target_frame`: you passed the misspelt name as the target.
 # If you meant it as the *source*, this message is the only hint at a swap that you ever get. Read it to the end.
 #
 # A name that begins with a slash, common in ROS 1, cannot be looked up at all:

@@ -8,7 +8,7 @@
 # - read a joint of a [[urdf|URDF]]: its origin, its axis, and what neither of them means,
 # - calculate the position of an arm's tip, transform by transform,
 # - say which frames `robot_state_publisher` publishes, on which topic, and why some are missing,
-# - recognise a sensor that is mounted otherwise than the URDF says: rotated, tilted, upside down.
+# - recognise a sensor whose mount differs from the URDF: rotated, tilted, upside down.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 07 · URDF와 센서
@@ -113,7 +113,7 @@ print('base_T_laser', lesson.fmt_all(base_T_laser.translation), 'rpy', lesson.fm
 # Our own robot's URDF has these lines among others.
 #
 # A link can have a `<visual>` with an `<origin>` of its own. It describes the position of the *shape* on the link. TF never reads it.
-# Now the laser is really rotated: `screws` contains its true mount. TF does not have it.
+# In the next cell the real laser is rotated. The argument `screws` contains its true mount, which TF never receives.
 
 # %% [markdown] lang="ko" name="two-origins-why"
 # 소리 내어 읽어 보세요. *레이저는 `base_link`에 달려 있고, 앞으로 0.20, 위로 0.15이며, 회전은 없다.* 이것이 `base_T_laser`입니다. `xyz`는 이동[m], `rpy`는 회전[rad]입니다.
@@ -139,7 +139,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="walls-seen" tags=["predicted"]
 # From above: the walls are grey, and the dots are where the robot's TF places what its laser measured. They are one and a half metres off on average, almost five at worst, and the line in `<visual>` changes not one dot.
-# In the joint it fixes everything, except for the laser's own noise of millimetres.
+# In the `<joint>` the same line puts every dot on the walls, except for the laser's own noise of millimetres.
 # No tool compares the description with the real mount. *You* have to, with an object that you know to be straight ahead.
 
 # %% [markdown] lang="ko" name="walls-seen" tags=["predicted"]
@@ -172,7 +172,7 @@ lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.0
 # %% [markdown] lang="en" name="axis" slide="slide"
 # ## A joint: an origin, then a movement
 #
-# A joint that moves has an `<axis>`. It is given in the **child's** axes, after the origin: `parent_T_child = origin @ movement`.
+# A joint that moves has an `<axis>`. It is given in the **child's** axes, which the origin has already rotated: `parent_T_child = origin @ movement`.
 # A camera head is mounted facing left, `rpy="0 0 1.5708"`, and its axis is `0 1 0`. The motor rotates by +0.5 rad. **Predict:** does the head nod or does it roll?
 
 # %% [markdown] lang="ko" name="axis" slide="slide"
@@ -202,7 +202,7 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
                   ghost_points={'nose, misread': misread.apply(nose)}, fixed_frame='body', length_m=0.4)
 
 # %% [markdown] lang="en" name="axis-seen" tags=["predicted"]
-# It nods: the nose goes down to z = −0.479, to the left of the body, where the head faces. If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
+# It nods. The head faces the left of the body, and its nose goes down there to z = −0.479. If you read the axis in the parent's axes, the head rolls onto its side and its nose stays where it was.
 #
 # A TurtleBot3's wheels are written like this: `rpy="-1.57 0 0"` rotates the axes, and then `axis="0 0 1"` points sideways.
 #
@@ -239,7 +239,7 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # %% [markdown] lang="en" name="chain-seen" slide="subslide"
 # - A joint changes one transform, its own. The tip moves because the product changes.
 # - The fixed joints are transforms, too, without a slider.
-# - [[tcp|`tcp`]] (tool centre point) is the working point of the tool, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, along the tool's z, so that another tool changes one transform. If you add 0.12 to the z in `base_link` instead, you get the grey ring, 15 cm off.
+# - [[tcp|`tcp`]] (tool centre point) is the working point of the tool, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, offset along the tool's z. If you change the tool, only this transform changes. If you add 0.12 to the z in `base_link` instead, you get the grey ring, 15 cm off.
 #
 # Zero is a position like any other: at zero the tip is at (0.470, 0, 0.150).
 
@@ -374,7 +374,7 @@ except TransformException as error:
     print(type(error).__name__, error, sep='\n')
 
 # %% [markdown] lang="en" name="play-driver" slide="subslide"
-# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** with which of them is the arm there, and which ones cause a warning?
+# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** after which of them is the arm complete, and which of them cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
 # 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 이유를 알려 주는 것은 어느 것일까요?
@@ -398,9 +398,9 @@ print('velocity only ', drive(JOINTS, velocity=[0.1, 0.1, 0.1]))
 print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 
 # %% [markdown] lang="en" name="drivers-seen" tags=["predicted"]
-# - **Other names:** no message at all. No node checks that the names are those of the URDF.
-# - **Stamp zero:** no message. A JointState that is not newer than the last one is ignored, and zero never is newer.
-# - **Velocity only:** this is the one with a WARN. It names the first joint, in the words of the real node.
+# - **Other names:** no warning at all. No node checks that the names are those of the URDF.
+# - **Stamp zero:** no warning. A JointState that is not newer than the last one is ignored, and zero never is newer.
+# - **Velocity only:** only this one causes a WARN. It names the first joint, and its text is that of the real node.
 #
 # So when an arm is missing: `ros2 topic echo /joint_states`, and compare name, stamp and position with the URDF.
 
@@ -482,7 +482,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # The walls that are still seen are up to 0.14 % too far; nobody sees that.
 #
 # The correct URDF does not put the dots back: these rays *did* end there, on the floor. But now they have the correct z, so you can drop them.
-# If a program takes only a planar scan, level the laser with a screwdriver. The lecture says that obstacles are misplaced if a tilted laser is described as level. A correct URDF is where the repair begins, not where it ends.
+# A program that accepts only a planar scan cannot use z. In that case level the laser with a screwdriver. The lecture says that obstacles are misplaced if a tilted laser is described as level. A correct URDF is only the first part of the fix.
 
 # %% [markdown] lang="ko" name="tilt-seen" tags=["predicted"]
 # *그림 읽기:* level = 수평이라고 적힘, 3° = 기울기를 적음, z > 0.05 = 높이 5 cm가 넘는 점만.
@@ -504,7 +504,7 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 #
 # An IMU measures rotation (gyro) and the force that holds it up against gravity (accelerometer), each along its own axes. Ours is mounted upside down. The robot stands still, and then drives a curve to the left, 0.5 m/s and 0.5 rad/s.
 #
-# Two fields of an `Imu` message are easy to miss. The driver must not remove gravity: at rest a correct IMU reads +9.81 on the axis that points up. And each of its three measurements has a covariance. A first entry of −1 means that the IMU does not measure it, as a gyro without a compass has no `orientation`.
+# Two rules for an `Imu` message are easy to miss. The driver must not remove gravity: at rest a correct IMU reads +9.81 on the axis that points up. And each of its three measurements has a covariance matrix. If its first entry is −1, the IMU does not provide that measurement. A gyro without a compass, for example, has no `orientation`.
 
 # %% [markdown] lang="ko" name="imu" slide="slide"
 # ## 뒤집힌 IMU
@@ -526,8 +526,8 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
     print(f'{"":<12} gyro z in imu_link {in_imu}, in base_link {in_base}')
 
 # %% [markdown] lang="en" name="imu-seen" tags=["predicted"]
-# At rest z reads **−9.8** instead of +9.8, and a rotation to the left reads **−0.50**. Left is still positive; the IMU's z points down.
-# It is not broken. Describe its mount in the URDF, `rpy="3.1416 0 0"`, and TF transforms each vector correctly. A minus sign in your own node would fix this one number, break y, and surprise the next person.
+# At rest z reads **−9.8** instead of +9.8, and a rotation to the left reads **−0.50**. In `base_link` left is still positive. It is the IMU's z that points down.
+# It is not broken. Describe its mount in the URDF, `rpy="3.1416 0 0"`, and TF transforms each vector correctly. A minus sign in your own node would fix this one number, leave y wrong, and surprise the next person.
 
 # %% [markdown] lang="ko" name="imu-seen" tags=["predicted"]
 # *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
@@ -557,7 +557,7 @@ for name, rpy in mounts.items():
 
 # %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
 # Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated, and a rotation about the vertical does not show at all.
-# A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate it by hand: `angular_velocity.z`, left is positive.
+# A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate the robot to the left by hand: `angular_velocity.z` must be positive.
 
 # %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
 # *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 회전.
@@ -597,8 +597,8 @@ for what, text in broken.items():
         print(f'{what}: {error}')
 
 # %% [markdown] lang="en" name="broken-seen" tags=["predicted"]
-# What breaks the *tree* is reported, with its line: a [[frame]] has one parent, and every link exists. (Our reader reports more than the real one; the real one stops, too.)
-# **Degrees** are accepted: 90 is a number. The file cannot contain what you measured.
+# Faults that break the *tree* are reported, with their line. A [[frame]] must have one parent, and every link that a joint names must exist. (Our reader reports more than the real one. The real one stops at these faults as well.)
+# **Degrees** are accepted, because 90 is a valid number of radians. No reader can compare the file with what you measured.
 
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
@@ -610,10 +610,10 @@ for what, text in broken.items():
 # <details><summary>Deeper: what robot_state_publisher does with the rest</summary>
 #
 # - A joint with `<mimic>` follows another one; a driver need not name it.
-# - `publish_frequency` (20 Hz) ignores joint messages that come sooner. The transforms have the **stamp of the message**, not the current time.
+# - A joint message that comes sooner than `publish_frequency` (20 Hz) allows is ignored. The transforms have the **stamp of the message**, not the current time.
 # - `frame_prefix` is put before every frame: one URDF, two robots (chapter 04).
 # - `floating` joints are not published at all, and `planar` ones count as fixed.
-# - The root link with an inertia: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
+# - If the root link has an inertia, the node prints: `The root link … has an inertia specified in the URDF, but KDL does not support a root link with an inertia.` It is a WARN, and harmless; the usual solution is `base_footprint` above `base_link`.
 #
 # </details>
 
@@ -650,7 +650,7 @@ for what, text in broken.items():
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: compare the description with the real mount. `tf2_echo base_link laser_frame` prints the description; the mount you look at yourself.
+# Yes: compare the description with the real mount. `tf2_echo base_link laser_frame` prints the description. Look at the mount yourself.
 #
 # </details>
 # <details><summary>I chose 4</summary>

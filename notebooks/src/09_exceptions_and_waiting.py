@@ -9,7 +9,7 @@
 # - read the text of an extrapolation exception: the requested time, the edge that limits the lookup, how far outside it is,
 # - tell delayed data from a wrong clock,
 # - wait without blocking the thread that would bring the transform,
-# - write down a policy: how long to wait, how many messages to keep, how old is too old to move a robot.
+# - write down a policy: how long to wait, how many messages to keep, and at what age data may no longer move a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 예외와 기다림
@@ -223,7 +223,7 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, time
 #
-# First tf2 checks the arguments; then it needs three things. The first that is missing becomes the exception.
+# First tf2 checks the arguments. Then it needs the names, a path, and data for the time. The exception shows which of these is missing first.
 #
 # | tf2 checks | the exception | what it means | look first at |
 # | --- | --- | --- | --- |
@@ -232,7 +232,7 @@ for second in (12.3, 14.3, 10.6):
 # | Is there a **path**? | [[connectivity exception|ConnectivityException]] | both names are known, in separate trees | `view_frames`: two roots |
 # | Is there data for that **time**? | [[extrapolation exception|ExtrapolationException]] | there is a path, but one edge on it has no data at that time | stamps and clocks |
 #
-# All of them are a [[transform exception|TransformException]], which is their common base class.
+# Their common base class is [[transform exception|TransformException]].
 # Name, path, time: if you can say which of the three is missing, you are half done.
 
 # %% [markdown] lang="ko" name="family" slide="slide"
@@ -379,7 +379,7 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 buffer.lookup_transform('map', 'laser_fame', Time())
 
 # %% [markdown] lang="en" name="lookup-read" slide="-"
-# It names the argument and the frame. Read the name letter by letter. (Here the r of frame is missing.)
+# The text names the argument and the frame. Read the name letter by letter. (Here the r of frame is missing.)
 # The same exception comes in the first second after every start: the name is right, and its publisher has not published yet.
 # So a [[lookup exception|LookupException]] is a typo *or* a lookup that came too early.
 
@@ -456,9 +456,9 @@ store(StampedTransform('base_link', 'tool0', seconds(12.0), Transform((0.3, 0.0,
 buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 
 # %% [markdown] lang="en" name="statics" slide="-"
-# For `Time()`, and for its own stamp, one sample is enough. So `tf2_echo`, which uses `Time()`, shows it, and your node fails.
+# One sample is enough for `Time()`, and for a lookup at exactly its stamp. So `tf2_echo`, which uses `Time()`, prints it, while the lookup of your node fails.
 #
-# And `base_link → laser_frame`, whose stamp is 0? It is valid at all times. **An old stamp on a static edge is not a fault**, and people have searched for one for days.
+# And `base_link → laser_frame`, whose stamp is 0? It is valid at all times. **An old stamp on a static edge is not a fault**, although people have searched for days because of one.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
 # `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 값이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 문제가 없고, 여러분의 노드에서는 실패합니다.
@@ -503,7 +503,7 @@ for when in (Time(seconds=99), Time()):
 
 # %% [markdown] lang="en" name="order-read" tags=["predicted"] slide="fragment"
 # The table was a little too simple. tf2 checks the names first, but it checks path and time **while it walks the tree**.
-# It climbs from the source, finds no data for 99 s on `map → odom`, and remembers that. Only then does it notice that the other side ends elsewhere.
+# It climbs from the source, finds no data for 99 s on `map → odom`, and remembers that. Only then does it find that the path up from the target ends at another root.
 # It reports the time, which it found first.
 #
 # So when an extrapolation exception puzzles you, look up once more with `Time()`, the latest. If *that* says "not part of the same tree", the time was not the cause.
@@ -754,7 +754,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 #
 # A constant delay of +0.3 s may be a slow network, or a publisher whose clock is 0.3 s *behind*.
 # From one-way times alone, **nobody** can separate the two: both add the same number to every message.
-# You need a message that goes there *and back*. `chrony` and NTP use such messages, so on two computers ask them. For example:
+# You need a message that goes there *and back*. `chrony` and NTP use such messages, so use them to compare the clocks of two computers. For example:
 #
 # ```text
 # $ chronyc tracking
@@ -783,7 +783,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # ## Break it: the workaround
 #
 # Robot B again, with a clock 0.3 s ahead. Somebody sets `timeout=Duration(seconds=1)`, as the forum suggested.
-# (And spins with several threads, so that waiting works at all. The reason follows soon.)
+# (The node also spins with several threads, so that waiting works at all. The reason follows below.)
 # The robot drives its first curve, at half a metre per second.
 #
 # **Predict.** Will the warnings go away? Will the walls stay where they are?
@@ -943,12 +943,12 @@ print(*patient.answers, sep='\n')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"
-# `rclpy.spin(node)` has one thread, and between two callbacks it processes a single message. While `on_scan` waits *in* it, nothing calls the listener, and the transform stays in the queue.
+# `rclpy.spin(node)` has one thread. Between two calls of `on_scan` it processes a single message. While `on_scan` waits *in* it, nothing calls the listener, and the transform stays in the queue.
 # The callback waits for the mail, and it is also the postman.
 #
 # <details><summary>Deeper: in C++</summary>
 #
-# A public report of this is ros2/geometry2, issue 327. In C++ tf2 rejects such a wait at once, with a long message that asks for a thread of its own (`setUsingDedicatedThread`). In Python it lets you wait.
+# A public report of this is ros2/geometry2, issue 327. In C++ tf2 rejects such a wait at once, with a long message that requires a dedicated thread (`setUsingDedicatedThread`). In Python it lets you wait.
 #
 # </details>
 
@@ -1044,7 +1044,7 @@ lesson.draw_lanes(called)
 # <details><summary>Deeper: two more ways</summary>
 #
 # - `await buffer.lookup_transform_async(...)` does the same in an `async` callback of a [[reentrant]] group. In any other group a future that is never completed would block the group for good.
-# - A [[message filter]] (`tf2_ros::MessageFilter`, C++) does the same ready made: your callback runs only when the transform is there, and its queue has a size.
+# - A [[message filter]] (`tf2_ros::MessageFilter`, C++) already does the same: your callback runs only when the transform is there, and its queue has a size.
 #
 # </details>
 
@@ -1107,7 +1107,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # With room for two, a third of the scans is dropped, and no decision uses data older than 0.3 s.
 # **For moving a robot, new is better than complete.** (For building a map afterwards, it may be the other way round.)
 #
-# A policy for a robot like this, in one line: wait at most 0.2 s (the next section shows how to calculate it); then drop; keep two, drop the oldest; data older than 0.5 s moves no wheel.
+# A policy for a robot like this: wait at most 0.2 s (the next section shows how to calculate it), then drop the message. Keep two messages at most, and drop the oldest. Data older than 0.5 s moves no wheel.
 
 # %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
 # *그림 읽기:* age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
@@ -1385,7 +1385,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # - Connectivity: both names are known, but there is no *path*: the tree is in pieces, two roots.
 # - Extrapolation: there is a path, but an edge on it has no data at that *time*, and tf2 does not guess.
 # - Each needs another first check: the name; the tree; stamps and clocks.
-# - For a fourth star: with two faults at once, the time may be reported first.
+# - For a star: with two faults at once, the time may be reported first.
 #
 # </details>
 #
@@ -1433,7 +1433,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# Without looking: your log contains *extrapolation into the future*. Name the **two** things it can mean, and the **one** command that tells them apart.
+# Without looking: your log contains *extrapolation into the future*. Name the **two** causes that it can have, and the **one** command that tells them apart.
 # Write one sentence for the colleague who wants to raise the timeout.
 #
 # <details><summary>One good ending</summary>

@@ -64,7 +64,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # %% [markdown] lang="en" name="half-a-century-seen"
 # It is not slow: it is **51.7 years**. That is the computer's time now, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
 # And the average is not an average yet: it begins at 0 and moves by one hundredth of the remaining difference with each sample. The tool had taken 21 samples.
-# The tool was the right one. It was read wrongly.
+# It was the right tool, and its output was misread.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
 # 느린 것이 아니라 **51.7년**입니다. 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값이고, 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
@@ -152,13 +152,13 @@ lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
 # Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not contain which of them publishes which edge.
-# In ROS 1 `tf2_monitor` showed the broadcaster's name, as the lecture has it; in ROS 2 every line has `<no authority available>`.
+# The lecture uses `tf2_monitor` to find the broadcaster's name. The older tool `tf_monitor` of ROS 1 printed it. In ROS 2 every line of `tf2_monitor` has `<no authority available>`.
 
 # %% [markdown] lang="ko" name="ask-first-seen"
 # *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 경로의 지연, age = 메시지의 나이, owner = 발행자, look = 보이는 모습. ✓ answers = 알 수 있음, ~ half = 반만 알 수 있음, ✗ cannot = 알 수 없음.
 #
 # 어느 도구에나 알 수 없는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
-# 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1에서는 그랬지만, ROS 2에서는 어느 노드나 `<no authority available>`로 나옵니다.
+# 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1의 `tf_monitor`는 이름을 출력했지만, ROS 2의 `tf2_monitor`에서는 어느 노드나 `<no authority available>`로 나옵니다.
 
 # %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
 # Which row has no tick? Wait for the owner, and leave it open: chapter 12 is about it.
@@ -260,11 +260,11 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% [markdown] lang="en" name="rates-seen" slide="subslide"
 # The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In it, each edge has its own `Average rate`:
 #
-# - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (It divides n samples by the time from the first to the last; with n − 1 it would be 20.0.)
+# - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (`view_frames` divides n samples by the time from the first to the last. With n − 1 its 20.204 would be 20.0.)
 # - static edges have 10000.0: not a rate, but a mark.
 # - `default_authority` everywhere: no owner here either.
 #
-# It is a **[[snapshot]]** of five seconds: what happens once a minute it probably misses.
+# It is a **[[snapshot]]** of five seconds. It probably misses what happens once a minute.
 
 # %% [markdown] lang="ko" name="rates-seen" slide="subslide"
 # 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
@@ -376,7 +376,7 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
 # On a straight line: **nothing**, at any rate. The midpoint between two points of a straight line is on the line.
-# In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)), with v the speed, ω the yaw rate [rad/s] and f the rate [Hz]: 61 mm at 1 Hz, 0.6 at 10. Half the rate, four times the error.
+# In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
 #
 # What a slow edge always costs is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
 # The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
@@ -697,7 +697,7 @@ for _ in range(6):
 # | all Ok, alternating between two positions | two publishers | the edge's rate in `view_frames`; `topic info --verbose` |
 # | nothing at all: `No messages received` | no publisher, or an incompatible QoS: most lasers offer `BEST_EFFORT`, RViz requests `RELIABLE` | `topic info /scan --verbose`; in RViz, the display's Reliability Policy |
 #
-# "Not in RViz, so the sensor is broken" is in no row: suspect the sensor last, when you have seen its messages.
+# "Not in RViz, so the sensor is broken" is in no row. Suspect the sensor last, and look at its messages first.
 
 # %% [markdown] lang="ko" name="symptoms" slide="slide"
 # ### 목록이 알려 주는 것과 먼저 확인할 것
@@ -743,7 +743,7 @@ for _ in range(6):
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. If it is right at rest and wrong in motion, the cause has to do with *time*: a stamp that is off by 0.3 s rotates the scan by 0.3 s of yaw. On a straight line it only shifts it along the path: the walls beside look right, the one ahead is 15 cm off at half a metre per second.
+# Yes. If it is right at rest and wrong in motion, the cause has to do with *time*. A stamp that is off by 0.3 s rotates the scan by the yaw of 0.3 s. On a straight line it only shifts the scan along the path: the walls beside the robot look right, and the wall ahead is 15 cm off at half a metre per second.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -848,7 +848,7 @@ graph.stop()
 #
 # - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the picture. The [[owner]]: no tool.
 # - Delay is not rate. `hz /tf` and the monitor's Hz count all nodes.
-# - `tf2_monitor`: `max`, not `avg`; ignore static edges; a negative average is the future.
+# - `tf2_monitor`: read `max`, not `avg`. Ignore static edges. A negative average means stamps in the future.
 # - A slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and waiting everywhere.
 # - [[fixed frame|Fixed Frame]] changes the picture, never the data.
 # - **Ok means computed, not true.** Compare value, frame name and stamp yourself.

@@ -277,7 +277,7 @@ for _ in range(6):
     print(f"{stamp.nanoseconds / 1e9:.3f}  x {at.x:.3f}  y {at.y:.3f}")
 
 # %% [markdown] lang="en" name="to-and-fro-seen"
-# At twenty lookups a second you see both in turn. At one a second, the default of `tf2_echo`, it can look constant for minutes: hence the `20`.
+# At twenty lookups a second you see both in turn. At one a second, the default of `tf2_echo`, it can look like a single owner for minutes. That is why the command ends in `20`.
 
 # %% [markdown] lang="ko" name="to-and-fro-seen"
 # 20 Hz로 조회하면 둘이 번갈아 나옵니다. `tf2_echo`의 기본값처럼 1 Hz로 조회하면 몇 분 동안이나 정상으로 보일 수 있습니다. 그래서 끝에 `20`을 붙입니다.
@@ -354,7 +354,7 @@ rclpy.shutdown()
 # ## Experiments A, B, C of the lecture
 #
 # §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
-# Do them in simulation only, and stop every process afterwards: a robot moves by what they publish.
+# Do them in simulation only, and stop every process afterwards, because a robot would move according to what they publish.
 
 # %% [markdown] lang="ko" name="experiments" slide="slide"
 # ## 강의의 실험 A, B, C
@@ -389,7 +389,7 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: `odm`. The first line is about the very first lookup; the second is the fact: **not part of the same tree**. If you suspect a dead node, you restart one now. But the node runs, and publishes what it was told. The clue is the name that nobody typed on purpose. RViz lists it:
+# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line counts: **not part of the same tree**. If you suspect a stopped node, you restart one now. But the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
@@ -405,7 +405,7 @@ graph = lesson.new_graph()
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="experiment-c-seen"
-# C: 2.000, from the publisher that was received last, and no message about the other. A listener that joins in another order gets the other number. Only the count on `/tf_static` is a hint, and it also rises with every correct second publisher.
+# C: 2.000, from the publisher that was received last, and no message about the other. A listener that joins in another order gets the other number. Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
 # The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
@@ -416,7 +416,7 @@ graph = lesson.new_graph()
 # ## A check is worth what it rules out
 #
 # The lecture has six steps (§27): names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But an order without a question is slow.
-# Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would they give different results?
+# Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would the result not be the same for all three?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 좋은 검사는 용의자를 많이 지웁니다
@@ -434,13 +434,13 @@ graph = lesson.new_graph()
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
-# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it rules out two rows, for one minute. Each row that is ruled out is an argument; what is left is what you have proved. A result that all suspects share is no [[evidence]].
+# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it rules out two rows, for one minute. Each row that is ruled out is an argument, and the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
 # *그림 읽기:* 행은 용의자, 열은 그들을 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now diagnose the eighteen robots of the clinic below, each with another cause, without a complaint. Nothing is wrong with one of them. One follows the six steps, one always chooses the check that rules out most per minute.
+# Two people now diagnose the eighteen robots of the clinic below. Each robot has another cause, and the two get no complaint. One follows the six steps, the other always chooses the check that rules out most suspects per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
 # 이제 두 사람이 아래 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
@@ -465,7 +465,7 @@ lesson.draw_both_ways()
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it works
 #
-# A patient is a simulated robot with one fault, and everything that every tool printed about it. You get the complaint, RViz's screen and the card of the healthy robot for free. Each check costs minutes, and you have twelve.
+# A patient is a simulated robot, usually with one fault, together with the recorded output of every tool. You get the complaint, RViz's screen and the card of the healthy robot for free. Each check costs minutes, and you have twelve.
 
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
@@ -650,7 +650,7 @@ lesson.show_findings("flickers")
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: two causes
 #
-# The night shift has a robot with two faults. **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
+# Some robots of the clinic have two faults (`lesson.night_shift`). **Predict:** the localiser is not running, and in addition the laser's mount is wrong. You start the localiser. What does RViz report, and where is the scan?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 원인이 둘
@@ -679,7 +679,7 @@ night.try_fix()
 # 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
 
 # %% [markdown] lang="en" name="doctor" slide="subslide"
-# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Those look like a robot that somebody built so. Only the card shows the difference.
+# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
 # 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 `tflab doctor`로 진단하면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
@@ -707,12 +707,12 @@ night.try_fix()
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The same nodes come back with the same settings, and the outputs are lost. If the order of starting was the fault, it may even help, and come back tomorrow.
+# The same nodes come back with the same settings, and the outputs are lost. If the start order was the fault, a restart may even help, and tomorrow the fault is back.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. “No messages received”, “Frame [x] does not exist” and “into the future” are three different thirds of all suspects, for a glance.
+# Yes. “No messages received”, “Frame [x] does not exist” and “into the future” each leave different suspects, and reading one takes a glance.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -902,7 +902,7 @@ night.try_fix()
 # - A [[second-owner|second owner]] raises no error. Look up twenty times a second, and look at the rate of the edge.
 # - A complaint is not a cause. A check is worth what it rules out: choose one with different results for your [[suspect|suspects]].
 # - Stop when one is left. A fix is proved by the check that found the fault.
-# - And of all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` is smooth, `base_link` is the robot. A mount is published once on `/tf_static`, a moving frame again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
+# - From all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` is smooth, `base_link` is the robot. A mount is published once on `/tf_static`, a moving frame again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -923,13 +923,13 @@ night.try_fix()
 # ### Three questions from earlier chapters
 #
 # 1. A localiser finds the robot on the map. Which edge does it publish, and from which two poses?
-# 2. Why can a volatile publisher's mount be there for one listener and missing for the next?
+# 2. A driver publishes its mount on `/tf_static` with VOLATILE. Why does a tf2 listener not receive it, even one that existed before?
 # 3. “Extrapolation into the future”: which two times do you compare?
 #
 # <details><summary>Answers</summary>
 #
 # 1. `map → odom`, from `map_T_base` and the wheel odometry's `odom_T_base` at the same stamp.
-# 2. A volatile message is received by listeners that already exist; a latched one (transient local) also by those that join later.
+# 2. A tf2 listener requests TRANSIENT_LOCAL. A volatile publisher offers less, so the two are never connected.
 # 3. The requested time and the newest stamp in the buffer.
 #
 # </details>
@@ -938,13 +938,13 @@ night.try_fix()
 # ### 앞 장 복습: 세 문제
 #
 # 1. 위치 추정 노드가 지도에서 로봇을 찾았습니다. 어느 연결을, 어떤 두 포즈로 구해 발행합니까?
-# 2. 장착 변환을 volatile로 보냈더니 어떤 수신기에는 있고 다음 수신기에는 없습니다. 까닭은 무엇입니까?
+# 2. 드라이버가 `/tf_static`에 장착 변환을 VOLATILE로 발행합니다. 먼저 참가한 tf2 수신기도 받지 못하는 까닭은 무엇입니까?
 # 3. “Extrapolation into the future”에서 비교하는 두 숫자는 무엇입니까?
 #
 # <details><summary>답</summary>
 #
 # 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 오도메트리의 `odom_T_base`로 구합니다.
-# 2. volatile로 보낸 것은 보낼 때 참가해 있던 수신기만 받습니다. transient local은 나중에 참가한 수신기도 받습니다.
+# 2. tf2 수신기는 TRANSIENT_LOCAL을 요청합니다. VOLATILE 발행자는 그만큼 제공하지 않으므로 둘은 연결되지 않습니다.
 # 3. 요청 시각과 버퍼에 있는 최신 표본의 시각입니다.
 #
 # </details>
@@ -988,7 +988,7 @@ night.try_fix()
 # - [ ] The mount's value, at rest.
 # - [ ] Delays and rates of the edges, and the scan's own frame, stamp and clock.
 # - [ ] Publishers and their switches last.
-# - [ ] No new sensor and no longer timeout among them: they show no fact.
+# - [ ] Neither a new sensor nor a longer timeout is among them, because these show no fact.
 #
 # </details>
 

@@ -171,7 +171,7 @@ check("E9.3", decide)
 # Six messages of `/scan` and of `/odom` were recorded on each. A row is (stamp, arrival) in seconds; the arrival is by the clock of the computer that receives.
 # A healthy `/scan` arrives about 0.105 s after its stamp, a healthy `/odom` about 0.005 s.
 #
-# - `"a"`, `"b"`, `"c"`: what is it on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` (ahead) or `"cannot be told from this"`.
+# - `"a"`, `"b"`, `"c"`: what is the cause on robot a, b, c? `"transforms arrive late"`, `"laser clock is fast"` (ahead) or `"cannot be told from this"`.
 # - `"a do"`, `"b do"`, `"c do"`: what do you do? `"wait a little"`, `"set the laser's clock"`, `"ask chrony on both computers"` or `"set a timeout of 10 s"`.
 #
 # Set a clock only if these numbers show which one is wrong. If they do not, ask chrony.
@@ -243,7 +243,7 @@ check("E9.5", keep)
 # %% [markdown] lang="en" name="e9-6"
 # ## E9.6 · Where may I wait? (2 points)
 #
-# Transforms arrive 0.1 s late, unless it says otherwise. For each line: `"works"`, `"waits in vain"` (and gives up), or `"waits for ever"`.
+# Transforms arrive 0.1 s late, unless the line states otherwise. For each line: `"works"`, `"waits in vain"` (and gives up), or `"waits for ever"`.
 #
 # - a: in a subscription's callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - b: the same, but `rclpy.spin(node, executor=MultiThreadedExecutor())`.
@@ -288,7 +288,7 @@ check("E9.6", outcomes)
 # %% [markdown] lang="en" name="e9-7"
 # ## E9.7 · The smallest wait that always succeeds (2 points)
 #
-# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`: each with a rate, a delay, and up to `jitter_s` more.
+# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter, which adds up to `jitter_s` to the delay.
 # A scan arrives `scan_delay_s` after its stamp. All clocks are right, no message is lost.
 #
 # How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? [s]

@@ -26,10 +26,10 @@ from tflab.workbook import call, check, hint, lesson, solution, task
 # ## E12.1 · Which node publishes what (4 points)
 #
 # A robot with wheels, an IMU, a lidar and an arm. Its packages contain `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". Each of them publishes what its switch allows.
-# The data of the task decide two things:
+# The task's data have two fields:
 #
-# - `map_frame`: with `"a map is there"` the robot is localised by `amcl`; while `"the map is being made"`, by `slam_toolbox`; with `"no map at all"` no node publishes `map → odom`.
-# - `odometry`: with `"wheels alone"` there is nothing to fuse, and the filter stays off; with `"wheels and imu, fused by ekf_filter_node"` the filter's pose is the better one, and is used.
+# - `map_frame`: with `"a map is there"`, `amcl` localises the robot. With `"the map is being made"`, `slam_toolbox` does. With `"no map at all"`, no node publishes `map → odom`.
+# - `odometry`: with `"wheels alone"` there is nothing to fuse, and the filter stays off. With `"wheels and imu, fused by ekf_filter_node"` the filter's pose is better, so use it.
 #
 # Name the owner of each edge, one of `"amcl"`, `"slam_toolbox"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"lidar_driver"`, `"joint_driver"`, `"robot_state_publisher"`, `"nobody"`, and set each switch to `True` or `False`.
 
@@ -109,7 +109,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="en" name="e12-3"
 # ## E12.3 · The first check (3 points)
 #
-# Ten symptoms. For each: what do you check **first**? Choose a check of two minutes at most that has different results for its two suspects; if there are several, any of them. An answer is the short name of a check, as the next cell prints them; besides these there are `"longer timeout"` and `"read the code"`.
+# Ten symptoms. For each: what do you check **first**? Choose a check that takes two minutes at most and has different results for the symptom's two suspects. If there are several such checks, choose any of them. An answer is the short name of a check, as printed by the next cell. Two more answers are `"longer timeout"` and `"read the code"`.
 #
 # - **no frame map** RViz does not know `map`. Is the localiser not running, or does it wait?
 # - **odom stands alone** /odom arrives, and `odom` has no child. Is the switch off, or the parent misspelt?
@@ -167,7 +167,7 @@ check("E12.3", first)
 #
 # For each patient, `"a ..."`, `"b ..."` and `"c ..."`:
 #
-# - `"a checks"`: a list of checks by their short names, such as `["hz /scan", "node list"]`, that **would have been enough**, in their order: within twelve minutes, every other suspect of the complaint ruled out, one result that is not normal, and no check after that
+# - `"a checks"`: a list of checks that **would have been enough**, in their order and by their short names, such as `["hz /scan", "node list"]`. Together they take twelve minutes at most, rule out every other suspect of the complaint, and contain one result that is not normal. No check comes after that
 # - `"a cause"`: one of the eighteen suspects, as `lesson.show_suspects()` prints them, or `"sensor broken"`
 # - `"a frame"`: the frame whose pose is wrong: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
 # - `"a owner"`: which node has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
@@ -209,15 +209,15 @@ check("E12.4", patients)
 # %% [markdown] lang="en" name="e12-5"
 # ## E12.5 · A robot from its specification (5 points)
 #
-# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an IMU that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the sensor's two, each with the name and a slash in front; `map` is shared.
+# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an IMU that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the two frames of the sensor. Put the robot's name and a slash before each of them. Both robots share `map`.
 #
 # - `"tree"`: child → parent
 # - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of the frames that move and of the fixed mounts
 # - `"odom owner"`, `"mounts owner"`: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"robot_state_publisher"` or `"camera_driver"`
 # - `"wheel_odometry publish_tf"`, `"ekf publish_tf"`, `"camera_driver publish_tf"`: `True` or `False`
-# - `"bag"`: the topics to record, so that tomorrow the tree is complete; no more than these
+# - `"bag"`: the topics to record so that the tree is complete in a playback, and no others
 #
-# The cell below your answer launches it beside the first robot exactly as you wrote it: RViz's list, the publisher of each edge, and what a bag would be good for. It does not judge. What is wrong there would be wrong on the robot.
+# The cell below your answer launches this robot beside the first one, exactly as you wrote it. It shows RViz's list, the publisher of each edge, and which data a playback of your bag would provide. It does not mark your answer. What is wrong there would be wrong on the robot.
 
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
@@ -311,9 +311,9 @@ check("E12.6", steps)
 # %% [markdown] lang="en" name="e12-7"
 # ## E12.7 · A program that diagnoses (5 points)
 #
-# The only complaint is “It does not work”: eighteen suspects, twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`. The next cell prints for every check its normal result (`card`), and its result for each suspect. Names and numbers are those of one robot: a clock can also be off by 0.35 s, and a frame be called `lidar`.
+# The only complaint is “It does not work”. There are eighteen suspects and twelve minutes. `patient.ask(check)` costs its minutes and returns a finding in a line, such as `"all Ok"`, `"-0.295 s, std dev 0.000 s"`, `"True"` or `"not in one tree"`. The next cell prints for every check its normal result (`card`), and its result for each suspect. These names and numbers are those of one robot. On another robot a clock can be off by 0.35 s, and a frame can be called `lidar`.
 #
-# Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. It includes your checks, and they have to be a proof: all seventeen others ruled out, in time, and no check after that.
+# Return `patient.verdict(cause, frame)`, with causes and frames as in E12.4. The verdict includes your checks, and they have to be a proof: within twelve minutes they rule out all seventeen other suspects, and no check comes after that.
 
 # %% [markdown] lang="ko" name="e12-7"
 # ## E12.7 · 진단하는 프로그램 (5점)
@@ -348,8 +348,8 @@ check("E12.7", triage)
 # %% [markdown] lang="en" name="e12-8"
 # ## E12.8 · Fifteen questions, after (1 point)
 #
-# Do you remember? The same ideas as at the very beginning, with other numbers. Then you may see both.
-# Again nothing is marked, and again without looking anything up: one letter for each, from `"a"` to `"d"`, a `?` behind it if you guess, `"e"` if you do not know.
+# These questions ask for the same ideas as E0.1 at the very beginning, with other numbers. Afterwards you can compare both forms.
+# Again you get the point for answering, whether your answers are right or not, and again you look nothing up. Write one letter for each question, from `"a"` to `"d"`, with a `?` behind it if you guess, or `"e"` if you do not know.
 # When all fifteen are answered, `check` opens both forms, with a sentence for each option. If you have not answered [E0.1](E00_start.ipynb) yet, there is no before to compare with.
 
 # %% [markdown] lang="ko" name="e12-8"
@@ -651,10 +651,10 @@ check("E12.8", after)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# You have named owners, read terminals, proved causes with the fewest checks, and specified a robot. In a class, grading asks the same with other robots, and your program gets other patients.
+# You have named owners, read terminals, proved causes with the fewest checks, and specified a robot. In a class, grading uses other robots for the same tasks, and your program gets other patients.
 # On a robot, take the card with you: without the normal results you cannot see a fault.
 #
-# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have learned between the two tests, and what to read again; [practice](../../notebooks/en/91_practice.ipynb) asks it again.
+# **Next:** [the start page](../../notebooks/en/00_start.ipynb) shows what you have learned between the two tests, and what to read again; [practice](../../notebooks/en/91_practice.ipynb) asks about it again.
 
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
