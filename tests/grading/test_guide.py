@@ -121,7 +121,7 @@ def test_a_guide_holds_what_pages_and_files_say_and_loads_nothing(tmp_path: Path
         assert f'id="ch{teaching.stem[:2]}"' in guide
         for vote in votes_of(teaching, page):
             assert f"<code>{vote.name}</code>" in guide
-    assert ("Truth" if language == "en" else "실제 원인") in guide  # of each patient
+    assert ("The cause" if language == "en" else "실제 원인") in guide  # of each patient
     assert guide.count("$ ros2 ") == 6
     assert "<script" not in guide and "http" not in re.sub(r"http-equiv", "", guide.split("</style>")[-1])
 

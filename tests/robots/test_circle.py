@@ -16,17 +16,14 @@ from tflab.ros.tf2.topics import TransformListener
 )
 def test_the_velocity_in_body_axes_tells_the_two_apart(heading, forward_left_up):
     assert circle.body_velocity(heading) == pytest.approx(forward_left_up)
+    for theta in (0.0, 0.5, 2.0):  # on the same circle
+        assert circle.pose(theta, heading).translation == circle.pose(theta, circle.FORWARD).translation
     # tf2's own velocity, over half a second around 4 s, seen in the robot's axes
     measured = circle.buffer(until_s=5.0, heading=heading).lookup_velocity(
         "base_link", "odom", seconds(4.0), seconds(0.5), reference_frame="base_link"
     )
     assert measured.linear == pytest.approx(forward_left_up, abs=2e-3)
     assert measured.angular == pytest.approx((0.0, 0.0, 0.2), abs=1e-6)
-
-
-def test_both_are_the_same_circle():
-    for theta in (0.0, 0.5, 2.0):
-        assert circle.pose(theta, circle.SIDEWAYS).translation == circle.pose(theta, circle.FORWARD).translation
 
 
 @pytest.mark.parametrize(("main", "heading"), [(circle.main, circle.SIDEWAYS), (circle.main_forward, circle.FORWARD)])

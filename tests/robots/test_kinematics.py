@@ -37,11 +37,8 @@ def test_a_quarter_turn_about_z_turns_the_child_left_about_its_origin():
     poses = link_poses(parse_urdf(ROBOT), {"swing": math.pi / 2})
     assert poses["base"] == Transform()
     assert poses["arm"].apply((2.0, 0.0, 0.0)) == pytest.approx((1.0, 2.0, 0.0))
-
-
-def test_a_prismatic_joint_slides_along_its_axis_in_the_childs_axes():
-    joint = Joint("j", "prismatic", "a", "b", Transform.from_rpy(yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
-    assert joint_transform(joint, 0.3).translation == pytest.approx((0.0, 0.3, 0.0))
+    robot = parse_urdf(ROBOT)
+    assert link_poses(robot)["arm"] == robot.joint("swing").origin  # without a position
 
 
 def test_a_mimic_joint_follows_unless_its_own_position_is_given():
@@ -49,14 +46,15 @@ def test_a_mimic_joint_follows_unless_its_own_position_is_given():
     assert all_positions(robot, {"slide": 0.2})["follow"] == pytest.approx(-0.3)
     assert all_positions(robot, {})["follow"] == pytest.approx(0.1)
     assert all_positions(robot, {"slide": 0.2, "follow": 1.0})["follow"] == 1.0
-
-
-def test_a_mimic_of_a_mimic_follows_through_both():
     chained = ROBOT.replace('<axis xyz="0 0 1"/>', '<axis xyz="0 0 1"/><mimic joint="follow" multiplier="10"/>')
     assert all_positions(parse_urdf(chained), {"slide": 0.2})["swing"] == pytest.approx(-3.0)
 
 
-def test_a_planar_joint_moves_in_the_plane_square_to_its_axis():
+def test_a_prismatic_joint_slides_a_floating_one_takes_a_pose_and_a_planar_one_moves_square_to_its_axis():
+    slide = Joint("j", "prismatic", "a", "b", Transform.from_rpy(yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
+    assert joint_transform(slide, 0.3).translation == pytest.approx((0.0, 0.3, 0.0))
+    floating = Joint("j", "floating", "a", "b", Transform((1.0, 0.0, 0.0)))
+    assert joint_transform(floating, (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 2.0)) == Transform((1.0, 2.0, 0.0))
     floor = Joint("j", "planar", "a", "b", axis=(0.0, 0.0, 1.0))
     moved = joint_transform(floor, (1.0, 2.0, math.pi / 2))
     assert moved.apply((1.0, 0.0, 0.0)) == pytest.approx((1.0, 3.0, 0.0))
@@ -64,16 +62,6 @@ def test_a_planar_joint_moves_in_the_plane_square_to_its_axis():
     assert joint_transform(wall, (1.0, 2.0, 0.5)).apply((0.0, 0.0, 0.0))[0] == pytest.approx(0.0)
     ceiling = Joint("j", "planar", "a", "b", axis=(0.0, 0.0, -1.0))
     assert joint_transform(ceiling, (0.0, 0.0, 0.5)).rpy() == pytest.approx((0.0, 0.0, -0.5))
-
-
-def test_a_floating_joint_takes_a_whole_pose():
-    joint = Joint("j", "floating", "a", "b", Transform((1.0, 0.0, 0.0)))
-    assert joint_transform(joint, (0.0, 2.0, 0.0, 0.0, 0.0, 0.0, 2.0)) == Transform((1.0, 2.0, 0.0))
-
-
-def test_a_joint_without_a_position_is_at_its_origin():
-    robot = parse_urdf(ROBOT)
-    assert link_poses(robot)["arm"] == robot.joint("swing").origin
 
 
 def test_link_transform_inverts_one_pose_and_applies_the_other():

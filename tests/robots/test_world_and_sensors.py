@@ -18,20 +18,14 @@ def ray(room: Room, origin, direction) -> float:
     return float(room.distances(np.array([origin], float), np.array([direction], float))[0])
 
 
-def test_a_ray_meets_the_nearest_wall():
+def test_a_ray_meets_the_nearest_wall_over_it_nothing_and_downwards_the_floor():
     assert ray(BOX, (0.0, 0.0, 0.2), (1.0, 0.0, 0.0)) == 4.0
     assert ray(BOX, (0.0, 0.0, 0.2), (-1.0, 0.0, 0.0)) == 2.0
     pillar = Room((*BOX.walls, *rectangle(1.0, -0.5, 2.0, 0.5)))
     assert ray(pillar, (0.0, 0.0, 0.2), (1.0, 0.0, 0.0)) == 1.0
-
-
-def test_a_ray_over_the_wall_meets_nothing_and_one_downwards_the_floor():
     assert ray(BOX, (0.0, 0.0, 3.0), (1.0, 0.0, 0.0)) == math.inf
     down = (math.sqrt(0.5), 0.0, -math.sqrt(0.5))
     assert ray(BOX, (0.0, 0.0, 0.2), down) == pytest.approx(0.2 * math.sqrt(2.0))
-
-
-def test_a_wall_hides_what_is_behind_it():
     assert BOX.is_in_sight((0.0, 0.0, 0.5), (3.0, 1.0, 0.5))
     assert not BOX.is_in_sight((0.0, 0.0, 0.5), (5.0, 1.0, 0.5))
 
@@ -42,6 +36,8 @@ def test_a_level_scan_of_a_standing_robot_is_the_floor_plan():
     ahead, left = scan.ranges[180], scan.ranges[270]  # the sweep begins behind and turns left
     assert (ahead, left) == pytest.approx((3.8, 3.0))
     assert scan.points()[270] == pytest.approx((0.0, 3.0, 0.0))
+    short = Laser(STANDING, BOX, Transform((0.0, 0.0, 0.25)), range_max=3.5, sigma_m=0.0).scan_at(seconds(1.0))
+    assert short.ranges[180] == math.inf and np.isnan(short.points()[180]).all()
 
 
 def test_a_laser_tilted_down_sees_the_floor_instead_of_the_wall():
@@ -65,12 +61,6 @@ def test_turning_while_sweeping_bends_the_scan_unless_each_ray_has_its_own_time(
     # The last ray comes 0.1 s after the first, and the robot has turned 0.1 rad since.
     shift_m = np.linalg.norm(with_one_pose[-1] - walls[-1])
     assert shift_m == pytest.approx(0.1 * scan.ranges[-1], rel=0.01)
-
-
-def test_ranges_beyond_the_laser_are_infinite_and_have_no_point():
-    scan = Laser(STANDING, BOX, Transform((0.0, 0.0, 0.25)), range_max=3.5, sigma_m=0.0).scan_at(seconds(1.0))
-    assert scan.ranges[180] == math.inf
-    assert np.isnan(scan.points()[180]).all()
 
 
 def test_a_reading_at_one_stamp_is_always_the_same():

@@ -243,15 +243,18 @@ def test_spinning_in_the_cell_advances_time(graph):
     rclpy.shutdown()
 
 
-def test_a_wait_that_can_never_end_raises(node, graph):
-    with pytest.raises(RuntimeError, match="this would wait for ever: nobody in the graph has anything left to do"):
-        rclpy.spin_once(node)
-
-
-def test_time_cannot_be_run_from_within_a_participant(graph, capsys):
+def test_what_a_graph_cannot_do_raises_with_a_remedy(node, graph, capsys):
     def meddler():
         graph.run(seconds=1)
 
+    def main():
+        pass
+
+    with pytest.raises(RuntimeError, match="this would wait for ever: nobody in the graph has anything left to do"):
+        rclpy.spin_once(node)
+    with pytest.raises(TypeError, match="takes a function, not None: pass main itself, without calling it"):
+        graph.start(main())
+    assert graph.participants == []
     participant = graph.start(meddler)
     assert isinstance(participant.exception, RuntimeError)
     assert "only the thread that made the graph can let time pass" in capsys.readouterr().err
@@ -273,15 +276,6 @@ def test_threads_of_a_participant_take_turns_with_everybody_else(graph):
     graph.start(main)
     graph.run(seconds=1)
     assert seen == [("worker", seconds(1.5)), ("main", seconds(1.5))]
-
-
-def test_starting_a_result_instead_of_a_function_raises_with_a_remedy(graph):
-    def main():
-        pass
-
-    with pytest.raises(TypeError, match="takes a function, not None: pass main itself, without calling it"):
-        graph.start(main())
-    assert graph.participants == []
 
 
 @pytest.mark.filterwarnings("ignore::pytest.PytestUnhandledThreadExceptionWarning")  # as in rclpy

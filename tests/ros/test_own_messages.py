@@ -125,7 +125,7 @@ def test_a_class_that_looks_like_a_generated_message_travels(graph):
     assert [each.data.tolist() for each in received] == [[1.0]]
 
 
-def test_a_defined_service_answers(graph):
+def test_a_defined_service_answers_and_a_defined_message_survives_serialization(graph):
     srv = messages.define("my_msgs", PACKAGE).srv.Locate
     answers = []
 
@@ -146,9 +146,6 @@ def test_a_defined_service_answers(graph):
     graph.start(main)
     graph.run(seconds=0.1)
     assert answers == [True]
-
-
-def test_a_defined_message_survives_serialization():
     module = messages.define("my_msgs", PACKAGE)
     sent = module.msg.Detection(label="cup", boxes=[module.msg.Box(width=2.0)])
     assert deserialize_message(serialize_message(sent), module.msg.Detection) == sent
