@@ -43,16 +43,16 @@ from tf2_ros import ConnectivityException
 e4_1 = task("E4.1")
 
 # %% name="e4-1-answer" tags=["answer"]
-# The check reads `mended` alone; the three before it are one way there.
+# The check reads `corrected` alone; the three before it are one way there.
 # BEGIN SOLUTION
 told = {child: parent for parent, child in e4_1.edges}  # every edge as it was heard, child -> parent
 (misspelt,) = set(told.values()) - set(told) - {"map"}  # the name that is wrong
 (meant,) = get_close_matches(misspelt, told, n=1)  # the name that it should be
-mended = {child: meant if parent == misspelt else parent for child, parent in told.items()}  # {"odom": "map", …}
+corrected = {child: meant if parent == misspelt else parent for child, parent in told.items()}  # {"odom": "map", …}
 # END SOLUTION
 
 # %% name="e4-1-check" tags=["check"]
-check("E4.1", mended)
+check("E4.1", corrected)
 
 # %% [markdown] lang="en" name="e4-2"
 # ## E4.2 · Five listings (5 points)

@@ -167,7 +167,7 @@ check("E6.4", on_circle)
 #
 # What to do:
 #
-# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"send on while it stands"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"mend the name"`
+# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"send on while it stands"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
 
 # %% [markdown] lang="ko" name="e6-5"
 # ## E6.5 · 로그에서 뽑은 여섯 사례 (5점)
@@ -189,7 +189,7 @@ check("E6.4", on_circle)
 # - `"offer TRANSIENT_LOCAL"` TRANSIENT_LOCAL 제공하기
 # - `"send on while it stands"` 멈춰 있는 동안에도 보내기
 # - `"send it on /tf_static"`, `"send it on /tf"` 그 토픽으로 보내기
-# - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"mend the name"` 이름 고치기
+# - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"correct the name"` 이름 고치기
 
 # %% name="e6-5-given"
 e6_5 = task("E6.5")

@@ -189,7 +189,7 @@ check("E7.4", findings)
 #
 # - `"mount"`: `"as drawn"`, `"left"` (rotated to the left by 90°), `"right"`, `"backwards"` (by 180°), `"rolled over"` (roll π), `"pitched over"` (pitch π), or `"pitched over, left"` and `"pitched over, right"`: pitched over, and then rotated by 90°
 # - `"gyro_z"`: what does its gyro's z read in that curve [rad/s]?
-# - `"mend"`, how you fix it: `"rpy in the joint"`, `"rpy in the visual"`, `"minus in my node"`, `"leave it"`
+# - `"fix"`, how you fix it: `"rpy in the joint"`, `"rpy in the visual"`, `"minus in my node"`, `"leave it"`
 
 # %% [markdown] lang="ko" name="e7-5"
 # ## E7.5 · 이 IMU는 어떻게 달렸습니까? (4점)
@@ -198,7 +198,7 @@ check("E7.4", findings)
 #
 # - `"mount"`: `"as drawn"`(도면대로), `"left"`(왼쪽으로 90°), `"right"`(오른쪽으로 90°), `"backwards"`(180°), `"rolled over"`(roll π), `"pitched over"`(pitch π), `"pitched over, left"`와 `"pitched over, right"`(pitch π로 뒤집은 것을 통째로 90° 회전)
 # - `"gyro_z"`: 그 굽은 길에서 자이로의 z는 얼마입니까[rad/s]?
-# - `"mend"`: `"rpy in the joint"`(관절에 rpy), `"rpy in the visual"`(visual에 rpy), `"minus in my node"`(내 노드에서 마이너스), `"leave it"`(그대로 두기)
+# - `"fix"`: `"rpy in the joint"`(관절에 rpy), `"rpy in the visual"`(visual에 rpy), `"minus in my node"`(내 노드에서 마이너스), `"leave it"`(그대로 두기)
 
 # %% name="e7-5-given"
 e7_5 = task("E7.5")
@@ -213,9 +213,9 @@ mount = {
     (-1, 0, False): "pitched over, left", (1, 0, False): "pitched over, right",
 }[round(x / pull), round(y / pull), z > 0]
 gyro_z = math.copysign(e7_5.yaw_rate_radps, z)
-mend = "leave it" if mount == "as drawn" else "rpy in the joint"
+fix = "leave it" if mount == "as drawn" else "rpy in the joint"
 # END SOLUTION
-imu = {"mount": mount, "gyro_z": gyro_z, "mend": mend}
+imu = {"mount": mount, "gyro_z": gyro_z, "fix": fix}
 
 # %% name="e7-5-check" tags=["check"]
 check("E7.5", imu)

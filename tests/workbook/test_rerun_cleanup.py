@@ -45,7 +45,7 @@ def test_a_cell_that_runs_twice_leaves_each_node_once(run, graph, text, name) ->
     assert names(graph) == [name]
 
 
-def test_a_cell_that_was_mended_ends_what_it_began_before(run, graph) -> None:
+def test_a_corrected_cell_ends_what_it_began_before(run, graph) -> None:
     run("a", READER)
     run("a", READER.replace("reader", "listener"))
     assert names(graph) == ["listener"]

@@ -133,7 +133,7 @@ class JointStates(NamedTuple):
 
 
 class Unfinished(NamedTuple):
-    """A recorder was killed: what is missing, which command mends it, and whether messages may be missing."""
+    """A recorder was killed: what is missing, which command repairs it, and whether messages may be missing."""
 
     what: str
     remedy: str

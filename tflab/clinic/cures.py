@@ -35,7 +35,7 @@ CURES = {
     "laser_mount: as drawn": ("mount wrong",),
     "laser_driver: laser_frame in the header": ("header says base_link", "header says another frame"),
     "set the laser's clock": ("laser clock behind", "laser clock ahead"),
-    "mend the network": ("transforms late",),
+    "repair the network": ("transforms late",),
     "wheel_odometry: 20 Hz": ("odometry slow",),
     "laser_mount: w = 1": ("quaternion of zeros",),
     "laser_mount: transient local": ("mount volatile",),

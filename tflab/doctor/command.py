@@ -72,7 +72,7 @@ in CI:
   tflab doctor drive/ --ignore unknown-frame:/diagnostics
 
 how to read a finding:
-  ERROR     lookups fail or are wrong: mend it
+  ERROR     lookups fail or are wrong: fix it
   WARNING   somebody will notice, sooner or later
   INFO      good to know
   Also      what follows from it, and goes away with it

@@ -94,7 +94,7 @@ def _released(options: argparse.Namespace) -> tuple[Pack, bool]:
 def _updated(options: argparse.Namespace) -> tuple[Pack, bool]:
     """Update what was released, and say what there is to say."""
     if options.add or options.roster or options.chapters:
-        raise PackError("--update brings in what was mended, and nothing else; call it again with --add for more")
+        raise PackError("--update brings in what was corrected, and nothing else; call it again with --add for more")
     pack, lines = update_release(Path(options.folder), quiet=options.quiet)
     print("\n".join([*lines, f"up to date with tflab {__version__}"]))
     return pack, False
@@ -140,7 +140,7 @@ def _master(stem: str) -> bytes:
 
 
 def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]]:
-    """Bring what was mended into a release that is out; return its pack, and what there is to say.
+    """Bring what was corrected into a release that is out; return its pack, and what there is to say.
 
     What was cut short is finished when it is called again.
 
@@ -284,6 +284,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out; with --add, no more")
     parser.add_argument("--lang", choices=LANGUAGES, default="en", help="for whom the roster names none; %(default)s")
     parser.add_argument("--add", action="store_true", help="add chapters or learners to a release that is there")
-    parser.add_argument("--update", action="store_true", help="bring what was mended since into a release that is out")
+    parser.add_argument("--update", action="store_true", help="bring what was corrected since into a release that is out")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

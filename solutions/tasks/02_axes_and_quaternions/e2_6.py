@@ -82,7 +82,7 @@ ANSWERS = {
     "turn the data": lambda given: {"wall_appears": wall_direction(given), "fault": "data", "change": "my node"},
     "wrong end": blame_other_end,
     "other mount": blame_other_mount,
-    "mended elsewhere": fix_elsewhere,
+    "fixed elsewhere": fix_elsewhere,
     "quaternion": lambda given: {"wall_appears": wall_direction(given), "fault": "quaternion", "change": "URDF"},
 }
 

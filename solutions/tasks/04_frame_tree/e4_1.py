@@ -25,10 +25,10 @@ def names(given):
     return tree, wrong, get_close_matches(wrong, tree, n=1)[0]
 
 
-def build_tree(given, *, fault="mended", way="child -> parent"):
+def build_tree(given, *, fault="corrected", way="child -> parent"):
     """Return the tree, step by step; other arguments are mistakes."""
     tree, wrong, meant = names(given)
-    swap = {"mended": (wrong, meant), "at the top": (wrong, "map")}.get(fault)
+    swap = {"corrected": (wrong, meant), "at the top": (wrong, "map")}.get(fault)
     if swap:
         tree = {child: swap[1] if parent == swap[0] else parent for child, parent in tree.items()}
     elif fault in ("bridged", "bridged at the top"):
@@ -46,15 +46,15 @@ ANSWERS = {
     "only the edge": lambda given: dict([next((c, names(given)[2]) for p, c in given.edges if p == names(given)[1])]),
     "a parent for map": lambda given: {**build_tree(given), "map": "world"},
     "all below one": lambda given: dict.fromkeys(build_tree(given), names(given)[2]),
-    "the mending alone": lambda given: {names(given)[1]: names(given)[2]},
-    "the mending turned round": lambda given: {names(given)[2]: names(given)[1]},
+    "the correction alone": lambda given: {names(given)[1]: names(given)[2]},
+    "the correction reversed": lambda given: {names(given)[2]: names(given)[1]},
 }
 
 TASK = define_task(
     __file__,
     kind="T",
     points=3,
-    answer="mended",
+    answer="corrected",
     form=Tree(),
     given=draw_misspelt_tree,
     variants=8,

@@ -10,7 +10,7 @@ CAUSES = (
 )  # fmt: skip
 REMEDIES = (
     "send one list", "keep it running", "offer TRANSIENT_LOCAL", "send on while it stands", "send it on /tf_static",
-    "send it on /tf", "wait longer", "send it faster", "mend the name",
+    "send it on /tf", "wait longer", "send it faster", "correct the name",
 )  # fmt: skip
 
 RIGHT = {

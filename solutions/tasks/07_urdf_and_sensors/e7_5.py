@@ -17,7 +17,7 @@ MOUNTS = {
     "pitched over, left": {"pitch": math.pi, "yaw": math.pi / 2},
     "pitched over, right": {"pitch": math.pi, "yaw": -math.pi / 2},
 }
-MENDS = ("rpy in the joint", "rpy in the visual", "minus in my node", "leave it")
+FIXES = ("rpy in the joint", "rpy in the visual", "minus in my node", "leave it")
 
 
 def draw_imu(rng):
@@ -36,7 +36,7 @@ def exchange_x_and_y(given) -> dict:
     pull = (0.0, given.speed_mps * given.yaw_rate_radps, 9.81)
     mount = min(MOUNTS, key=lambda each: math.dist((y, x, z), Transform.from_rpy(**MOUNTS[each]).inverse().apply(pull)))
     rate = given.yaw_rate_radps
-    return {"mount": mount, "gyro_z": rate if z > 0 else -rate, "mend": MENDS[3 if mount == "as drawn" else 0]}
+    return {"mount": mount, "gyro_z": rate if z > 0 else -rate, "fix": FIXES[3 if mount == "as drawn" else 0]}
 
 
 ANSWERS = {
@@ -48,7 +48,7 @@ TASK = define_task(
     kind="D",
     points=4,
     answer="imu",
-    form=Parts({"mount": Choice(tuple(MOUNTS)), "gyro_z": Number("rad/s", 0.02), "mend": Choice(MENDS)}),
+    form=Parts({"mount": Choice(tuple(MOUNTS)), "gyro_z": Number("rad/s", 0.02), "fix": Choice(FIXES)}),
     given=draw_imu,
     variants=8,
     answers=ANSWERS,

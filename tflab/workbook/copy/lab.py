@@ -3,7 +3,7 @@
     tflab lab                 your copy in ./tflab_workbook, made the first time, opened every time
     tflab lab DIR --lang ko   another place, another language
     tflab lab --update        brings in new material; what you wrote stays
-    tflab lab --from FOLDER   the same, with the exercises that your instructor has mended
+    tflab lab --from FOLDER   the same, with the exercises that your instructor has corrected
     tflab lab DIR --as-is     any folder of notebooks; nothing is written there
     tflab lab --copy-only     makes the copy and starts nothing, for a JupyterLab that runs already
     tflab lab --no-browser    says where it is to be seen, instead of opening a browser
@@ -124,7 +124,7 @@ def _parser() -> argparse.ArgumentParser:
         "--from",
         dest="handed_out",
         metavar="FOLDER",
-        help="bring in what your instructor mended; your answers stay",
+        help="bring in what your instructor corrected; your answers stay",
     )
     parser.add_argument("--as-is", action="store_true", help="open DIR as any folder of notebooks, and write nothing")
     parser.add_argument("--copy-only", action="store_true", help="make the copy, say where its first page is, and end")

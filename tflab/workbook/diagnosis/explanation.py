@@ -60,7 +60,7 @@ def _in_a_row(first: Text, then: Text) -> Text:
     return Text(f"{first.en} {begun(then.en)}", f"{first.ko} {then.ko}")
 
 
-MOST_TOLD = 4  # causes; who reads more than that at once mends none
+MOST_TOLD = 4  # causes; who reads more than that at once corrects none
 
 
 class Found(NamedTuple):

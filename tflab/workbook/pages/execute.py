@@ -194,7 +194,7 @@ def _raising_faults(page: Page, cell: SourceCell, outputs: list[dict]) -> Iterat
     for output in raised:
         if not meant:
             wrong = f"raised {output['ename']}: {output['evalue']}"
-            yield page.fault(cell, wrong, 'mend it, or tag the cell "raises-exception" if it is meant')
+            yield page.fault(cell, wrong, 'correct it, or tag the cell "raises-exception" if it is meant')
     if meant and not raised:
         yield page.fault(cell, "raises nothing", 'take the tag "raises-exception" off, or let it fail')
 

@@ -49,7 +49,7 @@ def form_faults(page: Page, tasks: Sequence[Task]) -> list[PageFault]:
         items = parsed(path.read_text(encoding="utf-8"))
     except (KeyError, TypeError, ValueError, AttributeError, yaml.YAMLError) as error:
         wrong = f"the items of the test cannot be read: {type(error).__name__}: {error}"
-        return [PageFault(f"solutions/{path.name}", 1, "", wrong, "mend it; its head says what an item holds")]
+        return [PageFault(f"solutions/{path.name}", 1, "", wrong, "correct it; its head says what an item holds")]
     remedy = "weigh both forms again"
     faults = [PageFault(f"solutions/{path.name}", 1, "", wrong, remedy) for wrong in imbalances(items, form)]
     source = page.path.read_text(encoding="utf-8")
@@ -73,7 +73,7 @@ def score_faults(page: Page, tasks: Iterable[str], outputs: Outputs) -> list[Pag
             printed = "".join(map(_words_of, outputs.get(check.name, ())))
             if not printed.startswith(f"{task} ✓"):
                 wrong = f"the solution does not pass: {' '.join(printed.split())[:300]}"
-                found.append(page.fault(check, wrong, f"mend the answer, or {task} in solutions/tasks/{page.stem}"))
+                found.append(page.fault(check, wrong, f"correct the answer, or {task} in solutions/tasks/{page.stem}"))
     return found
 
 
