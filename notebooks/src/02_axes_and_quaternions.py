@@ -18,7 +18,7 @@
 #
 # 이 장을 마치면
 #
-# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 부호를 말할 수 있습니다.
+# - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 회전각의 부호를 말할 수 있습니다.
 # - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명할 수 있습니다.
 # - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
 # - 카메라 영상 기준의 점을 카메라 본체 기준으로 바꾸고, 거꾸로도 바꿀 수 있습니다.
@@ -58,7 +58,7 @@
 # - 값, 좌표계, 시각이 모두 있어야 비로소 점의 위치를 알 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
 # - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
-# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 창입니다.
+# - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 시각화 도구입니다.
 # - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
 #
@@ -123,7 +123,7 @@ lesson.draw_scene(
 # %% [markdown] lang="ko" name="story-after"
 # 이대로라면 로봇 팔은 회색 원이 있는 곳으로 뻗습니다. 카메라보다 위쪽, 허공입니다.
 # 오류는 하나도 나지 않았습니다. 헤더에 어느 좌표계가 적혀 있든 TF는 그대로 계산합니다.
-# (숫자가 실제로 적힌 좌표계는 그림에 없습니다. 카메라와 같은 자리에 있지만 회전해 있으며, 뒤에서 만납니다.)
+# (이 숫자의 실제 기준 좌표계는 그림에 없습니다. 그 좌표계는 카메라와 같은 자리에 있지만 회전해 있으며, 뒤에서 다룹니다.)
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -267,7 +267,7 @@ lesson.draw_body_axes()
 # 이번에는 오른손 엄지가 축입니다. 나머지 손가락을 감아쥐는 방향이 <b>양(+)</b>의 회전입니다.
 #
 # **예측해 봅시다.** 속도를 정하는 메시지로 로봇에 `linear.x = 0.5`(앞으로 0.5 m/s)와 `angular.z = -0.5`(z축 중심으로 초당 0.5라디안)를 보냅니다. 왼쪽으로 회전할까요, 오른쪽으로 회전할까요?
-# 비행기 문제도 하나 드립니다. y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
+# 비행기 문제도 하나 있습니다. y축을 중심으로 하는 회전을 pitch라고 합니다. pitch가 *양수*이면 기수(機首, 앞머리)는 올라갈까요, 내려갈까요?
 
 # %% name="signs-drive" tags=["predicted"] slide="fragment"
 lesson.draw_drives({"angular.z = +0.5": 0.5, "angular.z = 0": 0.0, "angular.z = -0.5": -0.5})
@@ -405,7 +405,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 #
 # 한 로봇은 왼쪽을 보고, 다른 로봇은 천장을 봅니다.
 #
-# 코드에서 **먼저** 일어나는 회전은 점과 가까운 **오른쪽**에 씁니다. `yaw @ roll`은 “roll 다음에 yaw”입니다.
+# 코드에서 **먼저** 하는 회전은 **오른쪽**에 씁니다. 점에 먼저 적용되는 쪽입니다. `yaw @ roll`은 “roll 다음에 yaw”입니다.
 # `Transform.from_rpy(r, p, y)`는 언제나 `yaw @ pitch @ roll`입니다.
 #
 # <details><summary>더 깊이: 함께 회전하는 축</summary>
@@ -419,7 +419,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 # Do it with a book in front of the class, both orders, and let somebody else call the rotations. Nobody forgets a book that ends up on its spine.
 
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
-# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책등을 아래로 하고 선 책은 아무도 잊지 못합니다.
+# 책 한 권을 들고 두 순서를 모두 보여 주되, 회전은 다른 사람이 부르게 합니다. 책이 다르게 놓인 것을 눈으로 보면 잊지 않습니다.
 
 # %% [markdown] lang="en" name="gimbal" slide="slide"
 # ## Why not stay with three angles?
@@ -451,7 +451,7 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # 전혀 다르지 않습니다. 똑같은 방향입니다. 기수가 아래를 향하면 roll과 yaw의 회전축이 같은 직선이 되어, 세 각도 가운데 하나가 쓸모없어집니다.
 # 이것을 [[gimbal lock|짐벌 락(gimbal lock)]]이라고 합니다. 이 근처에서는 로봇이 아주 조금만 움직여도 각도가 크게 튑니다. 각도로 계산하는 필터나 제어기는 여기서 불안정해집니다.
 #
-# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 방향이 없습니다. 숫자 네 개 중 하나는 여유분이고, 어디에서나 작은 움직임은 작은 변화로 나타납니다.
+# [[quaternion|쿼터니언(quaternion, 사원수)]]에는 그런 방향이 없습니다. 숫자를 하나 더 쓰는 대신, 어디에서나 작은 회전은 작은 변화로 나타납니다.
 # 그래서 ROS는 쿼터니언으로 **저장하고 전송합니다**. 각도는 사람을 위한 것입니다. URDF에는 사람이 각도로 적고, 도구는 사람에게 각도로 보여 줍니다.
 
 # %% [markdown] lang="en" name="gimbal-notes" slide="notes"
@@ -481,7 +481,7 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 # </details>
 
 # %% [markdown] lang="ko" name="recipe" slide="slide"
-# ## 쓰는 법: 각도의 절반
+# ## 쿼터니언 쓰는 법: 각도의 절반
 #
 # 어떤 축(길이 1인 방향)을 중심으로 각도 *a*만큼 회전하려면 이렇게 씁니다.
 #
@@ -573,7 +573,7 @@ else:
 # | q와 −q | 같은 회전 |
 # | (1, 0, 0, 0) | x축으로 180°: 로봇이 뒤집혀 누워 있습니다 |
 #
-# 마지막 줄은 어떤 프로그램이 **w를 맨 앞에** 써 보낸 “회전 없음”의 모습입니다.
+# 마지막 줄은 **w를 맨 앞에** 쓰는 프로그램이 보낸 “회전 없음”을 (x, y, z, w)로 읽은 것입니다.
 # Eigen의 생성자, MuJoCo, 여러 논문이 w를 먼저 씁니다. ROS, RViz, SciPy는 w를 마지막에 씁니다.
 
 # %% name="four-facts-run" slide="fragment"
@@ -586,7 +586,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # Cover the right column and let the class fill it, line by line. The class will disagree about the second line. Leave it open. It returns below, in the configuration file of the second camera.
 
 # %% [markdown] lang="ko" name="four-facts-notes" slide="notes"
-# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. 뒤에서 사고로 다시 만납니다.
+# 표의 오른쪽 열을 가리고 한 줄씩 채우게 합니다. 둘째 줄에서 의견이 갈립니다. 답하지 말고 두십시오. ‘일부러 고장 내기 1’에서 다시 나옵니다.
 
 # %% [markdown] lang="en" name="length" slide="subslide"
 # ### How long is it?
@@ -601,7 +601,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # ### 길이는 얼마일까요?
 #
 # 회전을 나타내는 쿼터니언은 길이가 1입니다. x² + y² + z² + w² = 1인 쿼터니언을 [[unit quaternion]]이라고 합니다.
-# 길이가 어긋나면 TF는 오류 없이 길이를 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
+# 길이가 1에서 벗어나면 TF는 오류 없이 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
 # 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지 확인하는 프로그램은 없습니다.
 #
 # 그리고 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
@@ -640,14 +640,14 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
 # roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
-# 작은 회전이 180°에 가까운 roll로 바뀝니다. RViz에서 로봇이 거꾸로 서 있다면 w를 먼저 쓴 흔적입니다.
+# 작은 회전이 180°에 가까운 roll로 바뀝니다. RViz에서 로봇이 뒤집혀 있다면 w를 먼저 쓴 흔적입니다.
 # 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
 
 # %% [markdown] lang="en" name="w-first-notes" slide="notes"
 # Ask who has seen a robot on its back in RViz. Then ask how long it took to find out why. The median is longer than this lecture.
 
 # %% [markdown] lang="ko" name="w-first-notes" slide="notes"
-# RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 깁니다.
+# RViz에서 뒤집힌 로봇을 본 사람이 있는지 묻습니다. 이유를 찾는 데 얼마나 걸렸는지도 묻습니다. 대개 이 강의보다 오래 걸립니다.
 
 # %% [markdown] lang="en" name="optical" slide="slide"
 # ## The image: z forward, x right, y down
@@ -777,7 +777,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # Before this slide, ask: you write the driver, what do you put into the header? Count the hands for each frame.
 
 # %% [markdown] lang="ko" name="why-two-notes" slide="notes"
-# 이 슬라이드를 보여 주기 전에 묻습니다. 여러분이 드라이버를 만든다면 헤더에 무엇을 적겠습니까? 좌표계마다 손을 세어 봅니다.
+# 이 슬라이드를 보여 주기 전에 묻습니다. 여러분이 드라이버를 만든다면 헤더에 무엇을 적겠습니까? 좌표계마다 손을 든 사람을 세어 봅니다.
 
 # %% name="scene-3d" tags=["interactive"] slide="subslide"
 view = lesson.Scene(height_px=380, grid_m=0.5)
@@ -954,7 +954,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # Before you run the cell that raises, ask which exception they expect. "InvalidArgument" is a reasonable answer, and it is what the engine raises for bad *lookups*. A bad *transform* is never stored.
 
 # %% [markdown] lang="ko" name="zero-notes" slide="notes"
-# 예외가 나온 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
+# 예외가 나오는 셀을 실행하기 전에 어떤 예외가 날지 물어봅니다. "InvalidArgument"도 그럴듯한 답입니다. 그것은 잘못된 *조회*에 나는 예외이고, 잘못된 *변환*은 아예 버퍼에 들어가지 못합니다.
 
 # %% [markdown] lang="en" name="zero-after" slide="subslide"
 # Look at what happened, and where.
@@ -963,7 +963,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 2. **Each listener** rejected the transform, in its own log, with a message about `nan`. To turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
 # 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which publishes as before.
 #
-# The error appears two programs away from its cause.
+# The cause is in the sender. The error appears in the program that looks up.
 # So: when a frame "does not exist" and its publisher runs, search the **listener's** log for `TF_NAN_INPUT` or `TF_DENORMALIZED_QUATERNION`.
 #
 # A new message in ROS 2 has w = 1 already. The zeros come from other sources: files, arrays made by `zeros(4)`, programs in C, ROS 1.
@@ -975,7 +975,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # 2. **수신기마다** 거절했다는 기록을 로그에 남겼고, 그 기록에는 `nan`이 나옵니다. 행렬을 만들려면 길이로 나누어야 하는데, 0/0은 “숫자가 아님(not a number)”입니다.
 # 3. **여러분**은 좌표계가 *존재하지 않는다*는 메시지를 읽었습니다. 그래서 오타를 찾고, 프로그램을 띄우는 launch 파일을 뒤지고, 멀쩡히 발행 중인 드라이버를 다시 시작합니다.
 #
-# 오류가 보이는 프로그램과 원인이 있는 프로그램 사이에 프로그램이 하나 더 있습니다.
+# 원인은 발행한 프로그램에 있는데, 오류는 조회한 프로그램에서 나옵니다.
 # 따라서 발행자가 실행 중인데도 좌표계가 "does not exist"라고 나오면, **수신기**의 로그에서 `TF_NAN_INPUT`이나 `TF_DENORMALIZED_QUATERNION`을 찾으십시오.
 #
 # ROS 2의 새 메시지에는 이미 w = 1이 들어 있습니다. 0은 다른 곳에서 옵니다. 설정 파일, `zeros(4)`로 만든 배열, C 프로그램, ROS 1 같은 곳입니다.
@@ -1163,7 +1163,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # <details><summary>B. URDF에서 camera_link를 −90°, 0, −90°만큼 돌립니다</summary>
 #
 # 클라우드는 제자리에 놓입니다. 하지만 모델 속 카메라는 로봇의 오른쪽을 보게 되고, 그 아래 달린 `camera_optical_frame`은 **두 번** 회전합니다.
-# 그러면 광학 좌표계를 제대로 쓴 다음 프로그램의 결과가 틀립니다.
+# 그러면 나중에 광학 좌표계를 제대로 쓰는 프로그램의 결과가 틀리게 됩니다.
 #
 # </details>
 # <details><summary>C. 드라이버에서 frame_id를 camera_optical_frame으로 바꿉니다</summary>
@@ -1256,7 +1256,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # π/2는 모든 자릿수를 적으십시오(계산식을 쓸 수 있는 URDF인 xacro에서는 `${pi/2}`). TurtleBot3의 URDF에는 `-1.57`이라고 적혀 있고, 이를 베껴 쓴 수많은 로봇도 그렇습니다. 10 m 앞에서는 잴 수 있을 만큼 어긋납니다. 얼마나 어긋나는지는 연습 문제에서 계산합니다.
 #
-# <details><summary>더 깊이: 숫자만 여섯 개인 옛 예제, 라이브러리 없는 yaw</summary>
+# <details><summary>더 깊이: 숫자 여섯 개만 쓰는 옛 예제, 라이브러리 없이 쓰는 yaw</summary>
 #
 # 오래된 예제는 `static_transform_publisher`에 숫자 여섯 개만 나열합니다. 그 순서는 x y z **yaw pitch roll**로, 각도가 거꾸로입니다. 이 페이지처럼 이름이 있는 옵션을 쓰면 뒤섞일 일이 없습니다. 옵션 목록은 `--help`로 볼 수 있습니다.
 #
@@ -1457,7 +1457,7 @@ lesson.draw_card()
 # 2. 누가 “TF가 오류를 내지 않았으니 좌표계는 맞다”고 합니다. 어떻게 답하겠습니까?
 # 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
-# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞고 틀림뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
+# **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞았는지뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"

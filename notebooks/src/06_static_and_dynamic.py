@@ -20,7 +20,7 @@
 # - 연결마다 `/tf_static`과 `/tf` 가운데 어디에 발행할지 정하고, 잘못 골랐을 때 무엇을 잃는지 설명할 수 있습니다.
 # - 나중에 참가한 수신기가 무엇을 받는지, 발행자가 멈추면 무엇이 남는지 설명할 수 있습니다.
 # - [[static transform|정적 변환(static transform)]]을 명령줄에서 발행하고, 두 종류를 모두 파이썬으로 발행할 수 있습니다.
-# - RViz에서는 완벽한 원인데 로봇은 옆으로 미끄러지고 있음을 알아낼 수 있습니다.
+# - RViz에서는 완벽한 원을 그리는 로봇이 사실은 옆으로 미끄러지고 있음을 알아낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
 # Two pictures are enough for this chapter: a notice board and a radio. Ask: how do you tell a class something that never changes, if people come in late? And something that changes all the time?
@@ -61,7 +61,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 무언가 보이지 않아 RViz를 껐다 켜 본 사람이 있는지 묻습니다.
 # 여기서는 그래서 더 나빠졌습니다.
-# 나머지 카메라 세 대는 어디에 보관되어 있을까요?
+# 나머지 카메라 세 대의 변환은 어디에 남아 있을까요?
 # 추측을 모읍니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
@@ -109,9 +109,9 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 # ## 게시판
 #
 # 고정된 것은 움직이지 않으므로 메시지 하나로 충분합니다. 나중에 참가하는 수신기를 위해 남겨 두기만 하면 됩니다.
-# `/tf_static`이 바로 그런 토픽입니다. 이 책에서는 이것을 게시판에 비유합니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
+# `/tf_static`이 바로 그런 토픽입니다. 이 워크북에서는 이것을 게시판에 비유합니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
 #
-# 게시판은 메시지를 어떻게 전달할지에 관한 설정, 곧 [[qos|서비스 품질(QoS)]]의 하나입니다. 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 몇 개까지 붙어 있는지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
+# 게시판을 둘지는 메시지를 어떻게 전달할지 정하는 설정, 곧 [[qos|서비스 품질(QoS)]]로 정합니다. 설정의 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 메시지를 몇 개까지 남길지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
 #
 # 다음은 이야기 속의 프로그램과, 수신기로 참가하는 함수입니다.
 
@@ -198,7 +198,7 @@ print('late:', *late.all_frames_as_string().splitlines(), sep='\n')
 # 쪽지 네 장에 못 하나입니다.
 # 새 쪽지는 앞의 것 위에 겁니다.
 # 지금 들어온 사람은 한 장을 읽습니다.
-# 0도 4도 아닙니다.
+# 답은 0이나 4가 아닙니다.
 # 0이라고 한 사람도 4라고 한 사람도 이유를 확인합니다.
 
 # %% name="late-join" tags=["predicted"] slide="-"
@@ -256,7 +256,7 @@ print(later.all_frames_as_string())
 # | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
 # | Rolling, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
-# 리스트 하나를 한 번에 보내는 방법은 어디서나 맞습니다. Jazzy에서 장착 변환을 다시 쟀다면 발행기를 새로 만들어야 합니다.
+# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 발행기를 새로 만들어야 합니다.
 #
 # </details>
 
@@ -356,7 +356,7 @@ print('early knows:', early.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="ko" name="volatile-seen" tags=["predicted"]
 # 좌표계를 하나도 받지 못했습니다. 발행자가 제공하는 지속성이 수신기가 요구하는 것보다 낮아서 통신이 아예 성립하지 않습니다. 양쪽 모두 `DURABILITY`라는 경고를 한 번 내고, 그 경고는 화면 위로 밀려 올라갑니다.
-# 나중에 나는 오류에는 좌표계가 없다고만 나옵니다. 이 경고부터 찾으십시오.
+# 나중에 나오는 오류 메시지에는 좌표계가 없다고만 적혀 있습니다. 이 경고부터 찾으십시오.
 #
 # 이제 직접 해 볼 차례입니다. 참가 시각을 왼쪽에서 오른쪽으로 끌며 수신기가 받는 것을 읽어 보세요. 그다음에는 VOLATILE을 골라 보세요.
 #
@@ -400,8 +400,8 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="ko" name="come-later-answers" slide="fragment"
 # <details><summary>답</summary>
 #
-# *다음* 메시지가 나온 뒤에 참가하면 그 카메라의 변환은 받지 못합니다. 1.75초, 2.0초, 2.25초이고, 마지막 카메라는 프로세스가 끝나는 4.5초에 사라집니다.
-# `all_in_one`은 게시판을 요구하기만 하면 언제 참가해도 같습니다. `wheels`에는 게시판이 없습니다. 참가한 뒤에 나오는 메시지만 받지만, 계속 나오므로 그것으로 충분합니다.
+# *다음* 카메라의 메시지가 나온 뒤에 참가하면 이전 카메라의 변환은 받지 못합니다. 1.75초, 2.0초, 2.25초이고, 마지막 카메라는 프로세스가 끝나는 4.5초에 사라집니다.
+# `all_in_one`의 변환은 수신기가 게시판을 요구하기만 하면 언제 참가해도 모두 받습니다. `wheels`에는 게시판이 없습니다. 참가한 뒤에 나오는 메시지만 받지만, 계속 나오므로 그것으로 충분합니다.
 # VOLATILE을 고르면 드라이버의 메시지도 받습니다. 다만 보내기 전에 참가해 있어야 합니다.
 #
 # </details>
@@ -414,7 +414,7 @@ lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 # %% [markdown] lang="ko" name="command-line" slide="slide"
 # ## 명령줄에서 게시판 만들기
 #
-# 장착 변환 하나 때문에 프로그램을 쓸 필요는 없습니다. 강의의 명령입니다. `base_link`에서 앞으로 0.20 m, 위로 0.15 m입니다.
+# 장착 변환 하나 때문에 프로그램을 작성할 필요는 없습니다. 다음은 강의의 명령입니다. `base_link`에서 앞으로 0.20 m, 위로 0.15 m입니다.
 
 # %% name="static-by-command" slide="-"
 graph = lesson.new_graph()
@@ -432,7 +432,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="break-command" slide="slide"
 # ## 일부러 고장 내기: 명령줄
 #
-# 0.2 m 앞에 30° 회전시켜 단 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
+# 0.2 m 앞에 30° 회전시켜 장착한 카메라를 두 가지로 적었습니다. 각각 오류가 날지, 다른 일이 일어날지 **예측해 봅시다.**
 
 # %% name="thirty" tags=["predicted"] slide="fragment"
 # %ros2 run tf2_ros static_transform_publisher --x 0.2 --yaw 30 --frame-id base_link --child-frame-id camera_link
@@ -489,7 +489,7 @@ graph = lesson.new_graph()
 # `--once` means one *message*, and there are two boards: the first answer is half of the robot. Each publisher has a board of its own.
 
 # %% [markdown] lang="ko" name="echo-one-board-seen" tags=["predicted"]
-# `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
+# `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째 명령으로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
 
 # %% [markdown] lang="en" name="static-node" slide="slide"
 # ### The same from Python
@@ -544,7 +544,7 @@ graph = lesson.new_graph()
 # Its main part is three lines: create a `TransformStamped`, fill in parent, child and numbers, send it once. The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
 
 # %% [markdown] lang="ko" name="static-node" slide="slide"
-# ### 파이썬으로 하는 같은 일
+# ### 같은 일을 파이썬으로
 #
 # <details><summary>강의의 노드 전체: <code>static_sensor_broadcaster.py</code>로 저장해 보세요</summary>
 #
@@ -595,7 +595,7 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서를 두 곳에서 발행하지는 마십시오.
+# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서의 장착 변환을 두 노드에서 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
@@ -606,7 +606,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="ko" name="radio" slide="slide"
 # ## 라디오
 #
-# 움직이는 것은 `/tf`로 계속 발행합니다. 메시지마다 그 값이 맞는 시각이 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 라디오 방송처럼, 보관되는 것이 없습니다. 나중에 참가한 수신기는 다음 메시지를 기다리면 됩니다. 0.05초입니다.
+# 움직이는 것은 `/tf`로 계속 발행합니다. 메시지마다 그 값이 어느 시각의 것인지 적혀 있습니다. 이것이 [[dynamic transform|동적 변환(dynamic transform)]]입니다. 라디오 방송처럼, 보관되는 것이 없습니다. 나중에 참가한 수신기는 다음 메시지를 기다리면 됩니다. 20 Hz라면 길어야 0.05초입니다.
 #
 # 강의의 로봇이 1초에 스무 번 포즈를 발행하며 원을 그립니다. (파일 전체는 아래에 접어 두었습니다.)
 
@@ -660,7 +660,7 @@ lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5)
 # %% [markdown] lang="ko" name="lift" slide="slide"
 # ## 메시지가 없다고 멈춰 있는 것은 아닙니다
 #
-# 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 발행합니다. 그런 다음 멈추고, 프로그램은 높이가 그대로이므로 발행할 것도 없다고 여깁니다.
+# 리프트가 1초부터 3초까지 0.5 m를 올라가며 1초에 스무 번 높이를 발행합니다. 그런 다음 멈춥니다. 높이가 그대로이므로 프로그램은 더 발행하지 않습니다.
 # (`BufferCore`는 수신기가 채우는 버퍼입니다. 여기서는 직접 채웁니다.)
 
 # %% name="lift-rises" slide="-"
@@ -690,7 +690,7 @@ except TransformException as error:
 
 # %% [markdown] lang="ko" name="lift-seen" tags=["predicted"]
 # “최신”을 조회하면 3초의 값 0.5 m가 나옵니다. 5초를 조회하면 거절됩니다. `into the future`입니다. 리프트가 멈춰 있는지, 움직이는데 발행하지 않는지 tf2로서는 구별할 수 없고, 짐작하지도 않습니다.
-# 새로 온 수신기는 사정이 더 나쁩니다. 리프트 좌표계조차 받지 못합니다.
+# 그 뒤에 참가한 수신기는 사정이 더 나쁩니다. 리프트 좌표계조차 받지 못합니다.
 #
 # 메시지가 없다는 것만으로는 아무것도 알 수 없습니다. 움직일 수 있는 것은 멈춰 있는 동안에도 계속 발행해야 합니다.
 
@@ -788,7 +788,7 @@ lesson.draw_history(listener, 'odom', 'camera_link', graph.now_ns - seconds(0.1)
 # Now the opposite mistake: each height of the lift is sent as static. **Predict** what the buffer returns for 1, 3 and 6 s.
 
 # %% [markdown] lang="ko" name="mover" slide="slide"
-# ## 게시판에 붙인 움직이는 것
+# ## 움직이는 것을 게시판에 붙이면
 #
 # 이번에는 반대입니다. 앞의 리프트가 높이를 모두 정적 변환으로 보냅니다. 1초, 3초, 6초의 높이를 조회하면 어떤 값이 나올지 **예측해 봅시다.**
 
@@ -837,7 +837,7 @@ for t in (1.0, 3.0, 6.0):
 # ## 게걸음
 #
 # 다시 강의의 로봇입니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇을 기준으로는 어디로 가고 있을까요?
-# 4초의 로봇을 놓고, 1초 뒤의 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
+# 4초에서 1초 뒤의 로봇 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
 
 # %% name="one-second-later" tags=["predicted"] slide="fragment"
 def drive(node_class):
@@ -883,7 +883,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="ko" name="crab-notes" slide="notes"
 # 숫자를 보여 주기 전에 원만 보여 주고 무엇이 잘못인지 묻습니다.
 # RViz에서는 멀쩡합니다.
-# 그다음 이것을 찾아내는 질문 하나입니다.
+# 그다음 이것을 찾아내는 질문을 하나 합니다.
 # 로봇은 자기 축으로 어디로 갑니까?
 # 강의의 코드 그대로입니다.
 
@@ -1130,7 +1130,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
 #
-# 움직이기 전에 측정한 스캔이 움직인 뒤의 장착 변환으로 놓입니다. 게시판에는 과거가 없습니다. 게다가 Jazzy의 파이썬 발행기는 두 번째 값을 무시합니다.
+# 움직이기 전에 측정한 스캔까지 움직인 뒤의 장착 변환으로 바뀝니다. 게시판에는 과거가 없습니다. 게다가 Jazzy의 파이썬 발행기는 두 번째 값을 무시합니다.
 #
 # </details>
 

@@ -18,7 +18,7 @@
 #
 # 이 장을 마치면
 #
-# - [[buffer|변환 버퍼(buffer)]]를 트리의 연결마다 하나씩 있는 [[timeline|시간줄(timeline)]]로 설명할 수 있습니다.
+# - [[buffer|변환 버퍼(buffer)]]가 트리의 연결마다 [[timeline|시간줄(timeline)]]을 하나씩 두는 것을 설명할 수 있습니다.
 # - 두 표본 사이의 시각을 조회하면 무엇이 나오고, 그 바깥의 시각은 왜 거절되는지 말할 수 있습니다.
 # - 경로의 [[latest common time|최신 공통 시각]]을 찾고, `Time()`이 무엇을 뜻하는지 말할 수 있습니다.
 # - 측정한 순간의 변환을 써서 메시지를 다른 좌표계 기준으로 바꿀 수 있습니다.
@@ -32,7 +32,7 @@
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 이렇게 묻습니다. 휴대전화 카메라 화면에 보이는 장면은 몇 밀리초 전의 것일까요?
 # “0”이라고 답한 사람에게는 화면 앞에서 손을 흔들어 보게 합니다.
-# 이 장 전체가 tf2에서 그 숫자 하나를 따라갑니다.
+# 이 장은 처음부터 끝까지 그 숫자, 곧 지연을 다룹니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -51,7 +51,7 @@
 #
 # 앞 장에서 필요한 내용은 다음이 전부입니다. 읽은 장의 줄은 건너뛰어도 됩니다.
 #
-# - **점**(01)은 값, 좌표계, 측정된 순간, 이 세 가지입니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
+# - **점**(01)을 나타내려면 값, 좌표계, 측정 시각이 모두 필요합니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
 # - **조회**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
 # - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이루어진 경로가 하나 있습니다.
 # - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴 오도메트리 노드가 1초에 여러 번 발행합니다.
@@ -88,20 +88,20 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 오십 년, 그리고 20센티미터
 #
-# 어느 지도 작성 노드가 1574652168.59초의 로봇 포즈를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 센 초입니다.)
+# 어느 지도 작성 노드가 1574652168.59초의 로봇 포즈를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 지난 시간을 초로 나타냅니다.)
 # 그때 TF에 있는 시각은 3.235초였습니다.
 # 노드는 2019년의 시각을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # 이 고장은 찾기 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
 #
-# 찾기 더 어려운 고장이 있습니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 20센티미터쯤 어긋나 있습니다.
+# 더 찾기 어려운 고장이 있습니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 20센티미터쯤 어긋나 있습니다.
 # 직접 만들어 봅시다.
-# 로봇 한 대가 방 안을 좌우로 구불구불 사람이 걷는 속도로 나아갑니다.
+# 로봇 한 대가 사람이 걷는 속도로 방 안을 구불구불 나아갑니다.
 # 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
-# `Leg`는 주행의 한 토막입니다. 몇 초 동안, 나아가는 속도와 회전하는 속도를 적습니다.
-# `graph`는 셀을 실행할 때마다 새로 만드는 가상의 ROS 2 환경이고, `graph.now_ns`는 그 시계의 지금 시각입니다.
+# `Leg`는 주행의 한 토막입니다. 시간(초), 나아가는 속도, 회전하는 속도를 차례로 적습니다.
+# `graph`는 셀을 실행할 때마다 새로 만드는 가상의 ROS 2 환경이고, `graph.now_ns`는 그 환경의 현재 시각(나노초)입니다.
 
 # %% name="start-the-robot"
 graph = lesson.new_graph()
@@ -211,7 +211,7 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 # %% [markdown] lang="ko" name="many-balls-notes" slide="notes"
 # 직접 세어 보게 합니다. 그다음 왜 한 무리가 아니라 두 무리인지 묻습니다.
 # 로봇은 왼쪽으로 회전하고 있었거나 오른쪽으로 회전하고 있었습니다. 곧게 가는 순간은 거의 없었습니다.
-# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각이 아니라 “지금”의 것으로 조회하면 로봇의 위치가 중앙값 3 cm, 최대 15 cm만큼 틀렸습니다.
+# 실제 수치도 있습니다. 기록된 Nav2 주행에서 map → base_link를 위치 추정의 측정 시각 대신 현재 시각으로 조회하면 로봇의 위치가 중앙값으로 3 cm, 최대 15 cm 틀렸습니다.
 
 # %% [markdown] lang="en" name="predict-error" slide="slide"
 # ## How far off, with a pencil
@@ -228,7 +228,7 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 #
 # ### 예측해 봅시다
 #
-# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에, 그때 본 것을 로봇의 *지금* 포즈로 지도 기준으로 바꿉니다. 물체는 얼마나 빗나가 그려질까요?
+# 1. 로봇이 1 m/s로 곧게 달립니다. 5 m 앞의 물체를 보고, 200 ms 뒤에 그 관측을 지도 기준으로 바꿉니다. 이때 로봇의 *지금* 포즈를 씁니다. 물체는 얼마나 빗나가 그려질까요?
 # 2. 같은 조건에서, 이번에는 달리면서 0.5 rad/s로 왼쪽으로 회전합니다. 이제 얼마나 빗나갈까요? 비슷할까요, 두 배일까요, 두 배보다 클까요?
 #
 # 두 숫자를 적어 두고 실행해 보세요.
@@ -271,7 +271,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그것이 작은 성분입니다.
 # 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
-# (우리 지도의 공은 0.2초를 넣은 이 식의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 포즈도 이미 0.1초 전의 것이었기 때문입니다.)
+# (우리 지도의 공은 이 식에 0.2초를 넣은 값의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 포즈도 이미 0.1초 전의 것이었기 때문입니다.)
 #
 # <details><summary>다르게 예측했다면</summary>
 #
@@ -346,7 +346,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # At zero speed the rotation still causes an error; at zero yaw rate the translation does.
 #
 # 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that rotates on the spot: about one image of a 30 Hz camera.
-# No detector is that fast. Speed does not help. Looking up the right time does.
+# Few detectors are that fast, and the camera and the network add their own delay. Speed alone does not help. Looking up the right time does.
 #
 # </details>
 
@@ -356,8 +356,8 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
 # 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
 #
-# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초, 30 Hz 카메라로 영상 한 장 남짓입니다.
-# 그렇게 빠른 검출기는 없습니다. 계산을 빠르게 해서 될 일이 아닙니다. 올바른 시각의 변환을 조회해야 합니다.
+# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초까지입니다. 30 Hz 카메라로 영상 한 장 남짓입니다.
+# 그렇게 빠른 검출기는 드물고, 카메라와 네트워크의 지연도 더해집니다. 계산을 빠르게 해서 될 일이 아닙니다. 올바른 시각의 변환을 조회해야 합니다.
 #
 # </details>
 
@@ -418,7 +418,7 @@ lesson.draw_history(small, "map", "laser_frame", seconds(3.4))
 # `odom → base_link`의 이웃 표본은 3.25초(1.75 m)와 3.5초(2.00 m)입니다. 3.4초는 그 사이의 0.6 지점이므로 1.90 m이고, 레이저까지 0.20 m를 더합니다.
 # 이것이 [[interpolation|보간(interpolation)]]입니다. 이동은 직선을, 회전은 가장 짧은 호를 따라 보간합니다.
 #
-# 시간줄 안에서는 빈 시각을 보간합니다. 바깥에서는 결코 짐작하지 않습니다.
+# 시간줄 안에서는 표본이 없는 시각을 보간합니다. 바깥의 시각은 결코 짐작하지 않습니다.
 #
 # **예측해 봅시다.** 1.0초에 yaw가 170°, 2.0초에 −170°입니다. 1.5초에는 0°일까요, 180°일까요?
 
@@ -456,7 +456,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="ko" name="latest-common" slide="slide"
 # ### “최신”은 언제의 것일까요?
 #
-# 조회 하나가 여러 시간줄을 지나고, *하나하나*에 그 시각의 값이 있어야 합니다.
+# 조회 하나가 여러 시간줄을 지나며, 시간줄 *하나하나*에 그 시각의 값이 있어야 합니다.
 # 그림에서 칠해진 띠가 모든 시간줄에 값이 있는 구간입니다. *그림 읽기:* all of them = 모든 시간줄, query = 조회, stamp = 측정 시각.
 #
 # `Time()`은 “시각 0”이고, tf2는 이것을 그 경로의 [[latest common time|최신 공통 시각]]으로 처리합니다.
@@ -514,7 +514,7 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 # `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 시간줄의 마지막 시각일 뿐입니다.
 # 조회한 변환에는 시각(stamp)이 붙어 있습니다. 출력해 보면 “지금”이 아님을 알 수 있습니다.
 #
-# 이제 작은 버퍼 위에서 요청 시각을 끌어 양쪽 끝을 넘어가 보세요.
+# 이제 작은 버퍼에서 요청 시각을 끌어 시간줄의 양쪽 끝을 넘어가 보세요.
 
 # %% name="drag-the-query" tags=["interactive"] slide="subslide"
 lanes = [lesson.lane_from_history(small.history(child)) for child in ("odom", "base_link", "laser_frame")]
@@ -650,13 +650,13 @@ else:
 # %% [markdown] lang="ko" name="try-it" slide="slide"
 # ### 직접 해 보세요
 #
-# - 위 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지에나 12.9초입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
+# - 위 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지를 쓰든 12.9초의 변환입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
 # - 측정 시각 100 ms 이전의 변환을 조회해 보세요. 100 ms 이후의 변환보다 나을까요, 나쁠까요?
 # - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보세요. 작은 성분인 속도 × 지연만 남습니다.
 #
 # <details><summary>찾은 것 확인하기</summary>
 #
-# - 20번은 1.9 m, 25번은 1.8 m, 38번은 0.5 m 빗나갑니다. 저마다 다른 때 본 것을 모두 하나의 포즈로 바꾸었기 때문입니다. `on_point`에서 바로 조회했을 때는 최신 포즈의 시각은 관측보다 최대 0.2초 나중이었습니다.
+# - 20번은 1.9 m, 25번은 1.8 m, 38번은 0.5 m 빗나갑니다. 저마다 다른 때 본 것을 모두 하나의 포즈로 바꾸었기 때문입니다. `on_point`에서 바로 조회했을 때는 최신 포즈의 시각이 관측보다 최대 0.2초 이후였습니다.
 # - 100 ms 이전의 변환은 100 ms 이후의 변환만큼 나쁘고, 방향만 반대입니다. 오차의 부호는 지연의 부호를 따릅니다.
 # - 회전이 없으면 점들은 한 무리가 되고, 나아간 방향으로 길게 퍼집니다.
 #
@@ -678,7 +678,7 @@ else:
 #
 # 이렇게 하는 노드가 실제로 많습니다.
 # 메시지를 받아 필터를 거친 뒤, “어쨌든 지금 발행하니까”라며 지금 시각을 새로 적어 내보냅니다.
-# (오류 위에는 원래 traceback이 길게 나옵니다. 아래 줄은 그것을 생략합니다. 중요한 것은 마지막 줄입니다.)
+# (오류 위에는 원래 traceback이 길게 나옵니다. 셀의 `%xmode Minimal`이 그것을 생략합니다. 중요한 것은 마지막 줄입니다.)
 
 # %% name="overwritten" tags=["raises-exception"]
 import copy
@@ -713,7 +713,7 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
 # What does that look like for a laser? Here a filter holds each scan for 0.3 s. The walls are drawn twice: once with the laser's stamp, once with a new one.
 
 # %% [markdown] lang="ko" name="the-cure-read" slide="subslide"
-# 오류는 사라졌고 공의 위치는 틀렸습니다. 이제는 오류도 나지 않습니다.
+# 오류는 사라졌지만 공의 위치가 틀렸습니다. 이제는 틀려도 오류가 나지 않습니다.
 # **`header.stamp`는 도착한 시각이 아니라 측정한 시각입니다.** 덮어쓰면 오차가 없어지는 것이 아니라 드러나지 않게 됩니다.
 #
 # 레이저에서는 어떻게 보일까요? 필터를 거치는 데 0.3초가 걸립니다. 같은 스캔으로 벽을 두 번 그려 봅니다. 한 번은 레이저 드라이버가 적은 측정 시각으로, 한 번은 도착해서 새로 적은 시각으로 그립니다.
@@ -788,7 +788,7 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 #
 # 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정한 지 0.2초 뒤에 도착합니다.
 #
-# **예측해 봅시다.** 관측 마흔 개쯤 중에서 몇 개나, 도착하자마자 자기 측정 시각의 변환을 얻을까요?
+# **예측해 봅시다.** 관측은 마흔 개쯤입니다. 도착하자마자 자기 측정 시각의 변환을 조회하면 몇 개나 성공할까요?
 
 # %% name="slow-odometry" tags=["predicted"] slide="fragment"
 slow_wheels = {"odometry": lesson.Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
@@ -849,7 +849,7 @@ except TransformException as error:
 # Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
-# `except TransformException`을 그대로 지나쳤습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
+# 예외가 `except TransformException`에 잡히지 않았습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
 # TF의 문제가 아닙니다. 없는 좌표계도 틀린 시각도 없고, 그 자료형의 변환 방법이 등록되지 않았을 뿐입니다.
 # 고치는 법: 점, 포즈, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
@@ -907,7 +907,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 
 # %% [markdown] lang="ko" name="short-memory-read"
 # 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 시간줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
-# 따라서 경로에서 발행률이 가장 낮은 연결을 두고 다음이 성립해야 합니다.
+# 따라서 경로에서 발행률이 가장 낮은 연결에 대해 다음이 성립해야 합니다.
 #
 # > 보관 시간 ≥ 지연 + 한 주기
 #
@@ -926,11 +926,11 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # %% [markdown] lang="ko" name="two-moments" slide="slide"
 # ## 한 단계 더: 두 시각을 한 번에
 #
-# 경로 계획기가 7.4초에 본 공을 두고 1초 동안 계산합니다. 이제 8.4초, 조향하려고 합니다.
+# 경로 계획기가 7.4초에 본 공을 두고 1초 동안 계산합니다. 이제 8.4초이고, 조향하려고 합니다.
 # 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
 # 시각 하나로는 이런 조회를 할 수 없습니다. 두 시각 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 연결합니다. 여기서는 `odom`입니다.
-# `lookup_transform_full`은 **그때**의 카메라에서 `odom`까지 올라가고, 1초 뒤인 **지금**의 시각으로 `odom`에서 base_link로 내려옵니다.
+# `lookup_transform_full`은 **그때**의 변환으로 카메라 기준 값을 `odom` 기준으로 바꾸고, 1초 뒤인 **지금**의 변환으로 그 값을 base_link 기준으로 바꿉니다.
 # 인자는 좌표계 두 개(각각 시각이 하나씩 따라옵니다)와 고정 좌표계 하나입니다.
 
 # %% name="six-arguments"
@@ -1008,12 +1008,12 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 여러분의 노드는 `header.stamp`의 변환을 조회합니다. 몇 번에 한 번씩 40 ms 모자라다며 "extrapolation into the future"가 나옵니다.
+# 여러분의 노드는 `header.stamp`의 변환을 조회합니다. 몇 번에 한 번씩 40 ms가 모자란다며 "extrapolation into the future"가 나옵니다.
 # 동료 넷이 수정안 넷을 내놓았습니다. 하나를 고른 뒤 답을 펼쳐 보세요.
 #
 # <details><summary>A. 측정 시각 대신 <code>Time()</code>으로 조회합니다.</summary>
 #
-# 오류는 사라지지만, 점마다 다른 순간의 포즈로 변환됩니다. 이 장의 첫 방에서 회전하던 로봇은 그렇게 20 cm를 틀렸습니다. 눈에 띄는 오류를 눈에 띄지 않는 오차와 맞바꾼 셈입니다.
+# 오류는 사라지지만, 점마다 다른 순간의 포즈로 변환됩니다. 이 장 첫머리의 로봇은 회전하면서 그렇게 20 cm를 틀렸습니다. 눈에 띄는 오류를 눈에 띄지 않는 오차와 맞바꾼 셈입니다.
 #
 # </details>
 #
@@ -1025,7 +1025,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 #
 # <details><summary>C. 측정 시각은 두고, 변환이 올 때까지 잠깐 기다리게 하고, 너무 오래되면 버립니다.</summary>
 #
-# 맞습니다. 40 ms 모자라다는 것은 변환이 오는 중이라는 뜻입니다. 요청 시각은 옳았고, 너무 일찍 조회했을 뿐입니다. 스레드를 멈추지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
+# 맞습니다. 40 ms가 모자란다는 것은 변환이 오는 중이라는 뜻입니다. 요청 시각은 옳았고, 너무 일찍 조회했을 뿐입니다. 스레드를 멈추지 않고 기다리는 법과 기다릴 시간은 09장에서 다룹니다.
 #
 # </details>
 #
@@ -1484,7 +1484,7 @@ node.stop()
 #
 # <details><summary>01. 메시지에 (2.0, 0.0, 0.0)이 있습니다. 쓰기 전에 알아야 할 두 가지는 무엇입니까?</summary>
 #
-# 좌표계와 측정 시각입니다. 누구의 x 방향으로 2 m인지, 그리고 언제인지입니다.
+# 좌표계와 측정 시각입니다. 어느 좌표계의 x 방향으로 2 m인지, 그리고 언제 측정했는지입니다.
 #
 # </details>
 #
@@ -1527,7 +1527,7 @@ node.stop()
 # 1. 메시지는 측정 시각에 센서가 본 것이며, 처리와 네트워크를 거쳐 쓰일 때는 이미 오래된 것입니다.
 # 2. 그사이 로봇이 움직이므로 최신 포즈는 측정한 순간의 센서 포즈가 아닙니다.
 # 3. 오차에는 크기가 있습니다. 속도 × 지연쯤이고, 회전하면 거리 × yaw 각속도 × 지연이 더해집니다.
-# 4. 오류가 나지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물이 뒤따라옵니다.
+# 4. 오류가 나지 않습니다. 최신 변환은 언제나 있기 때문입니다. 벽이 번지고 장애물의 자국이 뒤에 남습니다.
 # 5. 버퍼는 이 일을 위해 과거의 변환을 보관합니다. `header.stamp`로 조회하거나 `transform()`을 쓰고, 측정 시각을 덮어쓰지 않습니다.
 #
 # 4–5점: 충분합니다. 2–3점: “연필로 어림하는 오차”를 다시 읽어 보세요. 그 아래: 슬라이더부터 움직여 보세요.

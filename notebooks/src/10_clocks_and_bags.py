@@ -17,7 +17,7 @@
 #
 # 이 장을 마치면
 #
-# - 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있는 [[bag]]을 기록하고, 그런지 아닌지를 숫자 하나로 말할 수 있습니다.
+# - 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있는 [[bag]]을 기록하고, 정말 그런지 숫자 하나로 확인할 수 있습니다.
 # - 노드가 시스템 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 멈춘 시간 가운데 어느 것을 따르는지 말할 수 있습니다.
 # - 빠뜨린 `--clock`, 다른 날짜의 시각을 쓰는 노드, 반복 재생되는 bag을 알아볼 수 있습니다.
 # - 자신의 bag을 검사할 수 있습니다.
@@ -26,7 +26,7 @@
 # Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 잘못 없는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 오류를 내는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -68,7 +68,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 지루한 처음 1초 건너뛰기
 #
-# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않습니다. 2026년에 보고되었고, 설계된 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않습니다. 2026년에 보고되었고, 의도한 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
 # 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
 # 그 첫 순간에 무엇이 있었을까요? 우리 로봇이 방을 한 번 도는 동안을 기록해 봅시다.
@@ -89,7 +89,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # The lecture's command, with an IMU. On a robot you stop the command with Ctrl-C. Here `--for` stops it.
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
-# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`가 끝냅니다.
+# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다.
 
 # %% name="record"
 # %ros2 --for 15.03 bag record -o {bags}/lap /scan /odom /tf /tf_static /imu /clock
@@ -101,7 +101,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # %% [markdown] lang="ko" name="record-read" slide="-"
 # 토픽은 여섯인데 구독은 다섯입니다. `/clock`이 없지만 아무 오류도 나지 않습니다. 기록기는 나중에 나타날지도 모르는 토픽을 기다릴 뿐입니다.
 #
-# 실제 로봇에는 `/clock`이 없습니다. 시뮬레이션만 발행하고, 그때만 bag에 담으면 됩니다. 강의의 명령은 만일을 위해 적은 것입니다.
+# 실제 로봇에는 `/clock`이 없습니다. 시뮬레이션만 발행하므로, 시뮬레이션에서만 bag에 담으면 됩니다. 강의의 명령에는 만일을 위해 적혀 있습니다.
 
 # %% name="info" slide="fragment"
 # %ros2 bag info {bags}/lap
@@ -110,7 +110,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # Read the counts. `/tf` 750, `/tf_static` **1**. One message contains every mount, and here is when it was received:
 
 # %% [markdown] lang="ko" name="info-read" slide="-"
-# 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있고, 수신 시각은 다음과 같습니다.
+# 개수를 읽어 보세요. `/tf`는 750, `/tf_static`은 **1**입니다. 메시지 하나에 모든 장착 변환이 들어 있습니다. 다음 그림은 토픽마다 메시지를 받은 시각입니다.
 
 # %% [markdown] lang="en" name="record-notes" slide="notes"
 # Seven minutes from here to the offset. Why five subscriptions for six topics? Then `bag info`: who finds the count of 1 first?
@@ -135,7 +135,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # *그림 읽기:* 행마다 토픽 하나, 동그라미마다 메시지 하나입니다. time = 시간.
 #
 # 동그라미는 기록기가 메시지를 받은 *수신 시각*입니다. 메시지에는 시각이 둘 있습니다. 다른 하나인 측정 시각은 언제 측정했는지를 나타냅니다. 스캔은 측정된 지 0.105초 뒤에 기록기에 들어옵니다.
-# `ros2 bag play`는 첫째 시각을, TF는 둘째 시각을 따릅니다.
+# `ros2 bag play`는 수신 시각을, TF는 측정 시각을 따릅니다.
 #
 # ### 예측해 봅시다
 #
@@ -215,7 +215,7 @@ print(asker.first_no)
 # 하나도 없습니다. 장착 변환이 담긴 메시지 하나가 0.000초에 있었고, 재생기는 그 메시지를 보내지 않았습니다. 그 뒤로 `laser_frame`은 어느 버퍼에도 없습니다.
 #
 # 로봇에서는 발행자가 나중에 참가하는 노드에게 다시 보내 줍니다. `/tf_static`이 그런 토픽이기 때문입니다. 재생기는 재생한 것만 보관합니다.
-# 꼭 나중부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 실행하면 됩니다. 또는 노드를 모두 실행한 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 보관하던 메시지도 함께 사라지므로, 그 뒤에 시작한 노드는 받지 못합니다.
+# 꼭 중간부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 실행하면 됩니다. 또는 노드를 모두 실행한 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 보관하던 메시지도 함께 사라지므로, 그 뒤에 시작한 노드는 받지 못합니다.
 
 # %% [markdown] lang="en" name="offset-notes" slide="notes"
 # Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player sends only what it has played.
@@ -235,7 +235,7 @@ print(asker.first_no)
 #
 # *이 bag은 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있을까요?* 재생하지 않아도 알 수 있습니다. bag의 변환으로 버퍼를 채우고, 메시지마다 측정 시각의 변환을 조회하면 됩니다.
 #
-# 스캔에 대해 **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때.
+# **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때 스캔을 몇 개나 지도에 표시할 수 있을까요?
 
 # %% name="place-all" tags=["predicted"] slide="fragment"
 for left_out in ((), ("/tf_static",), ("/tf",)):
@@ -264,7 +264,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | 로봇이 본 대로 센서 데이터를 지도 기준으로 바꾸기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
-# | 같은 일을 시뮬레이션에서 | 위와 같고 `/clock`도 담습니다. 시뮬레이션의 속도가 남기 때문입니다. 이런 bag은 `--clock` 없이 재생합니다. 예전 재생기는 시각을 두 번 내보냅니다 |
+# | 같은 일을 시뮬레이션에서 | 위와 같고, 시뮬레이션의 속도를 남기려고 `/clock`도 담습니다. 이런 bag은 `--clock` 없이 재생합니다. `--clock`을 주면 예전 재생기는 `/clock`을 두 번 발행합니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
 # Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." Then M15: people read "laser_frame does not exist" and take the laser apart.
@@ -321,7 +321,7 @@ for use_sim_time in (False, True):
 # Fifteen minutes from here to the wrong suspect. Four rows and three columns on the board; the class fills in each before it is run. Most leave the first cell empty, and it is 59.
 
 # %% [markdown] lang="ko" name="two-clocks-notes" slide="notes"
-# 여기서 잘못 없는 노드까지 15분입니다. 칠판에 네 줄 세 칸을 그리고, 실행하기 전에 함께 채웁니다. 대부분 첫 칸을 비워 두지만 답은 59입니다.
+# 여기서 ‘오류를 내는 노드가 원인은 아닙니다’까지 15분입니다. 칠판에 네 줄 세 칸짜리 표를 만든 다음, 실행하기 전에 함께 채웁니다. 대부분 첫 칸을 비워 두지만 답은 59입니다.
 
 # %% [markdown] lang="en" name="stopped" slide="subslide"
 # ### The stopped clock
@@ -334,7 +334,7 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="ko" name="stopped" slide="subslide"
 # ### 멈춘 시계
 #
-# `use_sim_time`을 켰는데 `/clock`이 오지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흐르기를 기다리는 일은 하나도 일어나지 않습니다.
+# `use_sim_time`을 켰는데 `/clock`이 오지 않으면 노드의 시계는 **0**에 멈춰 있습니다. 시간이 흘러야 실행되는 코드는 하나도 실행되지 않습니다.
 # 그런데 tf2는 시각 0을 *최신*으로 처리합니다. 그래서 시계가 멈춘 채로 *현재 시각*을 조회하면 오류 없이 최신 변환이 나옵니다. 고장 난 설정이 가장 정상으로 보입니다.
 #
 # 어느 사용자는 변환 라이브러리가 `use_sim_time`에서 동작하지 않는다고 보고했다가 그날 바로 거두었습니다. `--clock`을 빠뜨렸던 것입니다([swri-robotics/marti_common, 이슈 495](https://github.com/swri-robotics/marti_common/issues/495)).
@@ -408,7 +408,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일이 넘겨주는 파라미터 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 버퍼는 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -485,7 +485,7 @@ except TransformException as error:
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
 # 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 이 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
-# *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로에는 두 날에 공통인 시각이 없습니다.
+# *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로의 시간줄들에는 공통인 시각이 없습니다.
 # 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
 
 # %% name="innocent-doctor" slide="-"
@@ -552,7 +552,7 @@ show(long)
 # With the usual ten seconds there is a warning. Many:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
-# *지난* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
+# *첫* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
@@ -574,14 +574,14 @@ print(warnings[0])
 # A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
-# 스캔 쉰 개를 잃었습니다. 다시 재생한 변환의 측정 시각은 최신 표본보다 10초 넘게 이전입니다. 버퍼는 측정 시각이 그 10초 안에 들어올 때까지 변환을 버립니다.
+# 스캔 쉰 개를 잃었습니다. 다시 재생한 변환은 처음 5초 동안 버퍼의 최신 표본보다 보관 시간(10초) 넘게 과거의 것이므로, 버퍼가 거절합니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시각이 되돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
 # 643 warnings and fifty scans lost. Ask which is worse: this one with its warnings, or the one before without any.
 
 # %% [markdown] lang="ko" name="ten-seconds-notes" slide="notes"
-# 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 경고가 나오는 이쪽입니까, 경고가 없던 앞의 것입니까?
+# 경고가 643개, 잃은 스캔이 쉰 개입니다. 어느 쪽이 더 나쁜지 묻습니다. 경고가 나오는 이번 결과입니까, 경고가 없던 앞의 결과입니까?
 
 # %% name="with-a-node" slide="subslide"
 sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "lap", "--clock --loop", for_s=25.93)
@@ -594,7 +594,7 @@ show(sound)
 # How old is the newest transform, for each of the three?
 
 # %% [markdown] lang="ko" name="with-a-node-read"
-# 반복할 때마다 한 줄이 나오고, 모두 맞습니다. 버퍼는 동적 연결을 비우고 장착 변환은 남겨 둔 채, 다시 재생한 변환을 받습니다.
+# 반복할 때마다 로그가 한 줄 나오고, 결과는 모두 맞습니다. 버퍼는 동적 연결을 비우고 장착 변환은 남겨 둔 채, 다시 재생한 변환을 받습니다.
 # C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
@@ -611,7 +611,7 @@ lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, nod
 # %% [markdown] lang="ko" name="loop-ages-read"
 # *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
-# 0 아래는 최신 변환이 노드의 미래에 있다는 뜻입니다. 반복하는 지점을 지나면 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다.
+# 0 아래는 최신 변환이 노드의 현재 시각보다 미래의 것이라는 뜻입니다. 반복하는 지점을 지나면 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
 # One argument: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
@@ -878,7 +878,7 @@ rclpy.try_shutdown()
 # - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날짜의 시각을 씁니다([[simulation time|시뮬레이션 시간]]).
 # - 시계가 0에 멈추면 현재 시각의 조회가 최신 조회가 되므로, 고장 났을 때 가장 정상으로 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
 # - 시계 오류를 내는 노드가 잘못된 노드인 경우는 드뭅니다.
-# - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 지난 재생의 변환이 최신으로 나옵니다.
+# - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 앞선 재생의 변환이 최신으로 나옵니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
 # Leave the recap on the screen while you hand out the paper for the exit ticket.
@@ -976,7 +976,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `ros2 bag info`에 `/tf_static`이 있고 개수가 0보다 큰지 봅니다. 그리고 처음부터 재생했는지, 나중부터 재생했는지 봅니다.
+# `ros2 bag info`에 `/tf_static`이 있고 개수가 0보다 큰지 봅니다. 그리고 처음부터 재생했는지, 중간부터 재생했는지 봅니다.
 #
 # </details>
 

@@ -46,7 +46,7 @@ from tflab.core import Transform
 #
 # - **cart**, 어제부터 주차 중: 바퀴 오도메트리의 `odom → base_link` · 나사로 고정한 `base_link → laser_frame` · 가끔 보정되는 `map → odom`
 # - **scout**: 나사로 고정한 `base_link → imu_link` · 주차해 있을 때만 오르내리는 마스트 `base_link → mast_link` · `camera_link → camera_optical_frame`
-# - **arm**: 한 시간째 붙잡고 있는 관절 `base_link → shoulder_link` · 손목 끝의 플랜지 `wrist_link → tool0` · 플랜지에 테이프로 붙이고 한 번 잰 펜 `tool0 → tcp`
+# - **arm**: 한 시간째 붙잡고 있는 관절 `base_link → shoulder_link` · 손목 끝의 플랜지 `wrist_link → tool0` · 플랜지에 테이프로 붙이고 위치를 한 번 잰 펜 `tool0 → tcp`
 # - **drone**: `odom → base_link` · 영상이 흔들리지 않게 하는 `base_link → gimbal_link` · 나사로 고정한 `gimbal_link → camera_link`
 
 # %% name="e6-1-answer" tags=["answer"]
@@ -219,7 +219,7 @@ check("E6.5", diagnosis)
 # ## E6.6 · 장착 변환은 얼마나 뒤처질까요? (2점)
 #
 # 장착 변환을 `/tf`로 1초에 `rate_hz`번 보내고, 메시지가 도착하는 데 `delay_ms`**밀리초**가 걸립니다. 바퀴 오도메트리의 지연은 무시해도 됩니다. 로봇은 `speed_mps`로 곧게 달립니다.
-# 누군가 `odom` 기준 센서의 “최신” 위치를 지금의 위치로 여깁니다. 최악의 경우 얼마나 빗나갑니까[m]?
+# 누군가 `odom` 기준으로 조회한 센서의 “최신” 위치를 지금의 위치로 여깁니다. 최악의 경우 얼마나 빗나갑니까[m]?
 
 # %% name="e6-6-given"
 e6_6 = task("E6.6")
@@ -244,7 +244,7 @@ check("E6.6", worst_error_m)
 # ## E6.7 · 수신기는 무엇을 받습니까? (5점)
 #
 # `letters`는 지금까지 보낸 모든 메시지를 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
-# tf2의 수신기가 `join_s`에 참가합니다. 이 수신기의 버퍼에 `now_s`에 있는 자식 좌표계를 하나씩만 담아 반환하십시오.
+# tf2의 수신기가 `join_s`에 참가합니다. `now_s`에 이 수신기의 버퍼에 있는 자식 좌표계의 이름을 중복 없이 반환하십시오.
 #
 # `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그 *이전에* 보낸 것은 `join_s` *이후에* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`에 보내는 노드마다 depth가 1인 게시판이 있습니다.
 

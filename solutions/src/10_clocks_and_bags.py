@@ -87,7 +87,7 @@ check("E10.1", outcomes)
 #
 # 로봇이 셋 있습니다. 각각 토픽이 가장 적은 `ros2 bag record …` 명령을 쓰십시오. 옵션 없이 토픽만 적습니다.
 #
-# - **a** 우리 로봇처럼 위치 추정과 바퀴 오도메트리가 있는 실제 로봇입니다. 내일 `e10_2.sensor["a"]`를 지도에서, 로봇이 본 그 자리에 보려 합니다.
+# - **a** 우리 로봇처럼 위치 추정과 바퀴 오도메트리가 있는 실제 로봇입니다. 내일 `e10_2.sensor["a"]`의 데이터를 지도에, 로봇이 측정한 그 자리에 표시하려 합니다.
 # - **b** 시뮬레이션에서 `e10_2.sensor["b"]`로 같은 일을 합니다. 내일 재생할 때도 시뮬레이션의 시간을 써야 합니다.
 # - **c** 위치 추정이 없는 실제 로봇입니다. 바퀴 오도메트리 노드는 `e10_2.wheels["c"]`로 오도메트리 메시지를 발행하고, 변환은 발행하지 않습니다. 내일 `e10_2.sensor["c"]`로 위치를 추정하려 합니다. 그때 다른 노드가 오도메트리를 변환으로 바꿉니다.
 
@@ -119,7 +119,7 @@ check("E10.2", recordings)
 # `e10_3.failures`에 다섯 가지 고장이 있습니다. `bag info`의 개수, 재생 명령, 노드마다의 `use_sim_time`, 로그의 첫 줄입니다. 각각 원인과 먼저 할 일을 답하십시오.
 #
 # - 원인: `"mounts not recorded"`(장착 변환을 기록하지 않음), `"mounts skipped"`(장착 변환을 건너뜀), `"nobody publishes /clock"`(/clock을 발행하는 노드가 없음), `"one node in another time"`(한 노드가 다른 시간을 따름), `"time went back"`(시각이 되돌아감), `"sensor broken"`(센서 고장)
-# - 할 일: `"record again, with /tf_static"`, `"play from the start"`, `"play with --clock"`, `"set use_sim_time on that node"`, `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`, `"raise the timeout"`, `"replace the sensor"`
+# - 할 일: `"record again, with /tf_static"`(다시 기록), `"play from the start"`(처음부터 재생), `"play with --clock"`, `"set use_sim_time on that node"`(그 노드에 설정), `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`(모든 노드에 설정), `"raise the timeout"`(timeout 늘리기), `"replace the sensor"`(센서 교체)
 
 # %% name="e10-3-given"
 e10_3 = task("E10.3")
@@ -156,11 +156,11 @@ check("E10.3", findings)
 # Return a list with one word for each node, in the order of `nodes`.
 
 # %% [markdown] lang="ko" name="e10-4"
-# ## E10.4 · 노드는 어느 시계를 얻습니까? (4점)
+# ## E10.4 · 노드는 어느 시계를 씁니까? (4점)
 #
 # `params`는 YAML 파라미터 파일을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
 #
-# - `/**`는 모든 노드의 것입니다. 노드 자신의 항목은 슬래시가 있든 없든, 파일의 어디에 있든, 거기에 적힌 것을 바꿉니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
+# - `/**`는 모든 노드에 적용됩니다. 노드 자신의 항목은 이름 앞에 슬래시가 있든 없든, 파일의 어디에 있든 `/**`보다 우선합니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
 # - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.
 # - `True`와 `False`가 아닌 것은 `"refused"`입니다. rclpy가 오류를 기록합니다.
 #
@@ -219,7 +219,7 @@ check("E10.5", behind_s)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
-# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 첫 거절의 클래스 이름}`을 반환하십시오. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
+# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 처음 발생한 예외의 클래스 이름}`을 반환하십시오. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
 
 
 # %% name="e10-6-answer" tags=["answer"]
@@ -252,7 +252,7 @@ check("E10.6", placeable)
 #
 # `clock_s`는 받은 순서대로 적은 `/clock`의 값입니다[s]. 시각이 한 값에서 다음 값으로 1초 이상 되돌아가면 버퍼를 비워야 합니다. 그보다 작은 것은 네트워크에서 순서가 바뀐 것입니다.
 #
-# 비워야 하는 때의 값을 반환하십시오. 시각이 되돌아간 직후의 첫 값들을 담은 리스트입니다.
+# 시각이 되돌아간 직후의 첫 값들을 리스트로 반환하십시오.
 
 
 # %% name="e10-7-answer" tags=["answer"]

@@ -22,7 +22,7 @@ __all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions
 OWNERS = {
     "odometry": Text(
         "wheel odometry and a filter, say; switch off one (often a parameter publish_tf)",
-        "예를 들어 바퀴 오도메트리와 필터입니다. 하나를 끄십시오(대개 매개변수 publish_tf)",
+        "예를 들어 바퀴 오도메트리와 필터입니다. 하나를 끄십시오(대개 파라미터 publish_tf)",
     ),
     "joint": Text(
         "a driver and joint_state_publisher, or two robot_state_publishers; stop one",
@@ -30,7 +30,7 @@ OWNERS = {
     ),
     "mount": Text(
         "two robot descriptions, or a description and a static_transform_publisher; remove one",
-        "로봇 설명 둘이거나, 로봇 설명과 static_transform_publisher입니다. 하나를 없애십시오",
+        "로봇 모델 둘이거나, 로봇 모델과 static_transform_publisher입니다. 하나를 없애십시오",
     ),
 }
 MOST_SIBLINGS = 8  # that are named
