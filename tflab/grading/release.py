@@ -284,6 +284,6 @@ def _options(words: Sequence[str]) -> argparse.Namespace:
     parser.add_argument("--chapters", metavar="02,03", help="all that have exercises if left out; with --add, no more")
     parser.add_argument("--lang", choices=LANGUAGES, default="en", help="for whom the roster names none; %(default)s")
     parser.add_argument("--add", action="store_true", help="add chapters or learners to a release that is there")
-    parser.add_argument("--update", action="store_true", help="bring what was corrected since into a release that is out")
+    parser.add_argument("--update", action="store_true", help="bring later corrections into a release that is out")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser.parse_args(list(words))

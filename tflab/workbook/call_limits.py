@@ -8,6 +8,7 @@ printed.lines                                how many lines were printed
 from __future__ import annotations
 
 import builtins
+import random
 import signal
 import threading
 from collections.abc import Iterator
@@ -26,7 +27,7 @@ __all__ = ["CALL_S", "PrintedLines", "TimeLimitError", "call_limits"]
 
 CALL_S = 5.0  # of one call
 AGAIN_S = 0.1
-MOST_CAUGHT = 3
+SOON_S = (2e-6, 1e-5)
 MEMORY_BYTES = 1 << 30  # more than there was before
 
 
@@ -78,7 +79,7 @@ def _time_limit(seconds: float) -> Iterator[None]:
         yield
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0.0)
-        if before is not signal.SIG_DFL:  # a last alarm may still be on its way, and the default would end the process
+        if before is not signal.SIG_DFL:  # a last alarm may still be on its way, and the default ends the process
             signal.signal(signal.SIGALRM, before)
 
 
@@ -92,8 +93,8 @@ class _Alarm:
         if not _is_called_by_us(frame):
             return
         self.caught += 1
-        if self.caught > MOST_CAUGHT:  # so often that one comes between two rounds of the loop, outside its `try`
-            signal.setitimer(signal.ITIMER_REAL, 1e-6, 1e-6)
+        if self.caught > 1:  # one of these alarms comes between two rounds of the loop, outside its `try`
+            signal.setitimer(signal.ITIMER_REAL, random.uniform(*SOON_S), AGAIN_S)
         raise TimeLimitError
 
 
