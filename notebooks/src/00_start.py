@@ -51,7 +51,7 @@ from tflab.workbook import lesson
 # Time is simulated here: it advances only while a command lets it, so a page prints the same each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
-# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안(in-process)에 ROS 2를 준비합니다. 출력의 괄호 안에는 흉내 내는 ROS 2 배포판의 이름이 나옵니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 도구이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
+# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 도구이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -117,8 +117,8 @@ lesson.ask_first(base_p_post)
 # ## 같은 로봇을 ROS 2로
 #
 # 방금 움직인 것은 그림입니다. 이번에는 로봇의 프로그램, 곧 ROS 2 [[node|노드(node)]]들을 실제 로봇에서와 똑같이 실행합니다.
-# 어떤 노드는 바퀴의 회전에서 로봇의 이동을 계산하고, 어떤 노드는 지도에서 로봇의 위치를 추정하고, 또 어떤 노드는 부품이 어디에 장착되어 있는지 알려 줍니다.
-# 노드마다 자기가 구한 값을 다른 노드가 받을 수 있게 내보냅니다. 이것을 *발행*이라고 합니다. TF2는 발행된 값을 모아 연결합니다.
+# 어떤 노드는 바퀴의 회전에서 로봇의 이동을 계산하고, 어떤 노드는 지도에서 로봇의 위치를 추정하고, 또 어떤 노드는 부품이 로봇의 어디에 달려 있는지를 가지고 있습니다.
+# 노드마다 자기가 구한 값을 보내고, 그 값이 필요한 노드가 받습니다. 이렇게 보내는 것을 *발행*이라고 합니다. TF2는 이 값들을 하나로 연결합니다.
 #
 # `new_graph`는 노드가 실행될 가상의 ROS 2 환경을 만들고, `launch`는 노드들을 실행하고, `graph.run`은 시간이 2초 흐르게 합니다. (실제 로봇에서는 환경이 이미 있고 시간도 저절로 흐르므로 첫 번째와 세 번째가 필요 없습니다.)
 
@@ -144,11 +144,11 @@ graph.run(seconds=2.0)
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-read" slide="-"
-# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the same rotation in four notations; chapter 02 explains them.
+# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the same rotation in four notations (the last column of the matrix is the translation); chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
-# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며, 02장에서 읽습니다.
-# (출력의 첫 줄은 경고입니다. 도구가 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문에 나옵니다. 실제 로봇에서도 똑같습니다.)
+# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며(행렬의 마지막 열은 이동입니다), 02장에서 읽습니다.
+# (첫 줄은 도구가 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문에 나옵니다. 실제 로봇에서도 똑같습니다.)
 
 # %% [markdown] lang="en" name="fail-why" slide="-"
 # ## Now make it fail
@@ -200,8 +200,8 @@ graph.stop()
 # ## 시작하기 전에: 열다섯 문제
 #
 # 배우기 전에 로봇에 관한 [열다섯 문제](../../exercises/ko/E00_start.ipynb)를 풀어 보세요. 15분이면 됩니다.
-# 채점하지 않으며, 짐작해도 됩니다. 짐작한 답에는 짐작이라고 표시하십시오.
-# 12장 끝에서 이런 문제를 다시 풀며, 그때까지 정답은 공개하지 않습니다. 다시 푼 다음에는 이 페이지 끝의 *나의 학습 현황*에서 무엇을 배웠고 무엇을 다시 볼지, 보기마다 왜 맞고 틀린지 볼 수 있습니다.
+# 12장이 끝나면 다시 만납니다. 채점하지 않습니다. 틀린 답도 쓸모가 있고, 짐작해도 됩니다. 짐작한 답에는 짐작이라고 표시해 보세요.
+# 그때까지 정답은 공개하지 않습니다. 그다음에는 이 페이지 끝의 *나의 학습 현황*에서 무엇을 배웠는지, 무엇을 다시 볼지, 각 보기가 왜 맞거나 틀린지 볼 수 있습니다.
 #
 # 문항이 적고 아직 타당성을 검증하지 않은 시험입니다. 다시 볼 곳을 찾는 데만 쓰고, 다른 사람과 비교하지는 마십시오.
 
@@ -216,7 +216,7 @@ graph.stop()
 # ## 장 목록
 #
 # 장마다 누군가 실제로 겪고 알린 실패로 시작합니다.
-# 하루 저녁만 있다면 01, 03, 08장을 보십시오. 세 시간쯤 걸리고, 연습 문제에 두 시간 반쯤이 더 듭니다.
+# 어느 장에서든 시작할 수 있습니다. 먼저 볼 장은 표와 각 장의 첫머리에 적혀 있습니다.
 # 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 푸는 데 다시 그만큼 걸립니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
@@ -325,7 +325,7 @@ lesson.show_progress()
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 앞 장을 바탕으로 한다는 뜻이고, 번호는 장 목록의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리키고, 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

@@ -50,7 +50,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 클릭 한 번에 지도가 두 장
 #
-# 로봇이 자기 위치를 놓쳤습니다. 운영자가 화면의 지도를 클릭해 현재 위치를 알려 주었습니다.
+# 로봇이 자기 위치를 알 수 없게 되었습니다. 운영자가 화면의 지도를 클릭해 현재 위치를 알려 주었습니다.
 # 클릭은 메시지로 전달됩니다. 이 메시지에는 숫자 세 개와 함께 ‘이 숫자는 `world` [[frame|좌표계(frame)]] 기준’이라는 이름표가 있었습니다.
 # 지도 작성 프로그램은 숫자만 읽고 이름표는 확인하지 않았습니다.
 # 이 프로그램은 `map`을 기준으로 계산하는데, `map`의 원점은 `world`의 원점에서 5미터 떨어져 있었습니다.
@@ -80,7 +80,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # *그림 읽기:* meant = 운영자가 뜻한 위치, understood = 프로그램이 알아들은 위치.
 # 같은 (2, 1.5)라도 `world`의 원점에서 재면 meant, `map`의 원점에서 재면 understood입니다.
 #
-# 이 사고에서는 받는 쪽이 이름표를 읽지 않았습니다. 보내는 쪽이 이름표를 잘못 쓴 사고도 있습니다. 어느 프로그램은 카메라 1미터 앞에서 마커(QR 코드처럼 인쇄한 표식)를 찾고는 `frame_id`에 `/map`을 적어 보냈습니다.
+# 이 사고에서는 받는 쪽이 이름표를 읽지 않았습니다. 보내는 쪽이 이름표를 잘못 쓴 사고도 있습니다. 어느 프로그램은 카메라 1미터 앞에서 마커(QR 코드처럼 인쇄한 표식)를 찾고는, 메시지의 좌표계 칸인 `frame_id`에 `/map`을 적어 보냈습니다.
 # 그러면 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 됩니다.
 # 이름표는 보내는 쪽이 바르게 쓰고, 받는 쪽이 반드시 읽어야 합니다.
 
@@ -134,7 +134,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # - The [[buffer]] stores transforms. The [[listener]] receives them and fills the buffer. With `spin_thread=True` it does so in the background.
 # - A `PointStamped` is a point with a header: a frame and a stamp.
 #
-# Time in this workbook is simulated. It advances only while `graph.run(…)` is running. `graph` is the simulation that the first `%ros2` started.
+# Time in this workbook is simulated. It advances only while `graph.run(…)` is running. `graph` is the simulation that `%load_ext tflab` created.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
@@ -142,7 +142,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # 첫 두 줄은 로봇의 위치와 레이저의 장착 변환을 발행합니다.
 # 그다음 [[node|노드(node)]]를 하나 만들고, 변환을 저장하는 [[buffer|버퍼(buffer)]]와 변환을 구독해 버퍼를 채우는 [[listener|수신기(listener)]]를 연결합니다. 실제 로봇에서도 같은 코드를 씁니다.
 # `rclpy`는 파이썬용 ROS 2 라이브러리입니다. `spin_thread=True`이면 다른 코드가 실행되는 동안에도 별도의 스레드에서 변환을 수신합니다. `PointStamped`는 좌표계와 측정 시각이 함께 든 점 메시지입니다. 출력의 rotation (0, 0, 0, 1)은 회전이 없다는 뜻입니다(02장).
-# 이 페이지의 시간은 가상이며 `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 노드가 실행되는 가상의 ROS 2 환경으로, `%ros2`를 처음 쓸 때 만들어집니다.
+# 이 페이지의 시간은 가상이며 `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 노드가 실행되는 가상의 ROS 2 환경으로, `%load_ext tflab`이 만들어 두었습니다.
 
 # %% name="say-where"
 # %ros2 run tf2_ros static_transform_publisher --x 6.2 --y -1.7 --z 0.10 --frame-id map --child-frame-id base_link
@@ -220,13 +220,13 @@ print('you guessed ', my_guess)
 # </details>
 
 # %% [markdown] lang="en" name="run-notes" slide="notes"
-# Compare the hands with the counts on the board. The three replies are the three mistakes.
+# Compare the hands with the counts on the board. The first three replies are the three mistakes.
 # Open the first one and read it aloud, because it is the mistake of the story.
 # Those who were right explain it to a neighbour in one sentence.
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
 # 칠판의 숫자와 비교합니다.
-# 펼칠 답 셋이 곧 세 가지 실수입니다.
+# 펼칠 답 가운데 처음 셋이 세 가지 실수입니다.
 # 첫째 것은 소리 내어 읽습니다.
 # 앞의 이야기와 같은 실수입니다.
 # 맞힌 사람은 옆 사람에게 한 문장으로 설명합니다.
@@ -266,7 +266,7 @@ lesson.draw_scene(poses, places, length_m=0.7)
 # %% [markdown] lang="ko" name="one-place" slide="slide"
 # ## 한 위치, 세 가지 숫자
 #
-# 이번에는 반대입니다. 공은 한 곳에 가만히 있고, 좌표계마다 공이 어디에 있는지를 자기 축으로 잽니다.
+# 이번에는 반대입니다. 공은 한 곳에 가만히 있습니다. 그 위치를 세 좌표계의 축으로 각각 잽니다.
 
 # %% name="one-place-picture" tags=["predicted"]
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
@@ -277,7 +277,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # All three sets of coordinates are right. Which one you need depends on the task: a gripper needs `base_link`, a planner needs `map`.
 
 # %% [markdown] lang="ko" name="one-place-seen"
-# *그림 읽기:* 위에서 본 지도가 좌표계마다 하나씩 있습니다. 그 좌표계의 x를 따라 얼마, 이어서 y를 따라 얼마인지 그렸습니다.
+# *그림 읽기:* 같은 장면을 위에서 본 그림이 좌표계마다 하나씩 있습니다. 그림마다 그 좌표계의 x 방향 거리를 먼저, 그다음 y 방향 거리를 그렸습니다.
 # 세 가지 모두 맞습니다. 어느 것을 쓸지는 어디에 쓰느냐에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
@@ -307,8 +307,8 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 
 # %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
 # *그림 읽기:* same은 숫자가 그대로라는 뜻, changed는 바뀌었다는 뜻입니다.
-# 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 아까처럼 더해서는 나오지 않습니다. 이제 정면은 지도의 y 방향이기 때문입니다.
-# 하나라도 회전하면 더하기만으로는 구할 수 없습니다. 대신 쓰는 계산은 02장과 03장에서 다루며, 실제로는 TF가 계산합니다.
+# 정면은 여전히 정면입니다. 레이저와 로봇의 숫자는 그대로이고 지도의 숫자만 바뀌었습니다. 지도의 숫자는 아까처럼 더해서는 나오지 않습니다. 이제 정면은 지도의 y 방향이기 때문입니다.
+# 좌표계가 하나라도 회전해 있으면 더하기만으로는 구할 수 없습니다. 대신 쓰는 계산은 02장과 03장에서 다루며, 실제로는 TF가 계산합니다.
 
 # %% [markdown] lang="en" name="turned-notes" slide="notes"
 # Let everybody stand up and rotate 90° to the left.
@@ -384,7 +384,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### 직접 해 보세요
 #
 # 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
-# same과 changed는 로봇이 처음 자리에 있고 물체가 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있을 때와 비교한 결과입니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
+# same과 changed는 처음 상태와 비교한 결과입니다. 처음 상태에서 로봇은 처음 자리에, 물체는 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있습니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="rulers-notes" slide="notes"
 # Give the mouse to a student.
@@ -415,7 +415,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # %% [markdown] lang="ko" name="rulers-answer"
 # <details><summary>바꿀 수 있나요?</summary>
 #
-# 없습니다. 레이저는 로봇에 고정되어 있으므로 한쪽에서 바뀌면 다른 쪽에서도 바뀝니다. 두 값의 차이는 언제나 레이저의 장착 위치로 일정합니다. 변하지 않는 값이므로 한 번만 발행하면 됩니다.
+# 없습니다. 레이저는 로봇에 고정되어 있으므로 `laser_frame`의 숫자가 바뀌면 `base_link`의 숫자도 바뀝니다. 두 숫자의 차이는 언제나 레이저의 장착 위치입니다. 변하지 않는 값이므로 한 번만 발행하면 됩니다.
 #
 # </details>
 
@@ -504,7 +504,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # <details><summary>몇 초인가요?</summary>
 #
 # `nanosec`은 10억분의 1초를 셉니다. 58000000은 0.058초이므로 측정 시각은 6.58초가 아니라 **6.058초**입니다.
-# 소수점 뒤에 쓰려면 아홉 자리가 필요합니다. 6.058000000.
+# 소수점 뒤에 쓸 때는 앞을 0으로 채워 아홉 자리로 만듭니다. 6.058000000입니다.
 #
 # </details>
 
@@ -519,7 +519,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %% [markdown] lang="ko" name="age" slide="slide"
 # ## 얼마나 오래된 것일까요?
 #
-# 공을 찾는 데 0.2초가 걸립니다. 지금 받은 메시지의 측정 시각은 5.800이고 도착한 시각은 6.000입니다.
+# 노드가 영상에서 공을 찾는 데 0.2초가 걸립니다. 앞에서 출력한 메시지의 측정 시각은 5.800초이고 도착한 시각은 6.000초입니다.
 # 측정 시각에 공은 로봇 앞 3.60 m에 있었고, 로봇은 0.5 m/s로 달립니다.
 #
 # **예측해 봅시다.** 메시지가 도착했을 때 공은 로봇 앞 몇 미터에 있을까요?
@@ -614,13 +614,13 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # %% [markdown] lang="en" name="contract-notes" slide="notes"
 # Three calls, three results.
 # Ask for a fourth message that this function accepts and should not: a stamp from the future, or a wrong frame name.
-# Both are in the exercises. No function can detect the second one.
+# Both are in the exercises. The second cannot be detected from one message alone.
 
 # %% [markdown] lang="ko" name="contract-notes" slide="notes"
 # 호출 셋에 판정이 셋입니다.
-# 이 함수가 통과시키지만 통과시키면 안 되는 메시지를 물어봅니다.
-# 미래의 시각, 틀린 좌표계 이름이 나옵니다.
-# 둘 다 연습 문제에 있고, 둘째는 어떤 함수로도 찾을 수 없습니다.
+# 이 함수가 받아들이지만 거절해야 할 메시지를 물어봅니다.
+# 측정 시각이 미래인 것과 좌표계 이름이 틀린 것입니다.
+# 둘 다 연습 문제에 있고, 둘째는 메시지 하나만 보아서는 찾을 수 없습니다.
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
@@ -726,11 +726,11 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 
 # %% [markdown] lang="en" name="wrong-label-seen"
 # The coordinates came back unchanged, because TF2 had to transform a point from `map` to `map`.
-# The ball now hovers three and a half metres above the origin of the map, and no tool can detect that the frame name is wrong.
+# The ball now hovers three and a half metres above the origin of the map, and no tool can detect from this message that the frame name is wrong.
 
 # %% [markdown] lang="ko" name="wrong-label-seen"
 # 숫자가 그대로 나왔습니다. TF2가 받은 요청은 `map` 기준의 점을 `map` 기준으로 바꾸라는 것이었습니다.
-# 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이름표가 틀렸다는 것을 알아낼 도구는 없습니다.
+# 이제 공은 지도 원점 위 3.5미터에 떠 있고, 이 메시지 하나만 보고 이름표가 틀렸다는 것을 알아낼 도구는 없습니다.
 
 # %% [markdown] lang="en" name="break-it-notes" slide="notes"
 # Ask before each cell: will it raise an exception? Two do, two do not, and the two silent ones are the expensive ones.
@@ -793,7 +793,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 상자가 가만히 있다면 오래된 측정값도 쓸 수 있습니다. 측정 시각의 포즈로 바꾸면 제자리에 놓입니다. 거절할 것은 버퍼의 기억보다 오래된 측정값, 그리고 스스로 움직이는 물체의 측정값입니다.
+# 상자가 가만히 있다면 오래된 측정값도 쓸 수 있습니다. 측정 시각의 포즈로 바꾸면 제자리에 놓입니다. 거절할 것은 버퍼가 변환을 보관하는 시간보다 오래된 측정값, 그리고 스스로 움직이는 물체의 측정값입니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>

@@ -18,7 +18,7 @@
 # 이 장을 마치면
 #
 # - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 기준에서 어느 기준으로 바뀌는지 말할 수 있습니다.
-# - 문장 하나를 `lookup_transform(target, source, time)` 호출로 쓰고, 인자 순서를 짐작하지 않고 쓸 수 있습니다.
+# - 문장 하나를 `lookup_transform(target, source, time)` 호출로, 인자 순서를 짐작하지 않고 쓸 수 있습니다.
 # - 변환을 도미노처럼 이어 곱하고, 잘못된 곱은 보자마자 알아챌 수 있습니다.
 # - 회전이 있는 변환의 역변환을 구하고, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
 
@@ -56,7 +56,7 @@
 # - 회전은 쿼터니언 (x, y, z, w)이고, “회전 없음”은 (0, 0, 0, 1)입니다.
 # - 센서의 장착 변환은 바뀌지 않으므로 정적 변환으로 한 번만 발행합니다.
 # - `Buffer`는 발행된 변환을 기억하고, `TransformListener`가 버퍼를 채웁니다. `Time()`은 가장 최근 값을 달라는 뜻입니다.
-# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 바꿉니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만들고, `LATEST`는 이 워크북의 `buffer.core`에서 `Time()` 대신 쓰는 이름입니다.
+# - 이 워크북의 코드에서 `base_T_laser.apply(laser_p)`는 laser_frame 기준의 점을 base_link 기준으로 바꿉니다. `Transform.from_rpy(yaw=…, translation=…)`은 그런 변환을 직접 만듭니다. `LATEST`는 `Time()`과 같은 뜻이며, 뒤에 나오는 `buffer.core`에서 씁니다.
 #
 # 이 장에서는 로봇이 서 있으므로 시간은 신경 쓰지 않습니다. 시간은 08장에서 다시 나옵니다.
 
@@ -291,7 +291,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # rotation        = (0, 0, 0.707, 0.707)   x, y, z, w
 # ```
 #
-# 같은 숫자 일곱 개의 쓰임새는 하나 더 있습니다.
+# 이 숫자 일곱 개(이동 셋, 회전 넷)의 쓰임새는 하나 더 있습니다.
 # 이 숫자로 **자식** 기준인 점의 좌표를 **부모** 기준 좌표로 바꿀 수 있습니다.
 # 그래서 흔히 그리는 부모 → 자식 화살표는 부모와 자식의 관계를 나타내고, 데이터는 그 반대인 자식 → 부모로 바뀝니다.
 #
@@ -332,7 +332,7 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 마우스로 끌어 시점을 돌려 보고, 아래 슬라이더를 움직여 레이저를 회전시켜 보세요.
-# 빗금 친 회색은 반대 변환이며, 그 변환대로라면 모서리가 있을 자리도 함께 그렸습니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀.
+# 빗금 친 회색 좌표계는 역변환입니다. 역변환을 쓰면 모서리가 놓일 자리도 함께 그렸습니다. *그림 읽기:* corner = 모서리, swapped = 바꿔 씀.
 
 # %% name="in-3d-function" slide="skip"
 scene = lesson.Scene(height_px=380)
@@ -488,8 +488,8 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # <details><summary>부호 하나만 다른 쌍</summary>
 #
 # `base_link`와 `rear_laser`입니다. 뒤쪽에 180° 회전시켜 단 레이저입니다.
-# 그 행렬과 반대 행렬은 z의 부호만 다릅니다.
-# 이 레이저를 기억해 두십시오. 뒤에서 한 팀의 시험이 이 레이저 때문에 실수를 놓칩니다.
+# 목표와 원본을 맞바꾸면 행렬에서 z의 부호만 달라집니다.
+# 이 레이저를 기억해 두십시오. 뒤에서 한 팀이 이런 레이저로 시험하다가 실수를 놓칩니다.
 #
 # </details>
 
@@ -681,7 +681,7 @@ lesson.draw_sentence(places, asked)
 # `inverse()` turns a domino round. The next section shows how it is calculated.
 
 # %% [markdown] lang="ko" name="siblings-seen"
-# 카메라보다 10 cm 앞, 15 cm 아래입니다. 두 센서의 장착 위치로 확인해 보세요.
+# 레이저는 카메라보다 10 cm 앞, 15 cm 아래에 있습니다. 두 센서의 장착 위치로 확인해 보세요.
 # 조각 `camera_link | base_link`는 발행된 `base_link | camera_link`의 역변환입니다.
 # 역변환은 `inverse()`로 구합니다. 역변환에서 무엇이 달라지는지 이제 봅시다.
 
@@ -769,7 +769,7 @@ if ... not in (wanted_in, expressed_in):
 # laser_T_base:  R⁻¹    then  −R⁻¹ t
 # ```
 #
-# 부호만 바꾸는 것은 회전이 이동을 바꾸지 않을 때만 맞습니다. 회전이 없을 때가 그렇습니다.
+# 부호만 바꾸는 것은 회전시켜도 이동이 그대로일 때만 맞습니다. 회전이 없을 때가 그렇습니다.
 
 # %% name="inverse-in-numbers" slide="subslide"
 laser_T_base = base_T_laser.inverse()
@@ -1009,7 +1009,7 @@ buffer.lookup_transform('laser_fame', 'base_link', Time())
 
 # %% [markdown] lang="ko" name="unknown-name-seen"
 # `argument target_frame`, 즉 철자가 틀린 이름이 목표 자리에 있다는 뜻입니다.
-# *원본*으로 쓰려던 이름이라면, 두 인자를 바꿔 썼음을 알려 주는 것은 이 한 줄뿐입니다. 끝까지 읽으십시오.
+# 이 이름을 *원본*으로 쓰려고 했다면, 두 인자를 바꿔 쓴 것입니다. 그것을 알려 주는 것은 이 한 줄뿐이므로 끝까지 읽으십시오.
 #
 # 그리고 ROS 1에서 흔히 쓰던, 슬래시로 시작하는 이름은 조회에 쓸 수 없습니다.
 
@@ -1094,7 +1094,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # <details><summary>4번을 골랐습니다</summary>
 #
 # 원본은 맞지만 목표가 다릅니다. 팔은 `base_link` 기준으로 계획합니다.
-# `map`을 거치면 팔과 상관없는 위치 추정 보정까지 사과에 섞입니다(05장).
+# `map`을 거치면 팔과 상관없는 위치 추정의 보정까지 사과의 위치에 섞입니다(05장).
 #
 # </details>
 
@@ -1166,7 +1166,7 @@ graph.run(seconds=2.5)
 #
 # ```
 # ros2 run tf2_ros tf2_echo base_link laser_frame   # 로봇 기준의 레이저
-# ros2 run tf2_ros tf2_echo odom base_link          # 바퀴로 잰 로봇
+# ros2 run tf2_ros tf2_echo odom base_link          # odom 기준의 로봇(바퀴로 잰 포즈)
 # ros2 run tf2_ros tf2_echo map base_link           # 지도 기준의 로봇
 # ```
 #
@@ -1309,4 +1309,4 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루고 누가 그것을 보장하는지(보장하는 프로그램은 없습니다) 봅니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
-# 이 장을 마치면 실습 체크리스트의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*
+# 이 장을 마치면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

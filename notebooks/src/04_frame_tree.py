@@ -55,7 +55,7 @@ from tflab.workbook import lesson
 # ```
 #
 # 몸체(body)는 늘 그랬듯 `odom` 아래에 있습니다. 그런데 이제 `odom`도 몸체 아래에 있습니다. 서로가 서로의 [[parent frame|부모]]입니다.
-# 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 붙여 이름을 만들었는데, 이 로봇에는 이름이 없었습니다. 그래서 `/odom`을 찾았고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
+# 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 붙여 이름을 만들었는데, 이 로봇에는 이름이 없었습니다. 그래서 만들어진 이름은 `/odom`이었고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
 # 1년 뒤에는 같은 슬래시 때문에 널리 쓰이는 교육용 로봇의 지도 작성 노드가 `/base_footprint`에서 멈추었습니다(ROBOTIS-GIT/turtlebot3, 2025년).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
@@ -205,7 +205,7 @@ lesson.draw_dominoes(
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸을 채워 보세요
 #
-# 실행하지 말고 생각해 보세요. 원본 `camera_optical_frame`, 목표 `odom`인 조회와 원본 `map`, 목표 `camera_link`인 조회는 각각 어떤 단계를 거칠까요? 빈칸을 채워 보세요.
+# 실행하지 말고 생각해 보세요. 원본 `camera_optical_frame`, 목표 `odom`인 조회와 원본 `map`, 목표 `camera_link`인 조회는 각각 어떤 단계를 거칠까요? 빈칸마다 그 단계에서 지나는 연결의 자식 이름을 써 보세요.
 #
 # ```
 # camera_optical_frame -> odom      up ____________, up ____________, up ____________
@@ -249,7 +249,7 @@ lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 # If two nodes set it alternately, it moves back and forth, as you will see.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
-# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라와 그 아래 좌표계의 부모가 모두 바뀌었습니다. 확인하는 질문도, 알리는 메시지도 없었습니다.
+# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라의 부모가 바뀌었고, 카메라 아래의 좌표계도 함께 따라갔습니다. 오류도 알림도 없었습니다.
 # 두 노드가 번갈아 발행하면 부모가 계속 바뀝니다. 잠시 뒤에 볼 것입니다.
 
 # %% name="typo" tags=["predicted"] slide="fragment"
@@ -352,7 +352,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is no number (NaN). It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
+# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store, such as an empty name, a frame that is its own parent, a value that is no number (NaN), or a quaternion that is no rotation. It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
@@ -361,9 +361,9 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 2. 어느 두 좌표계 사이에도 경로는 하나입니다.
 # 3. 연결마다 [[authority|발행자]]는 하나입니다.
 # 4. 고리가 없습니다.
-# 5. 이름과 방향과 시각의 뜻이 어디서나 같습니다.
+# 5. 모든 노드가 이름, 방향, 시각을 같은 뜻으로 씁니다.
 #
-# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN)만 거절합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
+# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것만 거절합니다. 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 회전이 아닌 쿼터니언 같은 것입니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 다른 규칙은 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
@@ -425,7 +425,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
-# 다른 프로그램은 무시하지도 않습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
+# 슬래시 하나도 무시하지 않는 프로그램도 있습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the dog's loop
@@ -437,7 +437,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 로봇 개의 고리
 #
-# 몸체는 odom 아래, odom은 몸체 아래, 그리고 몸체에는 머리(head)와 등(back)이 있습니다. 각각 값이 나올까요? **예측해 봅시다.**
+# 몸체는 odom 아래, odom은 몸체 아래, 그리고 몸체에는 머리(head)와 등(back)이 있습니다. 다음 네 조회에서 각각 값이 나올까요? **예측해 봅시다.**
 #
 # - `odom` 기준의 몸체 · `odom` 기준의 머리 · 머리 기준의 `odom` · 머리 기준의 등
 
@@ -462,7 +462,7 @@ lesson.draw_walk(dog, "head", "back")
 # %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
 # *그림 읽기:* again = 이미 나온 좌표계로 되돌아온 곳입니다.
 # 됩니다, 됩니다, 안 됩니다, 안 됩니다. 한 몸에 고정된 두 부품 사이의 변환은 구하지 못하는데, `odom` 기준 머리의 위치는 구합니다. tf2는 원본에서 올라갑니다. 도중에 목표를 만나면 멈추고 값을 반환합니다. 만나지 못하면 고리를 돌다가 1,000단계쯤에서 그만두고, 이야기에 나온 그 오류를 냅니다.
-# 그래서 고리가 있어도 성공하는 조회가 있습니다. 고리를 없앤 어느 수정 요청에는, 대부분의 코드에는 문제가 없지만 몇몇 노드는 크게 잘못된다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
+# 그래서 고리가 있어도 성공하는 조회가 있습니다. 고리를 없앤 어느 풀 리퀘스트(pull request)에는, 대부분의 코드에는 문제가 없지만 몇몇 노드는 크게 잘못된다고 적혀 있습니다(mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
 # There is no transform between two parts of one body.
@@ -487,7 +487,7 @@ lesson.draw_walk(dog, "head", "back")
 # ## 일부러 고장 내기: 한 연결을 두 노드가 발행할 때
 #
 # `wheel_odometry` 노드는 바퀴의 회전에서 로봇의 포즈 `odom → base_footprint`를 발행합니다. 여기에 IMU까지 써서 포즈를 추정하는 필터(EKF, 확장 칼만 필터)를 켜자 이 노드도 같은 연결을 발행합니다. 두 노드의 오차는 조금씩, 서로 다르게 쌓입니다.
-# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 ROS의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target`을 기준으로 `source`가 어디에 있는지 반환합니다.
+# 다음 셀은 노드를 이름으로 골라 시작합니다. 이 페이지의 시간은 `graph.run(seconds=…)`를 호출할 때만 흐릅니다. `place`는 `target`을 기준으로 `source`가 어디에 있는지 반환합니다.
 # **예측해 봅시다.** 작업대 위에서 5초 동안 시험하면 무엇이 보일까요?
 
 # %% name="two-nodes" slide="skip"
@@ -537,7 +537,7 @@ lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
-# 트리의 *모양*은 정상입니다. 부모가 하나씩입니다. 문제는 발행률에 드러납니다. 50 Hz는 20 + 30입니다. 여기서는 이름도 둘 보입니다. 고치려면 하나를 고릅니다. 여기서는 바퀴 오도메트리 노드의 발행을 끕니다.
+# 트리의 *모양*은 정상입니다. 부모가 하나씩입니다. 문제는 발행률에 드러납니다. 50 Hz는 바퀴 오도메트리의 20 Hz와 필터의 30 Hz를 더한 값입니다. 여기서는 이름도 둘 보입니다. 고치려면 하나를 고릅니다. 여기서는 바퀴 오도메트리 노드의 발행을 끕니다.
 
 # %% [markdown] lang="en" name="owners-notes" slide="notes"
 # Cover the last column with your hand: from the shape alone nobody could tell.
@@ -567,7 +567,7 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # Two centimetres, the distance driven between two of the filter's thirty messages a second. Check it again afterwards, and do not trust the parameter alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree still alternated.
 
 # %% [markdown] lang="ko" name="cured-seen"
-# 필터가 1초에 서른 번 발행하므로, 한 번에 실제로 달린 만큼인 2센티미터입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 껐는데도 트리가 계속 번갈아 바뀌었습니다.
+# 2센티미터입니다. 필터가 1초에 서른 번 발행하므로, 한 번 발행하는 동안 실제로 달린 거리입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 발행을 껐는데도 트리가 계속 번갈아 바뀌었습니다.
 
 # %% [markdown] lang="en" name="two-robots" slide="slide"
 # ## Two robots, one map
@@ -578,7 +578,7 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # %% [markdown] lang="ko" name="two-robots" slide="slide"
 # ## 로봇 두 대, 지도 하나
 #
-# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 링크에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
+# 두 번째 로봇을 옆에 둡니다. 로봇마다 노드와 토픽 이름 앞에 붙는 [[namespace|네임스페이스(namespace)]]가 따로 있고, 부품의 좌표계에는 모두 `robot2/base_link`처럼 [[frame prefix|접두사(frame prefix)]]를 붙였습니다. 그런데 `odom`에는 붙이지 않았습니다.
 # 네임스페이스는 좌표계 이름에 붙지 않습니다. 좌표계 이름은 메시지 속의 문자열이고, `/tf`는 모든 로봇이 함께 쓰는 토픽입니다.
 
 # %% name="a-fleet" slide="skip"
@@ -603,7 +603,7 @@ def start_two(shared, apart_s):
 # The two robots are three metres apart, and drive the same laps. The second was started 30 ms after the first. **Predict:** what do you see if you look up `robot2/base_footprint` in `map` fifty times a second? And if both were started at the same time?
 
 # %% [markdown] lang="ko" name="one-odom-predict"
-# 두 로봇은 3미터 떨어져 서 있고, 같은 경로를 달립니다. 두 번째 로봇은 30 ms 나중에 출발했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 출발했다면 어떨까요?
+# 두 로봇은 3미터 떨어진 곳에서 출발해 모양이 같은 경로를 달립니다. 두 번째 로봇은 30 ms 나중에 출발했습니다. **예측해 봅시다.** `map` 기준의 `robot2/base_footprint`를 1초에 쉰 번 조회하면 무엇이 보일까요? 둘이 동시에 출발했다면 어떨까요?
 
 
 # %% name="one-odom" tags=["predicted"] slide="-"
@@ -623,10 +623,10 @@ for apart_s in (0.03, 0.0):
     look()
 
 # %% [markdown] lang="en" name="one-odom-seen" tags=["predicted"]
-# Started 30 ms apart, `odom` has two publishers, and robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
+# Either way `odom` has two publishers. Started 30 ms apart, robot2 jumps by more than two metres, again and again. Started together, nothing jumps: the two messages for `odom` have the same stamp. A buffer stores both, and answers with the one that came last. But both robots are children of *one* odom, and the odometry of each starts at zero there. TF places robot2 inside robot1, without an error, and a collision check reports a crash that never happened.
 
 # %% [markdown] lang="ko" name="one-odom-seen" tags=["predicted"]
-# 따로 출발하면 `odom`의 발행자가 둘이 되고, robot2는 2미터 넘게 거듭 튑니다. 동시에 출발하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값을 반환하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴의 회전을 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 보고합니다.
+# 두 경우 모두 `odom`의 발행자는 둘입니다. 따로 출발하면 robot2는 2미터 넘게 거듭 튑니다. 동시에 출발하면 아무것도 튀지 않습니다. `odom`을 담은 두 메시지의 측정 시각이 같고, 버퍼는 둘 다 보관하면서 마지막에 받은 값을 반환하기 때문입니다. 하지만 두 로봇은 *한* odom 아래에 있고, 저마다 바퀴의 회전을 0부터 셉니다. TF에서 robot2는 아무 오류 없이 robot1과 겹쳐 있습니다. 충돌을 검사하는 노드는 일어나지도 않은 충돌을 보고합니다.
 
 # %% [markdown] lang="en" name="fleet-notes" slide="notes"
 # The second run is the worse one, because nothing jumps.
@@ -649,7 +649,7 @@ for apart_s in (0.03, 0.0):
 # %% [markdown] lang="ko" name="view-frames" slide="slide"
 # ## view_frames가 보여 주는 것과 보여 주지 못하는 것
 #
-# [[view_frames]]는 5초 동안 변환을 모아 그림과 텍스트를 만듭니다. 연결마다 발행률과 가장 오래된 시각, 최신 시각이 나옵니다. `-o`가 없으면 파일 이름에 날짜가 붙고, 있으면 준 이름이 됩니다.
+# [[view_frames]]는 5초 동안 변환을 모아 그림과 텍스트를 만듭니다. 연결마다 발행률과 가장 오래된 시각, 최신 시각이 나옵니다. `-o` 다음에 파일 이름을 씁니다. `-o`가 없으면 이름에 날짜가 붙습니다.
 
 # %% name="run-view-frames" tags=["interactive"] slide="skip"
 folder = lesson.fresh_folder()
@@ -692,13 +692,13 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="two-odoms-seen"
-# The robots are in their true positions, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → odom` with its 10 Hz.
+# The robots are in their true positions, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → robot2/odom` with its 10 Hz.
 # In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, you get the fault above.
 #
 # Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
-# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 조회의 시각은 발행률이 가장 낮은 연결, 곧 10 Hz인 `map → odom`의 시각이기 때문입니다.
+# 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 변환을 조회하면 두 연결에 모두 값이 있는 가장 최근 시각의 변환이 나옵니다. 그 시각은 10 Hz로 발행되는 `map → robot2/odom`이 정합니다.
 # 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 방금 본 일이 일어납니다.
 #
 # 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정 노드가 같은 `map`을 발행할 일이 없습니다.
@@ -905,4 +905,4 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
-# 이 장부터 실습 체크리스트 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*
+# 이 장부터 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다) 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*

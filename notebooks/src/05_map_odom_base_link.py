@@ -52,7 +52,7 @@ from tflab.workbook import lesson
 # 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
 # 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 그때마다 마지막에 발행한 값이 쓰였습니다.
-# 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 같은 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
+# 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 로봇의 포즈를 `map` 기준으로 바로 발행하자는 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
@@ -162,7 +162,7 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # That is the jerk in the corridor that everybody has seen.
 
 # %% [markdown] lang="ko" name="speeds-notes" slide="notes"
-# 제어기를 맞추어 본 사람에게 묻습니다.
+# 제어기를 조정해 본 사람에게 묻습니다.
 # 0.5 m/s로 달리는 로봇에서 2.4 m/s가 나오면 제어기는 어떻게 합니까?
 # 제동을 겁니다.
 # 복도에서 로봇이 덜컥거리는 까닭입니다.
@@ -202,7 +202,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
 # `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 바꾸지 않습니다.
 # 튄 것은 **`map` 기준의 `odom` 자체**이고, 그 아래에 매달린 것도 모두 함께 튑니다. 로봇도 마찬가지입니다.
-# 회전을 살펴보세요. 0.2 rad입니다. 보정은 틀어진 만큼 미는 것만이 아닙니다. odom 전체를 이동시키고, odom의 원점을 중심으로 회전시킵니다.
+# 회전을 살펴보세요. 0.2 rad입니다. 보정은 어긋난 만큼 밀기만 하는 것이 아닙니다. odom 전체를 이동시키고, odom의 원점을 중심으로 회전시킵니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # In 3D, seen from the map: move the slider, and watch the frame `odom`. It stands still, and then jumps.
@@ -240,7 +240,7 @@ lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye
 # ## 위치 추정 노드가 발행하는 것
 #
 # 노드는 지도 위 로봇의 포즈 `map_T_base`를 측정합니다. TF에는 오도메트리의 `odom_T_base`가 있습니다.
-# 둘 사이에 빠진 조각이 필요합니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
+# 필요한 것은 둘 사이의 변환 `map_T_odom`입니다. 도미노를 놓아 보세요. [map | base] [base | odom] = [map | odom].
 
 # %% name="dominoes" slide="-"
 lesson.draw_dominoes(('map', 'base'), ('base', 'odom'))
@@ -259,7 +259,7 @@ print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {po
 # Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the odometry's pose is a tenth of a second older, in a curve. How far off is `map → odom`?
 
 # %% [markdown] lang="ko" name="same-moment" slide="subslide"
-# 두 포즈는 **같은 시각**의 것이어야 합니다. 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 굽은 길에서 오도메트리 포즈가 0.1초 이전의 것이라면 `map → odom`은 얼마나 틀릴까요?
+# 두 포즈는 **같은 시각**의 것이어야 합니다. 그 시각은 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 로봇이 회전하며 달릴 때 오도메트리 포즈가 0.1초 이전의 것이라면 `map → odom`은 얼마나 틀릴까요?
 
 # %% name="another-moment" tags=["predicted"]
 late = map_to_odom(pose('map', 'base_footprint', 31.0), pose('odom', 'base_footprint', 30.9))
@@ -272,7 +272,7 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # A well-known estimator fixed exactly this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
-# 0.1초 차이로 0.33 m 틀립니다. 두 포즈 사이의 회전이 연결에 섞여, odom이 로봇을 중심으로 회전합니다. 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
+# 0.1초 차이로 0.33 m 틀립니다. 0.1초 동안 로봇이 회전한 각도가 연결에 섞여, odom이 로봇을 중심으로 그 각도만큼 회전합니다. 로봇에서 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
 # 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="en" name="same-moment-notes" slide="notes"
@@ -295,8 +295,8 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="ko" name="what-where" slide="slide"
 # ## 무엇을 어느 좌표계에 둘까요?
 #
-# 1 m 앞에 장애물이 있습니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 0.1초 동안 기억합니다. 그사이 보정이 들어옵니다.
-# 목적지도 하나, `odom` 기준 숫자로 한동안 기억합니다.
+# 1 m 앞의 장애물을 0.1초 동안 기억합니다. 한 번은 `map` 기준 숫자로, 한 번은 `odom` 기준 숫자로 기억합니다. 그사이 보정이 들어옵니다.
+# 목적지 하나는 `odom` 기준 숫자로 더 오래 기억합니다.
 
 # %% name="obstacle" tags=["predicted"] slide="fragment"
 there = robot.truth_at(seconds(26.1))['base_footprint'].inverse() @ robot.truth_at(seconds(26.0))['base_footprint']
@@ -351,7 +351,7 @@ for later in (20.0, 50.0):
 # ## base_footprint: 바닥에 투영한 로봇
 #
 # `base_link`는 몸체에 붙어 있어 높이가 있고, 경사로에서 기울어집니다. [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
-# 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에서 본 것은 바닥에서 어디일까요?
+# 앞쪽이 10° 들립니다. 레이저가 `base_link` 기준 (2.2, 0, 0.15)에 있는 점을 보았습니다. 이 점은 바닥에서 얼마나 높을까요?
 
 # %% name="nose-up"
 import math
@@ -369,7 +369,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* seen = 레이저가 본 점입니다.
 # 바닥에서 0.63 m 위입니다. 로봇이 기울지 않았다고 여기면 0.25 m가 되어, 벽 한가운데를 낮은 턱으로 착각합니다.
-# 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 아예 없거나 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 어느 연결을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
+# 우리 로봇에서는 바퀴 오도메트리가 `odom → base_footprint`를 발행하고 `base_link`가 그 자식입니다. `base_footprint`가 아예 없거나 `base_link`의 자식인 로봇도 있습니다. 내 로봇이 `odom → base_footprint`와 `odom → base_link` 가운데 어느 것을 발행하는지 확인하고, 둘 다 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="footprint-notes" slide="notes"
 # Tilt a book with a pen on it: how high is the pen's tip above the table?
@@ -485,8 +485,8 @@ print(answered)
 # If you look up at the wrong time, you get:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
-# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 여기에는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
-# 다른 쪽에 연결되어 있을 때 조회하면 이런 오류가 나옵니다.
+# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 로봇이 `odom`에 연결되어 있을 때 `map` 기준으로 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
 # Read the three numbers slowly: half, half, zero.
@@ -564,7 +564,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # %% [markdown] lang="ko" name="checkpoint" slide="slide"
 # ## 마무리 점검
 #
-# 로봇이 앞바닥의 선을 따라갑니다. 제어기는 1초에 서른 번 자기 포즈를 읽습니다. 어느 좌표계 기준이어야 합니까?
+# 로봇이 앞쪽 바닥에 그려진 선을 따라갑니다. 제어기는 1초에 서른 번 자기 포즈를 읽습니다. 어느 좌표계 기준이어야 합니까?
 #
 # 1. `map`: 정확하기 때문입니다.
 # 2. `odom`: 끊김 없이 변하기 때문입니다.
@@ -573,7 +573,7 @@ lesson.frame_tree(graph, seconds=1.0)
 #
 # <details><summary>1번을 골랐습니다</summary>
 #
-# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 실제로 움직인 것으로 처리합니다. 다음 0.5 m를 갈 때는 방이 어디에 있는지가 중요하지 않습니다.
+# 평균은 정확하지만 보정할 때마다 튀고, 제어기는 로봇이 실제로 움직인 것으로 처리합니다. 다음 0.5 m를 가는 데는 지도 위의 위치가 필요하지 않습니다.
 #
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
@@ -612,7 +612,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # map -> odom을 발행하는지
 # ```
 #
-# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 가까운 장애물을 적는 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `map`입니다. robot_localization에서는 `world_frame`으로 고릅니다.
+# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 코스트맵(costmap)은 장애물을 적는 격자 지도입니다. 가까운 곳의 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `global_frame: map`을 씁니다. robot_localization에서는 `odom`과 `map` 가운데 하나를 `world_frame`으로 고릅니다.
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -634,7 +634,7 @@ rclpy.shutdown()
 # - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
 # - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리 자체는 바뀌지 않습니다.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 둘은 같은 시각의 것입니다.
-# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 발행하는데 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
+# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -700,8 +700,8 @@ rclpy.shutdown()
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
-# - [ ] `odom → base_link`는 오도메트리에서 옵니다. 연속이고 짧은 시간에는 정확하지만, 드리프트가 한없이 쌓입니다.
-# - [ ] `map`은 오랫동안 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
+# - [ ] `odom → base_link`는 오도메트리로 구합니다. 연속이고 짧은 시간에는 정확하지만, 드리프트가 한없이 쌓입니다.
+# - [ ] `map`은 시간이 지나도 세계에 고정되어 있고, 그 기준의 로봇 포즈는 바로잡을 때 튈 수 있습니다.
 # - [ ] 제어와 최근 몇 초의 장애물은 `odom`에, 목적지는 `map`에 둡니다.
 # - [ ] 한 좌표계가 연속이면서 드리프트하지 않을 수는 없으므로 둘입니다.
 # - [ ] `base_link`는 로봇에 고정되어 있고, 센서가 그 아래에 있습니다.
@@ -747,7 +747,7 @@ rclpy.shutdown()
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분입니다.
-# 오도메트리를 바로잡는다고 쓴 사람은 첫 생각 그대로입니다.
+# 오도메트리를 바로잡는다고 쓴 사람은 배우기 전의 생각이 그대로입니다.
 # `map → odom`이라고 쓴 사람과 짝을 지어 줍니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"

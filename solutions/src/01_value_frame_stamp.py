@@ -73,7 +73,7 @@ check("E1.1", post)
 # %% [markdown] lang="ko" name="e1-2"
 # ## E1.2 · 어느 메시지를 쓸 수 있습니까? (3점)
 #
-# 시계는 60.0초입니다. 메시지 여섯 개가 들어왔습니다. 노드는 모두 실행 중이고, 로봇의 좌표계는 `map`, `odom`, `base_link`, `laser_frame`, `camera_link`, `camera_optical_frame`입니다.
+# 지금 시각은 60.0초입니다. 메시지 여섯 개가 들어왔습니다. 노드는 모두 실행 중이고, 로봇의 좌표계는 `map`, `odom`, `base_link`, `laser_frame`, `camera_link`, `camera_optical_frame`입니다.
 # 각각 `"usable"`(쓸 수 있음), `"no frame"`(좌표계 없음), `"no stamp"`(측정 시각 없음), `"label contradicts numbers"`(좌표계 이름과 숫자가 모순) 가운데 하나를 고르십시오.
 #
 # - **a** 레이저의 `/scan`: `frame_id: laser_frame`, 측정 시각 59.9, 거리 0.4에서 9.8 사이
@@ -81,7 +81,7 @@ check("E1.1", post)
 # - **c** 카메라 검출기의 `/apple`: `frame_id: camera_optical_frame`, 측정 시각 0.0, 점 (0.0, 0.1, 2.2)
 # - **d** 전등 목록이 있는 노드의 `/landmark`: `frame_id: map`, 측정 시각 31.2, 점 (7.5, 2.0, 2.6)
 # - **e** 카메라 검출기의 `/door`: `frame_id: map`, 측정 시각 59.8, 점 (0.0, 0.0, 1.9). 로봇이 어느 문 앞에 서도 늘 같은 세 숫자
-# - **f** 정비사의 `/battery_tray`: `frame_id: base_link`, 측정 시각 12.0, 점 (−0.1, 0.0, 0.2)
+# - **f** 정비사가 보낸 `/battery_tray`: `frame_id: base_link`, 측정 시각 12.0, 점 (−0.1, 0.0, 0.2)
 
 # %% name="e1-2-answer" tags=["answer"]
 verdicts = {
@@ -210,7 +210,7 @@ check("E1.5", numbers)
 # %% [markdown] lang="ko" name="e1-6"
 # ## E1.6 · 좌표계와 측정 시각을 적으십시오 (3점)
 #
-# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 측정했고, 함수는 그보다 나중인 `now`에 호출됩니다. 둘 다 `Time`입니다.
+# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 측정했고, 함수는 그보다 나중인 `now`에 호출됩니다. `measured`와 `now`는 모두 `Time`입니다.
 # 드라이버가 발행해야 할 `PointStamped`를 반환하십시오.
 
 
@@ -240,7 +240,7 @@ check("E1.6", as_message)
 # ## E1.7 · 검출기 넷, 바른 것은 하나 (3점)
 #
 # 로봇이 지도의 x 방향으로 `speed_mps`로 곧장 달리고, 앞에는 공이 가만히 놓여 있습니다. 검출기 네 개가 공을 봅니다. 영상 한 장을 처리하는 데 모두 0.2초가 걸립니다.
-# `heard`에는 검출기마다 다섯 줄이 있습니다. (도착[s], 측정 시각[s], 좌표계, x[m])입니다.
+# `heard`에는 검출기마다 다섯 줄이 있습니다. 한 줄은 (도착 시각[s], 측정 시각[s], 좌표계, x[m])입니다.
 #
 # 각각 `"honest"`(바름), `"stamp is the arrival"`(도착 시각을 적음), `"no stamp"`(측정 시각 없음), `"wrong label"`(좌표계 이름이 틀림) 가운데 하나로 답하십시오.
 

@@ -64,7 +64,7 @@ check("E5.1", map_to_odom)
 # %% [markdown] lang="ko" name="e5-2"
 # ## E5.2 · 루프 폐쇄가 일어날 때 (4점)
 #
-# 바로잡기 전의 연결은 `map_T_odom`이고, 오도메트리의 포즈는 `odom_T_base`입니다. 이때 루프 폐쇄(loop closure)가 일어나, 로봇이 문을 알아보고 `found_T_base`, 곧 새로운 `map_T_base`에 있음을 알아냅니다. 모두 같은 시각의 것입니다.
+# 바로잡기 전의 연결은 `map_T_odom`이고, 오도메트리의 포즈는 `odom_T_base`입니다. 이때 루프 폐쇄(loop closure)가 일어납니다. 로봇이 전에 본 문을 알아보고, 자기 포즈가 `found_T_base`, 곧 새로운 `map_T_base`임을 알아냅니다. 모두 같은 시각의 것입니다.
 #
 # - `"believed"`: 그전에는 로봇이 지도의 어디에 있는 것으로 되어 있었습니까? (x, y) [m]
 # - `"jump_m"`: 지도 기준으로 로봇이 얼마나 튑니까[m]?
@@ -183,7 +183,7 @@ check("E5.4", finding)
 # %% [markdown] lang="ko" name="e5-5"
 # ## E5.5 · 바닥에 투영하기 (3점)
 #
-# `odom_T_base`는 `Transform`입니다. `base_link`는 어느 높이에 있고 경사로에서 기울어져 있습니다. yaw, pitch, roll은 `Transform.rpy()`의 것입니다.
+# `odom_T_base`는 `Transform`입니다. `base_link`는 바닥보다 높은 곳에 있고 경사로에서 기울어져 있습니다. `Transform.rpy()`는 roll, pitch, yaw를 반환합니다.
 # 로봇을 바닥에 투영하여, 기울지 않으며 yaw가 같은 footprint를 dict로 반환하십시오. `{"x": …, "y": …, "yaw": …}`, 단위는 m와 rad입니다.
 
 
