@@ -2,10 +2,10 @@
 # # tflab: where is it, and when?
 #
 # A number without a frame is a rumour.
-# `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, ahead of the robot, or from the origin of the map.
+# `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, two metres ahead of the robot, or two metres from the origin of the map.
 # And a point that was two metres ahead a moment ago is somewhere else once the robot has moved.
 #
-# [[tf2|TF2]] is the part of ROS 2 that keeps track of this: the pose of each [[frame]] in another one, and the time at which it was measured.
+# [[tf2|TF2]] is the part of ROS 2 that keeps track of this: the pose of each [[frame]] (its position and orientation) in another one, and the time at which it was measured.
 # In this workbook you learn TF2 from the beginning, with a simulated robot.
 #
 # You need basic Python.
@@ -47,8 +47,8 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first line loads ROS 2 into this page ("in-process"); its output names the release that it emulates. The second line imports this workbook's own functions. Whatever a page calls `lesson.…` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
-# Time is simulated here: it advances only while a command lets it, so a page prints the same each time you run it from its start.
+# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. Whatever a page calls `lesson.…` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
+# Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
 # 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 도구이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
@@ -60,10 +60,10 @@ from tflab.workbook import lesson
 # Run the cell below, then press ▶ under its picture. The drive takes 24 seconds, and the animation shows it in four. Drag to rotate the view, scroll to zoom, and double-click to see all of it again. (By keyboard: Tab moves into the view; the arrow keys rotate it, with Shift they move it, + and − zoom, Home shows all, Escape leaves it.)
 #
 # - The body with wheels and an arm is our robot. It drives round a pillar.
-# - The coloured dots are the points that its laser measures, ten times a second. The pale area is what the laser has swept. The dots are on the walls, although the laser measures only distances *from itself*. In curves they drift off the walls a little; chapter 08 explains why.
+# - The coloured dots are the points that its laser measures, ten times a second. The pale area is what the laser has covered. The dots are on the walls, although the laser measures only distances *from itself*. In curves they drift off the walls a little; chapter 08 explains why.
 # - The three arrows on the robot are the frame [[base_link]], and those on top of it are `laser_frame`. The arrows that stay on the floor are `map`.
 #
-# This workbook is about one step: from *measured from the laser* to *on the map*.
+# This workbook is about one step. The laser measures a point in its own frame, and you calculate the point's position on the map.
 
 # %% [markdown] lang="ko" name="motion-why" slide="slide"
 # ## 방 안을 달리는 로봇
@@ -90,7 +90,7 @@ lesson.draw_room(at_s=5.0)
 # The laser is mounted 0.20 m in front of the robot's centre, `base_link`, and 0.15 m above it. It faces forward. It detects a post at (2.0, 0.5, 0.0): 2 m ahead of the laser, 0.5 m to the left.
 # What are the post's coordinates in `base_link`?
 #
-# The cell below contains a common answer. Run the cell and read the reply. Then correct the numbers and run it again.
+# The cell below contains a common wrong answer. Run the cell and read the reply. Then correct the numbers and run it again.
 
 # %% [markdown] lang="ko" name="first-question" slide="slide"
 # ## 한 번 틀려 봅시다
@@ -153,7 +153,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="en" name="fail-why" slide="-"
 # ## Now make it fail
 #
-# Here one letter of the frame's name is missing. On a robot you read exactly these lines. When the first line is printed, no transform has arrived yet, not even one for `map`. The second line is about the misspelt name.
+# Here one letter of the frame's name is missing. On a robot you read exactly these lines. The first line is printed before any transform has arrived, so it reports that `map` does not exist. The second line is about the misspelt name.
 
 # %% [markdown] lang="ko" name="fail-why" slide="-"
 # ## 이번에는 실패해 봅시다
@@ -169,7 +169,7 @@ graph.run(seconds=2.0)
 # This is a small [[rviz]], ROS 2's 3D visualiser. Choose another [[fixed frame|Fixed Frame]] in the menu: the view changes, the data does not.
 # Choose `base_link`: now the robot is at the centre, and the room is drawn around it. Time does not advance here. With a driving robot the room would move towards it.
 #
-# If the box stays empty, WebGL is switched off in your browser. Every 3D view is followed by a figure that shows the same. In your copy it is folded until you run its cell or click on the three dots.
+# If the box stays empty, WebGL is switched off in your browser. Every 3D view is followed by a figure that shows the same. In your copy the figure is collapsed until you run its cell or click on the three dots.
 
 # %% [markdown] lang="ko" name="rviz-why" slide="slide"
 # ## ROS 2가 보는 것을 봅시다
@@ -192,9 +192,9 @@ graph.stop()
 # ## Before you begin: fifteen questions
 #
 # Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and nothing is marked. A guess is fine if you say that it is one.
-# You answer such questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every option.
+# You answer such questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every answer option.
 #
-# The test is small, and it is not validated yet. Use it to see what to read again, not to compare yourself with others.
+# The test is small, and nobody has validated it yet. Use it to see what to read again, not to compare yourself with others.
 
 # %% [markdown] lang="ko" name="fifteen" slide="slide"
 # ## 시작하기 전에: 열다섯 문제
@@ -305,7 +305,7 @@ lesson.check_environment()
 # Run the next cell whenever you like, or type `tflab progress` in a terminal.
 # A task counts as passed after a successful check. The results are in the file `progress.json` in your copy.
 # After a chapter, [practice](91_practice.ipynb) asks its tasks again with other numbers.
-# After you have installed a new version of tflab, `tflab lab --update` adds its new material around what you wrote.
+# After you have installed a new version of tflab, `tflab lab --update` adds its new material and keeps what you wrote.
 
 # %% [markdown] lang="ko" name="progress-why" slide="skip"
 # ## 나의 학습 현황

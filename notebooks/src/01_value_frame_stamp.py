@@ -191,7 +191,7 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>I attended the lecture, and there z was 0.3 in both</summary>
 #
-# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses that one robot throughout, and adds the height of the robot's centre, 0.10 m, in `map`.
+# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses the robot of the later examples throughout. In `map` it also adds the height of the robot's centre, 0.10 m.
 #
 # </details>
 
@@ -250,8 +250,8 @@ places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in pose
 lesson.draw_scene(poses, places, length_m=0.7)
 
 # %% [markdown] lang="en" name="three-places-seen"
-# A [[frame]] is an origin and three directions with a name: x forward, y left, z up (chapter 02 says why).
-# In this workbook a transform carries both frame names: `map_T_base` is the pose of base in map. `@` chains two transforms, and `apply` transforms a point. Chapter 03 explains all of it.
+# A [[frame]] has a name, an origin and three axes: x forward, y left, z up (chapter 02 explains why).
+# In this workbook the name of a transform contains both frame names: `map_T_base` is the pose of base in map. `@` chains two transforms, and `apply` transforms a point. Chapter 03 explains all of it.
 
 # %% [markdown] lang="ko" name="three-places-seen"
 # *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
@@ -302,7 +302,7 @@ turned = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_lase
 lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=lesson.readings_of(poses, ball_in_map))
 
 # %% [markdown] lang="en" name="turned-seen" tags=["predicted"]
-# Straight ahead stays straight ahead: the coordinates in `laser_frame` and `base_link` are the same as before. Only those in `map` are different, and 2 + 0.20 + 6.2 no longer gives them, because the robot now faces along the map's y.
+# The ball is straight ahead again, so its coordinates in `laser_frame` and `base_link` are the same as before. Only those in `map` are different, and 2 + 0.20 + 6.2 no longer gives them, because the robot now faces along the map's y.
 # Adding stops working as soon as a frame is rotated. Chapters 02 and 03 show what to do instead, and TF does it for you.
 
 # %% [markdown] lang="ko" name="turned-seen" tags=["predicted"]
@@ -314,7 +314,7 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # Let everybody stand up and rotate 90° to the left.
 # Ask: where is the door now, for you?
 # And for the room?
-# If an object rotated with you, its coordinates in your frame stayed the same; in the room's frame they changed.
+# Coordinates that rotate with you stay the same in your frame. In the frame of the room they change.
 # This is the last time today that adding works.
 
 # %% [markdown] lang="ko" name="turned-notes" slide="notes"
@@ -378,7 +378,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### Try it
 #
 # Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
-# *same* and *changed* compare with the start: the robot in its first pose, and the object in its first position on the floor, or on the tray if you chose that. Can you change the coordinates in `laser_frame`, and in no other frame?
+# *same* and *changed* compare the coordinates with those at the start. At the start the robot is in its first pose, and the object is in its first position on the floor (or on the tray, if you put it there). Can you change the coordinates in `laser_frame`, and in no other frame?
 
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
@@ -543,7 +543,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
 # Draw it: a timeline for the camera, a timeline for the robot, and the 0.2 s between them.
-# Ask who would have written 3.60 into a program.
+# Ask who would have used 3.60 in a program.
 # Then state the main point: the number was right, but it was right 0.2 s ago.
 
 # %% [markdown] lang="ko" name="age-notes" slide="notes"
@@ -565,8 +565,8 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # %% [markdown] lang="en" name="milk" slide="subslide"
 # ### Milk and tins
 #
-# Think of coordinates in `base_link` as milk: 3.60 m was true at 5.8 s, and it is sour on arrival.
-# In `map` the same position is like tinned food: for an object at rest, (6.5, −1.5) stays correct.
+# Coordinates in `base_link` are like milk, because they go bad. 3.60 m was true at 5.8 s, and is wrong on arrival.
+# Coordinates in `map` are like tinned food, because they keep. For an object at rest, (6.5, −1.5) stays correct.
 # So transform a measurement into a frame in which it stays correct, **with the [[pose]] at its stamp**, and do it early.
 
 # %% [markdown] lang="ko" name="milk" slide="subslide"
@@ -635,7 +635,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # <details><summary>Compare</summary>
 #
-# `'laser_frame'`, because the 1.4 m are measured along its x; and `measured`, not `now`. With `now` your message would claim that the measurement is 50 ms newer than it is, and no receiver could find out.
+# The frame is `'laser_frame'`, because the 1.4 m are measured along its x. The stamp is `measured`, not `now`. With `now` your message would claim that the measurement is 50 ms newer than it is, and no receiver could find out.
 #
 # </details>
 
@@ -686,7 +686,7 @@ misspelt.header.frame_id = 'lazer_frame'
 buffer.transform(misspelt, 'map')
 
 # %% [markdown] lang="en" name="shouts"
-# Both raise an exception, and both messages name the frame.
+# Both raise an exception, and both messages name the faulty argument, `source_frame`.
 # Now forget the stamp: TF2 takes a stamp of 0 as "the latest available".
 #
 # **Predict:** since the image was taken the robot has driven another 1.25 m. Where does the ball land in `map`, and what does TF2 report?
@@ -761,7 +761,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject what is older than the buffer's memory, and what moves by itself.
+# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject a measurement that is older than the data in the buffer, or whose object moves by itself.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -805,7 +805,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# A callback that checks what it receives. Below it are two commands that show the headers of any topic, and one that publishes a point:
+# Here is a callback that checks what it receives. Below it are three commands. They show a header of any topic, measure the age of its messages, and publish a point:
 #
 # ```python
 # def on_point(self, message):
@@ -830,7 +830,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 데이터를 믿고 쓰려면 콜백의 첫 몇 줄이 이래야 합니다. 그 아래는 어느 토픽이든 헤더를 확인하는 명령 두 개와, 점을 발행하는 명령 하나입니다.
+# 데이터를 믿고 쓰려면 콜백의 첫 몇 줄이 이래야 합니다. 그 아래의 명령 세 개는 차례로 토픽의 헤더를 보여 주고, 메시지의 나이를 재고, 점 하나를 발행합니다.
 #
 # ```python
 # def on_point(self, message):

@@ -41,10 +41,10 @@
 # - x points forward, y left, z up. A positive yaw rotates to the left.
 # - A rotation is a quaternion (x, y, z, w). "No rotation" is (0, 0, 0, 1).
 # - A sensor's mount does not change, so its transform is published once, as a static transform.
-# - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` asks for the latest.
-# - In the workbook's code, `base_T_laser.apply(laser_p)` transforms a point from laser_frame into base_link. `Transform.from_rpy(yaw=…, translation=…)` creates such a transform. `LATEST` is the engine's name for `Time()`.
+# - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` asks for the latest transform.
+# - In the workbook's code, `base_T_laser.apply(laser_p)` transforms a point from laser_frame into base_link. `Transform.from_rpy(yaw=…, translation=…)` creates such a transform. `LATEST` is the workbook's name for `Time()`.
 #
-# In this chapter the robot stands still, so time plays no part. Chapter 08 brings it back.
+# In this chapter the robot stands still, so the time of a transform does not matter. It does in chapter 08.
 
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
@@ -74,10 +74,10 @@ from tflab.workbook import lesson
 # So the team published a *wrong* mount, and the readings came out right.
 # Later they proposed to swap two frames in the program that uses the IMU. The maintainers answered that the target comes first, and that the program already passes it first.
 #
-# They are in good company.
+# They were not the only ones.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
 # Three more people asked the same. ROS 2 brought a new `tf2_echo`, and the question came again in 2021 and in 2024.
-# The maintainer of a package with which very many robots estimate their pose wrote: I frequently get these backwards.
+# Very many robots estimate their pose with one package. Even its maintainer wrote about frequently getting the two frames backwards.
 #
 # Now the strange part: the tool's numbers were right all along, and most of the questions were good ones.
 # The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
@@ -108,12 +108,12 @@ mount = Transform.from_rpy(yaw=math.pi / 2, translation=(0.20, 0.0, 0.15))  # tu
 lesson.draw_readings('base_link', 'laser_frame', mount)
 
 # %% [markdown] lang="en" name="two-readings-seen"
-# On the left is an engineer who mounts sensors: where is the laser *mounted*, measured on the robot? The numbers are (0.20, 0, 0.15).
-# On the right is an engineer who transforms data: I have coordinates in the robot's frame and *want* them in the laser's frame. The numbers are (0, 0.20, −0.15), along the laser's axes.
+# The left picture is for an engineer who mounts sensors. Where is the laser *mounted*, measured on the robot? The numbers are (0.20, 0, 0.15).
+# The right picture is for an engineer who transforms data. The data is in the robot's frame and is *wanted* in the laser's frame. The numbers are (0, 0.20, −0.15), along the laser's axes.
 # Both say "from base_link to laser_frame", and they need opposite transforms.
 #
 # The solution is a sentence with neither "from" nor "to".
-# You will see it in ten minutes. First, make the mistake yourself.
+# You will see it soon. First, make the mistake yourself.
 
 # %% [markdown] lang="ko" name="two-readings-seen"
 # *그림 읽기:* reading 1 = 읽기 1(base_link를 기준으로 laser_frame이 어디에 있는가), reading 2 = 읽기 2(base_link 기준 데이터를 laser_frame 기준으로 보고 싶다).
@@ -273,11 +273,11 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # The same seven numbers have a second use.
 # They take the coordinates of a point in the **child** and give the coordinates of the same point in the **parent**.
-# So the arrow that is usually drawn, parent → child, shows parenthood. Data goes the other way, child → parent.
+# So the arrow that is usually drawn, parent → child, shows which frame is the parent. Data goes the other way, child → parent.
 #
 # Name a transform by both frames, the parent first: `base_T_laser`. Read it as "laser, expressed in base".
 #
-# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. Its `lookup_transform` returns a `Transform` instead of a message. You can multiply transforms with `@` and apply them to points.
+# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. The `.transform` of its result is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -297,7 +297,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # 변환의 이름에는 두 좌표계를 모두 적고, 부모를 앞에 씁니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
 #
-# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 메시지가 아니라 `Transform`을 반환합니다. `Transform`은 `@`로 서로 곱할 수 있고, 점에 적용할 수 있습니다.
+# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 그 결과의 `.transform`은 메시지가 아니라, `@`로 곱하고 점에 적용할 수 있는 값입니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -321,14 +321,14 @@ print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0
 # 자식 기준 데이터를 넣으면 부모 기준 데이터가 나옵니다.
 
 # %% [markdown] lang="en" name="one-transform-notes" slide="notes"
-# The origin settles every doubt in this chapter: where does (0, 0, 0) end up? Let them ask it aloud each time somebody hesitates.
+# One question settles every doubt in this chapter: where does (0, 0, 0) end up? Let them ask it aloud each time somebody hesitates.
 
 # %% [markdown] lang="ko" name="one-transform-notes" slide="notes"
 # 변환의 방향이 헷갈리면 언제나 원점으로 확인합니다. “(0, 0, 0)을 넣으면 무엇이 나옵니까?” 누가 머뭇거릴 때마다 소리 내어 묻게 합니다.
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
 # Now in 3D: drag to rotate the view, and move the slider to rotate the mount.
-# The grey, hatched frame is the inverse transform, with the corner where it would place it.
+# The grey, hatched frame shows the inverse transform. Its beam ends where the inverse would place the corner.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
 # 이번에는 3D입니다. 마우스로 끌어 시점을 돌려 보고, 아래 슬라이더를 움직여 레이저를 회전시켜 보세요.
@@ -415,7 +415,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # 누가 “어디에서 어디로”라고 말하면 잠시 멈추고 문장으로 고쳐 말하게 합니다.
 
 # %% [markdown] lang="en" name="one-edge" slide="subslide"
-# ### One edge, two questions
+# ### One transform, two questions
 #
 # A node publishes `base_link → camera_link` with the translation (0.10, 0, 0.30).
 #
@@ -497,7 +497,7 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # ## Dominoes
 #
 # The laser is mounted on the robot. The robot moves in [[odom|`odom`]], the frame of its wheel odometry. The pose of `odom` is given in [[map|`map`]], the frame of the building.
-# [[base_footprint|`base_footprint`]] is the robot's position on the floor, directly below it.
+# [[base_footprint|`base_footprint`]] is a frame on the floor, directly below `base_link`.
 #
 # The next cells publish the rest of the robot from Python: one message for each edge, that is, for each pair of parent and child.
 # Read each message as above: the parent, the child, the child's position and its rotation.
@@ -539,8 +539,8 @@ broadcaster.sendTransform(
 )
 
 # %% [markdown] lang="en" name="the-tree-why" slide="subslide"
-# The robot stands still in this chapter, so every edge may be static: an **S** in the picture.
-# (ROS 2 does not pass on which node published an edge, so the last column is `default_authority` everywhere.)
+# The robot stands still in this chapter, so every edge may be static. The picture marks a static edge with **S**.
+# (A ROS 2 message does not contain the name of the node that published it, so the last column is `default_authority` everywhere.)
 
 # %% [markdown] lang="ko" name="the-tree-why" slide="subslide"
 # 이 장에서는 로봇이 서 있으므로 모든 연결이 정적이어도 됩니다. 그림에는 **S**로 표시됩니다.
@@ -564,7 +564,7 @@ lesson.draw_buffer(buffer)
 
 # %% [markdown] lang="en" name="dominoes-fit-notes" slide="notes"
 # Bring real dominoes, or six paper cards with frame names on both halves.
-# Let somebody lay map to laser, then hand over one card turned round: that is an inverse.
+# Let somebody lay the dominoes from map to laser, then hand over one card turned round: that is an inverse.
 
 # %% [markdown] lang="ko" name="dominoes-fit-notes" slide="notes"
 # 진짜 도미노나, 양쪽 칸에 좌표계 이름을 적은 종이 카드 여섯 장을 준비합니다.
@@ -677,8 +677,8 @@ lesson.draw_sentence(places, asked)
 
 # %% [markdown] lang="en" name="siblings-seen"
 # The laser is 10 cm in front of the camera and 15 cm below it. Check that with the numbers of both mounts.
-# The domino `camera_link | base_link` is the published one, `base_link | camera_link`, turned round.
-# `inverse()` turns a domino round. The next section shows how it is calculated.
+# The domino `camera_link | base_link` is the inverse of the published `base_link | camera_link`.
+# The next section shows how `inverse()` calculates it.
 
 # %% [markdown] lang="ko" name="siblings-seen"
 # 레이저는 카메라보다 10 cm 앞, 15 cm 아래에 있습니다. 두 센서의 장착 위치로 확인해 보세요.
@@ -731,8 +731,8 @@ if ... not in (wanted_in, expressed_in):
 #
 # <details><summary>Sit down again</summary>
 #
-# The robot's front is to your right now. Its centre is behind the mount, so it is on your **left**: +y, not −x.
-# With only a changed sign you would have said "20 cm behind you", and there is nothing there.
+# The robot's front is to your right now. Its centre is farther back on the robot than you are, so it is on your **left**: +y, not −x.
+# If you only change the sign, you get "20 cm behind you", and there is nothing there.
 #
 # </details>
 
@@ -750,8 +750,8 @@ if ... not in (wanted_in, expressed_in):
 # </details>
 
 # %% [markdown] lang="en" name="inverse-why" slide="fragment"
-# A transform rotates first and then translates: rotation R, translation t. To invert it, subtract the translation, then apply the inverse rotation.
-# Written in the same form, the new translation is the old one rotated and negated:
+# A transform first rotates by R and then adds the translation t. To invert it, subtract t first, then apply the inverse rotation R⁻¹.
+# In the inverse, too, the rotation is written first. Its translation is then the old one, rotated by R⁻¹ and negated:
 #
 # ```
 # base_T_laser:  R      then  t
@@ -786,7 +786,7 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # %% [markdown] lang="en" name="inverse-seen"
 # If you transform a point there and back, it must return to where it was: (2, 0, 0).
 # With only the sign changed it misses by 28 cm, the length of a shoe. That is just small enough to look like a bad calibration.
-# People have adjusted screws for days over less.
+# People have adjusted screws for days because of smaller errors.
 
 # %% [markdown] lang="ko" name="inverse-seen"
 # *그림 읽기:* sign flipped = 부호만 바꾼 것.
@@ -875,8 +875,8 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="en" name="echo-help-seen"
 # The first argument is the *target* of the lookup, and the help calls it `source_frame`.
 # The first sentence of the help says "from … to …". Two lines later it says, correctly, that data goes the other way.
-# This text is behind ten years of reports.
-# Rely on the sentence instead: **echo wanted-in expressed-in**.
+# This text has caused ten years of bug reports.
+# Rely on the sentence instead: first the frame *wanted in*, then the frame *expressed in*.
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
@@ -895,7 +895,7 @@ lesson.draw_mount(math.pi / 2)
 #
 # Here is `tf2_echo base_link laser_frame`.
 # Before you run the second cell: what will the Translation of `tf2_echo laser_frame base_link` be?
-# (`--for 1.5` belongs to this page: it stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
+# (`--for 1.5` exists only in this workbook. It stops the tool after a second and a half. In a terminal you leave it out, and press Ctrl-C.)
 
 # %% [markdown] lang="ko" name="echo-predict" slide="subslide"
 # ### 첫 출력에서 둘째 출력 예측하기
@@ -911,7 +911,7 @@ lesson.draw_mount(math.pi / 2)
 # %ros2 --for 1.5 run tf2_ros tf2_echo laser_frame base_link
 
 # %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
-# (−0.20, 0, −0.15) would be the changed sign. The tool prints (0, 0.20, −0.15): to the laser's left, as you saw when you stood up.
+# If you only change the sign, you expect (−0.20, 0, −0.15). The tool prints (0, 0.20, −0.15), which is to the laser's left, as you saw when you stood up.
 # The first line of each output was printed before any transform arrived. The tool prints zero as `-0.000` here.
 
 # %% [markdown] lang="ko" name="echo-seen" tags=["predicted"]
@@ -1147,7 +1147,7 @@ graph.start(main, name='where_is_the_laser')
 graph.run(seconds=2.5)
 
 # %% [markdown] lang="en" name="on-the-robot-commands" slide="subslide"
-# In the answer, `header.frame_id` is the target and `child_frame_id` is the source. An answer is the same kind of message as the published transforms.
+# In the result of a lookup, `header.frame_id` is the target and `child_frame_id` is the source. The result is the same kind of message as a published transform.
 #
 # Three commands to type on any robot:
 #
@@ -1240,9 +1240,9 @@ rclpy.try_shutdown()
 # - [ ] A transform gives the position and rotation of the child frame, measured in the parent.
 # - [ ] In the message, the parent is `header.frame_id` and the child is `child_frame_id`.
 # - [ ] The lookup returns the transform that takes data expressed in *source* into *target*.
-# - [ ] Target and source need not be parent and child. Any two frames of one tree will do, and the lookup follows the path between them.
+# - [ ] Target and source need not be parent and child. They can be any two frames of one tree, and the lookup follows the path between them.
 # - [ ] `time` is the time of the transform. `Time()` means the latest time for which all edges on the path have data.
-# - [ ] Swapping both gives the inverse and no error. With a rotation, that is not just another sign.
+# - [ ] If you swap the two, you get the inverse and no error. With a rotation, the inverse differs in more than the sign.
 #
 # Five or six: you could teach it. Three or four: read "One transform, read twice" again. Fewer: do the predictions again, with a pencil.
 #
@@ -1277,7 +1277,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>Compare</summary>
 #
-# `lookup_transform('base_link', 'map', Time())`; `base_T_map = base_T_odom @ odom_T_map`, the inverses of two published transforms.
+# The call is `lookup_transform('base_link', 'map', Time())`. The product is `base_T_map = base_T_odom @ odom_T_map`, with the inverses of two published transforms.
 #
 # </details>
 
@@ -1304,7 +1304,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that nothing enforces it.
 # After a pass, or three tries, `solution("E3.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
-# On a robot this chapter ticks one line of your checklist: *I ran `tf2_echo` with target and source in the right order.*
+# `tflab progress` shows a checklist of what to do on a robot. This chapter ticks one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루고 누가 그것을 보장하는지(보장하는 프로그램은 없습니다) 봅니다.

@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - find the path between any two frames by hand: up to their common ancestor, then down,
-# - tell at a glance, or with one line of Python, a healthy [[tf tree]] from two trees and from a loop,
+# - tell a healthy [[tf tree]] from two trees or a loop, at a glance or with one line of Python,
 # - say what tf2 checks when a transform is sent (almost nothing), and what a lookup reports,
 # - name frames so that two robots share `map` and nothing else.
 
@@ -41,9 +41,9 @@ from tflab.workbook import lesson
 # The tf tree is invalid because it contains a loop.
 # ```
 #
-# Its body is a child of `odom`, as ever. But now `odom` is a child of the body as well: each is the other's [[parent frame|parent]].
+# Its body is a child of `odom`, as before. But now `odom` is a child of the body as well: each is the other's [[parent frame|parent]].
 # The cause was one string. The driver joined the robot's name, a slash and `odom`. This robot had no name, so the driver looked for `/odom`, and `/odom` is not `odom` (rai-opensource/spot_ros2, 2024).
-# A year later the same slash stopped the mapper of one of the most sold teaching robots, at `/base_footprint` (ROBOTIS-GIT/turtlebot3, 2025).
+# A year later the same kind of slash, in `/base_footprint`, stopped the mapping program of a very popular teaching robot (ROBOTIS-GIT/turtlebot3, 2025).
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 자기 자신 아래에 매달린 로봇 개
@@ -99,7 +99,7 @@ print(driver(""))
 # %% [markdown] lang="en" name="a-dict" slide="slide"
 # ## TF is a dict
 #
-# Forget rotations for a moment. What TF knows about a robot's tree is this: for each child, its one parent.
+# Forget rotations for a moment. TF stores one parent for each child.
 # One key has one value, so a [[frame]] has one parent. A frame without a parent is a [[root]]. One entry is an [[edge]].
 
 # %% [markdown] lang="ko" name="a-dict" slide="slide"
@@ -132,14 +132,14 @@ print(way_up("camera_optical_frame"))
 # %% [markdown] lang="en" name="up-and-down" slide="slide"
 # ## Up, then down
 #
-# Both paths end at `map`. They are the same from their first common frame on, so a lookup need not climb further: it goes up from the source until it reaches the target's path, then down.
+# Both paths end at `map`. From their first common frame on, they are the same, and those edges cancel. So a lookup needs only the edges up from the source to that frame, and down from it to the target.
 #
-# The cell fills a `Buffer` by hand, without any node: `send` stores one edge in it, one metre along x by default, static (valid at all times). `"page"` is the name of the sender.
+# The next cell fills a `Buffer` without any node. `send` stores one static edge in it, which is valid at all times. By default the edge is one metre long, along x. `"page"` is the name of the sender.
 
 # %% [markdown] lang="ko" name="up-and-down" slide="slide"
 # ## 올라갔다가 내려갑니다
 #
-# 두 좌표계에서 올라가는 경로는 모두 `map`에서 끝납니다. 만난 뒤로는 같은 경로이므로 끝까지 올라갈 필요가 없습니다. 원본에서 올라가다가 목표에서 올라온 경로와 만나면 거기서 내려갑니다.
+# 두 좌표계에서 올라가는 경로는 모두 `map`에서 끝납니다. 만난 뒤로는 같은 경로이므로 그 연결들은 서로 상쇄됩니다. 그래서 조회에는 원본에서 두 경로가 만나는 곳까지 올라가는 연결과, 거기서 목표까지 내려가는 연결만 필요합니다.
 #
 # 다음 셀은 노드 없이 `Buffer`를 직접 채웁니다. `send`는 연결 하나를 저장합니다. 따로 정하지 않으면 x 방향으로 1미터이고, 모든 시각에 유효한 정적 변환입니다. `"page"`는 발행자의 이름입니다.
 
@@ -165,7 +165,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
 # Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks the common frame.
-# This is the product of chapter 03, read off the tree: each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target, the product from its right end to its left.
+# The tree gives the product of chapter 03. Each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target. In the product you read the same steps from right to left.
 
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 단계의 순서, 둥근 테 = 두 경로가 만나는 곳입니다.
@@ -173,13 +173,13 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="walk-notes" slide="notes"
 # One person is the laser and one the camera. They walk to each other by naming parents only.
-# They meet at the base and not at the map. Say that aloud: it saves half of the steps in every lookup.
+# They meet at the base and not at the map. Say that aloud: the edges above the base do not matter for this lookup.
 
 # %% [markdown] lang="ko" name="walk-notes" slide="notes"
 # 한 사람은 레이저, 한 사람은 카메라가 되어 부모 이름만 부르며 서로에게 갑니다.
 # 지도가 아니라 base에서 만납니다.
 # 이 점을 소리 내어 말합니다.
-# 그러면 조회할 때마다 단계가 절반으로 줄어듭니다.
+# base보다 위에 있는 연결은 이 조회의 값에 영향을 주지 않습니다.
 
 # %% name="the-product" slide="fragment"
 lesson.draw_dominoes(
@@ -198,7 +198,7 @@ lesson.draw_dominoes(
 #
 # <details><summary>Compare</summary>
 #
-# Up from `camera_optical_frame`, `camera_link`, `base_link`. Down to `odom`, `base_link`, `camera_link`. A step is named after its child both times.
+# Up from `camera_optical_frame`, `camera_link`, `base_link`. Down to `odom`, `base_link`, `camera_link`. Each step, up or down, is named after the child of its edge.
 #
 # </details>
 
@@ -221,7 +221,7 @@ lesson.draw_dominoes(
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
 #
-# 1. A node sends `camera_link` once more, now as a child of the gripper `tool0`. How many cameras does tf2 know afterwards: one, two, or is it an error?
+# 1. A node sends `camera_link` once more, now as a child of the gripper `tool0`. How many cameras are in the tree afterwards: one, two, or is it an error?
 # 2. Another robot's tree is `map → odom` and `odm → base_link → laser_frame`. Somebody typed `odm`. Which of these lookups succeed: `laser_frame` in `odm`, `odom` in `map`, `base_link` in `map`? And does the error name the typo?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
@@ -245,7 +245,7 @@ send(buffer, "tool0", "camera_link", x=0.1)
 lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 
 # %% [markdown] lang="en" name="moved-seen" tags=["predicted"]
-# One camera. A key that is set again gets a new value: the camera moved, with all its children. No node was asked, and no node was notified.
+# One camera. A key that is set again gets a new value, so the camera moved, with all its children. No node was asked or notified.
 # If two nodes set it alternately, it moves back and forth, as you will see.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
@@ -264,8 +264,8 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
         print(f"{source} in {target}: {type(error).__name__}: {error}")
 
 # %% [markdown] lang="en" name="typo-seen" tags=["predicted"]
-# Yes, yes, no. Each part works by itself; only a lookup between the parts fails. And the error names the two frames of the *lookup*, not the place of the gap.
-# "Tf has two or more unconnected trees": so look at the roots.
+# Yes, yes, no. Each part works by itself; only a lookup between the parts fails. The error names the two frames of the *lookup*, not the two frames between which the edge is missing.
+# It also says "Tf has two or more unconnected trees", so look at the roots.
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
 # 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 두 트리에 걸친 조회만 실패합니다. 오류 메시지에는 *조회*의 두 이름이 나올 뿐, 연결이 끊긴 곳은 나오지 않습니다.
@@ -274,8 +274,8 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # %% [markdown] lang="en" name="typo-notes" slide="notes"
 # Look at the counts on the board.
 # Two of three lookups succeed on a broken robot: that is why nobody notices.
-# Read the error aloud and ask where in it the typo is.
-# It is not in it.
+# Read the error aloud and ask where it shows the typo.
+# It does not.
 
 # %% [markdown] lang="ko" name="typo-notes" slide="notes"
 # 칠판의 숫자를 봅니다.
@@ -287,7 +287,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 # %% [markdown] lang="en" name="one-line" slide="slide"
 # ## A diagnosis in one line
 #
-# Which frames are parents, and no child? Python's sets tell you.
+# Which frames are parents but not children? Two sets give the answer.
 
 # %% [markdown] lang="ko" name="one-line" slide="slide"
 # ## 한 줄로 하는 진단
@@ -305,8 +305,8 @@ print("typo     ", roots({"odom": "map", "base_link": "odm", "laser_frame": "bas
 print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 
 # %% [markdown] lang="en" name="roots-seen"
-# One name: a tree. Two names: there is a gap, and the unexpected name is a typo, or a frame whose own edge no node sends. No name at all: a loop.
-# One exception: a loop *beside* a healthy tree does not show in this line. Then `way_up` never ends for a frame in the loop.
+# One name means a tree. Two names mean that there is a gap. The unexpected name is a typo, or a frame whose own edge no node sends. No name means a loop.
+# There is one exception: this line does not show a loop *beside* a healthy tree. For a frame in such a loop, `way_up` never ends.
 
 # %% [markdown] lang="ko" name="roots-seen"
 # 이름이 하나면 트리입니다. 둘이면 어딘가 끊겼습니다. 예상하지 못한 이름은 오타이거나, 그 위의 연결을 아무도 발행하지 않는 좌표계입니다. 하나도 없으면 고리입니다.
@@ -315,7 +315,7 @@ print("the dog  ", roots({"body": "odom", "odom": "body", "head": "body"}))
 # %% [markdown] lang="en" name="plaster" slide="subslide"
 # ### The workaround
 #
-# Forums suggest a quick workaround for the typo: one more static edge, `odom → odm`, with zeros. It works. See why it is not a fix.
+# Forums suggest a quick workaround for the typo: one more static edge, `odom → odm`, with all values zero. It works, but it is not a fix.
 
 # %% [markdown] lang="ko" name="plaster" slide="subslide"
 # ### 임시방편
@@ -327,7 +327,7 @@ send(island, "odom", "odm", x=0.0)
 lesson.draw_walk(island, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="plastered-seen"
-# One pose has two names now. The next program will publish `odom → base_link`, spelt correctly, and `base_link` will no longer be a child of `odm`. Fix the name where it is written.
+# One frame has two names now. The next program will publish `odom → base_link`, spelt correctly, and `base_link` will no longer be a child of `odm`. Fix the name where it is written.
 
 # %% [markdown] lang="ko" name="plastered-seen"
 # 이제 같은 위치에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
@@ -352,7 +352,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store, such as an empty name, a frame that is its own parent, a value that is no number (NaN), or a quaternion that is no rotation. It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
+# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
@@ -363,13 +363,13 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. 고리가 없습니다.
 # 5. 모든 노드가 이름, 방향, 시각을 같은 뜻으로 씁니다.
 #
-# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것만 거절합니다. 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 회전이 아닌 쿼터니언 같은 것입니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 다른 규칙은 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
+# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="panel-tasks"
-# Try: make `odom` a child of `laser_frame`. Of `odm`. Of itself. Then look up target `laser_frame`, source `camera_link` each time: which faults does that lookup not notice?
+# Try three changes: make `odom` a child of `laser_frame`, of `odm`, and of itself. After each change, look up target `laser_frame`, source `camera_link`. Which faults does that lookup not show?
 
 # %% [markdown] lang="ko" name="panel-tasks"
 # `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 목표 `camera_link`, 원본 `laser_frame`으로도 조회해 보세요. 이 조회로는 찾지 못하는 고장은 무엇일까요?
@@ -421,7 +421,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 
 # %% [markdown] lang="en" name="spellings-seen"
 # One leading slash is accepted when you *send*: the name is stored as `odom`. It is rejected in a *lookup*. And `//odom` is stored as `/odom`, a frame that no lookup can name.
-# Other programs accept no slash: the mapper of the story stops at the first one. Write names without it.
+# Other programs accept no leading slash, such as the mapping program of the story. Write names without it.
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
@@ -456,7 +456,7 @@ for target, source in (("odom", "body"), ("odom", "head"), ("head", "odom"), ("h
 lesson.draw_walk(dog, "head", "back")
 
 # %% [markdown] lang="en" name="the-loop-seen" tags=["predicted"]
-# Yes, yes, no, no. No transform can be found between two parts of one body, and yet the head in `odom` can be. tf2 climbs from the source. If it reaches the target, it stops and answers. Otherwise it goes round the loop, and after a thousand steps it raises the exception of the story.
+# Yes, yes, no, no. The head in `odom` can be found, but not the transform between two parts of one body. tf2 climbs from the source towards the root. If it reaches the target, it stops and answers. It does not stop at the common frame. Here there is no root, so it goes round the loop, and after a thousand steps it raises the exception of the story.
 # So a tree with a loop also works for some lookups. A pull request that removed such a loop notes that most ROS code ignores loops, "but some nodes get very upset" (mavlink/mavros [1252](https://github.com/mavlink/mavros/pull/1252)).
 
 # %% [markdown] lang="ko" name="the-loop-seen" tags=["predicted"]
@@ -480,7 +480,7 @@ lesson.draw_walk(dog, "head", "back")
 #
 # The node `wheel_odometry` calculates the robot's pose from the wheels and publishes it as `odom → base_footprint`. Now a filter is started that also uses an IMU (an EKF, extended Kalman filter), and publishes the same edge. The errors of both grow independently.
 #
-# The cell after the question starts the nodes by name, in a simulation whose time advances only during `graph.run(seconds=…)`. `place` returns the position of `source` in `target`.
+# The next cell starts the nodes by name. Time in the simulation advances only during `graph.run(seconds=…)`. `place` returns the position of `source` in `target`.
 # **Predict:** what does a test of five seconds show?
 
 # %% [markdown] lang="ko" name="two-owners" slide="slide"
@@ -524,7 +524,7 @@ for until in (5, 10, 20, 30):
     print(f"after {until:>2} s: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="steps-of-both-seen" tags=["predicted"]
-# At half a metre per second, and with 20 or 30 messages a second, one publisher alone would move the robot by about two centimetres per message. After five seconds the largest step is four: nobody sees that. After half a minute the robot jumps by half a metre. The short test passes; the drive through the hall does not.
+# At half a metre per second, and with 20 or 30 messages a second, one publisher alone would move the robot by about two centimetres per message. After five seconds the largest step is four centimetres, which nobody sees. After half a minute the robot jumps by half a metre. The short test passes; the drive through the hall does not.
 
 # %% [markdown] lang="ko" name="steps-of-both-seen" tags=["predicted"]
 # 0.5 m/s로 달리고 메시지가 1초에 20~30번 오므로, 한 노드만 발행하면 한 번에 2센티미터쯤 움직입니다. 5초까지 가장 큰 변화는 4센티미터라 아무도 알아채지 못합니다. 30초가 지나면 로봇은 0.5미터씩 튑니다. 작업대에서 한 시험은 통과하지만, 복도를 달리면 드러납니다.
@@ -533,7 +533,7 @@ for until in (5, 10, 20, 30):
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="owners-seen"
-# The *shape* of this tree is correct: one parent each. What reveals the fault is the rate, 50 Hz = 20 + 30, and, here, two names. The fix is to choose one: only the wheel odometry publishes the edge.
+# The *shape* of this tree is correct: one parent each. The rate reveals the fault: 50 Hz = 20 + 30. Here the two names reveal it, too. The fix is to choose one publisher. Here only the filter keeps publishing the edge.
 
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
@@ -564,7 +564,7 @@ for _ in range(250):
 print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 
 # %% [markdown] lang="en" name="cured-seen"
-# Two centimetres, the distance driven between two of the filter's thirty messages a second. Check it again afterwards, and do not trust the parameter alone: in ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree still alternated.
+# The largest step is two centimetres. That is the distance driven between two messages of the filter, which sends thirty a second. Check the tree again after such a fix, and do not trust the parameter alone. In ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree still alternated.
 
 # %% [markdown] lang="ko" name="cured-seen"
 # 2센티미터입니다. 필터가 1초에 서른 번 발행하므로, 한 번 발행하는 동안 실제로 달린 거리입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 발행을 껐는데도 트리가 계속 번갈아 바뀌었습니다.
@@ -572,7 +572,7 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # %% [markdown] lang="en" name="two-robots" slide="slide"
 # ## Two robots, one map
 #
-# A second robot is placed beside the first. Each has its own [[namespace]] (a prefix of the names of its nodes and topics), and all its links have a [[frame prefix]]: `robot2/base_link`. Somebody forgot `odom`.
+# A second robot is placed beside the first. Each has its own [[namespace]] (a prefix of the names of its nodes and topics), and the names of its frames have a [[frame prefix]], as in `robot2/base_link`. Somebody forgot to prefix `odom`.
 # Namespaces do not prefix frames: a frame is a string in a message, and `/tf` is one topic for all.
 
 # %% [markdown] lang="ko" name="two-robots" slide="slide"
@@ -692,7 +692,7 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="two-odoms-seen"
-# The robots are in their true positions, two and a half metres apart now, and no step is larger than what is driven in a tenth of a second: the latest answer is as new as the slowest edge, `map → robot2/odom` with its 10 Hz.
+# The robots are in their true positions, now two and a half metres apart. No step is larger than the distance driven in a tenth of a second. A latest transform is only as new as the slowest edge on its path, and `map → robot2/odom` is published at 10 Hz.
 # In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, you get the fault above.
 #
 # Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
@@ -720,12 +720,12 @@ rclpy.shutdown()
 # </details>
 # <details><summary>I chose 2</summary>
 #
-# The exception names the two frames of a lookup that fails, and this one does not fail. Even the one that does never mentions `odm`.
+# The exception names the two frames of a lookup that fails, and this lookup does not fail. The exception of a lookup in `map` would not name `odm` either.
 #
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes: up from laser to base_link, one step, and no fault on the path.
+# Yes: the path is one step up, from the laser to base_link, and it contains no fault.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -791,9 +791,9 @@ rclpy.shutdown()
 # ## What to keep
 #
 # - TF is a dict, child → parent. A lookup goes up from its source to the first common frame, and down to its target: a [[path]].
-# - One [[root]] is a tree, two are a gap, none is a loop; `set(parents) - set(children)` tells.
+# - One [[root]] means a tree, two mean a gap, none means a loop. `set(parents) - set(children)` gives the roots.
 # - tf2 checks no rule when a transform is sent. Only lookups fail, and only those whose path contains the fault. The error names the frames of the lookup.
-# - A child that is sent with another parent moves. An edge with two publishers keeps its shape, and its value alternates: look at the rate.
+# - A child that is sent with another parent moves. If an edge has two publishers, the tree keeps its shape, and the value alternates. Look at the rate.
 # - Names are strings. Use no slash in front, and give every frame of one robot its [[frame prefix]].
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
@@ -843,8 +843,8 @@ rclpy.shutdown()
 # <details><summary>What a full answer contains</summary>
 #
 # - [ ] tf2 raises no error when a transform is sent: both are stored.
-# - [ ] With one parent, values alternate: the robot trembles or jumps in RViz, more the farther both have drifted apart.
-# - [ ] With two parents, the child alternates between two places in the tree, and lookups fail now and then.
+# - [ ] With one parent, values alternate: the robot trembles or jumps in RViz. The jumps grow as the values of the two publishers drift apart.
+# - [ ] With two parents, the child alternates between two positions in the tree, and some lookups fail.
 # - [ ] It shows in a rate that is the sum of both, and in the list of publishers, not in the shape of the tree.
 # - [ ] The fix is to choose one publisher, and to switch the other off.
 #
@@ -872,7 +872,7 @@ rclpy.shutdown()
 #
 # <details><summary>Compare</summary>
 #
-# The roots: `view_frames`, or one line of Python. There are two names. The unexpected one is the misspelt parent, or a frame whose own edge is no longer published.
+# Look at the roots, with `view_frames` or one line of Python. You hope to see two names. The unexpected one is the misspelt parent, or a frame whose own edge is no longer published.
 #
 # </details>
 
@@ -900,7 +900,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
 # After a pass, or three tries, `solution("E4.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
-# On a robot this chapter begins two lines of your checklist: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
+# This chapter begins two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.

@@ -41,7 +41,7 @@ from tflab.workbook import lesson
 # In the video the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
 #
 # Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided, until the next one came.
-# Its author was in good company: the same was proposed for two of the most used localisers before (2014, 2021), and fixed in the same way.
+# The author was not the first. Others had proposed the same for two widely used localisers (2014, 2021), and it was fixed in the same way.
 # The fix is the one edge of this chapter, `map → odom`.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
@@ -124,7 +124,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # - The pose in [[map]] is never more than a quarter of a metre off, and it jumps each time it is corrected. It **jumps**.
 #
 # Neither is wrong. [[rep-105]], the convention for these frames, promises just that: odom is continuous and may drift, map does not drift and may jump.
-# The publisher has to keep this promise: an odometry that is corrected in one step jumps in `odom`, too.
+# The publisher has to keep this promise. If a node corrects its odometry in one step, the pose jumps in `odom`, too.
 
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
@@ -197,7 +197,7 @@ for parent, child in (('odom', 'base_footprint'), ('map', 'odom'), ('map', 'base
 # %% [markdown] lang="en" name="around-the-jump-seen" tags=["predicted"]
 # In `odom` the robot moved five centimetres, as driven: a correction never changes [[odometry]].
 # What jumped is **`odom` itself, in `map`**, and with it all its descendants, the robot too.
-# Note the rotation: 0.2 rad. The correction is not just a shift by the drift. It moves and rotates the whole of odom, about odom's own origin.
+# Note the rotation: 0.2 rad. The correction is not just a shift. It moves the origin of `odom`, and rotates the whole frame about that origin.
 
 # %% [markdown] lang="ko" name="around-the-jump-seen" tags=["predicted"]
 # `odom` 기준의 로봇은 실제로 달린 만큼인 5 cm만 움직였습니다. 보정은 [[odometry|오도메트리(odometry)]]를 바꾸지 않습니다.
@@ -256,7 +256,7 @@ print('computed ', lesson.fmt_all(computed.translation), f'yaw {computed.rpy()[2
 print('published', lesson.fmt_all(pose('map', 'odom', t).translation), f'yaw {pose("map", "odom", t).rpy()[2]:+.3f} rad')
 
 # %% [markdown] lang="en" name="same-moment" slide="subslide"
-# Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the odometry's pose is a tenth of a second older, in a curve. How far off is `map → odom`?
+# Both poses must be of the **same time**: the stamp of the scan that was matched. **Predict:** the robot drives a curve, and the odometry's pose is a tenth of a second older. How far off is `map → odom`?
 
 # %% [markdown] lang="ko" name="same-moment" slide="subslide"
 # 두 포즈는 **같은 시각**의 것이어야 합니다. 그 시각은 지도와 맞춘 스캔의 측정 시각입니다. **예측해 봅시다.** 로봇이 회전하며 달릴 때 오도메트리 포즈가 0.1초 이전의 것이라면 `map → odom`은 얼마나 틀릴까요?
@@ -268,7 +268,7 @@ off = right.inverse() @ late
 print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} rad')
 
 # %% [markdown] lang="en" name="another-moment-seen" tags=["predicted"]
-# A third of a metre, from a tenth of a second. The rotation between the two poses ends up in `map → odom` and swings `odom` around the robot. Its origin, three and a half metres away, moves by that much.
+# A third of a metre, from a tenth of a second. The rotation between the two poses ends up in `map → odom` and rotates `odom` about the robot. The origin of `odom` is three and a half metres from the robot, so it moves by a third of a metre.
 # A well-known estimator fixed exactly this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
@@ -289,8 +289,8 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # %% [markdown] lang="en" name="what-where" slide="slide"
 # ## What to keep in which frame
 #
-# An obstacle is one metre ahead. You remember it for a tenth of a second, once by its coordinates in `map`, once in `odom`. Meanwhile the correction comes.
-# And a goal is kept for longer, by its coordinates in `odom`.
+# An obstacle is one metre ahead. You store its coordinates for a tenth of a second, once in `map` and once in `odom`. Meanwhile the correction comes.
+# You also store a goal for longer, by its coordinates in `odom`.
 
 # %% [markdown] lang="ko" name="what-where" slide="slide"
 # ## 무엇을 어느 좌표계에 둘까요?
@@ -315,7 +315,7 @@ for later in (20.0, 50.0):
 # | keep in | what | because |
 # |---|---|---|
 # | `odom` | recent obstacles, the next half metre, speeds | it is smooth, and recent coordinates have not drifted |
-# | `map` | goals, rooms, the dock for tomorrow | it does not drift |
+# | `map` | goals, rooms, the charging dock | it does not drift |
 # | `base_link` | what is mounted on the robot | it moves with the robot |
 #
 # If you avoid `odom` because it drifts, you lose the smooth pose. If you use `map` for everything, you get the jumps.
@@ -345,7 +345,7 @@ for later in (20.0, 50.0):
 # ## base_footprint: the robot's projection onto the floor
 #
 # `base_link` is fixed to the body: it has height, and it tilts on a ramp. [[base_footprint]] is its projection onto the floor: x, y and yaw only.
-# The nose goes up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
+# The robot's front tilts up by 10°. The laser detects a point at (2.2, 0, 0.15) in `base_link`. How high above the floor is it?
 
 # %% [markdown] lang="ko" name="footprint" slide="slide"
 # ## base_footprint: 바닥에 투영한 로봇
@@ -510,7 +510,7 @@ for _ in range(10):
         break
 
 # %% [markdown] lang="en" name="tree-of-it"
-# The tree shows it clearly once it lists the publisher of each transform:
+# You see the fault in the tree once it lists the publisher of each transform:
 
 # %% [markdown] lang="ko" name="tree-of-it"
 # 트리에서 모양뿐 아니라 발행자까지 보면 분명해집니다.
@@ -519,7 +519,7 @@ for _ in range(10):
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="cure"
-# The figure counts 32.1 Hz beside one node. A child has one cache in the buffer, so the rate counts both publishers, and the name is that of the last one. ROS 2's `view_frames` counts in the same way.
+# The figure shows 32.1 Hz beside only one node. The buffer has one cache for each child. So the rate counts the messages of both publishers, and the name is that of the last one. ROS 2's `view_frames` counts in the same way.
 #
 # The fix is one line: publish `map_to_odom(map_T_base, odom_T_base)` with the stamp of the scan, and leave `base_footprint` to the wheel odometry.
 
@@ -601,7 +601,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # who publishes map -> odom
 # ```
 #
-# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap, its map of obstacles nearby, has `global_frame: odom`, the global one `map`. robot_localization calls its choice `world_frame`.
+# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap (a map of the obstacles nearby) has `global_frame: odom`, and the global costmap has `global_frame: map`. In robot_localization the parameter is called `world_frame`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -623,7 +623,7 @@ rclpy.shutdown()
 # ## What to keep
 #
 # - [[odom]] is smooth and drifts. [[map]] does not drift and jumps. Use each for what it is good at.
-# - A correction moves and rotates `odom` in `map`; odometry itself never changes.
+# - A correction moves and rotates `odom` in `map`. It does not change the odometry.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`, both at one stamp.
 # - A frame has one parent. If a node publishes `map → base_link` beside the odometry, two values alternate, without an error.
 # - [[base_footprint]] is the projection onto the floor: x, y, yaw.
@@ -632,7 +632,7 @@ rclpy.shutdown()
 # ## 정리
 #
 # - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
-# - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리 자체는 바뀌지 않습니다.
+# - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리는 보정으로 바뀌지 않습니다.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 둘은 같은 시각의 것입니다.
 # - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
@@ -640,13 +640,13 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. Why is (6.5, −1.5) in `map` still correct tomorrow, and 3.60 m in `base_link` wrong on arrival?
+# 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and 3.60 m in `base_link` wrong on arrival?
 # 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
 # 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
 #
 # <details><summary>Answers</summary>
 #
-# 1. An object at rest keeps its coordinates in the frame in which it rests; the robot drove on.
+# 1. An object at rest keeps its coordinates in the frame in which it is at rest. The robot drove on.
 # 2. Nothing: it checks no rule when a transform is sent. The child moves to the parent of the last message (chapter 04).
 # 3. `base_T_odom @ odom_T_map`: the order is reversed, too.
 #
@@ -686,10 +686,10 @@ rclpy.shutdown()
 #
 # <details><summary>What a full answer contains</summary>
 #
-# - [ ] A frame has one parent; `base_link` is a child of `odom` already, by the wheel odometry.
+# - [ ] A frame has one parent, and the wheel odometry already publishes `base_link` as a child of `odom`.
 # - [ ] Two parents do not raise an error: the tree alternates.
-# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and both chains remain.
-# - [ ] Both poses of that product are of the same stamp.
+# - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and the edge of the odometry stays as it is.
+# - [ ] Both poses in that product have the same stamp.
 #
 # </details>
 
@@ -743,7 +743,7 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
 # Two minutes.
-# If somebody writes that odometry is corrected, they still have the first idea: pair them with somebody who has not.
+# If somebody writes that the odometry is corrected, they still have the wrong idea. Pair them with somebody who has the right one.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분입니다.

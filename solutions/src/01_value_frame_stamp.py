@@ -6,7 +6,7 @@
 # Run the two cells below first. Then write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # The reply to a wrong answer names the mistake. `hint("E1.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E1.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e1_4.speed_mps * 2.0` (what E1.4 gives is in `e1_4`), and not with a number that you calculated elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's. So answer with an expression, such as `e1_4.speed_mps * 2.0`, and not with a number that you calculated elsewhere. (`e1_4` contains the data of E1.4.)
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 01 · 값, 좌표계, 측정 시각
@@ -67,8 +67,8 @@ check("E1.1", post)
 # - **b** `/detected_point` of the camera's detector: `frame_id: ''`, stamp 59.8, point (0.1, 0.2, 3.1)
 # - **c** `/apple` of the camera's detector: `frame_id: camera_optical_frame`, stamp 0.0, point (0.0, 0.1, 2.2)
 # - **d** `/landmark` of a node that keeps a list of lamps: `frame_id: map`, stamp 31.2, point (7.5, 2.0, 2.6)
-# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same coordinates wherever the robot is in front of a door
-# - **f** `/battery_tray` of a mechanic: `frame_id: base_link`, stamp 12.0, point (−0.1, 0.0, 0.2)
+# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same coordinates in front of every door
+# - **f** `/battery_tray`, measured once by a mechanic: `frame_id: base_link`, stamp 12.0, point (−0.1, 0.0, 0.2)
 
 # %% [markdown] lang="ko" name="e1-2"
 # ## E1.2 · 어느 메시지를 쓸 수 있습니까? (3점)
@@ -234,7 +234,7 @@ check("E1.6", as_message)
 #
 # A robot drives straight along the map's x at `speed_mps`. One ball lies at rest in front of it. Four detectors detect it; each of them takes 0.2 s for an image.
 # `heard` contains five messages of each: (arrival [s], stamp [s], frame, x [m]).
-# Give each its finding: `"honest"` (correct), `"stamp is the arrival"`, `"no stamp"` or `"wrong label"` (a wrong frame name).
+# For each detector, choose a finding: `"honest"` (correct), `"stamp is the arrival"`, `"no stamp"` or `"wrong label"` (a wrong frame name).
 
 # %% [markdown] lang="ko" name="e1-7"
 # ## E1.7 · 검출기 넷, 바른 것은 하나 (3점)
@@ -270,7 +270,7 @@ check("E1.7", findings)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
 # On a robot, try `ros2 topic echo --once --field header` on every topic that you want to use: are frame and stamp there, and are they right?
 #
 # **Next:** [02 Axes and quaternions](../../notebooks/en/02_axes_and_quaternions.ipynb).

@@ -98,9 +98,9 @@ check("E3.2", corner)
 # %% [markdown] lang="en" name="e3-3" slide="slide"
 # ## E3.3 · The inverse (4 points)
 #
-# In the plane, a pose has three numbers: the position of b in a (`x`, `y`), and its rotation (`yaw`).
+# In the plane, the pose of b in a has three numbers: the position of b (`x`, `y`) and its rotation (`yaw`).
 # Return the pose of **a in b**, in the same form.
-# Use paper, `math.cos` and `math.sin`; no library needed.
+# Use paper, `math.cos` and `math.sin`. You need no other library.
 #
 # One formula is all you need: (u, v), rotated by an angle α, is (u·cos α − v·sin α, u·sin α + v·cos α).
 
@@ -232,11 +232,11 @@ check("E3.6", camera_mount)
 # One of three nodes has swapped target and source. No error was ever logged.
 #
 # ```python
-# # node_a: stops for obstacles; the bumper is known in base_link
+# # node_a: stops for obstacles near the bumper, which is given in base_link
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
-# # node_b: drives to a goal that is given in map; the wheels obey base_link
+# # node_b: drives to a goal that is given in map; the controller works in base_link
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # ahead = do_transform_point(goal, t).point
 #
@@ -288,7 +288,7 @@ check("E3.7", verdict)
 # ## Done?
 #
 # On a robot, run `ros2 run tf2_ros tf2_echo base_link laser_frame`, and then with the frames swapped.
-# Predict the second before you look: that is line 2 of your checklist.
+# Predict the second output before you look. That is line 2 of the checklist that `tflab progress` shows.
 #
 # **Next:** [04 · The tree of frames](../../notebooks/en/04_frame_tree.ipynb).
 

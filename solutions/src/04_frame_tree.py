@@ -31,7 +31,7 @@ from tf2_ros import ConnectivityException
 # ## E4.1 · One missing letter (3 points)
 #
 # `e4_1.edges` are the edges of a robot as in `frames.gv`, pairs (parent, child). One of the names is misspelt in one place, so there are two trees.
-# Give the corrected tree as a dict, child → parent, with all its edges. You may read the edges and type it, or compute it: `get_close_matches(word, names, n=1)` of Python's `difflib` returns a list with the most similar name.
+# Give the corrected tree as a dict, child → parent, with all its edges. You may type the dict by hand or compute it. `get_close_matches(word, names, n=1)` of Python's `difflib` returns a list with the most similar name.
 
 # %% [markdown] lang="ko" name="e4-1"
 # ## E4.1 · 한 글자가 모자랍니다 (3점)
@@ -60,7 +60,7 @@ check("E4.1", corrected)
 # `e4_2.a` to `e4_2.e` each list what was received on a robot: rows (parent, child, node). For each letter:
 #
 # - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"` (two nodes send the same edge);
-# - `"a child"`: the name of the child at fault: the one that has a misspelt parent, two parents, or two owners. For a healthy robot and for a loop: `"none"`.
+# - `"a child"`: the name of the child at fault. It is the child that has a misspelt parent, two parents, or two owners. For a healthy robot and for a loop, write `"none"`.
 #
 # `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`. The cell prints the listings; you only need to read them.
 
@@ -107,7 +107,7 @@ check("E4.2", finding)
 # %% [markdown] lang="en" name="e4-3"
 # ## E4.3 · Up, then down (5 points)
 #
-# `parent_of` is a tree without loops, a dict child → parent. Return the steps from `source` to `target`, as few as possible: a list of pairs (child, `"up"`) or (child, `"down"`), each step named after the child of its edge.
+# `parent_of` is a tree without loops, a dict child → parent. Return the shortest list of steps from `source` to `target`. Each step is a pair (child, `"up"`) or (child, `"down"`), named after the child of its edge.
 # From a frame to itself there is no step: return an empty list. If there is no path, raise `ConnectivityException`.
 
 # %% [markdown] lang="ko" name="e4-3"
@@ -140,7 +140,7 @@ check("E4.3", path)
 # %% [markdown] lang="en" name="e4-4"
 # ## E4.4 · Two robots, one map (3 points)
 #
-# `e4_4.edges` is the tree of one robot, pairs (parent, child), without prefixes. Two such robots share `map`, and no other frame; `e4_4.prefixes` are their names.
+# `e4_4.edges` is the tree of one robot, pairs (parent, child), without prefixes. Two such robots share `map`, and no other frame. `e4_4.prefixes` contains their names.
 # Give the tree of both together as a dict, child → parent. A frame of the first robot is named as in `robot1/odom`.
 
 # %% [markdown] lang="ko" name="e4-4"
@@ -166,7 +166,7 @@ check("E4.4", fleet)
 # %% [markdown] lang="en" name="e4-5"
 # ## E4.5 · What happens to this name? (3 points)
 #
-# `e4_5.lines` has eight lines, a to h: what a node sends (parent → child), or a lookup. `fates` is a dict with the eight letters; for each:
+# `e4_5.lines` has eight lines, a to h. Each line is a transform that a node sends (parent → child), or a lookup. `fates` is a dict with the eight letters. For each, choose one of these:
 #
 # - `"kept as odom"`: it is stored, and found as `odom`
 # - `"another frame"`: it is stored under a name that is not `odom`
@@ -213,12 +213,12 @@ check("E4.5", fates)
 # %% [markdown] lang="en" name="e4-6"
 # ## E4.6 · Which children have several owners? (3 points)
 #
-# `log` has a row (node, parent, child) for each transform that was received. Return the children that are sent by two nodes or more, sorted by name. A child with two parents counts too; a node that repeats itself does not.
+# `log` has a row (node, parent, child) for each transform that was received. Return the children that are sent by two nodes or more, sorted by name. A child to which two nodes give different parents counts, too. A node that sends the same child several times counts once, even with different parents.
 
 # %% [markdown] lang="ko" name="e4-6"
 # ## E4.6 · 발행하는 노드가 여럿인 것은? (3점)
 #
-# `log`에는 받은 변환마다 (노드, 부모, 자식) 한 줄이 있습니다. 둘 이상의 노드가 발행하는 자식을 이름 순서로 반환하십시오. 부모가 서로 다른 경우도 셉니다. 한 노드가 거듭 발행한 것은 세지 않습니다.
+# `log`에는 받은 변환마다 (노드, 부모, 자식) 한 줄이 있습니다. 둘 이상의 노드가 발행하는 자식을 이름 순서로 반환하십시오. 두 노드가 서로 다른 부모로 발행한 자식도 셉니다. 한 노드가 여러 번 발행한 것은 부모가 달라도 한 번으로 셉니다.
 
 
 # %% name="e4-6-answer" tags=["answer"]
@@ -261,7 +261,7 @@ check("E4.7", frame_name)
 # %% [markdown] lang="en" name="done"
 # ## What you have shown
 #
-# You can read a tree, fix it, and name the cause. In a class, grading asks the same with other robots.
+# You can read a tree, fix it, and name the cause. In a class, grading asks the same questions about other robots.
 #
 # **Next:** [05 · map, odom, base_link](../../notebooks/en/05_map_odom_base_link.ipynb).
 

@@ -6,7 +6,7 @@
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # The reply to a wrong answer names the mistake. `hint("E5.1")` gives the first of three hints.
 # After a pass, or three tries, `solution("E5.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
-# Your numbers come from `task(...)` and may differ from your neighbour's, so answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you calculated elsewhere.
+# Your numbers come from `task(...)` and may differ from your neighbour's. So answer with an expression, such as `e5_2.odom_T_base.inverse()`, and not with a number that you calculated elsewhere.
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 05 · map, odom, base_link
@@ -30,7 +30,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e5-1"
 # ## E5.1 · What a localiser publishes (4 points)
 #
-# Both arguments are a `Transform` at the same time: the robot's pose on the map, as the localiser found it, and its pose by the wheel odometry.
+# Both arguments are a `Transform`, for the same time. They are the robot's pose on the map, as the localiser found it, and its pose from the wheel odometry.
 # Return the `Transform` to publish as `map → odom`.
 
 # %% [markdown] lang="ko" name="e5-1"
@@ -54,7 +54,7 @@ check("E5.1", map_to_odom)
 # %% [markdown] lang="en" name="e5-2"
 # ## E5.2 · A loop closure (4 points)
 #
-# Before the correction the edge is `map_T_odom`, and the odometry gives `odom_T_base`. Now the robot recognises a door and its pose is found to be `found_T_base`, which is its new `map_T_base`. All are at the same time.
+# Before the correction the edge is `map_T_odom`, and the odometry gives `odom_T_base`. Now the robot recognises a door and its pose is found to be `found_T_base`, which is its new `map_T_base`. All of these are for the same time.
 #
 # - `"believed"`: where was the robot on the map before, (x, y) [m]?
 # - `"jump_m"`: how far does the robot jump on the map [m]?
@@ -135,7 +135,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="en" name="e5-4"
 # ## E5.4 · A robot that flickers (3 points)
 #
-# RViz, Fixed Frame `map`: the robot flickers between two positions. Fixed Frame `odom`: every tenth of a second it is gone. This was published in one second:
+# RViz, Fixed Frame `map`: the robot flickers between two positions. Fixed Frame `odom`: it disappears every tenth of a second. This was published in one second:
 #
 # | node | edge | messages |
 # |---|---|---|
@@ -145,7 +145,7 @@ check("E5.3", jobs)
 #
 # - `"node"`: which node has to change: `"/wheels"`, `"/scan_matcher"` or `"/robot_state_publisher"`?
 # - `"edge"`: which edge should it send: `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"` or `"none"`?
-# - `"error"`: what does TF2 report to the two senders meanwhile: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
+# - `"error"`: what does TF2 report to the two senders: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
 
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
@@ -178,7 +178,7 @@ check("E5.4", finding)
 # ## E5.5 · The projection onto the floor (3 points)
 #
 # `odom_T_base` is a `Transform`: the pose of `base_link`, at some height, and tilted by a ramp. Its yaw, pitch and roll are those of `Transform.rpy()`.
-# Return the footprint, straight below it on the floor, level, with the same yaw: a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
+# Return the pose of `base_footprint`: straight below `base_link` on the floor, level, and with the same yaw. Write it as a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
 
 # %% [markdown] lang="ko" name="e5-5"
 # ## E5.5 · 바닥에 투영하기 (3점)
@@ -203,7 +203,7 @@ check("E5.5", footprint)
 # ## E5.6 · The correction, through TF (4 points)
 #
 # A scan was taken at `stamp_ns` and matched to the map, which took some time. The result is `map_T_base`, a `Transform`: the pose of `base_footprint` on the map when the scan was taken.
-# `buffer` is a buffer of this chapter's page; its edge of the wheel odometry is `odom → base_footprint`.
+# `buffer` is a buffer as on this chapter's page. It contains the edge of the wheel odometry, `odom → base_footprint`.
 # Return the `Transform` to publish as `map → odom`. If the buffer has no data for that time, let its exception through.
 
 # %% [markdown] lang="ko" name="e5-6"
@@ -229,7 +229,7 @@ check("E5.6", correction)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
 # On a robot, let `ros2 run tf2_ros tf2_echo map odom` run while it drives: the value is constant, and then it jumps.
 #
 # **Next:** [06 Static and dynamic](../../notebooks/en/06_static_and_dynamic.ipynb).
