@@ -33,7 +33,7 @@ def test_a_panel_asks_what_is_chosen_and_the_table_and_the_clock_follow(ahead):
 def test_a_panel_tries_a_fix_on_a_proof_and_not_on_a_suspicion(ahead):
     panel = clinic_panel(ahead)
     panel.try_fix()
-    assert "First a diagnosis" in panel._readings.value
+    assert "First make a diagnosis" in panel._readings.value
     panel._cause.value, panel._fix.value = "laser clock ahead", "set the laser's clock"
     panel.try_fix()
     assert "is a guess" in panel._readings.value and not panel.visit.tried

@@ -82,7 +82,7 @@ def test_the_class_page_names_what_was_cured_and_what_grew() -> None:
     assert "30 learners answered both forms. Right of 15, on average: 13.0 before, 14.3 after" in page
     assert "Normalised gain 0.67: medium (0.3 to 0.7)." in page
     assert (
-        "Most cured: the inverse is only a minus sign (M3) 10 → 0; "
+        "Decreased most: the inverse is only a minus sign (M3) 10 → 0; "
         "latest or receive time instead of the stamp (M9) 10 → 0." in page
     )
     assert "Grew: a timeout cures everything (M10) 0 → 10. Teach it again." in page
@@ -148,7 +148,7 @@ def test_the_gain_is_of_the_means_and_has_three_bands() -> None:
     ]  # fmt: skip
     assert normalised_gain(15.0, 15.0, 15) is None
     found = class_gain([record("s1", believer("A"), believer("B", "M5"))], ITEMS)
-    assert "nothing left to gain" in "".join(gain_section(found, ITEMS, "en"))
+    assert "Normalised gain: not defined" in "".join(gain_section(found, ITEMS, "en"))
 
 
 def test_items_and_options_that_tell_little_are_named_once_enough_have_answered() -> None:

@@ -87,7 +87,9 @@ def everything_below(folder: Path) -> dict[str, bytes]:
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_what_was_corrected_comes_in_and_answers_seed_roster_stamps_and_questions_stay(out, course, monkeypatch) -> None:
+def test_what_was_corrected_comes_in_and_answers_seed_roster_stamps_and_questions_stay(
+    out, course, monkeypatch
+) -> None:
     before, stamp = read_pack(out.pack), out.exercise()["metadata"]["tflab"]
     given = course.assigned("s102", "E3.1").variants[0].given
     comes_out(out, monkeypatch)

@@ -38,7 +38,7 @@ def guarded(frame):
         (
             climb,
             [{"dict": {"odom": "map"}}, "odom"],
-            '`parent_of[frame]`. There, `parent_of` = `{odom: "map"}`, `frame` = `"map"`.',
+            '`parent_of[frame]`. There, `parent_of` = `{"odom": "map"}`, `frame` = `"map"`.',
         ),
     ],
 )

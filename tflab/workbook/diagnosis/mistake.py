@@ -27,7 +27,7 @@ class Mistake(str, Enum):
     NOT_A_FUNCTION = "not a function"
     A_FUNCTION = "a function"
     ENDLESS = "endless"
-    TOO_LARGE = "too large"
+    OUT_OF_MEMORY = "out of memory"
     INTERRUPTED = "interrupted"
     UNSTEADY = "unsteady"
     KNOWN = "known"  # one that the task knows, or two
