@@ -57,7 +57,8 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
             return Verdict(0, len(cases), mistake, case=number, detail=_stopped_call(assigned, number)), []
         lines += printed.lines
         if is_raised(first) and first["raises"] == MemoryError.__name__:
-            return Verdict(0, len(cases), Mistake.OUT_OF_MEMORY, case=number, detail=_stopped_call(assigned, number)), []
+            detail = _stopped_call(assigned, number)
+            return Verdict(0, len(cases), Mistake.OUT_OF_MEMORY, case=number, detail=detail), []
         if first != again:
             return Verdict(0, len(cases), Mistake.UNSTEADY, case=number), []
         outcomes.append(first)
