@@ -31,13 +31,13 @@ def test_a_reply_shows_result_and_expected_result_side_by_side(capsys):
 
 
 def test_call_returns_the_arguments_of_the_call_that_the_reply_showed(capsys):
-    def straight(parent_of, source, target):
+    def straight(parent_of, target, source):
         return [source, target]
 
     check("E4.3", straight)
     assert 'call("E4.3") returns its arguments.' in capsys.readouterr().out
     shown = call("E4.3")
-    assert list(vars(shown)) == ["parent_of", "source", "target"]
+    assert list(vars(shown)) == ["parent_of", "target", "source"]
     assert isinstance(shown.parent_of, dict) and shown.source in shown.parent_of
     assert 'source     "imu_link"' in capsys.readouterr().out
 
