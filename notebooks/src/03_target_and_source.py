@@ -87,7 +87,7 @@ from tflab.workbook import lesson
 #
 # IMU(회전과 중력을 재는 센서)를 회전시켜 장착한 로봇이 있었는데, 어딘가에서 변환이 거꾸로인 것 같았습니다.
 # 그래서 팀은 장착 방향을 *틀리게* 발행했고, 그러자 숫자가 맞았습니다.
-# 나중에 팀은 IMU를 쓰는 프로그램에서 두 좌표계의 순서를 바꾸자고 제안했습니다. 그 프로그램은 이미 기준이 될 좌표계를 먼저 쓴다는 답이 왔습니다.
+# 나중에 팀은 IMU를 쓰는 프로그램에서 두 좌표계의 순서를 바꾸자고 제안했습니다. 관리자는 그 프로그램이 기준이 될 좌표계를 이미 앞에 쓰고 있다고 답했습니다.
 #
 # 이 팀만 헷갈린 것이 아닙니다.
 # 2015년, 누군가 변환을 출력하는 도구인 `tf_echo`의 좌표계 순서가 거꾸로 아니냐고 물었습니다.
@@ -363,7 +363,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 #
 # That is all.
 # The frame in which the data is expressed is the [[source frame|source]]. The frame in which you want it is the [[target frame|target]].
-# The target comes first in every call:
+# In a call that names both frames, the target comes first:
 #
 # ```python
 # lookup_transform('base_link', 'laser_frame', time)   # wanted in, expressed in, when
@@ -387,7 +387,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 #
 # 이것이 전부입니다.
 # 데이터가 지금 표현된 기준이 [[source frame|원본 좌표계(source frame)]](소스 프레임이라고도 합니다)이고, 기준이 될 좌표계가 [[target frame|목표 좌표계(target frame)]]입니다. 줄여서 원본, 목표라고 부릅니다.
-# 모든 호출에서 목표가 먼저 옵니다.
+# 두 좌표계를 적는 호출에서는 목표가 먼저 옵니다.
 #
 # ```python
 # lookup_transform('base_link', 'laser_frame', time)   # 목표, 원본, 시각
@@ -488,7 +488,7 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # <details><summary>부호 하나만 다른 쌍</summary>
 #
 # `base_link`와 `rear_laser`입니다. 뒤쪽에 180° 회전시켜 단 레이저입니다.
-# 목표와 원본을 맞바꾸면 행렬에서 z의 부호만 달라집니다.
+# 목표와 원본을 맞바꾸면 행렬에서 이동의 z만 부호가 달라집니다.
 # 이 레이저를 기억해 두십시오. 뒤에서 한 팀이 이런 레이저로 시험하다가 실수를 놓칩니다.
 #
 # </details>

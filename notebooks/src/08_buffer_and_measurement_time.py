@@ -788,7 +788,7 @@ lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(r
 #
 # 이제 바퀴 오도메트리가 20 Hz가 아니라 1 Hz로 옵니다. 카메라는 여전히 1초에 다섯 번 공을 보고, 관측은 측정한 지 0.2초 뒤에 도착합니다.
 #
-# **예측해 봅시다.** 관측은 마흔 개쯤입니다. 도착하자마자 자기 측정 시각의 변환을 조회하면 몇 개나 성공할까요?
+# **예측해 봅시다.** 관측은 마흔 개쯤입니다. 관측이 도착하자마자 그 관측의 측정 시각으로 변환을 조회하면 몇 개나 성공할까요?
 
 # %% name="slow-odometry" tags=["predicted"] slide="fragment"
 slow_wheels = {"odometry": lesson.Source("wheel_odometry", 1.0, 0.004, 0.002)}  # 1 Hz
@@ -930,7 +930,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
 # 시각 하나로는 이런 조회를 할 수 없습니다. 두 시각 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 연결합니다. 여기서는 `odom`입니다.
-# `lookup_transform_full`은 **그때**의 변환으로 카메라 기준 값을 `odom` 기준으로 바꾸고, 1초 뒤인 **지금**의 변환으로 그 값을 base_link 기준으로 바꿉니다.
+# `lookup_transform_full`은 변환 하나를 반환합니다. **그때**의 카메라에서 `odom`까지, 다시 `odom`에서 1초 뒤인 **지금**의 base_link까지 이은 변환입니다.
 # 인자는 좌표계 두 개(각각 시각이 하나씩 따라옵니다)와 고정 좌표계 하나입니다.
 
 # %% name="six-arguments"
@@ -957,7 +957,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # A second ago the ball was 1.6 m to the **right**. Now it is 0.7 m to the **left**.
 # The old coordinates were correct for the old pose. If the planner had used them, it would have turned the robot away from the ball.
 #
-# Why `odom` and not `map`? The ball is at rest in both. But `map` may jump when the localisation corrects the pose in between, and the ball would jump with it (chapter 05).
+# Why `odom` and not `map`? The ball is at rest in both. But if the localisation corrects the pose in between, the robot's pose in `map` jumps, and the result jumps with it (chapter 05).
 
 # %% [markdown] lang="ko" name="two-moments-read"
 # *그림 읽기:* ball = 공, ahead = 앞, to the right = 오른쪽, to the left = 왼쪽, grid of 1 m = 눈금 한 칸이 1미터.
@@ -965,7 +965,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # 1초 전에 공은 **오른쪽** 1.6 m에 있었습니다. 지금은 **왼쪽** 0.7 m에 있습니다.
 # 1초 전의 값은 1초 전에는 옳았습니다. 그대로 조향했다면 로봇은 공의 반대쪽으로 회전했을 것입니다.
 #
-# 왜 `map`이 아니라 `odom`일까요? 공은 둘 다에서 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map`은 튈 수 있고, 공도 함께 튑니다(05장).
+# 왜 `map`이 아니라 `odom`일까요? 공은 둘 다에서 가만히 있습니다. 하지만 그사이 위치 추정이 보정하면 `map` 기준 로봇의 포즈가 튀고, 그만큼 base_link 기준 공의 위치도 튑니다(05장).
 
 # %% [markdown] lang="en" name="two-moments-notes" slide="notes"
 # Walk it: one student is the ball, you are the robot. Say where the ball is, close your eyes, take three steps and turn, and point to where you said it was.
@@ -1290,7 +1290,7 @@ node.stop()
 # - 콜백에서는 `timeout=`을 빼거나, 수신기에 별도의 스레드를 주십시오. 기다리는 법은 09장에서 다룹니다.
 # - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
 #
-# 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 콜백에는 쓰지 않습니다).
+# 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 노드의 콜백에서는 쓰지 않습니다).
 #
 # ```python
 # measurement_time = Time.from_msg(message.header.stamp)
@@ -1448,7 +1448,7 @@ node.stop()
 # ## 정리
 #
 # - 버퍼에는 연결마다 시간줄이 하나씩 있습니다. 표본 사이는 보간하고, 바깥은 거절합니다.
-# - `Time()`은 최신 공통 시각입니다. 마지막 시각들 가운데 가장 이른 것이고 정적 연결은 세지 않습니다. 지금이 아닙니다.
+# - `Time()`은 최신 공통 시각입니다. 동적 연결마다 마지막 표본의 시각이 있고, 그 가운데 가장 이른 것입니다. 현재 시각이 아닙니다.
 # - 값 + 좌표계 + 측정 시각. `buffer.transform()`은 셋을 모두 씁니다. 여러분도 그래야 합니다.
 # - 요청 시각이 틀리면 위치가 틀립니다. 앞뒤로 속도 × 지연, 좌우로 거리 × yaw 각속도 × 지연.
 # - `header.stamp`는 측정한 시각입니다. 덮어쓰면 오차가 드러나지 않습니다.

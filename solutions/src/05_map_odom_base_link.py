@@ -64,7 +64,7 @@ check("E5.1", map_to_odom)
 # %% [markdown] lang="ko" name="e5-2"
 # ## E5.2 · 루프 폐쇄가 일어날 때 (4점)
 #
-# 바로잡기 전의 연결은 `map_T_odom`이고, 오도메트리의 포즈는 `odom_T_base`입니다. 이때 루프 폐쇄(loop closure)가 일어납니다. 로봇이 전에 본 문을 알아보고, 자기 포즈가 `found_T_base`, 곧 새로운 `map_T_base`임을 알아냅니다. 모두 같은 시각의 것입니다.
+# 바로잡기 전의 연결은 `map_T_odom`이고, 오도메트리의 포즈는 `odom_T_base`입니다. 이때 루프 폐쇄(loop closure)가 일어납니다. 로봇이 전에 본 문을 알아보고 지도 위의 자기 포즈를 새로 구합니다. 이 새 `map_T_base`가 `found_T_base`입니다. 모두 같은 시각의 것입니다.
 #
 # - `"believed"`: 그전에는 로봇이 지도의 어디에 있는 것으로 되어 있었습니까? (x, y) [m]
 # - `"jump_m"`: 지도 기준으로 로봇이 얼마나 튑니까[m]?
@@ -135,7 +135,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="en" name="e5-4"
 # ## E5.4 · A robot that flickers (3 points)
 #
-# RViz, Fixed Frame `map`: the robot flickers between two positions. Fixed Frame `odom`: it disappears every tenth of a second. This was published in one second:
+# In RViz the robot appears and disappears many times a second, with Fixed Frame `map` as well as with `odom`. This was published in one second:
 #
 # | node | edge | messages |
 # |---|---|---|
@@ -150,7 +150,7 @@ check("E5.3", jobs)
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
 #
-# RViz의 고정 좌표계(Fixed Frame)가 `map`이면 로봇이 두 곳을 오가며 깜빡입니다. `odom`이면 0.1초마다 사라집니다. 1초 동안 발행된 변환을 요약하면 다음과 같습니다.
+# RViz의 고정 좌표계(Fixed Frame)가 `map`이든 `odom`이든, 로봇이 1초에도 여러 번 나타났다 사라집니다. 1초 동안 발행된 변환을 요약하면 다음과 같습니다.
 #
 # | 노드 | 연결 | 메시지 수 |
 # |---|---|---|
@@ -211,7 +211,7 @@ check("E5.5", footprint)
 #
 # `stamp_ns`에 측정한 스캔을 지도와 맞추는 데 시간이 조금 걸렸습니다. 결과 `map_T_base`는 스캔을 측정한 시각의, 지도 위 `base_footprint`의 포즈를 담은 `Transform`입니다.
 # `buffer`는 이 장의 페이지에서 쓴 것과 같은 버퍼이고, 바퀴 오도메트리 노드가 발행하는 연결은 `odom → base_footprint`입니다.
-# `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼에 그 시각의 값이 없으면 예외를 그대로 내보내십시오.
+# `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼에 그 시각의 값이 없으면 예외를 잡지 말고 그대로 두십시오.
 
 
 # %% name="e5-6-answer" tags=["answer"]
