@@ -31,6 +31,7 @@ def outcomes(task: dict[str, Any], one: Any = None) -> dict[int, Any]:
 
 @pytest.fixture(autouse=True)
 def its_own_server() -> Iterator[None]:
+    isolated._stop()  # that of a test of another module
     yield
     isolated._stop()
 
