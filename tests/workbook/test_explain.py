@@ -207,7 +207,7 @@ def posed(yaw, z=0.0):
         (Pose(), posed(0.8), posed(0.803), "translation: x, y, z: right. Rotation: off by at most 1°"),
         (Pose(), posed(0.8), posed(0.8 + math.pi / 2), "translation: x, y, z: right. Rotation: off by at most 90°"),
         (Pose(), posed(0.8), posed(2.372), "translation: x, y, z: right. Rotation: off by more than 90°"),
-        (Angle(), 0.5, 0.1, "turned too far to the right, by at most 45°"),
+        (Angle(), 0.5, 0.1, "rotated too far to the right, by at most 45°"),
         (Tree(), FIVE, FIVE | {"laser": "lamp"}, 'wrong as a child, or below the wrong parent: "laser"'),
         (Tree(), FIVE, LAMP, 'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2'),
         (Set(Name()), {"map", "odom"}, set(), "members that are missing: 2"),

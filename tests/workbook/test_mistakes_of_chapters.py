@@ -8,7 +8,6 @@ import pytest
 
 from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import from_plain, is_raised
-from tflab.workbook.diagnosis.matching import FEWEST_DIGITS
 from tflab.workbook.diagnosis.mistake import Mistake
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import AND, TaskCases, values_of
@@ -35,8 +34,7 @@ def changed(plain):
 
 def has_few_digits(task: TaskCases, outcomes: list) -> bool:
     """Return whether the answer is one short number, such as 0.55: several pairs of mistakes could give that."""
-    is_number = not task.is_function and isinstance(outcomes[0], int | float)
-    return is_number and len(f"{abs(outcomes[0]):.9f}".replace(".", "").strip("0")) < FEWEST_DIGITS
+    return not task.is_function and task.form.is_short(outcomes[0])
 
 
 def is_of_numbers(form: Form) -> bool:

@@ -151,6 +151,10 @@ class Form:
         """Return the numbers of an answer that is one number or a row of numbers; None of any other."""
         return numbers_of(plain, None)
 
+    def is_short(self, plain: Plain) -> bool:
+        """Return whether an answer has too few digits for more than an exact match to say something."""
+        return False
+
     def names(self) -> tuple[str, ...]:
         """Return the names of what earns credit on its own; none where that has no names."""
         return ()

@@ -1,4 +1,4 @@
-"""Numbers, angles, vectors, rotations and transforms as answers."""
+"""NumberForm, angles, vectors, rotations and transforms as answers."""
 
 from __future__ import annotations
 
@@ -15,15 +15,29 @@ __all__ = ["Angle", "Number", "Pose", "Quaternion", "Vector"]
 
 LETTERS = "xyzw"
 ROUNDING_DEG = 1e-6
+FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
+
+
+class NumberForm(Form):
+    """What one number and a row of numbers share."""
+
+    is_measured: ClassVar[bool] = True
+
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        given, wanted = self.numbers(answer), self.numbers(expected)
+        return self.compare(given, wanted) if given and wanted else None
+
+    def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
+        """Return in which direction, and how far, numbers are off."""
+        raise NotImplementedError
 
 
 @dataclass(frozen=True)
-class Number(Form):
+class Number(NumberForm):
     """One number [unit]."""
 
     unit: str = ""
     tolerance: float = 1e-3
-    is_measured: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         row = numbers_of(plain, None)
@@ -33,17 +47,27 @@ class Number(Form):
         unit = f" [{self.unit}]" if self.unit else ""
         return Text(en=f"one number{unit}", ko=f"숫자 하나{unit}")
 
-    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
-        given, wanted = self.numbers(answer), self.numbers(expected)
-        return _compare_numbers(given[0], wanted[0]) if given and wanted else None
+    def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
+        have, want = given[0], wanted[0]
+        large = have > want
+        side = Text("too large", "너무 큽니다") if large else Text("too small", "너무 작습니다")
+        off = abs(have - want)
+        if off < 0.1 * abs(want):
+            return Text(f"{side.en}, by less than a tenth", f"10% 이내의 차이로 {side.ko}")
+        if off < abs(want):
+            return Text(f"{side.en}, by more than a tenth", f"10% 넘는 차이로 {side.ko}")
+        return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
+
+    def is_short(self, plain: Plain) -> bool:
+        numbers = self.numbers(plain)
+        return numbers is not None and len(f"{abs(numbers[0]):.9f}".replace(".", "").strip("0")) < FEWEST_DIGITS
 
 
 @dataclass(frozen=True)
-class Angle(Form):
+class Angle(NumberForm):
     """An angle [rad]; a full turn more or less is the same."""
 
     tolerance: float = 1e-3
-    is_measured: ClassVar[bool] = True
     unit = "rad"
 
     def probes(self, plain: Plain) -> list[Probe] | None:
@@ -56,20 +80,22 @@ class Angle(Form):
     def wanted(self) -> Text:
         return Text(en="one angle [rad]", ko="각도 하나 [rad]")
 
-    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
-        given, wanted = self.numbers(answer), self.numbers(expected)
-        return _compare_angles(given[0], wanted[0]) if given and wanted else None
+    def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
+        off = math.remainder(given[0] - wanted[0], math.tau)
+        size = _degrees(abs(off))
+        if off > 0:
+            return Text(f"rotated too far to the left, by {size.en}", f"왼쪽으로 {size.ko} 더 돌았습니다")
+        return Text(f"rotated too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 돌았습니다")
 
 
 @dataclass(frozen=True)
-class Vector(Form):
+class Vector(NumberForm):
     """`size` numbers [unit], expressed in `frame`; a message with x, y, z will do, and its frame is looked at."""
 
     size: int = 3
     unit: str = "m"
     frame: str = ""
     tolerance: float = 1e-3
-    is_measured: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         frame = member(plain, "header", "frame_id")
@@ -90,17 +116,15 @@ class Vector(Form):
     def numbers(self, plain: Plain) -> tuple[float, ...] | None:
         return numbers_of(plain, self.size)
 
-    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
-        given, wanted = self.numbers(answer), self.numbers(expected)
-        return _compare_vectors(given, wanted, self.tolerance) if given and wanted else None
+    def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
+        return _compare_vectors(given, wanted, self.tolerance)
 
 
 @dataclass(frozen=True)
-class Quaternion(Form):
+class Quaternion(NumberForm):
     """A rotation (x, y, z, w); q and -q are the same."""
 
     tolerance: float = 1e-3
-    is_measured: ClassVar[bool] = True
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         row = numbers_of(plain, 4)
@@ -112,9 +136,8 @@ class Quaternion(Form):
     def numbers(self, plain: Plain) -> tuple[float, ...] | None:
         return numbers_of(plain, 4)
 
-    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
-        given, wanted = self.numbers(answer), self.numbers(expected)
-        return _compare_rotations(given, wanted, 1e-3) if given and wanted else None
+    def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
+        return _compare_rotations(given, wanted, self.tolerance)
 
 
 @dataclass(frozen=True)
@@ -169,25 +192,6 @@ def _both_signs(before: Row, rotation: tuple[float, ...], tolerance: float) -> P
     return [before + tuple(Mark(sign * number, tolerance) for number in rotation) for sign in (1.0, -1.0)]
 
 
-def _compare_numbers(given: float, wanted: float) -> Text:
-    large = given > wanted
-    side = Text("too large", "너무 큽니다") if large else Text("too small", "너무 작습니다")
-    off = abs(given - wanted)
-    if off < 0.1 * abs(wanted):
-        return Text(f"{side.en}, by less than a tenth", f"10% 이내의 차이로 {side.ko}")
-    if off < abs(wanted):
-        return Text(f"{side.en}, by more than a tenth", f"10% 넘는 차이로 {side.ko}")
-    return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
-
-
-def _compare_angles(given: float, wanted: float) -> Text:
-    off = math.remainder(given - wanted, math.tau)
-    size = _degrees(abs(off))
-    if off > 0:
-        return Text(f"turned too far to the left, by {size.en}", f"왼쪽으로 {size.ko} 더 돌았습니다")
-    return Text(f"turned too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 돌았습니다")
-
-
 def _compare_vectors(given: Sequence[float], wanted: Sequence[float], tolerance: float) -> Text:
     rows = list(zip(LETTERS, given, wanted, strict=False))
     right = [name for name, number, other in rows if abs(number - other) <= tolerance]
@@ -195,7 +199,7 @@ def _compare_vectors(given: Sequence[float], wanted: Sequence[float], tolerance:
     small = [name for name, number, other in rows if other - number > tolerance]
     if not right and abs(math.hypot(*given) - math.hypot(*wanted)) <= 2 * tolerance:
         return Text(
-            "its length is right, its direction is not: a turn is missing, or is one too many",
+            "its length is right, its direction is not: a rotation is missing, or there is one too many",
             "길이는 맞지만 방향이 다릅니다. 회전이 빠졌거나 하나 더 들어갔습니다",
         )
     pieces = [(right, "right", "맞음"), (large, "too large", "너무 큼"), (small, "too small", "너무 작음")]

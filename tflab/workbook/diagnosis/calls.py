@@ -23,7 +23,7 @@ TEXTS = Texts(__file__)
 
 
 def return_value(outcome: Plain) -> Plain:
-    """Return what a function return_value, whether or not it changed an argument."""
+    """Return what a function returned, whether or not it changed an argument."""
     return outcome["gave"] if isinstance(outcome, dict) and "gave" in outcome else outcome
 
 

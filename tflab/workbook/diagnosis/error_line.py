@@ -11,10 +11,10 @@ All of it comes from the traceback, so it is certain.
 from __future__ import annotations
 
 import ast
-import dis
 import linecache
+import traceback
 from collections.abc import Callable, Iterator, Sequence
-from types import CodeType, TracebackType
+from types import CodeType
 from typing import Any, NamedTuple
 
 from ...text import Text, Texts
@@ -51,45 +51,31 @@ def error_line(function: Callable[..., Any], args: Sequence[Plain]) -> ErrorLine
 
 def _describe(function: Callable[..., Any], error: Exception) -> ErrorLine | None:
     file = getattr(getattr(function, "__code__", None), "co_filename", "")
-    frames = [frame for frame in _tracebacks(error.__traceback__) if frame.tb_frame.f_code.co_filename == file]
-    text = linecache.getline(file, frames[-1].tb_lineno).rstrip() if frames else ""
-    if not text:
+    rows = zip(traceback.walk_tb(error.__traceback__), traceback.extract_tb(error.__traceback__), strict=True)
+    stack = [(frame, summary) for (frame, _), summary in rows]
+    frame, summary = next((row for row in reversed(stack) if row[1].filename == file), (None, None))
+    if frame is None or not summary.line:
         return None
-    last = frames[-1]
-    if last.tb_next is None and _operation(last) == "RAISE_VARARGS":
-        return ErrorLine(TEXTS["own"].filled(line=last.tb_lineno, text=_quoted(text)), True)
-    segment = _segment(last, text)
-    values = [f"`{name}` = `{_shown(value)}`" for name, value in _values(segment, last.tb_frame.f_locals)]
-    said = TEXTS["line"].filled(line=last.tb_lineno, text=_quoted(segment))
+    segment = _segment(summary)
+    if summary is stack[-1][1] and segment.startswith("raise"):
+        return ErrorLine(TEXTS["own"].filled(line=summary.lineno, text=_quoted(summary.line)), True)
+    said = TEXTS["line"].filled(line=summary.lineno, text=_quoted(segment))
+    values = [f"`{name}` = `{_shown(value)}`" for name, value in _values(segment, frame.f_locals)]
     if values:
         said = Text.joined(said, TEXTS["values"].filled(values=", ".join(values[:MOST_VALUES])))
     is_refusal = type(error).__name__.endswith("Exception")  # as tf2 names its own
-    if is_refusal and (clause := _passed_by(file, last)) is not None:
+    if is_refusal and (clause := _passed_by(frame.f_code, summary.lineno)) is not None:
         said = Text.joined(said, TEXTS["passed_by"].filled(clause=_quoted(clause), error=type(error).__name__))
     return ErrorLine(said, False)
 
 
-def _tracebacks(traceback: TracebackType | None) -> Iterator[TracebackType]:
-    while traceback is not None:
-        yield traceback
-        traceback = traceback.tb_next
-
-
-def _operation(traceback: TracebackType) -> str:
-    return dis.opname[traceback.tb_frame.f_code.co_code[traceback.tb_lasti]]
-
-
-def _segment(traceback: TracebackType, text: str) -> str:
+def _segment(summary: traceback.FrameSummary) -> str:
     """Return the expression that raised; the whole line where Python (3.10) does not say which one it was."""
-    line, end_line, start, end = _position(traceback.tb_frame.f_code, traceback.tb_lasti)
-    if line is None or line != end_line:
-        return text.strip()
-    return text.encode()[start:end].decode(errors="ignore")  # columns count bytes
-
-
-def _position(code: CodeType, instruction: int) -> tuple[int | None, ...]:
-    positions = getattr(code, "co_positions", None)
-    return list(positions())[instruction // 2] if positions else (None,) * 4
+    start, end = getattr(summary, "colno", None), getattr(summary, "end_colno", None)
+    if start is None or end is None or summary.end_lineno != summary.lineno:
+        return summary.line
+    line = linecache.getline(summary.filename, summary.lineno)
+    return line.encode()[start:end].decode(errors="ignore")  # columns count bytes
 
 
 def _values(segment: str, variables: dict[str, Any]) -> Iterator[tuple[str, Any]]:
@@ -110,18 +96,16 @@ def _shown(value: Any) -> str:
     return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 2] + " …"
 
 
-def _passed_by(file: str, traceback: TracebackType) -> str | None:
-    """Return the `except` clause around the line, in the same function, that did not catch the exception."""
-    code = traceback.tb_frame.f_code
+def _passed_by(code: CodeType, line: int) -> str | None:
+    """Return the `except` clause around a line, in the same function, that did not catch the exception."""
     try:
-        tree = ast.parse("".join(linecache.getlines(file)))
+        tree = ast.parse("".join(linecache.getlines(code.co_filename)))
     except SyntaxError:  # a cell with a magic
         return None
     for node in ast.walk(tree):
-        if isinstance(node, ast.Try) and node.handlers and node.lineno >= code.co_firstlineno:
-            body_end = node.body[-1].end_lineno or 0
-            if node.body[0].lineno <= traceback.tb_lineno <= body_end:
-                return linecache.getline(file, node.handlers[-1].lineno).strip().rstrip(":")
+        is_guard = isinstance(node, ast.Try) and node.handlers and node.lineno >= code.co_firstlineno
+        if is_guard and node.body[0].lineno <= line <= (node.body[-1].end_lineno or 0):
+            return linecache.getline(code.co_filename, node.handlers[-1].lineno).strip().rstrip(":")
     return None
 
 

@@ -14,7 +14,6 @@ from collections.abc import Callable, Iterator
 from typing import Literal, NamedTuple
 
 from ...text import Text, Texts, begun
-from ..answers.form import numbers_of
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
@@ -39,7 +38,6 @@ from .matching import (
     all_alike,
     feedback_of,
     in_some,
-    is_short,
     matches_closely,
     matching_corrections,
 )
@@ -83,9 +81,8 @@ class Explainer(NamedTuple):
     def applies(self, question: Question) -> bool:
         """Return whether this row is asked."""
         is_of = self.of == "any" or (self.of == "function") is question.task.is_function
-        is_form = (
-            not self.forms or isinstance(question.form, self.forms)
-        ) and self.is_measured <= question.form.is_measured
+        is_form = isinstance(question.form, self.forms or Form)
+        is_form &= question.form.is_measured or not self.is_measured
         return is_of and is_form and (self.condition is None or self.condition(question))
 
 
@@ -254,12 +251,10 @@ def _is_split(question: Question) -> bool:
 
 def _is_not_short(question: Question) -> bool:
     """Return whether a number has digits enough for two mistakes to be no chance, and is not the right one rounded."""
-    is_number = isinstance(question.form, Number) and not question.task.is_function
-    row = numbers_of(question.outcomes[0], None) if is_number else None
-    if row is None:
+    form, outcomes = question.form, list(question.outcomes)
+    if question.task.is_function or not isinstance(form, Number):
         return True
-    lost = by_comparison(question.form, list(question.outcomes), question.expected)
-    return not is_short(row[0]) and "rounded" not in lost
+    return not form.is_short(outcomes[0]) and "rounded" not in by_comparison(form, outcomes, question.expected)
 
 
 def _fits_order_alone(question: Question) -> bool:

@@ -23,7 +23,6 @@ __all__ = [
     "expand_lists",
     "feedback_of",
     "in_some",
-    "is_short",
     "matches_closely",
     "matching_corrections",
     "row_of",
@@ -37,7 +36,6 @@ IN_SOME = "in some: "
 EXACT = {"sign", "power of ten"}  # what a number of one or two digits can show, beside a unit
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
 ONE, TWO = 0.1, 0.005  # how far from what one mistake, or two, give: the more there are, the sooner one fits by chance
-FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 A_HAIR = 1e-6  # how far, as a share, a number that was not rounded is from what gives it
 COMPUTED = 1e-4  # the same of a number that was not rounded: it is what was done, and little else
 
@@ -82,15 +80,10 @@ def _is_near(form: Form, given: Plain, wanted: Plain, share: float) -> bool:
     if one is None or other is None:
         return True
     size = math.hypot(*other)
-    share = A_HAIR if isinstance(form, Number) and is_short(one[0]) else share
+    share = A_HAIR if form.is_short(given) else share
     closest = [max(10.0 ** -_decimals(number), COMPUTED * size) + 1e-9 for number in one]
     is_close = all(abs(a - b) <= allowed for a, b, allowed in zip(one, other, closest, strict=True))
     return is_close and math.dist(one, other) <= share * size + 1e-9
-
-
-def is_short(number: float) -> bool:
-    """Return whether a number has too few significant digits for more than an exact match to say something."""
-    return len(f"{abs(number):.9f}".replace(".", "").strip("0")) < FEWEST_DIGITS
 
 
 def _decimals(number: float) -> int:
@@ -107,7 +100,7 @@ def matching_corrections(
     if wrong is None:
         return
     only = PLAIN_TO_SEE if only_plain_to_see else set(generic.UNIVERSAL)
-    if len(values) == 1 and _is_short(form, wrong):
+    if len(values) == 1 and form.is_short(wrong):
         only = EXACT
     if any(alike(form, given, want) for given, want in values):
         only = only - FITS_WHAT_IS_RIGHT
@@ -116,11 +109,6 @@ def matching_corrections(
             yield f"{name} {unit}".strip()
     if not only_plain_to_see:
         yield from by_comparison(form, *map(list, zip(*values, strict=True)))
-
-
-def _is_short(form: Form, given: Plain) -> bool:
-    numbers = form.numbers(given) if isinstance(form, Number) else None
-    return numbers is not None and is_short(numbers[0])
 
 
 def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:

@@ -13,7 +13,7 @@ from ..answers.forms import Angle, Message, Number, Parts
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Case, Feedback, TaskCases
 from .explanation import Found, describe, each_part_once
-from .matching import ONE, TWO, alike, feedback_of, is_short, matches_closely, matching_corrections
+from .matching import ONE, TWO, alike, feedback_of, matches_closely, matching_corrections
 
 __all__ = ["Table", "after_a_mistake", "followers", "is_something", "mistakes_in_parts", "only_follows"]
 
@@ -65,7 +65,7 @@ def _pairs(
         return [
             name
             for name in parts
-            if not _is_short(table, name)
+            if not (len(cases) == 1 and table.forms[name].is_short(table.given[name][0]))
             and matches_closely(table.forms[name], [table.given[name][case]], [task.form.part_of(value, name)], TWO)
         ]
 
@@ -73,12 +73,6 @@ def _pairs(
         return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
 
     return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
-
-
-def _is_short(table: Table, name: str) -> bool:
-    """Return whether a part of a value is a number of so few digits that two mistakes give it by chance."""
-    numbers = [table.forms[name].numbers(value) for value in table.given[name]]
-    return isinstance(table.forms[name], Number) and len(numbers) == 1 and bool(numbers[0]) and is_short(numbers[0][0])
 
 
 def _causes(
@@ -94,9 +88,7 @@ def _causes(
             found.append(Found(mistakes, describe(task, list(mistakes)), changed, is_whole=True))
         elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in mistakes.items()):
             found.append(Found(mistakes, describe(task, list(mistakes)), same & changed & wrong))
-        elif (
-            len(mistakes) == 1 and (made_in := mistakes[key].part) in same & changed & wrong
-        ):  # but what follows is not so
+        elif len(mistakes) == 1 and (made_in := mistakes[key].part) in same & changed & wrong:
             found.append(Found(mistakes, describe(task, list(mistakes)), {made_in}))
         elif len(mistakes) == 1:
             found += _explain_one_mistake(task.form, table, key, mistakes[key], changed, same & wrong, wrong)
