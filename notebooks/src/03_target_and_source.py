@@ -643,7 +643,7 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 #
 # No node publishes the pose of the laser in the camera's frame.
 # They are siblings: `base_link` is the parent of both.
-# You can still look it up, because a lookup walks the tree: **up** from the source to the common parent, then **down** to the target.
+# You can still look it up, because a lookup walks the tree: **up** from the source to the nearest frame above both, then **down** to the target.
 # On the way up it uses the transforms as published. On the way down it uses their inverses.
 
 # %% [markdown] lang="ko" name="up-up-down" slide="slide"

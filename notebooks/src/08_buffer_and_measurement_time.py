@@ -845,12 +845,12 @@ except TransformException as error:
 
 # %% [markdown] lang="en" name="forgotten-import-read"
 # `except TransformException` did not catch it, because `TypeException` is **not** a `TransformException`.
-# TF is not the cause: no frame is missing and no time is wrong. Only the conversion of this type is not registered.
+# TF is not the cause. No transform was looked up, because the conversion of this type is not registered.
 # Fix: `import tf2_geometry_msgs` for points, poses and vectors; `import tf2_sensor_msgs` for clouds. Write a comment beside it that says why.
 
 # %% [markdown] lang="ko" name="forgotten-import-read"
 # 예외가 `except TransformException`에 잡히지 않았습니다. `TypeException`은 `TransformException`이 **아니기** 때문입니다.
-# TF의 문제가 아닙니다. 없는 좌표계도 틀린 시각도 없고, 그 자료형의 변환 방법이 등록되지 않았을 뿐입니다.
+# TF의 문제가 아닙니다. 이 자료형의 변환 방법이 등록되지 않아서 조회조차 하지 않았습니다.
 # 고치는 법: 점, 포즈, 벡터에는 `import tf2_geometry_msgs`, 포인트 클라우드에는 `import tf2_sensor_msgs`. 왜 필요한지 주석을 옆에 달아 두십시오.
 
 # %% [markdown] lang="en" name="forgotten-import-notes" slide="notes"
@@ -1044,7 +1044,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is the lecture's node for the lab. It is our finder with three additions: it rejects a point without a frame, uses the point's own stamp, and logs a warning if TF has no transform.
+# This is a node as you would run it on a robot. It is our finder with three additions: it rejects a point without a frame, uses the point's own stamp, and logs a warning if TF has no transform.
 # Read it first, then run its main part below. The corrected file is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"

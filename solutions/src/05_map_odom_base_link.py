@@ -30,7 +30,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e5-1"
 # ## E5.1 · What a localiser publishes (4 points)
 #
-# Both arguments are a `Transform`, for the same time. They are the robot's pose on the map, as the localiser found it, and its pose from the wheel odometry.
+# Both arguments are `Transform`s that are valid at the same time. They are the robot's pose on the map, as the localiser found it, and its pose from the wheel odometry.
 # Return the `Transform` to publish as `map → odom`.
 
 # %% [markdown] lang="ko" name="e5-1"
@@ -177,7 +177,7 @@ check("E5.4", finding)
 # %% [markdown] lang="en" name="e5-5"
 # ## E5.5 · The projection onto the floor (3 points)
 #
-# `odom_T_base` is a `Transform`: the pose of `base_link`, at some height, and tilted by a ramp. Its yaw, pitch and roll are those of `Transform.rpy()`.
+# `odom_T_base` is a `Transform`: the pose of `base_link`, at some height, and tilted by a ramp. `Transform.rpy()` returns roll, pitch and yaw, in this order.
 # Return the pose of `base_footprint`: straight below `base_link` on the floor, level, and with the same yaw. Write it as a dict `{"x": …, "y": …, "yaw": …}` in metres and radians.
 
 # %% [markdown] lang="ko" name="e5-5"
