@@ -3,7 +3,7 @@
     def frame_name(prefix, name):
         if prefix[0] == "/": ...           IndexError: string index out of range
 
-    error_line(frame_name, args).said      'Line 2, `prefix[0]`: there, `prefix` is "".'
+    error_line(frame_name, args).said      'The error is in line 2, `prefix[0]`. There, `prefix` = `""`.'
 
 All of it comes from the traceback, so it is certain.
 """
