@@ -124,7 +124,8 @@ def with_what_they_use(ran: Iterable[str]) -> list[str]:
         name = waiting.pop()
         if name.startswith(CODE) and name not in (*found, TRACER) and (ROOT / name).is_file():
             found.add(name)
-            waiting += values_imported_by(name)
+            if name.endswith(".py"):  # a Jinja template runs, too, under its own name
+                waiting += values_imported_by(name)
     folders = {name.rpartition("/")[0] for name in found if name.startswith("tflab/")}
     beside = {name for folder in folders for pattern in DATA for name in files_matching(f"{folder}/{pattern}")}
     return sorted(found | beside)

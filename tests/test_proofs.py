@@ -16,7 +16,17 @@ ROOT = Path(__file__).parents[1]
 FILES = {
     "constraints.txt": "numpy==2.0\n",
     "tflab/__init__.py": "",
-    "tflab/ran.py": "from .limits import MOST\n\ndef ran():\n    return MOST\n",
+    "tflab/ran.py": """
+from pathlib import Path
+from .limits import MOST
+
+TEMPLATE = Path(__file__).with_name("page.jinja")
+
+def ran():
+    exec(compile("(lambda: 1)()", TEMPLATE, "exec"))  # as Jinja compiles a template
+    return MOST
+""",
+    "tflab/page.jinja": "{{ not Python }\n",
     "tflab/limits.py": "MOST = 3\n",
     "tflab/child.py": "def child():\n    return 1\n",
     "tflab/loaded.py": "LEAST = 1\n\ndef not_called():\n    return 1\n",
@@ -77,7 +87,7 @@ def test_a_proof_is_left_out_until_something_that_it_depends_on_is_edited(projec
 
 
 def test_code_that_ran_a_constant_a_child_process_and_a_dependency_count(project: Path) -> None:
-    for name in ("tflab/ran.py", "tflab/limits.py", "tflab/child.py", "constraints.txt"):
+    for name in ("tflab/ran.py", "tflab/page.jinja", "tflab/limits.py", "tflab/child.py", "constraints.txt"):
         edit(project, name)
         assert run(project) == ["one looked at 20", "two looked at 20"]
         (project / name).write_text(FILES[name], encoding="utf-8")
