@@ -14,13 +14,15 @@ import contextlib
 import os
 import signal
 import sys
+import threading
 import time
 import tokenize
 from collections.abc import Callable, Iterator, Sequence
 from types import ModuleType
 
 from .activation import activate
-from .graph import Participant, new_graph
+from .graph import Graph, Participant, new_graph
+from .process import write_line
 from .virtual import counting_ctrl_c, place_of, raise_in
 
 __all__ = ["run_files", "runner_of"]
@@ -58,13 +60,31 @@ def run_files(
     is_ignored = signal.getsignal(signal.SIGINT) == signal.SIG_IGN  # in the background of a shell it is ignored
     with _importing_beside(paths), contextlib.nullcontext([]) if is_ignored else counting_ctrl_c() as pressed:
         files = [
-            graph.start(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])
+            graph.add(runner_of(path), name=os.path.splitext(os.path.basename(path))[0], argv=[path, *args])
             for path in paths
         ]
-        others = [graph.start(main, name=name) for name, main in beside]
-        _wait_for(files or others, seconds, pressed)
-        _interrupt([each for each in graph.participants if each.is_running], pressed)
+        others = [graph.add(main, name=name) for name, main in beside]
+        waiting = (graph, files or others, seconds, pressed)
+        supervisor = threading.Thread(target=_supervise, args=waiting, daemon=True)
+        for each in graph.participants[1:]:
+            each.main_thread.start()
+        supervisor.start()
+        for first in graph.participants[:1]:  # this thread may set signal handlers and open windows
+            first.run_here()
+        while supervisor.is_alive():
+            with contextlib.suppress(KeyboardInterrupt):  # meant for a file that has just ended
+                supervisor.join()
     return int(any(_has_failed(each) for each in graph.participants))
+
+
+def _supervise(graph: Graph, waited: Sequence[Participant], seconds: float | None, pressed: list[int]) -> None:
+    """Wait until some have ended, then end the others; in a thread of its own, as a file runs in the main one."""
+    _wait_for(waited, seconds, pressed)
+    _interrupt([each for each in graph.participants if each.is_running], pressed)
+    if any(each.is_running for each in graph.participants[:1]):  # in a call that nothing interrupts
+        sys.stdout.flush()
+        sys.stderr.flush()
+        os._exit(1)
 
 
 def runner_of(path: str) -> Callable[[], None]:
@@ -122,18 +142,17 @@ def _interrupt(participants: Sequence[Participant], pressed: list[int]) -> None:
     for each in participants:
         if len(pressed) < again and each.is_running and each.take_interrupt():
             # Busy: Python interrupts in the middle of a loop, too.
-            print(
-                f'participant "{each.name}" neither slept nor spun: interrupted at {place_of(each.main_thread)}.',
-                file=sys.stderr,
+            write_line(
+                f'participant "{each.name}" neither slept nor spun: interrupted at {place_of(each.main_thread)}.'
             )
             raise_in(each.main_thread, KeyboardInterrupt)
+            if each.main_thread is threading.main_thread() and hasattr(signal, "pthread_kill"):
+                signal.pthread_kill(each.main_thread.ident, signal.SIGINT)  # also out of input()
+                again += 1
     _wait_for(participants, GRACE_S, pressed, again)
     for each in participants:
         if each.is_running:
-            print(
-                f'participant "{each.name}" went on after it was interrupted, at {place_of(each.main_thread)}.',
-                file=sys.stderr,
-            )
+            write_line(f'participant "{each.name}" went on after it was interrupted, at {place_of(each.main_thread)}.')
 
 
 def _has_failed(participant: Participant) -> bool:
