@@ -163,20 +163,26 @@ def _add_run(sub: argparse.ArgumentParser) -> None:
 
 
 def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
-    package = EXECUTABLES.get(options.package_name)
-    if package is None:
-        return Plan(tuple(words), lambda pictures: _refuse(f"Package '{options.package_name}' not found"))
+    from tflab.ros.arguments import remove_ros_args
+    from tflab.ros.graph import current_process
+    from tflab.ros.run import run_entry_point
+    from tflab.ros.workspace import find_executable
+
+    package = EXECUTABLES.get(options.package_name, {})
     executable = package.get(options.executable_name)
-    if executable is None:
-        return Plan(tuple(words), lambda pictures: _refuse("No executable found"))
+    try:
+        entry = None if executable else find_executable(options.package_name, options.executable_name)
+    except LookupError as fault:
+        refusal = "No executable found" if package else str(fault)
+        return Plan(tuple(words), lambda pictures: _refuse(refusal))
 
     def run(pictures: list[Any]) -> int:
-        from tflab.ros.arguments import remove_ros_args
-        from tflab.ros.graph import current_process
-
         process = current_process()
         # rclpy.init() reads the --ros-args there; those that the process was started with come last.
         process.argv = [options.executable_name, *options.argv, *(process.argv or [])[1:]]
+        if executable is None:
+            run_entry_point(entry)
+            return 0
         program = import_module(executable.module).main
         arguments = remove_ros_args(process.argv)[1:]
         code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
@@ -184,6 +190,8 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
             print(f"[ros2run]: {'Aborted' if code < 0 else f'Process exited with failure {code}'}", flush=True)
         return code
 
+    if executable is None:
+        return Plan(tuple(words), run, stays=True)
     helps = {"-h", "--help"} & set(options.argv)
     return Plan(tuple(words), run, stays=executable.stays and not helps, page_s=executable.page_s)
 

@@ -19,8 +19,10 @@ from __future__ import annotations
 import re
 from array import array
 from collections.abc import Callable
+from contextlib import suppress
 from copy import deepcopy
 from importlib import import_module
+from importlib.util import find_spec
 from operator import attrgetter
 from pathlib import Path
 from pkgutil import iter_modules
@@ -254,10 +256,9 @@ def type_named(ros_type: str) -> type:
     """
     package = ros_type.split("/")[0]
     if ros_type not in _types and re.fullmatch(r"\w+", package):
-        try:
-            import_module(f"{__package__}.{package}")
-        except ModuleNotFoundError:
-            raise KeyError(ros_type) from None
+        is_ours = find_spec(f"{__package__}.{package}") is not None
+        with suppress(ModuleNotFoundError):  # otherwise one of the workspace
+            import_module(f"{__package__}.{package}" if is_ours else package)
     return _types[ros_type]
 
 

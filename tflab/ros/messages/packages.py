@@ -113,7 +113,8 @@ def _check_package(package: str) -> None:
         raise ValueError(f'"{package}" is no name of a package: small letters, digits and single underscores')
     if package in _defined:
         return
-    if find_spec(f"{__package__}.{package}") or package in sys.modules or find_spec(package):
+    is_taken = find_spec(f"{__package__}.{package}") or package in sys.modules or find_spec(package)
+    if is_taken and getattr(is_taken, "origin", True):  # Python takes a folder of texts for a package without an origin
         raise ValueError(f"there is a package {package} already: choose another name, such as my_{package}")
 
 
