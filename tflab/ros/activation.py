@@ -41,8 +41,8 @@ __all__ = ["PACKAGES", "activate", "deactivate", "is_active", "load_in_notebook"
 FOLDER = Path(__file__).parent
 MESSAGES = f"{__package__}.messages"
 KINDS = ("action", "msg", "srv")
-MESSAGE_FILES = (FOLDER / "messages").glob("*_*.py")
-MESSAGE_PACKAGES = {path.stem for path in MESSAGE_FILES if path.stem.endswith(("_msgs", "_interfaces", "_srvs"))}
+MESSAGE_FILES = (FOLDER / "messages").glob("*.py")
+MESSAGE_PACKAGES = {path.stem for path in MESSAGE_FILES if path.stem.endswith(("_msgs", "_interfaces", "_srvs", "sim"))}
 VARIABLE = "TFLAB_ROS"
 
 

@@ -68,6 +68,7 @@ EXECUTABLES = {
         "tf2_monitor": Executable("tflab.tools.tf2_monitor", page_s=11.0),
     },
     "tf2_tools": {"view_frames": Executable("tflab.tools.view_frames", shows=True)},
+    "turtlesim": {"turtlesim_node": Executable("tflab.robots.turtlesim", stays=True)},
 }
 
 CLOSED_PIPE = 141  # what a shell says of a program that wrote to a reader who has gone

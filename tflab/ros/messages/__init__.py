@@ -9,7 +9,7 @@
     base          the classes
     builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs, visualization_msgs,
     tf2_msgs, rosgraph_msgs, rcl_interfaces, unique_identifier_msgs, action_msgs,
-    lifecycle_msgs, trajectory_msgs, diagnostic_msgs, std_srvs, example_interfaces
+    lifecycle_msgs, trajectory_msgs, diagnostic_msgs, std_srvs, example_interfaces, turtlesim
                   the definitions
     text          YAML, as `ros2 topic echo` prints it
     packages      the definitions of ROS (definitions.txt), and packages defined at run time

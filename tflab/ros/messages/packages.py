@@ -97,7 +97,9 @@ def _store_with(own: tuple[tuple[str, str], ...]) -> Any:
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # loads all of ROS's types: for who asks
 
     store = get_typestore(Stores.ROS2_JAZZY)
-    for ros_type, text in own:
+    texts = {ros_type: parts[0] for types in _definitions().values() for ros_type, parts in types.items()}
+    missing = [row for row in texts.items() if "/msg/" in row[0] and row[0] not in store.fielddefs]
+    for ros_type, text in (*missing, *own):
         store.register(get_types_from_msg(text, ros_type))
     return store
 

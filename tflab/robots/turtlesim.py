@@ -1,0 +1,184 @@
+"""Simulate turtlesim without its window.
+
+    turtle1/cmd_vel --> turtle1 --> turtle1/pose, turtle1/color_sensor      62.5 times a second
+    turtle1/set_pen, turtle1/teleport_absolute, turtle1/teleport_relative   services of each turtle
+    spawn, kill, clear, reset                                               services of the node
+
+The field is a square of 500 pixels, 45 a metre; its origin is the lower left corner. A turtle stops
+at the walls, and one second after its last command. The action rotate_absolute has no server.
+
+upstream: ros_tutorials, turtlesim/src/turtle.cpp and turtle_frame.cpp.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from itertools import count
+from typing import Any
+
+import numpy as np
+
+from tflab.core import NSEC_PER_SEC
+from tflab.ros import client_library as rclpy
+from tflab.ros.executors import ExternalShutdownException
+from tflab.ros.messages import geometry_msgs, std_srvs, turtlesim
+from tflab.ros.node import Node
+from tflab.ros.qos import QoSProfile
+from tflab.ros.service import Service
+
+__all__ = ["SIZE_M", "Turtle", "TurtleSim", "main"]
+
+PIXELS, PIXELS_PER_M = 500, 45
+SIZE_M = float(np.float32((PIXELS - 1) / PIXELS_PER_M))  # 11.088889
+PERIOD_S = 0.016
+BACKGROUND, PEN, PEN_PX = (0x45, 0x56, 0xFF), (0xB3, 0xB8, 0xFF), 3
+CLEAR = (255, 255, 255, 0)  # red, green, blue, opacity
+QOS = QoSProfile(depth=7)
+
+
+class Turtle:
+    """One turtle, with its topics and services: x, y, theta [m, rad], and its velocity [m/s, m/s, rad/s]."""
+
+    def __init__(self, sim: TurtleSim, name: str, x: float, y: float, theta: float) -> None:
+        self.x, self.y, self.theta, self.velocity = x, y, theta, (0.0, 0.0, 0.0)
+        self._sim, self._pen, self._pen_px = sim, PEN, PEN_PX
+        self._commanded = sim.get_clock().now()
+        self._poses = sim.create_publisher(turtlesim.Pose, f"{name}/pose", QOS)
+        self._colours = sim.create_publisher(turtlesim.Color, f"{name}/color_sensor", QOS)
+        self._commands = sim.create_subscription(geometry_msgs.Twist, f"{name}/cmd_vel", self._on_command, QOS)
+        self._services = [
+            sim.serve(turtlesim.SetPen, f"{name}/set_pen", self._set_pen),
+            sim.serve(turtlesim.TeleportAbsolute, f"{name}/teleport_absolute", self._teleport_absolute),
+            sim.serve(turtlesim.TeleportRelative, f"{name}/teleport_relative", self._teleport_relative),
+        ]
+
+    def destroy(self) -> None:
+        """Take its topics and services out of the graph."""
+        self._sim.destroy_publisher(self._poses)
+        self._sim.destroy_publisher(self._colours)
+        self._sim.destroy_subscription(self._commands)
+        for service in self._services:
+            self._sim.destroy_service(service)
+
+    def update(self) -> None:
+        """Drive for one period, then publish the pose and the colour of the field there."""
+        if (self._sim.get_clock().now() - self._commanded).nanoseconds > NSEC_PER_SEC:
+            self.velocity = (0.0, 0.0, 0.0)
+        forward, left, turn = self.velocity
+        self.theta = (self.theta + turn * PERIOD_S + math.pi) % math.tau - math.pi
+        cos, sin = math.cos(self.theta), math.sin(self.theta)
+        x = self.x + (cos * forward - sin * left) * PERIOD_S
+        y = self.y + (sin * forward + cos * left) * PERIOD_S
+        inside = min(max(x, 0.0), SIZE_M), min(max(y, 0.0), SIZE_M)
+        if (x, y) != inside:  # here upstream counts y from the upper edge
+            self._sim.get_logger().warning(f"Oh no! I hit the wall! (Clamping from [x={x:f}, y={SIZE_M - y:f}])")
+        red, green, blue, _ = self._sim.canvas[tuple(_pixels(inside))].tolist()
+        self._move(*inside)
+        x, y, theta, speed, turn = np.float32([*inside, self.theta, math.hypot(forward, left), turn]).tolist()
+        self._poses.publish(turtlesim.Pose(x=x, y=y, theta=theta, linear_velocity=speed, angular_velocity=turn))
+        self._colours.publish(turtlesim.Color(r=red, g=green, b=blue))
+
+    def _move(self, x: float, y: float) -> None:
+        """Move to a point, and draw a line there unless the pen is off."""
+        steps = math.ceil(max(abs(x - self.x), abs(y - self.y)) * PIXELS_PER_M)
+        if steps and self._pen_px:
+            square = np.indices((self._pen_px, self._pen_px)).reshape(2, -1) - self._pen_px // 2
+            rows, columns = _pixels(np.linspace((self.x, self.y), (x, y), steps + 1))[..., None] + square[:, None]
+            self._sim.canvas[rows.clip(0, PIXELS - 1), columns.clip(0, PIXELS - 1)] = (*self._pen, 255)
+        self.x, self.y = x, y
+
+    def _on_command(self, command: geometry_msgs.Twist) -> None:
+        left = command.linear.y if self._sim.get_parameter("holonomic").value else 0.0
+        self.velocity, self._commanded = (command.linear.x, left, command.angular.z), self._sim.get_clock().now()
+
+    def _set_pen(self, request: Any) -> None:
+        self._pen = self._pen if request.off else (request.r, request.g, request.b)
+        self._pen_px = 0 if request.off else request.width or 1
+
+    def _teleport_absolute(self, request: Any) -> None:
+        self.theta = request.theta
+        self._move(request.x, min(request.y, SIZE_M))
+
+    def _teleport_relative(self, request: Any) -> None:
+        self.theta += request.angular
+        self._move(self.x + math.cos(self.theta) * request.linear, self.y + math.sin(self.theta) * request.linear)
+
+
+def _pixels(points: Any) -> np.ndarray:
+    """Return the rows and the columns, (2, ...), of points (..., 2) on the field [m]."""
+    x, y = np.moveaxis(np.asarray(points), -1, 0)
+    return np.stack((np.rint((SIZE_M - y) * PIXELS_PER_M), np.rint(x * PIXELS_PER_M))).astype(int)
+
+
+class TurtleSim(Node):
+    """The node: its turtles by name, and what their pens have drawn, (500, 500, 4) of red, green, blue, opacity."""
+
+    def __init__(self) -> None:
+        super().__init__("turtlesim")
+        for letter, value in zip("rgb", BACKGROUND, strict=True):
+            self.declare_parameter(f"background_{letter}", value)
+        self.declare_parameter("holonomic", False)
+        self.serve(std_srvs.Empty, "clear", self._clear)
+        self.serve(std_srvs.Empty, "reset", self._reset)
+        self.serve(turtlesim.Spawn, "spawn", self._spawn)
+        self.serve(turtlesim.Kill, "kill", self._kill)
+        self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
+        self.turtles: dict[str, Turtle] = {}
+        self._begin()
+        self.create_timer(PERIOD_S, lambda: [turtle.update() for turtle in self.turtles.values()])
+
+    @property
+    def background(self) -> list[int]:
+        """The colour of the field: red, green, blue."""
+        return [self.get_parameter(f"background_{letter}").value for letter in "rgb"]
+
+    def serve(self, srv_type: type, name: str, act: Callable[[Any], Any]) -> Service:
+        """Offer a service; `act` takes the request, and may return the response."""
+        return self.create_service(srv_type, name, lambda request, response: act(request) or response)
+
+    def _begin(self) -> None:
+        """Empty the field, and put one turtle in its middle."""
+        self.canvas = np.full((PIXELS, PIXELS, 4), CLEAR, dtype=np.uint8)
+        self._numbers = count(1)
+        for name in list(self.turtles):
+            self.turtles.pop(name).destroy()
+        self._add("", SIZE_M / 2, SIZE_M / 2, 0.0)
+
+    def _add(self, name: str, x: float, y: float, theta: float) -> str:
+        """Add a turtle at a pose [m, rad], and return its name; for "" it is the next that is free."""
+        name = name or next(each for each in map("turtle{}".format, self._numbers) if each not in self.turtles)
+        self.turtles[name] = Turtle(self, name, x, y, theta)
+        pose = f"x=[{np.float32(x):f}], y=[{np.float32(y):f}], theta=[{theta:f}]"
+        self.get_logger().info(f"Spawning turtle [{name}] at {pose}")
+        return name
+
+    def _spawn(self, request: Any) -> Any:
+        if request.name not in self.turtles:
+            return turtlesim.Spawn.Response(name=self._add(request.name, request.x, request.y, request.theta))
+        self.get_logger().error(f"A turtle named [{request.name}] already exists")
+        return None
+
+    def _kill(self, request: Any) -> None:
+        if request.name in self.turtles:
+            self.turtles.pop(request.name).destroy()
+        else:
+            self.get_logger().error(f"Tried to kill turtle [{request.name}], which does not exist")
+
+    def _clear(self, request: Any) -> None:
+        self.get_logger().info("Clearing turtlesim.")
+        self.canvas[:] = CLEAR
+
+    def _reset(self, request: Any) -> None:
+        self.get_logger().info("Resetting turtlesim.")
+        self._begin()
+
+
+def main(arguments: Sequence[str] = ()) -> int:
+    """Run the node until it is interrupted; return the exit code."""
+    rclpy.init()
+    with suppress(KeyboardInterrupt, ExternalShutdownException):
+        rclpy.spin(TurtleSim())
+    rclpy.try_shutdown()
+    return 0
