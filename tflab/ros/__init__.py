@@ -49,6 +49,7 @@ In reading order:
     node  node_entities  graph_queries  lifecycle_states  lifecycle
     client_library
     convert  tf2/                                        engine values and messages; tf2_ros
+    transformations  cv_bridge                           tf_transformations, cv_bridge
     snapshot  workspace  run                             a graph as plain values; packages; scripts
 """
 
