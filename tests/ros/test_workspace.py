@@ -119,7 +119,7 @@ def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
         ("def f(x: Nothing): ...\n", 1, "", "NameError: name 'Nothing' is not defined"),
         ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, builtin_int"),
         ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace, or beside the file: nav2_msgs/msg/"),
-        ("import PyKDL\n", 1, "", "of its packages it has message_filters, rclpy, "),
+        ("import PyKDL\n", 1, "", "of its packages it has ament_index_python, cv_b"),
         ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),
         ("import hop_msgs.nothing\n", 1, "", "No module named 'hop_msgs.nothing'\n"),
     ],

@@ -50,7 +50,7 @@ In reading order:
     client_library
     convert  tf2/                                        engine values and messages; tf2_ros
     transformations  cv_bridge                           tf_transformations, cv_bridge
-    snapshot  workspace  run                             a graph as plain values; packages; scripts
+    snapshot  workspace  ament_index  run                a graph as plain values; packages; scripts
 """
 
 from .activation import activate, deactivate, is_active, load_in_notebook

@@ -147,7 +147,7 @@ class Graph:
         if self.driver.is_virtual:
             self.driver.adopt(participant.main_thread, participant)
         participant.main_thread.start()
-        if self.driver.is_virtual:
+        if self.driver.is_virtual and not isinstance(process_here(), Participant):  # which gets its turn later
             self._advance(0)
         return participant
 

@@ -49,6 +49,7 @@ COMMANDS = {
     "action": Ros2Command("Various action related sub-commands", "tflab.tools.action"),
     "bag": Ros2Command("Various rosbag related sub-commands", "tflab.tools.bag"),
     "interface": Ros2Command("Show information about ROS interfaces", "tflab.tools.interface"),
+    "launch": Ros2Command("Run a launch file", "tflab.tools.launch"),
     "lifecycle": Ros2Command("Various lifecycle related sub-commands", "tflab.tools.lifecycle"),
     "node": Ros2Command("Various node related sub-commands", "tflab.tools.node"),
     "param": Ros2Command("Various param related sub-commands", "tflab.tools.param"),
@@ -117,13 +118,14 @@ def plan(words: Sequence[str]) -> Plan:
         raise SystemExit(0)
     is_endless = getattr(options, "loop", False)
     ends_by_itself = getattr(options, "once", False) or getattr(options, "times", 0)
-    page_s = None if ends_by_itself or is_endless else PAGE_SECONDS.get(options.verb)
-    return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), page_s=page_s)
+    page_s = None if ends_by_itself or is_endless else PAGE_SECONDS.get(getattr(options, "verb", ""))
+    stays = options.command == "launch" and not options.show_args
+    return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), stays, page_s)
 
 
 def verbs_of(command: str) -> list[str]:
     """Return the verbs of a command, for completion."""
-    if command not in COMMANDS or command == "run":
+    if command not in COMMANDS or command in ("launch", "run"):
         return []
     parser = argparse.ArgumentParser()
     verbs = parser.add_subparsers()
@@ -143,6 +145,8 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
         sub = commands.add_parser(name, help=command.help, description=command.help)
         if name == "run":
             _add_run(sub)
+        elif name == "launch" and name in words:
+            import_module(command.module).add_options(sub)
         elif name in words:
             sub.set_defaults(command_parser=sub)
             import_module(command.module).add_verbs(_subparsers(sub, f"ros2 {name}", "verb"))
