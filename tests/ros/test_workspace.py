@@ -117,7 +117,7 @@ def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
         ("def main():\n    print('ran')\n\nmain()\n", 0, "ran\n", ""),
         ("import rclpy\n\ndef main():\n    print('ran')\n\nrclpy.init()\n", 0, "", ""),
         ("def f(x: Nothing): ...\n", 1, "", "NameError: name 'Nothing' is not defined"),
-        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, builtin_int"),
+        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, actionlib_"),
         ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace, or beside the file: nav2_msgs/msg/"),
         ("import PyKDL\n", 1, "", "of its packages it has ament_index_python, cv_b"),
         ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),

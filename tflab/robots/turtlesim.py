@@ -16,6 +16,7 @@ import math
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from itertools import count
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -23,7 +24,8 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC
 from tflab.ros import client_library as rclpy
 from tflab.ros.executors import ExternalShutdownException
-from tflab.ros.messages import geometry_msgs, std_srvs, turtlesim
+from tflab.ros.messages import geometry_msgs
+from tflab.ros.messages.packages import ros_package
 from tflab.ros.node import Node
 from tflab.ros.qos import QoSProfile
 from tflab.ros.service import Service
@@ -36,6 +38,7 @@ PERIOD_S = 0.016
 BACKGROUND, PEN, PEN_PX = (0x45, 0x56, 0xFF), (0xB3, 0xB8, 0xFF), 3
 CLEAR = (255, 255, 255, 0)  # red, green, blue, opacity
 QOS = QoSProfile(depth=7)
+TYPES = SimpleNamespace(**ros_package("turtlesim"), **ros_package("std_srvs"))
 
 
 class Turtle:
@@ -45,13 +48,13 @@ class Turtle:
         self.x, self.y, self.theta, self.velocity = x, y, theta, (0.0, 0.0, 0.0)
         self._sim, self._pen, self._pen_px = sim, PEN, PEN_PX
         self._commanded = sim.get_clock().now()
-        self._poses = sim.create_publisher(turtlesim.Pose, f"{name}/pose", QOS)
-        self._colours = sim.create_publisher(turtlesim.Color, f"{name}/color_sensor", QOS)
+        self._poses = sim.create_publisher(TYPES.Pose, f"{name}/pose", QOS)
+        self._colours = sim.create_publisher(TYPES.Color, f"{name}/color_sensor", QOS)
         self._commands = sim.create_subscription(geometry_msgs.Twist, f"{name}/cmd_vel", self._on_command, QOS)
         self._services = [
-            sim.serve(turtlesim.SetPen, f"{name}/set_pen", self._set_pen),
-            sim.serve(turtlesim.TeleportAbsolute, f"{name}/teleport_absolute", self._teleport_absolute),
-            sim.serve(turtlesim.TeleportRelative, f"{name}/teleport_relative", self._teleport_relative),
+            sim.serve(TYPES.SetPen, f"{name}/set_pen", self._set_pen),
+            sim.serve(TYPES.TeleportAbsolute, f"{name}/teleport_absolute", self._teleport_absolute),
+            sim.serve(TYPES.TeleportRelative, f"{name}/teleport_relative", self._teleport_relative),
         ]
 
     def destroy(self) -> None:
@@ -77,8 +80,8 @@ class Turtle:
         red, green, blue, _ = self._sim.canvas[tuple(_pixels(inside))].tolist()
         self._move(*inside)
         x, y, theta, speed, turn = np.float32([*inside, self.theta, math.hypot(forward, left), turn]).tolist()
-        self._poses.publish(turtlesim.Pose(x=x, y=y, theta=theta, linear_velocity=speed, angular_velocity=turn))
-        self._colours.publish(turtlesim.Color(r=red, g=green, b=blue))
+        self._poses.publish(TYPES.Pose(x=x, y=y, theta=theta, linear_velocity=speed, angular_velocity=turn))
+        self._colours.publish(TYPES.Color(r=red, g=green, b=blue))
 
     def _move(self, x: float, y: float) -> None:
         """Move to a point, and draw a line there unless the pen is off."""
@@ -120,10 +123,10 @@ class TurtleSim(Node):
         for letter, value in zip("rgb", BACKGROUND, strict=True):
             self.declare_parameter(f"background_{letter}", value)
         self.declare_parameter("holonomic", False)
-        self.serve(std_srvs.Empty, "clear", self._clear)
-        self.serve(std_srvs.Empty, "reset", self._reset)
-        self.serve(turtlesim.Spawn, "spawn", self._spawn)
-        self.serve(turtlesim.Kill, "kill", self._kill)
+        self.serve(TYPES.Empty, "clear", self._clear)
+        self.serve(TYPES.Empty, "reset", self._reset)
+        self.serve(TYPES.Spawn, "spawn", self._spawn)
+        self.serve(TYPES.Kill, "kill", self._kill)
         self.get_logger().info(f"Starting turtlesim with node name {self.get_fully_qualified_name()}")
         self.turtles: dict[str, Turtle] = {}
         self._begin()
@@ -156,7 +159,7 @@ class TurtleSim(Node):
 
     def _spawn(self, request: Any) -> Any:
         if request.name not in self.turtles:
-            return turtlesim.Spawn.Response(name=self._add(request.name, request.x, request.y, request.theta))
+            return TYPES.Spawn.Response(name=self._add(request.name, request.x, request.y, request.theta))
         self.get_logger().error(f"A turtle named [{request.name}] already exists")
         return None
 

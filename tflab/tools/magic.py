@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 
 from tflab.ros.activation import PACKAGES
 from tflab.ros.graph import Graph, current_graph
-from tflab.ros.messages.base import all_types
+from tflab.ros.messages.packages import all_types
 from tflab.ros.snapshot import snapshot
 
 from . import ros2, rviz2
