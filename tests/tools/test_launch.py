@@ -34,9 +34,9 @@ def generate_launch_description():
     return LaunchDescription([{}])
 """
 ALL = """
-    DeclareLaunchArgument("pace", default_value="2.5", description="How fast."),
     DeclareLaunchArgument("late", default_value="true", choices=["true", "false"]),
-    GroupAction([PushRosNamespace("left"), rabbit(parameters=[
+    GroupAction([DeclareLaunchArgument("pace", default_value="2.5", description="How fast."),
+        PushRosNamespace("left"), rabbit(parameters=[
         {"pace": pace, "legs": {"ids": (1, 2)}, "text": ParameterValue(pace, value_type=str)}])]),
     rabbit(namespace="right", remappings=[("hops", "/leaps")], condition=UnlessCondition(late)),
     TimerAction(period=2.0, actions=[rabbit(name="hare", remappings=[("hops", "~/leaps")], arguments=["fast"],
@@ -71,7 +71,7 @@ def package(tmp_path, monkeypatch):
     [
         ("hop all.launch.py",
          ["1.0 /left/hops --ros-args {'pace': 2.5, 'legs.ids': [1, 2], 'text': '2.5'}",
-          "3.0 /hare/leaps fast {'pace': 3.0}", "[INFO] [launch.user]: inner 2.5",
+          "3.0 /hare/leaps fast {'pace': 3.0}", "[INFO] [launch.user]: inner 9",
           "launch.py:24: rviz2 rviz2 is left out: it is a window", "launch.py:24: hop fox is left out: No exec"]),
         ("src/hop/all.launch.py late:=false pace:=4",
          ["1.0 /leaps --ros-args {}", "1.0 /left/hops --ros-args {'pace': 4"]),

@@ -68,7 +68,7 @@ def test_a_page_shows_turtles_and_their_pens(terminal, graph, sim, monkeypatch, 
     terminal.type(f"{CALL}set_pen turtlesim/srv/SetPen '{{r: 255, width: 5}}'")
     terminal.type(f"{CALL}teleport_relative turtlesim/srv/TeleportRelative '{{linear: 2}}'")
     magic.turtlesim_line("")
-    assert shown[0].text == "turtle1 at (7.54, 5.54) m, heading 0.00 rad"
+    assert shown[0].text == "turtle1 at (7.54, 5.54) m, heading 0.00 rad\n"
     (image,) = shown[0].figure.axes[0].images
     red = np.argwhere((image.get_array() == (255, 0, 0)).all(axis=-1))
     assert np.ptp(red, axis=0).tolist() == [4, 94]  # 5 pixels wide, 2 m of 45 pixels long

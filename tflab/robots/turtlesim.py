@@ -24,7 +24,7 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC
 from tflab.ros import client_library as rclpy
 from tflab.ros.executors import ExternalShutdownException
-from tflab.ros.messages import geometry_msgs
+from tflab.ros.messages.geometry_msgs import Twist
 from tflab.ros.messages.packages import ros_package
 from tflab.ros.node import Node
 from tflab.ros.qos import QoSProfile
@@ -42,16 +42,16 @@ TYPES = SimpleNamespace(**ros_package("turtlesim"), **ros_package("std_srvs"))
 
 
 class Turtle:
-    """One turtle, with its topics and services: x, y, theta [m, rad], and its velocity [m/s, m/s, rad/s]."""
+    """One turtle: its pose x, y, theta [m, rad], its topics and its services."""
 
     def __init__(self, sim: TurtleSim, name: str, x: float, y: float, theta: float) -> None:
-        self.x, self.y, self.theta, self.velocity = x, y, theta, (0.0, 0.0, 0.0)
-        self._sim, self._pen, self._pen_px = sim, PEN, PEN_PX
-        self._commanded = sim.get_clock().now()
+        self.x, self.y, self.theta, self._sim = x, y, theta, sim
+        self._pen, self._pen_px = PEN, PEN_PX
+        self._command, self._commanded = Twist(), sim.get_clock().now()
         self._poses = sim.create_publisher(TYPES.Pose, f"{name}/pose", QOS)
         self._colours = sim.create_publisher(TYPES.Color, f"{name}/color_sensor", QOS)
-        self._commands = sim.create_subscription(geometry_msgs.Twist, f"{name}/cmd_vel", self._on_command, QOS)
-        self._services = [
+        self._others = [
+            sim.create_subscription(Twist, f"{name}/cmd_vel", self._on_command, QOS),
             sim.serve(TYPES.SetPen, f"{name}/set_pen", self._set_pen),
             sim.serve(TYPES.TeleportAbsolute, f"{name}/teleport_absolute", self._teleport_absolute),
             sim.serve(TYPES.TeleportRelative, f"{name}/teleport_relative", self._teleport_relative),
@@ -59,27 +59,23 @@ class Turtle:
 
     def destroy(self) -> None:
         """Take its topics and services out of the graph."""
-        self._sim.destroy_publisher(self._poses)
-        self._sim.destroy_publisher(self._colours)
-        self._sim.destroy_subscription(self._commands)
-        for service in self._services:
-            self._sim.destroy_service(service)
+        for each in (self._poses, self._colours, *self._others):
+            each.destroy()
 
     def update(self) -> None:
         """Drive for one period, then publish the pose and the colour of the field there."""
         if (self._sim.get_clock().now() - self._commanded).nanoseconds > NSEC_PER_SEC:
-            self.velocity = (0.0, 0.0, 0.0)
-        forward, left, turn = self.velocity
+            self._command = Twist()
+        speed, turn = self._command.linear.x, self._command.angular.z
         self.theta = (self.theta + turn * PERIOD_S + math.pi) % math.tau - math.pi
-        cos, sin = math.cos(self.theta), math.sin(self.theta)
-        x = self.x + (cos * forward - sin * left) * PERIOD_S
-        y = self.y + (sin * forward + cos * left) * PERIOD_S
+        x = self.x + math.cos(self.theta) * speed * PERIOD_S
+        y = self.y + math.sin(self.theta) * speed * PERIOD_S
         inside = min(max(x, 0.0), SIZE_M), min(max(y, 0.0), SIZE_M)
         if (x, y) != inside:  # here upstream counts y from the upper edge
             self._sim.get_logger().warning(f"Oh no! I hit the wall! (Clamping from [x={x:f}, y={SIZE_M - y:f}])")
         red, green, blue, _ = self._sim.canvas[tuple(_pixels(inside))].tolist()
         self._move(*inside)
-        x, y, theta, speed, turn = np.float32([*inside, self.theta, math.hypot(forward, left), turn]).tolist()
+        x, y, theta, speed, turn = np.float32([*inside, self.theta, abs(speed), turn]).tolist()
         self._poses.publish(TYPES.Pose(x=x, y=y, theta=theta, linear_velocity=speed, angular_velocity=turn))
         self._colours.publish(TYPES.Color(r=red, g=green, b=blue))
 
@@ -92,9 +88,8 @@ class Turtle:
             self._sim.canvas[rows.clip(0, PIXELS - 1), columns.clip(0, PIXELS - 1)] = (*self._pen, 255)
         self.x, self.y = x, y
 
-    def _on_command(self, command: geometry_msgs.Twist) -> None:
-        left = command.linear.y if self._sim.get_parameter("holonomic").value else 0.0
-        self.velocity, self._commanded = (command.linear.x, left, command.angular.z), self._sim.get_clock().now()
+    def _on_command(self, command: Twist) -> None:
+        self._command, self._commanded = command, self._sim.get_clock().now()
 
     def _set_pen(self, request: Any) -> None:
         self._pen = self._pen if request.off else (request.r, request.g, request.b)
@@ -112,7 +107,7 @@ class Turtle:
 def _pixels(points: Any) -> np.ndarray:
     """Return the rows and the columns, (2, ...), of points (..., 2) on the field [m]."""
     x, y = np.moveaxis(np.asarray(points), -1, 0)
-    return np.stack((np.rint((SIZE_M - y) * PIXELS_PER_M), np.rint(x * PIXELS_PER_M))).astype(int)
+    return np.rint(np.stack((SIZE_M - y, x)) * PIXELS_PER_M).astype(int)
 
 
 class TurtleSim(Node):
@@ -122,7 +117,6 @@ class TurtleSim(Node):
         super().__init__("turtlesim")
         for letter, value in zip("rgb", BACKGROUND, strict=True):
             self.declare_parameter(f"background_{letter}", value)
-        self.declare_parameter("holonomic", False)
         self.serve(TYPES.Empty, "clear", self._clear)
         self.serve(TYPES.Empty, "reset", self._reset)
         self.serve(TYPES.Spawn, "spawn", self._spawn)
@@ -145,8 +139,8 @@ class TurtleSim(Node):
         """Empty the field, and put one turtle in its middle."""
         self.canvas = np.full((PIXELS, PIXELS, 4), CLEAR, dtype=np.uint8)
         self._numbers = count(1)
-        for name in list(self.turtles):
-            self.turtles.pop(name).destroy()
+        while self.turtles:
+            self.turtles.popitem()[1].destroy()
         self._add("", SIZE_M / 2, SIZE_M / 2, 0.0)
 
     def _add(self, name: str, x: float, y: float, theta: float) -> str:

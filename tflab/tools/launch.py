@@ -7,9 +7,7 @@
         -->  LaunchEntity("Node", {"package": "hop", ...}, "pair.launch.py:7")
         -->  LaunchStep(0.0, "pair.launch.py:7", ("hop", "rabbit", "--ros-args", "-r", "__ns:=/left", ...))
 
-A file is expanded as a whole before its first node starts.
-
-upstream: ros2launch, launch, launch_ros.
+A file is expanded as a whole before its first node starts.   upstream: ros2launch, launch, launch_ros.
 """
 
 from __future__ import annotations
@@ -27,22 +25,23 @@ from typing import Any, NamedTuple
 import yaml
 
 from tflab.core import NSEC_PER_SEC
-from tflab.ros.ament_index import PackageNotFoundError, get_package_prefix, get_package_share_path
+from tflab.ros.ament_index import PackageNotFoundError, get_package_prefix
 from tflab.ros.graph import Participant, current_process
 from tflab.ros.run import run_entry_point
-from tflab.ros.workspace import find_executable, packages_around, use_packages
+from tflab.ros.workspace import find_executable, find_package, packages_around, use_packages
 
 from . import ros2
 
-__all__ = ["LaunchDescription", "add_options", "maker_of"]
+__all__ = ["add_options", "maker_of"]
 
-OPTIONS = {  # of each entity, in the order of its positional arguments
+OPTIONS = {  # of each entity, in the order of its positional arguments; the first one is its value
     "DeclareLaunchArgument": "name default_value description choices condition",
     "FindPackageShare": "package",
     "GroupAction": "actions scoped forwarding condition",
     "IfCondition": "predicate_expression",
     "IncludeLaunchDescription": "launch_description_source launch_arguments condition",
     "LaunchConfiguration": "variable_name default",
+    "LaunchDescription": "initial_entities",
     "LogInfo": "msg condition",
     "Node": "executable package name namespace parameters remappings arguments condition "
     "output emulate_tty exec_name sigterm_timeout sigkill_timeout",  # those of this line change nothing here
@@ -61,11 +60,15 @@ POLL_S = 0.1
 
 @dataclass(frozen=True)
 class LaunchEntity:
-    """An action, a substitution or a condition of a launch file, with its options, and the line that made it."""
+    """What a line of a launch file makes: an action, a substitution, a condition or a description, with its options."""
 
     kind: str
-    options: Mapping[str, Any]
+    options: dict[str, Any]
     line: str
+
+    def add_action(self, action: LaunchEntity) -> None:
+        """Add an action to a description."""
+        self.options["initial_entities"] = [*(self.options.get("initial_entities") or ()), action]
 
 
 class LaunchStep(NamedTuple):
@@ -74,14 +77,6 @@ class LaunchStep(NamedTuple):
     delay_s: float
     line: str
     words: Sequence[str]
-
-
-class LaunchDescription:
-    """The actions of a launch file."""
-
-    def __init__(self, initial_entities: Iterable[LaunchEntity] | None = None) -> None:
-        self.entities = list(initial_entities or ())
-        self.add_action = self.add_entity = self.entities.append
 
 
 def maker_of(kind: str) -> Callable[..., LaunchEntity]:
@@ -116,7 +111,11 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 def _launch(options: argparse.Namespace) -> int:
     """Launch until all nodes have ended, or Ctrl-C; return the exit code."""
-    path, words = _file_of(options.package_name, options.launch_file_name, options.launch_arguments)
+    path, words = options.package_name, options.launch_arguments
+    if os.path.isfile(path):
+        path, words = os.path.abspath(path), [*filter(None, [options.launch_file_name]), *words]
+    else:
+        path = _file_in(path, options.launch_file_name)
     use_packages(packages_around(path))
     if options.show_args:
         print("Arguments (pass arguments as '<name>:=<value>'):")
@@ -124,15 +123,13 @@ def _launch(options: argparse.Namespace) -> int:
         return 0
     if malformed := [word for word in words if ":=" not in word]:
         raise RuntimeError(f"malformed launch argument '{malformed[0]}', expected format '<name>:=<value>'")
-    steps = sorted(
-        _steps(_entities_of(path), dict(word.split(":=", 1) for word in words)), key=lambda step: step.delay_s
-    )
+    steps = list(_steps(_entities_of(path), dict(word.split(":=", 1) for word in words)))
     process, participants = current_process(), []
     begin_ns = process.driver.steady_ns()
     try:
         for step in sorted(steps, key=lambda step: step.delay_s):
             process.sleep(begin_ns + round(step.delay_s * NSEC_PER_SEC) - process.driver.steady_ns())
-            participants += _do(step, f"{step.words[1]}-{len(participants) + 1}") if step.words[1:] else _log(step)
+            participants += _do(step, len(participants) + 1)
         while any(each.is_running for each in participants):
             time.sleep(POLL_S)
     finally:
@@ -141,54 +138,46 @@ def _launch(options: argparse.Namespace) -> int:
     return int(any(each.exception is not None for each in participants))
 
 
-def _file_of(name: str, file_name: str, arguments: list[str]) -> tuple[str, list[str]]:
-    """Return the launch file that was named, and the arguments for it."""
-    if os.path.isfile(name):
-        return os.path.abspath(name), [file_name, *arguments] if file_name else arguments
-    try:
-        folder = get_package_share_path(name)
-    except PackageNotFoundError as error:
-        raise RuntimeError(f"Package '{name}' not found: {error}") from None
-    path = next((path for path in sorted(folder.rglob(file_name or "*")) if path.is_file() and file_name), None)
-    if path is None:
-        where = f"in the share directory of package '{name}' which is at '{folder}'"
-        raise RuntimeError(f"file '{file_name}' was not found {where}")
-    return str(path), arguments
+def _file_in(name: str, file_name: str) -> str:
+    """Return the path of a launch file in a package."""
+    package = find_package(name)
+    if package is None:
+        raise RuntimeError(f"Package '{name}' not found")
+    for path in sorted(package.folder.rglob(file_name or "*.launch.py")):
+        if path.name == file_name:
+            return str(path)
+    where = f"in the share directory of package '{name}' which is at '{package.folder}'"
+    raise RuntimeError(f"file '{file_name}' was not found {where}")
 
 
-def _do(step: LaunchStep, name: str) -> list[Participant]:
-    """Start the node of a step; return the participant, none if the node is left out."""
+def _do(step: LaunchStep, number: int) -> list[Participant]:
+    """Print the text of a step, or start its node; return the participant, if there is one."""
+    if len(step.words) == 1:
+        print(f"[INFO] [launch.user]: {step.words[0]}", flush=True)
+        return []
     package, executable, *arguments = step.words
-    program, argv = partial(_run_tool, step.words), [executable]
     try:
         if package == "rviz2":
             raise LookupError("it is a window; in a page, %rviz2 draws the same")
-        if executable not in ros2.EXECUTABLES.get(package, {}):
+        if executable in ros2.EXECUTABLES.get(package, {}):
+            program, argv = lambda: sys.exit(ros2.main(["run", *step.words])), [executable]
+        else:
             program, argv = partial(run_entry_point, find_executable(package, executable)), [executable, *arguments]
     except LookupError as fault:
         print(f"[WARN] [launch]: {step.line}: {package} {executable} is left out: {fault}", flush=True)
         return []
-    print(f"[INFO] [{name}]: process started", flush=True)
-    return [current_process().graph.start(program, name=name, argv=argv)]
-
-
-def _run_tool(words: Sequence[str]) -> None:
-    sys.exit(ros2.main(["run", *words]))
-
-
-def _log(step: LaunchStep) -> list[Participant]:
-    print(f"[INFO] [launch.user]: {step.words[0]}", flush=True)
-    return []
+    print(f"[INFO] [{executable}-{number}]: process started", flush=True)
+    return [current_process().graph.start(program, name=f"{executable}-{number}", argv=argv)]
 
 
 # -- from a file to steps -------------------------------------------------
 
 
 def _entities_of(path: str) -> list[LaunchEntity]:
-    """Return what a launch file generates; if it fails, Python's traceback names the line."""
+    """Return the actions that a launch file generates; if it fails, Python's traceback names the line."""
     if not path.endswith(".py"):
         raise RuntimeError(f"{path}: tflab reads launch files in Python, such as pair.launch.py")
-    return runpy.run_path(path)["generate_launch_description"]().entities
+    return runpy.run_path(path)["generate_launch_description"]().options.get("initial_entities") or []
 
 
 def _arguments_of(entities: Iterable[LaunchEntity], known: dict[str, str]) -> Iterator[str]:
@@ -215,60 +204,57 @@ def _steps(entities: Iterable[LaunchEntity], known: dict[str, str], delay_s: flo
 
 
 def _steps_of(each: LaunchEntity, known: dict[str, str], delay_s: float) -> Iterator[LaunchStep]:
-    def text(name: str) -> str:
-        return _text(each.options.get(name) or "", known)
-
-    match each.kind, each.options.get("actions"):
-        case "DeclareLaunchArgument", _:
-            name, choices = text("name"), each.options.get("choices")
-            if name not in known and each.options.get("default_value") is None:
-                raise ValueError(f'Required launch argument "{name}" was not provided.')
-            known.setdefault(name, text("default_value"))
-            if choices and known[name] not in choices:
-                valid = f"is not valid. Valid options are: {choices}"
-                raise ValueError(f'Argument "{name}" provided value "{known[name]}" {valid}')
-        case "LogInfo", _:
-            yield LaunchStep(delay_s, each.line, (text("msg"),))
-        case "PushRosNamespace", _:
-            known[NAMESPACE] = _namespace(text("namespace"), known)
-        case "GroupAction", actions:
-            yield from _steps(actions, dict(known) if each.options.get("scoped", True) else known, delay_s)
-        case "TimerAction", actions:
-            yield from _steps(actions, known, delay_s + float(text("period")))
-        case "IncludeLaunchDescription", _:
-            known |= {_text(a, known): _text(b, known) for a, b in each.options.get("launch_arguments") or ()}
-            yield from _steps(_entities_of(text("launch_description_source")), known, delay_s)
-        case "Node", _:
-            yield LaunchStep(delay_s, each.line, (text("package"), text("executable"), *_words_of(each.options, known)))
+    value, option = "" if each.kind == "GroupAction" else _text(each, known), each.options.get
+    match each.kind:
+        case "DeclareLaunchArgument":
+            if value not in known and option("default_value") is None:
+                raise ValueError(f'Required launch argument "{value}" was not provided.')
+            known.setdefault(value, _text(option("default_value"), known))
+            if option("choices") and known[value] not in option("choices"):
+                valid = f"is not valid. Valid options are: {option('choices')}"
+                raise ValueError(f'Argument "{value}" provided value "{known[value]}" {valid}')
+        case "LogInfo":
+            yield LaunchStep(delay_s, each.line, (value,))
+        case "PushRosNamespace":
+            known[NAMESPACE] = _namespace(value, known)
+        case "GroupAction":
+            yield from _steps(option("actions"), dict(known) if option("scoped", True) else known, delay_s)
+        case "TimerAction":
+            yield from _steps(option("actions"), known, delay_s + float(value))
+        case "IncludeLaunchDescription":
+            known |= {_text(name, known): _text(text, known) for name, text in option("launch_arguments") or ()}
+            yield from _steps(_entities_of(value), known, delay_s)
+        case "Node":
+            words = (_text(option("package"), known), value, *_words_of(each.options, known))
+            yield LaunchStep(delay_s, each.line, words)
         case _:
             raise ValueError(f"{each.kind} is no action")
 
 
 def _truth(condition: LaunchEntity, known: Mapping[str, str]) -> bool:
-    text = _text(condition.options["predicate_expression"], known).strip().lower()
+    text = _text(condition, known).strip().lower()
     if text not in TRUTHS:
         raise ValueError(f"a condition is true, false, 1 or 0, not '{text}'")
     return TRUTHS[text]
 
 
 def _text(value: Any, known: Mapping[str, str]) -> str:
-    """Return the text of a substitution, of a plain value, or of a list of these, joined."""
+    """Return the text of a value: a plain one, that of an entity, or a list of these, joined."""
     if isinstance(value, list | tuple):
         return "".join(_text(each, known) for each in value)
     if not isinstance(value, LaunchEntity):
         return str(value)
     inner = value.options[OPTIONS[value.kind].split()[0]]
-    match value.kind:
-        case "LaunchConfiguration":
-            name, default = _text(inner, known), value.options.get("default")
-            if name not in known and default is None:
-                raise ValueError(f"launch configuration '{name}' does not exist")
-            return known[name] if name in known else _text(default, known)
-        case "FindPackageShare":
-            return get_package_prefix(_text(inner, known))
-        case "PathJoinSubstitution":
-            return os.path.join(*(_text(each, known) for each in inner))
-    return _text(inner, known)
+    if value.kind == "PathJoinSubstitution":
+        return os.path.join(*(_text(each, known) for each in inner))
+    text = _text(inner, known)
+    if value.kind == "FindPackageShare":
+        return get_package_prefix(text)
+    if value.kind != "LaunchConfiguration" or text in known:
+        return known[text] if value.kind == "LaunchConfiguration" else text
+    if value.options.get("default") is None:
+        raise ValueError(f"launch configuration '{text}' does not exist")
+    return _text(value.options["default"], known)
 
 
 def _namespace(name: str, known: Mapping[str, str]) -> str:

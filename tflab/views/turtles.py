@@ -10,19 +10,15 @@ import numpy as np
 from . import style
 from .picture import Picture
 
-ARROW = ((1.0, 0.0), (-0.8, 0.6), (-0.4, 0.0), (-0.8, -0.6), (1.0, 0.0))  # ahead is x, a turtle is 2 long
+ARROW = ((1.0, 0.0), (-0.8, 0.6), (-0.4, 0.0), (-0.8, -0.6), (1.0, 0.0))  # ahead is x
 
 
 def draw_turtles(
-    canvas: np.ndarray, background: Sequence[int], poses: Mapping[str, tuple[float, float, float]], size_m: float
+    canvas: np.ndarray, background: Sequence[int], poses: Mapping[str, Sequence[float]], size_m: float
 ) -> Picture:
-    """Draw turtles on their field.
+    """Draw turtles at their poses x, y, theta [m, rad], on a field with sides of `size_m` [m].
 
-    Args:
-        canvas: what the pens have drawn, (rows, columns, 4) of red, green, blue and opacity.
-        background: red, green, blue.
-        poses: x, y, theta of each turtle [m, rad], from the lower left corner.
-        size_m: the side of the field [m].
+    `canvas` is what the pens have drawn: (rows, columns, 4) of red, green, blue and opacity.
     """
     picture = Picture((4.2, 4.2))
     with style.our_settings():
@@ -34,10 +30,8 @@ def draw_turtles(
             ax.plot(x, y, marker=turtle, markersize=18, color=style.PAPER, markeredgecolor=style.INK)
             paper = {"facecolor": style.PAPER, "edgecolor": "none", "pad": 1.5}
             ax.annotate(name, (x, y), (0, 13), textcoords="offset points", ha="center", bbox=paper)
+            where = f"{style.fmt_all((x, y), digits=2)}, heading {style.fmt(theta, 'rad', 2)}"
+            picture.text += f"{name} at {where}\n"
         ax.set_xticks(range(0, 12, 2), [*range(0, 10, 2), "10 m"])
         ax.set_yticks(range(0, 12, 2))
-    picture.text = "\n".join(
-        f"{name} at {style.fmt_all((x, y), digits=2)}, heading {style.fmt(theta, 'rad', 2)}"
-        for name, (x, y, theta) in poses.items()
-    )
     return picture
