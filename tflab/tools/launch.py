@@ -207,12 +207,7 @@ def _steps_of(each: LaunchEntity, known: dict[str, str], delay_s: float) -> Iter
     value, option = "" if each.kind == "GroupAction" else _text(each, known), each.options.get
     match each.kind:
         case "DeclareLaunchArgument":
-            if value not in known and option("default_value") is None:
-                raise ValueError(f'Required launch argument "{value}" was not provided.')
-            known.setdefault(value, _text(option("default_value"), known))
-            if option("choices") and known[value] not in option("choices"):
-                valid = f"is not valid. Valid options are: {option('choices')}"
-                raise ValueError(f'Argument "{value}" provided value "{known[value]}" {valid}')
+            _declare(value, option("default_value"), option("choices"), known)
         case "LogInfo":
             yield LaunchStep(delay_s, each.line, (value,))
         case "PushRosNamespace":
@@ -229,6 +224,14 @@ def _steps_of(each: LaunchEntity, known: dict[str, str], delay_s: float) -> Iter
             yield LaunchStep(delay_s, each.line, words)
         case _:
             raise ValueError(f"{each.kind} is no action")
+
+
+def _declare(name: str, default: Any, choices: Sequence[str] | None, known: dict[str, str]) -> None:
+    if name not in known and default is None:
+        raise ValueError(f'Required launch argument "{name}" was not provided.')
+    value = known.setdefault(name, _text(default, known))
+    if choices and value not in choices:
+        raise ValueError(f'Argument "{name}" provided value "{value}" is not valid. Valid options are: {choices}')
 
 
 def _truth(condition: LaunchEntity, known: Mapping[str, str]) -> bool:
