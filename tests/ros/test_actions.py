@@ -9,10 +9,13 @@ from tflab.ros.action_server import ActionServer, CancelResponse, GoalResponse
 from tflab.ros.entity import ReentrantCallbackGroup
 from tflab.ros.exceptions import NoTypeSupportImportedException, RCLError
 from tflab.ros.executors import MultiThreadedExecutor
+from tflab.ros.messages import type_named
 from tflab.ros.messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
-from tflab.ros.messages.example_interfaces import AddTwoInts, Fibonacci
 from tflab.ros.node import Node
 from tflab.ros.time import Duration
+
+AddTwoInts = type_named("example_interfaces/srv/AddTwoInts")
+Fibonacci = type_named("example_interfaces/action/Fibonacci")
 
 
 def count_up(pause_s=1.0):

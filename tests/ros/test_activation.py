@@ -113,7 +113,7 @@ def test_no_module_of_a_package_is_empty():
     ros.activate()
     for name, row in activation._table().items():
         module = importlib.import_module(name)
-        assert not row or [each for each in vars(module) if not each.startswith("__")], name
+        assert not row or hasattr(module, "Node") or [each for each in vars(module) if not each.startswith("__")], name
 
 
 def test_the_names_that_programs_use_are_the_same_by_every_import_path():

@@ -8,7 +8,7 @@ import pytest
 
 from tflab.ros import client_library as rclpy
 from tflab.ros import messages
-from tflab.ros.messages import packages
+from tflab.ros.messages import geometry_msgs, packages
 from tflab.ros.messages.text import type_hash
 from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
@@ -23,10 +23,16 @@ string MODEL='small'
 Box[] boxes
 int32[3] counts [1, 2, 3]
 bool is_sure true
+geometry_msgs/Point[2] corners
+string<=5[2] sides ["left", "right"]
+bool[2] flags
+byte[2] raw
+string<=8 tag
 """
 PACKAGE = {
     "Detection.msg": DETECTION,
     "Box.msg": "geometry_msgs/Point corner\nfloat32 width",
+    "Caption.msg": 'wstring text "왕관"\nwstring TITLE=hall',
     "Locate.srv": "string label\n---\nbool found\nBox where",
     "Search.action": "string label\n---\nDetection found\n---\nfloat32 progress",
 }
@@ -48,10 +54,20 @@ def test_a_defined_package_is_imported_like_a_built_package():
     detection.counts[0] = 9
     detection = type(detection)()  # defaults are each message's own
     assert (detection.counts.tolist(), detection.is_sure, detection.boxes) == ([1, 2, 3], True, [])
+    corners = detection.corners
+    assert corners == [geometry_msgs.Point()] * 2 and corners[0] is not corners[1] is not type(detection)().corners[1]
+    assert (detection.sides, detection.flags, detection.raw) == (["left", "right"], [False, False], [b"\0", b"\0"])
+    caption = importlib.import_module("my_msgs.msg").Caption()
+    assert (detection.tag, caption.text, caption.TITLE) == ("", "왕관", "hall")
+    types = detection.get_fields_and_field_types() | caption.get_fields_and_field_types()
+    assert (types["sides"], types["tag"], types["text"]) == ("string<5>[2]", "string<8>", "wstring")
     box = importlib.import_module("my_msgs.msg").Box(width=2.0)
     assert repr(box) == "my_msgs.msg.Box(corner=geometry_msgs.msg.Point(x=0.0, y=0.0, z=0.0), width=2.0)"
-    assert importlib.import_module("my_msgs.srv").Locate.Response().where == type(box)()
-    assert importlib.import_module("my_msgs.action").Search.Result().found == detection
+    srv, action = (importlib.import_module(f"my_msgs.{kind}") for kind in ("srv", "action"))
+    assert srv.Locate.Response().where == type(box)() and srv.Locate.Response is srv.Locate_Response
+    assert (
+        action.Search.Result().found == detection and action.Search_SendGoal.Request is action.Search_SendGoal_Request
+    )
     assert messages.type_named("my_msgs/msg/Box") is type(box)
 
 
@@ -60,10 +76,27 @@ def test_the_same_cell_again_gives_the_same_classes_and_another_text_or_folder_n
     assert messages.define("my_msgs", dict(PACKAGE)).msg.Box is first.msg.Box
     assert messages.define("my_msgs", {"Box.msg": "float64 width"}).msg.Box is not first.msg.Box
     for name, text in PACKAGE.items():
-        folder = tmp_path / name.rpartition(".")[2]
-        folder.mkdir(exist_ok=True)
-        (folder / name).write_text(text)
+        folder = tmp_path / name.rpartition(".")[2] / "found"
+        folder.mkdir(exist_ok=True, parents=True)
+        (folder / name).write_text(text, encoding="utf-8")
     assert messages.define("my_msgs", tmp_path).msg.Detection().score == 0.5
+    (tmp_path / "msg/Box.msg").write_text("float64 width")
+    with pytest.raises(ValueError, match="two definitions of one name"):
+        messages.define("my_msgs", tmp_path)
+
+
+def test_a_bounded_string_and_a_fixed_array_refuse_what_does_not_fit():
+    detection = messages.define("my_msgs", PACKAGE).msg.Detection
+    for values, text in (
+        ({"tag": "123456789"}, "The 'tag' field must be string value not longer than 8"),
+        (
+            {"sides": ["left", "rights"]},
+            "sequence with length 2 and each string value not longer than 5 and each value",
+        ),
+        ({"corners": []}, "sequence with length 2 and each value of type 'Point'"),
+    ):
+        with pytest.raises(AssertionError, match=text):
+            detection(check_fields=True, **values)
 
 
 @pytest.mark.parametrize(
@@ -77,6 +110,7 @@ def test_the_same_cell_again_gives_the_same_classes_and_another_text_or_folder_n
         ("my_msgs", {"A.srv": "bool x"}, "A.srv has 1 parts; a .srv has 2"),
         ("my_msgs", {"A.msg": "B b", "B.msg": "A a"}, "A.msg -> B.msg -> A.msg: a message cannot contain itself"),
         ("my_msgs", {"A.msg": "int32 x half"}, 'cannot read "int32 x half": the value is none of type int32'),
+        ("my_msgs", {"A.msg": "int32<=3 x"}, 'cannot read the type "int32<=3"'),
         ("my_msgs", {"A.msg": "int32"}, 'cannot read "int32": expected "type name"'),
     ],
 )

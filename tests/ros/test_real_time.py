@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+import threading
 import time
 from pathlib import Path
 from types import SimpleNamespace
@@ -99,12 +100,25 @@ def test_a_file_that_ends_well_is_a_success_and_a_missing_one_is_named_before_an
     path = tmp_path / "short.py"
     path.write_text("import helper\nimport rclpy\nwith rclpy.init():\n    print(helper.WORD, __name__)\n")
     (tmp_path / "helper.py").write_text("WORD = 'neighbour'\n")
-    assert run_files([str(path)]) == 0
+    assert run_files([]) == run_files([str(path)]) == 0
     assert capfd.readouterr().out == "neighbour __main__\n"
     with pytest.raises(FileNotFoundError, match=r"no such node file: .*nobody\.py"):
         run_files([*NODES, str(tmp_path / "nobody.py")])
     with pytest.raises(TypeError, match=r"run_files\(\['nobody\.py'\]\)"):
         run_files("nobody.py")
+
+
+def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "node.py").write_text(
+        "import asyncio, signal, sys\nprint(*sys.argv)\nsignal.signal(signal.SIGUSR1, print)\n"
+        "print(asyncio.get_event_loop().is_running())\n"
+    )
+    assert run_files(["node.py", "node.py"], args=["--ros-args"]) == 1  # the second one has not
+    printed = capfd.readouterr()
+    assert sorted(printed.out.splitlines()) == ["False", "node.py --ros-args", "node.py --ros-args"]
+    assert printed.err.count("participant") == printed.err.count("ValueError: signal only works in main thread") == 1
+    assert not hasattr(threading.main_thread(), "tflab_process")
 
 
 def test_ctrl_c_while_the_files_are_still_being_started_interrupts_all_of_them(capfd):

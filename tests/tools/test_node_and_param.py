@@ -6,10 +6,12 @@ from tools_robot import moving, spin
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
 from tflab.ros.action_server import ActionServer
-from tflab.ros.messages.example_interfaces import Fibonacci
+from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 from tflab.tools.node import duplicates_warning
 from tflab.tools.param import python_value
+
+Fibonacci = type_named("example_interfaces/action/Fibonacci")
 
 
 def node_with(**values):

@@ -6,9 +6,12 @@ from tools_robot import spin
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
 from tflab.ros.action_server import ActionServer, GoalResponse
-from tflab.ros.messages.example_interfaces import AddTwoInts, Fibonacci
+from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 from tflab.ros.time import Duration
+
+AddTwoInts = type_named("example_interfaces/srv/AddTwoInts")
+Fibonacci = type_named("example_interfaces/action/Fibonacci")
 
 
 @pytest.fixture

@@ -226,17 +226,24 @@ def test_closed_outputs_are_no_fault():
     assert subprocess.run(["sh", "-c", 'exec "$0" -c "$1" >&- 2>&-', sys.executable, code]).returncode == 2
 
 
-def test_a_node_that_sits_in_a_call_that_nothing_interrupts_does_not_keep_the_shell(tmp_path):
+@pytest.mark.parametrize(
+    ("files", "last", "code"),
+    [
+        (["ask.py"], "neither slept nor spun: interrupted at ask.py:2 in <module>.", 0),  # a signal ends input()
+        (["empty.py", "ask.py"], "went on after it was interrupted, at ask.py:2 in <module>.", 1),  # in another thread
+    ],
+)
+def test_a_node_that_waits_for_the_keyboard_does_not_keep_the_shell(files, last, code, tmp_path):
     (tmp_path / "ask.py").write_text("print('asking', flush=True)\ninput()\n")
-    process = tflab("run", "ask.py", stdin=subprocess.PIPE, cwd=tmp_path)
+    (tmp_path / "empty.py").touch()
+    process = tflab("run", *files, stdin=subprocess.PIPE, cwd=tmp_path)
     while "asking" not in process.stdout.readline():
         assert process.poll() is None
-    for _ in range(2):  # the second one ends the patience
+    for _ in range(1 + code):  # the second one ends the patience
         process.send_signal(signal.SIGINT)
         time.sleep(1.0)
-    error = process.stderr.read()
-    assert error.splitlines()[-1] == 'participant "ask" went on after it was interrupted, at ask.py:2 in <module>.'
-    assert process.wait(timeout=30) == 1
+    assert process.stderr.read().splitlines()[-1] == f'participant "ask" {last}'
+    assert process.wait(timeout=30) == code
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@
     reading_messages  readings as ROS messages
     nodes             the same robot on ROS, one node for each publisher
     circle            the lecture's circle, as written and as meant
+    turtlesim         turtlesim without its window
 
     faults/           faults to inject into recordings
 

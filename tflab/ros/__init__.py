@@ -49,7 +49,8 @@ In reading order:
     node  node_entities  graph_queries  lifecycle_states  lifecycle
     client_library
     convert  tf2/                                        engine values and messages; tf2_ros
-    snapshot  run                                        a graph as plain values; scripts
+    transformations  cv_bridge                           tf_transformations, cv_bridge
+    snapshot  workspace  ament_index  run                a graph as plain values; packages; scripts
 """
 
 from .activation import activate, deactivate, is_active, load_in_notebook

@@ -17,15 +17,16 @@ from typing import Any
 from .action_goals import action_entity_name, goal_key, is_done
 from .action_server import FEEDBACK_QOS
 from .entity import CallbackGroup, Kind
+from .messages import type_named
 from .messages.action_msgs import GoalInfo, GoalStatus
 from .messages.base import Action, Message, is_action_class
-from .messages.unique_identifier_msgs import UUID
 from .node_entities import check_type
 from .qos import QoSProfile, qos_profile_action_status_default, qos_profile_services_default
 from .task import Future
 
 __all__ = ["ActionClient", "ClientGoalHandle"]
 
+UUID = type_named("unique_identifier_msgs/msg/UUID")
 _goal_numbers = itertools.count(1)  # upstream: random; here two runs print the same
 
 
@@ -137,7 +138,9 @@ class ActionClient:
         """
         if not isinstance(goal, self._action_type.Goal):
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
-        goal_id = goal_uuid or UUID(uuid=list(next(_goal_numbers).to_bytes(16, "big")))
+        goal_id = goal_uuid or type_named("unique_identifier_msgs/msg/UUID")(
+            uuid=list(next(_goal_numbers).to_bytes(16, "big"))
+        )
         if feedback_callback is not None:
             self._feedback_callbacks[goal_key(goal_id)] = feedback_callback
         sent = Future()

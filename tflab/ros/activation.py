@@ -33,16 +33,16 @@ from . import distro
 from .graph import Graph, new_graph
 from .logging import write_to_stdout
 from .messages import set_field_checks
+from .messages.base import types_of
+from .messages.packages import definitions, ros_package
 from .process import restore_threads
 
 __all__ = ["PACKAGES", "activate", "deactivate", "is_active", "load_in_notebook"]
 
 
 FOLDER = Path(__file__).parent
-MESSAGES = f"{__package__}.messages"
 KINDS = ("action", "msg", "srv")
-MESSAGE_FILES = (FOLDER / "messages").glob("*_*.py")
-MESSAGE_PACKAGES = {path.stem for path in MESSAGE_FILES if path.stem.endswith(("_msgs", "_interfaces", "_srvs"))}
+MESSAGE_PACKAGES = set(definitions())
 VARIABLE = "TFLAB_ROS"
 
 
@@ -55,9 +55,7 @@ def _table() -> dict[str, dict[str, list[str]]]:
 @cache
 def _types_of(package: str) -> dict[str, dict[str, type]]:
     """Return the types of a message package by their kind: {"msg": {"Point": ...}}."""
-    from .messages.base import types_of
-
-    import_module(f"{MESSAGES}.{package}")
+    ros_package(package)
     found: dict[str, dict[str, type]] = {}
     for name, cls in types_of(package).items():
         found.setdefault(name.split("/")[1], {})[cls.__name__] = cls

@@ -27,7 +27,7 @@ from typing import Any
 from tflab.core import NSEC_PER_SEC
 
 from .network import Disturbance, Network
-from .process import Process, patch_threads, process_here, use_graph
+from .process import Process, patch_threads, process_here, use_graph, write_line
 from .virtual import EndlessLoop, VirtualTime
 from .wall import WallTime
 
@@ -58,6 +58,15 @@ class Participant(Process):
         """Interrupt it, as Ctrl-C does, and wait until it has ended."""
         self.graph.stop(self)
 
+    def run_here(self) -> None:
+        """Run it to its end in this thread, instead of in one of its own."""
+        self.main_thread = threading.current_thread()
+        self.main_thread.tflab_process = self
+        try:
+            self._run()
+        finally:
+            del self.main_thread.tflab_process
+
     def _run(self) -> None:
         try:
             self._main(*self._args)
@@ -68,7 +77,7 @@ class Participant(Process):
         except SystemExit as error:
             self.exception = error if error.code else None
             if isinstance(error.code, str):
-                print(error.code, file=sys.stderr)
+                write_line(error.code)
         except BaseException as error:
             self._report(error, "".join(traceback.format_exception(_without_our_frames(error))).rstrip())
         finally:
@@ -82,7 +91,7 @@ class Participant(Process):
 
     def _report(self, error: BaseException, text: str) -> None:
         self.exception = error
-        print(f'participant "{self.name}" ended with an exception:\n{text}', file=sys.stderr, flush=True)
+        write_line(f'participant "{self.name}" ended with an exception:\n{text}')
 
     def __repr__(self) -> str:
         state = "running" if self.is_running else "ended"
@@ -129,21 +138,26 @@ class Graph:
 
         Args:
             name: for reports; the function's own if None, with a number if that is taken.
-            argv: what `rclpy.init()` finds on the command line.
+            argv: its command line: sys.argv, and what `rclpy.init()` finds.
 
         Raises:
             TypeError: `main` is no function.
         """
+        participant = self.add(main, *args, name=name, argv=argv)
+        if self.driver.is_virtual:
+            self.driver.adopt(participant.main_thread, participant)
+        participant.main_thread.start()
+        if self.driver.is_virtual and not isinstance(process_here(), Participant):  # which gets its turn later
+            self._advance(0)
+        return participant
+
+    def add(self, main: Callable[..., Any], *args: Any, name: str | None, argv: list[str] | None = None) -> Participant:
+        """Make a participant, as start() does, whose thread has not been started."""
         if not callable(main):
             raise TypeError(f"start() takes a function, not {main!r}: pass main itself, without calling it")
         name = self._free_name(name or getattr(main, "__name__", "participant"))
         participant = Participant(name, self, main, args, argv or [name])
         self.participants.append(participant)
-        if self.driver.is_virtual:
-            self.driver.adopt(participant.main_thread, participant)
-        participant.main_thread.start()
-        if self.driver.is_virtual:
-            self._advance(0)
         return participant
 
     def run(self, *, seconds: float) -> None:

@@ -15,8 +15,8 @@ from . import distro
 from .arguments import Arguments, parse_arguments
 from .context import Context
 from .logging import LoggingSeverity, get_logger_level, set_logger_level
-from .messages import rcl_interfaces
-from .messages.base import ros_type_of, service
+from .messages import rcl_interfaces, type_named
+from .messages.base import ros_type_of
 from .names import full_node_name
 from .network import Network
 from .qos import QoSProfile
@@ -167,19 +167,7 @@ def arguments_of(context: Context, cli_args: list[str] | None, use_global: bool)
 
 # -- services that every node has besides those for parameters --------------------
 
-# The answer of a real one describes the type's source; nobody here reads that.
-GetTypeDescription = service(
-    "type_description_interfaces/srv/GetTypeDescription",
-    request="""
-        string type_name
-        string type_hash
-        bool include_type_sources
-    """,
-    response="""
-        bool successful
-        string failure_reason
-    """,
-)
+GetTypeDescription = type_named("type_description_interfaces/srv/GetTypeDescription")
 
 
 def add_type_description_service(node: Any) -> None:
@@ -188,6 +176,7 @@ def add_type_description_service(node: Any) -> None:
         return
 
     def answer(request: Any, response: Any) -> Any:
+        # That of a real one describes the type's source; nobody here reads that.
         response.failure_reason = f"Type '{request.type_name}' is not described in this process"
         return response
 

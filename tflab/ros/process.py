@@ -8,8 +8,9 @@ A thread belongs to the process of the thread that started it. What rclpy keeps 
 globals is kept there in thread-local storage. A process can be interrupted, as by
 Ctrl-C (SIGINT), and it ends when its main function returns.
 
-With the first graph, three calls of Python are replaced, until `deactivate()`:
+With the first graph, four things of Python are replaced, until `deactivate()`:
 
+    sys.argv             the command line of the process that reads it
     time.sleep(s)        in a process of a graph: lets the graph's time pass, can be interrupted
     Thread(...).start()  the new thread belongs to the starter's process
     thread.join()        lets the graph's time pass
@@ -21,13 +22,14 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
 from .task import Future
 
-__all__ = ["Process", "patch_threads", "process_here", "restore_threads", "use_graph"]
+__all__ = ["Process", "patch_threads", "process_here", "restore_threads", "use_graph", "write_line"]
 
 
 class Process:
@@ -104,7 +106,7 @@ class Process:
     def lost(self, where: str) -> None:
         """Give up a thread that keeps busy, and cannot even be interrupted."""
         self.loop = where
-        print(f'participant "{self.name}" was given up. {self.loop_text()}', file=sys.stderr, flush=True)
+        write_line(f'participant "{self.name}" was given up. {self.loop_text()}')
         self.end()
 
     def wait(self, waiter: Any, duration_ns: int | None) -> None:
@@ -155,6 +157,12 @@ class Process:
             raise KeyboardInterrupt
 
 
+def write_line(text: str) -> None:
+    """Write to standard error at once, so that the lines of others stay whole."""
+    sys.stderr.write(f"{text}\n")
+    sys.stderr.flush()
+
+
 _graph: Any = None
 
 
@@ -177,17 +185,31 @@ _sleep, _start, _join = time.sleep, threading.Thread.start, threading.Thread.joi
 
 
 def patch_threads() -> None:
-    """Put the three calls in place."""
+    """Put the four in place."""
+    sys.__class__ = _SysOfProcess
     time.sleep = sleep
     threading.Thread.start = start
     threading.Thread.join = join
 
 
 def restore_threads() -> None:
-    """Give Python its own calls back."""
+    """Give Python its own back."""
+    sys.__class__ = ModuleType
     time.sleep = _sleep
     threading.Thread.start = _start
     threading.Thread.join = _join
+
+
+class _SysOfProcess(ModuleType):
+    """`sys`, but that each process has a command line of its own."""
+
+    @property
+    def argv(self) -> list[str]:
+        return getattr(process_here(), "argv", None) or vars(self)["argv"]
+
+    @argv.setter
+    def argv(self, words: list[str]) -> None:
+        vars(process_here() or self)["argv"] = words
 
 
 def sleep(seconds: float) -> None:

@@ -12,7 +12,7 @@
     node  param                   ros2 node, ros2 param
     service  action  lifecycle    ros2 service, action, lifecycle
     interface                     ros2 interface
-    bag                           ros2 bag
+    bag  launch                   ros2 bag, ros2 launch
     rviz  rviz2                   what RViz would show of a graph
     ros2                          the command line
     page  magic                   in a page

@@ -20,13 +20,13 @@ from collections.abc import Callable, Iterator
 from tflab.ros.messages import type_named
 from tflab.ros.messages.base import (
     Message,
-    all_types,
     is_action_class,
     is_message_class,
     is_service_class,
     message_in,
 )
 from tflab.ros.messages.definition import parse_definition
+from tflab.ros.messages.packages import all_types
 from tflab.ros.messages.text import message_to_yaml
 
 from .discovery import add_verb, full_type_name

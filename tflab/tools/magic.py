@@ -5,6 +5,7 @@
 graph.start(main)                            a first cell
 %ros2 run tf2_ros tf2_echo odom base_link    a second cell sees what the first one started
 %rviz2 -f map                                a small RViz, after a second of listening
+%turtlesim                                   the field of turtlesim, as it is now
 ```
 """
 
@@ -18,7 +19,7 @@ from typing import Any, NamedTuple
 
 from tflab.ros.activation import PACKAGES
 from tflab.ros.graph import Graph, current_graph
-from tflab.ros.messages.base import all_types
+from tflab.ros.messages.packages import all_types
 from tflab.ros.snapshot import snapshot
 
 from . import ros2, rviz2
@@ -28,9 +29,10 @@ __all__ = ["Known", "complete", "complete_line", "known_in", "register", "ros2_l
 
 
 def register(ipython: Any) -> None:
-    """Give a notebook `%ros2` and `%rviz2`, with completion."""
+    """Give a notebook `%ros2`, with completion, `%rviz2` and `%turtlesim`."""
     ipython.register_magic_function(ros2_line, "line", "ros2")
     ipython.register_magic_function(rviz2_line, "line", "rviz2")
+    ipython.register_magic_function(turtlesim_line, "line", "turtlesim")
     for prefix in ("%ros2", "ros2"):  # with automagic the percent sign may be left out
         ipython.set_hook("complete_command", lambda shell, event: complete_line(event.line), str_key=prefix)
 
@@ -55,12 +57,29 @@ def rviz2_line(line: str) -> None:
     _run(["run", "rviz2", "rviz2", *arguments], seconds)
 
 
+def turtlesim_line(line: str) -> None:
+    """Show the field of each turtlesim in the current graph, as it is now."""
+    from tflab.robots.turtlesim import SIZE_M, TurtleSim
+    from tflab.views.turtles import draw_turtles
+
+    sims = [node for node in current_graph().nodes if isinstance(node, TurtleSim)]
+    for sim in sims:
+        poses = {name: (turtle.x, turtle.y, turtle.theta) for name, turtle in sim.turtles.items()}
+        _show(draw_turtles(sim.canvas, sim.background, poses, SIZE_M))
+    if not sims:
+        print("No turtlesim runs in this graph. Start one: %ros2 run turtlesim turtlesim_node")
+
+
 def _run(words: Sequence[str], seconds: float | None) -> None:
     if words[:3] == ["run", "rviz2", "rviz2"]:
         pictures = _rviz(words[3:], seconds)
     else:
         with redirect_stderr(sys.stdout):  # a terminal shows both in one; so the lines keep their order
             pictures = run_words(current_graph(), words, seconds).pictures
+    _show(*pictures)
+
+
+def _show(*pictures: Any) -> None:
     if pictures:
         from IPython.display import display
 

@@ -49,6 +49,7 @@ COMMANDS = {
     "action": Ros2Command("Various action related sub-commands", "tflab.tools.action"),
     "bag": Ros2Command("Various rosbag related sub-commands", "tflab.tools.bag"),
     "interface": Ros2Command("Show information about ROS interfaces", "tflab.tools.interface"),
+    "launch": Ros2Command("Run a launch file", "tflab.tools.launch"),
     "lifecycle": Ros2Command("Various lifecycle related sub-commands", "tflab.tools.lifecycle"),
     "node": Ros2Command("Various node related sub-commands", "tflab.tools.node"),
     "param": Ros2Command("Various param related sub-commands", "tflab.tools.param"),
@@ -68,6 +69,7 @@ EXECUTABLES = {
         "tf2_monitor": Executable("tflab.tools.tf2_monitor", page_s=11.0),
     },
     "tf2_tools": {"view_frames": Executable("tflab.tools.view_frames", shows=True)},
+    "turtlesim": {"turtlesim_node": Executable("tflab.robots.turtlesim", stays=True)},
 }
 
 CLOSED_PIPE = 141  # what a shell says of a program that wrote to a reader who has gone
@@ -116,13 +118,14 @@ def plan(words: Sequence[str]) -> Plan:
         raise SystemExit(0)
     is_endless = getattr(options, "loop", False)
     ends_by_itself = getattr(options, "once", False) or getattr(options, "times", 0)
-    page_s = None if ends_by_itself or is_endless else PAGE_SECONDS.get(options.verb)
-    return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), page_s=page_s)
+    page_s = None if ends_by_itself or is_endless else PAGE_SECONDS.get(getattr(options, "verb", ""))
+    stays = options.command == "launch" and not options.show_args
+    return Plan(tuple(words), lambda pictures: _exit_code(lambda: options.run(options)), stays, page_s)
 
 
 def verbs_of(command: str) -> list[str]:
     """Return the verbs of a command, for completion."""
-    if command not in COMMANDS or command == "run":
+    if command not in COMMANDS or command in ("launch", "run"):
         return []
     parser = argparse.ArgumentParser()
     verbs = parser.add_subparsers()
@@ -142,6 +145,8 @@ def _parser(words: Sequence[str]) -> argparse.ArgumentParser:
         sub = commands.add_parser(name, help=command.help, description=command.help)
         if name == "run":
             _add_run(sub)
+        elif name == "launch" and name in words:
+            import_module(command.module).add_options(sub)
         elif name in words:
             sub.set_defaults(command_parser=sub)
             import_module(command.module).add_verbs(_subparsers(sub, f"ros2 {name}", "verb"))
@@ -163,20 +168,26 @@ def _add_run(sub: argparse.ArgumentParser) -> None:
 
 
 def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
-    package = EXECUTABLES.get(options.package_name)
-    if package is None:
-        return Plan(tuple(words), lambda pictures: _refuse(f"Package '{options.package_name}' not found"))
+    from tflab.ros.arguments import remove_ros_args
+    from tflab.ros.graph import current_process
+    from tflab.ros.run import run_entry_point
+    from tflab.ros.workspace import find_executable
+
+    package = EXECUTABLES.get(options.package_name, {})
     executable = package.get(options.executable_name)
-    if executable is None:
-        return Plan(tuple(words), lambda pictures: _refuse("No executable found"))
+    try:
+        entry = None if executable else find_executable(options.package_name, options.executable_name)
+    except LookupError as fault:
+        refusal = "No executable found" if package else str(fault)
+        return Plan(tuple(words), lambda pictures: _refuse(refusal))
 
     def run(pictures: list[Any]) -> int:
-        from tflab.ros.arguments import remove_ros_args
-        from tflab.ros.graph import current_process
-
         process = current_process()
         # rclpy.init() reads the --ros-args there; those that the process was started with come last.
         process.argv = [options.executable_name, *options.argv, *(process.argv or [])[1:]]
+        if executable is None:
+            run_entry_point(entry)
+            return 0
         program = import_module(executable.module).main
         arguments = remove_ros_args(process.argv)[1:]
         code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
@@ -184,6 +195,8 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
             print(f"[ros2run]: {'Aborted' if code < 0 else f'Process exited with failure {code}'}", flush=True)
         return code
 
+    if executable is None:
+        return Plan(tuple(words), run, stays=True)
     helps = {"-h", "--help"} & set(options.argv)
     return Plan(tuple(words), run, stays=executable.stays and not helps, page_s=executable.page_s)
 

@@ -1,6 +1,7 @@
 """Run `tflab run` for node files and `tflab ros2` for the tools, in a shell.
 
     tflab run robot.py ekf.py --with "ros2 topic hz /tf" --for 10
+    tflab run my_ws my_package:talker my_package:listener
     tflab ros2 --bag drive run tf2_ros tf2_echo map base_link
     tflab ros2 run tf2_ros static_transform_publisher --frame-id map --child-frame-id odom
 
@@ -15,6 +16,7 @@ import argparse
 import os
 import sys
 from collections.abc import Callable, Sequence
+from itertools import takewhile
 from typing import Any
 
 from tflab.core import NSEC_PER_SEC
@@ -42,7 +44,7 @@ def run(words: Sequence[str]) -> int:
         return _refuse(f"a notebook is no node file: {notebooks[0]}; open it with `tflab lab`")
     try:
         return _run_files(options.files, args=options.ros_args, beside=beside, seconds=options.seconds)
-    except FileNotFoundError as fault:
+    except (FileNotFoundError, LookupError) as fault:
         return _refuse(fault)
 
 
@@ -129,7 +131,10 @@ def _run_parser() -> argparse.ArgumentParser:
         prog="tflab run",
         description="Run node files as they are, together, in one process and in real time, until Ctrl-C.",
     )
-    parser.add_argument("files", nargs="+", metavar="node.py", help="a file that `python node.py` would run")
+    parser.add_argument(
+        "files", nargs="+", metavar="node.py",
+        help="a file that `python node.py` would run, a workspace, or an executable of it as package:executable",
+    )  # fmt: skip
     parser.add_argument(
         "--with", dest="tools", action="append", default=[], metavar='"ros2 ..."',
         help='a tool to run beside them, such as "ros2 topic hz /tf"; may be given several times',
@@ -139,14 +144,17 @@ def _run_parser() -> argparse.ArgumentParser:
     )
     parser.add_argument(
         "--ros-args", nargs=argparse.REMAINDER, action=_WithItsName, default=[],
-        help="what follows is every file's command line, such as --ros-args -p use_sim_time:=true",
+        help="what follows is every file's command line, such as --ros-args -p use_sim_time:=true; "
+        "after -- also other words: -- 2 3 --ros-args -p use_sim_time:=true",
     )  # fmt: skip
     return parser
 
 
 def _run_options(words: Sequence[str]) -> argparse.Namespace:
     parser = _run_parser()
-    options, rest = parser.parse_known_args(list(words))
+    own = list(takewhile(lambda word: word != "--", words))
+    options, rest = parser.parse_known_args(own)
+    options.ros_args += words[len(own) + (not options.ros_args) :]  # a "--" also ends the --ros-args
     if rest:
         quotes = '; the line of a tool stands in quotes: --with "ros2 topic hz /tf"' if options.tools else ""
         parser.error(f"unrecognized arguments: {' '.join(rest)}{quotes}")

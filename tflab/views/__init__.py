@@ -12,6 +12,7 @@
     fault_tables, diagnosis_log, slope_chart    diagnosis and learning
     marks, tree, tree_path, view_frames_tree    the frame tree as SVG, PDF and text
     rviz_status, rviz, rviz_figure    what RViz shows and reports
+    turtles          the field of turtlesim
     scene/           3D in the page
     panels/          sliders in front of the figures
     slider_frames, export_widgets, export    pages without a kernel

@@ -19,11 +19,10 @@ from __future__ import annotations
 import re
 from array import array
 from collections.abc import Callable
+from contextlib import suppress
 from copy import deepcopy
 from importlib import import_module
 from operator import attrgetter
-from pathlib import Path
-from pkgutil import iter_modules
 from textwrap import dedent
 from types import SimpleNamespace
 from typing import ClassVar
@@ -31,7 +30,17 @@ from typing import ClassVar
 import numpy as np
 
 from . import checks
-from .definition import Array, BasicType, Field, NamespacedType, SlotType, UnboundedString, parse_definition, type_text
+from .definition import (
+    Array,
+    BasicType,
+    BoundedString,
+    Field,
+    NamespacedType,
+    SlotType,
+    UnboundedString,
+    parse_definition,
+    type_text,
+)
 from .fields import array_converter, checker, default_value, numeric_array
 
 __all__ = [
@@ -39,7 +48,6 @@ __all__ = [
     "Message",
     "Service",
     "action",
-    "all_types",
     "copy_message",
     "filled",
     "is_action_class",
@@ -50,6 +58,7 @@ __all__ = [
     "ros_type_of",
     "service",
     "type_named",
+    "types_of",
 ]
 
 # ROS type name -> class: 'geometry_msgs/msg/Point', 'tf2_msgs/srv/FrameGraph_Request', ...
@@ -101,11 +110,12 @@ class Message:
 
 
 class Service:
-    """What all services share: a pair of messages, `Request` and `Response`."""
+    """What all services share: the messages `Request` and `Response`, and `Event`, by which introspection reports."""
 
     ROS_TYPE: ClassVar[str]
     Request: ClassVar[type[Message]]
     Response: ClassVar[type[Message]]
+    Event: ClassVar[type[Message]]
 
     def __init__(self) -> None:
         raise NotImplementedError("Service classes can not be instantiated")
@@ -144,12 +154,16 @@ def message(ros_type: str, definition: str = "") -> type[Message]:
 
 
 def service(ros_type: str, request: str = "", response: str = "") -> type[Service]:
-    """Make the class of a service from its name, 'package/srv/Name', and the definitions of its two messages."""
+    """Make the class of a service from its name, 'package/srv/Name', and the definitions of its first two messages."""
     return _named_class(
         ros_type,
         Service,
         Request=message(f"{ros_type}_Request", request),
         Response=message(f"{ros_type}_Response", response),
+        Event=message(
+            f"{ros_type}_Event",
+            f"service_msgs/ServiceEventInfo info\n{ros_type}_Request[<=1] request\n{ros_type}_Response[<=1] response",
+        ),
     )
 
 
@@ -252,27 +266,18 @@ def type_named(ros_type: str) -> type:
     Raises:
         KeyError: there is no such type here.
     """
-    package = ros_type.split("/")[0]
-    if ros_type not in _types and re.fullmatch(r"\w+", package):
-        try:
-            import_module(f"{__package__}.{package}")
-        except ModuleNotFoundError:
-            raise KeyError(ros_type) from None
+    if ros_type not in _types:
+        package, packages = ros_type.split("/")[0], import_module(f"{__package__}.packages")
+        packages.ros_package(package)
+        if package not in packages.definitions() and re.fullmatch(r"\w+", package):
+            with suppress(ModuleNotFoundError):  # otherwise one of the workspace
+                import_module(package)
     return _types[ros_type]
 
 
-def all_types() -> dict[str, type]:
-    """Return every type there is, by its ROS name: messages, services and actions, without what these are made of."""
-    for table in iter_modules([str(Path(__file__).parent)]):
-        import_module(f"{__package__}.{table.name}")
-    return {name: cls for name, cls in sorted(_types.items()) if "_" not in name.rpartition("/")[2]}
-
-
 def types_of(package: str) -> dict[str, type]:
-    """Return the types of one package whose tables are imported, without what services and actions are made of."""
-    return {
-        name: cls for name, cls in sorted(_types.items()) if name.split("/")[0] == package and "_" not in cls.__name__
-    }
+    """Return the types of one package that are made, with what its services and actions are made of."""
+    return {name: cls for name, cls in sorted(_types.items()) if name.split("/")[0] == package}
 
 
 def _named_class(ros_type: str, base: type, **members: object) -> type:
@@ -337,8 +342,8 @@ def _plain_value(slot_type: SlotType) -> Callable[[object], object]:
             return bytes
         case BasicType():
             return int
-        case UnboundedString():
-            return str
+        case UnboundedString() | BoundedString():
+            return str.__str__  # of an Enum that is a str, too, its text and not its name
         case NamespacedType():
             return copy_message
     pack = array_converter(slot_type)

@@ -3,6 +3,7 @@
     "geometry_msgs/Point position"        ->  Field("position", NamespacedType(("geometry_msgs", "msg"), "Point"))
     "float64[36] covariance"              ->  Field("covariance", Array(BasicType("double"), 36))
     "float64 w 1"                         ->  Field("w", BasicType("double"), default=1.0)
+    "string<=8 label"                     ->  Field("label", BoundedString(8))
     "uint8 FLOAT32=7   # a comment"       ->  Constant("FLOAT32", 7)
 
 The type classes carry the names of `rosidl_parser.definition`; a message class
@@ -19,6 +20,7 @@ __all__ = [
     "Array",
     "BasicType",
     "BoundedSequence",
+    "BoundedString",
     "Constant",
     "Field",
     "NamespacedType",
@@ -39,7 +41,17 @@ class BasicType:
 
 @dataclass(frozen=True, slots=True)
 class UnboundedString:
-    """Text of any length."""
+    """Text of any length; `typename` is "string" or "wstring"."""
+
+    typename: str = "string"
+
+
+@dataclass(frozen=True, slots=True)
+class BoundedString:
+    """Text of at most `maximum_size` characters: string<=8."""
+
+    maximum_size: int
+    typename: str = "string"
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,7 +66,7 @@ class NamespacedType:
 class Array:
     """Exactly `size` values: float64[36]."""
 
-    value_type: BasicType | UnboundedString | NamespacedType
+    value_type: BasicType | UnboundedString | BoundedString | NamespacedType
     size: int
 
 
@@ -62,7 +74,7 @@ class Array:
 class BoundedSequence:
     """At most `maximum_size` values: IntegerRange[<=1]."""
 
-    value_type: BasicType | UnboundedString | NamespacedType
+    value_type: BasicType | UnboundedString | BoundedString | NamespacedType
     maximum_size: int
 
 
@@ -70,10 +82,10 @@ class BoundedSequence:
 class UnboundedSequence:
     """Any number of values: float32[]."""
 
-    value_type: BasicType | UnboundedString | NamespacedType
+    value_type: BasicType | UnboundedString | BoundedString | NamespacedType
 
 
-SlotType = BasicType | UnboundedString | NamespacedType | Array | BoundedSequence | UnboundedSequence
+SlotType = BasicType | UnboundedString | BoundedString | NamespacedType | Array | BoundedSequence | UnboundedSequence
 
 
 @dataclass(frozen=True, slots=True)
@@ -98,7 +110,7 @@ _IDL_NAMES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "f
 _INTEGERS = {"int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"}
 
 _LINE = re.compile(
-    r"(?P<type>[A-Za-z0-9_/]+)(?P<many>\[(?P<size>(<=)?\d*)\])?\s+(?P<name>\w+)"
+    r"(?P<type>[A-Za-z0-9_/]+(<=\d+)?)(?P<many>\[(?P<size>(<=)?\d*)\])?\s+(?P<name>\w+)"
     r"(\s*=\s*(?P<constant>.+)|\s+(?P<default>.+))?"
 )
 
@@ -133,8 +145,10 @@ def type_text(slot_type: SlotType) -> str:
     match slot_type:
         case BasicType(typename):
             return typename
-        case UnboundedString():
-            return "string"
+        case UnboundedString(typename):
+            return typename
+        case BoundedString(maximum_size, typename):
+            return f"{typename}<{maximum_size}>"
         case NamespacedType((package, _), name):
             return f"{package}/{name}"
         case Array(value_type, size):
@@ -169,7 +183,7 @@ def _value(text: str, slot_type: SlotType) -> object:
             return bytes([int(text, 0)])
         case BasicType():
             return int(text, 0)
-        case UnboundedString():
+        case UnboundedString() | BoundedString():
             return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'" else text
         case NamespacedType():
             raise ValueError("a message has no default")
@@ -189,9 +203,12 @@ def _slot_type(match: re.Match, package: str) -> SlotType:
     return Array(value_type, int(size))
 
 
-def _value_type(name: str, package: str) -> BasicType | UnboundedString | NamespacedType:
-    if name == "string":
-        return UnboundedString()
+def _value_type(name: str, package: str) -> BasicType | UnboundedString | BoundedString | NamespacedType:
+    name, is_bounded, size = name.partition("<=")
+    if name in ("string", "wstring"):
+        return BoundedString(int(size), name) if is_bounded else UnboundedString(name)
+    if is_bounded:
+        raise ValueError(f'cannot read the type "{name}<={size}": only a string or wstring has a bound')
     if name in _IDL_NAMES or name in _INTEGERS:
         return BasicType(_IDL_NAMES.get(name, name))
     match name.split("/"):

@@ -25,6 +25,7 @@ from .definition import (
     Array,
     BasicType,
     BoundedSequence,
+    BoundedString,
     Field,
     NamespacedType,
     SlotType,
@@ -68,6 +69,9 @@ def default_value(field: Field, message_class: type | None) -> tuple[object, Cal
             return None, lambda: array(_NUMBERS[typename][0])
         case UnboundedSequence() | BoundedSequence():
             return None, list
+        case Array(value_type, size):
+            zero, fresh = default_value(Field(field.name, value_type), message_class)
+            return None, lambda: [zero if fresh is None else fresh() for _ in range(size)]
         case NamespacedType():
             return None, message_class
         case BasicType("octet"):
@@ -110,6 +114,8 @@ def checker(name: str, slot_type: SlotType, message_class: type | None) -> Check
             )
         case BasicType("octet"):
             return _octet_checker(name)
+        case BoundedString(maximum_size):
+            return _string_checker(name, maximum_size)
         case BasicType(typename) if typename != "boolean":
             return _number_checker(name, typename)
     python_type = _python_type(slot_type, message_class)
@@ -141,6 +147,14 @@ def _octet_checker(name: str) -> Check:
     return check
 
 
+def _string_checker(name: str, maximum_size: int) -> Check:
+    def check(value: object) -> None:
+        if not (isinstance(value, str) and len(value) <= maximum_size):
+            raise AssertionError(f"The '{name}' field must be string value not longer than {maximum_size}")
+
+    return check
+
+
 def _number_checker(name: str, typename: str) -> Check:
     python_type = _python_type(BasicType(typename), None)
     low, high = _bounds(typename)
@@ -162,6 +176,7 @@ def _sequence_checker(
     python_type = _python_type(value_type, message_class)
     kept_in = numeric_array(slot_type)
     bounds = _bounds(value_type.typename) if kept_in else None
+    longest = value_type.maximum_size if isinstance(value_type, BoundedString) else None
     text = f"The '{name}' field must be {_sequence_text(slot_type, python_type, bounds)}"
 
     def check(value: object) -> None:
@@ -173,6 +188,7 @@ def _sequence_checker(
             or isinstance(value, (str, UserString))
             or not _length_fits(slot_type, len(value))
             or not all(isinstance(item, python_type) for item in value)
+            or not (longest is None or all(len(item) <= longest for item in value))
             or not (bounds is None or all(bounds[0] <= item <= bounds[1] or not _is_finite(item) for item in value))
         ):
             raise AssertionError(text)
@@ -205,6 +221,8 @@ def _sequence_text(
             parts.append(f"with length {size}")
         case BoundedSequence(maximum_size=size):
             parts.append(f"with length <= {size}")
+    if isinstance(slot_type.value_type, BoundedString):
+        parts.append(f"and each string value not longer than {slot_type.value_type.maximum_size}")
     parts.append(f"and each value of type '{python_type.__name__}'")
     if bounds is not None:
         typename = slot_type.value_type.typename
@@ -235,7 +253,7 @@ def _python_type(slot_type: SlotType, message_class: type | None) -> type:
             return float
         case BasicType():
             return int
-        case UnboundedString():
+        case UnboundedString() | BoundedString():
             return str
     return message_class
 

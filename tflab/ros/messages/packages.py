@@ -23,10 +23,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
-from .base import action, message, service
+from .base import action, message, service, types_of
 from .definition import Field, NamespacedType, parse_definition
 
-__all__ = ["define", "ros_package", "type_store"]
+__all__ = ["all_types", "define", "definitions", "ros_package", "type_store"]
 
 KINDS = {".msg": ("msg", 1), ".srv": ("srv", 2), ".action": ("action", 3)}  # folder, and how many parts
 
@@ -34,21 +34,31 @@ DEFINITIONS = Path(__file__).with_name("definitions.txt")
 MAKERS = {"msg": message, "srv": service, "action": action}
 
 _defined: dict[str, dict[str, str]] = {}
+_made: dict[str, dict[str, type]] = {}
 
 
 def ros_package(module: str) -> dict[str, type]:
-    """Make the types of a package of ROS, named by the last part of `module`, from definitions.txt; return them."""
+    """Return the types of a package of ROS, named by the last part of `module`; none of a package that is not ROS's."""
     package = module.rpartition(".")[2]
-    types = {}
-    for ros_type, parts in _definitions()[package].items():
-        _, kind, name = ros_type.split("/")
-        types[name] = MAKERS[kind](ros_type, *parts)
-    return types
+    if package not in _made:
+        types = _made[package] = {}
+        for ros_type, parts in definitions().get(package, {}).items():
+            _, kind, name = ros_type.split("/")
+            types[name] = MAKERS[kind](ros_type, *parts)
+    return _made[package]
+
+
+def all_types() -> dict[str, type]:
+    """Return every type there is, by its ROS name: messages, services and actions, without what these are made of."""
+    for package in definitions():
+        ros_package(package)
+    types = {name: cls for package in (*definitions(), *_defined) for name, cls in types_of(package).items()}
+    return {name: cls for name, cls in sorted(types.items()) if "_" not in cls.__name__}
 
 
 @cache
-def _definitions() -> dict[str, dict[str, list[str]]]:
-    """Return the parts of each definition, by package and type."""
+def definitions() -> dict[str, dict[str, list[str]]]:
+    """Return the parts of each definition of ROS's packages, by package and type."""
     found: dict[str, dict[str, list[str]]] = {}
     for block in DEFINITIONS.read_text(encoding="utf-8").split("==== ")[1:]:
         ros_type, _, text = block.partition("\n")
@@ -87,7 +97,7 @@ def type_store() -> Any:
         (f"{package}/msg/{Path(name).stem}", text)
         for package, texts in _defined.items()
         for name, text in texts.items()
-        if name.endswith(".msg")
+        if name.endswith(".msg") and not re.search(r"^\s*wstring\b", text, re.MULTILINE)  # the library has no wstring
     ]
     return _store_with(tuple(own))
 
@@ -97,15 +107,20 @@ def _store_with(own: tuple[tuple[str, str], ...]) -> Any:
     from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # loads all of ROS's types: for who asks
 
     store = get_typestore(Stores.ROS2_JAZZY)
-    for ros_type, text in own:
+    texts = {ros_type: parts[0] for types in definitions().values() for ros_type, parts in types.items()}
+    missing = [row for row in texts.items() if "/msg/" in row[0] and row[0] not in store.fielddefs]
+    for ros_type, text in (*missing, *own):
         store.register(get_types_from_msg(text, ros_type))
     return store
 
 
 def _read(folder: Path) -> dict[str, str]:
     """Return the definitions in a package's folder, by file name."""
-    files = [path for suffix, (kind, _) in KINDS.items() for path in sorted((folder / kind).glob(f"*{suffix}"))]
-    return {path.name: path.read_text(encoding="utf-8") for path in files}
+    files = [path for suffix, (kind, _) in KINDS.items() for path in sorted((folder / kind).rglob(f"*{suffix}"))]
+    texts = {path.name: path.read_text(encoding="utf-8") for path in files}
+    if len(texts) < len(files):
+        raise ValueError(f"{folder} has two definitions of one name: a type is named by its file, without its folder")
+    return texts
 
 
 def _check_package(package: str) -> None:
@@ -113,7 +128,8 @@ def _check_package(package: str) -> None:
         raise ValueError(f'"{package}" is no name of a package: small letters, digits and single underscores')
     if package in _defined:
         return
-    if find_spec(f"{__package__}.{package}") or package in sys.modules or find_spec(package):
+    is_taken = package in definitions() or package in sys.modules or find_spec(package)
+    if is_taken and getattr(is_taken, "origin", True):  # Python takes a folder of texts for a package without an origin
         raise ValueError(f"there is a package {package} already: choose another name, such as my_{package}")
 
 
@@ -149,11 +165,12 @@ def _install(package: str, made: Mapping[str, type]) -> ModuleType:
     """Put the modules of a package where `import` looks first."""
     top = ModuleType(package, f"{package}, defined in this Python.")
     top.__path__ = []
+    stems = {Path(name).stem for name in made}
     sys.modules[package] = top
     for kind, _ in KINDS.values():
         module = ModuleType(f"{package}.{kind}", f"What {package} has of that kind.")
-        for name, cls in made.items():
-            if KINDS[Path(name).suffix][0] == kind:
+        for name, cls in types_of(package).items():
+            if name.split("/")[1] == kind and f"{cls.__name__.partition('_')[0]}" in stems:
                 setattr(module, cls.__name__, cls)
         sys.modules[module.__name__] = module
         setattr(top, kind, module)

@@ -1,0 +1,138 @@
+"""Files of packages, and the executables of a workspace, run as `ros2 run` runs them."""
+
+import sys
+
+import pytest
+
+from tflab import ros
+from tflab.cli import main
+from tflab.ros import workspace
+from tflab.ros.messages import packages
+from tflab.ros.process import use_graph
+
+XML = "<package format='3'><name>{}</name></package>"
+NODE = """
+import sys
+import rclpy
+from hop_msgs.msg import Hops
+from .gait import stride
+from limp.gait import stride as other
+
+def main(args=None):
+    with rclpy.init(args=args):
+        node = rclpy.create_node("rabbit")
+        hops = Hops(hops=[Hops().first])
+        print(node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:])
+"""
+FILES = {
+    "src/hop/package.xml": XML.format("hop"),
+    "src/hop/setup.py": """
+raise RuntimeError("nobody executes this")
+package_name = "hop"
+# "old = hop.rabbit:old"
+setup(name=package_name, entry_points={"console_scripts": [
+    "rabbit = hop.rabbit:main", f"hare = {package_name}.rabbit:main", "toad = " + package_name + ".rabbit:main",
+    "ghost = hop.ghost:main",
+]})
+""",
+    "src/hop/hop/__init__.py": "",
+    "src/hop/hop/rabbit.py": NODE,
+    "src/hop/hop/gait.py": "def stride():\n    return 1.5\n",
+    "src/group/limp/package.xml": XML.format("limp"),
+    "src/group/limp/setup.cfg": "[options.entry_points]\nconsole_scripts =\n    fox = limp.gait:fox\n",
+    "src/group/limp/CMakeLists.txt": "install(PROGRAMS\n  scripts/worm.py DESTINATION lib/${PROJECT_NAME})\n",
+    "src/group/limp/scripts/worm.py": "import limp.gait\nprint('worm', __name__)\n",
+    "src/group/limp/limp/__init__.py": "",
+    "src/group/limp/limp/gait.py": "def stride():\n    return 0.1\n\n\ndef fox():\n    return 'the fox is lame'\n",
+    "src/hop_msgs/package.xml": XML.format("hop_msgs"),
+    "src/hop_msgs/msg/Hops.msg": "leg_msgs/Leg[] hops\nleg_msgs/Leg first",
+    "src/leg_msgs/msg/Leg.msg": "float64 stride 0.5",
+    "src/build/built/package.xml": XML.format("built"),
+    "src/ignored/COLCON_IGNORE": "",
+    "src/ignored/package.xml": XML.format("ignored"),
+}
+
+
+@pytest.fixture(autouse=True)
+def ws(tmp_path, monkeypatch):
+    for path, text in FILES.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text)
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(sys, "path", sys.path[:])
+    for name in ("_used", "_undefined"):
+        monkeypatch.setattr(workspace, name, {})
+    yield tmp_path
+    use_graph(None)
+    ros.deactivate()
+    for name in [name for name in sys.modules if name.partition(".")[0] in ("hop", "limp", "hop_msgs", "leg_msgs")]:
+        packages._defined.pop(name, None)
+        del sys.modules[name]
+
+
+HOPPED = "/rabbit 1.5 0.1 0.5 []\n"
+
+
+@pytest.mark.parametrize(
+    ("words", "out"),
+    [
+        (["run", "src/hop/hop/rabbit.py"], HOPPED),
+        (["run", ".", "hop:rabbit", "hop:hare"], HOPPED * 2),
+        (["run", "src/hop", "limp:worm.py"], "worm __main__\n"),
+        (["run", "hop:toad", "--", "3", "--ros-args", "-r", "__ns:=/field"],
+         "/field/rabbit 1.5 0.1 0.5 ['3', '--ros-args', '-r', '__ns:=/field']\n"),
+        (["ros2", "run", "hop", "rabbit", "4"], "/rabbit 1.5 0.1 0.5 ['4']\n"),
+        (["ros2", "run", "limp", "worm.py"], "worm __main__\n"),
+    ],
+)  # fmt: skip
+def test_files_of_packages_and_executables_run_with_their_own_modules_and_interfaces(words, out, capfd):
+    assert main(words) == 0
+    assert capfd.readouterr() == (out, "")
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "text"),
+    [
+        (["run", "."], 2, "tflab run: name those to run of .: limp:fox limp:worm.py hop:rabbit hop:hare hop:toad\n"),
+        (["run", "src/hop_msgs"], 2, "tflab run: name those to run of src/hop_msgs: it has no executable in Python\n"),
+        (["run", ".", "limp:dog"], 2, "tflab run: No executable found; limp has, in Python: fox, worm.py\n"),
+        (["run", "cow:dog"], 2, "tflab run: Package 'cow' not found\n"),
+        (["run", "built:dog"], 2, "tflab run: Package 'built' not found\n"),
+        (["run", "ignored:dog"], 2, "tflab run: Package 'ignored' not found\n"),
+        (["ros2", "run", "limp", "dog"], 1, "No executable found; limp has, in Python: fox, worm.py\n"),
+        (["ros2", "run", "tf2_ros", "dog"], 1, "No executable found\n"),
+        (["run", ".", "limp:fox"], 1, "the fox is lame\n"),  # what main() returns is the exit status
+    ],
+)
+def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
+    assert main(words) == code
+    assert capfd.readouterr() == ("", text)
+
+
+@pytest.mark.parametrize(
+    ("source", "code", "out", "err"),
+    [
+        ("def main():\n    print('ran')\n", 0, "ran\n", "tflab: nothing in node.py calls main(), so python would end"),
+        ("def main():\n    print('ran')\n\nif __name__ == '__main__':\n    pass\n", 0, "", ""),
+        ("def main():\n    print('ran')\n\nmain()\n", 0, "ran\n", ""),
+        ("import rclpy\n\ndef main():\n    print('ran')\n\nrclpy.init()\n", 0, "", ""),
+        ("def f(x: Nothing): ...\n", 1, "", "NameError: name 'Nothing' is not defined"),
+        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, actionlib_"),
+        ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace, or beside the file: nav2_msgs/msg/"),
+        ("import PyKDL\n", 1, "", "of its packages it has ament_index_python, cv_b"),
+        ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),
+        ("import hop_msgs.nothing\n", 1, "", "No module named 'hop_msgs.nothing'\n"),
+    ],
+)
+def test_a_file_ends_in_silence_only_where_python_does(source, code, out, err, ws, capfd):
+    (ws / "node.py").write_text(source)
+    assert main(["run", "node.py"]) == code
+    printed = capfd.readouterr()
+    assert printed.out == out
+    assert err in printed.err and bool(err) == bool(printed.err)
+
+
+def test_malformed_interfaces_are_named_where_they_are_imported(ws, capfd):
+    (ws / "src/hop_msgs/msg/Hops.msg").write_text("float64")
+    assert main(["run", "hop:rabbit"]) == 1
+    assert f'cannot read the interfaces in {ws / "src" / "hop_msgs"}: cannot read "float64"' in capfd.readouterr().err

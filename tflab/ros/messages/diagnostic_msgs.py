@@ -1,5 +1,0 @@
-"""Define diagnostic_msgs."""
-
-from .packages import ros_package
-
-globals().update(ros_package(__name__))

@@ -1,5 +1,0 @@
-"""Define trajectory_msgs."""
-
-from .packages import ros_package
-
-globals().update(ros_package(__name__))

@@ -1,5 +1,0 @@
-"""Define unique_identifier_msgs."""
-
-from .packages import ros_package
-
-globals().update(ros_package(__name__))
