@@ -111,7 +111,7 @@ def test_a_file_that_ends_well_is_a_success_and_a_missing_one_is_named_before_an
 def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "node.py").write_text(
-        "import asyncio, signal, sys\nprint(*sys.argv)\nsignal.signal(signal.SIGUSR1, print)\n"
+        "import asyncio, signal, sys\nprint(*sys.argv)\nsignal.signal(signal.SIGINT, print)\n"
         "print(asyncio.get_event_loop().is_running())\n"
     )
     assert run_files(["node.py", "node.py"], args=["--ros-args"]) == 1  # the second one has not
@@ -120,6 +120,16 @@ def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
     assert printed.err.count("participant") == printed.err.count("ValueError: signal only works in main thread") == 1
     assert printed.err.endswith("\n(tflab gives the main thread to what is named first: name this one first.)\n")
     assert not hasattr(threading.main_thread(), "tflab_process")
+
+
+def test_ctrl_c_ends_the_others_after_a_file_with_a_handler_of_its_own_has_ended(tmp_path, capfd):
+    own, press = tmp_path / "own.py", tmp_path / "press.py"
+    own.write_text("import signal\nsignal.signal(signal.SIGINT, print)\n")
+    press.write_text(
+        "import os, signal, time\ntime.sleep(0.5)\nos.kill(os.getpid(), signal.SIGINT)\ntime.sleep(2)\nprint('slept')\n"
+    )
+    assert run_files([str(own), str(press)]) == 0
+    assert capfd.readouterr() == ("", "")
 
 
 def test_the_report_of_a_participant_or_a_thread_is_written_in_one_piece(tmp_path, monkeypatch):

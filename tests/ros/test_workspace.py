@@ -120,6 +120,7 @@ def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
         ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, actionlib_"),
         ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace, or beside the file: nav2_msgs/msg/"),
         ("import PyKDL\n", 1, "", "of its packages it has ament_index_python, cv_b"),
+        ("raise ModuleNotFoundError\n", 1, "", "\nModuleNotFoundError\n"),
         ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),
         ("import hop_msgs.nothing\n", 1, "", "No module named 'hop_msgs.nothing'\n"),
     ],

@@ -78,8 +78,11 @@ def run_files(
         for each in graph.participants[1:]:
             each.main_thread.start()
         supervisor.start()
+        handler = signal.getsignal(signal.SIGINT)
         for first in graph.participants[:1]:  # this thread may set signal handlers and open windows
             first.run_here()
+        if signal.getsignal(signal.SIGINT) != handler:
+            signal.signal(signal.SIGINT, handler)
         while supervisor.is_alive():
             with contextlib.suppress(KeyboardInterrupt):  # meant for a file that has just ended
                 supervisor.join()
@@ -138,7 +141,8 @@ def run_entry_point(entry: EntryPoint) -> None:
             sys.exit(getattr(module, entry.function)())
         _run_file(entry.path)
     except ModuleNotFoundError as error:
-        error.msg += _remedy((error.name or "").partition(".")[0])
+        if error.name:
+            error.msg += _remedy(error.name.partition(".")[0])
         raise
     except (RuntimeError, ValueError) as error:
         if re.search("main thread|event loop in thread", str(error)):
