@@ -17,6 +17,7 @@ import os
 import runpy
 import sys
 import time
+import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -156,13 +157,16 @@ def _do(step: LaunchStep, number: int) -> list[Participant]:
         print(f"[INFO] [launch.user]: {step.words[0]}", flush=True)
         return []
     package, executable, *arguments = step.words
+    tools, argv = ros2.EXECUTABLES.get(package), [executable]
     try:
         if package == "rviz2":
             raise LookupError("it is a window; in a page, %rviz2 draws the same")
-        if executable in ros2.EXECUTABLES.get(package, {}):
-            program, argv = lambda: sys.exit(ros2.main(["run", *step.words])), [executable]
-        else:
+        if tools is None:
             program, argv = partial(run_entry_point, find_executable(package, executable)), [executable, *arguments]
+        elif executable in tools:
+            program = lambda: sys.exit(ros2.main(["run", *step.words]))  # noqa: E731
+        else:
+            raise LookupError("No executable found")
     except LookupError as fault:
         print(f"[WARN] [launch]: {step.line}: {package} {executable} is left out: {fault}", flush=True)
         return []
@@ -174,10 +178,14 @@ def _do(step: LaunchStep, number: int) -> list[Participant]:
 
 
 def _entities_of(path: str) -> list[LaunchEntity]:
-    """Return the actions that a launch file generates; if it fails, Python's traceback names the line."""
+    """Return the actions that a launch file generates."""
     if not path.endswith(".py"):
         raise RuntimeError(f"{path}: tflab reads launch files in Python, such as pair.launch.py")
-    return runpy.run_path(path)["generate_launch_description"]().options.get("initial_entities") or []
+    try:
+        return runpy.run_path(path)["generate_launch_description"]().options.get("initial_entities") or []
+    except (PackageNotFoundError, ImportError) as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path]
+        raise RuntimeError(f"{path}:{lines[-1]}: {error.args[0]}") from None
 
 
 def _arguments_of(entities: Iterable[LaunchEntity], known: dict[str, str]) -> Iterator[str]:
