@@ -259,7 +259,7 @@ def test_the_sample_and_the_picture_show_what_check_says_today(
 
 def test_the_korean_pages_name_the_same_commands_and_figures() -> None:
     named = (r"tflab\.\w+`", r"\*\*(?:VS Code|Windows)", r"TFLAB_\w+=\w+", r"`tflab [a-z]+", r"\| *\d+ \| \d+ \|$")
-    for name in ("README{}.md", "docs/install{}.md", "docs/grading{}.md"):
+    for name in ("README{}.md", "docs/install{}.md", "docs/nodes{}.md", "docs/grading{}.md"):
         both = [(ROOT / name.format(language)).read_text(encoding="utf-8") for language in ("", ".ko")]
         patterns = (*named, r"(?<!\.ko)\.md") if name.startswith("README") else named
         if "grading" in name:

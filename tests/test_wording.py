@@ -12,7 +12,10 @@ import yaml
 ROOT = Path(__file__).parents[1]
 WORDS = yaml.safe_load((ROOT / "tests" / "wording.yaml").read_text(encoding="utf-8"))
 PAGES = [path for folder in ("notebooks/src", "solutions/src") for path in sorted((ROOT / folder).glob("*.py"))]
-FILES = {"en": ["README.md", "docs/install.md"], "ko": ["README.ko.md", "docs/install.ko.md"]}
+FILES = {
+    "en": ["README.md", "docs/install.md", "docs/nodes.md"],
+    "ko": ["README.ko.md", "docs/install.ko.md", "docs/nodes.ko.md"],
+}
 CELL = re.compile(r"(?m)^# %%.*$")
 EVERYDAY = re.compile(r'name="question')  # the test before and after the course, which is in everyday words
 FENCED = re.compile(r"```.*?```", re.DOTALL)

@@ -1268,7 +1268,7 @@ node.stop()
 # %% [markdown] lang="en" name="robot-care" slide="subslide"
 # So, before you type it on a robot:
 #
-# - Leave out `timeout=` in a callback, or give the listener a thread of its own. Chapter 09 shows how to wait.
+# - Leave out `timeout=` in a callback. While the callback waits, `rclpy.spin` receives no transforms. Chapter 09 shows how to wait.
 # - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Catch `ExternalShutdownException` as well, and call `rclpy.try_shutdown()`.
 #
 # If you need the transform itself, look it up by hand. This call has a `timeout`, so do not use it in a callback of a single thread:
@@ -1287,8 +1287,8 @@ node.stop()
 # %% [markdown] lang="ko" name="robot-care" slide="subslide"
 # 따라서 로봇에 입력하기 전에 다음을 알아 두십시오.
 #
-# - 콜백에서는 `timeout=`을 빼거나, 수신기에 별도의 스레드를 주십시오. 기다리는 법은 09장에서 다룹니다.
-# - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. 요즘은 `except (KeyboardInterrupt, ExternalShutdownException): pass`와 `rclpy.try_shutdown()`을 씁니다.
+# - 콜백에서는 `timeout=`을 빼십시오. 콜백이 기다리는 동안에는 `rclpy.spin`이 변환을 받지 못합니다. 기다리는 법은 09장에서 다룹니다.
+# - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. `except (KeyboardInterrupt, ExternalShutdownException): pass`로 예외를 받고 `rclpy.try_shutdown()`을 부르십시오.
 #
 # 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 노드의 콜백에서는 쓰지 않습니다).
 #

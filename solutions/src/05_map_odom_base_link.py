@@ -203,14 +203,14 @@ check("E5.5", footprint)
 # ## E5.6 · The correction, through TF (4 points)
 #
 # A scan was taken at `stamp_ns` and matched to the map, which took some time. The result is `map_T_base`, a `Transform`: the pose of `base_footprint` on the map when the scan was taken.
-# `buffer` is a buffer as on this chapter's page. It contains the edge of the wheel odometry, `odom → base_footprint`.
+# `buffer` is tflab's own buffer, as on this chapter's page: `buffer.lookup_transform(target, source, stamp_ns).transform` is a `Transform`. It contains the edge of the wheel odometry, `odom → base_footprint`.
 # Return the `Transform` to publish as `map → odom`. If the buffer has no data for that time, let its exception through.
 
 # %% [markdown] lang="ko" name="e5-6"
 # ## E5.6 · TF로 구하는 보정 (4점)
 #
 # `stamp_ns`에 측정한 스캔을 지도와 맞추는 데 시간이 조금 걸렸습니다. 결과 `map_T_base`는 스캔을 측정한 시각의, 지도 위 `base_footprint`의 포즈를 담은 `Transform`입니다.
-# `buffer`는 이 장의 페이지에서 쓴 것과 같은 버퍼이고, 바퀴 오도메트리 노드가 발행하는 연결은 `odom → base_footprint`입니다.
+# `buffer`는 이 장의 페이지에서 쓴 tflab의 버퍼입니다. `buffer.lookup_transform(target, source, stamp_ns).transform`이 `Transform`입니다. 버퍼에는 바퀴 오도메트리의 연결 `odom → base_footprint`가 들어 있습니다.
 # `map → odom`으로 발행할 `Transform`을 반환하십시오. 버퍼에 그 시각의 값이 없으면 예외를 잡지 말고 그대로 두십시오.
 
 

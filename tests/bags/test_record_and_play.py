@@ -7,9 +7,11 @@ from shutil import copyfile
 import numpy as np
 import pytest
 import yaml
-from making_bags import circle, write_rosbag1
+from making_bags import circle, tf_message, write_rosbag1
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import QosDurability
+from rosbags.rosbag2 import Writer
+from rosbags.typesys import Stores, get_typestore
 
 from tflab.bags.errors import BagError
 from tflab.bags.info import BagFacts, bag_facts, info_text, size_text
@@ -18,6 +20,7 @@ from tflab.bags.play import PlayOptions, events
 from tflab.bags.reader import read_bag
 from tflab.bags.record import BagWriter, adapted_profile
 from tflab.bags.wire import profile_of, qos_of
+from tflab.cli import main
 from tflab.robots.model import joint_transform
 from tflab.robots.nodes import launch
 from tflab.robots.teaching import TeachingRobot
@@ -309,6 +312,40 @@ def test_times_of_day_on_virtual_time_are_the_same_in_every_zone(graph, tmp_path
     (text,) = texts
     assert "Start:             Jan  1 1970 00:00:01.050000000 (1.050000000)" in text
     assert "ROS Distro:        jazzy\n" in text
+
+
+def simulated(path: Path, clock_hz: int) -> Path:
+    """Write ten seconds of odom -> base_link in simulated time, received at the wall clock, with or without /clock."""
+    store, wall_ns = get_typestore(Stores.ROS2_JAZZY), 1_700_000_000 * SECOND
+    time_at = store.types["builtin_interfaces/msg/Time"]
+    with Writer(path, version=9) as writer:
+        tf = writer.add_connection("/tf", "tf2_msgs/msg/TFMessage", typestore=store)
+        for row in circle(200):
+            data = store.serialize_cdr(tf_message(store, [row]), "tf2_msgs/msg/TFMessage")
+            writer.write(tf, wall_ns + row[0] + 4_000_000, data)
+        if clock_hz:
+            clock = writer.add_connection("/clock", "rosgraph_msgs/msg/Clock", typestore=store)
+            for moment_ns in range(SECOND, 11 * SECOND, SECOND // clock_hz):
+                message = store.types["rosgraph_msgs/msg/Clock"](time_at(*divmod(moment_ns, SECOND)))
+                writer.write(clock, wall_ns + moment_ns, store.serialize_cdr(message, "rosgraph_msgs/msg/Clock"))
+    return path
+
+
+@pytest.mark.parametrize("clock_hz", [0, 10, 100])
+@pytest.mark.parametrize(
+    ("words", "shown"),
+    [
+        ("run tf2_ros tf2_echo odom base_link", "At time 9."),
+        ("run tf2_ros tf2_monitor odom base_link", "Average Delay: "),
+        ("topic hz /tf", "average rate: 20.0"),
+        ("run tf2_tools view_frames", "base_link"),
+    ],
+)
+def test_a_tool_follows_one_clock_of_a_bag_in_simulated_time(words, shown, clock_hz, tmp_path, capsys, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert main(["ros2", "--bag", str(simulated(tmp_path / "simulated", clock_hz)), *words.split()]) == 0
+    out, err = capsys.readouterr()
+    assert shown in out + err and "jump back" not in out + err and "e+" not in out
 
 
 def test_a_looped_bag_leaves_a_buffer_that_watches_its_clock_whole(graph, tmp_path, capsys):

@@ -189,6 +189,20 @@ def test_two_owners_without_names_are_told_by_their_values():
     assert float(finding.facts["apart"]) == pytest.approx(0.4, abs=0.05)
 
 
+@pytest.mark.parametrize("seed", range(2))
+@pytest.mark.parametrize("deviation", [0.004, 0.02])
+def test_a_noisy_localiser_is_one_owner(deviation, seed):
+    chance = np.random.default_rng(seed)
+
+    def matched(i):  # by a scan matcher, six metres from the origin: its yaw moves odom, too
+        x, y, yaw = deviation * chance.standard_normal(3) * (1.0, 1.0, 0.5)
+        base = Transform(translation=(6.0 * math.cos(0.005 * i), 6.0 * math.sin(0.005 * i), 0.0))
+        return base @ Transform.from_rpy(yaw=yaw, translation=(x, y, 0.0)) @ base.inverse()
+
+    noisy = edge("map", "odom", 600, period_ms=100, value=matched)
+    assert "two-owners" not in found(recording(noisy, edge("odom", "base_link", 1200), HEALTHY[2]))
+
+
 def test_the_misspelt_parent_of_the_lecture_is_named():
     findings = found(recording(edge("map", "odom"), edge("odm", "base_link"), HEALTHY[2]))
     assert set(findings) == {"name-slip"}

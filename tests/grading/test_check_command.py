@@ -53,13 +53,20 @@ def test_an_exercise_is_called_by_its_number_too(copy: Path, monkeypatch, capsys
         monkeypatch.chdir(copy / below)
         assert main(["3"]) == 0
         assert "8 of 8 points" in capsys.readouterr().out
+    assert main(["E3.2"]) == 0
+    assert capsys.readouterr().out == "E3.2  ✓ 4/4\n"
+    assert main(["E3.9"]) == 2
+    assert "unknown task E3.9; available: E3.1, E3.2, E3.3" in capsys.readouterr().err
+    monkeypatch.chdir(copy.parents[1])
+    assert main(["3"]) == 2
+    assert "no workbook copy here" in capsys.readouterr().err
     monkeypatch.chdir(copy)
     path = copy / path.relative_to(copy.with_name("copy"))
     path.rename(path.with_name("mine.ipynb"))
     renamed = "is not there; the folder has mine.ipynb. Renamed? Type `tflab check` with its path."
     for word, words in (
         ("3", renamed),
-        ("99", 'there is no exercise "99"; there is 03_'),
+        ("99", 'unknown exercise "99"; available: 03'),
         ("mine_of_yesterday.ipynb", "cannot be opened"),
     ):
         assert main([word]) == 2

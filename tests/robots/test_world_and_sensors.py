@@ -7,6 +7,7 @@ import pytest
 
 from tflab.core import Transform, seconds
 from tflab.robots.motion import Drive, Leg, PlanarPose
+from tflab.robots.odometry import WheelOdometry
 from tflab.robots.sensors import GRAVITY_MPS2, Camera, Imu, Laser, Room, rectangle
 
 BOX = Room(rectangle(-2.0, -1.0, 4.0, 3.0))
@@ -67,6 +68,17 @@ def test_a_reading_at_one_stamp_is_always_the_same():
     laser = Laser(STANDING, BOX, Transform((0.0, 0.0, 0.25)), seed=5)
     assert laser.scan_at(seconds(1.0)) == laser.scan_at(seconds(1.0))
     assert laser.scan_at(seconds(1.0)).ranges != laser.scan_at(seconds(1.1)).ranges
+
+
+def test_nanoseconds_do_not_overflow_where_numpy_counts_in_32_bits(monkeypatch):
+    def shown() -> tuple:
+        drive = Drive([Leg(10.0, 1.0, 0.1)])
+        scan = Laser(drive, BOX, Transform((0.2, 0.0, 0.25)), sweep_s=8.0).scan_at(seconds(1.0))
+        return WheelOdometry(drive).pose_at(seconds(9.0)), scan.ranges, scan.ray_stamps_ns.tolist()
+
+    plain, arange = shown(), np.arange  # 32 bits are the default on Windows before NumPy 2
+    monkeypatch.setattr(np, "arange", lambda *ends, dtype=np.int32: arange(*ends, dtype=dtype))
+    assert shown() == plain
 
 
 def test_a_detection_is_written_in_optical_axes():

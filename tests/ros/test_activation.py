@@ -136,3 +136,31 @@ def test_the_names_that_programs_use_are_the_same_by_every_import_path():
     assert issubclass(rclpy_implementation.RCLError, RuntimeError)
     assert rclpy_implementation.rclpy_get_rmw_implementation_identifier() == get_rmw_implementation_identifier()
     assert topic_or_service_is_hidden("/_hidden/topic") and not topic_or_service_is_hidden("/topic")
+
+
+def test_a_module_offers_what_upstreams_module_imports():
+    ros.activate()
+    for name, origin in (
+        ("rclpy.Parameter", "rclpy.parameter"),
+        ("rclpy.Context", "rclpy.context"),
+        ("rclpy.Future", "rclpy.task"),
+        ("rclpy.SignalHandlerOptions", "rclpy.signals"),
+        ("rclpy.action.client.GoalStatus", "action_msgs.msg"),
+        ("rclpy.action.get_action_names_and_types", "rclpy.action.graph"),
+        ("rclpy.parameter.ParameterType", "rcl_interfaces.msg"),
+        ("rclpy.node.QoSProfile", "rclpy.qos"),
+        ("rclpy.node.ParameterDescriptor", "rcl_interfaces.msg"),
+        ("rclpy.node.SetParametersResult", "rcl_interfaces.msg"),
+        ("tf2_ros.TransformStamped", "geometry_msgs.msg"),
+        ("tf2_ros.TFMessage", "tf2_msgs.msg"),
+        ("tf2_ros.Time", "rclpy.time"),
+        ("tf2_ros.Duration", "rclpy.duration"),
+        ("tf2_ros.QoSProfile", "rclpy.qos"),
+    ):
+        module, _, last = name.rpartition(".")
+        offered, original = (getattr(importlib.import_module(each), last) for each in (module, origin))
+        assert offered is original, name
+    import builtin_interfaces
+
+    assert builtin_interfaces.msg.Time is importlib.import_module("rclpy.time").builtin_interfaces.msg.Time
+    assert importlib.import_module("rclpy.lifecycle").NodeMixin.__name__ == "LifecycleMixin"

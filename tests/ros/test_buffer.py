@@ -1,5 +1,7 @@
 """tf2_ros.Buffer and tf2_py.BufferCore: their arguments, waiting without blocking, velocity, services."""
 
+from enum import Enum
+
 import pytest
 
 from tflab.core import (
@@ -50,6 +52,16 @@ def test_a_time_is_any_object_with_seconds_and_nanoseconds(buffer, time):
     assert buffer.lookup_transform("odom", "base_link", time).transform.translation.x == 1.5
 
 
+def test_an_enum_that_is_a_str_names_a_frame_or_a_node_by_its_value(buffer):
+    frame = Enum("Frame", {"MAP": "map", "CAMERA": "camera"}, type=str)
+    buffer.set_transform_static(transform(frame.MAP, frame.CAMERA, x=3.0), "test")
+    assert buffer.lookup_transform("map", "camera", Time()) == buffer.lookup_transform(frame.MAP, frame.CAMERA, Time())
+    assert buffer.can_transform_full(frame.MAP, Time(), frame.CAMERA, Time(), frame.MAP)
+    rclpy.init()
+    assert Node(frame.CAMERA, namespace=frame.MAP).get_fully_qualified_name() == "/map/camera"
+    rclpy.shutdown()
+
+
 def test_what_is_no_time_is_refused_and_the_binding_takes_positions_where_it_does(buffer):
     with pytest.raises(TypeError, match=r"time must have sec and nanosec, or nanoseconds\."):
         buffer.lookup_transform_core("odom", "base_link", 1.5)
@@ -57,6 +69,9 @@ def test_what_is_no_time_is_refused_and_the_binding_takes_positions_where_it_doe
         BufferCore(10.0)
     with pytest.raises(TypeError):
         BufferCore(cache_time=Duration(seconds=1))
+    for frame in ("base_link", "nobody"):  # also where the transform is there
+        with pytest.raises(TypeError, match=r"unsupported operand type\(s\) for \+: 'Time' and 'float'"):
+            buffer.lookup_transform("odom", frame, Time(), timeout=1.0)
     with pytest.raises(TypeError, match="argument 2 must be str, not int"):
         BufferCore.set_transform(buffer, transform("a", "b"), 7)
 

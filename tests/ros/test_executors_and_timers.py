@@ -8,7 +8,14 @@ from tflab.core import seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.entity import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
 from tflab.ros.exceptions import RCLError, ROSInterruptException
-from tflab.ros.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
+from tflab.ros.executors import (
+    ConditionReachedException,
+    Executor,
+    ExternalShutdownException,
+    MultiThreadedExecutor,
+    SingleThreadedExecutor,
+    TimeoutException,
+)
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.rcl_interfaces import GetParameters
 from tflab.ros.messages.std_msgs import String
@@ -26,6 +33,39 @@ def test_spin_once_executes_one_callback(node, graph):
     rclpy.spin_once(node, timeout_sec=1.0)
     assert done == ["a", "b"]
     assert graph.now_ns == seconds(1.1)
+
+
+def test_an_executor_of_ones_own_takes_what_is_ready(node):
+    class Own(Executor):
+        def spin_once(self, timeout_sec=None):
+            handler, entity, owner = self.wait_for_ready_callbacks(timeout_sec=timeout_sec)
+            handler()
+            done.append((entity is timer, owner is node, str(handler.exception()), self.can_execute(entity)))
+
+    done = []
+    timer = node.create_timer(0.1, lambda: [].pop())
+    executor = Own()
+    executor.add_node(node)
+    executor.spin_once(timeout_sec=0.2)
+    assert done == [(True, True, "pop from empty list", True)]
+    with pytest.raises(TimeoutException):
+        executor.spin_once(timeout_sec=0.05)
+    with pytest.raises(ConditionReachedException):
+        executor.wait_for_ready_callbacks(condition=lambda: True)
+
+
+def test_waiting_for_a_future_in_a_callback_times_out_and_the_node_goes_on(node):
+    done = []
+
+    def tick():
+        future = Future()
+        node.create_timer(0.05, lambda: future.set_result("of this group, so later"))
+        rclpy.spin_until_future_complete(node, future, timeout_sec=0.1)
+        done.append(future.done())
+
+    node.create_timer(0.2, tick)
+    rclpy.spin_until_future_complete(node, Future(), timeout_sec=0.9)
+    assert done[:2] == [False, False]
 
 
 def test_in_a_round_timers_come_first_and_a_subscription_gives_one_message(node):

@@ -15,6 +15,7 @@ from tflab.ros.messages.geometry_msgs import (
     PointStamped,
     PolygonStamped,
     Pose,
+    PoseStamped,
     PoseWithCovarianceStamped,
     Quaternion,
     TransformStamped,
@@ -80,6 +81,8 @@ def test_a_pose_is_rotated_and_translated_with_its_orientation():
     assert xyz(result.position) == pytest.approx((8.0, 21.0, 33.0))
     assert wxyz(result.orientation) == pytest.approx((0.0, 0.0, 0.0, 1.0))  # two quarters make a half
     assert all(type(value) is float for value in xyz(result.position) + wxyz(result.orientation))
+    with pytest.raises(AttributeError, match="'PoseStamped' object has no attribute 'position'"):
+        do_transform_pose(PoseStamped(), transform())
 
 
 def test_each_point_of_a_polygon_is_rotated_and_translated():

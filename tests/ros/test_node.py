@@ -10,6 +10,8 @@ from tflab.ros.exceptions import (
     InvalidTopicNameException,
     NotInitializedException,
     NoTypeSupportImportedException,
+    RCLInvalidROSArgsError,
+    UnknownROSArgsError,
 )
 from tflab.ros.logging import LoggingSeverity
 from tflab.ros.messages.geometry_msgs import PointStamped
@@ -51,8 +53,10 @@ def test_names_are_completed_as_the_node_means_them(node):
 
 
 def test_nodes_and_topics_are_remapped_from_the_command_line(graph):
-    with pytest.raises(RuntimeError, match="unknown ROS argument: '--remapp'"):
-        rclpy.init(args=["x", "--ros-args", "--remapp", "a:=b"])
+    with pytest.raises(UnknownROSArgsError, match=r"\['--remapp', 'a:=b'\]"):
+        rclpy.init(args=["x", "--ros-args", "--remapp", "a:=b", "-r", "c:=d"])
+    with pytest.raises(RCLInvalidROSArgsError, match=r"Failed to parse ROS arguments: .*not-a-remap"):
+        rclpy.init(args=["x", "--ros-args", "-r", "not-a-remap"])
     rclpy.init(args=["x", "--ros-args", "-r", "__node:=lidar", "-r", "__ns:=/left", "-r", "scan:=cloud"])
     node = Node("sensor")
     assert node.get_fully_qualified_name() == "/left/lidar"

@@ -3,8 +3,10 @@
 import pytest
 
 from tflab.ros import client_library as rclpy
+from tflab.ros.messages.rcl_interfaces import SetParametersResult
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
 from tflab.ros.qos import (
     DurabilityPolicy,
     HistoryPolicy,
@@ -26,6 +28,7 @@ from tflab.ros.qos_compatibility import (
     qos_check_compatible,
     qos_policy_name_from_kind,
 )
+from tflab.ros.qos_overriding_options import InvalidQosOverridesError, QoSOverridingOptions
 from tflab.ros.time import Duration
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
@@ -184,6 +187,44 @@ def test_event_callbacks_receive_the_incompatible_policy_and_nothing_is_logged(n
     assert "incompatible QoS" not in capsys.readouterr().err
 
 
+def test_a_matched_callback_receives_how_many_ends_are_connected(node):
+    publisher, subscription = [], []
+    node.create_publisher(String, "t", STRICT, event_callbacks=PublisherEventCallbacks(matched=publisher.append))
+    events = SubscriptionEventCallbacks(matched=subscription.append)
+    last = [node.create_subscription(String, "t", print, 1, event_callbacks=events) for _ in range(2)][-1]
+    node.destroy_subscription(last)
+    for _ in range(6):
+        rclpy.spin_once(node, timeout_sec=0)
+    counts = [
+        (each.total_count, each.total_count_change, each.current_count, each.current_count_change) for each in publisher
+    ]
+    assert counts == [(1, 1, 1, 1), (2, 1, 2, 1), (2, 0, 1, -1)]
+    assert [each.current_count for each in subscription] == [1, 1]
+
+
+def test_a_parameter_overrides_a_policy_that_the_options_allow(graph):
+    overrides = [
+        ("publisher", "reliability", "best_effort"),
+        ("publisher", "depth", "3"),
+        ("subscription_a", "history", "x"),
+    ]
+    words = [word for end, policy, value in overrides for word in ("-p", f"qos_overrides./t.{end}.{policy}:={value}")]
+    rclpy.init(args=["x", "--ros-args", *words])
+    node = Node("ends")
+    options = QoSOverridingOptions.with_default_policies()
+    qos = node.create_publisher(String, "t", QoSProfile(depth=1), qos_overriding_options=options).qos_profile
+    assert (qos.reliability, qos.depth) == (ReliabilityPolicy.BEST_EFFORT, 3)
+    assert not node.set_parameters([Parameter("qos_overrides./t.publisher.depth", value=4)])[0].successful
+    with pytest.raises(RuntimeError, match="Unexpected QoS override for policy `history`: `x`"):
+        node.create_subscription(
+            String, "t", print, 1, qos_overriding_options=QoSOverridingOptions([QoSPolicyKind.HISTORY], entity_id="a")
+        )
+    options = QoSOverridingOptions([], callback=lambda qos: SetParametersResult(reason="too deep"))
+    with pytest.raises(InvalidQosOverridesError, match="for publisher `/u` with id `None`, are not valid: too deep"):
+        node.create_publisher(String, "u", 10, qos_overriding_options=options)
+    rclpy.shutdown()
+
+
 def test_without_event_callbacks_a_warning_is_logged_unless_disabled(node, capsys):
     node.create_subscription(String, "t", print, STRICT, event_callbacks=SubscriptionEventCallbacks())
     silent = PublisherEventCallbacks(use_default_callbacks=False)
@@ -197,7 +238,7 @@ def test_without_event_callbacks_a_warning_is_logged_unless_disabled(node, capsy
     ("callbacks", "event"),
     [
         (PublisherEventCallbacks, "deadline"),
-        (PublisherEventCallbacks, "matched"),
+        (PublisherEventCallbacks, "incompatible_type"),
         (SubscriptionEventCallbacks, "message_lost"),
         (SubscriptionEventCallbacks, "liveliness"),
     ],

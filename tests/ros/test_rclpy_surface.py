@@ -18,6 +18,7 @@ from tflab.ros.names import expand_topic_name
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import CQoSProfile, HistoryPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
+from tflab.ros.service import ServiceIntrospectionState
 from tflab.ros.time import Duration, Time
 
 # -- logging ------------------------------------------------------------------------
@@ -209,6 +210,25 @@ def test_services_and_clients_leave_with_their_with_statement(node):
     ):
         assert client.service_is_ready()
     assert node.count_services("ask") == node.count_clients("ask") == 0
+
+
+def test_introspection_publishes_each_request_and_response(node):
+    kind = rcl_interfaces.GetParameters
+    service = node.create_service(kind, "ask", lambda request, response: response)
+    client = node.create_client(kind, "ask")
+    service.configure_introspection(node.get_clock(), QoSProfile(depth=9), ServiceIntrospectionState.METADATA)
+    client.configure_introspection(node.get_clock(), QoSProfile(depth=9), ServiceIntrospectionState.CONTENTS)
+    events = []
+    node.create_subscription(kind.Event, "/ask/_service_event", events.append, 10)
+    for state in (ServiceIntrospectionState.OFF, ServiceIntrospectionState.OFF):
+        rclpy.spin_until_future_complete(node, client.call_async(kind.Request(names=["a"])), timeout_sec=1.0)
+        for _ in range(4):
+            rclpy.spin_once(node, timeout_sec=0)
+        for end in (service, client):
+            end.configure_introspection(node.get_clock(), QoSProfile(depth=9), state)
+    seen = sorted((e.info.event_type, e.info.sequence_number, len(e.request), len(e.response)) for e in events)
+    assert seen == [(0, 1, 1, 0), (1, 1, 0, 0), (2, 1, 0, 0), (3, 1, 0, 1)]
+    assert events[0].request[0].names == ["a"] and len({bytes(e.info.client_gid) for e in events}) == 1
 
 
 # -- timer info -------------------------------------------------------------------------

@@ -154,7 +154,7 @@ def test_a_page_with_a_fault_is_not_written_the_others_are(tmp_path: Path, capsy
 def test_a_build_that_cannot_begin_says_why(workbook: Path, tmp_path: Path, monkeypatch, capsys) -> None:
     assert [path.parent.parent.name for path in sources(workbook, ["03"])] == ["notebooks", "solutions"]
     assert build(["--root", str(workbook), "99"]) == 2
-    assert 'there is no page "99"; there is 03_x' in capsys.readouterr().err
+    assert 'unknown page "99"; available: 03' in capsys.readouterr().err
     assert build(["--root", str(tmp_path)]) == 2
     assert "a wheel holds only what was built" in capsys.readouterr().err
     monkeypatch.setattr("tflab.workbook.pages.build.find_spec", lambda name: None)

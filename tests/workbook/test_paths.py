@@ -28,9 +28,9 @@ def test_a_page_is_named_by_its_stem_or_its_number_and_stands_once(handed_out: H
     there = ["03_target", "08_buffer"]
     assert stems_called(["8", "03_target", "03", "E3", "E03_target"], there) == ["08_buffer", "03_target"]
     assert stems_called([], there) == []
-    with pytest.raises(LookupError, match='there is no exercise "4"; there is 03_target, 08_buffer'):
+    with pytest.raises(LookupError, match='unknown exercise "4"; available: 03, 08'):
         stems_called(["4"], there, what="exercise")
-    with pytest.raises(LookupError, match='there is no page ""; there is none'):
+    with pytest.raises(LookupError, match='unknown page ""; available: none'):
         stems_called([""], [])
 
 

@@ -134,4 +134,4 @@ def test_only_chapters_so_far_are_asked_unless_others_are_named(tmp_path: Path, 
     assert [stem[:2] for stem in practice._chosen_stems(tmp_path, (8, "11"))] == ["08", "11"]
     monkeypatch.chdir(tmp_path)
     practice.ask(14)
-    assert 'there is no chapter "14"' in capsys.readouterr().out
+    assert 'unknown chapter "14"' in capsys.readouterr().out

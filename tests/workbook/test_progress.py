@@ -152,17 +152,23 @@ def test_the_page_says_what_is_left_what_its_signs_mean_and_what_to_type_on_a_ro
 def test_tflab_progress_finds_the_copy_below_the_folder_it_is_called_in(
     handed_out: HandedOut, tmp_path: Path, monkeypatch, capsys
 ) -> None:
-    def said() -> str:
-        assert progress_command([]) == 0
-        return capsys.readouterr().out
+    def shown() -> str:
+        code = progress_command([])
+        out, err = capsys.readouterr()
+        assert code == (2 if err else 0)
+        return out or err
 
+    give_tasks(handed_out, "03_target_and_source", "E3.1", "E3.5")
     monkeypatch.chdir(tmp_path)
-    assert "Nothing is kept here" in said()
-    lay_out(tmp_path / "tflab_workbook", "en")
-    assert "Only a passed check ticks" in said()
-    (tmp_path / "tflab_workbook").rename(tmp_path / "mine")  # the only one there is
-    assert "Only a passed check ticks" in said()
+    assert "no workbook copy here" in shown()
+    usual = lay_out(tmp_path / "tflab_workbook", "en")
+    started = "Your progress: 0 of 2 tasks passed\nNext: E3.1 · Which? (exercises/en/E03_target_and_source.ipynb)\n"
+    assert shown() == started
+    record_try(usual, "E3.1", 4, 4)
+    assert "Next: E3.5" in shown()
+    usual.rename(tmp_path / "mine")  # the only one there is
+    assert "Next: E3.5" in shown()
     lay_out(tmp_path / "yours", "en")
-    assert "Nothing is kept here" in said()
+    assert "no workbook copy here" in shown()
     assert progress_command([str(tmp_path)]) == 2
-    assert "tflab lab makes one" in capsys.readouterr().err
+    assert "create one with: tflab lab" in capsys.readouterr().err

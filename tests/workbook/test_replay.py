@@ -2,11 +2,21 @@
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
+from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.workbook import call, check
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.replay import differing
+
+
+def mount(yaw, sec=0):
+    message = TransformStamped()
+    message.header.stamp.sec = sec
+    message.transform.rotation.z, message.transform.rotation.w = math.sin(yaw / 2.0), math.cos(yaw / 2.0)
+    return message
 
 
 @pytest.mark.parametrize(
@@ -18,6 +28,9 @@ from tflab.workbook.replay import differing
         (["a"], ["a", "b"], ""),
         ({"x": 1.0}, {"y": 1.0}, ""),
         (None, "odom", ""),
+        ({"at": (1.0 + 1e-9, 2.0), "yaw": 0.0}, {"at": (1.0, 2.0), "yaw": 1.0}, '["yaw"]'),
+        (mount(0.0, sec=4), mount(math.pi), ".transform.rotation"),
+        (mount(2.0 * math.pi, sec=4), mount(0.0), ".header.stamp"),  # q and -q are one rotation
     ],
 )
 def test_the_first_place_where_two_results_differ_is_found(got, expected, path):

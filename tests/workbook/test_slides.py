@@ -94,7 +94,7 @@ def test_a_page_is_asked_for_by_its_number_in_a_language(workbook: Path, monkeyp
     assert "기다립니다" not in page.partition('id="tflab-deck"')[2]
     assert not (tmp_path / "slides" / "assets").exists()
     assert main(["07"]) == 2
-    assert 'there is no page "07"; there is 03_x' in capsys.readouterr().err
+    assert 'unknown page "07"; available: 03' in capsys.readouterr().err
 
 
 def test_a_page_without_a_slide_is_said(tmp_path: Path, monkeypatch, capsys) -> None:

@@ -1,10 +1,11 @@
 """Play a bag into a graph, as `ros2 bag play` does, without its output.
 
     drive/ --> events in the order of receipt --> publishers with the profiles that were recorded
-               every 1/Hz of the bag's time   --> /clock, if asked for
+               every 1/Hz of the bag's time   --> /clock, if asked for and not recorded
 
 Stamps are replayed as they were recorded.  A loop therefore sets /clock, and all
-stamps, back: whoever listens must be ready for that.
+stamps, back: whoever listens must be ready for that.  Stamps in simulated time without
+a recorded /clock would be decades away from the times of receipt, so /clock follows the stamps.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from heapq import merge
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -26,11 +28,15 @@ from .collect import TRANSFORM_TYPES
 from .reader import open_bag
 
 if TYPE_CHECKING:
+    from rosbags.highlevel import AnyReader
+
     from tflab.ros.node import Node
 
 __all__ = ["Event", "PlayOptions", "events", "play"]
 
 CLOCK_TOPIC = "/clock"
+OTHER_TIME_NS = 3600 * NSEC_PER_SEC  # no delay, and no clock that was set by hand, is as large
+SAMPLED = 200  # messages with transforms, to find the time base of the stamps
 # Opening the files again takes a moment.  Without one, listeners would hear the new pass' /clock, which sets their time
 # back, before the last messages of the old pass: a buffer that has just been cleared would keep those as the newest.
 BETWEEN_PASSES_NS = NSEC_PER_SEC // 100
@@ -45,7 +51,7 @@ class PlayOptions:
         start_offset_s: how much of the beginning to leave out [s].
         loop: whether to begin again at the end.
         topics: which to play; all if empty.
-        clock_hz: how often to publish /clock, 0 for never.
+        clock_hz: how often to publish /clock, 0 for never; a recorded /clock is played instead.
     """
 
     rate: float = 1.0
@@ -98,7 +104,9 @@ def events(path: str | Path, options: PlayOptions, topics: Sequence[str]) -> Ite
             Event(receive_ns, c.topic, wire.message_of(data, _modern(c.msgtype), is_ros1))
             for c, receive_ns, data in (reader.messages(connections, start=begin_ns) if connections else ())
         )
-        ticks = _ticks(begin_ns, reader.end_time, options.clock_hz)
+        has_clock = any(c.topic == CLOCK_TOPIC and c.msgcount for c in connections)
+        hz = 0.0 if has_clock else options.clock_hz
+        ticks = _ticks(begin_ns, reader.end_time, hz, _offset_of_stamps_ns(reader, is_ros1) if hz else 0)
         yield from merge(ticks, messages, key=lambda event: event.moment_ns)
 
 
@@ -110,15 +118,13 @@ def _publishers(node: Node, path: str | Path, options: PlayOptions) -> dict[str,
             topic = connection.topic
             if topic in publishers or (options.topics and topic not in options.topics):
                 continue
-            if topic == CLOCK_TOPIC and options.clock_hz:
-                continue
             try:
                 message_class = type_named(_modern(connection.msgtype))
             except KeyError as unknown:
                 node.get_logger().warning(f"Ignoring a topic '{topic}', reason: unknown type {unknown}.")
                 continue
             publishers[topic] = node.create_publisher(message_class, topic, _profile(connection))
-    if options.clock_hz:
+    if options.clock_hz and CLOCK_TOPIC not in publishers:
         publishers[CLOCK_TOPIC] = node.create_publisher(Clock, CLOCK_TOPIC, 10)
     return publishers
 
@@ -134,14 +140,26 @@ def _profile(connection) -> QoSProfile:
     return QoSProfile(depth=10)
 
 
-def _ticks(begin_ns: int, end_ns: int, clock_hz: float) -> Iterator[Event]:
+def _ticks(begin_ns: int, end_ns: int, clock_hz: float, offset_ns: int) -> Iterator[Event]:
     """Yield what to publish on /clock."""
     if not clock_hz:
         return
     period_ns = round(NSEC_PER_SEC / clock_hz)
     for moment_ns in range(begin_ns, end_ns, period_ns):
-        sec, nanosec = divmod(moment_ns, NSEC_PER_SEC)
+        sec, nanosec = divmod(max(moment_ns + offset_ns, 0), NSEC_PER_SEC)
         yield Event(moment_ns, CLOCK_TOPIC, Clock(clock=Time(sec=sec, nanosec=nanosec)))
+
+
+def _offset_of_stamps_ns(reader: AnyReader, is_ros1: bool) -> int:
+    """Return what to add to a time of receipt to be in the time base of the stamps: 0 if they have the same."""
+    moving = [c for c in reader.connections if c.msgtype in TRANSFORM_TYPES and not c.topic.endswith("tf_static")]
+    ahead_ns = [
+        transform.header.stamp.sec * NSEC_PER_SEC + transform.header.stamp.nanosec - receive_ns
+        for c, receive_ns, data in islice(reader.messages(moving) if moving else (), SAMPLED)
+        for transform in wire.message_of(data, _modern(c.msgtype), is_ros1).transforms
+    ]
+    offset_ns = max(ahead_ns, default=0)
+    return offset_ns if abs(offset_ns) > OTHER_TIME_NS else 0
 
 
 def _modern(msgtype: str) -> str:

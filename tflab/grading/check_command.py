@@ -1,4 +1,4 @@
-"""Grade a learner's own notebook on the public cases: `tflab check NOTEBOOK`.
+"""Grade a learner's own notebook on the public cases: `tflab check NOTEBOOK`, or one task: `tflab check E3.2`.
 
     E3.1  ✓ 4/4
     E3.2  ✗ 0/2   You swapped target and source.
@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -54,22 +55,35 @@ class Checked(NamedTuple):
     tasks: Mapping[str, Any]
     language: str
     note: str
+    in_class: bool
 
 
 def main(words: Sequence[str]) -> int:
     """Check a notebook; return 0 if all of it is right, 1 if something is not, 2 if it cannot be checked."""
     parser = argparse.ArgumentParser(prog="tflab check", description="See your notebook as grading will.")
-    parser.add_argument("notebook", metavar="NOTEBOOK", help="an exercise that you have answered, or its number: 03")
+    parser.add_argument(
+        "notebook",
+        metavar="NOTEBOOK",
+        help="an exercise that you have answered, its number (03), or one of its tasks (E3.2)",
+    )
     parser.add_argument("--plain", action="store_true", help="in an ordinary kernel, without a sandbox")
     options = parser.parse_args(list(words))
     notebook = Path(options.notebook)
+    chapter, task = re.fullmatch(r"(E\d+)(\.\d+)|.*", options.notebook).groups()
     try:
-        notebook = _called(options.notebook)
+        notebook = _called(chapter or options.notebook)
         checked = check_notebook(notebook, plainly=options.plain)
     except (Unreadable, WorkbookError, TaskError) as error:
         said = error.remark.say(_language_at(notebook)) if isinstance(error, Unreadable) else error
         print(f"tflab check: {notebook}: {said}", file=sys.stderr)
         return 2
+    if task:
+        rows = checked.record["chapters"][checked.stem]["tasks"]
+        if chapter + task not in rows:
+            print(f"tflab check: unknown task {chapter + task}; available: {', '.join(rows)}", file=sys.stderr)
+            return 2
+        print(_line(chapter + task, rows[chapter + task], checked.tasks[chapter + task], checked.language))
+        return 0 if rows[chapter + task]["status"] == "right" else 1
     lines, all_right = report(checked)
     print("\n".join(lines))
     return 0 if all_right else 1
@@ -78,14 +92,14 @@ def main(words: Sequence[str]) -> int:
 def _called(word: str) -> Path:
     """Return the notebook that a word means: its path, else the stem or number of an exercise in the copy at hand."""
     root = paths.copy_at_hand()
-    if root is None or Path(word).exists():
+    if Path(word).exists() or len(Path(word).parts) > 1 or Path(word).suffix:
         return Path(word)
+    if root is None:
+        raise WorkbookError(paths.NO_COPY.format(folder="here"))
     try:
         (stem,) = paths.stems_called([word], paths.chapters(root), what="exercise")
     except LookupError as nothing:
-        if not Path(word).suffix and len(Path(word).parts) == 1:
-            raise WorkbookError(str(nothing)) from None
-        return Path(word)
+        raise WorkbookError(str(nothing)) from None
     called = root / "exercises" / read_workbook(root).language / paths.exercise_file(stem)
     if not called.exists():
         there = ", ".join(sorted(path.name for path in called.parent.glob("*.ipynb"))) or "no notebook"
@@ -139,7 +153,9 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
     if not found:
         raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
-    return Checked(record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note)
+    return Checked(
+        record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note, workbook.edition == "class"
+    )
 
 
 def report(checked: Checked) -> tuple[list[str], bool]:
@@ -155,7 +171,7 @@ def report(checked: Checked) -> tuple[list[str], bool]:
         lines += ["", TEXTS["ignored"].say(language), *(f"  {line}" for line in remarks)]
     got, most = (sum(row[name] for row in rows.values()) for name in ("points", "most"))
     total = TEXTS["sum"].say(language, points=points(got), most=points(most))
-    lines += ["", " ".join([total, TEXTS["later"].say(language)])]
+    lines += ["", total + " " + TEXTS["later"].say(language) if checked.in_class else total]
     if any(row["status"] == "unanswered" for row in rows.values()):
         lines.append(TEXTS["as_saved"].say(language))
     return lines, got == most and not remarks

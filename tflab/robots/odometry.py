@@ -47,7 +47,8 @@ class WheelOdometry:
     def __init__(self, drive: Drive, bias: float = 0.002, slip: float = 0.003, seed: int = 0) -> None:
         self._start_ns = drive.start_ns
         steps = -(-(drive.end_ns - drive.start_ns) // STEP_NS)
-        way, turned = np.diff(drive.rolled_at(drive.start_ns + STEP_NS * np.arange(steps + 1)), axis=0).T
+        moments_ns = drive.start_ns + STEP_NS * np.arange(steps + 1, dtype=np.int64)
+        way, turned = np.diff(drive.rolled_at(moments_ns), axis=0).T
         left, right = way - turned * TRACK_M / 2.0, way + turned * TRACK_M / 2.0
         slipped = chance(seed, "odometry").standard_normal((2, steps))
         left = left * (1.0 - bias) + slip * np.sqrt(np.abs(left)) * slipped[0]

@@ -48,7 +48,7 @@ class Scan:
     @property
     def ray_stamps_ns(self) -> np.ndarray:
         """Return when each ray was measured [ns], shape (N,)."""
-        return self.stamp_ns + self.time_increment_ns * np.arange(len(self.ranges))
+        return self.stamp_ns + self.time_increment_ns * np.arange(len(self.ranges), dtype=np.int64)
 
     def points(self) -> np.ndarray:
         """Return where each ray ended, in the laser's axes at that ray's moment [m], shape (N, 3); NaN for inf."""

@@ -150,7 +150,7 @@ class Laser:
         increment = 2.0 * math.pi / self.rays
         time_increment_ns = seconds(self.sweep_s) // self.rays
         angles = -math.pi + increment * np.arange(self.rays)
-        stamps_ns = stamp_ns + time_increment_ns * np.arange(self.rays)
+        stamps_ns = stamp_ns + time_increment_ns * np.arange(self.rays, dtype=np.int64)
         rays = np.stack([np.cos(angles), np.sin(angles), np.zeros(self.rays)], axis=1)
         mount = self.mount.matrix()
         x, y, yaw = self.drive.poses_at(stamps_ns).T

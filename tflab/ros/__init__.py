@@ -44,7 +44,7 @@ In reading order:
     entity  timer  topic_endpoints  service
     action_goals  action_server  action_client           actions
     task  executors
-    parameter  node_parameters  parameter_services
+    parameter  node_parameters  parameter_services  qos_overriding_options
     clock  time_source
     node  node_entities  graph_queries  lifecycle_states  lifecycle
     client_library

@@ -12,12 +12,26 @@ A *state machine*: what has no arrow is refused.  upstream: rcl_action/goal_stat
 from __future__ import annotations
 
 from enum import IntEnum
+from typing import Any
 
 from .exceptions import RCLError
 from .messages.action_msgs import GoalStatus
 from .messages.base import Message
 
-__all__ = ["GoalEvent", "action_entity_name", "goal_key", "is_done", "may_be_cancelled", "next_status", "status_name"]
+__all__ = [
+    "GoalEvent",
+    "action_entity_name",
+    "get_action_client_names_and_types_by_node",
+    "get_action_names_and_types",
+    "get_action_server_names_and_types_by_node",
+    "goal_key",
+    "is_done",
+    "may_be_cancelled",
+    "next_status",
+    "status_name",
+]
+
+Named = list[tuple[str, list[str]]]
 
 
 class GoalEvent(IntEnum):
@@ -85,3 +99,28 @@ def goal_key(goal_id: Message) -> bytes:
 def action_entity_name(action_name: str, what: str) -> str:
     """Return the hidden name of a service or topic of an action: '/fibonacci/_action/feedback'."""
     return f"{action_name}/_action/{what}"
+
+
+def get_action_names_and_types(node: Any) -> Named:
+    """Return (action, types) of every action in the graph; any node can look."""
+    return _actions_among(node.get_topic_names_and_types())
+
+
+def get_action_server_names_and_types_by_node(node: Any, remote_node_name: str, remote_node_namespace: str) -> Named:
+    """Return (action, types) of what one node serves; any other node can look."""
+    return _actions_among(node.get_publisher_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def get_action_client_names_and_types_by_node(node: Any, remote_node_name: str, remote_node_namespace: str) -> Named:
+    """Return (action, types) of what one node has clients of; any other node can look."""
+    return _actions_among(node.get_subscriber_names_and_types_by_node(remote_node_name, remote_node_namespace))
+
+
+def _actions_among(topics: Named) -> Named:
+    """Return (action, types) of those whose feedback is among some topics, as upstream finds them."""
+    feedback = action_entity_name("", "feedback")
+    return [
+        (name.removesuffix(feedback), [each.removesuffix("_FeedbackMessage") for each in types])
+        for name, types in topics
+        if name.endswith(feedback)
+    ]

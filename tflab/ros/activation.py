@@ -105,7 +105,8 @@ class _Finder:
                     import_module(f"{name}.{each}")
             elif source == "modules":
                 for other, each in names.items():
-                    setattr(module, other, import_module(each))
+                    import_module(each)
+                    setattr(module, other, sys.modules[other if each.startswith(f"{other}.") else each])
             else:
                 _copy(import_module(source, name), module, names)
 

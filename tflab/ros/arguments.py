@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
 from typing import TextIO
 
-from .exceptions import RCLError
+from .exceptions import RCLError, RCLInvalidROSArgsError, UnknownROSArgsError
 from .logging import LoggingSeverity
 
 __all__ = ["Arguments", "parse_arguments", "remove_ros_args"]
@@ -50,19 +50,23 @@ class _Parsed:
     remaps: list = field(default_factory=list)
     parameters: list = field(default_factory=list)
     log_levels: list = field(default_factory=list)
+    unknown: list = field(default_factory=list)
 
 
 def parse_arguments(argv: Sequence[str]) -> Arguments:
     """Return what follows each `--ros-args`, up to `--` or the end.
 
     Raises:
-        RuntimeError: something there is not understood.
+        RCLInvalidROSArgsError, RCLError: something there is malformed.
+        UnknownROSArgsError: something there is not known.
     """
     parsed, rest = _Parsed(), list(argv)
     while "--ros-args" in rest:
         rest = rest[rest.index("--ros-args") + 1 :]
         while rest and rest[0] not in ("--", "--ros-args"):
             rest = _parse_one(rest, parsed)
+    if parsed.unknown:
+        raise UnknownROSArgsError(repr(parsed.unknown))
     return Arguments(tuple(parsed.remaps), tuple(parsed.parameters), tuple(parsed.log_levels))
 
 
@@ -84,9 +88,12 @@ def _parse_one(rest: list[str], parsed: _Parsed) -> list[str]:
     if flag in ("--disable-rosout-logs", "--enable-rosout-logs", "--disable-stdout-logs", "--enable-stdout-logs"):
         return rest[1:]
     if flag not in ("-r", "--remap", "-p", "--param", "--params-file", "--log-level", "-e", "--enclave"):
-        raise RuntimeError(f"Failed to parse global arguments: unknown ROS argument: '{flag}'")
+        parsed.unknown.append(flag)
+        return rest[1:]
     if value is None:
-        raise RuntimeError(f"Failed to parse global arguments: Couldn't parse trailing {flag} flag. No value found")
+        raise RCLInvalidROSArgsError(
+            f"Failed to parse ROS arguments: Couldn't parse trailing {flag} flag. No value found"
+        )
     if flag in ("-r", "--remap"):
         node, before, after = _rule(flag, value)
         parsed.remaps.append((node, before, after))
@@ -117,7 +124,9 @@ def _rule(flag: str, text: str) -> tuple[str, str, str]:
     """Return (node or "", left, right) of "node:left:=right"."""
     left, found, right = text.partition(":=")
     if not found or not left:
-        raise RuntimeError(f"Failed to parse global arguments: Couldn't parse '{flag} {text}': expected name:=value")
+        raise RCLInvalidROSArgsError(
+            f"Failed to parse ROS arguments: Couldn't parse '{flag} {text}': expected name:=value"
+        )
     node, _, name = left.rpartition(":")
     return node, name, right
 

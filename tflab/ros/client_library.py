@@ -180,11 +180,12 @@ def spin_until_future_complete(
 ) -> None:
     """Run the callbacks of a node until a future is done, at most `timeout_sec` [s]."""
     executor = get_global_executor() if executor is None else executor
+    is_added = executor.add_node(node)
     try:
-        executor.add_node(node)
         executor.spin_until_future_complete(future, timeout_sec)
     finally:
-        executor.remove_node(node)
+        if is_added:  # in a callback of a node that spins, it goes on
+            executor.remove_node(node)
 
 
 class _FirstOnly(Subscription):

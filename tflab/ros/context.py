@@ -27,6 +27,9 @@ __all__ = ["Context", "SignalHandlerOptions", "install_signal_handlers", "uninst
 
 
 ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
+AFTER_CTRL_C = (
+    "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown() instead of rclpy.shutdown()."
+)
 
 
 class Context:
@@ -41,6 +44,7 @@ class Context:
         self.process = current_process()
         self.arguments = Arguments()
         self._state = "new"
+        self._is_interrupted = False
         self._domain_id = 0
         self._nodes: list[Any] = []
         self._callbacks: list[Callable[[], None]] = []
@@ -98,7 +102,10 @@ class Context:
         if self._state == "new":
             raise RuntimeError("Context must be initialized before it can be shutdown")
         if not self.try_shutdown():
-            raise RCLError(ALREADY_SHUT_DOWN)
+            error = RCLError(ALREADY_SHUT_DOWN)
+            if self._is_interrupted:
+                error.__notes__ = [AFTER_CTRL_C]
+            raise error
 
     def try_shutdown(self) -> bool:
         """End, if it has begun and not ended; return whether it did so now."""
@@ -120,6 +127,7 @@ class Context:
             if self._state != "ok":
                 return
             self._state = "shut down"
+            self._is_interrupted = True
         self._after_shutdown()
 
     def end(self) -> None:

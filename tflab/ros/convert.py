@@ -57,6 +57,11 @@ def _nanoseconds(value: Any, what: str) -> int:
         raise TypeError(f"{what} must have sec and nanosec, or nanoseconds.") from None
 
 
+def plain_names(*names: Any) -> list[Any]:
+    """Return names as plain text: an Enum that is a str, too, is named by its value."""
+    return [str.__str__(name) if isinstance(name, str) else name for name in names]
+
+
 def msg_from_stamp(stamp_ns: int) -> builtin_interfaces.Time:
     """Return the message of a stamp [ns]."""
     sec, nanosec = sec_nanosec_from_stamp(stamp_ns)
@@ -77,7 +82,7 @@ def stamped_from_msg(msg: Any) -> StampedTransform:
     if not isinstance(turn, geometry_msgs.Quaternion):
         warnings.warn("rotation should be of type Quaternion", UserWarning, stacklevel=3)
     pose = tuple(map(float, (move.x, move.y, move.z, turn.x, turn.y, turn.z, turn.w)))
-    return stamped_from_pose(header.frame_id, msg.child_frame_id, stamp_ns_from(header.stamp), pose)
+    return stamped_from_pose(*plain_names(header.frame_id, msg.child_frame_id), stamp_ns_from(header.stamp), pose)
 
 
 def stampeds_from_plain_msgs(msgs: list) -> list[StampedTransform] | None:

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 __all__ = [
+    "ConditionReachedException",
+    "ExternalShutdownException",
     "InvalidHandle",
     "InvalidNamespaceException",
     "InvalidNodeNameException",
@@ -20,7 +22,11 @@ __all__ = [
     "ParameterNotDeclaredException",
     "ParameterUninitializedException",
     "RCLError",
+    "RCLInvalidROSArgsError",
     "ROSInterruptException",
+    "ShutdownException",
+    "TimeoutException",
+    "UnknownROSArgsError",
 ]
 
 _MODULE = "rclpy.exceptions"  # what a robot's traceback says
@@ -34,6 +40,18 @@ class InvalidHandle(Exception):
 
 class RCLError(RuntimeError):
     """The library below rclpy refused."""
+
+    __module__ = "rclpy._rclpy_pybind11"
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """Something after `--ros-args` is malformed."""
+
+    __module__ = "rclpy._rclpy_pybind11"
+
+
+class UnknownROSArgsError(RuntimeError):
+    """Something after `--ros-args` is not known; the text is the list of it."""
 
     __module__ = "rclpy._rclpy_pybind11"
 
@@ -187,3 +205,30 @@ class ROSInterruptException(Exception):
 
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
+
+
+class TimeoutException(Exception):
+    """Nothing was ready in time."""
+
+    __module__ = "rclpy.executors"
+
+
+class ConditionReachedException(Exception):
+    """A condition that ends the waiting has come true."""
+
+    __module__ = "rclpy.executors"
+
+
+class ShutdownException(Exception):
+    """The executor was shut down."""
+
+    __module__ = "rclpy.executors"
+
+
+class ExternalShutdownException(Exception):
+    """The context was shut down by somebody else while this waited."""
+
+    __module__ = "rclpy.executors"
+
+    def __init__(self, *args: object) -> None:
+        super().__init__("The context was shutdown", *args)

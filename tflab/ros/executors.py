@@ -20,10 +20,12 @@ from tflab.core import NSEC_PER_SEC
 
 from .context import Context
 from .entity import Entity, Kind
+from .exceptions import ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException
 from .graph import current_process
 from .task import Future, Task, _executors_with_waiting_tasks
 
 __all__ = [
+    "ConditionReachedException",
     "Executor",
     "ExternalShutdownException",
     "MultiThreadedExecutor",
@@ -32,29 +34,7 @@ __all__ = [
     "TimeoutException",
 ]
 
-_MODULE = "rclpy.executors"
 DEFAULT_THREADS = 4
-
-
-class TimeoutException(Exception):
-    """Nothing was ready in time."""
-
-    __module__ = _MODULE
-
-
-class ShutdownException(Exception):
-    """The executor was shut down."""
-
-    __module__ = _MODULE
-
-
-class ExternalShutdownException(Exception):
-    """The context was shut down by somebody else while this waited."""
-
-    __module__ = _MODULE
-
-    def __init__(self, *args: object) -> None:
-        super().__init__("The context was shutdown", *args)
 
 
 class Executor:
@@ -196,6 +176,25 @@ class Executor:
             if until_ns is not None and self._driver.steady_ns() >= until_ns:
                 return
 
+    def wait_for_ready_callbacks(
+        self, timeout_sec: float | None = None, *, condition: Callable[[], bool] = lambda: False
+    ) -> tuple[Task, Entity | None, Any]:
+        """Return (what calls back, its entity, its node), for an executor of one's own; of a task, no entity and node.
+
+        Raises:
+            TimeoutException, ShutdownException, ExternalShutdownException: there is none.
+            ConditionReachedException: `condition()` is true.
+        """
+        handler = self._next_handler(timeout_sec, condition)
+        if handler is None:
+            raise ConditionReachedException
+        entity = getattr(handler, "entity", None)
+        return Task(handler), entity, entity and entity.node
+
+    def can_execute(self, entity: Entity) -> bool:
+        """Return whether the group of an entity lets its callback begin now."""
+        return entity.callback_group.can_execute(entity)
+
     def _until_ns(self, timeout_sec: float | None) -> int | None:
         if timeout_sec is None or timeout_sec < 0:
             return None
@@ -271,7 +270,7 @@ class Executor:
             ready = [timer for timer in node.timer_list if timer.is_ready()]
             if node.pending:
                 ready += _pending(node)
-            self._round_entities.extend(entity for entity in ready if entity.callback_group.can_execute(entity))
+            self._round_entities.extend(entity for entity in ready if self.can_execute(entity))
 
     def _handler(self, entity: Entity) -> Callable[[], None]:
         """Take one thing of an entity; return what calls back with it; a coroutine is carried on in later rounds."""
@@ -293,6 +292,7 @@ class Executor:
                     self._tasks.append((task, entity))
                 self._task_handler(task, entity)()
 
+        execute.entity = entity
         return execute
 
     def _task_handler(self, task: Task, entity: Entity | None) -> Callable[[], None]:

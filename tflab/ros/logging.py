@@ -26,6 +26,7 @@ from tflab.core import NSEC_PER_SEC
 
 from .exceptions import RCLError
 from .graph import current_process
+from .process import write_line
 
 __all__ = [
     "CallSite",
@@ -302,8 +303,8 @@ def print_line(severity: LoggingSeverity, name: str, message: str, now_ns: int) 
     """Print one line in ROS 2's console format."""
     sec, nanosec = divmod(now_ns, NSEC_PER_SEC)
     to_stdout = _stdout or os.environ.get("RCUTILS_LOGGING_USE_STDOUT") == "1"
-    stream = sys.stdout if to_stdout else sys.stderr
-    print(f"[{severity.name}] [{sec}.{nanosec:09d}] [{name}]: {message}", file=stream, flush=True)
+    line = f"[{severity.name}] [{sec}.{nanosec:09d}] [{name}]: {message}"
+    write_line(line, sys.stdout if to_stdout else sys.stderr)
 
 
 class _EngineHandler(logging.Handler):

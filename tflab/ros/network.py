@@ -122,6 +122,7 @@ class Topic:
         self.publishers.remove(publisher)
         for subscription in publisher.matched:
             subscription.matched_count -= 1
+            subscription.on_matched(-1)
 
     def remove_subscription(self, subscription: Any) -> None:
         """Forget a subscription."""
@@ -129,6 +130,7 @@ class Topic:
         for publisher in self.publishers:
             if subscription in publisher.matched:
                 publisher.matched.remove(subscription)
+                publisher.on_matched(-1)
 
     def deliver(self, envelope: Envelope, subscription: Any, driver: Any) -> None:
         """Send an envelope on its way."""
@@ -147,6 +149,8 @@ class Topic:
             return
         publisher.matched.append(subscription)
         subscription.matched_count += 1
+        publisher.on_matched(1)
+        subscription.on_matched(1)
         if subscription.qos_profile.is_latched:
             stored = publisher.stored_envelopes()
             for envelope in stored[-(subscription.qos_profile.capacity or len(stored)) :]:

@@ -18,6 +18,7 @@ from typing import Any
 from . import graph_queries
 from .clock import Clock, ROSClock
 from .context import Context
+from .convert import plain_names
 from .entity import CallbackGroup, Entity, MutuallyExclusiveCallbackGroup
 from .exceptions import NotInitializedException
 from .graph import current_process
@@ -122,6 +123,7 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
             graph_queries.add_logger_services(self)
 
     def _set_names(self, name: str, namespace: str) -> None:
+        name, namespace = plain_names(name, namespace)
         validate_node_name(name)
         if not namespace.startswith("/"):
             namespace = f"/{namespace}"

@@ -16,6 +16,7 @@ from .entity import CallbackGroup, GuardCondition, MutuallyExclusiveCallbackGrou
 from .exceptions import NoTypeSupportImportedException
 from .messages.base import is_message_class, is_service_class
 from .qos import QoSProfile, profile_from, qos_profile_services_default
+from .qos_overriding_options import QoSOverridingOptions, override_policies
 from .service import Client, Service
 from .timer import Rate, Timer
 from .topic_endpoints import Publisher, RawSubscription, Subscription
@@ -83,7 +84,7 @@ class NodeEntities:
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         publisher_class: type[Publisher] = Publisher,
     ) -> Publisher:
         """Return a new publisher.
@@ -96,7 +97,9 @@ class NodeEntities:
         qos = profile_from(qos_profile)
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
-        publisher = publisher_class(self, msg_type, self._topic_named(topic), qos, event_callbacks, group)
+        name = self._topic_named(topic)
+        override_policies(self, "publisher", name, qos, qos_overriding_options)
+        publisher = publisher_class(self, msg_type, name, qos, event_callbacks, group)
         self._entities["publisher"].append(publisher)
         return publisher
 
@@ -109,7 +112,7 @@ class NodeEntities:
         *,
         callback_group: CallbackGroup | None = None,
         event_callbacks: Any = None,
-        qos_overriding_options: Any = None,
+        qos_overriding_options: QoSOverridingOptions | None = None,
         raw: bool = False,
         subscription_class: type[Subscription] = Subscription,
     ) -> Subscription:
@@ -122,6 +125,7 @@ class NodeEntities:
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
+        override_policies(self, "subscription", name, qos, qos_overriding_options)
         subscription_class = RawSubscription if raw else subscription_class
         subscription = subscription_class(self, msg_type, name, callback, qos, event_callbacks, group)
         self._entities["subscription"].append(subscription)

@@ -23,7 +23,7 @@ import threading
 import time
 from collections.abc import Callable
 from types import ModuleType
-from typing import Any
+from typing import Any, TextIO
 
 from tflab.core import NSEC_PER_SEC
 
@@ -157,10 +157,11 @@ class Process:
             raise KeyboardInterrupt
 
 
-def write_line(text: str) -> None:
-    """Write to standard error at once, so that the lines of others stay whole."""
-    sys.stderr.write(f"{text}\n")
-    sys.stderr.flush()
+def write_line(text: str, stream: TextIO | None = None) -> None:
+    """Write text and its line end at once, to standard error if None, so that the lines of others stay whole."""
+    stream = sys.stderr if stream is None else stream
+    stream.write(f"{text}\n")
+    stream.flush()
 
 
 _graph: Any = None

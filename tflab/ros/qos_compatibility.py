@@ -3,9 +3,10 @@
     create_subscription(..., event_callbacks=SubscriptionEventCallbacks(incompatible_qos=callback))
 
 If the offer is less than the request, the two are not connected. Each side then calls
-its event callback from the executor, or logs a warning if it has none. The other
-events of ROS 2 (a missed deadline, a lost message) never occur here, so requests for
-them are refused.
+its event callback from the executor, or logs a warning if it has none. If they are
+connected, and when that ends, each side calls its `matched` callback, if it has one. The
+other events of ROS 2 (a missed deadline, a lost message) never occur here, so requests
+for them are refused.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from enum import IntEnum
+from itertools import count
 from typing import Any
 
 from . import distro
@@ -26,11 +28,13 @@ __all__ = [
     "EventHandler",
     "PublisherEventCallbacks",
     "QoSCompatibility",
+    "QoSMatchedInfo",
     "QoSPolicyKind",
     "QoSRequestedIncompatibleQoSInfo",
     "SubscriptionEventCallbacks",
     "UnsupportedEventTypeError",
     "incompatible_policy",
+    "matched_reporter",
     "qos_check_compatible",
     "qos_policy_name_from_kind",
     "reporter",
@@ -59,6 +63,9 @@ class QoSPolicyKind(IntEnum):
     RELIABILITY = 16
     HISTORY = 32
     LIFESPAN = 64
+    DEPTH = 128
+    LIVELINESS_LEASE_DURATION = 256
+    AVOID_ROS_NAMESPACE_CONVENTIONS = 512
 
 
 def qos_policy_name_from_kind(policy_kind: QoSPolicyKind | int) -> str:
@@ -172,9 +179,19 @@ class QoSRequestedIncompatibleQoSInfo:
     last_policy_kind: int
 
 
+@dataclass(frozen=True, slots=True)
+class QoSMatchedInfo:
+    """What a `matched` callback receives: how many ends were ever connected and are now, and each count's change."""
+
+    total_count: int
+    total_count_change: int
+    current_count: int
+    current_count_change: int
+
+
 @dataclass(kw_only=True)
 class PublisherEventCallbacks:
-    """`incompatible_qos(info)` is called when a subscription requests more than is offered.
+    """`incompatible_qos(info)` is called when a subscription requests more than is offered, `matched(info)` if it fits.
 
     Raises:
         UnsupportedEventTypeError: a callback for anything else.
@@ -188,12 +205,12 @@ class PublisherEventCallbacks:
     use_default_callbacks: bool = True
 
     def __post_init__(self) -> None:
-        _refuse_others(self, ("deadline", "liveliness", "incompatible_type", "matched"))
+        _refuse_others(self, ("deadline", "liveliness", "incompatible_type"))
 
 
 @dataclass(kw_only=True)
 class SubscriptionEventCallbacks:
-    """`incompatible_qos(info)` is called when a publisher offers less than is requested.
+    """`incompatible_qos(info)` is called when a publisher offers less than is requested, `matched(info)` if it fits.
 
     Raises:
         UnsupportedEventTypeError: a callback for anything else.
@@ -208,7 +225,7 @@ class SubscriptionEventCallbacks:
     use_default_callbacks: bool = True
 
     def __post_init__(self) -> None:
-        _refuse_others(self, ("deadline", "liveliness", "message_lost", "incompatible_type", "matched"))
+        _refuse_others(self, ("deadline", "liveliness", "message_lost", "incompatible_type"))
 
 
 class EventHandler(Entity):
@@ -219,13 +236,11 @@ class EventHandler(Entity):
     def __init__(self, node: Any, callback: Callable[[Any], Any], callback_group: Any) -> None:
         super().__init__(node, callback_group)
         self.callback = callback
-        self._infos: deque[QoSRequestedIncompatibleQoSInfo] = deque()
-        self._count = 0
+        self._infos: deque[Any] = deque()
 
-    def report(self, policy: str) -> None:
-        """Note that another endpoint does not fit."""
-        self._count += 1
-        self._infos.append(QoSRequestedIncompatibleQoSInfo(self._count, 1, int(QoSPolicyKind[policy])))
+    def put(self, info: Any) -> None:
+        """Note an event."""
+        self._infos.append(info)
         self.mark_ready()
 
     def is_pending(self) -> bool:
@@ -241,15 +256,33 @@ def reporter(
 ) -> Callable[[str], Any]:
     """Return the callback for incompatible policies: the user's, `warn`, or None."""
     if callbacks is not None and callbacks.incompatible_qos is not None:
-        return EventHandler(node, callbacks.incompatible_qos, group).report
+        put, total = EventHandler(node, callbacks.incompatible_qos, group).put, count(1)
+        return lambda policy: put(QoSRequestedIncompatibleQoSInfo(next(total), 1, int(QoSPolicyKind[policy])))
     if callbacks is not None and not callbacks.use_default_callbacks:
         return lambda policy: None
     return warn
+
+
+def matched_reporter(
+    node: Any, callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks | None, group: Any
+) -> Callable[[int], Any]:
+    """Return what takes the change, 1 or -1, in the number of ends that an endpoint is connected to."""
+    if callbacks is None or callbacks.matched is None:
+        return lambda change: None
+    put, total, current = EventHandler(node, callbacks.matched, group).put, 0, 0
+
+    def report(change: int) -> None:
+        nonlocal total, current
+        total, current = total + max(change, 0), current + change
+        put(QoSMatchedInfo(total, max(change, 0), current, change))
+
+    return report
 
 
 def _refuse_others(callbacks: Any, events: tuple[str, ...]) -> None:
     for event in events:
         if getattr(callbacks, event) is not None:
             raise UnsupportedEventTypeError(
-                f"nobody reports the event '{event}' in the in-process ROS 2; what can be reported is incompatible_qos"
+                f"nobody reports the event '{event}' in the in-process ROS 2; what can be reported is "
+                "incompatible_qos and matched"
             )

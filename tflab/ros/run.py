@@ -24,12 +24,9 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from types import ModuleType
-from typing import Any
 
 from . import workspace
 from .activation import MESSAGE_PACKAGES, PACKAGES, activate
-from .context import ALREADY_SHUT_DOWN
-from .exceptions import RCLError
 from .graph import Graph, Participant, new_graph
 from .process import process_here, write_line
 from .virtual import counting_ctrl_c, place_of, raise_in
@@ -39,7 +36,6 @@ __all__ = ["run_entry_point", "run_files"]
 
 # After Ctrl-C: how long whoever sleeps or spins takes to hear of it, and how long to tidy up [s].
 HEARING_S, GRACE_S = 0.5, 5.0
-AFTER_CTRL_C = "(So it is on a robot: Ctrl-C shut the context down before. rclpy.try_shutdown() does not mind.)"
 
 
 def run_files(
@@ -136,15 +132,15 @@ def run_entry_point(entry: EntryPoint) -> None:
     """
     try:
         if entry.module:
-            _, names = _execute(str(entry.path), entry.module, entry.module.rpartition(".")[0])
-            sys.exit(names[entry.function]())
+            _, module = _execute(str(entry.path), entry.module, entry.module.rpartition(".")[0])
+            sys.exit(getattr(module, entry.function)())
         _run_file(entry.path)
     except ModuleNotFoundError as error:
         error.msg += _remedy((error.name or "").partition(".")[0])
         raise
-    except RCLError as error:
-        if str(error) == ALREADY_SHUT_DOWN:
-            error.args = (f"{error}\n{AFTER_CTRL_C}",)
+    except (RuntimeError, ValueError) as error:
+        if re.search("main thread|event loop in thread", str(error)):
+            error.args = (f"{error}\n(tflab gives the main thread to what is named first: name this one first.)",)
         raise
 
 
@@ -152,7 +148,7 @@ def _run_file(path: Path) -> None:
     package, folder, parents = workspace.package_around(path), Path(os.path.abspath(path)).parent, []
     while package is not None and (folder / "__init__.py").is_file():
         parents, folder = [folder.name, *parents], folder.parent
-    tree, names = _execute(str(path), "__main__", ".".join(parents))
+    tree, module = _execute(str(path), "__main__", ".".join(parents))
     entries = package.executables().values() if package is not None else ()
     functions = [each.function for each in entries if each.function and each.path.samefile(path)]
     function = _uncalled(tree, functions or ["main"])
@@ -162,18 +158,18 @@ def _run_file(path: Path) -> None:
                 f"tflab: nothing in {path} calls {function}(), so python would end without a word; tflab calls it. "
                 f'Let the file end with `if __name__ == "__main__": {function}()`.'
             )
-        sys.exit(names[function]())
+        sys.exit(getattr(module, function)())
 
 
-def _execute(path: str, name: str, package: str) -> tuple[ast.Module, dict[str, Any]]:
-    """Execute a file as a module of its own; return its syntax tree and its names."""
+def _execute(path: str, name: str, package: str) -> tuple[ast.Module, ModuleType]:
+    """Execute a file as a module of its own; return its syntax tree, too."""
     tree = compile(_source(path), path, "exec", ast.PyCF_ONLY_AST, dont_inherit=True)
     module = ModuleType(name)
     module.__file__, module.__package__ = path, package
     if name != "__main__":
         sys.modules.setdefault(name, module)
     exec(compile(tree, path, "exec", dont_inherit=True), module.__dict__)
-    return tree, module.__dict__
+    return tree, module
 
 
 def _uncalled(tree: ast.Module, functions: Sequence[str]) -> str | None:

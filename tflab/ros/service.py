@@ -2,6 +2,10 @@
 
 A call blocks until the answer has come, so somebody else must spin the client's
 node meanwhile; `call_async` returns a Future instead.
+
+    service.configure_introspection(node.get_clock(), qos, ServiceIntrospectionState.CONTENTS)
+
+publishes an event on the topic `<service>/_service_event` at each request and response.
 """
 
 from __future__ import annotations
@@ -10,21 +14,71 @@ import inspect
 import threading
 from collections import deque
 from collections.abc import Callable, Coroutine
+from enum import IntEnum
+from functools import cached_property
 from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
 from .entity import Entity, Kind
-from .messages import copy_message
+from .messages import copy_message, type_named
+from .network import PUBLISHER_KIND
 from .qos import QoSProfile
 from .task import Future
 
-__all__ = ["Client", "Service"]
+__all__ = ["Client", "Service", "ServiceIntrospectionState"]
 
 POLL_NS = 100_000_000  # how often wait_for_service looks
 
 
-class Service(Entity):
+ServiceEventInfo = type_named("service_msgs/msg/ServiceEventInfo")
+
+
+class ServiceIntrospectionState(IntEnum):
+    """What the events of a service or client hold."""
+
+    OFF = 0
+    METADATA = 1
+    CONTENTS = 2
+
+
+class _Introspected(Entity):
+    """What a service and a client share: events about their requests and responses."""
+
+    srv_type: Any
+    srv_name: str
+    _events: Any = None
+
+    def configure_introspection(
+        self, clock: Any, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
+    ) -> None:
+        """Publish an event of each request and response from now on, with its contents or without, or none."""
+        if self._events is not None:
+            self.node.destroy_publisher(self._events)
+            self._events = None
+        if introspection_state != ServiceIntrospectionState.OFF:
+            topic = f"{self.srv_name}/_service_event"
+            self._events = self.node.create_publisher(self.srv_type.Event, topic, service_event_qos_profile)
+        self._clock, self._state = clock, introspection_state
+
+    def _note(self, what: str, message: Any, client: Client, number: int) -> None:
+        """Publish the event `what`, if somebody wants it: REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, ..."""
+        if self._events is None:
+            return
+        event = self.srv_type.Event(
+            info=ServiceEventInfo(
+                event_type=getattr(ServiceEventInfo, what),
+                stamp=self._clock.now().to_msg(),
+                client_gid=list(client.gid),
+                sequence_number=number,
+            )
+        )
+        if self._state == ServiceIntrospectionState.CONTENTS:
+            setattr(event, what.partition("_")[0].lower(), [message])
+        self._events.publish(event)
+
+
+class Service(_Introspected):
     """Answers requests: `callback(request, response)` returns the response."""
 
     kind = Kind.SERVICE
@@ -60,6 +114,7 @@ class Service(Entity):
         return lambda: self._answer(*question)
 
     def _answer(self, request: Any, client: Client, number: int) -> Coroutine | None:
+        self._note("REQUEST_RECEIVED", request, client, number)
         response = self.callback(request, self.srv_type.Response())
         if inspect.iscoroutine(response):
             return self._answer_later(response, client, number)
@@ -72,6 +127,7 @@ class Service(Entity):
     def _send(self, response: Any, client: Client, number: int) -> None:
         if not isinstance(response, self.srv_type.Response):
             raise TypeError(f"Expected {self.srv_type.Response}, got {type(response)}")
+        self._note("RESPONSE_SENT", response, client, number)
         client.put(copy_message(response), number)
 
     def destroy(self) -> None:
@@ -81,7 +137,7 @@ class Service(Entity):
         super().destroy()
 
 
-class Client(Entity):
+class Client(_Introspected):
     """Asks one service."""
 
     kind = Kind.CLIENT
@@ -98,6 +154,11 @@ class Client(Entity):
         self._lock = threading.Lock()
         node.network.clients.setdefault(srv_name, []).append(self)
 
+    @cached_property
+    def gid(self) -> bytes:
+        """Its identity in the graph, 16 bytes."""
+        return self.node.network.new_gid(self.node.context, PUBLISHER_KIND)  # of what writes its requests
+
     def call_async(self, request: Any) -> Future:
         """Ask, and return a Future of the answer.
 
@@ -110,6 +171,7 @@ class Client(Entity):
         with self._lock:
             self._count += 1
             self._futures[self._count] = future
+        self._note("REQUEST_SENT", request, self, self._count)
         for service in self._servers()[:1]:
             service.put(copy_message(request), self, self._count)
         future.add_done_callback(self.remove_pending_request)
@@ -134,6 +196,7 @@ class Client(Entity):
         return lambda: self._hand_over(*answer)
 
     def _hand_over(self, response: Any, number: int) -> None:
+        self._note("RESPONSE_RECEIVED", response, self, number)
         future = self._futures.pop(number, None)
         if future is not None and not future.done():
             future.set_result(response)

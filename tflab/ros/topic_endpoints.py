@@ -13,7 +13,7 @@ from .messages import copy_message, tf2_msgs
 from .messages.values import serialize_message
 from .network import PUBLISHER_KIND, SUBSCRIPTION_KIND, Envelope
 from .qos import QoSProfile
-from .qos_compatibility import reporter
+from .qos_compatibility import matched_reporter, reporter
 
 __all__ = ["Publisher", "RawSubscription", "Subscription"]
 
@@ -43,6 +43,7 @@ class Publisher:
         self.edges: dict[tuple[str, str], int] = {}
         self._sends_transforms = msg_type is tf2_msgs.TFMessage
         self.on_incompatible_qos = reporter(node, event_callbacks, callback_group, self._warn_of)
+        self.on_matched = matched_reporter(node, event_callbacks, callback_group)
         self._driver = node.context.process.driver
         self._stored: deque[Envelope] | None = deque(maxlen=qos_profile.capacity) if qos_profile.is_latched else None
         self._count = 0
@@ -136,6 +137,7 @@ class Subscription(Entity):
         self.callback = callback
         self._wants_info = _wants_info(callback)
         self.on_incompatible_qos = reporter(node, event_callbacks, callback_group, self._warn_of)
+        self.on_matched = matched_reporter(node, event_callbacks, callback_group)
         self._driver = node.context.process.driver
         self._queue: deque[tuple[Envelope, int]] = deque(maxlen=qos_profile.capacity)
         self._received = 0

@@ -84,7 +84,7 @@ def packages_around(path: str | Path) -> dict[str, Package]:
     path, own = Path(os.path.abspath(path)), package_around(path)
     if own is not None:
         source = next((folder for folder in own.folder.parents if folder.name == "src"), None)
-        return {own.name: own} | _packages_below(source or own.folder.parent, DEPTH if source else 1)
+        return _packages_below(source or own.folder.parent, DEPTH if source else 1) | {own.name: own}
     if path.is_dir():
         above = (_packages_below(folder / "src", DEPTH) for folder in path.parents)
         return _packages_below(path, DEPTH) or next(filter(None, above), {})

@@ -14,7 +14,13 @@ from typing import Any
 import yaml
 
 from tflab.ros.action_client import ActionClient
-from tflab.ros.action_goals import action_entity_name, goal_key, status_name
+from tflab.ros.action_goals import (
+    get_action_client_names_and_types_by_node,
+    get_action_names_and_types,
+    get_action_server_names_and_types_by_node,
+    goal_key,
+    status_name,
+)
 from tflab.ros.messages import type_named
 from tflab.ros.messages.base import Message, is_action_class
 from tflab.ros.messages.text import message_to_yaml
@@ -24,7 +30,7 @@ from tflab.ros.node import Node
 from .discovery import add_verb
 from .session import answer_of, cli_node, tool_node
 
-__all__ = ["action_class", "actions_among", "add_verbs"]
+__all__ = ["action_class", "add_verbs"]
 
 
 def add_verbs(verbs: argparse._SubParsersAction) -> None:
@@ -47,16 +53,6 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
     verb.add_argument("-f", "--feedback", action="store_true", help="Echo feedback messages for the goal")
 
 
-def actions_among(services: Sequence[tuple[str, Sequence[str]]]) -> list[tuple[str, list[str]]]:
-    """Return (action, types) of those whose goals are among some services, served or asked."""
-    goals = action_entity_name("", "send_goal")
-    return sorted(
-        (name.removesuffix(goals), [each.removesuffix("_SendGoal") for each in types])
-        for name, types in services
-        if name.endswith(goals)
-    )
-
-
 def action_class(type_name: str) -> type:
     """Return the class of an action type: 'example_interfaces/action/Fibonacci'.
 
@@ -75,11 +71,11 @@ def action_class(type_name: str) -> type:
 def list_actions(options: argparse.Namespace) -> None:
     """Print the actions that somebody serves, or asks for."""
     with cli_node() as node:
-        known = dict(entry for _, entry in [*_of_all(node, _served), *_of_all(node, _asked)])
+        known = get_action_names_and_types(node)
     if options.count_actions:
         print(len(known))
         return
-    for name, types in sorted(known.items()):
+    for name, types in known:
         print(_line(name, types, options.show_types))
 
 
@@ -87,7 +83,10 @@ def info(options: argparse.Namespace) -> None:
     """Print who asks for an action, and who serves it."""
     with cli_node() as node:
         full_name = node.resolve_service_name(options.action_name)
-        sides = {"clients": _of_all(node, _asked), "servers": _of_all(node, _served)}
+        sides = {
+            "clients": _of_all(node, get_action_client_names_and_types_by_node),
+            "servers": _of_all(node, get_action_server_names_and_types_by_node),
+        }
     print(f"Action: {options.action_name}")
     for side, entries in sides.items():
         found = [(who, types) for who, (name, types) in entries if name == full_name]
@@ -128,18 +127,10 @@ def _line(name: str, types: Sequence[str], show_types: bool) -> str:
     return f"{name} [{', '.join(types)}]" if show_types else name
 
 
-def _served(node: Node, name: str, namespace: str) -> list[tuple[str, list[str]]]:
-    return node.get_service_names_and_types_by_node(name, namespace)
-
-
-def _asked(node: Node, name: str, namespace: str) -> list[tuple[str, list[str]]]:
-    return node.get_client_names_and_types_by_node(name, namespace)
-
-
-def _of_all(node: Node, services_of: Callable[..., Any]) -> list[tuple[str, tuple[str, list[str]]]]:
+def _of_all(node: Node, actions_of: Callable[..., Any]) -> list[tuple[str, tuple[str, list[str]]]]:
     """Return (node, (action, types)) of what every node serves, or asks for."""
     return [
         (f"{namespace.rstrip('/')}/{name}", entry)
         for name, namespace in sorted(node.get_node_names_and_namespaces())
-        for entry in actions_among(services_of(node, name, namespace))
+        for entry in actions_of(node, name, namespace)
     ]

@@ -9,7 +9,11 @@ import argparse
 import sys
 from collections.abc import Sequence
 
-from .action import actions_among
+from tflab.ros.action_goals import (
+    get_action_client_names_and_types_by_node,
+    get_action_server_names_and_types_by_node,
+)
+
 from .discovery import add_verb, visible
 from .session import cli_node
 
@@ -95,5 +99,7 @@ def info(options: argparse.Namespace) -> str | None:
         )
         found = [question(name, namespace or "/") for question in ask]
         sections = [visible(names, options.include_hidden) for names in found]
-        print(info_text(wanted, [*sections, *(actions_among(services) for services in found[2:])]))
+        ask_actions = (get_action_server_names_and_types_by_node, get_action_client_names_and_types_by_node)
+        sections += [question(node, name, namespace or "/") for question in ask_actions]
+        print(info_text(wanted, sections))
     return None

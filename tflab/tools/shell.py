@@ -129,7 +129,7 @@ def _play(bag: str) -> None:
 def _run_parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="tflab run",
-        description="Run node files as they are, together, in one process and in real time, until Ctrl-C.",
+        description="Run Python nodes as they are, together, in one process and in real time, until Ctrl-C.",
     )
     parser.add_argument(
         "files", nargs="+", metavar="node.py",

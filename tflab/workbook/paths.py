@@ -27,6 +27,7 @@ __all__ = [
     "COPY",
     "EDITIONS",
     "MARK",
+    "NO_COPY",
     "TASKS",
     "Workbook",
     "WorkbookError",
@@ -44,6 +45,7 @@ __all__ = [
 
 MARK = "workbook.json"
 COPY = "tflab_workbook"  # what a copy is called if nobody names it
+NO_COPY = f"no workbook copy {{folder}}. Change to your copy ({COPY}), or create one with: tflab lab"
 TASKS = Path("solutions", "tasks")
 EDITIONS = ("self-study", "class")
 
@@ -184,7 +186,8 @@ def stems_called(words: Iterable[str], there: Sequence[str], *, what: str = "pag
         bare = word.removeprefix("E")
         found = [stem for stem in there if bare == stem or bare.zfill(2) == stem.partition("_")[0]]
         if not found:
-            raise LookupError(f'there is no {what} "{word}"; there is {", ".join(there) or "none"}')
+            numbers = ", ".join(stem.partition("_")[0] for stem in there)
+            raise LookupError(f'unknown {what} "{word}"; available: {numbers or "none"}')
         chosen += found
     return list(dict.fromkeys(chosen))
 

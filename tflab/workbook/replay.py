@@ -48,24 +48,45 @@ def describe_call(assigned: AssignedTask, number: int, outcome: Plain) -> str:
 
 def differing(got: Plain, expected: Plain, path: str = "") -> tuple[str, Plain, Plain]:
     """Return the path to the first place where two results differ, and what stands there in each."""
-    one, other = inside(got), inside(expected)
-    if is_raised(got) or is_raised(expected) or type(one) is not type(other):
-        return path, got, expected
-    if isinstance(one, dict) and isinstance(got, dict) and one.keys() == other.keys() and "dict" in got:
-        pairs = [(f'["{key}"]', one[key], other[key]) for key in other]
-    elif isinstance(one, list) and len(one) == len(other) and not all(map(is_number, other)):
-        pairs = [(f"[{at}]", *pair) for at, pair in enumerate(zip(one, other, strict=True))]
-    else:
-        return path, got, expected
-    for step, a, b in pairs:
+    for step, a, b in _parts(got, expected):
         if not _is_same(a, b):
             return differing(a, b, path + step)
     return path, got, expected
 
 
+def _parts(got: Plain, expected: Plain) -> list[tuple[str, Plain, Plain]]:
+    """Return the parts of two results of one kind, each with its step of the path; nothing of what is read whole."""
+    if fields := _message_fields(got):
+        wanted = _message_fields(expected)
+        is_whole = fields.keys() != wanted.keys() or all(map(is_number, wanted.values()))
+        names = [] if is_whole else sorted(wanted, key=("header", "stamp").__contains__)
+        return [(f".{name}", fields[name], wanted[name]) for name in names]
+    one, other = inside(got), inside(expected)
+    if type(one) is not type(other):
+        return []
+    if isinstance(one, dict) and "dict" in got and one.keys() == other.keys():
+        return [(f'["{key}"]', one[key], other[key]) for key in other]
+    if isinstance(one, list) and len(one) == len(other) and not all(map(is_number, other)):
+        return [(f"[{at}]", *pair) for at, pair in enumerate(zip(one, other, strict=True))]
+    return []
+
+
+def _message_fields(plain: Plain) -> dict[str, Plain]:
+    named = plain.get("message") if isinstance(plain, dict) else None
+    return named[1] if isinstance(named, list) and len(named) == 2 and isinstance(named[1], dict) else {}
+
+
 def _is_same(one: Plain, other: Plain) -> bool:
+    """Return whether two results are the same, numbers within a tolerance and q and -q as one rotation."""
     if is_number(one) and is_number(other):
         return abs(one - other) <= CLOSE
+    if isinstance(one, list) and isinstance(other, list):
+        return len(one) == len(other) and all(map(_is_same, one, other))
+    if isinstance(one, dict) and isinstance(other, dict):
+        mirrored = {name: -value for name, value in one.items()} if one.keys() == set("xyzw") else one
+        return one.keys() == other.keys() and any(
+            all(_is_same(each[name], other[name]) for name in other) for each in (one, mirrored)
+        )
     return one == other
 
 

@@ -22,6 +22,7 @@ __all__ = ["ARM_M", "Stories", "distances", "is_constant", "steps_and_turns", "t
 ARM_M = 0.3  # a turn counts as far as it moves a point at this distance
 LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each other
 LOOK_BACK = 12  # samples: a second owner may be this many times slower
+LARGEST_STEP = 1 / 3  # within a story, as a fraction of the distance between the stories
 MOST_SAMPLES = 5_000  # of an edge that are looked at for a second owner
 CONSTANT = 1e-9
 UNTURNED = (0.0, 0.0, 0.0, 1.0)
@@ -119,7 +120,8 @@ def _told_alternately(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_
     """Follow two stories through the samples: each sample continues the nearer one, or begins another."""
     last_of: list[int] = [0]  # the newest sample of each story, the story told last at the end
     returns = []
-    apart = []
+    apart: list[float] = []
+    within: list[float] = []  # how far each sample is from the one before it in its own story
     for i in range(1, len(poses)):
         here = poses[i : i + 1]
         gaps = [float(distances(here, poses[j : j + 1])[0]) for j in last_of]
@@ -131,8 +133,12 @@ def _told_alternately(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_
         if story != len(last_of) - 1 and i - last_of[story] <= look_back + 1:
             returns.append(i)
             apart.append(gaps[-1])
+        within.append(gaps[story])
         last_of.append(last_of.pop(story))
         last_of[-1] = i
     if len(returns) < 4 or len(returns) < 0.08 * (returns[-1] - returns[0]):
         return None
-    return Stories(float(np.median(apart)), len(returns), int(rows[returns[0]]), int(rows[returns[-1]]))
+    apart_m = float(np.median(apart))
+    if float(np.median(within)) > LARGEST_STEP * apart_m:
+        return None  # one noisy owner: its values are as far from each other as the two stories
+    return Stories(apart_m, len(returns), int(rows[returns[0]]), int(rows[returns[-1]]))

@@ -203,15 +203,13 @@ class Buffer(BufferCore, BufferInterface):
 
 def _poll(ask: Callable[[], tuple[int, str]], timeout: Any) -> tuple[int, str]:
     """Ask until the answer is yes, or `timeout` is over; return the last answer."""
-    result = ask()
-    if result[0] or timeout == NO_WAIT:
-        return result
+    if timeout == NO_WAIT:
+        return ask()
     process, clock = current_process(), Clock()
-    start_ns = clock.now_ns()
-    until_ns = start_ns + timeout.nanoseconds
-    while start_ns - CLOCK_JUMPED_BACK_NS < clock.now_ns() < until_ns:
+    start = clock.now()
+    start_ns, until_ns = start.nanoseconds, (start + timeout).nanoseconds  # a float is a TypeError
+    result = ask()
+    while not result[0] and start_ns - CLOCK_JUMPED_BACK_NS < clock.now_ns() < until_ns:
         process.sleep(POLL_NS)
         result = ask()
-        if result[0]:
-            break
     return result

@@ -11,7 +11,7 @@ from typing import Any
 from tflab import core
 from tflab.core.velocity import lookup_velocity_as_tf2
 
-from ..convert import duration_ns_from, msg_from_stamped, stamp_ns_from, stamped_from_msg
+from ..convert import duration_ns_from, msg_from_stamped, plain_names, stamp_ns_from, stamped_from_msg
 from ..logging import show_engine_refusals
 from ..messages import geometry_msgs
 from ..time import ClockType, Time
@@ -49,13 +49,14 @@ class BufferCore:
 
     def can_transform_core(self, target_frame: str, source_frame: str, time: Any) -> tuple[int, str]:
         """Return (1, "") if there is an answer now, else (0, why not)."""
-        can, text = self.core.why_not(target_frame, source_frame, stamp_ns_from(time))
+        can, text = self.core.why_not(*plain_names(target_frame, source_frame), stamp_ns_from(time))
         return int(can), text
 
     def can_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
     ) -> tuple[int, str]:
         """Return (1, "") if there is an answer now, else (0, why not)."""
+        target_frame, source_frame, fixed_frame = plain_names(target_frame, source_frame, fixed_frame)
         can, text = self.core.why_not_full(
             target_frame, stamp_ns_from(target_time), source_frame, stamp_ns_from(source_time), fixed_frame
         )
@@ -67,7 +68,8 @@ class BufferCore:
         Raises:
             TransformException: there is no answer; its class and text say why.
         """
-        return msg_from_stamped(self.core.lookup_transform(target_frame, source_frame, stamp_ns_from(time)))
+        frames = plain_names(target_frame, source_frame)
+        return msg_from_stamped(self.core.lookup_transform(*frames, stamp_ns_from(time)))
 
     def lookup_transform_full_core(
         self, target_frame: str, target_time: Any, source_frame: str, source_time: Any, fixed_frame: str
@@ -77,6 +79,7 @@ class BufferCore:
         Raises:
             TransformException: there is no answer; its class and text say why.
         """
+        target_frame, source_frame, fixed_frame = plain_names(target_frame, source_frame, fixed_frame)
         return msg_from_stamped(
             self.core.lookup_transform_full(
                 target_frame, stamp_ns_from(target_time), source_frame, stamp_ns_from(source_time), fixed_frame
@@ -89,7 +92,7 @@ class BufferCore:
         Raises:
             TransformException: a bad or unknown name, or no path.
         """
-        stamp_ns = self.core.latest_common_time_ns(target_frame, source_frame)
+        stamp_ns = self.core.latest_common_time_ns(*plain_names(target_frame, source_frame))
         return Time(nanoseconds=stamp_ns, clock_type=ClockType.SYSTEM_TIME)
 
     def lookupVelocityCore(  # the binding's name

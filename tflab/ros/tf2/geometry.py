@@ -90,7 +90,7 @@ def do_transform_vector3(vector3: Vector3Stamped, transform: TransformStamped) -
 
 def do_transform_pose(pose: Pose, transform: TransformStamped) -> Pose:
     """Return the bare pose in the frame of `transform.header`; its quaternion has w >= 0."""
-    source = _build_affine(rotation=_wxyz(pose.orientation), translation=_xyz(pose.position))
+    source = _build_affine(translation=_xyz(pose.position), rotation=_wxyz(pose.orientation))
     q_wxyz, position = _decompose_affine(_transform_to_affine(transform) @ source)
     (w, qx, qy, qz), (x, y, z) = q_wxyz.tolist(), position.tolist()
     return Pose(position=Point(x=x, y=y, z=z), orientation=Quaternion(x=qx, y=qy, z=qz, w=w))

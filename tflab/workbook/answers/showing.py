@@ -74,16 +74,23 @@ def show_in_a_line(value: Any, at_most: int = 200) -> str:
         text = left + ", ".join(show_in_a_line(member, at_most) for member in value) + right
     elif isinstance(value, BufferCore | tf2_buffer.BufferCore):
         text = f"buffer with {len(_buffer_of(value).frame_names())} frames"
-    elif isinstance(value, Message) and hasattr(value, "header"):
-        header = value.header
-        stamp = _seconds(header.stamp.sec * NS_PER_S + header.stamp.nanosec)
-        text = f'{value.ROS_TYPE.rpartition("/")[2]} in "{header.frame_id}" at {stamp}'
+    elif isinstance(value, Message):
+        text = _message_in_a_line(value, at_most)
     elif isinstance(value, float) and round(value, 3) != value == round(value, 4):
         text = f"{value:.4f}"  # 23.0005 and 23.0 are two: such a digit was put there
     else:
         lines = show(value).splitlines() or ['""']
         text = lines[0] if len(lines) == 1 else f"{lines[0]} …"
     return text if len(text) <= at_most else text[:at_most] + " …"
+
+
+def _message_in_a_line(message: Message, at_most: int) -> str:
+    name = message.ROS_TYPE.rpartition("/")[2]
+    if hasattr(message, "header"):
+        stamp = message.header.stamp
+        return f'{name} in "{message.header.frame_id}" at {_seconds(stamp.sec * NS_PER_S + stamp.nanosec)}'
+    fields = (f"{key}={show_in_a_line(getattr(message, key), at_most)}" for key in message.get_fields_and_field_types())
+    return f"{name}({', '.join(fields)})"
 
 
 def _named(name: str, text: str) -> str:

@@ -25,7 +25,18 @@ from tflab.views.report_page import render
 
 from ...text import Text, Texts
 from ..inventory.participation import Opened, opened, waiting
-from ..paths import COPY, MARK, WorkbookError, chapters, copy_at_hand, read_workbook, workbook_data, workbook_root
+from ..paths import (
+    COPY,
+    MARK,
+    NO_COPY,
+    WorkbookError,
+    chapters,
+    copy_at_hand,
+    exercise_file,
+    read_workbook,
+    workbook_data,
+    workbook_root,
+)
 from ..progress import Attempts, read_progress
 from ..tasks.catalog import task_ids, tasks_of
 from ..tasks.task import TaskError
@@ -146,6 +157,8 @@ STATES = {"passed": "✓", "open": "○"}
 class ProgressPage:
     """A learner's progress, to be shown as HTML in a notebook and as text in a terminal.
 
+    Before the first try it is one line, and the task to start with.
+
     Args:
         shown: what was passed.
         kept: whether progress is stored here.
@@ -163,7 +176,10 @@ class ProgressPage:
     def text(self) -> str:
         """Return it as a terminal shows it."""
         label = self._labels()
-        lines = [f"{label['title']}: {self._sum()}", self._note(), "", f"{label['chapters']} ({label['squares']})"]
+        lines = [f"{label['title']}: {self._sum()}", self._note()]
+        if not self._started:
+            return "\n".join(lines)
+        lines += ["", f"{label['chapters']} ({label['squares']})"]
         for chapter in self._here:
             marks = " ".join(_mark(task) for task in chapter.tasks)
             count = f"{chapter.passed}/{len(chapter.tasks)}"
@@ -188,6 +204,7 @@ class ProgressPage:
             language=self._language,
             sum=self._sum(),
             note=self._note(),
+            started=self._started,
             chapters=self._here,
             mark=_mark,
             describe_task=self._describe_task,
@@ -243,8 +260,20 @@ class ProgressPage:
         tasks = self._shown.tasks
         return self._say("tasks_passed", passed=sum(task.attempts.passed for task in tasks), of=len(tasks))
 
+    @property
+    def _started(self) -> bool:
+        return any(task.attempts.tries for task in self._shown.tasks)
+
     def _note(self) -> str:
-        return self._say("only_checks" if self._kept else "no_copy")
+        """Return which task comes next, or that this is no copy; nothing if all tasks are passed."""
+        if not self._kept:
+            return self._say("no_copy")
+        tasks = ((each, task) for each in self._here if each.chapter.number for task in each.tasks)
+        for each, task in tasks:
+            if not task.attempts.passed:
+                title, file = task.title.say(self._language), exercise_file(each.chapter.stem)
+                return self._say("next", task=task.id, title=title, file=f"exercises/{self._language}/{file}")
+        return ""
 
     def _say(self, key: str, **names: object) -> str:
         return TEXTS[key].say(self._language, **names)
@@ -257,12 +286,14 @@ def show_progress() -> ProgressPage:
 
 def progress(words: Sequence[str]) -> int:
     """Print where one stands, and return 0; 2 if the workbook cannot be read."""
-    parser = argparse.ArgumentParser(prog="tflab progress", description="Say which checks have been passed.")
-    parser.add_argument("folder", nargs="?", metavar="DIR", help=f"your copy; the nearest, or ./{COPY}, if left out")
+    parser = argparse.ArgumentParser(
+        prog="tflab progress", description="Show what you have passed and what comes next."
+    )
+    parser.add_argument("folder", nargs="?", metavar="DIR", help=f"your copy (default: the nearest one, or ./{COPY})")
     folder = parser.parse_args(list(words)).folder
-    root = Path(folder) if folder else copy_at_hand() or workbook_root()
-    if folder and not (root / MARK).is_file():
-        print(f"tflab progress: {root} is no copy of the workbook; tflab lab makes one", file=sys.stderr)
+    root = Path(folder) if folder else copy_at_hand()
+    if root is None or not (root / MARK).is_file():
+        print(f"tflab progress: {NO_COPY.format(folder=folder or 'here')}", file=sys.stderr)
         return 2
     try:
         print(_page(root).text)
