@@ -16,7 +16,6 @@ import argparse
 import os
 import runpy
 import sys
-import time
 import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -56,7 +55,7 @@ OPTIONS = {  # of each entity, in the order of its positional arguments; the fir
 }
 NAMESPACE = "ros_namespace"  # the launch configuration that holds it
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
-POLL_S = 0.1
+POLL_NS = NSEC_PER_SEC // 10
 
 
 @dataclass(frozen=True)
@@ -132,7 +131,7 @@ def _launch(options: argparse.Namespace) -> int:
             process.sleep(begin_ns + round(step.delay_s * NSEC_PER_SEC) - process.driver.steady_ns())
             participants += _do(step, len(participants) + 1)
         while any(each.is_running for each in participants):
-            time.sleep(POLL_S)
+            process.sleep(POLL_NS)
     finally:
         for each in participants if process.driver.is_virtual else ():  # in a shell Ctrl-C is for all of them
             each.interrupt()
@@ -205,7 +204,10 @@ def _steps(entities: Iterable[LaunchEntity], known: dict[str, str], delay_s: flo
     for each in entities:
         try:
             condition = each.options.get("condition")
-            if condition is None or _truth(condition, known) == (condition.kind == "IfCondition"):
+            text = "true" if condition is None else _text(condition, known).strip().lower()
+            if text not in TRUTHS:
+                raise ValueError(f"a condition is true, false, 1 or 0, not '{text}'")
+            if TRUTHS[text] == (condition is None or condition.kind == "IfCondition"):
                 yield from _steps_of(each, known, delay_s)
         except (PackageNotFoundError, ValueError) as error:
             raise RuntimeError(f"{each.line}: {error.args[0]}") from None
@@ -240,13 +242,6 @@ def _declare(name: str, default: Any, choices: Sequence[str] | None, known: dict
     value = known.setdefault(name, _text(default, known))
     if choices and value not in choices:
         raise ValueError(f'Argument "{name}" provided value "{value}" is not valid. Valid options are: {choices}')
-
-
-def _truth(condition: LaunchEntity, known: Mapping[str, str]) -> bool:
-    text = _text(condition, known).strip().lower()
-    if text not in TRUTHS:
-        raise ValueError(f"a condition is true, false, 1 or 0, not '{text}'")
-    return TRUTHS[text]
 
 
 def _text(value: Any, known: Mapping[str, str]) -> str:
