@@ -75,7 +75,7 @@ def test_the_three_nodes_run_together_and_end_as_on_ros_2(capfd):
         "./src/rcl/init.c:333\n"
     )
     if sys.version_info >= (3, 11):  # before, an exception has no notes
-        text += "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown(), not"
+        text += "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown() instead of"
     assert err.count(text) == 3
     assert "run.py" not in err  # a traceback begins in the reader's own file
 
@@ -120,6 +120,19 @@ def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
     assert printed.err.count("participant") == printed.err.count("ValueError: signal only works in main thread") == 1
     assert printed.err.endswith("\n(tflab gives the main thread to what is named first: name this one first.)\n")
     assert not hasattr(threading.main_thread(), "tflab_process")
+
+
+def test_the_report_of_a_participant_or_a_thread_is_written_in_one_piece(tmp_path, monkeypatch):
+    pieces = []
+    monkeypatch.setattr(sys, "stderr", SimpleNamespace(write=pieces.append, flush=lambda: None))
+    thread = "thread = threading.Thread(target=int, args=['one'], name='own')\nthread.start()\nthread.join()"
+    (tmp_path / "node.py").write_text(f"import threading\n{thread}\nint('two')\n")
+    assert run_files([str(tmp_path / "node.py")]) == 1
+    assert [piece.splitlines()[0] for piece in pieces] == [
+        "Exception in thread own:",
+        'participant "node" ended with an exception:',
+    ]
+    assert [piece[-6:] for piece in pieces] == ["'one'\n", "'two'\n"]
 
 
 def test_ctrl_c_while_the_files_are_still_being_started_interrupts_all_of_them(capfd):

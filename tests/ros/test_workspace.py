@@ -132,6 +132,11 @@ def test_a_file_ends_in_silence_only_where_python_does(source, code, out, err, w
     assert err in printed.err and bool(err) == bool(printed.err)
 
 
+def test_the_exit_status_of_an_executable_is_what_its_function_returns(capfd):
+    assert main(["ros2", "run", "limp", "fox"]) == 1
+    assert capfd.readouterr() == ("[ros2run]: Process exited with failure 1\n", "the fox is lame\n")
+
+
 def test_malformed_interfaces_are_named_where_they_are_imported(ws, capfd):
     (ws / "src/hop_msgs/msg/Hops.msg").write_text("float64")
     assert main(["run", "hop:rabbit"]) == 1

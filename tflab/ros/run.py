@@ -20,10 +20,12 @@ import sys
 import threading
 import time
 import tokenize
+import traceback
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
 from types import ModuleType
+from typing import Any
 
 from . import workspace
 from .activation import MESSAGE_PACKAGES, PACKAGES, activate
@@ -209,14 +211,22 @@ def _source(path: str) -> str:
 
 @contextlib.contextmanager
 def _importing_beside(paths: Sequence[str]) -> Iterator[None]:
-    """Let each file import its neighbours, as a script can."""
+    """Let each file import its neighbours, as a script can; report a thread's exception in one piece."""
     folders = list(dict.fromkeys(os.path.dirname(os.path.abspath(path)) for path in paths if os.path.isfile(path)))
     sys.path[:0] = folders
+    hook, threading.excepthook = threading.excepthook, _report_thread
     try:
         yield
     finally:
+        threading.excepthook = hook
         for folder in folders:
             sys.path.remove(folder)
+
+
+def _report_thread(fault: Any) -> None:
+    if fault.exc_type is not SystemExit:
+        text = "".join(traceback.format_exception(fault.exc_type, fault.exc_value, fault.exc_traceback))
+        write_line(f"Exception in thread {fault.thread.name}:\n{text.rstrip()}")
 
 
 def _wait_for(participants: Sequence[Participant], seconds: float | None, pressed: list[int], presses: int = 1) -> None:

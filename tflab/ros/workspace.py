@@ -23,17 +23,8 @@ from typing import NamedTuple
 from .activation import PACKAGES
 from .messages import define
 
-__all__ = [
-    "EntryPoint",
-    "Package",
-    "find_executable",
-    "find_package",
-    "package_around",
-    "packages_around",
-    "use_packages",
-]
+__all__ = ["EntryPoint", "find_executable", "find_package", "package_around", "packages_around", "use_packages"]
 
-KINDS = ("msg", "srv", "action")
 DEPTH = 5  # how many folders below a workspace its packages are looked for
 INTERFACES = re.compile(r"[a-z]\w*_(msgs|interfaces|srvs|actions)")  # how packages of them are called
 ENTRY_POINT = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*(\w+)\s*")
@@ -95,9 +86,7 @@ def _packages_below(top: Path, depth: int) -> dict[str, Package]:
     found: dict[str, Package] = {}
     for parent, folders, files in os.walk(top):
         folder = Path(parent)
-        is_package = "package.xml" in files or any(
-            kind in folders and any((folder / kind).glob(f"*.{kind}")) for kind in KINDS
-        )
+        is_package = "package.xml" in files or _has_interfaces(folder)
         if is_package and "COLCON_IGNORE" not in files:
             package = _package_at(folder)
             found.setdefault(package.name, package)
@@ -110,6 +99,10 @@ def _packages_below(top: Path, depth: int) -> dict[str, Package]:
 def _package_at(folder: Path) -> Package:
     match = re.search(r"<name>\s*([\w-]+)\s*</name>", _read(folder / "package.xml"))
     return Package(match[1] if match else folder.name, folder)
+
+
+def _has_interfaces(folder: Path) -> bool:
+    return any(any(folder.glob(f"{kind}/**/*.{kind}")) for kind in ("msg", "srv", "action"))
 
 
 def _read(path: Path) -> str:
@@ -148,8 +141,7 @@ _undefined: dict[str, Package] = {}  # those of them whose interfaces nobody has
 def use_packages(packages: Mapping[str, Package]) -> None:
     """Let Python import these packages and their interfaces from now on, and `find_package` find them."""
     for name, package in packages.items():
-        has_interfaces = any(any((package.folder / kind).rglob(f"*.{kind}")) for kind in KINDS)
-        if name not in _used and name not in PACKAGES and has_interfaces:
+        if name not in _used and name not in PACKAGES and _has_interfaces(package.folder):
             _undefined[name] = package
         sys.path[:0] = [str(root) for root in package.roots() if str(root) not in sys.path]
     _used.update(packages)

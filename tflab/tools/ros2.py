@@ -186,14 +186,18 @@ def _plan_executable(words: Sequence[str], options: argparse.Namespace) -> Plan:
         # rclpy.init() reads the --ros-args there; those that the process was started with come last.
         process.argv = [options.executable_name, *options.argv, *(process.argv or [])[1:]]
         if executable is None:
-            run_entry_point(entry)
-            return 0
-        program = import_module(executable.module).main
-        arguments = remove_ros_args(process.argv)[1:]
-        code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
+            try:
+                run_entry_point(entry)
+                code = 0
+            except SystemExit as stop:  # its other exceptions are reported with their traceback
+                code = stop.code if isinstance(stop.code, int | None) else _refuse(str(stop.code))
+        else:
+            program = import_module(executable.module).main
+            arguments = remove_ros_args(process.argv)[1:]
+            code = _exit_code(lambda: program(arguments, pictures) if executable.shows else program(arguments))
         if code:
             print(f"[ros2run]: {'Aborted' if code < 0 else f'Process exited with failure {code}'}", flush=True)
-        return code
+        return code or 0
 
     if executable is None:
         return Plan(tuple(words), run, stays=True)
