@@ -983,6 +983,20 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # </details>
 #
 # Stamp a dynamic transform with the time of its *measurement*. With the time at which a callback happened to run, every delay before it is hidden.
+#
+# <details><summary>Deeper: the two turtles of the official tutorials</summary>
+#
+# The official tf2 tutorials drive turtles in turtlesim. `turtle2` looks up the transform to `turtle1`, and follows it. Their package `turtle_tf2_py` runs here unchanged (github.com/ros/geometry_tutorials, branch `ros2`). Put its folder beside this notebook, and run three cells:
+#
+# ```
+# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
+# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
+# %turtlesim
+# ```
+#
+# The first cell starts turtlesim, two broadcasters and the listener. The second drives `turtle1` in a circle for ten seconds. The third draws the field and the lines of both pens. In a terminal, `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py` does the same as the first cell.
+#
+# </details>
 
 # %% [markdown] lang="ko" name="dynamic-node" slide="skip"
 # <details><summary>강의의 동적 노드, 그대로: <code>moving_robot_broadcaster.py</code>로 저장해 보세요</summary>
@@ -1037,6 +1051,20 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # </details>
 #
 # 동적 변환에는 *측정한* 시각을 적습니다. 콜백이 실행된 시각을 적으면 그때까지의 지연이 드러나지 않습니다.
+#
+# <details><summary>더 깊이: 공식 튜토리얼의 거북이 두 마리</summary>
+#
+# tf2 공식 튜토리얼은 turtlesim의 거북이를 씁니다. `turtle2`가 `turtle1`의 변환을 조회하면서 따라갑니다. 튜토리얼 패키지 `turtle_tf2_py`는 고치지 않고 여기서 그대로 실행할 수 있습니다(github.com/ros/geometry_tutorials의 `ros2` 브랜치). 패키지 폴더를 이 노트북 옆에 두고 셀 세 개를 실행해 보세요.
+#
+# ```
+# %ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py
+# %ros2 --for 10 topic pub -r 10 -p 100 /turtle1/cmd_vel geometry_msgs/msg/Twist '{linear: {x: 2.0}, angular: {z: 1.8}}'
+# %turtlesim
+# ```
+#
+# 첫째 셀은 turtlesim과 발행 노드 두 개, 조회하는 노드 하나를 시작합니다. 둘째 셀은 `turtle1`을 10초 동안 원을 따라 움직입니다. 셋째 셀은 두 거북이의 위치와 펜이 그린 선을 그림으로 보여 줍니다. 터미널에서는 `tflab ros2 launch turtle_tf2_py turtle_tf2_demo.launch.py`가 첫째 셀과 같은 일을 합니다.
+#
+# </details>
 
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write

@@ -16,7 +16,7 @@ import argparse
 import os
 import runpy
 import sys
-import time
+import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -55,7 +55,7 @@ OPTIONS = {  # of each entity, in the order of its positional arguments; the fir
 }
 NAMESPACE = "ros_namespace"  # the launch configuration that holds it
 TRUTHS = {"true": True, "1": True, "false": False, "0": False}
-POLL_S = 0.1
+POLL_NS = NSEC_PER_SEC // 10
 
 
 @dataclass(frozen=True)
@@ -110,7 +110,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
 
 
 def _launch(options: argparse.Namespace) -> int:
-    """Launch until all nodes have ended, or Ctrl-C; return the exit code."""
+    """Launch until all nodes have ended, or Ctrl-C; return 0, also if nodes fail."""
     path, words = options.package_name, options.launch_arguments
     if os.path.isfile(path):
         path, words = os.path.abspath(path), [*filter(None, [options.launch_file_name]), *words]
@@ -131,11 +131,11 @@ def _launch(options: argparse.Namespace) -> int:
             process.sleep(begin_ns + round(step.delay_s * NSEC_PER_SEC) - process.driver.steady_ns())
             participants += _do(step, len(participants) + 1)
         while any(each.is_running for each in participants):
-            time.sleep(POLL_S)
+            process.sleep(POLL_NS)
     finally:
         for each in participants if process.driver.is_virtual else ():  # in a shell Ctrl-C is for all of them
             each.interrupt()
-    return int(any(each.exception is not None for each in participants))
+    return 0
 
 
 def _file_in(name: str, file_name: str) -> str:
@@ -156,13 +156,16 @@ def _do(step: LaunchStep, number: int) -> list[Participant]:
         print(f"[INFO] [launch.user]: {step.words[0]}", flush=True)
         return []
     package, executable, *arguments = step.words
+    tools, argv = ros2.EXECUTABLES.get(package), [executable]
     try:
         if package == "rviz2":
             raise LookupError("it is a window; in a page, %rviz2 draws the same")
-        if executable in ros2.EXECUTABLES.get(package, {}):
-            program, argv = lambda: sys.exit(ros2.main(["run", *step.words])), [executable]
-        else:
+        if tools is None:
             program, argv = partial(run_entry_point, find_executable(package, executable)), [executable, *arguments]
+        elif executable in tools:
+            program = partial(ros2.main, ["run", *step.words])
+        else:
+            raise LookupError("No executable found")
     except LookupError as fault:
         print(f"[WARN] [launch]: {step.line}: {package} {executable} is left out: {fault}", flush=True)
         return []
@@ -174,10 +177,14 @@ def _do(step: LaunchStep, number: int) -> list[Participant]:
 
 
 def _entities_of(path: str) -> list[LaunchEntity]:
-    """Return the actions that a launch file generates; if it fails, Python's traceback names the line."""
+    """Return the actions that a launch file generates."""
     if not path.endswith(".py"):
         raise RuntimeError(f"{path}: tflab reads launch files in Python, such as pair.launch.py")
-    return runpy.run_path(path)["generate_launch_description"]().options.get("initial_entities") or []
+    try:
+        return runpy.run_path(path)["generate_launch_description"]().options.get("initial_entities") or []
+    except (PackageNotFoundError, ImportError) as error:
+        lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == path]
+        raise RuntimeError(f"{path}:{lines[-1]}: {error.args[0]}") from None
 
 
 def _arguments_of(entities: Iterable[LaunchEntity], known: dict[str, str]) -> Iterator[str]:
@@ -197,7 +204,10 @@ def _steps(entities: Iterable[LaunchEntity], known: dict[str, str], delay_s: flo
     for each in entities:
         try:
             condition = each.options.get("condition")
-            if condition is None or _truth(condition, known) == (condition.kind == "IfCondition"):
+            text = "true" if condition is None else _text(condition, known).strip().lower()
+            if text not in TRUTHS:
+                raise ValueError(f"a condition is true, false, 1 or 0, not '{text}'")
+            if TRUTHS[text] == (condition is None or condition.kind == "IfCondition"):
                 yield from _steps_of(each, known, delay_s)
         except (PackageNotFoundError, ValueError) as error:
             raise RuntimeError(f"{each.line}: {error.args[0]}") from None
@@ -232,13 +242,6 @@ def _declare(name: str, default: Any, choices: Sequence[str] | None, known: dict
     value = known.setdefault(name, _text(default, known))
     if choices and value not in choices:
         raise ValueError(f'Argument "{name}" provided value "{value}" is not valid. Valid options are: {choices}')
-
-
-def _truth(condition: LaunchEntity, known: Mapping[str, str]) -> bool:
-    text = _text(condition, known).strip().lower()
-    if text not in TRUTHS:
-        raise ValueError(f"a condition is true, false, 1 or 0, not '{text}'")
-    return TRUTHS[text]
 
 
 def _text(value: Any, known: Mapping[str, str]) -> str:
