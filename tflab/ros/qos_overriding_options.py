@@ -28,13 +28,7 @@ class InvalidQosOverridesError(Exception):
 
 @dataclass(frozen=True)
 class QoSOverridingOptions:
-    """Which policies parameters may override.
-
-    Attributes:
-        policy_kinds: those.
-        callback: takes the profile that results; returns a SetParametersResult.
-        entity_id: tells two endpoints of one topic apart.
-    """
+    """Which policies parameters may override; `callback(profile)` judges the result by a SetParametersResult."""
 
     policy_kinds: Iterable[QoSPolicyKind]
     _: KW_ONLY
@@ -42,12 +36,9 @@ class QoSOverridingOptions:
     entity_id: str | None = None
 
     @classmethod
-    def with_default_policies(
-        cls, *, callback: Callable[[QoSProfile], Any] | None = None, entity_id: str | None = None
-    ) -> QoSOverridingOptions:
+    def with_default_policies(cls, **options: Any) -> QoSOverridingOptions:
         """Return the options for history, depth and reliability."""
-        kinds = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
-        return cls(kinds, callback=callback, entity_id=entity_id)
+        return cls((QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), **options)
 
 
 def override_policies(node: Any, side: str, topic: str, qos: QoSProfile, options: QoSOverridingOptions | None) -> None:
