@@ -135,6 +135,9 @@ class Context:
             for node in list(self._nodes):
                 node.destroy_node()
 
+    def destroy(self) -> None:
+        """Release nothing: what a robot's context holds below rclpy does not exist here."""
+
     def on_shutdown(self, callback: Callable[[], None]) -> None:
         """Have `callback()` called once at the end.
 

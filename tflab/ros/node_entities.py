@@ -84,7 +84,7 @@ class NodeEntities:
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
-        override_policies(self, "publisher", name, qos, qos_overriding_options)
+        override_policies(Publisher, self, name, qos, qos_overriding_options)
         publisher = publisher_class(self, msg_type, name, qos, event_callbacks, group)
         self._entities["publisher"].append(publisher)
         return publisher
@@ -111,7 +111,7 @@ class NodeEntities:
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
-        override_policies(self, "subscription", name, qos, qos_overriding_options)
+        override_policies(Subscription, self, name, qos, qos_overriding_options)
         subscription_class = RawSubscription if raw else subscription_class
         subscription = subscription_class(self, msg_type, name, callback, qos, event_callbacks, group)
         self._entities["subscription"].append(subscription)

@@ -65,17 +65,12 @@ class _Introspected(Entity):
         """Publish the event `what`, if somebody wants it: REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, ..."""
         if self._events is None:
             return
-        event = self.srv_type.Event(
-            info=ServiceEventInfo(
-                event_type=getattr(ServiceEventInfo, what),
-                stamp=self._clock.now().to_msg(),
-                client_gid=list(client.gid),
-                sequence_number=number,
-            )
+        info = ServiceEventInfo(event_type=getattr(ServiceEventInfo, what), sequence_number=number)
+        info.stamp, info.client_gid = self._clock.now().to_msg(), list(client.gid)
+        contents = (
+            {what.partition("_")[0].lower(): [message]} if self._state == ServiceIntrospectionState.CONTENTS else {}
         )
-        if self._state == ServiceIntrospectionState.CONTENTS:
-            setattr(event, what.partition("_")[0].lower(), [message])
-        self._events.publish(event)
+        self._events.publish(self.srv_type.Event(info=info, **contents))
 
 
 class Service(_Introspected):
