@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.messages.base import type_named
 from tflab.ros.messages.builtin_interfaces import Time
-from tflab.ros.messages.rosgraph_msgs import Clock
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
 from . import wire
@@ -30,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Event", "PlayOptions", "events", "play"]
 
-CLOCK_TOPIC = "/clock"
+CLOCK_TOPIC, Clock = "/clock", type_named("rosgraph_msgs/msg/Clock")
 # Opening the files again takes a moment.  Without one, listeners would hear the new pass' /clock, which sets their time
 # back, before the last messages of the old pass: a buffer that has just been cleared would keep those as the newest.
 BETWEEN_PASSES_NS = NSEC_PER_SEC // 100

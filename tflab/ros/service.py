@@ -53,13 +53,11 @@ class _Introspected(Entity):
         self, clock: Any, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish an event of each request and response from now on, with its contents or without, or none."""
-        if self._events is not None:
-            self.node.destroy_publisher(self._events)
-            self._events = None
+        self.node.destroy_publisher(self._events)
+        self._events, self._clock, self._state = None, clock, introspection_state
         if introspection_state != ServiceIntrospectionState.OFF:
             topic = f"{self.srv_name}/_service_event"
             self._events = self.node.create_publisher(self.srv_type.Event, topic, service_event_qos_profile)
-        self._clock, self._state = clock, introspection_state
 
     def _note(self, what: str, message: Any, client: Client, number: int) -> None:
         """Publish the event `what`, if somebody wants it: REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, ..."""
