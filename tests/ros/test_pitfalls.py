@@ -7,8 +7,8 @@ import pytest
 from tflab.core import ExtrapolationException, LookupException, seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.executors import MultiThreadedExecutor, SingleThreadedExecutor
+from tflab.ros.messages import type_named
 from tflab.ros.messages.geometry_msgs import Quaternion, TransformStamped
-from tflab.ros.messages.rosgraph_msgs import Clock
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
@@ -136,13 +136,13 @@ def clock_player(stamps_s):
     def main():
         rclpy.init()
         node = Node("player")
-        publisher = node.create_publisher(Clock, "/clock", 10)
+        publisher = node.create_publisher(type_named("rosgraph_msgs/msg/Clock"), "/clock", 10)
         times = iter(stamps_s)
 
         def tick():
             at_s = next(times, None)
             if at_s is not None:
-                publisher.publish(Clock(clock=Time(nanoseconds=seconds(at_s)).to_msg()))
+                publisher.publish(publisher.msg_type(clock=Time(nanoseconds=seconds(at_s)).to_msg()))
 
         node.create_timer(0.1, tick)
         rclpy.spin(node)

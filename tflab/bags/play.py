@@ -20,7 +20,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tflab.core import NSEC_PER_SEC
 from tflab.ros.messages.base import type_named
 from tflab.ros.messages.builtin_interfaces import Time
-from tflab.ros.messages.rosgraph_msgs import Clock
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
 from . import wire
@@ -34,7 +33,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Event", "PlayOptions", "events", "play"]
 
-CLOCK_TOPIC = "/clock"
+CLOCK_TOPIC, Clock = "/clock", type_named("rosgraph_msgs/msg/Clock")
 OTHER_TIME_NS = 3600 * NSEC_PER_SEC  # no delay, and no clock that was set by hand, is as large
 SAMPLED = 200  # messages with transforms, to find the time base of the stamps
 # Opening the files again takes a moment.  Without one, listeners would hear the new pass' /clock, which sets their time

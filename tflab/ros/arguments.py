@@ -61,6 +61,7 @@ def parse_arguments(argv: Sequence[str]) -> Arguments:
         UnknownROSArgsError: something there is not known.
     """
     parsed, rest = _Parsed(), list(argv)
+    "".join(rest).encode()  # what is not UTF-8 is a UnicodeEncodeError, as in rclpy
     while "--ros-args" in rest:
         rest = rest[rest.index("--ros-args") + 1 :]
         while rest and rest[0] not in ("--", "--ros-args"):

@@ -27,9 +27,7 @@ __all__ = ["Context", "SignalHandlerOptions", "install_signal_handlers", "uninst
 
 
 ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
-AFTER_CTRL_C = (
-    "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown() instead of rclpy.shutdown()."
-)
+AFTER_CTRL_C = "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown(), not rclpy.shutdown()."
 
 
 class Context:
@@ -136,6 +134,9 @@ class Context:
         if not self.try_shutdown():
             for node in list(self._nodes):
                 node.destroy_node()
+
+    def destroy(self) -> None:
+        """Release nothing: what a robot's context holds below rclpy does not exist here."""
 
     def on_shutdown(self, callback: Callable[[], None]) -> None:
         """Have `callback()` called once at the end.

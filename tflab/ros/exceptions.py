@@ -29,37 +29,25 @@ __all__ = [
     "UnknownROSArgsError",
 ]
 
-_MODULE = "rclpy.exceptions"  # what a robot's traceback says
-
 
 class InvalidHandle(Exception):
     """Something destroyed was used."""
-
-    __module__ = _MODULE
 
 
 class RCLError(RuntimeError):
     """The library below rclpy refused."""
 
-    __module__ = "rclpy._rclpy_pybind11"
-
 
 class RCLInvalidROSArgsError(RCLError):
     """Something after `--ros-args` is malformed."""
-
-    __module__ = "rclpy._rclpy_pybind11"
 
 
 class UnknownROSArgsError(RuntimeError):
     """Something after `--ros-args` is not known; the text is the list of it."""
 
-    __module__ = "rclpy._rclpy_pybind11"
-
 
 class NotInitializedException(Exception):
     """rclpy.init() has not been called, or its context was shut down."""
-
-    __module__ = _MODULE
 
     def __init__(self, *args: object) -> None:
         super().__init__("rclpy.init() has not been called. msg:" + (str(args[0]) if args else ""))
@@ -68,13 +56,9 @@ class NotInitializedException(Exception):
 class NoTypeSupportImportedException(Exception):
     """What was given as a type is not a message or service class."""
 
-    __module__ = _MODULE
-
 
 class NameValidationException(Exception):
     """A name has a character or a shape that is not allowed; the text points at it."""
-
-    __module__ = _MODULE
 
     def __init__(self, name_type: str, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__(f"Invalid {name_type}: {error_msg}:\n  '{name}'\n   {' ' * invalid_index}^")
@@ -87,16 +71,12 @@ class NameValidationException(Exception):
 class InvalidNamespaceException(NameValidationException):
     """A namespace is malformed."""
 
-    __module__ = _MODULE
-
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("namespace", name, error_msg, invalid_index)
 
 
 class InvalidNodeNameException(NameValidationException):
     """A node's name is malformed."""
-
-    __module__ = _MODULE
 
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("node name", name, error_msg, invalid_index)
@@ -105,8 +85,6 @@ class InvalidNodeNameException(NameValidationException):
 class InvalidTopicNameException(NameValidationException):
     """A topic's name is malformed."""
 
-    __module__ = _MODULE
-
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("topic name", name, error_msg, invalid_index)
 
@@ -114,16 +92,12 @@ class InvalidTopicNameException(NameValidationException):
 class InvalidServiceNameException(NameValidationException):
     """A service's name is malformed."""
 
-    __module__ = _MODULE
-
     def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
         super().__init__("service name", name, error_msg, invalid_index)
 
 
 class ParameterException(Exception):
     """Something about parameters; `args` are the text and the names."""
-
-    __module__ = _MODULE
 
     def __init__(self, error_msg: str, parameters: object) -> None:
         names = parameters if isinstance(parameters, str) else list(parameters)
@@ -133,16 +107,12 @@ class ParameterException(Exception):
 class ParameterNotDeclaredException(ParameterException):
     """A parameter was used that nobody declared."""
 
-    __module__ = _MODULE
-
     def __init__(self, parameters: object) -> None:
         super().__init__("Invalid access to undeclared parameter(s)", parameters)
 
 
 class ParameterAlreadyDeclaredException(ParameterException):
     """A parameter was declared twice."""
-
-    __module__ = _MODULE
 
     def __init__(self, parameters: object) -> None:
         super().__init__("Parameter(s) already declared", parameters)
@@ -151,16 +121,12 @@ class ParameterAlreadyDeclaredException(ParameterException):
 class InvalidParameterException(ParameterException):
     """A parameter's name is malformed."""
 
-    __module__ = _MODULE
-
     def __init__(self, parameter: str) -> None:
         super().__init__("Invalid parameter name", parameter)
 
 
 class InvalidParameterTypeException(ParameterException):
     """A parameter was given a value of another type than it was declared with."""
-
-    __module__ = _MODULE
 
     def __init__(self, desired_parameter: object, expected_type: object) -> None:
         Exception.__init__(
@@ -174,16 +140,12 @@ class InvalidParameterTypeException(ParameterException):
 class InvalidParameterValueException(ParameterException):
     """A parameter was given a value that its descriptor, or a callback, rejects."""
 
-    __module__ = _MODULE
-
     def __init__(self, parameter: str, value: object, reason: str) -> None:
         Exception.__init__(self, f"Invalid parameter value ({value}) for parameter '{parameter}'. Reason: {reason}")
 
 
 class ParameterImmutableException(ParameterException):
     """A read-only parameter was to be changed."""
-
-    __module__ = _MODULE
 
     def __init__(self, parameter: str) -> None:
         super().__init__("Attempted to modify read-only parameter", parameter)
@@ -192,16 +154,12 @@ class ParameterImmutableException(ParameterException):
 class ParameterUninitializedException(ParameterException):
     """A parameter that was declared with a type but no value was read."""
 
-    __module__ = _MODULE
-
     def __init__(self, parameter: str) -> None:
         Exception.__init__(self, f"The parameter '{parameter}' is not initialized")
 
 
 class ROSInterruptException(Exception):
     """The context was shut down while somebody slept."""
-
-    __module__ = _MODULE
 
     def __init__(self) -> None:
         super().__init__("rclpy.shutdown() has been called")
@@ -210,25 +168,26 @@ class ROSInterruptException(Exception):
 class TimeoutException(Exception):
     """Nothing was ready in time."""
 
-    __module__ = "rclpy.executors"
-
 
 class ConditionReachedException(Exception):
     """A condition that ends the waiting has come true."""
-
-    __module__ = "rclpy.executors"
 
 
 class ShutdownException(Exception):
     """The executor was shut down."""
 
-    __module__ = "rclpy.executors"
-
 
 class ExternalShutdownException(Exception):
     """The context was shut down by somebody else while this waited."""
 
-    __module__ = "rclpy.executors"
-
     def __init__(self, *args: object) -> None:
         super().__init__("The context was shutdown", *args)
+
+
+# A traceback names the modules of a robot.
+for _name in __all__:
+    globals()[_name].__module__ = "rclpy.exceptions"
+for _class in (RCLError, RCLInvalidROSArgsError, UnknownROSArgsError):
+    _class.__module__ = "rclpy._rclpy_pybind11"
+for _class in (ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException):
+    _class.__module__ = "rclpy.executors"

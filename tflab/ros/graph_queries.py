@@ -5,7 +5,7 @@ One of the three mixins that Node is made of; see node.py for the other two.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import Any
 
@@ -19,7 +19,7 @@ from .messages import rcl_interfaces, type_named
 from .messages.base import ros_type_of
 from .names import full_node_name
 from .network import Network
-from .qos import QoSProfile
+from .qos import QoSProfile, qos_profile_unknown
 
 __all__ = ["GraphQueries", "TopicEndpointInfo", "TopicEndpointTypeEnum", "endpoint_info"]
 
@@ -32,16 +32,16 @@ class TopicEndpointTypeEnum(IntEnum):
     SUBSCRIPTION = 2
 
 
-@dataclass(frozen=True)
+@dataclass
 class TopicEndpointInfo:
     """One publisher or subscription, as discovery sees it."""
 
-    node_name: str
-    node_namespace: str
-    topic_type: str
-    endpoint_type: TopicEndpointTypeEnum
-    endpoint_gid: list[int]
-    qos_profile: QoSProfile
+    node_name: str = ""
+    node_namespace: str = ""
+    topic_type: str = ""
+    endpoint_type: TopicEndpointTypeEnum = TopicEndpointTypeEnum.INVALID
+    endpoint_gid: list[int] = field(default_factory=list)
+    qos_profile: QoSProfile = field(default_factory=lambda: qos_profile_unknown)
 
 
 def endpoint_info(endpoint: Any) -> TopicEndpointInfo:
@@ -198,7 +198,9 @@ def add_logger_services(node: Any) -> None:
             if known:
                 set_logger_level(wanted.name, wanted.level)
             response.results.append(
-                rcl_interfaces.SetLoggerLevelsResult(successful=known, reason="" if known else "Invalid logger level")
+                rcl_interfaces.SetLoggerLevelsResult(
+                    successful=known, reason="" if known else "Failed reason: Invalid logger level."
+                )
             )
         return response
 

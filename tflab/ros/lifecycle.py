@@ -114,6 +114,16 @@ class LifecyclePublisher(SimpleManagedEntity, Publisher):
         Publisher.publish(self, msg)
 
 
+def _of_all(name: str) -> Callable[[Any, LifecycleState], TransitionCallbackReturn]:
+    """Return the method that calls this one of each managed entity in turn, until one does not succeed."""
+
+    def tell(self: Any, state: LifecycleState) -> TransitionCallbackReturn:
+        results = (getattr(entity, name)(state) for entity in self._managed_entities)
+        return next((result for result in results if result != SUCCESS), SUCCESS)
+
+    return tell
+
+
 class LifecycleMixin(ManagedEntity):
     """What makes a Node a managed one; see LifecycleNode."""
 
@@ -158,32 +168,14 @@ class LifecycleMixin(ManagedEntity):
         ways = [step for step in self._state_machine.available_transitions if step.label == "shutdown"]
         return self._change_state(ways[0].transition_id) if ways else None
 
-    # -- what it tells its entities: each in turn, until one does not succeed ---------------
+    # -- what it tells its entities ---------------------------------------------------------
 
-    def on_configure(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_configure", state)
-
-    def on_cleanup(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_cleanup", state)
-
-    def on_shutdown(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_shutdown", state)
-
-    def on_activate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_activate", state)
-
-    def on_deactivate(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_deactivate", state)
-
-    def on_error(self, state: LifecycleState) -> TransitionCallbackReturn:
-        return self._tell("on_error", state)
-
-    def _tell(self, name: str, state: LifecycleState) -> TransitionCallbackReturn:
-        for entity in self._managed_entities:
-            result = getattr(entity, name)(state)
-            if result != SUCCESS:
-                return result
-        return SUCCESS
+    on_configure = _of_all("on_configure")
+    on_cleanup = _of_all("on_cleanup")
+    on_shutdown = _of_all("on_shutdown")
+    on_activate = _of_all("on_activate")
+    on_deactivate = _of_all("on_deactivate")
+    on_error = _of_all("on_error")
 
     # -- its entities -------------------------------------------------------------------------
 

@@ -252,9 +252,7 @@ class RcutilsLogger:
         """Say that something looks wrong; return whether it was printed."""
         return self._log(message, LoggingSeverity.WARN, **options)
 
-    def warn(self, message: str, **options: object) -> bool:
-        """Say that something looks wrong; return whether it was printed."""
-        return self._log(message, LoggingSeverity.WARN, **options)
+    warn = warning
 
     def error(self, message: str, **options: object) -> bool:
         """Say that something is wrong; return whether it was printed."""

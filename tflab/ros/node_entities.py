@@ -24,6 +24,11 @@ from .topic_endpoints import Publisher, RawSubscription, Subscription
 __all__ = ["NodeEntities", "check_type"]
 
 
+def _each(kind: str, doc: str) -> Any:
+    """Return the property that iterates over the entities of a kind."""
+    return property(lambda self: iter(self._entities[kind]), doc=doc)
+
+
 class NodeEntities:
     """The part of Node that makes and destroys what can become ready.
 
@@ -39,35 +44,16 @@ class NodeEntities:
         self.timer_list: list[Timer] = []
         self._entities: dict[str, list[Any]] = {kind: [] for kind in _KINDS}
 
-    @property
-    def publishers(self) -> Iterator[Publisher]:
-        """Its publishers."""
-        yield from self._entities["publisher"]
-
-    @property
-    def subscriptions(self) -> Iterator[Subscription]:
-        """Its subscriptions."""
-        yield from self._entities["subscription"]
-
-    @property
-    def clients(self) -> Iterator[Client]:
-        """Its clients."""
-        yield from self._entities["client"]
-
-    @property
-    def services(self) -> Iterator[Service]:
-        """Its services."""
-        yield from self._entities["service"]
+    publishers = _each("publisher", "Its publishers.")
+    subscriptions = _each("subscription", "Its subscriptions.")
+    clients = _each("client", "Its clients.")
+    services = _each("service", "Its services.")
+    guards = _each("guard", "Its guard conditions.")
 
     @property
     def timers(self) -> Iterator[Timer]:
         """Its timers."""
         yield from self.timer_list
-
-    @property
-    def guards(self) -> Iterator[GuardCondition]:
-        """Its guard conditions."""
-        yield from self._entities["guard"]
 
     @property
     def waitables(self) -> Iterator[Any]:
@@ -98,7 +84,7 @@ class NodeEntities:
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
-        override_policies(self, "publisher", name, qos, qos_overriding_options)
+        override_policies(Publisher, self, name, qos, qos_overriding_options)
         publisher = publisher_class(self, msg_type, name, qos, event_callbacks, group)
         self._entities["publisher"].append(publisher)
         return publisher
@@ -125,7 +111,7 @@ class NodeEntities:
         check_type(msg_type, is_message_class, "a message")
         group = callback_group or self._default_callback_group
         name = self._topic_named(topic)
-        override_policies(self, "subscription", name, qos, qos_overriding_options)
+        override_policies(Subscription, self, name, qos, qos_overriding_options)
         subscription_class = RawSubscription if raw else subscription_class
         subscription = subscription_class(self, msg_type, name, callback, qos, event_callbacks, group)
         self._entities["subscription"].append(subscription)

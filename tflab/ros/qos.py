@@ -13,6 +13,8 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
+from operator import attrgetter
+from typing import Any
 
 from .time import Duration
 
@@ -120,6 +122,17 @@ QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
 
+def _policy(name: str, kind: type, doc: str) -> Any:
+    """Return the property of a policy, which takes a value of its kind, or the number of an enum's member."""
+    slot, is_enum = f"_{name}", issubclass(kind, IntEnum)
+
+    def assign(self: QoSProfile, value: Any) -> None:
+        assert isinstance(value, int if is_enum else kind)
+        setattr(self, slot, kind(value) if is_enum else value)
+
+    return property(attrgetter(slot), assign, doc=doc)
+
+
 class QoSProfile:
     """One side's policies.  Give at least `depth`, or `history`."""
 
@@ -151,19 +164,22 @@ class QoSProfile:
         if self._history == HistoryPolicy.KEEP_LAST and self._depth == 0 and "depth" in policies:
             warnings.warn(ZERO_DEPTH, stacklevel=2)
 
-    @property
-    def history(self) -> HistoryPolicy:
-        """How many samples wait in a queue."""
-        return self._history
-
-    @history.setter
-    def history(self, value: HistoryPolicy) -> None:
-        assert isinstance(value, (HistoryPolicy, int))
-        self._history = HistoryPolicy(value)
+    history = _policy("history", HistoryPolicy, "How many samples wait in a queue.")
+    reliability = _policy("reliability", ReliabilityPolicy, "Whether a lost sample is sent again.")
+    durability = _policy("durability", DurabilityPolicy, "Whether those who come late get what was sent before.")
+    lifespan = _policy("lifespan", Duration, "How old a sample may get before it is dropped; zero for no limit.")
+    deadline = _policy("deadline", Duration, "How long there may be between samples; zero for no limit.")
+    liveliness = _policy("liveliness", LivelinessPolicy, "Who says that the publisher is alive.")
+    liveliness_lease_duration = _policy(
+        "liveliness_lease_duration", Duration, "How often it must be said; zero for no limit."
+    )
+    avoid_ros_namespace_conventions = _policy(
+        "avoid_ros_namespace_conventions", bool, "Whether the name is used below ROS 2 without a prefix."
+    )
 
     @property
     def depth(self) -> int:
-        """How many, with KEEP_LAST."""
+        """How many samples wait, with KEEP_LAST."""
         return self._depth
 
     @depth.setter
@@ -172,76 +188,6 @@ class QoSProfile:
         if value == 0 and self._history == HistoryPolicy.KEEP_LAST:
             warnings.warn(ZERO_DEPTH, stacklevel=2)
         self._depth = value
-
-    @property
-    def reliability(self) -> ReliabilityPolicy:
-        """Whether a lost sample is sent again."""
-        return self._reliability
-
-    @reliability.setter
-    def reliability(self, value: ReliabilityPolicy) -> None:
-        assert isinstance(value, (ReliabilityPolicy, int))
-        self._reliability = ReliabilityPolicy(value)
-
-    @property
-    def durability(self) -> DurabilityPolicy:
-        """Whether those who come late get what was sent before."""
-        return self._durability
-
-    @durability.setter
-    def durability(self, value: DurabilityPolicy) -> None:
-        assert isinstance(value, (DurabilityPolicy, int))
-        self._durability = DurabilityPolicy(value)
-
-    @property
-    def lifespan(self) -> Duration:
-        """How old a sample may get before it is dropped; zero for no limit."""
-        return self._lifespan
-
-    @lifespan.setter
-    def lifespan(self, value: Duration) -> None:
-        assert isinstance(value, Duration)
-        self._lifespan = value
-
-    @property
-    def deadline(self) -> Duration:
-        """How long there may be between samples; zero for no limit."""
-        return self._deadline
-
-    @deadline.setter
-    def deadline(self, value: Duration) -> None:
-        assert isinstance(value, Duration)
-        self._deadline = value
-
-    @property
-    def liveliness(self) -> LivelinessPolicy:
-        """Who says that the publisher is alive."""
-        return self._liveliness
-
-    @liveliness.setter
-    def liveliness(self, value: LivelinessPolicy) -> None:
-        assert isinstance(value, (LivelinessPolicy, int))
-        self._liveliness = LivelinessPolicy(value)
-
-    @property
-    def liveliness_lease_duration(self) -> Duration:
-        """How often it must be said; zero for no limit."""
-        return self._liveliness_lease_duration
-
-    @liveliness_lease_duration.setter
-    def liveliness_lease_duration(self, value: Duration) -> None:
-        assert isinstance(value, Duration)
-        self._liveliness_lease_duration = value
-
-    @property
-    def avoid_ros_namespace_conventions(self) -> bool:
-        """Whether the name is used below ROS 2 without a prefix."""
-        return self._avoid_ros_namespace_conventions
-
-    @avoid_ros_namespace_conventions.setter
-    def avoid_ros_namespace_conventions(self, value: bool) -> None:
-        assert isinstance(value, bool)
-        self._avoid_ros_namespace_conventions = value
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):

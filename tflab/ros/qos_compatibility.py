@@ -190,8 +190,8 @@ class QoSMatchedInfo:
 
 
 @dataclass(kw_only=True)
-class PublisherEventCallbacks:
-    """`incompatible_qos(info)` is called when a subscription requests more than is offered, `matched(info)` if it fits.
+class _EventCallbacks:
+    """`incompatible_qos(info)` is called when the other end does not fit, `matched(info)` when it does.
 
     Raises:
         UnsupportedEventTypeError: a callback for anything else.
@@ -205,27 +205,23 @@ class PublisherEventCallbacks:
     use_default_callbacks: bool = True
 
     def __post_init__(self) -> None:
-        _refuse_others(self, ("deadline", "liveliness", "incompatible_type"))
+        for event, callback in vars(self).items():
+            if callback is not None and event not in ("incompatible_qos", "matched", "use_default_callbacks"):
+                raise UnsupportedEventTypeError(
+                    f"nobody reports the event '{event}' in the in-process ROS 2; what can be reported is "
+                    "incompatible_qos and matched"
+                )
+
+
+class PublisherEventCallbacks(_EventCallbacks):
+    """What a publisher calls when a subscription comes or goes."""
 
 
 @dataclass(kw_only=True)
-class SubscriptionEventCallbacks:
-    """`incompatible_qos(info)` is called when a publisher offers less than is requested, `matched(info)` if it fits.
+class SubscriptionEventCallbacks(_EventCallbacks):
+    """What a subscription calls when a publisher comes or goes."""
 
-    Raises:
-        UnsupportedEventTypeError: a callback for anything else.
-    """
-
-    deadline: Callback = None
-    incompatible_qos: Callback = None
-    liveliness: Callback = None
     message_lost: Callback = None
-    incompatible_type: Callback = None
-    matched: Callback = None
-    use_default_callbacks: bool = True
-
-    def __post_init__(self) -> None:
-        _refuse_others(self, ("deadline", "liveliness", "message_lost", "incompatible_type"))
 
 
 class EventHandler(Entity):
@@ -251,9 +247,7 @@ class EventHandler(Entity):
         return lambda: self.callback(info)
 
 
-def reporter(
-    node: Any, callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks | None, group: Any, warn: Callable
-) -> Callable[[str], Any]:
+def reporter(node: Any, callbacks: _EventCallbacks | None, group: Any, warn: Callable) -> Callable[[str], Any]:
     """Return the callback for incompatible policies: the user's, `warn`, or None."""
     if callbacks is not None and callbacks.incompatible_qos is not None:
         put, total = EventHandler(node, callbacks.incompatible_qos, group).put, count(1)
@@ -263,9 +257,7 @@ def reporter(
     return warn
 
 
-def matched_reporter(
-    node: Any, callbacks: PublisherEventCallbacks | SubscriptionEventCallbacks | None, group: Any
-) -> Callable[[int], Any]:
+def matched_reporter(node: Any, callbacks: _EventCallbacks | None, group: Any) -> Callable[[int], Any]:
     """Return what takes the change, 1 or -1, in the number of ends that an endpoint is connected to."""
     if callbacks is None or callbacks.matched is None:
         return lambda change: None
@@ -277,12 +269,3 @@ def matched_reporter(
         put(QoSMatchedInfo(total, max(change, 0), current, change))
 
     return report
-
-
-def _refuse_others(callbacks: Any, events: tuple[str, ...]) -> None:
-    for event in events:
-        if getattr(callbacks, event) is not None:
-            raise UnsupportedEventTypeError(
-                f"nobody reports the event '{event}' in the in-process ROS 2; what can be reported is "
-                "incompatible_qos and matched"
-            )

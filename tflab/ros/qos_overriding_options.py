@@ -17,7 +17,7 @@ from .qos import QoSProfile
 from .qos_compatibility import QoSPolicyKind
 from .time import Duration
 
-__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions", "override_policies"]
+__all__ = ["InvalidQosOverridesError", "QoSOverridingOptions", "override_policies", "policy_parameter"]
 
 
 class InvalidQosOverridesError(Exception):
@@ -28,13 +28,7 @@ class InvalidQosOverridesError(Exception):
 
 @dataclass(frozen=True)
 class QoSOverridingOptions:
-    """Which policies parameters may override.
-
-    Attributes:
-        policy_kinds: those.
-        callback: takes the profile that results; returns a SetParametersResult.
-        entity_id: tells two endpoints of one topic apart.
-    """
+    """Which policies parameters may override; `callback(profile)` judges the result by a SetParametersResult."""
 
     policy_kinds: Iterable[QoSPolicyKind]
     _: KW_ONLY
@@ -42,19 +36,18 @@ class QoSOverridingOptions:
     entity_id: str | None = None
 
     @classmethod
-    def with_default_policies(
-        cls, *, callback: Callable[[QoSProfile], Any] | None = None, entity_id: str | None = None
-    ) -> QoSOverridingOptions:
+    def with_default_policies(cls, **options: Any) -> QoSOverridingOptions:
         """Return the options for history, depth and reliability."""
-        kinds = (QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY)
-        return cls(kinds, callback=callback, entity_id=entity_id)
+        return cls((QoSPolicyKind.HISTORY, QoSPolicyKind.DEPTH, QoSPolicyKind.RELIABILITY), **options)
 
 
-def override_policies(node: Any, side: str, topic: str, qos: QoSProfile, options: QoSOverridingOptions | None) -> None:
+def override_policies(
+    entity_type: Any, node: Any, topic_name: str, qos: QoSProfile, options: QoSOverridingOptions | None
+) -> None:
     """Declare a parameter for each policy that `options` allow, and change `qos` to their values.
 
     Args:
-        side: "publisher" or "subscription".
+        entity_type: the class Publisher or Subscription.
 
     Raises:
         RuntimeError: a policy has no such value.
@@ -62,31 +55,37 @@ def override_policies(node: Any, side: str, topic: str, qos: QoSProfile, options
     """
     if options is None:
         return
+    side = entity_type.endpoint_type.lower()
     entity = side if options.entity_id is None else f"{side}_{options.entity_id}"
-    description = f"for {side} `{topic}` with id `{options.entity_id}`"
+    description = f"for {side} `{topic_name}` with id `{options.entity_id}`"
     for kind in options.policy_kinds:
         policy = kind.name.lower()
         if (side, policy) == ("subscription", "lifespan"):
             continue
-        value, name = getattr(qos, policy), f"qos_overrides.{topic}.{entity}.{policy}"
+        name, value = f"qos_overrides.{topic_name}.{entity}.{policy}", policy_parameter(qos, kind)
         try:
             descriptor = ParameterDescriptor(description=f"{policy} {description}", read_only=True)
-            parameter = node.declare_parameter(name, _plain(value), descriptor)
+            parameter = node.declare_parameter(name, value, descriptor)
         except ParameterAlreadyDeclaredException:
             parameter = node.get_parameter(name)
-        setattr(qos, policy, _policy(value, parameter.value, policy))
+        setattr(qos, policy, _policy(getattr(qos, policy), parameter.value, policy))
     result = options.callback and options.callback(qos)
     if result and not result.successful:
         raise InvalidQosOverridesError(f"Provided QoS overrides {description}, are not valid: {result.reason}")
 
 
-def _plain(value: Any) -> Any:
-    """Return a policy's value as a parameter has it."""
-    if isinstance(value, IntEnum):
-        if value.name == "UNKNOWN":
-            raise ValueError("User provided QoS profile is invalid")
-        return value.name.lower()
-    return value.nanoseconds if isinstance(value, Duration) else value
+def policy_parameter(qos: QoSProfile, policy: QoSPolicyKind) -> Any:
+    """Return the value of a policy as a parameter has it.
+
+    Raises:
+        ValueError: the profile does not say.
+    """
+    value = getattr(qos, policy.name.lower())
+    if not isinstance(value, IntEnum):
+        return value.nanoseconds if isinstance(value, Duration) else value
+    if value.name == "UNKNOWN":
+        raise ValueError("User provided QoS profile is invalid")
+    return value.name.lower()
 
 
 def _policy(before: Any, value: Any, policy: str) -> Any:

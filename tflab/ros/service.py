@@ -53,29 +53,22 @@ class _Introspected(Entity):
         self, clock: Any, service_event_qos_profile: QoSProfile, introspection_state: ServiceIntrospectionState
     ) -> None:
         """Publish an event of each request and response from now on, with its contents or without, or none."""
-        if self._events is not None:
-            self.node.destroy_publisher(self._events)
-            self._events = None
+        self.node.destroy_publisher(self._events)
+        self._events, self._clock, self._state = None, clock, introspection_state
         if introspection_state != ServiceIntrospectionState.OFF:
             topic = f"{self.srv_name}/_service_event"
             self._events = self.node.create_publisher(self.srv_type.Event, topic, service_event_qos_profile)
-        self._clock, self._state = clock, introspection_state
 
     def _note(self, what: str, message: Any, client: Client, number: int) -> None:
         """Publish the event `what`, if somebody wants it: REQUEST_SENT, REQUEST_RECEIVED, RESPONSE_SENT, ..."""
         if self._events is None:
             return
-        event = self.srv_type.Event(
-            info=ServiceEventInfo(
-                event_type=getattr(ServiceEventInfo, what),
-                stamp=self._clock.now().to_msg(),
-                client_gid=list(client.gid),
-                sequence_number=number,
-            )
+        info = ServiceEventInfo(event_type=getattr(ServiceEventInfo, what), sequence_number=number)
+        info.stamp, info.client_gid = self._clock.now().to_msg(), list(client.gid)
+        contents = (
+            {what.partition("_")[0].lower(): [message]} if self._state == ServiceIntrospectionState.CONTENTS else {}
         )
-        if self._state == ServiceIntrospectionState.CONTENTS:
-            setattr(event, what.partition("_")[0].lower(), [message])
-        self._events.publish(event)
+        self._events.publish(self.srv_type.Event(info=info, **contents))
 
 
 class Service(_Introspected):

@@ -11,7 +11,7 @@ from __future__ import annotations
 from typing import Any
 
 from .clock import ROSClock
-from .messages import rcl_interfaces, rosgraph_msgs
+from .messages import rcl_interfaces, type_named
 from .node_parameters import NodeParameters
 from .parameter import Parameter
 from .qos import QoSProfile, ReliabilityPolicy
@@ -98,7 +98,7 @@ class TimeSource:
         clock._set_ros_time_is_active(self._active)
         self._associated_clocks.append(clock)
 
-    def clock_callback(self, msg: rosgraph_msgs.Clock) -> None:
+    def clock_callback(self, msg: Any) -> None:
         """Set the clocks."""
         self._last_time = Time.from_msg(msg.clock)
         for clock in self._associated_clocks:
@@ -107,7 +107,7 @@ class TimeSource:
     def _subscribe(self) -> None:
         if self._clock_sub is None and self._node is not None:
             self._clock_sub = self._node.create_subscription(
-                rosgraph_msgs.Clock,
+                type_named("rosgraph_msgs/msg/Clock"),
                 CLOCK_TOPIC,
                 self.clock_callback,
                 QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT),

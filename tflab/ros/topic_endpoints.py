@@ -10,7 +10,7 @@ from typing import Any
 from .entity import Entity, Kind
 from .exceptions import InvalidHandle
 from .messages import copy_message, tf2_msgs
-from .messages.values import serialize_message
+from .messages.values import deserialize_message, serialize_message
 from .network import PUBLISHER_KIND, SUBSCRIPTION_KIND, Envelope
 from .qos import QoSProfile
 from .qos_compatibility import matched_reporter, reporter
@@ -52,7 +52,7 @@ class Publisher:
         self._topic.add_publisher(self)
 
     def publish(self, msg: Any) -> None:
-        """Send a copy of a message; the caller may change it afterwards.
+        """Send a copy of a message, or one that is serialized; the caller may change it afterwards.
 
         Raises:
             TypeError: not a message of the topic's type.
@@ -60,6 +60,8 @@ class Publisher:
         """
         if self._is_destroyed:
             raise InvalidHandle("cannot use Destroyable because destruction was requested")
+        if isinstance(msg, bytes):
+            msg = deserialize_message(msg, self.msg_type)
         if not isinstance(msg, self.msg_type):
             raise TypeError(f"Expected {self.msg_type}, got {type(msg)}")
         self._count += 1

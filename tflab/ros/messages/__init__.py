@@ -8,7 +8,7 @@
     fields        what a field may hold
     base          the classes
     builtin_interfaces, std_msgs, geometry_msgs, sensor_msgs, nav_msgs, tf2_msgs,
-    rosgraph_msgs, rcl_interfaces, action_msgs, lifecycle_msgs
+    rcl_interfaces, action_msgs, lifecycle_msgs
                   the packages that tflab itself uses; definitions.txt has more
     text          YAML, as `ros2 topic echo` prints it
     packages      the definitions of ROS (definitions.txt), and packages defined at run time

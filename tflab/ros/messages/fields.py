@@ -18,6 +18,7 @@ import math
 from array import array
 from collections import UserList, UserString
 from collections.abc import Callable, Sequence, Set
+from functools import partial
 
 import numpy as np
 
@@ -81,12 +82,13 @@ def default_value(field: Field, message_class: type | None) -> tuple[object, Cal
 
 def array_converter(slot_type: SlotType) -> Callable[[object], object] | None:
     """Return the function that packs numbers as the field stores them, or None if values are kept as given."""
-    match slot_type:
-        case Array(BasicType(typename)) if typename in _NUMBERS:
-            return lambda value: np.array(value, dtype=_NUMBERS[typename][1])
-        case UnboundedSequence(BasicType(typename)) | BoundedSequence(BasicType(typename)) if typename in _NUMBERS:
-            return lambda value: _packed_sequence(value, *_NUMBERS[typename])
-    return None
+    kept_in = numeric_array(slot_type)
+    if kept_in is None:
+        return None
+    code, dtype = _NUMBERS[slot_type.value_type.typename]
+    return (
+        partial(np.array, dtype=dtype) if kept_in is np.ndarray else partial(_packed_sequence, code=code, dtype=dtype)
+    )
 
 
 def numeric_array(slot_type: SlotType) -> type | None:
@@ -113,9 +115,13 @@ def checker(name: str, slot_type: SlotType, message_class: type | None) -> Check
                 message_class, f"The '{name}' field must be a sub message of type '{message_class.__name__}'"
             )
         case BasicType("octet"):
-            return _octet_checker(name)
+            text = f"The '{name}' field must be of type 'bytes' or 'ByteString' with length 1"
+            return _checker_of(
+                lambda value: isinstance(value, (bytes, bytearray, memoryview)) and len(value) == 1, text
+            )
         case BoundedString(maximum_size):
-            return _string_checker(name, maximum_size)
+            text = f"The '{name}' field must be string value not longer than {maximum_size}"
+            return _checker_of(lambda value: isinstance(value, str) and len(value) <= maximum_size, text)
         case BasicType(typename) if typename != "boolean":
             return _number_checker(name, typename)
     python_type = _python_type(slot_type, message_class)
@@ -139,18 +145,10 @@ def _instance_checker(python_type: type, text: str) -> Check:
     return check
 
 
-def _octet_checker(name: str) -> Check:
+def _checker_of(fits: Callable[[object], bool], text: str) -> Check:
     def check(value: object) -> None:
-        if not (isinstance(value, (bytes, bytearray, memoryview)) and len(value) == 1):
-            raise AssertionError(f"The '{name}' field must be of type 'bytes' or 'ByteString' with length 1")
-
-    return check
-
-
-def _string_checker(name: str, maximum_size: int) -> Check:
-    def check(value: object) -> None:
-        if not (isinstance(value, str) and len(value) <= maximum_size):
-            raise AssertionError(f"The '{name}' field must be string value not longer than {maximum_size}")
+        if not fits(value):
+            raise AssertionError(text)
 
     return check
 

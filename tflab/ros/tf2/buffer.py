@@ -20,12 +20,11 @@ from ..messages import geometry_msgs, tf2_msgs
 from ..task import Future
 from ..time import Duration, Time
 from .core import BufferCore
-from .interface import BufferInterface
+from .interface import NO_WAIT, BufferInterface
 
 __all__ = ["Buffer"]
 
 TransformStamped = geometry_msgs.TransformStamped
-NO_WAIT = Duration()
 POLL_NS = 20_000_000
 CLOCK_JUMPED_BACK_NS = 3_000_000_000
 

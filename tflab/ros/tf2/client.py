@@ -25,13 +25,12 @@ from ..action_client import ActionClient
 from ..messages import builtin_interfaces, geometry_msgs, tf2_msgs
 from ..task import Future
 from ..time import Duration, Time
-from .interface import BufferInterface
+from .interface import NO_WAIT, BufferInterface
 
 __all__ = ["BufferClient"]
 
 TransformStamped = geometry_msgs.TransformStamped
 TF2Error = tf2_msgs.TF2Error
-NO_WAIT = Duration()
 
 _EXCEPTIONS = {
     TF2Error.LOOKUP_ERROR: LookupException,

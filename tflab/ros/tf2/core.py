@@ -99,15 +99,7 @@ class BufferCore:
         self, tracking_frame: str, observation_frame: str, time: Any, averaging_interval: Any
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a frame as seen from another."""
-        velocity = lookup_velocity_as_tf2(
-            self.core.lookup_transform,
-            self.core.latest_common_time_ns,
-            tracking_frame,
-            observation_frame,
-            stamp_ns_from(time),
-            duration_ns_from(averaging_interval),
-        )
-        return velocity.linear, velocity.angular
+        return self._velocity(tracking_frame, observation_frame, time, averaging_interval)
 
     def lookupVelocityFullCore(  # the binding's name
         self,
@@ -121,17 +113,13 @@ class BufferCore:
         /,
     ) -> tuple[tuple[float, float, float], tuple[float, float, float]]:
         """Return (linear [m/s], angular [rad/s]) velocity of a point, in the axes of a third frame."""
-        velocity = lookup_velocity_as_tf2(
-            self.core.lookup_transform,
-            self.core.latest_common_time_ns,
-            tracking_frame,
-            observation_frame,
-            stamp_ns_from(time),
-            duration_ns_from(averaging_interval),
-            reference_frame,
-            reference_point,
-            reference_point_frame,
-        )
+        reference = (reference_frame, reference_point, reference_point_frame)
+        return self._velocity(tracking_frame, observation_frame, time, averaging_interval, *reference)
+
+    def _velocity(self, tracking: str, observation: str, time: Any, interval: Any, *reference: Any) -> tuple[Any, Any]:
+        ask = (self.core.lookup_transform, self.core.latest_common_time_ns)
+        span = (stamp_ns_from(time), duration_ns_from(interval))
+        velocity = lookup_velocity_as_tf2(*ask, tracking, observation, *span, *reference)
         return velocity.linear, velocity.angular
 
     def all_frames_as_yaml(self) -> str:

@@ -26,6 +26,7 @@ __all__ = [
 ]
 
 _MODULE = "tf2_ros.buffer_interface"
+NO_WAIT = Duration()
 
 
 class TypeException(Exception):
@@ -141,7 +142,7 @@ class BufferInterface:
         self,
         object_stamped: Any,
         target_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008 - as upstream; it never changes
+        timeout: Duration = NO_WAIT,
         new_type: type | None = None,
     ) -> Any:
         """Return a stamped message as seen from `target_frame`, at its own stamp.
@@ -163,7 +164,7 @@ class BufferInterface:
         target_frame: str,
         target_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
         new_type: type | None = None,
     ) -> Any:
         """Return a stamped message as seen from `target_frame` at `target_time`."""
@@ -176,11 +177,7 @@ class BufferInterface:
         return moved if new_type is None else convert(moved, new_type)
 
     def lookup_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = Duration(),  # noqa: B008
+        self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_WAIT
     ) -> geometry_msgs.TransformStamped:
         """Return what moves points from source to target."""
         raise NotImplementedException
@@ -192,18 +189,12 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> geometry_msgs.TransformStamped:
         """Return source at its time as seen from target at another."""
         raise NotImplementedException
 
-    def can_transform(
-        self,
-        target_frame: str,
-        source_frame: str,
-        time: Time,
-        timeout: Duration = Duration(),  # noqa: B008
-    ) -> bool:
+    def can_transform(self, target_frame: str, source_frame: str, time: Time, timeout: Duration = NO_WAIT) -> bool:
         """Return whether lookup_transform would answer."""
         raise NotImplementedException
 
@@ -214,7 +205,7 @@ class BufferInterface:
         source_frame: str,
         source_time: Time,
         fixed_frame: str,
-        timeout: Duration = Duration(),  # noqa: B008
+        timeout: Duration = NO_WAIT,
     ) -> bool:
         """Return whether lookup_transform_full would answer."""
         raise NotImplementedException
