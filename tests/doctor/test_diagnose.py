@@ -342,13 +342,6 @@ def test_a_queue_that_empties_at_the_start_is_no_clock_that_was_set():
     assert "clock-jump-forward" not in findings
 
 
-def test_stamps_of_another_day_are_another_time_source_and_not_a_delay():
-    simulated = edge("odom", "base_link", delay_ms=1_700_000_000_000)
-    broken = recording(edge("map", "odom", start_ms=1_700_000_001_000), simulated, HEALTHY[2],
-                       edge("base_link", "arm", start_ms=1_700_000_001_000))  # fmt: skip
-    assert found(broken)["other-time"].child == "base_link"
-
-
 def test_a_prefix_with_an_underscore_that_leaves_a_tree_in_the_air_is_named():
     broken = recording(edge("map", "odom"), edge("odom", "robot2_base_link"), HEALTHY[2])
     findings = found(broken)
@@ -394,7 +387,7 @@ def test_two_that_disagree_about_the_day_are_one_on_the_clock_of_the_recorder_an
     pose = headers("/pose", "geometry_msgs/msg/PoseStamped", "odom", delay_ms=1_300_000_000_000)
     start_ms = 1_300_000_001_000
     patient = replace(recording(edge("odom", "base_link", start_ms=start_ms)), headers=(pose,))
-    told = [f for f in diagnose_recording(patient).findings if f.code == "other-time"]
+    told = [f for f in diagnose_recording(patient).findings if f.code == "time-uptime"]
     assert [finding.topic for finding in told] == ["/pose"]
 
 
@@ -500,3 +493,70 @@ def test_of_several_robots_a_finding_says_which_and_its_command_listens_there():
     said = describe(finding)
     assert said.title == "/r2: odom -> base_link comes late"
     assert said.command.endswith("tf2_monitor odom base_link --ros-args -r /tf:=/r2/tf -r /tf_static:=/r2/tf_static")
+
+
+# -- whose clock ----------------------------------------------------------------------------------
+
+WALL_MS = 1_700_000_000_000
+ON_THE_WALL = [edge("map", "odom", 50, 100, start_ms=WALL_MS), edge("odom", "base_link", start_ms=WALL_MS), LASER]
+SIMULATED = [
+    LASER,
+    *(edge(*names, delay_ms=WALL_MS) for names in (("map", "odom"), ("odom", "base_link"), ("base_link", "arm"))),
+]
+RESTARTED = [r._replace(stamped=replace(r.stamped, stamp_ns=200 * MS)) if 20 <= i < 30 else r
+             for i, r in enumerate(ON_THE_WALL[0])]  # fmt: skip
+LONG = [edge("odom", "base_link", 2000, start_ms=WALL_MS), LASER]
+
+
+def lidar(kind, delay_ms, start_ms=WALL_MS, pace=1.0, count=40):
+    header = headers(f"/lidar/{kind}", "sensor_msgs/msg/PointCloud2", "laser_frame", count, 100, delay_ms, start_ms)
+    begin_ns = header.stamp_ns[0]
+    return header._replace(stamp_ns=begin_ns + np.round((header.stamp_ns - begin_ns) * pace).astype(np.int64))
+
+
+def lidars(*options):
+    return [lidar("imu", *options), lidar("points", options[0] + 110, *options[1:])]
+
+
+WHOSE_CLOCK = {
+    "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
+    "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
+    "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
+    "that stand still": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2, 0.0), "time-frozen", "error"),
+    "in TAI": (ON_THE_WALL, lidars(-36_998, WALL_MS + 37_000), "time-tai", "error"),
+    "of the wall": (
+        SIMULATED,
+        [
+            *lidars(5, WALL_MS + 1000),
+        ],
+        "time-wall",
+        "error",
+    ),
+    "ahead by half a second": (ON_THE_WALL, lidars(-500), "messages-early", "warning"),
+    "of a clock that loses 2 ms a second": (LONG, lidars(0, WALL_MS, 0.998, 1000), "clock-slow", "warning"),
+    "of a clock that gains 2 ms a second": (LONG, lidars(300, WALL_MS, 1.002, 1000), "clock-fast", "warning"),
+}
+
+
+@pytest.mark.parametrize(("edges", "sensors", "code", "severity"), WHOSE_CLOCK.values(), ids=WHOSE_CLOCK)
+def test_topics_of_one_device_with_stamps(edges, sensors, code, severity):
+    findings = diagnose_recording(replace(recording(*edges), headers=tuple(sensors))).of_severity("error", "warning")
+    assert [(f.code, f.severity, f.topic, f.siblings) for f in findings] == [
+        (code, severity, "/lidar/imu", ("/lidar/points",))
+    ]
+    assert ("use_sim_time" in describe(findings[0]).cause) == (code in ("time-wall", "time-simulated"))
+
+
+def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():
+    (finding,) = diagnose_recording(recording(RESTARTED, *ON_THE_WALL[1:])).of_severity("error", "warning")
+    assert (finding.code, finding.child, finding.facts["count"], finding.facts["total"]) == (
+        "unset-stamps", "odom", 10, 50,
+    )  # fmt: skip
+
+
+def test_what_one_computer_publishes_late_is_one_finding():
+    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 200, 25, 104)
+    late = [edge("odom", "base_link", delay_ms=105), edge("base_link", "wheel", 150, 30, delay_ms=103)]
+    patient = replace(recording(MAP, *late, LASER), headers=(imu,))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))

@@ -23,20 +23,8 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 
-__all__ = [
-    "Clock",
-    "Connection",
-    "Headers",
-    "JointStates",
-    "Odometry",
-    "QosProfile",
-    "Recording",
-    "TransformLabel",
-    "Transforms",
-    "Unfinished",
-    "namespace_of",
-    "recording_from_records",
-]
+__all__ = ["Clock", "Connection", "Headers", "JointStates", "Odometry", "QosProfile", "Recording",
+           "TransformLabel", "Transforms", "Unfinished", "namespace_of", "recording_from_records"]  # fmt: skip
 
 DEFAULT_AUTHORITY = "default_authority"
 EXTRA_CACHE_NS = NSEC_PER_SEC

@@ -87,7 +87,7 @@ def descriptions() -> dict[str, Description]:
 def describe(finding: Finding, language: str = "en") -> Sentences:
     """Return the sentences of a finding, with their blanks filled."""
     description = descriptions()[finding.code]
-    edge = f"{finding.parent} -> {finding.child}"
+    edge = f"{finding.parent} -> {finding.child}" if finding.child else finding.topic
     others = len(finding.siblings)
     blanks = {
         "edge": Text(f"{edge} and {others} more", f"{edge} 외 {others}개") if others else edge,

@@ -22,15 +22,8 @@ from tflab.text import Texts
 from ..findings import SEVERITIES, Finding, Report, english, first_of
 from .sentences import certainty_of, describe, faults_of_code, what_settles
 
-__all__ = [
-    "certainty_text",
-    "data_from_report",
-    "effects_text",
-    "finding_text",
-    "headline",
-    "moments_text",
-    "text_from_report",
-]
+__all__ = ["certainty_text", "data_from_report", "effects_text", "finding_text", "headline",
+           "moments_text", "text_from_report"]  # fmt: skip
 
 TEXTS = Texts(__file__)
 WIDTHS = {"en": 100, "ko": 64}  # letters of a line; a Korean one is two columns wide
