@@ -121,6 +121,14 @@ def test_each_fault_is_named_by_its_code_and_what_is_normal_is_not(edges, codes)
         assert all("{" not in part for part in describe(finding))
 
 
+@pytest.mark.parametrize(("is_copy", "severity"), [(True, "info"), (False, "warning")])
+def test_a_stamp_that_repeats_with_the_same_values_is_a_note(is_copy, severity):
+    pairs = zip(ODOM[:50:10], ODOM[0 if is_copy else 1 : 51 : 10], strict=False)
+    again = [r._replace(receive_ns=r.receive_ns + MS, stamped=replace(r.stamped, transform=other.stamped.transform))
+             for r, other in pairs]  # fmt: skip
+    assert found(recording(MAP, ODOM, again, LASER))["repeated-stamps"].severity == severity
+
+
 def test_a_prefix_a_slash_and_a_missing_mount_say_what_they_are_about():
     slashed = found(recording(*ALARMS["all names with a slash"][0]))
     assert slashed["leading-slash"].facts["names"] == "/base_link, /map, /odom"
@@ -309,8 +317,11 @@ def test_an_edge_that_comes_once_a_second_and_moves_far_meanwhile_is_slow():
 
 def test_an_edge_that_begins_seconds_after_the_others_is_named():
     late = edge("odom", "base_link", start_ms=4000)
-    finding = found(recording(edge("map", "odom", 80, 100), late, HEALTHY[2]))["late-start"]
-    assert (finding.child, finding.facts["late"]) == ("base_link", "3.000")
+    patient = recording(edge("map", "odom", 80, 100), late, HEALTHY[2])
+    finding = found(patient)["late-start"]
+    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "info")
+    needed = replace(patient, headers=(headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame"),))
+    assert found(needed)["late-start"].severity == "warning"
 
 
 def test_a_blocked_node_that_first_sends_what_it_had_in_hand_has_a_gap():

@@ -261,6 +261,14 @@ class Evidence:
     def _root_of(self) -> dict[str, str]:
         return {frame: root for root, members in self.trees.items() for frame in members}
 
+    def is_below(self, frame: str, ancestor: str) -> bool:
+        """Return whether the climb from a frame comes past another, or begins there."""
+        seen = set()
+        while frame not in seen | {ancestor} and frame in self.parent_of:
+            seen.add(frame)
+            frame = self.parent_of[frame]
+        return frame == ancestor
+
     def root_of(self, frame: str) -> str:
         """Return where the climb from a frame ends; in a loop, and of a stranger, the frame itself."""
         return self._root_of.get(frame, frame)

@@ -56,8 +56,10 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
         if not repeats or not is_stamped(edge):
             continue
         repeats.sort()
-        severity = "warning" if len(repeats) >= max(FEWEST_REPEATED, REPEATED_SHARE * len(edge)) else "info"
-        facts = {"count": len(repeats), "total": len(edge), "values": _values_of_repeats(edge, repeats)}
+        values = _values_of_repeats(edge, repeats)
+        is_harmless = values.en == "the same" or len(repeats) < max(FEWEST_REPEATED, REPEATED_SHARE * len(edge))
+        severity = "info" if is_harmless or _has_stamps_of_a_slow_clock(evidence, edge) else "warning"
+        facts = {"count": len(repeats), "total": len(edge), "values": values}
         yield _finding(edge, "repeated-stamps", severity, repeats[0], repeats[-1], facts)
 
 
@@ -98,6 +100,12 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
         if 0 < len(ahead) <= max(1.0, FEW * len(edge)):
             facts = {"count": len(ahead), "total": len(edge), "ahead": f"{ahead_s.max():.3f}"}
             yield _finding(edge, "future-stamp", "error", int(ahead[0]), int(ahead[-1]), facts)
+
+
+def _has_stamps_of_a_slow_clock(evidence: Evidence, edge: Edge) -> bool:
+    """Return whether /clock comes more rarely than an edge, whose stamps then repeat."""
+    ticks_s = np.diff(evidence.clock.receive_ns) / NSEC_PER_SEC if evidence.clock.source == "/clock" else np.zeros(1)
+    return float(np.median(ticks_s)) > 1.5 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
 
 
 def _values_of_repeats(edge: Edge, repeats: list[int]) -> Text:
