@@ -121,11 +121,16 @@ class JointStates(NamedTuple):
 
 
 class Unfinished(NamedTuple):
-    """A recorder was killed: what is missing, which command repairs it, and whether messages may be missing."""
+    """What is missing of a recording, which command repairs it, and whether messages may be missing.
+
+    Attributes:
+        code: "unfinished" if its recorder was killed, "file-missing" if a file of several is gone.
+    """
 
     what: str
     remedy: str
     is_cut: bool
+    code: str = "unfinished"
 
 
 class Odometry(NamedTuple):

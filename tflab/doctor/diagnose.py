@@ -115,6 +115,7 @@ EFFECTS_ANYWHERE = {
     "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
     "stall": ("late-stamps", "expected-silence"),
     "tf-silent": ("expected-silence",),
+    "file-missing": ("stall", "tf-silent", "gap", "clock-jump-forward", "late-start", "statics-missing"),
     "two-trees": ("unknown-frame", "unknown-world-frame"),
 }  # fmt: skip
 # what all edges of one node have, if one has it
@@ -239,7 +240,7 @@ def _unreadable(recording: Recording) -> list[Finding]:
     if recording.unfinished:
         severity = "warning" if recording.unfinished.is_cut else "info"
         facts = {"what": recording.unfinished.what, "remedy": recording.unfinished.remedy}
-        findings.append(Finding("unfinished", severity, facts=facts))
+        findings.append(Finding(recording.unfinished.code, severity, facts=facts))
     for note in recording.notes:
         topic = next((topic for topic in kinds if f"on {topic} " in note), "")
         severity = "error" if kinds.get(topic, "").endswith(("TFMessage", "tfMessage")) else "info"
