@@ -192,7 +192,7 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
         }
         code = "unknown-world-frame" if is_world else "unknown-frame"
         topic = spatial[0].topic if spatial else topics[0][0].topic
-        yield Finding(code, "warning" if spatial else "info", topic=topic, facts=facts)
+        yield Finding(code, "error" if spatial else "info", topic=topic, facts=facts)
 
 
 def _alike_text(frame: str, known: set[str]) -> Text | str:
