@@ -28,7 +28,7 @@ CODES_OF_PLANT = {
     "late-edge": ("late-start",),
     "stall-of-all": ("stall",),
     "tf-stall": ("tf-silent", "stall"),  # a recording without other topics cannot tell them apart
-    "one-clock-off": ("late-stamps", "early-stamps", "other-time"),
+    "one-clock-off": ("late-stamps", "early-stamps", "time-uptime", "time-date"),
     "case-of-a-name": ("name-case",),
     "prefix-of-a-name": ("name-prefix",),
     "sensor-frame-unknown": ("unknown-frame", "unknown-world-frame", "name-case", "name-slip", "name-prefix"),

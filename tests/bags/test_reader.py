@@ -1,6 +1,7 @@
 """Reading bags: what is in them comes out, whatever the format, and what is no bag is refused in one line."""
 
 import struct
+import sys
 
 import numpy as np
 import pytest
@@ -106,6 +107,42 @@ def test_a_message_that_is_cut_off_is_counted_and_passed_over(tmp_path):
         writer.add_connection("/tf", "tf2_msgs/msg/TFMessage", typestore=ros1_store())
     recording = read_bag(tmp_path / "none.bag")  # without a message
     assert len(recording.transforms) == 0 and recording.namespaces() == ()
+
+
+def test_whole_files_that_rosbags_does_not_read_are_read(tmp_path):
+    zstd = pytest.importorskip("compression.zstd" if sys.version_info >= (3, 14) else "backports.zstd")
+    with Writer1(tmp_path / "closed_without_messages.bag"):
+        pass
+    assert len(read_bag(tmp_path / "closed_without_messages.bag", salvage=True).transforms) == 0
+    drive = write_rosbag2(tmp_path / "drive", circle(9), storage="SQLITE3")
+    metadata = (drive / "metadata.yaml").read_text()
+    (drive / "metadata.yaml").write_text(metadata.replace("storage_identifier: sqlite3", 'storage_identifier: ""'))
+    (tmp_path / "drive.db3.zstd").write_bytes(zstd.compress((drive / "drive.db3").read_bytes()))
+    foreign = foreign_mcap(write_rosbag2(tmp_path / "m", circle(9)) / "m.mcap", b"")
+    for path in (drive, tmp_path / "drive.db3.zstd", foreign):
+        assert len(read_bag(path, salvage=True).transforms) == 10 and read_bag(path).unfinished is None
+    assert "encoded as jsn" in refusal(foreign_mcap(foreign, b"jsn"))
+
+
+def foreign_mcap(path, encoding):
+    """Take the profile, and if one is given another encoding of the messages, into a copy of an .mcap."""
+    header, data = b"\4\0\0\0ros2", path.read_bytes()
+    if header in data:
+        data = (
+            data[:9] + struct.pack("<Q", struct.unpack("<Q", data[9:17])[0] - 4) + data[17:].replace(header, bytes(4))
+        )
+    copy = path.with_name(f"foreign_{encoding.decode()}.mcap")
+    copy.write_bytes(data.replace(b"\3\0\0\0cdr", b"\3\0\0\0" + encoding) if encoding else data)
+    return copy
+
+
+def test_of_a_recording_in_several_files_those_that_are_there_are_read(tmp_path):
+    path = write_rosbag2(tmp_path / "drive", circle(9))
+    metadata = (path / "metadata.yaml").read_text()
+    (path / "metadata.yaml").write_text(metadata.replace("  - drive.mcap", "  - drive.mcap\n  - drive_1.mcap"))
+    left = read_bag(path, salvage=True)
+    assert len(left.transforms) == 10
+    assert left.unfinished.code == "file-missing" and "drive_1.mcap of drive is missing" in left.unfinished.what
 
 
 # -- what is no bag ----------------------------------------------------------

@@ -121,6 +121,14 @@ def test_each_fault_is_named_by_its_code_and_what_is_normal_is_not(edges, codes)
         assert all("{" not in part for part in describe(finding))
 
 
+@pytest.mark.parametrize(("is_copy", "severity"), [(True, "info"), (False, "warning")])
+def test_a_stamp_that_repeats_with_the_same_values_is_a_note(is_copy, severity):
+    pairs = zip(ODOM[:50:10], ODOM[0 if is_copy else 1 : 51 : 10], strict=False)
+    again = [r._replace(receive_ns=r.receive_ns + MS, stamped=replace(r.stamped, transform=other.stamped.transform))
+             for r, other in pairs]  # fmt: skip
+    assert found(recording(MAP, ODOM, again, LASER))["repeated-stamps"].severity == severity
+
+
 def test_a_prefix_a_slash_and_a_missing_mount_say_what_they_are_about():
     slashed = found(recording(*ALARMS["all names with a slash"][0]))
     assert slashed["leading-slash"].facts["names"] == "/base_link, /map, /odom"
@@ -309,8 +317,11 @@ def test_an_edge_that_comes_once_a_second_and_moves_far_meanwhile_is_slow():
 
 def test_an_edge_that_begins_seconds_after_the_others_is_named():
     late = edge("odom", "base_link", start_ms=4000)
-    finding = found(recording(edge("map", "odom", 80, 100), late, HEALTHY[2]))["late-start"]
-    assert (finding.child, finding.facts["late"]) == ("base_link", "3.000")
+    patient = recording(edge("map", "odom", 80, 100), late, HEALTHY[2])
+    finding = found(patient)["late-start"]
+    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "info")
+    needed = replace(patient, headers=(headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame"),))
+    assert found(needed)["late-start"].severity == "warning"
 
 
 def test_a_blocked_node_that_first_sends_what_it_had_in_hand_has_a_gap():
@@ -340,13 +351,6 @@ def test_a_queue_that_empties_at_the_start_is_no_clock_that_was_set():
     burst = [record._replace(receive_ns=samples[40].receive_ns + i * MS) for i, record in enumerate(samples[:40])]
     findings = found(recording(edge("map", "odom", 80, 100), [*burst, *samples[41:]], HEALTHY[2]))
     assert "clock-jump-forward" not in findings
-
-
-def test_stamps_of_another_day_are_another_time_source_and_not_a_delay():
-    simulated = edge("odom", "base_link", delay_ms=1_700_000_000_000)
-    broken = recording(edge("map", "odom", start_ms=1_700_000_001_000), simulated, HEALTHY[2],
-                       edge("base_link", "arm", start_ms=1_700_000_001_000))  # fmt: skip
-    assert found(broken)["other-time"].child == "base_link"
 
 
 def test_a_prefix_with_an_underscore_that_leaves_a_tree_in_the_air_is_named():
@@ -394,7 +398,7 @@ def test_two_that_disagree_about_the_day_are_one_on_the_clock_of_the_recorder_an
     pose = headers("/pose", "geometry_msgs/msg/PoseStamped", "odom", delay_ms=1_300_000_000_000)
     start_ms = 1_300_000_001_000
     patient = replace(recording(edge("odom", "base_link", start_ms=start_ms)), headers=(pose,))
-    told = [f for f in diagnose_recording(patient).findings if f.code == "other-time"]
+    told = [f for f in diagnose_recording(patient).findings if f.code == "time-uptime"]
     assert [finding.topic for finding in told] == ["/pose"]
 
 
@@ -500,3 +504,70 @@ def test_of_several_robots_a_finding_says_which_and_its_command_listens_there():
     said = describe(finding)
     assert said.title == "/r2: odom -> base_link comes late"
     assert said.command.endswith("tf2_monitor odom base_link --ros-args -r /tf:=/r2/tf -r /tf_static:=/r2/tf_static")
+
+
+# -- whose clock ----------------------------------------------------------------------------------
+
+WALL_MS = 1_700_000_000_000
+ON_THE_WALL = [edge("map", "odom", 50, 100, start_ms=WALL_MS), edge("odom", "base_link", start_ms=WALL_MS), LASER]
+SIMULATED = [
+    LASER,
+    *(edge(*names, delay_ms=WALL_MS) for names in (("map", "odom"), ("odom", "base_link"), ("base_link", "arm"))),
+]
+RESTARTED = [r._replace(stamped=replace(r.stamped, stamp_ns=200 * MS)) if 20 <= i < 30 else r
+             for i, r in enumerate(ON_THE_WALL[0])]  # fmt: skip
+LONG = [edge("odom", "base_link", 2000, start_ms=WALL_MS), LASER]
+
+
+def lidar(kind, delay_ms, start_ms=WALL_MS, pace=1.0, count=40):
+    header = headers(f"/lidar/{kind}", "sensor_msgs/msg/PointCloud2", "laser_frame", count, 100, delay_ms, start_ms)
+    begin_ns = header.stamp_ns[0]
+    return header._replace(stamp_ns=begin_ns + np.round((header.stamp_ns - begin_ns) * pace).astype(np.int64))
+
+
+def lidars(*options):
+    return [lidar("imu", *options), lidar("points", options[0] + 110, *options[1:])]
+
+
+WHOSE_CLOCK = {
+    "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
+    "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
+    "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
+    "that stand still": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2, 0.0), "time-frozen", "error"),
+    "in TAI": (ON_THE_WALL, lidars(-36_998, WALL_MS + 37_000), "time-tai", "error"),
+    "of the wall": (
+        SIMULATED,
+        [
+            *lidars(5, WALL_MS + 1000),
+        ],
+        "time-wall",
+        "error",
+    ),
+    "ahead by half a second": (ON_THE_WALL, lidars(-500), "messages-early", "warning"),
+    "of a clock that loses 2 ms a second": (LONG, lidars(0, WALL_MS, 0.998, 1000), "clock-slow", "warning"),
+    "of a clock that gains 2 ms a second": (LONG, lidars(300, WALL_MS, 1.002, 1000), "clock-fast", "warning"),
+}
+
+
+@pytest.mark.parametrize(("edges", "sensors", "code", "severity"), WHOSE_CLOCK.values(), ids=WHOSE_CLOCK)
+def test_topics_of_one_device_with_stamps(edges, sensors, code, severity):
+    findings = diagnose_recording(replace(recording(*edges), headers=tuple(sensors))).of_severity("error", "warning")
+    assert [(f.code, f.severity, f.topic, f.siblings) for f in findings] == [
+        (code, severity, "/lidar/imu", ("/lidar/points",))
+    ]
+    assert ("use_sim_time" in describe(findings[0]).cause) == (code in ("time-wall", "time-simulated"))
+
+
+def test_stamps_that_are_not_set_for_a_while_are_no_jump_of_a_clock():
+    (finding,) = diagnose_recording(recording(RESTARTED, *ON_THE_WALL[1:])).of_severity("error", "warning")
+    assert (finding.code, finding.child, finding.facts["count"], finding.facts["total"]) == (
+        "unset-stamps", "odom", 10, 50,
+    )  # fmt: skip
+
+
+def test_what_one_computer_publishes_late_is_one_finding():
+    imu = headers("/imu", "sensor_msgs/msg/Imu", "base_link", 200, 25, 104)
+    late = [edge("odom", "base_link", delay_ms=105), edge("base_link", "wheel", 150, 30, delay_ms=103)]
+    patient = replace(recording(MAP, *late, LASER), headers=(imu,))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))

@@ -19,7 +19,7 @@ from tflab.doctor.gate.expectations import (
     read_expectations,
     toml_from,
 )
-from tflab.doctor.gate.filters import let_pass
+from tflab.doctor.gate.filters import baseline_from, let_pass
 from tflab.doctor.gate.formats import annotations_from_reports, junit_from_reports, sarif_from_reports
 from tflab.doctor.profile import profile_of, text_from_profile
 from tflab.robots.faults.inject import inject
@@ -176,8 +176,8 @@ def test_findings_are_ignored_by_code_and_place(pattern, left):
     report = diagnose_recording(recording_from_records(inject(RECORDS, "zero-quaternion", seed=1).records))
     (finding,) = report.findings
     topic_pattern = pattern if finding.topic == "/tf" else pattern.replace(":/tf", f":{finding.topic}")
-    kept, passed = let_pass(report, [topic_pattern])
-    assert (len(kept.findings), passed) == (left, 1 - left)
+    kept = let_pass(report, [topic_pattern])
+    assert (len(kept.findings), kept.let_pass) == (left, 1 - left)
 
 
 def test_a_baseline_lets_what_is_known_pass_and_nothing_else(broken, late, tmp_path, capsys):
@@ -307,5 +307,16 @@ def test_a_deviation_that_a_finding_explains_stands_under_it_and_alone_if_that_i
     main(["doctor", late, "--expect", rules, "--json"])
     (cause,) = [f for f in json.loads(capsys.readouterr().out)["findings"] if f["severity"] == "warning"]
     assert cause["code"] == "late-stamps" and "expected-delay" in {effect["code"] for effect in cause["effects"]}
+    assert {effect["severity"] for effect in cause["effects"]} <= {"warning", "error"}
     main(["doctor", late, "--expect", rules, "--json", "--ignore", "late-stamps"])
-    assert "expected-delay" in {f["code"] for f in json.loads(capsys.readouterr().out)["findings"]}
+    data = json.loads(capsys.readouterr().out)
+    assert "expected-delay" in {f["code"] for f in data["findings"]} and data["let_pass"] == 1
+
+
+def test_the_effects_of_a_cause_that_is_ignored_are_findings_and_those_in_a_baseline_are_not():
+    report = diagnose_recording(recording_from_records(inject(RECORDS, "wrong-name", seed=1).records))
+    (cause,) = report.of_severity("error")
+    effects = {effect.code for effect in cause.effects}
+    assert effects and codes(let_pass(report, [cause.code]).findings) == effects
+    known = json.loads(baseline_from([report]))["known"]
+    assert let_pass(report, baseline=known).findings == () and let_pass(report, baseline=known).let_pass > len(effects)

@@ -14,6 +14,7 @@ what is there is read, if that is asked for.
 
 from __future__ import annotations
 
+import re
 import sqlite3
 import struct
 from collections.abc import Iterator
@@ -25,12 +26,13 @@ from tempfile import TemporaryDirectory
 from .collect import Collector
 from .errors import BagError
 from .recording import Recording, Unfinished
-from .salvage import Salvage, is_without_end
+from .salvage import Salvage, is_foreign, is_without_end, unpack
 
 __all__ = ["open_bag", "read_bag"]
 
 SUFFIXES = (".mcap", ".db3", ".bag")
-MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3"}
+MAGICS = {b"#ROSBAG V": ".bag", b"\x89MCAP0\r\n": ".mcap", b"SQLite format 3\0": ".db3", b"\x28\xb5\x2f\xfd": ".zstd"}
+STORAGES = {".mcap": "mcap", ".db3": "sqlite3"}
 SQLITE_HEADER = struct.Struct(">16xH10xI")  # size of a page, and how many there are
 REMEDIES = {
     ".mcap": "mcap recover {file} -o whole.mcap",
@@ -52,7 +54,7 @@ def read_bag(path: str | Path, show_progress: bool = True, salvage: bool = False
     path = Path(path).expanduser()
     files = _files_left_in(path) if salvage else []
     unfinished = _unfinished(path, "directory", "metadata.yaml does not tell of all of it", is_cut=False)
-    unfinished = unfinished if files else None
+    unfinished = (_missing_from(path) or unfinished) if files else None
     collector, begin_ns, end_ns = None, 2**63 - 1, 0
     for file in files or [path]:
         with _opened(file, salvage) as (reader, is_ros1, why):
@@ -80,8 +82,13 @@ def _read(reader, collector: Collector, title: str) -> None:
 @contextmanager
 def _opened(path: Path, salvage: bool) -> Iterator[tuple]:
     """Open a file or a directory: (the reader, whether it is ROS 1, what it lacks if it is unfinished)."""
-    kind = _kind_of(path) if salvage else ""
+    kind = _kind_of(path)
     log = Path(f"{path}-wal")
+    if kind == ".mcap" and is_foreign(path) and not is_without_end(path, kind):
+        reader = Salvage(path)
+        yield reader, reader.is_ros1, None
+        return
+    kind = kind if salvage else ""
     if kind in (".mcap", ".bag") and is_without_end(path, kind):
         try:
             reader = Salvage(path)
@@ -108,9 +115,30 @@ def _files_left_in(path: Path) -> list[Path]:
     if not path.is_dir():
         return []
     files = [file for suffix in SUFFIXES for file in path.glob(f"*{suffix}")]
-    if (path / "metadata.yaml").exists() and not any(is_without_end(file, file.suffix) for file in files):
+    is_whole = not any(is_without_end(file, file.suffix) for file in files) and not _missing_from(path)
+    if (path / "metadata.yaml").exists() and is_whole:
         return []
     return sorted(files, key=lambda file: [int(word) if word.isdigit() else 0 for word in file.stem.split("_")[-1:]])
+
+
+def _missing_from(path: Path) -> Unfinished | None:
+    """Return which files metadata.yaml names that are not there, and which time they held; None if all are."""
+    from ruamel.yaml import YAML, YAMLError  # rosbags brings it
+
+    try:
+        bag = YAML(typ="safe").load((path / "metadata.yaml").read_text("utf-8"))["rosbag2_bagfile_information"]
+        held = {file["path"]: (file["starting_time"]["nanoseconds_since_epoch"], file["duration"]["nanoseconds"])
+                for file in bag.get("files", ())}  # fmt: skip
+        begin_ns = bag["starting_time"]["nanoseconds_since_epoch"]
+        gone = [name for name in map(Path, bag["relative_file_paths"]) if not (path / name.name).exists()]
+    except (OSError, YAMLError, KeyError, TypeError, AttributeError):
+        return None  # rosbags gives the reason
+    names = []
+    for name in gone:
+        first_s, long_s = ((held.get(name.name, (begin_ns, 0))[i] - (0 if i else begin_ns)) / 1e9 for i in (0, 1))
+        names.append(f"{name.name} ({first_s:.1f} s to {first_s + long_s:.1f} s)" if long_s else name.name)
+    what = f"{', '.join(names)} of {path.name} is missing"
+    return Unfinished(what, REMEDIES["directory"].format(file=path.name), True, "file-missing") if gone else None
 
 
 def _with_its_log(path: Path, log: Path, folder: Path) -> Path:
@@ -134,8 +162,11 @@ class _InUtf8(type(Path())):
     """
 
     def read_text(self, encoding: str | None = None, errors: str | None = None) -> str:
-        """Return the text of the file."""
-        return super().read_text(encoding or "utf-8", errors)
+        """Return the text of metadata.yaml, with the storage that some converters leave empty."""
+        kinds = {suffix for file in self.parent.iterdir() for suffix in file.suffixes if suffix in STORAGES}
+        storage = f"storage_identifier: {STORAGES[max(kinds, default='.mcap')]}"
+        text = super().read_text(encoding or "utf-8", errors)
+        return re.sub(r"storage_identifier: *(\"\"|'')? *$", storage, text, flags=re.MULTILINE)
 
 
 @contextmanager
@@ -152,6 +183,12 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     path = Path(path).expanduser()
     kind = _kind_of(path)
     try:
+        if kind == ".zstd":
+            with TemporaryDirectory() as folder:
+                unpack(path, Path(folder) / path.stem)
+                with open_bag(Path(folder) / path.stem) as opened:
+                    yield opened
+            return
         with (Reader1 if kind == ".bag" else Reader2)(_InUtf8(path)) as reader:
             yield reader, kind == ".bag"
     except (BagError, KeyboardInterrupt, GeneratorExit):
@@ -159,8 +196,10 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
     except MemoryError:
         raise BagError(f"{path}: too large for the memory of this machine, or broken") from None
     except Exception as error:
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise BagError(f"{path}: cannot be read, it seems to be broken or cut short ({reason})") from error
+        reason = " ".join(str(error).split()).partition("; please")[0].rstrip(".") or type(error).__name__
+        is_foreign_kind = "not supported" in reason or reason.startswith("Profile is not")
+        seems = "this kind is not supported" if is_foreign_kind else "it seems to be broken or cut short"
+        raise BagError(f"{path}: cannot be read, {seems} ({reason})") from error
 
 
 def _kind_of(path: Path) -> str:

@@ -23,20 +23,8 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 
-__all__ = [
-    "Clock",
-    "Connection",
-    "Headers",
-    "JointStates",
-    "Odometry",
-    "QosProfile",
-    "Recording",
-    "TransformLabel",
-    "Transforms",
-    "Unfinished",
-    "namespace_of",
-    "recording_from_records",
-]
+__all__ = ["Clock", "Connection", "Headers", "JointStates", "Odometry", "QosProfile", "Recording",
+           "TransformLabel", "Transforms", "Unfinished", "namespace_of", "recording_from_records"]  # fmt: skip
 
 DEFAULT_AUTHORITY = "default_authority"
 EXTRA_CACHE_NS = NSEC_PER_SEC
@@ -133,11 +121,16 @@ class JointStates(NamedTuple):
 
 
 class Unfinished(NamedTuple):
-    """A recorder was killed: what is missing, which command repairs it, and whether messages may be missing."""
+    """What is missing of a recording, which command repairs it, and whether messages may be missing.
+
+    Attributes:
+        code: "unfinished" if its recorder was killed, "file-missing" if a file of several is gone.
+    """
 
     what: str
     remedy: str
     is_cut: bool
+    code: str = "unfinished"
 
 
 class Odometry(NamedTuple):

@@ -24,7 +24,9 @@ from typing import BinaryIO, NamedTuple
 
 from tflab.core import NSEC_PER_SEC
 
-__all__ = ["Salvage", "is_without_end"]
+from .errors import BagError
+
+__all__ = ["Salvage", "is_foreign", "is_without_end", "unpack"]
 
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 MCAP_FOOTER = 37  # bytes, with the closing magic
@@ -46,6 +48,7 @@ class LeftTopic(NamedTuple):
     msgtype: str
     definition: str
     publisher: str
+    encoding: str = ""
 
 
 class LeftMessage(NamedTuple):
@@ -67,7 +70,7 @@ class Salvage:
     def __init__(self, path: Path) -> None:
         self._path = path
         with path.open("rb") as file:
-            self.is_ros1 = file.read(len(ROS1_MAGIC)) == ROS1_MAGIC
+            self._is_bag = file.read(len(ROS1_MAGIC)) == ROS1_MAGIC
         topics: dict[int, LeftTopic] = {}
         counts: Counter[int] = Counter()
         self.start_time, self.end_time = 2**63 - 1, 0
@@ -78,6 +81,11 @@ class Salvage:
                 counts[record.number] += 1
                 self.start_time = min(self.start_time, record.receive_ns)
                 self.end_time = max(self.end_time, record.receive_ns + 1)
+        encodings = {topic.encoding for topic in topics.values()}
+        self.is_ros1 = self._is_bag or "ros1" in encodings
+        if encodings and not encodings & {"", "cdr", "ros1"}:
+            raise BagError(f"{path}: not supported, the messages are encoded as {', '.join(sorted(encodings))}; "
+                           f"those of ROS are cdr or ros1")  # fmt: skip
         self.connections = [_connection(topic, counts[number], self.is_ros1) for number, topic in topics.items()]
 
     def messages(self, connections: Sequence) -> Iterator[tuple]:
@@ -89,7 +97,7 @@ class Salvage:
 
     def _records(self) -> Iterator[LeftTopic | LeftMessage]:
         with self._path.open("rb") as file:
-            yield from _ros1_records(file) if self.is_ros1 else _mcap_records(file)
+            yield from _ros1_records(file) if self._is_bag else _mcap_records(file)
 
 
 def is_without_end(path: Path, kind: str) -> bool:
@@ -104,7 +112,24 @@ def is_without_end(path: Path, kind: str) -> bool:
         file.seek(len(ROS1_MAGIC))
         fields = _ros1_fields(_sized(file))
     index_at = int.from_bytes(fields.get(b"index_pos", b""), "little")
-    return not 0 < index_at < size
+    is_empty = index_at == size and not any(fields.get(b"conn_count", b"\1"))
+    return not (0 < index_at < size or is_empty)
+
+
+def is_foreign(path: Path) -> bool:
+    """Return whether the header of an .mcap names another profile than ros2, or none; rosbags reads no such file."""
+    with path.open("rb") as file:
+        file.seek(len(MCAP_MAGIC) + 9)
+        header = file.read(256)
+    return len(header) >= 4 and _word(header)[0] != "ros2"
+
+
+def unpack(path: Path, whole: Path) -> None:
+    """Write what is in a file that was compressed by zstd."""
+    unpacker = _zstd()
+    with path.open("rb") as packed, whole.open("wb") as file:
+        while data := packed.read(2**20):
+            file.write(unpacker.decompress(data))
 
 
 def _connection(topic: LeftTopic, count: int, is_ros1: bool):
@@ -170,7 +195,9 @@ def _mcap_record(kind: int, data: bytes, schemas: dict[int, tuple[str, str]]) ->
             schemas[_u16.unpack_from(data)[0]] = (name, _word(rest)[0])
         elif kind == MCAP_CHANNEL:
             number, schema = _u16.unpack_from(data)[0], _u16.unpack_from(data, 2)[0]
-            yield LeftTopic(number, _word(data[4:])[0], *schemas[schema], "")
+            (topic, rest), (kind_of_message, definition) = _word(data[4:]), schemas[schema]
+            modern = kind_of_message if "/msg/" in kind_of_message else kind_of_message.replace("/", "/msg/")
+            yield LeftTopic(number, topic, modern, definition, "", _word(rest)[0])
 
 
 def _mcap_chunk(data: bytes) -> bytes:

@@ -19,19 +19,8 @@ from tflab.ros.messages.values import message_from_object, object_from_message
 from tflab.ros.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.time import Duration
 
-__all__ = [
-    "MalformedMessage",
-    "bytes_of",
-    "clock_in",
-    "header_in",
-    "message_of",
-    "names_of_single",
-    "profile_of",
-    "qos_of",
-    "single_in_cdr",
-    "transforms_in_cdr",
-    "transforms_in_ros1",
-]
+__all__ = ["MalformedMessage", "bytes_of", "clock_in", "header_in", "message_of", "names_of_single",
+           "profile_of", "qos_of", "single_in_cdr", "transforms_in_cdr", "transforms_in_ros1"]  # fmt: skip
 
 if TYPE_CHECKING:
     from rosbags.interfaces import Qos

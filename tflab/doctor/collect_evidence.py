@@ -13,12 +13,14 @@ not made.
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
 
 from tflab.bags.recording import Clock, Headers, Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 
-from .evidence import SAME_CLOCK_NS, ClockRelation, Edge, Evidence, is_stamped
+from .evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, Stray, is_stamped, part_of
 
 __all__ = ["clock_relation", "evidence_from_buffer", "evidence_from_recording"]
 
@@ -39,6 +41,9 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
     edges = [_edge(table, child, is_static, parts) for (child, is_static), parts in rows_of.items()]
     moving = [edge for edge in edges if not edge.is_static]
     headers = tuple(header for header in recording.headers if not namespace or header.topic.startswith(namespace + "/"))
+    clock = clock_relation(moving, headers, recording.clock)
+    strays: list[Stray] = []
+    moving, headers = list(_separated(moving, clock, strays)), tuple(_separated(headers, clock, strays))
     return Evidence(
         subject=recording.name + (f" ({namespace})" if namespace else ""),
         namespace=namespace,
@@ -53,10 +58,11 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
         begin_ns=recording.begin_ns,
         end_ns=recording.end_ns,
         headers=headers,
+        strays=tuple(strays),
         joint_states=recording.joint_states,
         connections=recording.connections,
         robot_description=recording.robot_description,
-        clock=clock_relation(moving, headers, recording.clock),
+        clock=clock,
     )
 
 
@@ -127,6 +133,20 @@ def _estimated_relation(sources: list) -> ClockRelation:
     filled = np.flatnonzero(~np.isnan(least_s).all(axis=0))
     middle_ns = begin_ns + (2 * filled + 1) * span_ns // (2 * bins)
     return ClockRelation("estimated", middle_ns, np.nanmedian(least_s[:, filled], axis=0))
+
+
+def _separated(sources: Sequence, clock: ClockRelation, strays: list[Stray]) -> Iterator:
+    """Yield the samples of each source in the usual time base, and put the others among the strays."""
+    for source in sources:
+        offset_ns = source.receive_ns - source.stamp_ns
+        away_ns = offset_ns - clock.difference_at(source.receive_ns) * NSEC_PER_SEC
+        is_no_date = (away_ns > SAME_CLOCK_NS) & (source.stamp_ns < YEAR_NS)
+        is_on_the_wall = (np.abs(away_ns) > SAME_CLOCK_NS) & (np.abs(offset_ns) <= SAME_CLOCK_NS)
+        is_stray = is_no_date | is_on_the_wall
+        if is_stray.any() and not is_stray.all():
+            strays.append(Stray(part_of(source, is_stray), len(is_stray)))
+            source = part_of(source, ~is_stray)
+        yield source
 
 
 def _edge(table, child: str, is_static: bool, parts: list[tuple[int, np.ndarray]]) -> Edge:

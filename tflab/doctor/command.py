@@ -224,7 +224,7 @@ def _examine(name: str, read: Callable[[], Recording], options: argparse.Namespa
     profile = profile_of(recording) if needs_profile else None
     if options.expect and profile is not None:
         report = replace(report, findings=(*report.findings, *deviations_from(rules.expectations, profile)))
-    report, _ = let_pass(report, rules.ignore, rules.baseline)
+    report = let_pass(report, rules.ignore, rules.baseline)
     report = replace(report, findings=worst_first(told_causes(list(report.findings))))
     unfinished = recording.unfinished
     cut = f"{name}: read as far as it goes: {unfinished.what}" if unfinished and unfinished.is_cut else ""
@@ -237,7 +237,7 @@ def _compare(examined: list[Examined], options: argparse.Namespace) -> list[Exam
         return examined
     before, after = examined
     changes = changes_between(before.profile, after.profile)
-    changed, _ = let_pass(replace(after.report, findings=(*after.report.findings, *changes)), options.ignore)
+    changed = let_pass(replace(after.report, findings=(*after.report.findings, *changes)), options.ignore)
     changed = replace(changed, findings=worst_first(told_causes(list(changed.findings))))
     return [before, after._replace(report=changed)]
 

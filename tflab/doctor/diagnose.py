@@ -14,7 +14,7 @@ from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 from tflab.text import Text
 
-from .checks import clocks, names, owners, silence, stamps, statics, tree, values
+from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
 from .evidence import Evidence
 from .findings import SEVERITIES, Finding, NotMade, Report, Seen
@@ -51,7 +51,9 @@ CHECKS = (
     Check("gaps", silence.gaps),
     Check("edges that begin late", silence.late_starts, "arrival"),
     Check("rates", silence.slow_edges),
-    Check("stamps of another day", stamps.other_times, "arrival"),
+    Check("stamps in another time", time_bases.other_times, "arrival"),
+    Check("offsets of computers", time_bases.other_hosts, "recording"),
+    Check("drift of clocks", time_bases.drifting_clocks, "arrival"),
     Check("delays", stamps.odd_delays, "arrival"),
     Check("delays of other messages", stamps.odd_message_delays, "recording"),
     Check("jumps of a clock", clocks.jumping_clocks, "arrival"),
@@ -66,22 +68,25 @@ CHECKS = (
     Check("static transforms for late listeners", statics.volatile_statics, "recording"),
 )
 
-# cause: effects that it brings about on the same child, and anywhere
+TIME_BASES = ("time-wall", "time-simulated", "time-uptime", "time-date", "time-frozen", "unset-stamps")
+OF_A_CLOCK = ("late-stamps", "early-stamps", "stamped-ahead", "messages-late", "messages-early")
+# cause: effects that it brings about on the same child or topic, and anywhere
 EFFECTS_ON_CHILD = {
+    **dict.fromkeys(TIME_BASES, (*OF_A_CLOCK, "gap", "unordered-stamps", "repeated-stamps", "clock-jump-back",
+                                 "clock-jump-forward", "future-stamp", "late-start", "went-silent")),
+    **dict.fromkeys(("clock-slow", "clock-fast"), (*OF_A_CLOCK, "expected-delay")),
+    **dict.fromkeys(("host-late", "host-early"), (*OF_A_CLOCK, "expected-delay")),
     "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
                    "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp", "expected-rate",
                    "expected-owners", "expected-mount"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
     "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
     "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
-    "unset-stamps": ("repeated-stamps", "unordered-stamps", "gap", "clock-jump-back", "clock-jump-forward",
-                     "late-stamps", "early-stamps", "other-time", "future-stamp"),
     "moving-on-static": ("static-changed", "moving-and-static", "went-silent"),
     "constant-on-tf": ("late-stamps", "early-stamps", "stamped-ahead", "late-start", "slow-edge"),
     "repeated-stamps": ("unordered-stamps",),
     "self-transform": ("loop", "two-parents", "re-parented"),
     "future-stamp": ("unordered-stamps", "gap", "early-stamps"),
-    "other-time": ("late-stamps", "early-stamps", "gap", "unordered-stamps", "clock-jump-back", "clock-jump-forward"),
     "clock-jump-back": ("late-stamps", "early-stamps", "unordered-stamps", "gap", "future-stamp"),
     "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
     "out-of-this-world": ("two-owners", "gap", "odom-jumps"),
@@ -110,10 +115,11 @@ EFFECTS_ANYWHERE = {
     "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
     "stall": ("late-stamps", "expected-silence"),
     "tf-silent": ("expected-silence",),
+    "file-missing": ("stall", "tf-silent", "gap", "clock-jump-forward", "late-start", "statics-missing"),
     "two-trees": ("unknown-frame", "unknown-world-frame"),
 }  # fmt: skip
 # what all edges of one node have, if one has it
-OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "stamped-ahead", "other-time",
+OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "stamped-ahead",
                "slow-edge", "repeated-stamps", "unordered-stamps", "unset-stamps", "not-a-number", "zero-quaternion",
                "not-unit-quaternion"}  # fmt: skip
 AT_ONCE_NS = NSEC_PER_SEC
@@ -194,8 +200,15 @@ def _explains(cause: Finding, effect: Finding) -> bool:
         return False
     if cause.code == "stall" and effect.end_ns > cause.end_ns + AT_ONCE_NS:
         return False
-    on_child = cause.child == effect.child and effect.code in EFFECTS_ON_CHILD.get(cause.code, ())
-    return on_child or effect.code in EFFECTS_ANYWHERE.get(cause.code, ())
+    if cause.code == "time-wall" and effect.code == "late-start":  # a localiser waits for a pose that it can use
+        return any("initialpose" in subject for subject in _subjects(cause))
+    on_child = _subjects(cause) & _subjects(effect) and effect.code in EFFECTS_ON_CHILD.get(cause.code, ())
+    return bool(on_child) or effect.code in EFFECTS_ANYWHERE.get(cause.code, ())
+
+
+def _subjects(finding: Finding) -> set[str]:
+    """Return the children, or the topics, that a finding is about."""
+    return {finding.child or finding.topic, *finding.siblings}
 
 
 def _cause_of(effect: Finding, findings: list[Finding]) -> int | None:
@@ -227,7 +240,7 @@ def _unreadable(recording: Recording) -> list[Finding]:
     if recording.unfinished:
         severity = "warning" if recording.unfinished.is_cut else "info"
         facts = {"what": recording.unfinished.what, "remedy": recording.unfinished.remedy}
-        findings.append(Finding("unfinished", severity, facts=facts))
+        findings.append(Finding(recording.unfinished.code, severity, facts=facts))
     for note in recording.notes:
         topic = next((topic for topic in kinds if f"on {topic} " in note), "")
         severity = "error" if kinds.get(topic, "").endswith(("TFMessage", "tfMessage")) else "info"

@@ -18,7 +18,7 @@ from __future__ import annotations
 
 import mmap
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import NamedTuple
@@ -29,7 +29,8 @@ from tflab.bags.recording import Connection, Headers, JointStates
 from tflab.core import NSEC_PER_SEC
 from tflab.robots.urdf import UrdfError, parse_urdf
 
-__all__ = ["SAME_CLOCK_NS", "ClockRelation", "Edge", "Evidence", "Jump", "find_jumps", "is_stamped"]
+__all__ = ["SAME_CLOCK_NS", "YEAR_NS", "ClockRelation", "Edge", "Evidence", "Jump", "Stray", "find_jumps", "is_stamped",
+           "part_of"]  # fmt: skip
 
 LEAST_JUMP_S = 0.05
 LEAST_PERIODS = 3.0  # less can be a message or two that took another way
@@ -84,6 +85,7 @@ ROWS_AT_ONCE = 100_000  # of a recording on disk
 MANY = 5_000  # samples tell enough
 LARGEST = 1e150  # whose square is a number still
 SAME_CLOCK_NS = 3600 * NSEC_PER_SEC  # two clocks of one robot differ by less than this, sim time and 1970 by more
+YEAR_NS = 365 * 86_400 * NSEC_PER_SEC  # stamps below are no date
 
 
 @dataclass(eq=False)
@@ -166,6 +168,13 @@ class Edge:
         return [slice(a, b) for a, b in pairwise(bounds) if b > a]
 
 
+class Stray(NamedTuple):
+    """Samples of an edge or a topic that are in another time base than most, and of how many they are a part."""
+
+    source: Edge | Headers
+    total: int
+
+
 @dataclass(frozen=True)
 class ClockRelation:
     """What "received minus stamp" is on the whole: (time of receipt, difference) pairs to interpolate between.
@@ -196,6 +205,7 @@ class Evidence:
         moving, statics: what came on /tf and on /tf_static, in the order of first mention.
         has_arrival: whether times of receipt and the order of arrival are known.
         raw_names: every (parent, child, topic), as sent, in the order of first mention.
+        strays: samples in another time base, which are not among those of `moving` and `headers`.
     """
 
     subject: str
@@ -207,6 +217,7 @@ class Evidence:
     begin_ns: int = 0
     end_ns: int = 0
     headers: tuple[Headers, ...] = ()
+    strays: tuple[Stray, ...] = ()
     joint_states: tuple[JointStates, ...] = ()
     connections: tuple[Connection, ...] = ()
     robot_description: str = ""
@@ -250,6 +261,14 @@ class Evidence:
     def _root_of(self) -> dict[str, str]:
         return {frame: root for root, members in self.trees.items() for frame in members}
 
+    def is_below(self, frame: str, ancestor: str) -> bool:
+        """Return whether the climb from a frame comes past another, or begins there."""
+        seen = set()
+        while frame not in seen | {ancestor} and frame in self.parent_of:
+            seen.add(frame)
+            frame = self.parent_of[frame]
+        return frame == ancestor
+
     def root_of(self, frame: str) -> str:
         """Return where the climb from a frame ends; in a loop, and of a stranger, the frame itself."""
         return self._root_of.get(frame, frame)
@@ -292,3 +311,11 @@ class Evidence:
 def is_stamped(source: Edge | Headers) -> bool:
     """Return whether the stamps of a source were set; a single zero may be the first moment of a simulated clock."""
     return len(source.stamp_ns) > 0 and np.count_nonzero(source.stamp_ns == 0) <= min(1, len(source.stamp_ns) - 1)
+
+
+def part_of(source: Edge | Headers, which: np.ndarray) -> Edge | Headers:
+    """Return the samples of a source that are marked: shape (n,)."""
+    if isinstance(source, Headers):
+        return source._replace(**{name: getattr(source, name)[which] for name in ("receive_ns", "stamp_ns", "frame")})
+    columns = ("parent", "publisher", "receive_ns", "stamp_ns", "message", "rows")
+    return replace(source, **{name: getattr(source, name)[which] for name in columns})

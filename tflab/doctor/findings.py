@@ -92,6 +92,7 @@ class Report:
         checks_made: names of the checks.
         checks_not_made: the others, and what each would need.
         seen: what was looked at; None of a buffer, which has forgotten.
+        let_pass: how many findings somebody has chosen to ignore.
     """
 
     subject: str
@@ -100,6 +101,7 @@ class Report:
     checks_made: tuple[str, ...]
     checks_not_made: tuple[NotMade, ...] = ()
     seen: Seen | None = None
+    let_pass: int = 0
 
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:
         """Return the findings of these severities, in order."""

@@ -7,6 +7,7 @@
     stamps    4  is it there in time? stamps and delays
     silence      gaps, late starts and rates
     clocks    5  do the clocks agree?
+    time_bases   whose clock stamped what?
     owners    6  has each transform one owner?
     statics   7  is what is fixed published as fixed?
 

@@ -24,15 +24,8 @@ from tflab.text import Text
 from ..evidence import Edge, Evidence, Jump, is_stamped
 from ..findings import Finding, times_of
 
-__all__ = [
-    "JumpEvent",
-    "clock_offset",
-    "jump_events",
-    "jumping_clocks",
-    "mixed_time_sources",
-    "other_time_source",
-    "settled_delays_s",
-]
+__all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "mixed_time_sources",
+           "other_time_source", "settled_delays_s"]  # fmt: skip
 
 TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
@@ -115,11 +108,12 @@ def other_time_source(evidence: Evidence) -> Iterator[Finding]:
     """Yield a note if stamps come from another clock than the times of receipt, as in simulation."""
     if evidence.clock.source != "same":
         difference_s = evidence.clock.difference_s
-        drift_ms = 1e3 * float(difference_s[-1] - difference_s[0])
+        steps_s = np.diff(evidence.clock.receive_ns) / NSEC_PER_SEC
+        paces = 1.0 - np.diff(difference_s)[steps_s > 0.0] / steps_s[steps_s > 0.0]
         facts = {
             "source": Text("estimated", "추정") if evidence.clock.source == "estimated" else evidence.clock.source,
             "difference": f"{np.median(difference_s):.3f}",
-            "drift": f"{drift_ms:.0f}",
+            "pace": f"{np.mean(np.clip(paces, 0.0, 10.0)) if len(paces) else 1.0:.2f}",
         }
         yield Finding("other-clock", "info", facts=facts)
 

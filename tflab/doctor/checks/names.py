@@ -21,37 +21,13 @@ from tflab.text import Text
 from ..evidence import Evidence
 from ..findings import Finding, first_of
 
-__all__ = [
-    "differ_in_side",
-    "empty_names",
-    "endings_of",
-    "is_slip",
-    "leading_slashes",
-    "letters_of",
-    "likeness",
-    "misspelt_names",
-    "prefix_of",
-    "remind_of_each_other",
-    "slashes_in_messages",
-    "unknown_frames_in_messages",
-]
+__all__ = ["differ_in_side", "empty_names", "endings_of", "is_slip", "leading_slashes", "letters_of",
+           "likeness", "misspelt_names", "prefix_of", "remind_of_each_other", "slashes_in_messages",
+           "unknown_frames_in_messages"]  # fmt: skip
 
 LONG_NAME = 12  # letters, from which on two slips are one misspelling
-SIDES = {
-    "left",
-    "right",
-    "front",
-    "rear",
-    "back",
-    "upper",
-    "lower",
-    "top",
-    "bottom",
-    "inner",
-    "outer",
-    "master",
-    "slave",
-}
+SIDES = {"left", "right", "front", "rear", "back", "upper", "lower", "top", "bottom", "inner", "outer",
+         "master", "slave"}  # fmt: skip
 SHORT_WORD = 2  # letters: l, r, fl, x, ... tell honest names apart
 
 
@@ -216,7 +192,7 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
         }
         code = "unknown-world-frame" if is_world else "unknown-frame"
         topic = spatial[0].topic if spatial else topics[0][0].topic
-        yield Finding(code, "warning" if spatial else "info", topic=topic, facts=facts)
+        yield Finding(code, "error" if spatial else "info", topic=topic, facts=facts)
 
 
 def _alike_text(frame: str, known: set[str]) -> Text | str:

@@ -97,9 +97,9 @@ def _publishers_at_once(edge: Edge) -> list[str]:
     if len(edge.publishers) < 2:
         return []
     spans = []
-    for number, name in enumerate(edge.publishers):
+    for number in np.unique(edge.publisher).tolist():
         mine = edge.receive_ns[edge.publisher == number]
-        spans.append((int(mine.min()), int(mine.max()), name))
+        spans.append((int(mine.min()), int(mine.max()), edge.publishers[number]))
     spans.sort()
     overlap = any(later[0] < earlier[1] for earlier, later in pairwise(spans))
     return sorted(name or "(unknown)" for *_, name in spans)[:MOST_SHOWN] if overlap else []

@@ -33,6 +33,7 @@ FEWEST_SAMPLES = 8
 ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
 HOLE_AFTER = 4  # samples after a silence in which its hole may show
 LATE_START_S = 1.0
+SOON_S = 5.0  # what starts later than this has waited for something
 LATE_START_PERIODS = 10.0
 SLOW_S = 0.4  # between samples
 SLOWER = 5.0  # than the others
@@ -90,7 +91,20 @@ def late_starts(evidence: Evidence) -> Iterator[Finding]:
         if len(edge) >= FEWEST_SAMPLES and late_ns > least_ns and is_stamped(edge):
             facts = {"late": f"{late_ns / NSEC_PER_SEC:.3f}"}
             span = (usual_ns, int(edge.receive_ns[0]))
-            yield Finding("late-start", "warning", edge.usual_parent, edge.child, edge.topic, *span, facts)
+            is_urgent = late_ns > SOON_S * NSEC_PER_SEC or _is_needed(evidence, edge)
+            severity = "warning" if is_urgent else "info"
+            yield Finding("late-start", severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def _is_needed(evidence: Evidence, edge: Edge) -> bool:
+    """Return whether messages from before an edge began are in a frame that only this edge connects to the rest."""
+    is_localiser = edge.usual_parent not in evidence.parent_of  # at the top: whoever is below it has a tree already
+    for header in evidence.headers:
+        for number in np.unique(header.frame[header.receive_ns < edge.receive_ns[0]]).tolist():
+            frame = header.frames[number].removeprefix("/")
+            if frame in evidence.frames and evidence.is_below(frame, edge.child) != is_localiser:
+                return True
+    return False
 
 
 def slow_edges(evidence: Evidence) -> Iterator[Finding]:

@@ -30,24 +30,16 @@ from tflab.core import NSEC_PER_SEC
 from tflab.text import Text
 
 from ..evidence import SAME_CLOCK_NS, Edge, Evidence, is_stamped
-from ..findings import Finding
+from ..findings import Finding, Severity
 from .clocks import settled_delays_s
-from .names import SPATIAL
+from .time_bases import CACHE_S, finding_of_sources, in_groups
 
-__all__ = [
-    "future_stamps",
-    "odd_delays",
-    "odd_message_delays",
-    "other_times",
-    "repeated_stamps",
-    "unordered_stamps",
-    "unset_stamps",
-]
+__all__ = ["future_stamps", "odd_delays", "odd_message_delays", "repeated_stamps", "unordered_stamps",
+           "unset_stamps"]  # fmt: skip
 
 FEWEST_REPEATED = 3  # stamps, before it is more than a slip ...
 REPEATED_SHARE = 0.002  # ... and their share of an edge
 FEWEST_UNORDERED = 3
-CACHE_S = 10.0  # what tf2 keeps as a rule
 FUTURE_S = 5.0  # ahead of the others of its edge
 FEW = 0.05  # of an edge: more is a clock that was set
 
@@ -64,8 +56,10 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
         if not repeats or not is_stamped(edge):
             continue
         repeats.sort()
-        severity = "warning" if len(repeats) >= max(FEWEST_REPEATED, REPEATED_SHARE * len(edge)) else "info"
-        facts = {"count": len(repeats), "total": len(edge), "values": _values_of_repeats(edge, repeats)}
+        values = _values_of_repeats(edge, repeats)
+        is_harmless = values.en == "the same" or len(repeats) < max(FEWEST_REPEATED, REPEATED_SHARE * len(edge))
+        severity = "info" if is_harmless or _has_stamps_of_a_slow_clock(evidence, edge) else "warning"
+        facts = {"count": len(repeats), "total": len(edge), "values": values}
         yield _finding(edge, "repeated-stamps", severity, repeats[0], repeats[-1], facts)
 
 
@@ -92,7 +86,7 @@ def unset_stamps(evidence: Evidence) -> Iterator[Finding]:
     for edge in evidence.moving:
         unset = np.flatnonzero(edge.stamp_ns == 0)
         if not is_stamped(edge):
-            facts = {"count": len(unset), "total": len(edge)}
+            facts = {"count": len(unset), "total": len(edge), "stamp": "0.0"}
             yield _finding(edge, "unset-stamps", "error", int(unset[0]), int(unset[-1]), facts)
 
 
@@ -106,6 +100,12 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
         if 0 < len(ahead) <= max(1.0, FEW * len(edge)):
             facts = {"count": len(ahead), "total": len(edge), "ahead": f"{ahead_s.max():.3f}"}
             yield _finding(edge, "future-stamp", "error", int(ahead[0]), int(ahead[-1]), facts)
+
+
+def _has_stamps_of_a_slow_clock(evidence: Evidence, edge: Edge) -> bool:
+    """Return whether /clock comes more rarely than an edge, whose stamps then repeat."""
+    ticks_s = np.diff(evidence.clock.receive_ns) / NSEC_PER_SEC if evidence.clock.source == "/clock" else np.zeros(1)
+    return float(np.median(ticks_s)) > 1.5 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
 
 
 def _values_of_repeats(edge: Edge, repeats: list[int]) -> Text:
@@ -138,6 +138,9 @@ QUICK = re.compile(r"LaserScan|Imu|JointState|Odometry|Range|NavSatFix")
 QUICK_LATE_S = 0.5  # nothing is looked for in these
 TOLERANCE_S = 3.0  # how far ahead a localiser may stamp map -> odom (AMCL's transform_tolerance is 1 s)
 OTHER_TIME_S = SAME_CLOCK_NS / NSEC_PER_SEC
+ONE_HOST_S = 0.02  # between the offsets of topics of one host
+SWEEP_S = 0.15  # between those of one driver: what is measured for a while may be stamped at its beginning
+TAI_S, TAI_SLACK_S = 37.0, 0.05  # ahead of UTC
 MAP = re.compile(r"(^|[/_])map$")
 ODOM = re.compile(r"(^|[/_])odom")
 
@@ -167,39 +170,37 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
             if code == "early-stamps" and _may_be_ahead(evidence, edge) and -odd_s < TOLERANCE_S:
                 yield _finding(edge, "stamped-ahead", "info", int(odd[0]), int(odd[-1]), facts)
             else:
-                yield _finding(edge, code, "warning", int(odd[0]), int(odd[-1]), facts)
+                code = "time-tai" if _is_tai(odd_s) else code
+                yield _finding(edge, code, _severity_of_delay(odd_s), int(odd[0]), int(odd[-1]), facts)
 
 
 def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each topic whose messages are stamped ahead of the transforms, or long before them."""
-    if not evidence.moving:
-        return
-    for header in evidence.headers:
-        if len(header.stamp_ns) < FEWEST_SAMPLES or not is_stamped(header):
-            continue
-        usual_s = float(np.median(evidence.delay_s(header)))
-        late_s = QUICK_LATE_S if QUICK.search(header.msgtype) else MESSAGE_LATE_S
-        if -MESSAGE_EARLY_S <= usual_s <= late_s or abs(usual_s) > OTHER_TIME_S:
-            continue
-        code = "messages-early" if usual_s < 0.0 else "messages-late"
-        facts = {"topic": header.topic, "delay": f"{abs(usual_s):.3f}", "count": len(header.stamp_ns)}
-        span = (int(header.receive_ns[0]), int(header.receive_ns[-1]))
-        yield Finding(code, "warning", "", "", header.topic, *span, facts)
-
-
-def other_times(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each edge, and each topic, whose stamps are of another day than most."""
-    for edge in evidence.moving:
-        usual_s = _usual_delay_s(edge, evidence.delay_s(edge))
-        if OTHER_TIME_S < abs(usual_s) < math.inf:
-            facts = {"what": f"{edge.usual_parent} -> {edge.child}", "away": f"{abs(usual_s):.0f}", "count": len(edge)}
-            yield _finding(edge, "other-time", "error", 0, -1, facts)
-    for header in evidence.headers:
+    """Yield a finding for each device whose messages are stamped ahead of the transforms, or long before them."""
+    odd = []
+    for header in evidence.headers if evidence.moving else ():
         usual_s = _usual_delay_s(header, evidence.delay_s(header))
-        if OTHER_TIME_S < abs(usual_s) < math.inf:
-            facts = {"what": header.topic, "away": f"{abs(usual_s):.0f}", "count": len(header.stamp_ns)}
-            severity = "error" if SPATIAL.search(header.msgtype) else "warning"
-            yield Finding("other-time", severity, topic=header.topic, facts=facts)
+        late_s = QUICK_LATE_S if QUICK.search(header.msgtype) else MESSAGE_LATE_S
+        if not -MESSAGE_EARLY_S <= usual_s <= late_s and abs(usual_s) <= OTHER_TIME_S:
+            odd.append((usual_s, header))
+
+    def is_one_device(a: tuple[float, Headers], b: tuple[float, Headers]) -> bool:
+        is_one_driver = a[1].topic.split("/")[:2] == b[1].topic.split("/")[:2]
+        return a[0] * b[0] > 0.0 and abs(a[0] - b[0]) < (SWEEP_S if is_one_driver else ONE_HOST_S)
+
+    for group in in_groups(odd, is_one_device):
+        usual_s = group[0][0]
+        facts = {"delay": f"{abs(usual_s):.3f}", "count": sum(len(header.stamp_ns) for _, header in group)}
+        code = "messages-late" if usual_s > 0.0 else "time-tai" if _is_tai(usual_s) else "messages-early"
+        yield finding_of_sources(code, _severity_of_delay(usual_s), [header for _, header in group], facts)
+
+
+def _is_tai(delay_s: float) -> bool:
+    return abs(delay_s + TAI_S) < SWEEP_S + TAI_SLACK_S
+
+
+def _severity_of_delay(delay_s: float) -> Severity:
+    """Return "error" for what can never be looked up: it is forgotten when it comes, or always ahead."""
+    return "error" if delay_s > CACHE_S or delay_s < -FUTURE_S else "warning"
 
 
 def _usual_delay_s(source: Edge | Headers, delay_s: np.ndarray) -> float:

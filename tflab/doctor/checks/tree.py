@@ -63,9 +63,9 @@ def loops(evidence: Evidence) -> Iterator[Finding]:
 def several_parents(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each child with more than one parent, at once or one after the other."""
     for edge in evidence.moving:
-        if len(edge.parents) < 2:
-            continue
         changes = np.flatnonzero(np.diff(edge.parent)) + 1
+        if not len(changes):
+            continue
         first, last = int(edge.receive_ns[changes[0]]), int(edge.receive_ns[changes[-1]])
         # A robot may be re-parented and given back; whoever goes back and forth more often is two.
         code = "two-parents" if len(changes) > 2 * (len(edge.parents) - 1) else "re-parented"

@@ -29,16 +29,8 @@ from ..checks.motion import distances
 from ..findings import Finding, Severity
 from ..profile import EdgeProfile, RecordingProfile, name_of
 
-__all__ = [
-    "ExpectationError",
-    "Expectations",
-    "ExpectedEdge",
-    "changes_between",
-    "deviations_from",
-    "expectations_from",
-    "read_expectations",
-    "toml_from",
-]
+__all__ = ["ExpectationError", "Expectations", "ExpectedEdge", "changes_between", "deviations_from",
+           "expectations_from", "read_expectations", "toml_from"]  # fmt: skip
 
 if sys.version_info >= (3, 11):
     import tomllib

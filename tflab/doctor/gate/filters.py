@@ -12,7 +12,7 @@ figures.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -32,16 +32,35 @@ def fingerprint(finding: Finding) -> str:
     return "|".join((*words, finding.namespace) if finding.namespace else words)
 
 
-def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> tuple[Report, int]:
-    """Return a report without the findings that are let pass, and how many those were."""
+def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> Report:
+    """Return a report without the findings that are let pass; the effects of these are findings of their own again."""
     patterns, known = list(patterns), set(baseline)
-    kept = tuple(f for f in report.findings if fingerprint(f) not in known and not _is_ignored(f, patterns))
-    return replace(report, findings=kept), len(report.findings) - len(kept)
+    kept, passed = [], report.let_pass
+    for finding in _with_effects(report.findings, lambda f: fingerprint(f) in known or _is_ignored(f, patterns)):
+        if finding is None:
+            passed += 1
+        else:
+            kept.append(finding)
+    return replace(report, findings=tuple(kept), let_pass=passed)
+
+
+def _with_effects(findings: Iterable[Finding], is_let_pass: Callable[[Finding], bool]) -> Iterator[Finding | None]:
+    """Yield the findings that stay, and None for each that is let pass."""
+    for finding in findings:
+        if is_let_pass(finding):
+            yield None
+            effects = (replace(effect, namespace=finding.namespace) for effect in finding.effects)
+            yield from _with_effects(effects, is_let_pass)
+        else:
+            yield finding
 
 
 def baseline_from(reports: Iterable[Report]) -> str:
     """Return a baseline of everything that was found, as JSON."""
-    known = sorted({fingerprint(finding) for report in reports for finding in report.findings})
+    known = sorted({
+        fingerprint(replace(found, namespace=finding.namespace))
+        for report in reports for finding in report.findings for found in (finding, *finding.effects)
+    })  # fmt: skip
     return json.dumps({"version": 1, "known": known}, indent=2, ensure_ascii=False) + "\n"
 
 

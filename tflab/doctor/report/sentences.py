@@ -87,7 +87,7 @@ def descriptions() -> dict[str, Description]:
 def describe(finding: Finding, language: str = "en") -> Sentences:
     """Return the sentences of a finding, with their blanks filled."""
     description = descriptions()[finding.code]
-    edge = f"{finding.parent} -> {finding.child}"
+    edge = f"{finding.parent} -> {finding.child}" if finding.child else finding.topic
     others = len(finding.siblings)
     blanks = {
         "edge": Text(f"{edge} and {others} more", f"{edge} 외 {others}개") if others else edge,
@@ -104,7 +104,8 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
         evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
     words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
-    command = description.command.format(**quoted | {"frame": words["frame"]})  # in quotes of its own
+    # a frame stands in quotes of its own, and a remedy is a command already
+    command = description.command.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
     if not finding.namespace:
         return Sentences(title, evidence, cause, command)
     if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf

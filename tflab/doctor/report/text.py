@@ -22,15 +22,8 @@ from tflab.text import Texts
 from ..findings import SEVERITIES, Finding, Report, english, first_of
 from .sentences import certainty_of, describe, faults_of_code, what_settles
 
-__all__ = [
-    "certainty_text",
-    "data_from_report",
-    "effects_text",
-    "finding_text",
-    "headline",
-    "moments_text",
-    "text_from_report",
-]
+__all__ = ["certainty_text", "data_from_report", "effects_text", "finding_text", "headline",
+           "moments_text", "text_from_report"]  # fmt: skip
 
 TEXTS = Texts(__file__)
 WIDTHS = {"en": 100, "ko": 64}  # letters of a line; a Korean one is two columns wide
@@ -50,6 +43,8 @@ def text_from_report(report: Report, language: str = "en") -> str:
         seen = report.seen._asdict()
         made += TEXTS["looked_at"].say(language, **seen, seconds=f"{report.seen.duration_s:.1f}")
     lines.append(f"{made}.")
+    if report.let_pass:
+        lines.append(TEXTS["let_pass"].say(language, n=report.let_pass))
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
         names = [check.check for check in report.checks_not_made if check.needs == needs]
         listed = f": {', '.join(names)}" if report.checks_made else ""
@@ -70,6 +65,7 @@ def data_from_report(report: Report) -> dict:
         "checks_made": list(report.checks_made),
         "checks_not_made": [{"check": check.check, "needs": check.needs.en} for check in report.checks_not_made],
         "seen": report.seen._asdict() if report.seen else None,
+        "let_pass": report.let_pass,
     }
 
 
@@ -89,7 +85,7 @@ def _data_from_finding(finding: Finding) -> dict:
         "facts": english(finding.facts),
         **describe(finding)._asdict(),
         "effects": [
-            {"code": effect.code, "parent": effect.parent, "child": effect.child, "topic": effect.topic}
+            {name: getattr(effect, name) for name in ("code", "severity", "parent", "child", "topic")}
             for effect in finding.effects
         ],
     }
