@@ -13,8 +13,6 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
-from operator import attrgetter
-from typing import Any
 
 from .time import Duration
 
@@ -122,31 +120,44 @@ QoSDurabilityPolicy = DurabilityPolicy
 QoSLivelinessPolicy = LivelinessPolicy
 
 
-def _policy(name: str, kind: type, doc: str) -> Any:
-    """Return the property of a policy, which takes a value of its kind, or the number of an enum's member."""
-    slot, is_enum = f"_{name}", issubclass(kind, IntEnum)
-
-    def assign(self: QoSProfile, value: Any) -> None:
-        assert isinstance(value, int if is_enum else kind)
-        setattr(self, slot, kind(value) if is_enum else value)
-
-    return property(attrgetter(slot), assign, doc=doc)
+_ZERO = Duration()
+_DEFAULTS = {
+    "history": HistoryPolicy.SYSTEM_DEFAULT,
+    "depth": 0,
+    "reliability": ReliabilityPolicy.RELIABLE,
+    "durability": DurabilityPolicy.VOLATILE,
+    "lifespan": _ZERO,
+    "deadline": _ZERO,
+    "liveliness": LivelinessPolicy.SYSTEM_DEFAULT,
+    "liveliness_lease_duration": _ZERO,
+    "avoid_ros_namespace_conventions": False,
+}
 
 
 class QoSProfile:
-    """One side's policies.  Give at least `depth`, or `history`."""
+    """One side's policies.  Give at least `depth`, or `history`.
 
-    __slots__ = (
-        "_avoid_ros_namespace_conventions",
-        "_deadline",
-        "_depth",
-        "_durability",
-        "_history",
-        "_lifespan",
-        "_liveliness",
-        "_liveliness_lease_duration",
-        "_reliability",
-    )
+    Attributes:
+        history, depth: how many samples wait in a queue, and how many with KEEP_LAST.
+        reliability: whether a lost sample is sent again.
+        durability: whether those who come late get what was sent before.
+        lifespan: how old a sample may get before it is dropped; zero for no limit.
+        deadline: how long there may be between samples; zero for no limit.
+        liveliness: who says that the publisher is alive.
+        liveliness_lease_duration: how often it must be said; zero for no limit.
+        avoid_ros_namespace_conventions: whether the name is used below ROS 2 without a prefix.
+    """
+
+    history: HistoryPolicy
+    depth: int
+    reliability: ReliabilityPolicy
+    durability: DurabilityPolicy
+    lifespan: Duration
+    deadline: Duration
+    liveliness: LivelinessPolicy
+    liveliness_lease_duration: Duration
+    avoid_ros_namespace_conventions: bool
+    __slots__ = tuple(_DEFAULTS)
     __hash__ = None
 
     def __init__(self, **policies: object) -> None:
@@ -158,36 +169,17 @@ class QoSProfile:
             policies["history"] = HistoryPolicy.KEEP_LAST
         elif policies["history"] == HistoryPolicy.KEEP_LAST and "depth" not in policies:
             raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
-        self._history = HistoryPolicy.UNKNOWN
         for name in reversed(_DEFAULTS):  # the history last: a depth of 0 is judged here, once
             setattr(self, name, policies.get(name, _DEFAULTS[name]))
-        if self._history == HistoryPolicy.KEEP_LAST and self._depth == 0 and "depth" in policies:
+        if self.history == HistoryPolicy.KEEP_LAST and self.depth == 0 and "depth" in policies:
             warnings.warn(ZERO_DEPTH, stacklevel=2)
 
-    history = _policy("history", HistoryPolicy, "How many samples wait in a queue.")
-    reliability = _policy("reliability", ReliabilityPolicy, "Whether a lost sample is sent again.")
-    durability = _policy("durability", DurabilityPolicy, "Whether those who come late get what was sent before.")
-    lifespan = _policy("lifespan", Duration, "How old a sample may get before it is dropped; zero for no limit.")
-    deadline = _policy("deadline", Duration, "How long there may be between samples; zero for no limit.")
-    liveliness = _policy("liveliness", LivelinessPolicy, "Who says that the publisher is alive.")
-    liveliness_lease_duration = _policy(
-        "liveliness_lease_duration", Duration, "How often it must be said; zero for no limit."
-    )
-    avoid_ros_namespace_conventions = _policy(
-        "avoid_ros_namespace_conventions", bool, "Whether the name is used below ROS 2 without a prefix."
-    )
-
-    @property
-    def depth(self) -> int:
-        """How many samples wait, with KEEP_LAST."""
-        return self._depth
-
-    @depth.setter
-    def depth(self, value: int) -> None:
-        assert isinstance(value, int)
-        if value == 0 and self._history == HistoryPolicy.KEEP_LAST:
+    def __setattr__(self, name: str, value: object) -> None:
+        kind = type(_DEFAULTS.get(name, value))
+        assert isinstance(value, (kind, int) if issubclass(kind, _Policy) else kind)
+        if name == "depth" and value == 0 and getattr(self, "history", None) == HistoryPolicy.KEEP_LAST:
             warnings.warn(ZERO_DEPTH, stacklevel=2)
-        self._depth = value
+        object.__setattr__(self, name, kind(value) if issubclass(kind, _Policy) else value)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, QoSProfile):
@@ -207,14 +199,14 @@ class QoSProfile:
     @property
     def is_latched(self) -> bool:
         """Whether it offers, or requests, what was sent before."""
-        return self._durability == DurabilityPolicy.TRANSIENT_LOCAL
+        return self.durability == DurabilityPolicy.TRANSIENT_LOCAL
 
     @property
     def capacity(self) -> int | None:
         """How many samples a queue holds; None without a limit."""
-        if self._history == HistoryPolicy.KEEP_ALL:
+        if self.history == HistoryPolicy.KEEP_ALL:
             return None
-        return self._depth or SYSTEM_DEPTH
+        return self.depth or SYSTEM_DEPTH
 
 
 class CQoSProfile:
@@ -241,19 +233,6 @@ class CQoSProfile:
 
 
 SYSTEM_DEPTH = 1
-
-_ZERO = Duration()
-_DEFAULTS = {
-    "history": HistoryPolicy.SYSTEM_DEFAULT,
-    "depth": 0,
-    "reliability": ReliabilityPolicy.RELIABLE,
-    "durability": DurabilityPolicy.VOLATILE,
-    "lifespan": _ZERO,
-    "deadline": _ZERO,
-    "liveliness": LivelinessPolicy.SYSTEM_DEFAULT,
-    "liveliness_lease_duration": _ZERO,
-    "avoid_ros_namespace_conventions": False,
-}
 
 
 def _shown(value: object) -> str:

@@ -11,6 +11,7 @@ for them are refused.
 
 from __future__ import annotations
 
+import warnings
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -38,6 +39,7 @@ __all__ = [
     "qos_check_compatible",
     "qos_policy_name_from_kind",
     "reporter",
+    "warn_of_qos_event",
 ]
 
 
@@ -269,3 +271,9 @@ def matched_reporter(node: Any, callbacks: _EventCallbacks | None, group: Any) -
         put(QoSMatchedInfo(total, max(change, 0), current, change))
 
     return report
+
+
+def warn_of_qos_event() -> None:
+    """Warn of the import of `rclpy.qos_event`, unless the release has no other module of the events."""
+    if distro.has_name("rclpy.event_handler"):
+        warnings.warn("importing 'qos_event' is deprecated; import 'event_handler' instead", stacklevel=2)
