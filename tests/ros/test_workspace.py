@@ -19,10 +19,11 @@ from .gait import stride
 from limp.gait import stride as other
 
 def main(args=None):
-    with rclpy.init(args=args):
-        node = rclpy.create_node("rabbit")
-        hops = Hops(hops=[Hops().first])
-        print(node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:])
+    rclpy.init(args=args)
+    node = rclpy.create_node("rabbit")
+    hops = Hops(hops=[Hops().first])
+    print(node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:])
+    rclpy.shutdown()
 """
 FILES = {
     "src/hop/package.xml": XML.format("hop"),

@@ -111,7 +111,7 @@ class _Finder:
                     setattr(module, other, sys.modules[other if each.startswith(f"{other}.") else each])
             else:
                 wanted = [row for row in names if distro.has_name(f"{name}.{row.partition(' as ')[2] or row}")]
-                if wanted:
+                if wanted and distro.has_name(source):
                     _copy(import_module(source, name), module, wanted)
 
 
