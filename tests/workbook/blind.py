@@ -28,26 +28,23 @@ SHORTER = {"first alone": slice(1), "last alone": slice(-1, None), "without the 
 CUT = {"first word": r"(\w+)/[\w/]+", "last word": r"[\w/]*/(\w+)"}  # of robot1/odom
 OF_LISTS = {"smallest": min, "largest": max, "median": median_low, "higher median": median_high, "count": len,
             "sorted": sorted}  # fmt: skip
-Args = list[Plain]
-Change = Callable[[Plain], Plain]
+Change = Callable[[list[Plain]], Plain]
 
 
 def blind_survivors(task: Task, right: Callable, cases: Sequence[Case]) -> list[str]:
     """Return the names of the blind functions, made from the right one, that pass every case."""
-    names = list(signature(right).parameters)
-    passed: list[str] = []
+    names, passed = list(signature(right).parameters), []
     for name, change in _changes(names, [case.args for case in cases]):
         frozen = [whole.removesuffix(" frozen") for whole in passed if whole.endswith(" frozen")]
-        is_part = any(name.startswith((f"{whole}.", f"{whole} frozen")) for whole in frozen)
-        if not is_part and all(
-            task.form.same(outcome_of(right, change(copy.deepcopy(case.args))), case.expected) for case in cases
-        ):
+        is_said = any(name.startswith((f"{whole}.", f"{whole} frozen")) for whole in frozen)
+        outcomes = (outcome_of(right, change(copy.deepcopy(case.args))) for case in cases)
+        if not is_said and all(map(task.form.same, outcomes, (case.expected for case in cases))):
             passed.append(name)
     calls = [({"dict": dict(zip(names, case.args, strict=True))}, case.expected) for case in cases]
     return passed + answers_by_place(task, calls)
 
 
-def _changes(names: list[str], every: list[Args]) -> Iterator[tuple[str, Change]]:
+def _changes(names: list[str], every: list[list[Plain]]) -> Iterator[tuple[str, Change]]:
     """Yield the name of each change of the arguments, and what makes it."""
     for path in (path for number in range(len(names)) for path in _fields(every, (number,))):
         name = ".".join(map(str, (names[path[0]], *path[1:])))
@@ -73,7 +70,7 @@ def _members(plain: Plain) -> list[tuple[Any, Any, Any]]:
     return [(key, held, key) for key in (held if isinstance(held, dict) else range(len(held)))]
 
 
-def _places(args: Args, path: tuple) -> list[tuple[Any, Any]]:
+def _places(args: list[Plain], path: tuple) -> list[tuple[Any, Any]]:
     """Return every place of a field: what holds it, and where."""
     held = [(args, path[0])]
     for step in path[1:]:
@@ -81,7 +78,7 @@ def _places(args: Args, path: tuple) -> list[tuple[Any, Any]]:
     return held
 
 
-def _fields(every: list[Args], path: tuple) -> Iterator[tuple]:
+def _fields(every: list[list[Plain]], path: tuple) -> Iterator[tuple]:
     """Yield a path and those of the fields below it that each call has."""
     yield path
     names = [{name for name, *_ in _members(held[at])} for args in every for held, at in _places(args, path)]
@@ -90,10 +87,10 @@ def _fields(every: list[Args], path: tuple) -> Iterator[tuple]:
             yield from _fields(every, (*path, name))
 
 
-def _put(path: tuple, change: Change) -> Change:
+def _put(path: tuple, change: Callable[[Plain], Plain]) -> Change:
     """Return what changes a field of the arguments, wherever it stands."""
 
-    def changed(args: Args) -> Args:
+    def changed(args: list[Plain]) -> list[Plain]:
         for held, key in _places(args, path):
             held[key] = change(held[key])
         return args
@@ -114,29 +111,24 @@ def _cut(plain: Plain, pattern: str) -> Plain:
 
 def answers_by_place(task: Task, calls: Sequence[tuple[Plain, Plain]]) -> list[str]:
     """Return what is right in every call by its place alone: of what was given, or as in the first call."""
-    if any(is_raised(right) for _, right in calls):
+    rights = [right for _, right in calls]
+    if any(map(is_raised, rights)):
         return []
-    first, found = calls[0][1], [dict(_by_place("", given)) for given, _ in calls]
-    survivors = []
-    for part in first["dict"] if isinstance(first, dict) and "dict" in first else [""]:
+    survivors, found = [], [dict(_by_place("", given)) for given, _ in calls]
+    for part in rights[0]["dict"] if isinstance(rights[0], dict) and "dict" in rights[0] else [""]:
         for each in found:
-            each["the first answer"] = first["dict"][part] if part else first
-        answers = [
-            (name, [{"dict": right["dict"] | {part: each.get(name)}} if part else each.get(name)
-                    for each, (_, right) in zip(found, calls, strict=True)])
-            for name in found[0]
-        ]  # fmt: skip
-        survivors += [
-            f"{part} = {name}"
-            for name, row in answers
-            if all(task.form.same(answer, right) for answer, (_, right) in zip(row, calls, strict=True))
-        ]
+            each["the first answer"] = rights[0]["dict"][part] if part else rights[0]
+        for name in found[0]:
+            values = [each.get(name) for each in found]
+            answers = [{"dict": r["dict"] | {part: v}} if part else v for v, r in zip(values, rights, strict=True)]
+            survivors += [f"{part} = {name}"] if all(map(task.form.same, answers, rights)) else []
     return survivors
 
 
 def _by_place(name: str, plain: Plain) -> Iterator[tuple[str, Plain]]:
     """Yield what stands at each place of a value: its fields, members by order and by size, words of a text."""
     yield name, plain
+    members = [(key, held[key]) for _, held, key in _members(plain)]
     if isinstance(plain, str) and "\n" in plain:
         words = re.findall(r"[\w/.+-]+", plain)
         for number in range(-len(words), len(words)):
@@ -145,11 +137,10 @@ def _by_place(name: str, plain: Plain) -> Iterator[tuple[str, Plain]]:
     elif isinstance(plain, list) and plain:
         for number in (0, 1, -2, -1):
             yield from _by_place(f"{name}[{number}]", plain[number % len(plain)])
-        if len({type(member) for member in plain}) == 1 and not isinstance(plain[0], list | dict):
+        if len(set(map(type, plain))) == 1 and not isinstance(plain[0], list | dict):
             yield from ((f"{name}, {how}", of(plain)) for how, of in OF_LISTS.items())
-    elif members := [(key, held[key]) for key, held, _ in _members(plain)]:
+    elif members:
         for key, member in members:
             yield from _by_place(f"{name}.{key}", member)
-        if len(members) > 1:
-            yield from _by_place(f"{name}, keys", [key for key, _ in members])
-            yield from _by_place(f"{name}, values", [value for _, value in members])
+        for how, row in (("keys", [key for key, _ in members]), ("values", [value for _, value in members])):
+            yield from _by_place(f"{name}, {how}", row) if len(members) > 1 else ()

@@ -34,15 +34,8 @@ def draw_launch_files(rng):
         ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
         ({**file(ALL=wall), **entry(f"/{a}", {"use_sim_time": "true"})}, nodes),
         (file(ALL={"use_gpu": True, "is_simulated": True}), nodes),  # neither is use_sim_time
-        (
-            {
-                **entry(f"/{a}", {"rate": 10.0} | sim),
-                **entry(b, {"use_sim_time": 0}),
-                **entry(f"{c}_2", sim),
-                **entry(f"/{d}", sim | {"rate": 5.0}),
-            },
-            [*nodes, f"/{d}"],
-        ),
+        ({**entry(f"/{a}", {"rate": 10.0} | sim), **entry(b, {"use_sim_time": 0}), **entry(f"{c}_2", sim)}, nodes),
+        (entry(f"/{d}", sim | {"rate": 5.0}), [*nodes, f"/{d}"]),
     ]
 
 

@@ -54,9 +54,7 @@ class Choice(Form):
         text = str(plain).strip()
         if not self.options or text in self.options:
             return text
-        if self.are_frames:
-            return None
-        meant = _options_meant(self.options, text)
+        meant = () if self.are_frames else _options_meant(self.options, text)
         return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Text:
