@@ -24,6 +24,7 @@ from tflab.workbook import call, check, hint, solution, task
 
 # %% name="imports"
 from geometry_msgs.msg import PointStamped
+from rclpy.duration import Duration
 from rclpy.time import Time
 
 # %% [markdown] lang="en" name="e1-1"
@@ -175,53 +176,47 @@ check("E1.4", on_arrival)
 # ## E1.5 · Which coordinates change? (3 points)
 #
 # The robot drives straight on. A **ball** lies on the floor, a **cup** stands on the robot's tray, and a second robot, which drives the other way, carries a **lamp**.
-# For each object and each frame: do its coordinates stay the same (`"stays"`), or not (`"changes"`)?
+# The frames are `"map"`, `"base_link"` and `"laser_frame"`. For each object give the list of the frames in which its coordinates stay the same: `[]` if there are none.
 
 # %% [markdown] lang="ko" name="e1-5"
 # ## E1.5 · 누구의 숫자가 바뀝니까? (3점)
 #
 # 로봇이 곧장 달립니다. **공**(ball)은 바닥에 있고, **컵**(cup)은 로봇의 쟁반 위에 있으며, **전등**(lamp)은 반대쪽으로 달리는 다른 로봇이 들고 있습니다.
-# 물체와 좌표계마다 숫자가 그대로면 `"stays"`, 바뀌면 `"changes"`라고 답하십시오.
+# 좌표계는 `"map"`, `"base_link"`, `"laser_frame"`입니다. 물체마다 숫자가 그대로인 좌표계의 리스트를 쓰십시오. 하나도 없으면 `[]`입니다.
 
 # %% name="e1-5-answer" tags=["answer"]
-numbers = {
+stays = {
     # BEGIN SOLUTION
-    "ball in map": "stays",
-    "ball in base_link": "changes",
-    "ball in laser_frame": "changes",
-    "cup in map": "changes",
-    "cup in base_link": "stays",
-    "cup in laser_frame": "stays",
-    "lamp in map": "changes",
-    "lamp in base_link": "changes",
-    "lamp in laser_frame": "changes",
+    "ball": ["map"],
+    "cup": ["base_link", "laser_frame"],
+    "lamp": [],
     # END SOLUTION
 }
 
 # %% name="e1-5-check" tags=["check"]
-check("E1.5", numbers)
+check("E1.5", stays)
 
 # %% [markdown] lang="en" name="e1-6"
 # ## E1.6 · Fill in frame and stamp (3 points)
 #
-# A range finder points along the x of `laser_frame`. It measured `range_m` [m] at the time `measured`. Your function is called later, at `now`. Both are `Time`.
+# A sonar points along the y of `sonar_frame`, to the robot's left. Your function is called at `now`, a `Time`. It gets the latest measurement, `range_m` [m], which is `age_ms` [ms] old by then (an int).
 # Return the `PointStamped` that a correct driver publishes.
 
 # %% [markdown] lang="ko" name="e1-6"
 # ## E1.6 · 좌표계와 측정 시각을 적으십시오 (3점)
 #
-# 거리 센서가 `laser_frame`의 x 방향을 봅니다. `measured`에 `range_m`[m]를 측정했고, 함수는 그보다 나중인 `now`에 호출됩니다. `measured`와 `now`는 모두 `Time`입니다.
+# 소나(초음파 거리 센서)가 `sonar_frame`의 y 방향, 곧 로봇의 왼쪽을 봅니다. 함수는 `now`(`Time`)에 호출되어 가장 최근의 측정값 `range_m`[m]를 받습니다. 그 값은 그때 `age_ms`[ms] 전에 측정한 것입니다(정수).
 # 드라이버가 발행해야 할 `PointStamped`를 반환하십시오.
 
 
 # %% name="e1-6-answer" tags=["answer"]
-def as_message(range_m, measured, now):
+def as_message(range_m, now, age_ms):
     """Return what was measured, as a PointStamped."""
     # BEGIN SOLUTION
     message = PointStamped()
-    message.header.frame_id = "laser_frame"
-    message.header.stamp = measured.to_msg()
-    message.point.x = range_m
+    message.header.frame_id = "sonar_frame"
+    message.header.stamp = (now - Duration(nanoseconds=age_ms * 1_000_000)).to_msg()
+    message.point.y = range_m
     return message
     # END SOLUTION
 

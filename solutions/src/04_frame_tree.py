@@ -62,7 +62,7 @@ check("E4.1", corrected)
 # - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"` (two nodes send the same edge);
 # - `"a child"`: the name of the child at fault. It is the child that has a misspelt parent, two parents, or two owners. For a healthy robot and for a loop, write `"none"`.
 #
-# `finding` is one dict with ten keys, `"a"`, `"a child"`, … `"e child"`. The cell prints the listings; you only need to read them.
+# The answer cell gives each of these words a name, so that you need not type it: `"a": two_trees`. Only the names of children are strings. The next cell prints the listings; you only need to read them.
 
 # %% [markdown] lang="ko" name="e4-2"
 # ## E4.2 · 목록 다섯 개 (5점)
@@ -72,33 +72,25 @@ check("E4.1", corrected)
 # - `"a"`: `"healthy"`(정상), `"two trees"`(트리가 둘), `"loop"`(고리), `"two parents"`(부모가 둘), `"two owners"`(한 연결을 두 노드가 발행) 가운데 하나.
 # - `"a child"`: 문제의 자식. 잘못 적힌 부모 아래에 있거나, 부모가 둘이거나, 발행하는 노드가 둘인 자식입니다. 정상인 로봇과 고리에는 `"none"`이라고 쓰십시오.
 #
-# `finding`은 `"a"`, `"a child"`, … `"e child"`까지 키가 열 개인 dict 하나입니다. 아래 셀이 목록을 출력하므로 읽고 답하면 됩니다.
+# 답 셀에는 이 문구마다 이름이 있으니 `"a": two_trees`처럼 이름으로 쓰고, 자식의 이름만 문자열로 쓰십시오. 아래 셀이 목록을 출력하므로 읽고 답하면 됩니다.
 
 # %% name="e4-2-given"
 e4_2 = task("E4.2")
-# The form of the answer; the words are only an example:
-# finding = {
-#     "a": "two trees", "a child": "laser_frame",
-#     "b": "healthy", "b child": "none",
-#     and so on, to "e" and "e child"
-# }
-
 
 # %% name="e4-2-answer" tags=["answer"]
+healthy, two_trees, loop, two_parents, two_owners, none = "healthy", "two trees", "loop", "two parents", "two owners", "none"
+finding = {"a": ..., "a child": ..., "b": ..., "b child": ..., "c": ..., "c child": ...,
+           "d": ..., "d child": ..., "e": ..., "e child": ...}
 # BEGIN SOLUTION
-finding = {}
-for letter in "abcde":
-    rows = getattr(e4_2, letter)
+_listings = vars(e4_2)
+for letter, rows in _listings.items():
     parents = {child: {p for p, c, _ in rows if c == child} for _, child, _ in rows}
-    nodes = {child: {n for _, c, n in rows if c == child} for _, child, _ in rows}
-    faults = {
-        "two parents": [child for child in parents if len(parents[child]) > 1],
-        "two owners": [child for child in nodes if len(nodes[child]) > 1],
-        "loop": [child for child in parents if any(child in parents.get(p, ()) for p in parents[child])],
-        "two trees": [child for child in parents if not parents[child] & {*parents, "map"}],
-    }
-    kind = next((kind for kind in faults if faults[kind]), "healthy")
-    finding |= {letter: kind, f"{letter} child": "none" if kind in ("loop", "healthy") else faults[kind][0]}
+    faults = {two_parents: [child for child in parents if len(parents[child]) > 1],
+              two_owners: [child for child in parents if len({n for _, c, n in rows if c == child}) > 1],
+              loop: [child for child in parents if any(child in parents.get(p, ()) for p in parents[child])],
+              two_trees: [child for child in parents if not parents[child] & {*parents, "map"}]}
+    kind, at_fault = next(((kind, found[0]) for kind, found in faults.items() if found), (healthy, none))
+    finding[letter], finding[f"{letter} child"] = kind, none if kind == loop else at_fault
 # END SOLUTION
 
 # %% name="e4-2-check" tags=["check"]

@@ -30,20 +30,21 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e5-1"
 # ## E5.1 · What a localiser publishes (4 points)
 #
-# Both arguments are `Transform`s that are valid at the same time. They are the robot's pose on the map, as the localiser found it, and its pose from the wheel odometry.
+# All three arguments are `Transform`s that are valid at the same time: the pose of the *laser* on the map, as the localiser found it, the robot's pose from the wheel odometry, and the laser's mount.
 # Return the `Transform` to publish as `map → odom`.
 
 # %% [markdown] lang="ko" name="e5-1"
 # ## E5.1 · 위치 추정 노드가 발행하는 것 (4점)
 #
-# 두 인자는 같은 시각의 `Transform`입니다. 지도에서 찾아낸 로봇의 포즈와, 오도메트리 포즈입니다.
+# 세 인자는 같은 시각의 `Transform`입니다. 지도에서 찾아낸 *레이저의* 포즈, 로봇의 오도메트리 포즈, 레이저의 장착 변환입니다.
 # `map → odom`으로 발행할 `Transform`을 반환하십시오.
 
 
 # %% name="e5-1-answer" tags=["answer"]
-def map_to_odom(map_T_base, odom_T_base):
+def map_to_odom(map_T_laser, odom_T_base, base_T_laser):
     """Return map_T_odom."""
     # BEGIN SOLUTION
+    map_T_base = map_T_laser @ base_T_laser.inverse()
     return map_T_base @ odom_T_base.inverse()
     # END SOLUTION
 

@@ -35,7 +35,7 @@ from tflab.core import Transform
 # Four robots have three edges each. For each robot give a list of three topics, in the order of its edges: `"/tf_static"` or `"/tf"`.
 #
 # - **cart**, parked since yesterday: `odom → base_link` from its wheels · `base_link → laser_frame`, screwed on · `map → odom`, corrected once in a while
-# - **scout**: `base_link → imu_link`, screwed on · `base_link → mast_link`, a mast that goes up and down only while the robot is parked · `camera_link → camera_optical_frame`
+# - **scout**: `base_link → imu_link`, screwed on · `base_link → ramp_link`, a loading ramp that a person folds down twice a day · `camera_link → camera_optical_frame`
 # - **arm**: `base_link → shoulder_link`, a joint that has been held for an hour · `wrist_link → tool0`, the flange at its end · `tool0 → tcp`, a pen taped onto it, measured once
 # - **drone**: `odom → base_link` · `base_link → gimbal_link`, which keeps the image steady · `gimbal_link → camera_link`, screwed on
 
@@ -45,7 +45,7 @@ from tflab.core import Transform
 # 로봇 네 대에 연결이 세 개씩 있습니다. 로봇마다 아래 순서대로 `"/tf_static"` 또는 `"/tf"`를 세 개 적은 리스트로 답하십시오.
 #
 # - **cart**, 어제부터 주차 중: 바퀴 오도메트리의 `odom → base_link` · 나사로 고정한 `base_link → laser_frame` · 가끔 보정되는 `map → odom`
-# - **scout**: 나사로 고정한 `base_link → imu_link` · 주차해 있을 때만 오르내리는 마스트 `base_link → mast_link` · `camera_link → camera_optical_frame`
+# - **scout**: 나사로 고정한 `base_link → imu_link` · 사람이 하루에 두 번 펼치는 적재 경사판 `base_link → ramp_link` · `camera_link → camera_optical_frame`
 # - **arm**: 한 시간째 붙잡고 있는 관절 `base_link → shoulder_link` · 손목 끝의 플랜지 `wrist_link → tool0` · 플랜지에 테이프로 붙이고 위치를 한 번 잰 펜 `tool0 → tcp`
 # - **drone**: `odom → base_link` · 영상이 흔들리지 않게 하는 `base_link → gimbal_link` · 나사로 고정한 `gimbal_link → camera_link`
 
@@ -168,6 +168,8 @@ check("E6.4", on_circle)
 # What to do:
 #
 # `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"send on while it stands"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
+#
+# The answer cell gives each of these words a name, so that you need not type it: `"a": no_board`.
 
 # %% [markdown] lang="ko" name="e6-5"
 # ## E6.5 · 로그에서 뽑은 여섯 사례 (5점)
@@ -190,19 +192,26 @@ check("E6.4", on_circle)
 # - `"send on while it stands"` 멈춰 있는 동안에도 보내기
 # - `"send it on /tf_static"`, `"send it on /tf"` 그 토픽으로 보내기
 # - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"correct the name"` 이름 고치기
+#
+# 답 셀에는 이 문구마다 이름이 있으니 `"a": no_board`처럼 이름으로 쓰십시오.
 
 # %% name="e6-5-given"
 e6_5 = task("E6.5")
 
 # %% name="e6-5-answer" tags=["answer"]
+several_letters, publisher_gone, no_board, silent_mover = "several letters", "publisher gone", "no board", "silent mover"
+bolt_on_tf, mover_on_tf_static, misspelt_name = "bolt on /tf", "mover on /tf_static", "misspelt name"
+send_one_list, keep_it_running, offer_transient_local = "send one list", "keep it running", "offer TRANSIENT_LOCAL"
+send_on_while_it_stands, send_it_on_tf_static, send_it_on_tf = "send on while it stands", "send it on /tf_static", "send it on /tf"
+wait_longer, send_it_faster, correct_the_name = "wait longer", "send it faster", "correct the name"
 diagnosis = {
     # BEGIN SOLUTION
-    "a": "bolt on /tf", "a do": "send it on /tf_static",
-    "b": "no board", "b do": "offer TRANSIENT_LOCAL",
-    "c": "mover on /tf_static", "c do": "send it on /tf",
-    "d": "several letters", "d do": "send one list",
-    "e": "silent mover", "e do": "send on while it stands",
-    "f": "publisher gone", "f do": "keep it running",
+    "a": bolt_on_tf, "a do": send_it_on_tf_static,
+    "b": no_board, "b do": offer_transient_local,
+    "c": mover_on_tf_static, "c do": send_it_on_tf,
+    "d": several_letters, "d do": send_one_list,
+    "e": silent_mover, "e do": send_on_while_it_stands,
+    "f": publisher_gone, "f do": keep_it_running,
     # END SOLUTION
 }
 

@@ -39,7 +39,7 @@ from tflab.core import Transform
 # - `nod_joint`, revolute, from `base_link` to `camera_link`, which has a body's axes (x where the head faces);
 # - `optical_joint`, fixed, from `camera_link` to `camera_optical_frame`, in the lens.
 #
-# An f-string inserts numbers: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, rotation and movement count; you may leave `<limit>` out (a real robot needs one).
+# An f-string inserts numbers: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, rotation and movement count; you may leave `<limit>` out (a real robot needs one). Angles must be right to 0.0005 rad.
 
 # %% [markdown] lang="ko" name="e7-1"
 # ## E7.1 · 관절 두 개 완성하기 (5점)
@@ -51,7 +51,7 @@ from tflab.core import Transform
 # - `nod_joint`: revolute, 부모는 `base_link`, 자식은 `camera_link`. `camera_link`는 본체의 축을 따릅니다(머리가 보는 쪽이 x).
 # - `optical_joint`: fixed, 부모는 `camera_link`, 자식은 렌즈에 있는 `camera_optical_frame`.
 #
-# 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다).
+# 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다). 각도는 0.0005 rad까지 맞아야 합니다.
 
 # %% name="e7-1-given"
 e7_1 = task("E7.1")
@@ -150,6 +150,8 @@ check("E7.3", fk)
 #
 # - `"a"` … `"e"`, the cause: `"other names"` (in the joint states), `"stamp zero"`, `"no driver"`, `"paint moved"` (the `<visual>`, and not the frame), `"degrees"`
 # - `"a do"` … `"e do"`, the fix: `"use the URDF's names"`, `"stamp the message"`, `"start the joint driver"`, `"write it into the joint"`, `"write radians"`, `"restart RViz"`, `"change the cable"`, `"wait longer"`
+#
+# The answer cell gives each of these words a name, so that you need not type it: `"a": stamp_zero`.
 
 # %% [markdown] lang="ko" name="e7-4"
 # ## E7.4 · 다섯 로봇 (5점)
@@ -158,25 +160,23 @@ check("E7.3", fk)
 #
 # - `"a"` … `"e"`, 원인: `"other names"`(관절 메시지의 이름이 다름), `"stamp zero"`(시각이 0), `"no driver"`(드라이버 없음), `"paint moved"`(좌표계가 아니라 겉모습의 위치를 바꿈), `"degrees"`(도로 씀)
 # - `"a do"` … `"e do"`, 고치는 법: `"use the URDF's names"`(URDF의 이름 쓰기), `"stamp the message"`(시각 적기), `"start the joint driver"`(드라이버 켜기), `"write it into the joint"`(관절에 적기), `"write radians"`(라디안으로 적기), `"restart RViz"`(RViz 다시 켜기), `"change the cable"`(케이블 바꾸기), `"wait longer"`(더 기다리기)
+#
+# 답 셀에는 이 문구마다 이름이 있으니 `"a": stamp_zero`처럼 이름으로 쓰십시오.
 
 # %% name="e7-4-given"
 e7_4 = task("E7.4")
 
 # %% name="e7-4-answer" tags=["answer"]
+other_names, stamp_zero, no_driver, paint_moved, degrees = "other names", "stamp zero", "no driver", "paint moved", "degrees"
+use_the_urdfs_names, stamp_the_message, write_radians = "use the URDF's names", "stamp the message", "write radians"
+start_the_joint_driver, write_it_into_the_joint = "start the joint driver", "write it into the joint"
+restart_rviz, change_the_cable, wait_longer = "restart RViz", "change the cable", "wait longer"
+findings = {"a": ..., "a do": ..., "b": ..., "b do": ..., "c": ..., "c do": ..., "d": ..., "d do": ..., "e": ..., "e do": ...}
 # BEGIN SOLUTION
-findings = {}  # {"a": the cause, "a do": the cure, "b": ..., "b do": ..., and so on}
+_tells = (("Publisher count: 0", no_driver, start_the_joint_driver), ("<visual>", paint_moved, write_it_into_the_joint),
+          ("<joint", degrees, write_radians), ("sec: 0,", stamp_zero, stamp_the_message), ("", other_names, use_the_urdfs_names))
 for letter, report in vars(e7_4).items():
-    if "Publisher count: 0" in report:
-        found = "no driver", "start the joint driver"
-    elif "<visual>" in report:
-        found = "paint moved", "write it into the joint"
-    elif "<joint" in report:
-        found = "degrees", "write radians"
-    elif "sec: 0," in report:
-        found = "stamp zero", "stamp the message"
-    else:
-        found = "other names", "use the URDF's names"
-    findings[letter], findings[f"{letter} do"] = found
+    findings[letter], findings[f"{letter} do"] = next(row[1:] for row in _tells if row[0] in report)
 # END SOLUTION
 
 # %% name="e7-4-check" tags=["check"]
@@ -223,24 +223,24 @@ check("E7.5", imu)
 # %% [markdown] lang="en" name="e7-6"
 # ## E7.6 · Find the tool's tip by touching (4 points)
 #
-# A new gripper. You let its tip touch a mark whose position in `base_link` you know: `base_p_tip`, (x, y, z) [m]. At that time the arm reports `base_T_tool0`, a `Transform`.
+# A new gripper. You let its tip touch a mark whose position in `map` you know: `map_p_tip`, (x, y, z) [m]. At that time the localiser reports `map_T_base` and the arm `base_T_tool0`, two `Transform`s.
 # Return the message for the frame `tcp`: a `TransformStamped` whose parent is `tool0`, without a rotation, its stamp left as it is.
 
 # %% [markdown] lang="ko" name="e7-6"
 # ## E7.6 · 표시에 대어 찾는 공구 끝 (4점)
 #
-# 그리퍼를 새로 달았습니다. 그 끝을 표시에 댑니다. 표시의 위치는 `base_link` 기준 `base_p_tip`(x, y, z)[m]입니다. 그때 팔 드라이버가 발행한 tool0의 포즈가 `base_T_tool0`(`Transform`)입니다.
+# 그리퍼를 새로 달았습니다. 그 끝을 표시에 댑니다. 표시의 위치는 `map` 기준 `map_p_tip`(x, y, z)[m]입니다. 그때 위치 추정 노드가 구한 포즈가 `map_T_base`, 팔 드라이버가 발행한 tool0의 포즈가 `base_T_tool0`입니다(둘 다 `Transform`).
 # 좌표계 `tcp`가 어디에 있는지 알리는 `TransformStamped`를 반환하십시오. 부모는 `tool0`이고, 그 기준으로 회전이 없으며, 시각은 그대로 둡니다.
 
 
 # %% name="e7-6-answer" tags=["answer"]
-def tcp_mount(base_T_tool0, base_p_tip):
+def tcp_mount(map_T_base, base_T_tool0, map_p_tip):
     """Return a TransformStamped, tool0 -> tcp."""
     # BEGIN SOLUTION
     message = TransformStamped()
     message.header.frame_id = "tool0"
     message.child_frame_id = "tcp"
-    tool0_p_tip = base_T_tool0.inverse().apply(base_p_tip)
+    tool0_p_tip = (map_T_base @ base_T_tool0).inverse().apply(map_p_tip)
     place = message.transform.translation
     place.x, place.y, place.z = map(float, tool0_p_tip)
     return message

@@ -291,7 +291,7 @@ check("E9.6", outcomes)
 # `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter, which adds up to `jitter_s` to the delay.
 # A scan arrives `scan_delay_s` after its stamp. All clocks are right, no message is lost.
 #
-# How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? [s]
+# How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? Answer in seconds; 0.5 ms more or less is accepted.
 
 # %% [markdown] lang="ko" name="e9-7"
 # ## E9.7 · 언제나 성공하는 가장 짧은 기다림 (2점)
@@ -299,7 +299,7 @@ check("E9.6", outcomes)
 # `map → odom`은 `localization`이, `odom → base_footprint`는 `wheel_odometry`가 발행합니다. 각각 발행률과 지연이 있고, 최대 `jitter_s`만큼 더 늦을 수 있습니다.
 # 스캔은 측정 시각에서 `scan_delay_s` 뒤에 도착합니다. 시계는 모두 맞고, 잃는 메시지는 없습니다.
 #
-# 스캔이 *도착한 때부터* 최대 얼마나 기다려야 그 시각의 조회가 언제나 성공합니까? [s]
+# 스캔이 *도착한 때부터* 최대 얼마나 기다려야 그 시각의 조회가 언제나 성공합니까? 초 단위로 답하십시오. 0.5 ms까지의 차이는 받아들입니다.
 
 # %% name="e9-7-given"
 e9_7 = task("E9.7")

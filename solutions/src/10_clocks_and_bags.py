@@ -212,29 +212,32 @@ check("E10.5", behind_s)
 # ## E10.6 · Can a bag's transforms place its own messages? (4 points)
 #
 # `buffer` contains a bag's transforms, `messages` its stamped messages (each has a `header`), `target` is the frame in which they are wanted.
-# Return `{"placed": how many have a transform at their own stamps, "first_no": the name of the first exception's class}`; if all are placed, `"first_no"` is `"none"`. Such as `{"placed": 4, "first_no": "LookupException"}`.
+# Return `{"placed": how many have a transform at their own stamps, "last_x_m": the x [m] of the last of these in `target`, "first_no": the name of the first exception's class}`.
+# The x is that of the origin of the message's frame. It is `0.0` if no message has a transform. If all have one, `"first_no"` is `"none"`. Such as `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
 # ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있습니까? (4점)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
-# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "first_no": 처음 발생한 예외의 클래스 이름}`을 반환하십시오. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "first_no": "LookupException"}`.
+# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "last_x_m": 그 가운데 마지막 메시지의 `target` 기준 x [m], "first_no": 처음 발생한 예외의 클래스 이름}`을 반환하십시오.
+# x는 메시지의 좌표계 원점의 x이며, 변환이 있는 메시지가 없으면 `0.0`입니다. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
 
 
 # %% name="e10-6-answer" tags=["answer"]
 def placeable(buffer, messages, target):
-    """Return how many messages can be placed, and the first refusal."""
+    """Return how many messages can be placed, the x of the last one's frame, and the first refusal."""
     # BEGIN SOLUTION
-    placed, first_no = 0, "none"
+    placed, last_x_m, first_no = 0, 0.0, "none"
     for message in messages:
         try:
-            buffer.lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp))
+            found = buffer.lookup_transform(target, message.header.frame_id, Time.from_msg(message.header.stamp))
+            last_x_m = found.transform.translation.x
             placed += 1
         except TransformException as error:
             if first_no == "none":
                 first_no = type(error).__name__
-    return {"placed": placed, "first_no": first_no}
+    return {"placed": placed, "last_x_m": last_x_m, "first_no": first_no}
     # END SOLUTION
 
 

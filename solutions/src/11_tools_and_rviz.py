@@ -157,6 +157,8 @@ check("E11.3", verdict)
 #
 # - `"localiser down"`, `"Fixed Frame misspelt"`, `"joint states missing"`, `"odometry down"`, `"stamps late"`, `"mount wrong"`, `"sensor broken"` or `"nothing wrong"`;
 # - `"ros2 node list"`, `"the name in RViz"`, `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`, `"a longer timeout"` or `"no check"`.
+#
+# The answer cell gives each of these words a name, so that you need not type it: `"a": stamps_late`.
 
 # %% [markdown] lang="ko" name="e11-4"
 # ## E11.4 · RViz에 보이는 로봇 여섯 대 (4점)
@@ -166,24 +168,27 @@ check("E11.3", verdict)
 #
 # - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 틀림), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
 # - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
+#
+# 답 셀에는 이 문구마다 이름이 있으니 `"a": stamps_late`처럼 이름으로 쓰십시오.
 
 # %% name="e11-4-given"
 e11_4 = task("E11.4")
 
 # %% name="e11-4-answer" tags=["answer"]
+localiser_down, fixed_frame_misspelt, odometry_down = "localiser down", "Fixed Frame misspelt", "odometry down"
+joint_states_missing, stamps_late, mount_wrong = "joint states missing", "stamps late", "mount wrong"
+sensor_broken, nothing_wrong, node_list, name_in_rviz = "sensor broken", "nothing wrong", "ros2 node list", "the name in RViz"
+hz_of_joint_states, delay_of_scan = "ros2 topic hz /joint_states", "ros2 topic delay /scan"
+echo_of_laser, replace_the_sensor = "tf2_echo base_link laser_frame", "replace the sensor"
+a_longer_timeout, no_check = "a longer timeout", "no check"
+findings = {"a": ..., "a check": ..., "b": ..., "b check": ..., "c": ..., "c check": ...,
+            "d": ..., "d check": ..., "e": ..., "e check": ..., "f": ..., "f check": ...}
 # BEGIN SOLUTION
-findings = {}  # {"a": the cause, "a check": the first check, "b": ..., "b check": ..., and so on to "f"}
-_tells = (
-    ("  map: No transform", "Fixed Frame misspelt", "the name in RViz"),
-    ("does not exist", "localiser down", "ros2 node list"),
-    ("not part of the same tree", "odometry down", "ros2 node list"),
-    ("RobotModel: Error", "joint states missing", "ros2 topic hz /joint_states"),
-    ("smears", "stamps late", "ros2 topic delay /scan"),
-    ("beside the walls", "mount wrong", "tf2_echo base_link laser_frame"),
-)
-for name in "abcdef":
-    said = getattr(e11_4, f"robot_{name}")
-    findings[name], findings[f"{name} check"] = next(row[1:] for row in _tells if row[0] in said)
+_tells = (("  map: No transform", fixed_frame_misspelt, name_in_rviz), ("does not exist", localiser_down, node_list),
+          ("same tree", odometry_down, node_list), ("RobotModel: Error", joint_states_missing, hz_of_joint_states),
+          ("smears", stamps_late, delay_of_scan), ("beside the walls", mount_wrong, echo_of_laser))
+for robot, said in vars(e11_4).items():
+    findings[robot[-1]], findings[f"{robot[-1]} check"] = next(row[1:] for row in _tells if row[0] in said)
 # END SOLUTION
 
 # %% name="e11-4-check" tags=["check"]

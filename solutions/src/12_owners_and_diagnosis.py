@@ -72,8 +72,9 @@ check("E12.1", owners)
 # Five terminals on five robots, `e12_2.a` to `e12_2.e`: print them. In each, the same four commands were typed about `odom → base_footprint`; their output is shortened. The card of the healthy robot is the one from the page. For each terminal, from `"a …"` to `"e …"`:
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"` or `"a misspelt parent"`
-# - `"… node"`: which node has to change: `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"` or `"none"`
-# - `"… cure"`, the fix: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"` or `"wheel_odometry: parent odom"`
+# - `"… cure"`, the fix: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"` or `"wheel_odometry: parent odom"`. It names the node that has to change.
+#
+# The answer cell gives each of these words a name, so that you need not type it: `"a state": two_owners`.
 
 # %% [markdown] lang="ko" name="e12-2"
 # ## E12.2 · 터미널 다섯 개 (4점)
@@ -81,26 +82,28 @@ check("E12.1", owners)
 # 로봇 다섯 대의 터미널 `e12_2.a`부터 `e12_2.e`까지입니다. 출력해 보세요. `odom → base_footprint`에 관해 똑같은 네 가지 검사를 했고, 출력은 조금 줄였습니다. 정상일 때의 카드는 이 장의 것과 같습니다. `"a …"`부터 `"e …"`까지 터미널마다 답하십시오.
 #
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"`, `"a misspelt parent"` 가운데 하나
-# - `"… node"`: 고쳐야 할 노드. `"wheel_odometry"`, `"ekf_filter_node"`, `"localization"`, `"laser_mount"`, `"none"` 가운데 하나
-# - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"`, `"wheel_odometry: parent odom"` 가운데 하나
+# - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"`, `"wheel_odometry: parent odom"` 가운데 하나. 고쳐야 할 노드의 이름이 들어 있습니다.
+#
+# 답 셀에는 이 문구마다 이름이 있으니 `"a state": two_owners`처럼 이름으로 쓰십시오.
 
 # %% name="e12-2-given"
 e12_2 = task("E12.2")
 
 # %% name="e12-2-answer" tags=["answer"]
+one_owner, nobody, two_owners, another_edge = "one owner", "nobody", "two owners", "another edge"
+a_misspelt_parent, leave_it_as_it_is = "a misspelt parent", "leave it as it is"
+start_wheel_odometry, switch_off_the_filter = "start wheel_odometry", "ekf_filter_node: publish_tf false"
+send_map_to_odom, correct_the_parent = "localization: send map -> odom", "wheel_odometry: parent odom"
+terminals = {"a state": ..., "a cure": ..., "b state": ..., "b cure": ..., "c state": ..., "c cure": ...,
+             "d state": ..., "d cure": ..., "e state": ..., "e cure": ...}
 # BEGIN SOLUTION
-terminals = {}  # {"a state": ..., "a node": ..., "a cure": ..., "b state": ..., and so on}
-_states = (  # the first that fits: how it shows, and what is to be done
-    ("Failure at", True, ("another edge", "localization", "localization: send map -> odom")),
-    ("/wheel_odometry", False, ("nobody", "wheel_odometry", "start wheel_odometry")),
-    ("/ekf_filter_node", True, ("two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false")),
-    ("base_footprint: \n  parent: 'odom'", False, ("a misspelt parent", "wheel_odometry", "wheel_odometry: parent odom")),
-    ("", True, ("one owner", "none", "leave it as it is")),
-)
+_tells = (("Failure at", True, another_edge, send_map_to_odom), ("/wheel_odometry", False, nobody, start_wheel_odometry),
+          ("/ekf_filter_node", True, two_owners, switch_off_the_filter),
+          ("base_footprint: \n  parent: 'odom'", False, a_misspelt_parent, correct_the_parent),
+          ("", True, one_owner, leave_it_as_it_is))  # the first that fits: how it shows, and what is to be done
 for place, text in vars(e12_2).items():
-    told = next(told for words, are_there, told in _states if (words in text) == are_there)
-    for what, said in zip(("state", "node", "cure"), told, strict=True):
-        terminals[f"{place} {what}"] = said
+    told = next(told for words, are_there, *told in _tells if (words in text) == are_there)
+    terminals[f"{place} state"], terminals[f"{place} cure"] = told
 # END SOLUTION
 
 # %% name="e12-2-check" tags=["check"]
@@ -275,7 +278,14 @@ check("E12.5", robot)
 # - **tree** does `view_frames` show one tree?
 # - **rates** delays and rates of the edges
 #
-# Choose six, in the order in which you would look, from cheap and coarse to expensive and fine: `"first"` to `"sixth"`.
+# Six readings follow one another, `"first"` to `"sixth"`. For each, choose the step that you take next:
+#
+# 1. RViz reports all Ok. The wall is sharp while the robot stands still. It smears in curves.
+# 2. That step shows nothing unusual: each scan arrives 0.05 s after its stamp. The wall still smears.
+# 3. `odom → base_footprint` arrives 80 times a second, and the wheel odometry publishes 50.
+# 4. A second node is switched off. The wall is sharp in curves, too, but it is 0.15 m behind the wall of the map, even while the robot stands still.
+# 5. That is corrected. After a restart RViz prints `No transform from [laser_frame] to [map]`. RViz lists both frames.
+# 6. That is corrected. The next morning nothing is drawn: `Frame [mpa] does not exist`.
 
 # %% [markdown] lang="ko" name="e12-6"
 # ## E12.6 · 번지는 벽 (3점)
@@ -291,17 +301,24 @@ check("E12.5", robot)
 # - **tree** `view_frames`의 트리가 하나인지 본다
 # - **rates** 연결의 지연과 발행률을 본다
 #
-# 여섯 장을 골라 살펴볼 순서대로, 빠르고 대략적인 것부터 오래 걸리고 세밀한 것까지 `"first"`에서 `"sixth"`에 놓으십시오.
+# 관찰 여섯 가지가 `"first"`부터 `"sixth"`까지 차례로 이어집니다. 관찰마다 다음에 볼 카드를 고르십시오.
+#
+# 1. RViz는 모두 Ok입니다. 벽은 로봇이 서 있으면 또렷하고, 회전할 때 번집니다.
+# 2. 그 카드에는 이상이 없습니다. 스캔은 측정 시각에서 0.05초 뒤에 도착합니다. 벽은 여전히 번집니다.
+# 3. `odom → base_footprint`가 1초에 80번 오는데, 바퀴 오도메트리는 50번 발행합니다.
+# 4. 다른 노드를 껐습니다. 이제 회전할 때도 벽이 또렷하지만, 서 있을 때도 지도의 벽보다 0.15 m 뒤에 있습니다.
+# 5. 그것을 고쳤습니다. 다시 켜니 RViz가 `No transform from [laser_frame] to [map]`을 출력합니다. RViz의 목록에는 두 좌표계가 모두 있습니다.
+# 6. 그것을 고쳤습니다. 다음 날 아침에는 아무것도 그려지지 않고 `Frame [mpa] does not exist`가 나옵니다.
 
 # %% name="e12-6-answer" tags=["answer"]
 steps = {
     # BEGIN SOLUTION
-    "first": "fixed frame",
-    "second": "tree",
-    "third": "mount",
-    "fourth": "rates",
-    "fifth": "header",
-    "sixth": "publishers",
+    "first": "header",
+    "second": "rates",
+    "third": "publishers",
+    "fourth": "mount",
+    "fifth": "tree",
+    "sixth": "fixed frame",
     # END SOLUTION
 }
 

@@ -118,7 +118,11 @@ def _compared(node: ast.Compare, _hair: float) -> list[ast.AST]:
 
 
 def _computed(node: ast.BinOp, _hair: float) -> list[ast.AST]:
-    swapped = [ast.BinOp(node.right, node.op, node.left)] if isinstance(node.op, ast.MatMult | ast.Sub) else []
+    swapped: list[ast.AST] = []
+    if isinstance(node.op, ast.MatMult | ast.Sub):
+        swapped.append(ast.BinOp(node.right, node.op, node.left))
+    if isinstance(node.op, ast.Div) and not isinstance(node.right, ast.Constant):
+        swapped.append(ast.Call(ast.Name("round", ast.Load()), [node, ast.Constant(2)], []))
     other = COMPUTED.get(type(node.op))
     return swapped + ([ast.BinOp(node.left, other(), node.right)] if other else [])
 

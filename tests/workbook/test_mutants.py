@@ -1,4 +1,4 @@
-"""Corrupted solutions: how they are made, and that none passes the hidden cases of a task."""
+"""Corrupted and blind solutions: how they are made, and that none passes the hidden cases of a task."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ import pytest
 from tflab.workbook.tasks.generate_cases import task_cases
 from tflab.workbook.tasks.reference import in_process_ros
 
+from .blind import answers_by_place, blind_survivors
 from .each_task import READS, each_task, solution_of, task_in
 from .mutants import mutants_of, survivors
 
@@ -40,3 +41,18 @@ def test_no_mutant_passes_cases_of_another_seed(stem, file):
     with in_process_ros():
         made = task_cases(task, "hidden from mutants", solution_of(stem), 1, fewest_inputs=8)
         assert set(survivors(task, made.variants, solution_of(stem))) <= set(task.equivalent)
+
+
+@pytest.mark.proof(reads=READS)
+@each_task
+def test_no_blind_answer_passes_cases_of_another_seed(stem, file):
+    task = task_in(stem, file)
+    if task.inputs is None and (task.given is None or task.kind != "N"):
+        return  # a choice may be the same for all
+    with in_process_ros():
+        made = task_cases(task, "hidden from the blind", solution_of(stem), None if task.kind == "N" else 1).variants
+        if task.inputs is None:
+            passed = answers_by_place(task, [({"dict": each.given}, each.cases[0].expected) for each in made])
+        else:
+            passed = blind_survivors(task, solution_of(stem).answer(task, None), made[0].cases)
+    assert set(passed) <= set(task.equivalent)

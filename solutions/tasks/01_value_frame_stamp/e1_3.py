@@ -22,7 +22,7 @@ def draw_messages(rng):
         now_ns = seconds(second) + seconds(now_s)
         return make_point(frame, now_ns - age_ns, x), time_from_ns(now_ns), limit
 
-    nothing = make_point("", 0, 1.0)
+    nothing = make_point("", 0, 2.0)
     return [
         row("laser_frame", 0.35, seconds(0.3)),  # nanosec below 0.1 s: 0.05
         row("camera_link", 0.15, seconds(0.2)),  # across a full second
@@ -40,7 +40,9 @@ def draw_messages(rng):
         row("laser_frame", 0.5, -1),
         row("camera_link", 0.9, -seconds(limit + 0.4)),
         (*row("laser_frame", 0.5, seconds(1.0))[:2], 1.0),  # a limit of whole seconds, and just that old
-        (make_point("laser_frame", 0, 1.0), time_from_ns(seconds(second)), limit),
+        (*row("robot1/gps", 0.5, seconds(2.1))[:2], 2.4),  # too old only for the other limits
+        (*row("gps_link", 0.5, seconds(0.6))[:2], 0.5),  # young enough only for them
+        (make_point("laser_frame", 0, 2.0), time_from_ns(seconds(second)), limit),
         (make_point("base_link", 0, 3.0), time_from_ns(seconds(0.3)), limit),
         (make_point("base_link", 1, 3.0), time_from_ns(seconds(0.3)), limit),  # a nanosecond is a stamp
         (nothing, time_from_ns(seconds(second)), limit),

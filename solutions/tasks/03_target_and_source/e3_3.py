@@ -19,7 +19,8 @@ def draw_poses(rng: Draws) -> list[tuple]:
                 for way in (1, -1) for low in (0.4, 1.9)]  # fmt: skip
     straight = {"x": 2.0, "y": 1.0, "yaw": 0.0}
     on_the_spot = {"x": 0.0, "y": 0.0, "yaw": round(float(rng.uniform(0.4, 1.2)), 4)}
-    return [*((pose,) for pose in quarters), (straight,), (on_the_spot,)]
+    in_another_order = dict(reversed(draw_planar_pose(rng).items()))
+    return [*((pose,) for pose in quarters), (straight,), (on_the_spot,), (in_another_order,)]
 
 
 def wrong_yaws(yaw: float) -> dict[str, float]:

@@ -29,6 +29,8 @@ def draw_pose_pairs(rng: Draws) -> list[tuple]:
         (draw_planar_pose(rng), nothing),
         (nothing, draw_planar_pose(rng)),
         (straight, draw_planar_pose(rng)),
+        (draw_planar_pose(rng), nothing | {"yaw": 1.2}),  # rotated on the spot
+        tuple(dict(reversed(draw_planar_pose(rng).items())) for _ in range(2)),  # keys in another order
     ]
 
 

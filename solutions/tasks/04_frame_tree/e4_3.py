@@ -14,9 +14,12 @@ def draw_queries(rng):
     for _ in range(2):
         tree = draw_tree(rng, parts=4) | {"camera_link": "base_link", "camera_optical_frame": "camera_link"}
         tree |= {"imu_link": "base_link", "laser_frame": "base_link", "lens": "camera_optical_frame"}
+        twins = tree | {"left/eye": "lens", "left/lamp": "left/eye", "right/lamp": "left/eye", "map": "earth"}
         deep = tree | {"mast": "lens", "pan": "mast", "tilt": "pan", "eye": "tilt"}
         rows += [
             (deep, "eye", "imu_link"),
+            (twins, "left/lamp", "right/lamp"),
+            (twins, "earth", "left/lamp"),
             (tree, "imu_link", "laser_frame"),
             (tree, "lens", "laser_frame"),
             (tree, "map", "camera_optical_frame"),

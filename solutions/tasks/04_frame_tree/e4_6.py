@@ -20,6 +20,15 @@ def draw_logs(rng):
         moved = [("/calibration", "odom" if tree[names[1]] != "odom" else "map", names[1])]
         spaces = [("/robot1/driver", "base_link", "lamp"), ("/robot2/driver", "base_link", "lamp")]
         same_node = [("/robot_state_publisher", "odom", "plate"), ("/robot_state_publisher", "map", "plate")]
+        back = [("/amcl", "map", "odom"), ("/localization", "map", "odom"), ("/amcl", "odom", "base_link")]
+        crowd = [
+            (f"/fleet/robot1/transform_source_{side}", "map", child)
+            for side, children in (
+                ("left", ["robot1/odom", "robot2/odom", "robot1/base", "robot2/base", *"Zabcde"]),
+                ("right", ["robot1/odom", "robot1/Base", "robot2/base", *"Zabcde"]),
+            )
+            for child in children
+        ]
         everything = [*healthy, *healthy, *twice, *moved, *spaces, *same_node, *twice]
         rows += [
             [],
@@ -30,6 +39,8 @@ def draw_logs(rng):
             [*healthy, *same_node],
             [everything[int(number)] for number in rng.permutation(len(everything))],
             [*healthy, *spaces, ("/driver_a", "map", "door"), ("/driver_b", "map", "door")],
+            [*healthy, *back],
+            [*healthy, *crowd],
             [*healthy, *twice, ("/third", tree[names[0]], names[0])],
         ]
     return [(row,) for row in rows]

@@ -20,5 +20,5 @@ TASK = define_task(
     kind="M",
     points=4,
     answer="jobs",
-    form=Parts({job: Choice(("map", "odom", "base_link")) for job in RIGHT}),
+    form=Parts({job: Choice(("map", "odom", "base_link"), are_frames=True) for job in RIGHT}),
 )

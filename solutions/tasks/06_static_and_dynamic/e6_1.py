@@ -13,12 +13,12 @@ RIGHT = {
 }
 
 
-def assign_topics(_given, *, wheels=RADIO, laser=BOARD, corrections=RADIO, imu=BOARD, mast=RADIO, optical=BOARD,
+def assign_topics(_given, *, wheels=RADIO, laser=BOARD, corrections=RADIO, imu=BOARD, ramp=RADIO, optical=BOARD,
                shoulder=RADIO, flange=BOARD, tcp=BOARD, flight=RADIO, gimbal=RADIO, camera=BOARD):  # fmt: skip
     """Return each robot's topics, edge by edge; another topic is a mistake."""
     return {
         "cart": [wheels, laser, corrections],
-        "scout": [imu, mast, optical],
+        "scout": [imu, ramp, optical],
         "arm": [shoulder, flange, tcp],
         "drone": [flight, gimbal, camera],
     }

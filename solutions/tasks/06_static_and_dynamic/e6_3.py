@@ -23,7 +23,8 @@ def _mounts(rng, count):
         way = [float(rng.choice([-1.0, 1.0])) for _ in range(3)]
         rpy = [round(w * float(rng.uniform(0.3, 1.1)), 2) for w in way]
         xyz = [round(w * float(rng.uniform(0.05, 0.6)), 2) for w in reversed(way)]
-        rows.append({"parent": "mast_link" if place == 2 else "base_link", "child": child, "xyz": xyz, "rpy": rpy})
+        parent = "left/mast" if place == (count + 1) % 3 else "base_link"
+        rows.append({"parent": parent, "child": child, "xyz": xyz, "rpy": rpy})
     return rows
 
 

@@ -6,7 +6,7 @@ import math
 
 from tflab.workbook.tasks import Name, Set, define_task
 
-NODES = ("calibrator", "driver", "wheels", "arm", "lift")
+NODES = ("calibrator", "driver", "wheels", "arm", "lift", "robot1/mast")
 PARTS = ("camera", "laser", "radar", "sonar", "imu", "gps")
 
 
@@ -27,6 +27,7 @@ def _log(rng, join, place, stay):
     last = join + stay
     on_the_edge = {0: join, 1: join - 0.01, 2: join + 0.01}[(place + 1) % 3]
     rows = [
+        (nodes[5], "/tf_static", join - 7.0, ["robot1/mast", "robot1/beacon", "robot1/siren"]),
         (nodes[0], "/tf_static", join - 6.0, [f"{names[0]}_1"]),
         (nodes[1], "/tf", join - 5.5, ["base_link"]),
         (nodes[2], "/tf_static", join - 5.0, [f"{names[1]}_link", f"{names[1]}_optical"]),
@@ -38,11 +39,11 @@ def _log(rng, join, place, stay):
         (nodes[1], "/tf", join + 1.0, ["base_link"]),
         (nodes[2], "/tf_static", {0: last, 1: last - 0.01, 2: last + 0.01}[place % 3], [f"{names[5]}_link"]),
         (nodes[1], "/tf", join + 1.3, ["base_link"]),  # heard twice, known once
-        (nodes[1], "/tf", last + 1.0, ["tool0"]),
+        *([(nodes[1], "/tf", last + 1.0, ["tool0"])] if place != 1 else []),  # there, the last is heard
         (nodes[0], "/tf_static", join + 0.7, [f"{names[0]}_4"]),  # heard, and its node ends before now
     ]
     if place % 2:
-        rows.insert(7, (nodes[4], "/tf_static", join - 0.2, [f"{names[4]}_old"]))
+        rows.append((nodes[4], "/tf_static", join - 0.2, [f"{names[4]}_old"]))
     rows.sort(key=lambda row: row[2])
     letters = [
         {"node": node, "topic": topic, "sent_s": round(sent, 3), "children": children}

@@ -88,7 +88,7 @@ def make_joints(
         "pitch alone": (0.0, math.pi / 2, 0.0),
         "pitch up alone": (0.0, -math.pi / 2, 0.0),
     }
-    quarter = {"to tenths": 1.5, "to tens of degrees": 1.6}.get(optical)
+    quarter = {"to tenths": 1.5, "to tens of degrees": 1.6, "to hundredths": 1.57}.get(optical)
     turn = (-quarter, 0.0, -quarter) if quarter else turned[optical]
     turn = (turn[0], turn[1], turn[2] + yaw) if turns == "at the lens" else turn
     first, second = origin([scale * each for each in xyz], rpy), origin(lens_xyz, turn)
@@ -113,7 +113,9 @@ TASK = define_task(
     kind="T",
     points=5,
     answer="joints",
-    form=Urdf(links=("camera_link", "camera_optical_frame"), joint="nod_joint", settings=(0.0, 0.4)),
+    form=Urdf(
+        links=("camera_link", "camera_optical_frame"), joint="nod_joint", settings=(0.0, 0.4), tolerance_rad=5e-4
+    ),
     given=draw_head,
     variants=6,
     model=make_joints,

@@ -32,10 +32,12 @@ def draw_chains(rng):
         ("revolute", "prismatic", "prismatic"),
         ("revolute", "revolute", "fixed"),
     ):
-        names = [f"joint_{letter}" for letter in "dbca"[: len(kinds)]]
+        names = ["right/joint_d", "left/joint_d", "right/joint_a", "left/joint_c"][: len(kinds)]
         axes = list(rng.permutation(["x", "y", "z", "y"]))
         if kinds.count("prismatic") > 1:  # one slides along x, one along z
             axes = ["y", *rng.permutation(["x", "z"])]
+        if kinds[:2] == ("revolute", "revolute"):  # one turns about x
+            axes = [*rng.permutation(["x", "z"]), "y"]
         chain = [draw_joint(rng, *each) for each in zip(names, kinds, map(str, axes), strict=False)]
         moving = [each["name"] for each in chain if each["type"] != "fixed"]
         positions = {name: draw_positions(rng, 0.2, 1.1) for name in reversed(moving)}
@@ -45,8 +47,8 @@ def draw_chains(rng):
     cases.append((chain, {name: positions[name] for name in list(positions)[-1:]}))  # and one behind it, at zero
     cases.append((cases[3][0], {}))
     cases.append((chain[:1], {chain[0]["name"]: 0.7, "somebody_else": 1.0}))
-    fixed = draw_joint(rng, "weld", "fixed", "z")
-    cases.append(([fixed, *cases[2][0]], {**cases[2][1], "weld": 0.5}))  # a fixed joint has no position
+    fixed, tip = draw_joint(rng, "weld", "fixed", "z"), draw_joint(rng, "tip", "fixed", "x")
+    cases.append(([fixed, *cases[2][0], tip], {**cases[2][1], "weld": 0.5}))  # a fixed joint has no position
     return cases
 
 

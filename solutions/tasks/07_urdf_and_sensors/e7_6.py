@@ -8,27 +8,34 @@ from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
 from tflab.workbook.tasks import Message, define_task
 
-from .draws import draw_tool_pose
+from .draws import draw_sign, draw_tool_pose
 
 
 def draw_touches(rng):
     """Draw tips in front of and next to the flange; most flanges are rotated, one is not."""
     cases = []
-    for _ in range(4):
+    for way in (1.0, 1.0, -1.0, 1.0):
         base_T_tool0 = draw_tool_pose(rng)
         tip = [
             round(float(each), 3)
-            for each in (rng.uniform(-0.05, 0.05), rng.uniform(0.02, 0.06), rng.uniform(0.08, 0.25))
+            for each in (rng.uniform(-0.05, 0.05), way * rng.uniform(0.02, 0.06), rng.uniform(0.08, 0.25))
         ]
-        cases.append((base_T_tool0, tuple(round(each, 4) for each in base_T_tool0.apply(tip))))
+        cases.append((base_T_tool0, base_T_tool0.apply(tip)))
     cases.append((Transform(translation=(0.4, 0.1, 0.3)), (0.4, 0.15, 0.45)))
-    return cases
+    rows = []
+    for base_T_tool0, base_p_tip in cases:
+        x, y, yaw = (draw_sign(rng) * float(rng.uniform(0.5, 2.5)) for _ in range(3))
+        map_T_base = Transform.from_rpy(yaw=yaw, translation=(x, y, 0.0))
+        rows.append((map_T_base, base_T_tool0, tuple(round(each, 4) for each in map_T_base.apply(base_p_tip))))
+    return rows
 
 
 def make_message(
+    map_T_base,
     base_T_tool0,
-    base_p_tip,
+    map_p_tip,
     *,
+    base="turned round",
     inverse="turned round",
     axes="tool",
     sign="plus",
@@ -38,6 +45,8 @@ def make_message(
     stamp="kept",
 ):
     """Return the message, step by step; other arguments are mistakes."""
+    to_base = {"turned round": map_T_base.inverse(), "as it is": map_T_base}.get(base, Transform())
+    base_p_tip = to_base.apply(map_p_tip)
     pose = base_T_tool0.inverse() if inverse == "turned round" else base_T_tool0
     place = pose.apply(base_p_tip)
     if inverse in ("translation negated", "step not turned back"):

@@ -10,18 +10,21 @@ from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import ClockType, Time
 
+SENSORS = ("laser_frame", "left/camera_link", "camera_link")
 
-def draw_drive(rng):
-    """Return a filled buffer, its first and newest common stamp [s], and the sensor's frame."""
+
+def draw_drive(rng, number):
+    """Return a filled buffer, its first and newest common stamp [s], and the frame of a sensor, each in turn."""
     buffer = Buffer()
     start_s = float(rng.integers(2, 20))
     speed, way = float(rng.uniform(0.5, 1.5)), float(rng.choice([-1.0, 1.0]))
     yaw_rate = way * float(rng.uniform(0.4, 0.9))
     yaw = float(rng.uniform(-2.5, 2.5))
     x, y = rng.uniform(-2.0, 2.0, 2).tolist()
-    sensor = str(rng.choice(["laser_frame", "camera_link"]))
-    mount = Transform.from_rpy(yaw=float(rng.uniform(0.4, 1.2)), translation=(0.2, float(rng.uniform(0.05, 0.2)), 0.15))
-    _put(buffer, "base_link", sensor, start_s, mount, is_static=True)
+    for sensor in SENSORS:
+        place = (0.2, float(rng.uniform(0.05, 0.2)), float(rng.uniform(0.1, 0.4)))
+        mount = Transform.from_rpy(yaw=float(rng.uniform(0.4, 1.2)), translation=place)
+        _put(buffer, "base_link", sensor, start_s, mount, is_static=True)
     for i in range(9):  # 5 Hz
         pose = Transform.from_rpy(yaw=yaw, translation=(x, y, 0.0))
         _put(buffer, "odom", "base_link", start_s + 0.2 * i, pose)
@@ -32,7 +35,7 @@ def draw_drive(rng):
     jump = Transform.from_rpy(yaw=0.12, translation=(0.25, -0.2, 0.0))
     for i in range(4):  # 2.5 Hz; the localiser corrects itself at the last one
         _put(buffer, "map", "odom", start_s + 0.4 * i, before if i < 3 else before @ jump)
-    return buffer, start_s, start_s + 1.2, sensor
+    return buffer, start_s, start_s + 1.2, SENSORS[number % len(SENSORS)]
 
 
 def _put(buffer, parent, child, stamp_s, pose, is_static=False):

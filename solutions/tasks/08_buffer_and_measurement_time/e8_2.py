@@ -20,8 +20,8 @@ def draw_samples(rng):
         (0, 1.0),
         (1, -0.3),
         (-1, 1.4),
-        (0, -0.001),
-        (0, 1.001),
+        (0, -1e-5),
+        (0, 1.00001),
         (2, 0.4),  # more than a quarter turn, to either side
         (-2, 0.3),
     ):
@@ -34,7 +34,8 @@ def draw_samples(rng):
         yaw0 = -math.copysign(float(rng.uniform(0.2, 0.4)), size) if abs(way) == 2 else yaw0
         yaw1 = math.remainder(yaw0 + (size if abs(way) == 2 else (way or 1) * size), math.tau)
         rows.append((t0 + share * gap, (t0, x0, y0, yaw0), (t0 + gap, x1, y1, yaw1)))
-    return rows
+    far_s = 40.0 * float(rng.uniform(0.231, 0.238))  # samples so far apart that three digits of the ratio are too few
+    return [*rows, (far_s, (0.0, -30.0, 20.0, 0.4), (40.0, 30.0, -25.0, 1.1))]
 
 
 ORDERS = {"yaw before y": (0, 1, 3, 2), "yaw before x": (0, 2, 3, 1)}  # in which x, y and yaw stand in what was read

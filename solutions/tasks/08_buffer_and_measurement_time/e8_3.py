@@ -15,8 +15,8 @@ from .draws import _moved, _time, draw_drive, seen
 def draw_detections(rng):
     """Draw points within the buffer, one before it, and one whose transform has not arrived."""
     rows = []
-    for share in (0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15, -0.15):
-        buffer, start_s, end_s, sensor = draw_drive(rng)
+    for number, share in enumerate((0.1, 0.35, 0.6, 0.75, -0.3, 1.2, 0.15, -0.15)):
+        buffer, start_s, end_s, sensor = draw_drive(rng, number)
         stamp_s = round(start_s + share * (end_s - start_s), 3)
         if share == 0.1:  # its nanosec starts with a zero, and without that zero there is a transform, too
             stamp_s = round(math.floor(start_s) + 0.045, 3)

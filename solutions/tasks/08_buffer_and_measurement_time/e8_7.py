@@ -15,17 +15,9 @@ from .draws import _moved, _time, draw_drive, seen
 def draw_resting_objects(rng):
     """Draw objects while the robot drives on and the localiser corrects itself; two have no transform."""
     rows = []
-    for share, later in (
-        (0.05, 0.9),
-        (0.2, 0.95),
-        (0.35, 0.9),
-        (0.1, 0.85),
-        (0.5, 1.0),
-        (0.3, 0.97),
-        (0.4, 1.9),
-        (-0.2, 0.8),
-    ):
-        buffer, start_s, end_s, sensor = draw_drive(rng)
+    shares = ((0.05, 0.9), (0.2, 0.95), (0.35, 0.9), (0.1, 0.85), (0.5, 1.0), (0.3, 0.97), (0.4, 1.9), (-0.2, 0.8))
+    for number, (share, later) in enumerate(shares):
+        buffer, start_s, end_s, sensor = draw_drive(rng, number)
         stamp_s, now_s = (round(start_s + part * (end_s - start_s), 3) for part in (share, later))
         rows.append((buffer, seen(rng, sensor, stamp_s), _time(now_s)))
     return rows

@@ -30,8 +30,12 @@ def draw_queries(rng: Draws) -> list[tuple]:
         ("map", "gripper", at(20.0, 40.0)),  # an unknown name, and too late
         ("gripper", "/laser_frame", at(1.1, 3.9)),  # two names that are wrong, each in its way
         ("map", "", at(1.1, 3.9)),
+        ("odom", "laser_frame", at(4.05, 4.45)),  # too late for map alone
+        ("tool0", "laser_frame", at(2.2, 3.9)),
+        ("map", "left/lamp", at(1.1, 3.9)),
     ]
-    return [(make_buffer(t), *question) for question in drawn]
+    another = make_buffer(t + 100.0), "map", "laser_frame", at(101.1, 103.9)
+    return [*((make_buffer(t), *question) for question in drawn), another]
 
 
 def classify(

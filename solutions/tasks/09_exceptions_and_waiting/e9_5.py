@@ -37,6 +37,10 @@ def draw_queues(rng: Draws) -> list[tuple]:
         ([int(now) - 0.5, int(now) - 0.25], float(int(now)), 0.5, 5),  # at one limit alone
         ([int(now) - 0.25, float(int(now))], float(int(now)), 0.5, 5),  # at the other
         *(([int(now) - age], float(int(now)), 0.5, 5) for age in (0.9, 0.5, 0.0, -0.4)),  # one alone, of each sort
+        ([3.0, 3.2, 3.45], 3.5, 0.4, 5),  # long before the others
+        (before(0.9, 0.6, 0.3), now, 0.8, 5),
+        (before(0.4, 0.25, 0.1), now, 0.2, 5),
+        (before(0.45, 0.35, 0.25, 0.15, 0.05), now, 0.5, 4),
         (before(0.3, 0.1), now, 1.0, 1),  # capacity 1
         (before(0.25, 0.05, 0.15), now, 1.0, 5),  # out of order, capacity for all
         (

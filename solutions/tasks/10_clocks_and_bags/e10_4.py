@@ -10,7 +10,7 @@ ABSENT = object()
 
 def draw_launch_files(rng):
     """Draw parameter files for all nodes, for one, or both; as text, as a number, with and without a slash."""
-    a, b, c = (NAMES[i] for i in rng.permutation(len(NAMES))[:3])
+    a, b, c, d = (NAMES[i] for i in rng.permutation(len(NAMES))[:4])
     nodes = [f"/{name}" for name in (a, b, c)]
 
     def file(**entries):
@@ -33,6 +33,9 @@ def draw_launch_files(rng):
         ({**file(ALL=sim), **entry(b, wall), **entry(f"/front/{c}", wall)}, [f"/front/{b}", f"/{c}", f"/{b}"]),
         ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
         ({**file(ALL=wall), **entry(f"/{a}", {"use_sim_time": "true"})}, nodes),
+        (file(ALL={"use_gpu": True, "is_simulated": True}), nodes),  # neither is use_sim_time
+        ({**entry(f"/{a}", {"rate": 10.0} | sim), **entry(b, {"use_sim_time": 0}), **entry(f"{c}_2", sim)}, nodes),
+        (entry(f"/{d}", sim | {"rate": 5.0}), [*nodes, f"/{d}"]),
     ]
 
 

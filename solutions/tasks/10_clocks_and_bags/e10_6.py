@@ -12,8 +12,10 @@ KINDS = ("none", "LookupException", "ConnectivityException", "ExtrapolationExcep
 
 
 def edge(parent, child, *times_s):
-    """Return one transform for each time [s]; with none it is static."""
-    return [StampedTransform(parent, child, seconds(t), Transform((0.1, 0.0, 0.0))) for t in times_s or (0.0,)]
+    """Return one transform for each time [s], of a frame that moves and rotates; with none it is static."""
+    poses = [Transform.from_rpy(yaw=0.4 + 0.3 * number, translation=(1.0 + number, 0.5, 0.1)) for number in range(3)]
+    rows = zip(times_s or (0.0,), poses, strict=False)
+    return [StampedTransform(parent, child, seconds(t), pose) for t, pose in rows]
 
 
 def fill(*edges):
@@ -35,8 +37,10 @@ def draw_bags(rng):
     def at(share):
         return round(t + 10.0 * share + float(rng.uniform(0.01, 0.4)), 3)
 
-    drive = edge("map", "odom", t, t + 5.0, t + 10.0), edge("odom", "base_link", t, t + 5.0, t + 10.0)
+    wheels = edge("odom", "base_link", t, t + 5.0, t + 10.0)
+    drive = edge("map", "odom", t, t + 5.0, t + 10.0), wheels
     laser, camera = edge("base_link", "laser_frame"), edge("mast", "camera_link")
+    lamp = edge("base_link", "left/lamp")
     scans = [message("laser_frame", at(share)) for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
     barely = message("laser_frame", t + 10.05)  # in the same whole second as what can be placed
     soon = message("laser_frame", t + 9.85)  # its nanosec has lost a zero
@@ -52,6 +56,8 @@ def draw_bags(rng):
         (fill(*drive), scans[:3], "map"),
         (fill(*drive, laser, camera), [scans[0], seen, scans[1], barely, late, lost, scans[2]], "map"),
         (fill(*drive, laser), [lost, early, *scans[:2]], "odom"),
+        (fill(edge("map", "odom", t + 6.0, t + 9.0), wheels, laser), [*scans, late], "odom"),  # map begins late
+        (fill(*drive, laser, lamp), [*scans, *scans[:3], message("left/lamp", at(0.6)), lost], "map"),
         (fill(*drive, laser, camera), [*scans[:2], late, seen, lost], "base_link"),
         (fill(*drive, laser, camera), [scans[0], seen, lost, scans[3], late], "map"),  # by stamp it is the second
         (fill(*drive, laser), [], "map"),
@@ -59,9 +65,9 @@ def draw_bags(rng):
 
 
 def place_messages(buffer, messages, target, ask="the stamp", stops=False, which="first", kind="its own",
-            frame="each", into="target", count="placed"):  # fmt: skip
+            frame="each", into="target", count="placed", ends="target first", x="last"):  # fmt: skip
     """Return what the bag can transform, step by step; other arguments are mistakes."""
-    placed, noes, frames = 0, [], set()
+    places, noes, frames, placed = [], [], set(), 0
     in_order = sorted(messages, key=lambda each: (each.header.stamp.sec, each.header.stamp.nanosec))
     for each in in_order if which == "by stamp" else messages:
         source = {
@@ -71,7 +77,9 @@ def place_messages(buffer, messages, target, ask="the stamp", stops=False, which
         }.get(frame, each.header.frame_id)
         try:
             when = _lookup_time(ask, messages[0].header.stamp if ask == "the first's" else each.header.stamp)
-            buffer.lookup_transform("map" if into == "map" else target, source, when)
+            names = ("map" if into == "map" else target, source)
+            names = names[::-1] if ends == "swapped" else names
+            places.append(buffer.lookup_transform(*names, when).transform.translation.x)
         except Exception as error:
             noes.append(_name_of(type(error).__name__, kind))
             placed += count == "or the latest" and buffer.can_transform(target, source, Time())
@@ -86,7 +94,8 @@ def place_messages(buffer, messages, target, ask="the stamp", stops=False, which
     counted = {"noes": len(messages) - placed, "all": len(messages), "share": share, "frames": len(frames)}.get(
         count, placed
     )
-    return {"placed": counted, "first_no": no}
+    x_m = (places or [0.0])[0 if x == "first" else -1]
+    return {"placed": counted, "last_x_m": x_m, "first_no": no}
 
 
 def _lookup_time(ask, stamp):
@@ -114,7 +123,7 @@ TASK = define_task(
     kind="F",
     points=4,
     answer="placeable",
-    form=Parts({"placed": Number(tolerance=0.0), "first_no": Choice(KINDS)}),
+    form=Parts({"placed": Number(tolerance=0.0), "last_x_m": Number("m"), "first_no": Choice(KINDS)}),
     inputs=draw_bags,
     variants=3,
     model=place_messages,

@@ -23,6 +23,7 @@ def draw_clocks(rng):
         ([*lap, end + 0.25, t],),
         ([*lap, end + 30.0, end + 30.25, t, t + 0.25, t - 5.0, t - 4.75, t + 0.5],),
         ([*lap, end - 0.4, end - 0.8, end - 1.2, end + 0.25],),
+        ([t + later for later in (9.0, 2.0, 6.0, 1.0, 8.0, 5.0, 7.0, 6.0)],),  # at once, and in no order
         ([t],),
         ([],),
     ]

@@ -9,7 +9,6 @@ from tflab.workbook.tasks import Choice, Parts, define_task
 from .draws import draw_stored_patient
 
 STATES = ("one owner", "nobody", "two owners", "another edge", "a misspelt parent")
-NODES = ("wheel_odometry", "ekf_filter_node", "localization", "laser_mount", "none")
 CURES = (
     "leave it as it is",
     "start wheel_odometry",
@@ -24,9 +23,6 @@ TERMINALS = {
     "another edge": "localizer owns the base",
     "a misspelt parent": "parent misspelt",
 }
-NODE_OF = dict(
-    zip(TERMINALS, ("none", "wheel_odometry", "ekf_filter_node", "localization", "wheel_odometry"), strict=True)
-)
 CURE_OF = dict(zip(TERMINALS, CURES, strict=True))
 PLACES = "abcde"
 LINES = 19  # of a reading
@@ -72,22 +68,22 @@ def state_of(text):
 
 
 def diagnose(given, *, odm="misspelt", calm="one", count="endpoints", another="another edge", nobody="nobody"):
-    """Return state, node and fix of each terminal, step by step; other arguments are mistakes."""
+    """Return state and fix of each terminal, step by step; other arguments are mistakes."""
     answers = {}
     for place in PLACES:
         state = seen = state_of(getattr(given, place))
-        node, cure = NODE_OF[state], CURE_OF[state]
+        cure = CURE_OF[state]
         if state == "a misspelt parent" and odm == "node down":
             state, cure = "nobody", "start wheel_odometry"
         if state == "two owners" and calm == "healthy":
-            state, node, cure = "one owner", "none", "leave it as it is"
-        if state == "one owner" and count == "owners" and node == "none":
-            state, node, cure = "two owners", "ekf_filter_node", "ekf_filter_node: publish_tf false"
+            state, cure = "one owner", "leave it as it is"
+        if seen == "one owner" and count == "owners":
+            state, cure = "two owners", "ekf_filter_node: publish_tf false"
         if state == "another edge" and another == "two owners":
             state = "two owners"
         if seen == "nobody" and nobody == "switch":
-            node, cure = "localization", "localization: send map -> odom"
-        answers |= {f"{place} state": state, f"{place} node": node, f"{place} cure": cure}
+            cure = "localization: send map -> odom"
+        answers |= {f"{place} state": state, f"{place} cure": cure}
     return answers
 
 
@@ -100,7 +96,7 @@ TASK = define_task(
         {
             f"{place} {what}": Choice(options)
             for place in PLACES
-            for what, options in (("state", STATES), ("node", NODES), ("cure", CURES))
+            for what, options in (("state", STATES), ("cure", CURES))
         }
     ),
     given=draw_terminals,

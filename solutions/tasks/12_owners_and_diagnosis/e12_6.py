@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from tflab.workbook.tasks import Choice, Parts, define_task
 
-ORDER = ("fixed frame", "tree", "mount", "rates", "header", "publishers")
-CARDS = (*ORDER, "new sensor", "longer timeout")
-RIGHT = dict(zip(("first", "second", "third", "fourth", "fifth", "sixth"), ORDER, strict=True))
+PLACES = ("first", "second", "third", "fourth", "fifth", "sixth")
+ORDER = ("header", "rates", "publishers", "mount", "tree", "fixed frame")
+CARDS = Choice((*ORDER, "new sensor", "longer timeout"))
 
-TASK = define_task(__file__, kind="D", points=3, answer="steps", form=Parts({place: Choice(CARDS) for place in RIGHT}))
+TASK = define_task(__file__, kind="D", points=3, answer="steps", form=Parts(dict.fromkeys(PLACES, CARDS)))

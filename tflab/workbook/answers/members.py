@@ -87,7 +87,7 @@ class Set(Form):
 
 @dataclass(frozen=True)
 class Tree(Form):
-    """Who is whose parent: a dict child -> parent, pairs (parent, child) as `frames.gv` has them, or transforms."""
+    """Who is whose parent: a dict child -> parent, or transforms; no pairs, whose order nobody can tell."""
 
     in_any_order: ClassVar[bool] = True
 
@@ -149,10 +149,6 @@ def edges_of(plain: Plain) -> list[Edge] | None:
 
 
 def _edge(plain: Plain) -> Edge | None:
-    """Return the edge of a pair (parent, child) or of a transform with its frames, or None."""
-    held = inside(plain)
-    if isinstance(held, list) and len(held) == 2:
-        parent, child = held
-        return child, parent
+    """Return the edge of a transform with its frames, or None."""
     parts = pose_of(plain)
     return None if parts is None or parts[0] is None else (parts[0][1], parts[0][0])

@@ -37,10 +37,11 @@ NEARLY = 0.6  # from which share of letters on a name looks like another
 class Choice(Form):
     """One of `options`, read as a person means it: `'Use it.'` is "use it", " Node_B " is "node_b".
 
-    Capitals count where two options differ by nothing else; of names alone, all but capitals and spaces counts.
+    Capitals count where two options differ by nothing else, and of frames; of other names, all but them and spaces.
     """
 
     options: tuple[str, ...] = ()
+    are_frames: bool = False
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         word = self.option(plain)
@@ -53,12 +54,13 @@ class Choice(Form):
         text = str(plain).strip()
         if not self.options or text in self.options:
             return text
-        meant = _options_meant(self.options, text)
+        meant = () if self.are_frames else _options_meant(self.options, text)
         return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Text:
         options = ", ".join(f'"{option}"' for option in self.options)
-        return Text(en=f"one of {options}", ko=f"{options} 가운데 하나")
+        en, ko = (" (capitals count)", " (대소문자 구별)") if self.are_frames else ("", "")
+        return Text(en=f"one of {options}{en}", ko=f"{options} 가운데 하나{ko}")
 
 
 @dataclass(frozen=True)
