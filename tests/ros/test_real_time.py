@@ -118,7 +118,7 @@ def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
     printed = capfd.readouterr()
     assert sorted(printed.out.splitlines()) == ["False", "node.py --ros-args", "node.py --ros-args"]
     assert printed.err.count("participant") == printed.err.count("ValueError: signal only works in main thread") == 1
-    assert printed.err.endswith("\n(tflab gives the main thread to what is named first: name this one first.)\n")
+    assert printed.err.endswith("\n(tflab runs only the first file in the main thread. Name this one first.)\n")
     assert not hasattr(threading.main_thread(), "tflab_process")
 
 

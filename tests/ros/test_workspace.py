@@ -32,7 +32,7 @@ raise RuntimeError("nobody executes this")
 package_name = "hop"
 # "old = hop.rabbit:old"
 setup(name=package_name, entry_points={"console_scripts": [
-    "rabbit = hop.rabbit:main", f"hare = {package_name}.rabbit:main", "toad = " + package_name + ".rabbit:main",
+    "rabbit = hop.rabbit:main", "hare = " + f"{package_name}.rabbit:main",
     "ghost = hop.ghost:main",
 ]})
 """,
@@ -80,7 +80,7 @@ HOPPED = "/rabbit 1.5 0.1 0.5 []\n"
         (["run", "src/hop/hop/rabbit.py"], HOPPED),
         (["run", ".", "hop:rabbit", "hop:hare"], HOPPED * 2),
         (["run", "src/hop", "limp:worm.py"], "worm __main__\n"),
-        (["run", "hop:toad", "--", "3", "--ros-args", "-r", "__ns:=/field"],
+        (["run", "hop:hare", "--", "3", "--ros-args", "-r", "__ns:=/field"],
          "/field/rabbit 1.5 0.1 0.5 ['3', '--ros-args', '-r', '__ns:=/field']\n"),
         (["ros2", "run", "hop", "rabbit", "4"], "/rabbit 1.5 0.1 0.5 ['4']\n"),
         (["ros2", "run", "limp", "worm.py"], "worm __main__\n"),
@@ -94,8 +94,8 @@ def test_files_of_packages_and_executables_run_with_their_own_modules_and_interf
 @pytest.mark.parametrize(
     ("words", "code", "text"),
     [
-        (["run", "."], 2, "tflab run: name those to run of .: limp:fox limp:worm.py hop:rabbit hop:hare hop:toad\n"),
-        (["run", "src/hop_msgs"], 2, "tflab run: name those to run of src/hop_msgs: it has no executable in Python\n"),
+        (["run", "."], 2, "tflab run: name the executables of . to run: limp:fox limp:worm.py hop:rabbit hop:hare\n"),
+        (["run", "src/hop_msgs"], 2, "tflab run: src/hop_msgs has no executable in Python\n"),
         (["run", ".", "limp:dog"], 2, "tflab run: No executable found; limp has, in Python: fox, worm.py\n"),
         (["run", "cow:dog"], 2, "tflab run: Package 'cow' not found\n"),
         (["run", "built:dog"], 2, "tflab run: Package 'built' not found\n"),
@@ -113,14 +113,14 @@ def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
 @pytest.mark.parametrize(
     ("source", "code", "out", "err"),
     [
-        ("def main():\n    print('ran')\n", 0, "ran\n", "tflab: nothing in node.py calls main(), so python would end"),
+        ("def main():\n    print('ran')\n", 0, "ran\n", "tflab: nothing in node.py calls main(), so python would do"),
         ("def main():\n    print('ran')\n\nif __name__ == '__main__':\n    pass\n", 0, "", ""),
         ("def main():\n    print('ran')\n\nmain()\n", 0, "ran\n", ""),
         ("import rclpy\n\ndef main():\n    print('ran')\n\nrclpy.init()\n", 0, "", ""),
         ("def f(x: Nothing): ...\n", 1, "", "NameError: name 'Nothing' is not defined"),
-        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS; of its packages it has action_msgs, actionlib_"),
-        ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace, or beside the file: nav2_msgs/msg/"),
-        ("import PyKDL\n", 1, "", "of its packages it has ament_index_python, cv_b"),
+        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS. It brings these packages: action_msgs, actionlib_"),
+        ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace or beside the file: nav2_msgs/"),
+        ("import PyKDL\n", 1, "", "It brings these packages: ament_index_python, cv_"),
         ("raise ModuleNotFoundError\n", 1, "", "\nModuleNotFoundError\n"),
         ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),
         ("import hop_msgs.nothing\n", 1, "", "No module named 'hop_msgs.nothing'\n"),

@@ -1,12 +1,12 @@
 """Run node files together in real time, as `tflab run a.py b.py` does.
 
-    a.py             -->  participant "a"       --.
-    hop_ws hop:rabbit -->  participant "rabbit"  --+--  one graph, the machine's clock  -- Ctrl-C --> all of them
+    a.py               -->  participant "a"       --.
+    hop_ws hop:rabbit  -->  participant "rabbit"  --+--  one graph, the machine's clock  -- Ctrl-C --> all of them
 
-Each runs as in a process of its own, it believes: a file as `python file.py`, an
-executable of a workspace as `ros2 run`.  Ctrl-C does what it does on ROS 2: it shuts
-the contexts down first, so a file that ends with `finally: rclpy.shutdown()` ends
-with an RCLError.
+Each runs as if in a process of its own: a file as `python file.py` runs it, an
+executable of a workspace as `ros2 run` does.  Ctrl-C does what it does on ROS 2: it
+shuts the contexts down first, so a file that ends with `finally: rclpy.shutdown()`
+ends with an RCLError.
 """
 
 from __future__ import annotations
@@ -114,8 +114,10 @@ def _programs(words: Sequence[str]) -> list[tuple[str, str, EntryPoint]]:
                 continue
             found = [f"{each.name}:{name}" for each in packages.values() for name in each.executables()]
             found = [each for each in found if own is None or each.startswith(f"{own.name}:")]
-            if len(found) != 1:
-                raise LookupError(f"name those to run of {word}: {' '.join(found) or 'it has no executable in Python'}")
+            if not found:
+                raise LookupError(f"{word} has no executable in Python")
+            if len(found) > 1:
+                raise LookupError(f"name the executables of {word} to run: {' '.join(found)}")
             word = found[0]
         if (match := _named_executable(word)) is None:
             raise FileNotFoundError(f"no such node file: {word}")
@@ -146,7 +148,7 @@ def run_entry_point(entry: EntryPoint) -> None:
         raise
     except (RuntimeError, ValueError) as error:
         if re.search("main thread|event loop in thread", str(error)):
-            error.args = (f"{error}\n(tflab gives the main thread to what is named first: name this one first.)",)
+            error.args = (f"{error}\n(tflab runs only the first file in the main thread. Name this one first.)",)
         raise
 
 
@@ -161,8 +163,8 @@ def _run_file(path: Path) -> None:
     if function is not None and process_here().default_context is None:
         if not functions:
             write_line(
-                f"tflab: nothing in {path} calls {function}(), so python would end without a word; tflab calls it. "
-                f'Let the file end with `if __name__ == "__main__": {function}()`.'
+                f"tflab: nothing in {path} calls {function}(), so python would do nothing with it. tflab calls it. "
+                f'End the file with `if __name__ == "__main__": {function}()`.'
             )
         sys.exit(getattr(module, function)())
 
@@ -191,13 +193,13 @@ def _remedy(package: str) -> str:
     if package in PACKAGES or workspace.find_package(package):
         return ""
     there = set(PACKAGES) - MESSAGE_PACKAGES
-    remedy = f"Install it (python -m pip install ...), or put its folder into the workspace: {package}/__init__.py."
+    remedy = f"Install {package} with pip, or put its folder into the workspace: {package}/__init__.py."
     if workspace.INTERFACES.fullmatch(package):
         there = MESSAGE_PACKAGES
-        remedy = f"Put its texts into the workspace, or beside the file: {package}/msg/NAME.msg, srv/, action/."
+        remedy = f"Put its texts into the workspace or beside the file: {package}/msg/NAME.msg, and srv/ or action/."
     elif package == "xacro":
         remedy = "Make the URDF where ROS is installed: xacro robot.urdf.xacro > robot.urdf."
-    return f". tflab runs without ROS; of its packages it has {', '.join(sorted(there))}. {remedy}"
+    return f". tflab runs without ROS. It brings these packages: {', '.join(sorted(there))}. {remedy}"
 
 
 def _source(path: str) -> str:

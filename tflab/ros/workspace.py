@@ -112,7 +112,7 @@ def _read(path: Path) -> str:
 def _texts_in(source: str) -> Iterator[str]:
     """Yield every text in a setup.py, put together as far as that is plain from the file."""
     names: dict[str, str] = {}
-    with suppress(SyntaxError):
+    with suppress(SyntaxError, ValueError):
         for node in ast.walk(ast.parse(source)):
             if isinstance(node, ast.Assign):
                 names[ast.unparse(node.targets[0])] = _text(node.value, names)
@@ -176,7 +176,7 @@ class _InterfaceFinder:
     """Define an interface package of the workspace when it is imported."""
 
     def find_spec(self, name: str, path: object = None, target: object = None) -> ModuleSpec | None:
-        if INTERFACES.fullmatch(name):
+        if INTERFACES.fullmatch(name) and name not in PACKAGES:
             find_package(name)
         package = _undefined.pop(name, None)
         if package is None:
