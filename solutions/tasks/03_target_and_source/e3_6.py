@@ -13,7 +13,14 @@ from .draws import draw_yaw_degrees
 
 def draw_mounts(rng: Draws) -> list[tuple]:
     cases = [(int(rng.integers(5, 40)) / 100, int(rng.integers(20, 60)) / 100, draw_yaw_degrees(rng)) for _ in range(4)]
-    cases += [(0.10, 0.30, 0), (0.10, 0.30, 90), (2, 1, 30), (0.125, 0.405, 22.5), (0.45, 0.15, -178)]
+    cases += [
+        (0.10, 0.30, 0),
+        (0.10, 0.30, 90),
+        (2, 1, 30),
+        (0.125, 0.405, 22.5),
+        (0.45, 0.15, -178),
+        (0.25, 0.35, 250),
+    ]
     return [(float(ahead_m), float(up_m), yaw_deg) for ahead_m, up_m, yaw_deg in cases]
 
 

@@ -30,6 +30,7 @@ def draw_queries(rng):
             ({**tree, "dock": "hall", "lamp": "dock"}, "map", "lamp"),
             ({**tree, "dock": "hall", "lamp": "dock"}, "hall", "lamp"),
             ({**tree, "dock": "hall", "lamp": "dock"}, "lamp", "imu_link"),
+            ({**tree, "dock": "hall", "lamp": "dock"}, "map", "hall"),
         ]
     return rows
 

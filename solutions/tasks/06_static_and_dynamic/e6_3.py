@@ -24,7 +24,8 @@ def _mounts(rng, count):
         rpy = [round(w * float(rng.uniform(0.3, 1.1)), 2) for w in way]
         xyz = [round(w * float(rng.uniform(0.05, 0.6)), 2) for w in reversed(way)]
         parent = "left/mast" if place == (count + 1) % 3 else "base_link"
-        rows.append({"parent": parent, "child": child, "xyz": xyz, "rpy": rpy})
+        row = {"parent": parent, "child": child, "xyz": xyz, "rpy": rpy}
+        rows.append(dict(reversed(row.items())) if place % 2 else row)  # a dict is read by its keys
     return rows
 
 

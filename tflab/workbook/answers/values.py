@@ -33,7 +33,7 @@ from typing import Any
 import numpy as np
 
 from tflab.clinic.patient import SickRobot
-from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.core import BufferCore, StampedTransform, Transform, errors
 from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
 from tflab.ros.time import ClockType, Duration, Time
@@ -72,9 +72,15 @@ def from_plain(plain: Plain) -> Any:
 
 
 def raised(error: BaseException) -> Plain:
-    """Return an exception as the outcome of a call: by its class, tf2's for a subclass of it, the text beside it."""
+    """Return an exception as the outcome of a call: by its class, tf2's for a subclass of it, the text beside it.
+
+    A class that only has the name of one of tf2's is another one: nobody's `except` catches it.
+    """
     known = next((each for each in type(error).__mro__ if each.__module__ == "tf2"), type(error))
-    return {"raises": known.__name__, "text": str(error)[:500]}
+    name = known.__name__
+    if known.__module__ != "tf2" and isinstance(getattr(errors, name, None), type):
+        name = f"{known.__module__}.{name}"
+    return {"raises": name, "text": str(error)[:500]}
 
 
 def outcome_of(function: Callable[..., Any], args: Sequence[Plain]) -> Plain:
