@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from .whole_answers import mistakes_of, verdict_on
+from .whole_answers import mistakes_of
 
 # -- chapter 8 ------------------------------------------------------------------------
 
@@ -68,20 +68,6 @@ def point_to_map(buffer, message, now):
     return do_transform_point(message, buffer.lookup_transform("map", {source}, {time}))
 """
 OWN, AT = "message.header.frame_id", "Time.from_msg(stamp)"
-
-
-@pytest.mark.parametrize(
-    ("time", "what"),
-    [
-        ("Time(seconds=stamp.sec + stamp.nanosec)", "is its sec plus nanosec, taken for seconds, too."),
-        ("Time(nanoseconds=stamp.sec * 10**6 + stamp.nanosec)", "is its nanosec, and sec taken for milliseconds."),
-        ("Time(nanoseconds=now.nanoseconds + 10**9)", "is 1 s later than argument 3, in each call."),
-        ("Time(nanoseconds=now.nanoseconds - Time.from_msg(stamp).nanoseconds)", "to argument 3, and no moment."),
-        ("Time(nanoseconds=Time.from_msg(stamp).nanoseconds - 2 * 10**9)", "2 s earlier than the stamp, in each call."),
-    ],
-)
-def test_whoever_is_always_refused_is_told_for_which_moment_the_buffer_was_asked(time, what):
-    assert what in verdict_on("E8.3", ON_THE_MAP.format(source=OWN, time=time)).said.en
 
 
 @pytest.mark.parametrize("result", ["message", "do_transform_point(message, transform) and message"])

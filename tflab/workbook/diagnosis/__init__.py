@@ -10,8 +10,7 @@ part_mistakes    mistakes of a task that explain some parts
 calls            what a function does in some of its calls
 options          options that are confused, and their order
 coding_patterns  results of common coding patterns
-lookup_time      which time was passed to a lookup
-vector_terms     how a point was computed
+rotation_terms   terms of a 2D rotation that a function adds up
 links            the links of a robot
 wrong_types      answers of another type
 matching         outcomes compared with what a mistake gives

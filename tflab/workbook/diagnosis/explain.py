@@ -29,7 +29,6 @@ from .coding_patterns import find_coding_pattern, find_input
 from .explanation import Explanation, and_then, describe
 from .generic import describe_names, unfilled
 from .links import explain_links
-from .lookup_time import explain_lookup_time
 from .matching import (
     A_HAIR,
     ONE,
@@ -45,14 +44,11 @@ from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
 from .precision import TOLD, by_comparison
 from .question import Question, Rest
-from .vector_terms import put_together
 from .wrong_types import explain_durations
 
 __all__ = ["TABLE", "Explainer", "explain", "list_asked"]
 
 TEXTS = Texts(__file__)
-
-MORE_THAN_ORDER = ("places and signs", "exchanged")  # generic mistakes that a more precise row may explain
 
 
 class Explainer(NamedTuple):
@@ -142,7 +138,7 @@ def _explain_one_mistake(question: Question) -> Explanation | None:
     if near and _is_measured_value(question) and not _single(question, A_HAIR):
         pair = next(_pairs(question, A_HAIR), None)
         if pair:
-            return _explain_given_point(question) or _explained_by(question, *pair)
+            return _explained_by(question, *pair)
     return _explained_by(question, near[0]) if near else None
 
 
@@ -155,14 +151,6 @@ def _explain_obvious_mistake(question: Question) -> Explanation | None:
 def _explain_input_as_it_came(question: Question) -> Explanation | None:
     name = find_input(question.form, question.outcomes[0], question.expected[0], question.inputs)
     return _explained_by(question, f"given {name}") if name else None
-
-
-def _explain_given_point(question: Question) -> Explanation | None:
-    """Say how the numbers of a given point were put together, where no simple generic mistake says it."""
-    if question.task.is_function:
-        return None
-    found = put_together(question.form, question.outcomes[0], question.expected[0], question.inputs)
-    return Explanation.of(*found) if found else None
 
 
 def _explain_two_mistakes(question: Question) -> Explanation | None:
@@ -257,17 +245,10 @@ def _is_not_short(question: Question) -> bool:
     return not form.is_short(outcomes[0]) and "rounded" not in by_comparison(form, outcomes, question.expected)
 
 
-def _fits_order_alone(question: Question) -> bool:
-    """Return whether no generic mistake says more than that places, or places and signs, are others."""
-    names = matching_corrections(question.form, question.outcomes, question.expected)
-    return next(names, MORE_THAN_ORDER[0]).startswith(MORE_THAN_ORDER) or next(_pairs(question, TWO), None) is not None
-
-
 TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
     Explainer("a text that was not filled in", _explain_unfilled_text, certainty="seen"),
     Explainer("a Duration or a Time for seconds", explain_durations, forms=(Number,), certainty="seen"),
-    Explainer("the time of a lookup", explain_lookup_time),
     Explainer(
         "a changed argument",
         explain_changed_arguments,
@@ -284,9 +265,6 @@ TABLE: tuple[Explainer, ...] = (
         "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
     ),
     Explainer("an input as it came", _explain_input_as_it_came, of="value"),
-    Explainer(
-        "numbers of a given point", _explain_given_point, of="value", forms=(Vector,), condition=_fits_order_alone
-    ),
     Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),

@@ -35,7 +35,7 @@ from .options import confused, explain_list_orders, explain_orders, named_twice,
 from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
 from .precision import TOLD, stamp_of, time_of
 from .question import Question
-from .vector_terms import turned_in_all
+from .rotation_terms import describe_terms
 from .wrong_types import describe_types
 
 __all__ = ["explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
@@ -202,9 +202,8 @@ def _by_itself(
 
 def _summed_in_all(table: Table, name: str) -> list[Found]:
     """Return what a function computes for one part in every call."""
-    form, outcomes = table.forms[name], table.given[name]
-    found = turned_in_all(form, table.args, outcomes, table.wanted[name])
-    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
+    said = describe_terms(table.forms[name], table.args, table.given[name], table.wanted[name])
+    return [Found.of(f"{name}: rotation terms", said, name)] if said else []
 
 
 def _explain_kinds(table: Table, name: str) -> list[Found]:
