@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from typing import Literal, NamedTuple
 
 from ...text import Text, Texts, begun
-from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
@@ -27,7 +27,7 @@ from .calls import (
 )
 from .coding_patterns import find_coding_pattern, find_input
 from .explanation import Explanation, and_then, describe
-from .generic import describe_names, unfilled
+from .generic import TOLD, describe_names
 from .links import explain_links
 from .matching import (
     A_HAIR,
@@ -42,9 +42,8 @@ from .matching import (
 )
 from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
-from .precision import TOLD, by_comparison
 from .question import Question, Rest
-from .wrong_types import explain_durations
+from .wrong_types import explain_other_types
 
 __all__ = ["TABLE", "Explainer", "explain", "list_asked"]
 
@@ -114,11 +113,6 @@ def _with_the_rest(found: Rest) -> Explanation | None:
 
 
 # -- one mistake, or two ---------------------------------------------------------------------
-
-
-def _explain_unfilled_text(question: Question) -> Explanation | None:
-    words = unfilled(question.form, question.outcomes)
-    return Explanation.of("nothing filled in", words) if words else None
 
 
 def _explain_value_of_parts(question: Question) -> Explanation | None:
@@ -242,13 +236,12 @@ def _is_not_short(question: Question) -> bool:
     form, outcomes = question.form, list(question.outcomes)
     if question.task.is_function or not isinstance(form, Number):
         return True
-    return not form.is_short(outcomes[0]) and "rounded" not in by_comparison(form, outcomes, question.expected)
+    return not form.is_short(outcomes[0]) and "rounded" not in matching_corrections(form, outcomes, question.expected)
 
 
 TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
-    Explainer("a text that was not filled in", _explain_unfilled_text, certainty="seen"),
-    Explainer("a Duration or a Time for seconds", explain_durations, forms=(Number,), certainty="seen"),
+    Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree), certainty="seen"),
     Explainer(
         "a changed argument",
         explain_changed_arguments,

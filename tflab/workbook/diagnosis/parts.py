@@ -22,6 +22,7 @@ from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, Feedback, TaskCases
 from .coding_patterns import constant_of, find_coding_pattern, find_input
 from .explanation import Explanation, Found, describe, each_part_once, together
+from .generic import TOLD
 from .matching import (
     alike,
     all_alike,
@@ -33,7 +34,7 @@ from .matching import (
 )
 from .options import confused, explain_list_orders, explain_orders, named_twice, seen_of, word_of
 from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
-from .precision import TOLD, stamp_of, time_of
+from .precision import stamp_of, time_of
 from .question import Question
 from .rotation_terms import describe_terms
 from .wrong_types import describe_types
