@@ -157,10 +157,10 @@ def pairs_of(plain: Plain) -> list[Edge]:
     return [(one[0], one[1]) for one in members] if is_pairs else []
 
 
-def dict_of(plain: Plain) -> Plain:
+def dict_of(plain: Plain, is_child_first: bool = False) -> Plain:
     """Return the dict child -> parent that pairs (parent, child) mean; anything else as it is."""
-    pairs = pairs_of(plain)
-    return {"dict": {child: parent for parent, child in pairs}} if pairs else plain
+    pairs = [pair if is_child_first else pair[::-1] for pair in pairs_of(plain)]
+    return {"dict": dict(pairs)} if pairs else plain
 
 
 def _is_dict(plain: Plain) -> bool:

@@ -75,7 +75,7 @@ class Angle(NumberForm):
     unit = "rad"
     mistakes: ClassVar = (
         *("three_angles", "one_text", "its_yaw"),
-        *("unit", "sign", "half a turn", "z for the angle", "twice", "half", "zeros", "rounded"),
+        *("unit", "sign", "half a turn", "z for the angle", "twice", "half the angle", "zeros", "rounded"),
     )
 
     def probes(self, plain: Plain) -> list[Probe] | None:

@@ -11,9 +11,10 @@ mistake gives. The field calls such a table a *bug library* (BUGGY, DEBUGGY), se
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ...text import Text, Texts, begun
+from ...text import Text, Texts, begun, load_yaml
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
@@ -45,7 +46,7 @@ from .parts import explain_exchanged_parts, explain_list_members, explain_obviou
 from .question import Question, Rest
 from .wrong_types import explain_other_types
 
-__all__ = ["TABLE", "Explainer", "explain", "list_asked"]
+__all__ = ["TABLE", "Explainer", "explain", "list_asked", "read_conditions"]
 
 TEXTS = Texts(__file__)
 
@@ -54,14 +55,13 @@ class Explainer(NamedTuple):
     """One way to explain an answer.
 
     Attributes:
-        name: what is looked for.
+        name: what is looked for; when it is true stands under this name in `conditions.yaml`.
         explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
         of: which answers are asked about.
         forms: the forms that it applies to; all if empty.
         is_measured: whether it applies to measured forms alone.
         is_last: whether no later row is asked where this one's condition holds.
         condition: when it is asked, beside `of` and `forms`.
-        certainty: "seen" if it is plain in the answer; "fits" if it gives exactly what came out.
     """
 
     name: str
@@ -71,7 +71,6 @@ class Explainer(NamedTuple):
     is_measured: bool = False
     is_last: bool = False
     condition: Callable[[Question], bool] | None = None
-    certainty: Literal["seen", "fits"] = "fits"
 
     def applies(self, question: Question) -> bool:
         """Return whether this row is asked."""
@@ -84,6 +83,11 @@ class Explainer(NamedTuple):
 def explain(question: Question) -> Explanation | None:
     """Return the first explanation of the table, or None if there is none."""
     return next((found for _, found in _answers(question) if found is not None), None)
+
+
+def read_conditions() -> dict[str, str]:
+    """Return for each explanation, and for each mistake that a form recognises, when it is true, by name."""
+    return load_yaml(Path(__file__).with_name("conditions.yaml").read_text(encoding="utf-8"))
 
 
 def list_asked(question: Question) -> list[tuple[Explainer, bool]]:
@@ -144,7 +148,7 @@ def _explain_obvious_mistake(question: Question) -> Explanation | None:
 
 def _explain_input_as_it_came(question: Question) -> Explanation | None:
     name = find_input(question.form, question.outcomes[0], question.expected[0], question.inputs)
-    return _explained_by(question, f"given {name}") if name else None
+    return _explained_by(question, name) if name else None
 
 
 def _explain_two_mistakes(question: Question) -> Explanation | None:
@@ -241,14 +245,9 @@ def _is_not_short(question: Question) -> bool:
 
 TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
-    Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree), certainty="seen"),
+    Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree)),
     Explainer(
-        "a changed argument",
-        explain_changed_arguments,
-        of="function",
-        condition=_changes_an_argument,
-        is_last=True,
-        certainty="seen",
+        "a changed argument", explain_changed_arguments, of="function", condition=_changes_an_argument, is_last=True
     ),
     Explainer("one mistake of the task", _explain_one_mistake),
     Explainer("an obvious generic mistake", _explain_obvious_mistake),
@@ -257,7 +256,7 @@ TABLE: tuple[Explainer, ...] = (
     Explainer(
         "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
     ),
-    Explainer("an input as it came", _explain_input_as_it_came, of="value"),
+    Explainer("an input as it came, or a factor reversed", _explain_input_as_it_came, of="value"),
     Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
@@ -265,8 +264,8 @@ TABLE: tuple[Explainer, ...] = (
     Explainer(
         "a generic mistake in some calls", _explain_generic_mistake_in_some_calls, of="function", is_measured=True
     ),
-    Explainer("calls that raise", explain_raises, of="function", certainty="seen"),
-    Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function", certainty="seen"),
+    Explainer("calls that raise", explain_raises, of="function"),
+    Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function"),
     Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
     Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
     Explainer("a coding pattern", _explain_coding_pattern, of="function"),

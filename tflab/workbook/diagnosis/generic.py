@@ -64,13 +64,20 @@ def _double(row: Row) -> Iterator[Row]:
     yield tuple(number * 2.0 for number in row)
 
 
+def _double_angle(row: Row) -> Iterator[Row]:
+    angle = math.remainder(row[0], math.tau)
+    if abs(angle) <= math.pi / 2:  # twice as much as another is the right one but for a full turn
+        yield (2.0 * angle,)
+
+
 def _root(row: Row) -> Iterator[Row]:
     if row[0] > 0.0:
         yield (math.sqrt(row[0]),)
 
 
 def _square(row: Row) -> Iterator[Row]:
-    yield (row[0] ** 2,)
+    if row[0] > 0.0:
+        yield (row[0] ** 2,)
 
 
 def _powers_of_ten(row: Row) -> Iterator[Row]:
@@ -222,6 +229,7 @@ UNDONE = {
     "one over it": Recogniser(_numbers(_reciprocal)),
     "twice": Recogniser(_numbers(_half)),
     "half": Recogniser(_numbers(_double)),
+    "half the angle": Recogniser(_numbers(_double_angle)),
     "squared": Recogniser(_numbers(_root)),
     "root": Recogniser(_numbers(_square)),
     "half a turn": Recogniser(_numbers(_half_a_turn)),

@@ -157,7 +157,7 @@ def feedback_of(task: TaskCases, name: str) -> Feedback:
     if name.startswith(IN_SOME):
         words = feedback_of(task, name.removeprefix(IN_SOME))
         return Feedback(TEXTS["some"].filled(said=words.reply), words.misconception)
-    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"])):
+    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"]), ("by ", TEXTS["by"])):
         if name.startswith(start):
             rest = name.removeprefix(start)
             return Feedback(words.filled(unit=rest, name=rest), "")

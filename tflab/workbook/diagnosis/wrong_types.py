@@ -127,10 +127,14 @@ def seconds_of(form: Form, outcome: Plain) -> float | None:
 
 def explain_other_types(question: Question) -> Rest | None:
     """Return that a time was given for seconds, or pairs for a dict, and what these hold; None if that is right."""
-    if isinstance(question.form, Number):
-        values = [seconds_of(question.form, outcome) for outcome in question.outcomes]
+    form = question.form
+    if isinstance(form, Number):
+        values = [seconds_of(form, outcome) for outcome in question.outcomes]
+    elif not all(map(pairs_of, question.outcomes)):
+        return None
     else:
-        values = [dict_of(outcome) if pairs_of(outcome) else None for outcome in question.outcomes]
+        ways = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
+        values = max(ways, key=lambda way: sum(map(sum, map(form.judge, way, question.expected))))
     if None in values or all_alike(question.form, values, question.expected):
         return None
     said = describe_type(question.form, question.outcomes[0])
