@@ -110,22 +110,3 @@ def test_two_moments_on_one_way_are_told_apart(of_map, of_the_rest, mistake):
     lookup = f'full("map", {of_map}, {OWN}, {of_the_rest}, "odom")'
     source = ON_THE_MAP.replace('("map", {source}, {time})', f"_{lookup}")
     assert mistake in mistakes_of("E8.3", source)
-
-
-@pytest.mark.parametrize("variant", range(2))
-@pytest.mark.parametrize(
-    ("more", "mistakes"),
-    [
-        ("1 / min(rates)", []),
-        ("0.1 * given.thinking_s", ["1.1 times the thinking time"]),
-        ("1 / min(rates) + 0.1", []),
-        ("2 / max(rates)", ["the fast lane", "two periods"]),
-        ("math.ceil(given.thinking_s * min(rates)) + 1 - given.thinking_s", ["count of min samples, and 1"]),
-    ],
-)
-def test_how_long_it_must_remember(more, mistakes, variant):
-    source = f"rates = given.rate_hz.values()\ncache_time_s = given.thinking_s + {more}"
-    assert mistakes_of("E8.6", source, variant) == mistakes
-
-
-# -- chapters 5 to 7 ------------------------------------------------------------------

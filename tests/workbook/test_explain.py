@@ -293,13 +293,6 @@ def test_of_calls_it_is_told_only_where_it_is_the_same_number_in_all_that_are_wr
     assert said[2].startswith("In some calls, not in all: y has the wrong sign, and the rest is right.")
 
 
-def test_a_mistake_in_some_calls_is_said_to_be_in_some():
-    verdict = judged_function(Number("m"), [(1.0, 1.0), (2.0, -2.0), (3.0, -3.0)])
-    assert list(verdict.mistakes) == ["in some: sign"]
-    assert verdict.said.en.startswith("In some calls, not in all:")
-    assert list(judged_function(Number("m"), [(1.0, -1.0), (2.0, -2.0)]).mistakes) == ["sign"]
-
-
 def test_each_part_of_what_a_function_gives_is_explained_by_itself():
     form = Parts({"x": Number("m"), "yaw": Angle()})
     asked = [({"x": x, "yaw": x / 2}, {"x": x, "yaw": math.degrees(x / 2)}) for x in (1.0, 2.0, 3.0)]
@@ -354,24 +347,18 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
         (Set(Name()), {"a", "b"}, ["a", "a", "b"], None),
         (Number("m"), 2.5, 0.0, "zero"),
-        (Sequence(Name()), ["a", "b", "c"], ["c", "b", "a"], "other order"),
         (Sequence(Name()), ["a", "c", "b"], ["b", "a", "c"], "another order"),
         (Sequence(Number()), [9.0, 10.0, 11.0], [10.0, 9.0, 11.0], "unsorted"),
         (Sequence(Number()), [10.0, 9.0, 11.0], [9.0, 10.0, 11.0], "another order"),
-        (Tree(), FIVE, FIVE | {"laser": "lamp"}, "tree: no such parent"),
         (Tree(), FIVE, [(parent, child) for child, parent in FIVE.items()], None),
         (Tree(), FIVE, [("map", "odom")], "tree: not whole"),
         (Tree(), FIVE, FIVE | {"{robot}/lamp": "map"}, "nothing filled in"),
         (Sequence(Name()), ["a", "b"], ["a", "{b}"], "nothing filled in"),
-        (Sequence(Name()), ["a", "b"], ["a", "a", "b"], "members twice"),
         (Set(Name(), once=True), {"a", "b"}, ["a", "a", "b"], "members twice"),
         (Sequence(Name()), ["a", "b", "a"], ["a", "b"], "members once"),
         (Sequence(Name()), ["b", "a", "b"], ["a", "b"], "members once, in another order"),
-        (Sequence(Name()), ["a", "b", "c"], ["a", "c"], "members missing"),
         (Sequence(Name()), ["a", "b"], ["a", "c", "b"], "members too many"),
         (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
-        (Tree(), FIVE, {"odom": "map", "base": "odom"}, "tree: not whole"),
-        (Tree(), FIVE, FIVE | {"lamp": "base"}, "tree: more than asked for"),
         (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
         (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
         (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),

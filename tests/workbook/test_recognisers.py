@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import math
 import random
-from itertools import permutations, product
+from itertools import combinations, permutations, product
 
 import pytest
 
 from tflab.workbook.answers.form import Form
-from tflab.workbook.answers.forms import Angle, Message, Name, Number, Parts, Quaternion, Vector
+from tflab.workbook.answers.forms import Angle, Message, Name, Number, Parts, Quaternion, Sequence, Tree, Vector
 from tflab.workbook.answers.values import is_raised, to_plain
 from tflab.workbook.diagnosis.explain import TABLE, read_conditions
 from tflab.workbook.diagnosis.matching import RECOGNISERS
@@ -85,19 +85,32 @@ MADE = {
         "space around": lambda name: [name + " ", " " + name],
         "other separator": lambda name: [name.replace("/", "_"), name.replace("/", ".")],
     },
+    Sequence(Name()): {
+        "other order": lambda row: [row[::-1]],
+        "unsorted": lambda row: list(map(list, permutations(row))),
+        "members missing": lambda row: [list(some) for n in range(1, len(row)) for some in combinations(row, n)],
+        "members twice": lambda row: [[*row[:at], one, *row[at:]] for at in range(1, 5) for one in row[:at]],
+    },
+    Tree(): {
+        "tree: not whole": lambda tree: [dict(some) for n in (1, 2, 3) for some in combinations(tree.items(), n)],
+        "tree: more than asked for": lambda tree: [tree | {"lamp": parent} for parent in tree],
+        "tree: no such parent": lambda tree: [tree | {child: "hall"} for child in tree],
+    },
 }
 
 
 def right_one(form, draws):
-    if isinstance(form, Name):
-        return f"r{draws.randrange(99)}/odom"
+    if not form.is_measured:
+        names = sorted(draws.sample("abcdefgh", 4))
+        tree = {name: draws.choice(["map", *names[:at]]) for at, name in enumerate(names)}
+        return {Name: f"r{draws.randrange(99)}/odom", Sequence: names, Tree: tree}[type(form)]
     row = [draws.uniform(0.3, 2.9) for _ in range(getattr(form, "size", 4 if isinstance(form, Quaternion) else 1))]
     length = math.hypot(*row) if isinstance(form, Quaternion) else 1.0
     return tuple(x / length for x in row) if len(row) > 1 else row[0]
 
 
 def is_near(form, answer, other):
-    if isinstance(form, Name):
+    if not form.is_measured:
         return answer == other
     one, two = (form.numbers(to_plain(value)) for value in (answer, other))
     near = min(math.dist(one, [sign * x for x in two]) for sign in ((1, -1) if isinstance(form, Quaternion) else (1,)))
@@ -111,8 +124,8 @@ def wrong_ones(form, right, draws):
     made = [(kind, answer) for kind, make in MADE[form].items() for answer in make(right)]
     pairs = [(one, make) for kind, one in made for then, make in MADE[form].items() if then != kind]
     twice = [answer for one, make in pairs for answer in make(one)[:2]]
-    shifted = [] if isinstance(form, Name) else [right_one(form, draws) for _ in range(40)]
-    return [answer for _, answer in made] + draws.sample(twice, min(80, len(twice))) + shifted
+    others = [right_one(form, draws) for _ in range(40)]
+    return [answer for _, answer in made] + draws.sample(twice, min(80, len(twice))) + others
 
 
 @pytest.mark.parametrize("form", MADE, ids=lambda form: type(form).__name__)
@@ -123,10 +136,9 @@ def test_no_answer_gets_an_explanation_whose_condition_is_false(form):
         assert judged(form, right, {}, right).mistake is None
         for answer in wrong_ones(form, right, draws):
             for name in judged(form, right, {}, answer).mistakes:
-                kind = name.partition(" | ")[0].partition(" ")[0] if name.startswith("unit") else name
-                named.add(kind)
-                if kind in MADE[form]:
-                    assert any(is_near(form, answer, made) for made in MADE[form][kind](right)), (right, answer, name)
+                named.add(kind := "unit" if name.startswith("unit ") else name)
+                made = MADE[form][kind](right) if kind in MADE[form] else [answer]
+                assert any(is_near(form, answer, one) for one in made), (right, answer, name)
     assert named >= MADE[form].keys()
 
 

@@ -105,6 +105,7 @@ def _with_its_place(
         is_other = stop.is_own_raise and is_raised(case.expected) and verdict.mistake is Mistake.RAISES
         mistake = Mistake.OTHER_EXCEPTION if is_other else verdict.mistake
         tip = {"tip": Text("", "")} if stop.is_cause else {}
+        tip |= {"meant": case.expected["raises"]} if is_other else {}
         return replace(verdict, mistake=mistake, detail=verdict.detail | tip | {"place": stop.said}), outcomes
     place = describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes

@@ -88,13 +88,13 @@ class Set(Form):
 
 @dataclass(frozen=True)
 class Tree(Form):
-    """Who is whose parent: a dict child -> parent, transforms or a buffer."""
+    """Who is whose parent: a dict child -> parent, or transforms; no pairs, whose order nobody can tell."""
 
     in_any_order: ClassVar[bool] = True
     mistakes: ClassVar = ("pairs", "nothing filled in", *RENAMED, "tree")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
-        edges = None if pairs_of(plain) else edges_of(plain)
+        edges = edges_of(plain)
         if edges is None or len(edges) > MOST_MEMBERS:
             return None
         return [[(Mark(child), Mark(parent))] for child, parent in edges] or [NOTHING]
@@ -152,7 +152,7 @@ def edges_of(plain: Plain) -> list[Edge] | None:
 
 def pairs_of(plain: Plain) -> list[Edge]:
     """Return the pairs that were given for a dict; none of anything else."""
-    members = [inside(member) for member in (None if _is_dict(plain) else members_of(plain)) or []]
+    members = list(map(inside, members_of(plain) or ()))
     is_pairs = all(isinstance(one, list) and len(one) == 2 and all(isinstance(n, str) for n in one) for one in members)
     return [(one[0], one[1]) for one in members] if is_pairs else []
 
@@ -163,15 +163,7 @@ def dict_of(plain: Plain, is_child_first: bool = False) -> Plain:
     return {"dict": dict(pairs)} if pairs else plain
 
 
-def _is_dict(plain: Plain) -> bool:
-    return isinstance(plain, dict) and "dict" in plain
-
-
 def _edge(plain: Plain) -> Edge | None:
-    """Return the edge of a pair (parent, child) or of a transform with its frames, or None."""
-    held = inside(plain)
-    if isinstance(held, list) and len(held) == 2:
-        parent, child = held
-        return child, parent
+    """Return the edge of a transform with its frames, or None."""
     parts = pose_of(plain)
     return None if parts is None or parts[0] is None else (parts[0][1], parts[0][0])

@@ -12,7 +12,7 @@ options          options that are confused, and their order
 coding_patterns  results of common coding patterns
 rotation_terms   terms of a 2D rotation that a function adds up
 links            the links of a robot
-wrong_types      answers of another type
+wrong_types      answers of another type (`conditions.yaml`: when each explanation is true)
 matching         outcomes compared with what a mistake gives
 generic          mistakes that any answer can have
 precision        what got lost and cannot be corrections

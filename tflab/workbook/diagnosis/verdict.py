@@ -54,7 +54,7 @@ class Verdict:
         of: how many there are.
         mistake: what is wrong with it; None if all of it is right.
         mistakes: those that it comes of, the first in the work first, and what is said of each.
-        case: the smallest case that failed, by the length of its arguments, from 0.
+        case: the smallest case that failed, by the length of its arguments, first those with an answer; from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
         follows: of a value's, whether it is counted as right only since it follows from the mistake; empty if none is.
         detail: what a reply fills in.
@@ -93,7 +93,8 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     if all(right):
         return Verdict(len(right), len(right), right=right)
     wrong = [number for number, row in enumerate(rights) if not all(row)]
-    case = min(wrong, key=lambda number: (len(json.dumps(cases[number].args)), number))  # the smallest call
+    sizes = {number: (is_raised(cases[number].expected), len(json.dumps(cases[number].args))) for number in wrong}
+    case = min(wrong, key=sizes.__getitem__)  # the smallest call, one that has an answer if there is one
     try:
         mistake, detail, found = _mistake(task, variant, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
@@ -253,19 +254,20 @@ def _ending(
     if is_raised(outcome) and not task.is_function:  # the value cannot be written down
         return Mistake.TYPE, {"got": f"{outcome['raises']}: {outcome.get('text', '')}"}
     if is_raised(outcome):
-        meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
-        error, text = outcome["raises"], outcome.get("text", "")
-        detail = {
-            "error": error,
-            "text": text.rstrip(". "),
-            "tip": raised_option(task.form, text) or tip_for(error, text),
-            "meant": expected["raises"] if is_raised(expected) else "",
-        }
-        return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
+        return _raising(task.form, outcome["raises"], outcome.get("text", ""), expected)
     if task.is_function and outcome is None and not is_raised(expected):
         always = all(other is None or is_raised(other) for other in outcomes)
         return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
     return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
+
+
+def _raising(form: Form, error: str, text: str, expected: Plain) -> tuple[Mistake, dict[str, Any]]:
+    """Return what is wrong with an exception that was raised."""
+    tip = raised_option(form, text) or tip_for(error, text)
+    detail = {"error": error, "text": text.rstrip(". "), "tip": tip}
+    if not is_raised(expected) or error in ANY_BUG - {"ValueError"}:
+        return Mistake.RAISES, detail
+    return Mistake.OTHER_EXCEPTION, detail | {"meant": expected["raises"]}
 
 
 def _wrong_names(form: Form, rights: list[bool]) -> list[str]:
