@@ -53,6 +53,8 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
             with call_limits(CALL_S) as printed:
                 first = outcome_of(answer, case.args)
             again = _call_again(answer, case.args)
+            if case is cases[-1] and _call_again(answer, cases[0].args) != [*outcomes, first][0]:
+                again = {}  # calls in between have changed what the first one gives
         except (KeyboardInterrupt, TimeLimitError) as stopped:
             mistake = Mistake.ENDLESS if isinstance(stopped, TimeLimitError) else Mistake.INTERRUPTED
             return Verdict(0, len(cases), mistake, case=number, detail=_stopped_call(assigned, number)), []
@@ -65,8 +67,6 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             return Verdict(0, len(cases), Mistake.UNANSWERED), []
-    if _call_again(answer, cases[0].args) != outcomes[0]:
-        return Verdict(0, len(cases), Mistake.UNSTEADY, detail=_remembered(answer)), []
     verdict = judge_outcomes(assigned.cases, assigned.variant, outcomes)
     verdict = replace(verdict, detail=verdict.detail | {"printed": lines} if lines else verdict.detail)
     return _with_its_place(assigned, answer, verdict, outcomes)
