@@ -17,7 +17,6 @@ from tflab.workbook.answers.forms import (
     Number,
     Parts,
     Pose,
-    Quaternion,
     Sequence,
     Set,
     Tree,
@@ -47,28 +46,6 @@ def judged(form, expected, twins, answer, said=None):
     known = said or {name: words(name) for name in case.wrong}
     pairs = StoredPairs({name: [value] for name, value in plain.items()})
     return judge_outcomes(task._replace(feedback=known, pairs=pairs), variant, [to_plain(answer)])
-
-
-@pytest.mark.parametrize(
-    ("form", "right", "wrong", "name"),
-    [
-        (Number("m"), 2.0, -2.0, "sign"),
-        (Number("s"), 0.251, 1 / 0.251, "one over it"),
-        (Number("s"), 2.0, 2e9, "unit ns"),
-        (Vector(3), (1.0, 2.0, 3.0), (2.0, 1.0, 3.0), "exchanged"),
-        (Vector(3), (1.0, 2.0, 3.0), (1.0, -2.0, 3.0), "one sign"),
-        (Vector(3), (1.0, 2.0, 3.0), (-1.0, -2.0, -3.0), "all signs"),
-        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.8, 0.0, 0.0, 0.6), "w first"),
-        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, -0.6, 0.8), "inverse rotation"),
-        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, 1.2, 1.6), "not normalised"),
-        (Quaternion(), (0.0, 0.0, 0.6, 0.8), (0.0, 0.0, 0.96, 0.28), "whole angle"),
-    ],
-)
-def test_what_any_answer_can_have_wrong_is_named_and_a_neighbour_is_not(form, right, wrong, name):
-    assert list(judged(form, right, {}, wrong).mistakes) == [name]
-    shifted = wrong * 1.3 if isinstance(wrong, float) else (*wrong[:-1], wrong[-1] + 0.3)
-    assert name not in judged(form, right, {}, shifted).mistakes
-    assert judged(form, right, {}, right).mistake is None
 
 
 def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_the_inverse():
@@ -208,7 +185,12 @@ def posed(yaw, z=0.0):
         (Pose(), posed(0.8), posed(0.8 + math.pi / 2), "translation: x, y, z: right. Rotation: off by at most 90°"),
         (Pose(), posed(0.8), posed(2.372), "translation: x, y, z: right. Rotation: off by more than 90°"),
         (Angle(), 0.5, 0.1, "rotated too far to the right, by at most 45°"),
-        (Tree(), FIVE, FIVE | {"laser": "lamp"}, 'wrong as a child, or below the wrong parent: "laser"'),
+        (
+            Tree(),
+            FIVE,
+            FIVE | {"odom": "laser"},
+            'wrong as a child, or below the wrong parent: "odom"',
+        ),
         (Tree(), FIVE, LAMP, 'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2'),
         (Set(Name()), {"map", "odom"}, set(), "members that are missing: 2"),
         (Set(Name()), {"map", "odom"}, {"odom", "lamp"}, "members that do not belong: 1; members that are missing: 1"),
@@ -311,13 +293,6 @@ def test_of_calls_it_is_told_only_where_it_is_the_same_number_in_all_that_are_wr
     assert said[2].startswith("In some calls, not in all: y has the wrong sign, and the rest is right.")
 
 
-def test_a_mistake_in_some_calls_is_said_to_be_in_some():
-    verdict = judged_function(Number("m"), [(1.0, 1.0), (2.0, -2.0), (3.0, -3.0)])
-    assert list(verdict.mistakes) == ["in some: sign"]
-    assert verdict.said.en.startswith("In some calls, not in all:")
-    assert list(judged_function(Number("m"), [(1.0, -1.0), (2.0, -2.0)]).mistakes) == ["sign"]
-
-
 def test_each_part_of_what_a_function_gives_is_explained_by_itself():
     form = Parts({"x": Number("m"), "yaw": Angle()})
     asked = [({"x": x, "yaw": x / 2}, {"x": x, "yaw": math.degrees(x / 2)}) for x in (1.0, 2.0, 3.0)]
@@ -339,22 +314,6 @@ def test_words_that_a_function_confuses_are_named(said, name):
     assert [set(mistake.replace(" and ", " ").split()) for mistake in mistakes] == [
         set(name.replace(" and ", " ").split())
     ]
-
-
-# -- what was computed ------------------------------------------------------------------------
-
-GIVEN = {"speed_mps": 0.73, "yaw_rate_radps": 0.87, "delay_ms": 120.0, "base_p_laser": [0.21, 0.05, 0.3]}
-GIVEN |= {"map_p_base": [7.4, -2.2, 0.1]}
-
-
-def judged_with_givens(form, right, answer):
-    task, variant = bare(form, Case(None, to_plain(right), {}))
-    return judge_outcomes(task, variant._replace(given={k: to_plain(v) for k, v in GIVEN.items()}), [to_plain(answer)])
-
-
-@pytest.mark.parametrize("answer", [0.64, 0.6, 0.635])
-def test_a_number_that_no_sum_gives_to_the_last_digit_hears_of_none(answer):
-    assert judged_with_givens(Number("rad/s"), -0.87, answer).mistakes.keys() <= {"a round number"}
 
 
 # -- near, and not it -------------------------------------------------------------------------
@@ -382,32 +341,24 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
 @pytest.mark.parametrize(
     ("form", "right", "wrong", "name"),
     [
-        (Number("m"), 2.5, 0.25, "power of ten"),
-        (Number("m"), 3.14, 6.28, "twice"),
-        (Number("m"), 3.14, 9.8596, "squared"),
-        (Angle(), 1.0, 1.0 - math.pi, "half a turn"),
-        (Angle(), 1.0, math.sin(0.5), "z for the angle"),
-        (Vector(3), (1.0, 2.0, 3.0), (3.0, -1.0, 2.0), "places and signs"),
         (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
         (Vector(3), (1.0, 2.0, 3.0), (2.0, 0.0, 3.0), "written over"),
         (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 2.0), "stands twice"),
         (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
-        (Name(), "odom", "Odom", "other case"),
-        (Name(), "odom", "/odom", "slash in front"),
-        (Name(), "odom", "odom ", "space around"),
         (Set(Name()), {"a", "b"}, ["a", "a", "b"], None),
         (Number("m"), 2.5, 0.0, "zero"),
-        (Sequence(Name()), ["a", "b", "c"], ["c", "b", "a"], "other order"),
-        (Sequence(Name()), ["a", "b", "c"], ["b", "a", "c"], "another order"),
-        (Sequence(Name()), ["a", "b"], ["a", "a", "b"], "members twice"),
+        (Sequence(Name()), ["a", "c", "b"], ["b", "a", "c"], "another order"),
+        (Sequence(Number()), [9.0, 10.0, 11.0], [10.0, 9.0, 11.0], "unsorted"),
+        (Sequence(Number()), [10.0, 9.0, 11.0], [9.0, 10.0, 11.0], "another order"),
+        (Tree(), FIVE, [(parent, child) for child, parent in FIVE.items()], None),
+        (Tree(), FIVE, [("map", "odom")], "tree: not whole"),
+        (Tree(), FIVE, FIVE | {"{robot}/lamp": "map"}, "nothing filled in"),
+        (Sequence(Name()), ["a", "b"], ["a", "{b}"], "nothing filled in"),
         (Set(Name(), once=True), {"a", "b"}, ["a", "a", "b"], "members twice"),
         (Sequence(Name()), ["a", "b", "a"], ["a", "b"], "members once"),
         (Sequence(Name()), ["b", "a", "b"], ["a", "b"], "members once, in another order"),
-        (Sequence(Name()), ["a", "b", "c"], ["a", "c"], "members missing"),
         (Sequence(Name()), ["a", "b"], ["a", "c", "b"], "members too many"),
         (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
-        (Tree(), FIVE, {"odom": "map", "base": "odom"}, "tree: not whole"),
-        (Tree(), FIVE, FIVE | {"lamp": "base"}, "tree: more than asked for"),
         (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
         (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
         (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),

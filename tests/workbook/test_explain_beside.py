@@ -75,13 +75,6 @@ def test_the_more_digits_a_number_has_the_closer_a_mistake_has_to_fit(answer, fi
     assert (list(verdict.mistakes) == ["one third"]) is fits
 
 
-def test_two_mistakes_in_two_parts_are_each_said_of_its_own():
-    form = Parts({name: Choice(("in", "out")) for name in "ab"})
-    right, both = {"a": "in", "b": "in"}, {"a": "out", "b": "out"}
-    twins = {"first": right | {"a": "out"}, "second": right | {"b": "out"}, "first + second": both}
-    assert judged(form, right, twins, both).said.en == '"a": first "b": second'
-
-
 @pytest.mark.parametrize("error", [ValueError("no way"), KeyError("map")])
 def test_another_exception_than_the_one_asked_for_hides_no_other_mistake(error):
     wanted, other = raised(LookupError("no")), raised(error)

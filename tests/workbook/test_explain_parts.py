@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from tflab.workbook.answers.forms import Choice, Message, Number, Parts, Sequence
+from tflab.workbook.answers.forms import Choice, Message, Number, Parts
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.diagnosis.explanation import Found, together
 from tflab.workbook.diagnosis.mistake import Mistake
@@ -50,24 +50,6 @@ def test_a_word_that_is_none_to_choose_from_is_told_where_it_would_be_one(answer
     verdict = judged(form, {"a": "degrees", "a do": "start it"}, {}, answer)
     assert verdict.mistake is Mistake.OPTION
     assert verdict.detail.get("tip") is None if tip is None else tip in verdict.detail["tip"].en
-
-
-def test_a_word_that_stands_in_two_places_of_an_order_is_told_so_and_elsewhere_it_is_not():
-    cards = Choice(("names", "tree", "mount", "rates"))
-    task, variant = bare(Parts(dict.fromkeys(("first", "second", "third"), cards)),
-                         Case(None, to_plain({"first": "names", "second": "tree", "third": "mount"}), {}))  # fmt: skip
-    task = task._replace(means={"tree": Text("A tree.", "트리입니다.")})
-
-    def said(**places):
-        return judge_outcomes(task, variant, [to_plain(places)]).said.en
-
-    assert said(first="names", second="tree", third="tree").startswith(
-        '"third": A tree. You have "tree" in 2 of the places'
-    )
-    assert said(first="tree", second="names", third="mount").startswith('"first": A tree.')
-    edges = Parts(dict.fromkeys("abc", cards))  # where a word may come twice
-    verdict = judged(edges, {"a": "names", "b": "tree", "c": "mount"}, {}, {"a": "names", "b": "tree", "c": "tree"})
-    assert verdict.said is None
 
 
 @pytest.mark.parametrize(
@@ -123,14 +105,6 @@ def test_a_mistake_that_stops_in_some_calls_is_named_in_a_part_where_the_others_
 
     assert list(verdict(raised, raised).mistakes) == ["late"]
     assert verdict(gives[2], raised).mistakes == {}
-
-
-def test_lists_whose_members_all_stand_in_one_other_order_are_told_so():
-    form = Parts(dict.fromkeys("abc", Sequence(Choice(("works", "never", "years off")))))
-    right = {"a": ["works", "never", "works"], "b": ["works", "years off", "works"], "c": ["never", "works", "works"]}
-    first_two = {name: [row[1], row[0], row[2]] for name, row in right.items()}
-    assert list(judged(form, right, {}, first_two).mistakes) == ["places exchanged"]
-    assert "places exchanged" not in judged(form, right, {}, first_two | {"c": ["works", "works", "never"]}).mistakes
 
 
 def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():

@@ -29,7 +29,7 @@ REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 �
 )
 def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(answer, kind):
     verdict = judged(Number("s"), 3.4, TWINS, answer, REPLIES)
-    assert list(verdict.mistakes) == ["the fast one", "no number"]
+    assert list(verdict.mistakes) == ["the fast one", "other type"]
     assert "You counted the fast one." in verdict.said.en and kind in verdict.said.en
     assert "빠른 쪽을 셌습니다." in verdict.said.ko
 
@@ -37,7 +37,7 @@ def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(a
 def test_a_time_that_no_known_mistake_explains_hears_only_what_it_is():
     right, other = (judged(Number("s"), 3.4, TWINS, Duration(seconds=s), REPLIES) for s in (3.4, 3.1))
     assert right.mistake is Mistake.TYPE and ".nanoseconds / 1e9" in right.detail["tip"].en
-    assert "no number" not in other.mistakes
+    assert "other type" not in other.mistakes
     metres = judged(Number("m"), 3.4, TWINS, Duration(seconds=3.05), REPLIES)
     assert metres.mistake is Mistake.TYPE and "tip" not in metres.detail
 

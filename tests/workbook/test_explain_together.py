@@ -7,7 +7,6 @@ import pytest
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.diagnosis.explanation import Found, together
-from tflab.workbook.diagnosis.mistake import Mistake
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
@@ -41,17 +40,6 @@ def test_a_whole_order_is_recognised_and_another_one_is_not(given, name):
 def test_parts_keep_the_order_of_the_work_in_a_file():
     assert list(form_from_plain(IN_ORDER.plain()).parts) == list(PLACES)
     assert "order" not in Parts({"a": Number(), "b": Number()}).plain()
-
-
-def test_edges_that_were_named_by_their_parents_are_told_so_and_a_single_one_is_not():
-    frames = Choice(("odom", "base_footprint", "base_link"))
-    form = Parts({"c edge": frames, "d edge": frames})
-    right = {"c edge": "odom", "d edge": "base_footprint"}
-    assert list(judged(form, right, {}, {"c edge": "map", "d edge": "odom"}).mistakes) == ["parents for children"]
-    assert judged(form, right, {}, right | {"d edge": "odom"}).mistakes == {}
-    assert judged(form, right, {}, right | {"c edge": "nonsense"}).mistake is Mistake.OPTION
-    jobs = Parts({"line": frames, "speed": frames})  # which frame for which job: no edge is asked for
-    assert judged(jobs, {"line": "odom", "speed": "odom"}, {}, {"line": "map", "speed": "map"}).mistakes == {}
 
 
 def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():
@@ -91,19 +79,6 @@ def called(form, rows):
     cases = [Case(to_plain(list(args)), to_plain(want), {}) for args, want, _ in rows]
     task, variant = bare(form, *cases, is_function=True)
     return judge_outcomes(task, variant, [to_plain(outcome) for *_, outcome in rows])
-
-
-LISTS = [[3.0, 9.0, 4.0], [8.0, 1.0, 2.5], [5.0, 7.0, 6.0]]
-
-
-@pytest.mark.parametrize(
-    ("takes", "name"),
-    [(lambda held: held[0], "the first member"), (lambda held: held[-1], "the last member"), (min, "the smallest"),
-     (sum, "the sum"), (lambda held: held[1] ** 3 + 0.1, None)],
-)  # fmt: skip
-def test_a_function_that_takes_one_thing_of_a_list_is_told_which(takes, name):
-    verdict = called(Number("m"), [([held], 100.0 * max(held) + 0.7, float(takes(held))) for held in LISTS])
-    assert next(iter(verdict.mistakes), None) == name
 
 
 def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():

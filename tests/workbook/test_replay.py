@@ -2,57 +2,72 @@
 
 from __future__ import annotations
 
-import math
+import ast
+import re
 
 import pytest
 
-from tflab.ros.messages.geometry_msgs import TransformStamped
+from tflab.ros.messages.geometry_msgs import PointStamped
 from tflab.workbook import call, check
+from tflab.workbook.answers.forms import Choice, Message, Name, Number, Pair, Parts, Sequence, Vector
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.replay import differing
 
+PAIRS = Sequence(Pair(Name(), Choice(("up", "down"))))
+PLANAR = Parts({"x": Number("m"), "position": Vector(2)})
+POINT = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
 
-def mount(yaw, sec=0):
-    message = TransformStamped()
-    message.header.stamp.sec = sec
-    message.transform.rotation.z, message.transform.rotation.w = math.sin(yaw / 2.0), math.cos(yaw / 2.0)
+
+def point(x):
+    message = PointStamped()
+    message.point.x = x
     return message
 
 
 @pytest.mark.parametrize(
-    ("got", "expected", "path"),
+    ("form", "got", "expected", "path"),
     [
-        ({"x": 1.0, "y": 2.0}, {"x": 1.0, "y": 2.5}, '["y"]'),
-        ([("a", "up"), ("b", "up")], [("a", "up"), ("b", "down")], "[1][1]"),
-        ([1, 2], [1, 3], ""),
-        (["a"], ["a", "b"], ""),
-        ({"x": 1.0}, {"y": 1.0}, ""),
-        (None, "odom", ""),
-        ({"at": (1.0 + 1e-9, 2.0), "yaw": 0.0}, {"at": (1.0, 2.0), "yaw": 1.0}, '["yaw"]'),
-        (mount(0.0, sec=4), mount(math.pi), ".transform.rotation"),
-        (mount(2.0 * math.pi, sec=4), mount(0.0), ".header.stamp"),  # q and -q are one rotation
+        (PLANAR, {"x": 1.0, "position": (1.0, 2.0)}, {"x": 1.0 + 1e-9, "position": (1.0, 2.5)}, '["position"]'),
+        (PAIRS, [("a", "up"), ("b", "up")], [("a", "up"), ("b", "down")], "[1][1]"),
+        (PAIRS, [("a", "up")], [("a", "up"), ("b", "down")], ""),
+        (POINT, point(1.0), point(2.0), ".point"),
+        (Name(), None, "odom", ""),
     ],
 )
-def test_the_first_place_where_two_results_differ_is_found(got, expected, path):
-    assert differing(to_plain(got), to_plain(expected))[0] == path
+def test_the_first_part_in_which_two_results_differ_is_found(form, got, expected, path):
+    assert differing(form, to_plain(got), to_plain(expected))[1] == path
 
 
-def test_a_reply_shows_result_and_expected_result_side_by_side(capsys):
+def test_a_reply_shows_the_smallest_call_that_went_wrong_beside_the_expected_result(capsys):
     check("E4.7", lambda prefix, name: prefix + name)
-    shown = 'The call frame_name("", "/camera_link") gave "/camera_link". Expected: "camera_link".'
-    assert shown in capsys.readouterr().out
+    assert 'The call frame_name("/", "map") gave "/map". Expected: "map".' in capsys.readouterr().out
 
 
-def test_call_returns_the_arguments_of_the_call_that_the_reply_showed(capsys):
-    def straight(parent_of, target, source):
-        return [source, target]
+def straight(parent_of, target, source):
+    return [source, target]
 
+
+def test_the_call_of_a_reply_can_be_pasted_and_call_returns_its_arguments(capsys):
     check("E4.3", straight)
-    assert 'call("E4.3") returns its arguments.' in capsys.readouterr().out
-    shown = call("E4.3")
-    assert list(vars(shown)) == ["parent_of", "target", "source"]
-    assert isinstance(shown.parent_of, dict) and shown.source in shown.parent_of
-    assert 'source     "imu_link"' in capsys.readouterr().out
+    (shown,) = re.findall(r"The call path\((.*)\) gave", capsys.readouterr().out)
+    assert ast.literal_eval(f"({shown})") == tuple(vars(call("E4.3")).values())
+    assert list(vars(call("E4.3"))) == ["parent_of", "target", "source"]
+    assert 'source     "' in capsys.readouterr().out
+
+
+def test_a_call_with_a_buffer_is_cut_and_call_returns_its_arguments(capsys):
+    check("E8.3", lambda buffer, message, now: None)
+    assert 'call("E8.3") returns its arguments.' in capsys.readouterr().out
+
+
+def test_a_default_argument_that_remembers_earlier_calls_is_named(capsys):
+    def several_owners(log, seen={}):  # noqa: B006  what a learner writes
+        for node, _, child in log:
+            seen.setdefault(child, set()).add(node)
+        return sorted(child for child, nodes in seen.items() if len(nodes) > 1)
+
+    check("E4.6", several_owners)
+    assert "The default `seen` is made once and shared by all calls" in capsys.readouterr().out
 
 
 def test_call_says_that_a_task_of_values_has_none(capsys):

@@ -26,7 +26,7 @@ from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .assigned import AssignedTask
-from .diagnosis.explain import list_asked
+from .diagnosis.explain import list_asked, read_conditions
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
@@ -215,10 +215,10 @@ def _passed(assigned: AssignedTask) -> str:
 
 
 def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:
-    """Print the rows of the table of explanations that were asked, in order."""
-    variant = assigned.variant
+    """Print the rows of the table of explanations that were asked, in order, and when each is true."""
+    variant, conditions = assigned.variant, read_conditions()
     for row, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
-        print(f"  {'✓' if is_answer else '·'} {row.name} ({row.certainty})")
+        print(f"  {'✓' if is_answer else '·'} {row.name}: {conditions[row.name]}")
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:

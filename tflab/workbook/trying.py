@@ -7,6 +7,7 @@
 
 from __future__ import annotations
 
+import inspect
 import os
 from collections.abc import Sequence
 from dataclasses import replace
@@ -22,6 +23,7 @@ from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
 from .replay import describe_call, remember_call, show_call
+from .replies import PHRASES
 from .reply import shell, show_caption, show_reply
 
 __all__ = ["say_verdict", "show_hint", "tried_on"]
@@ -50,8 +52,9 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
         try:
             with call_limits(CALL_S) as printed:
                 first = outcome_of(answer, case.args)
-            with call_limits(CALL_S):
-                again = outcome_of(answer, case.args)
+            again = _call_again(answer, case.args)
+            if case is cases[-1] and _call_again(answer, cases[0].args) != [*outcomes, first][0]:
+                again = {}  # calls in between have changed what the first one gives
         except (KeyboardInterrupt, TimeLimitError) as stopped:
             mistake = Mistake.ENDLESS if isinstance(stopped, TimeLimitError) else Mistake.INTERRUPTED
             return Verdict(0, len(cases), mistake, case=number, detail=_stopped_call(assigned, number)), []
@@ -60,13 +63,28 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
             detail = _stopped_call(assigned, number)
             return Verdict(0, len(cases), Mistake.OUT_OF_MEMORY, case=number, detail=detail), []
         if first != again:
-            return Verdict(0, len(cases), Mistake.UNSTEADY, case=number), []
+            return Verdict(0, len(cases), Mistake.UNSTEADY, case=number, detail=_remembered(answer)), []
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             return Verdict(0, len(cases), Mistake.UNANSWERED), []
     verdict = judge_outcomes(assigned.cases, assigned.variant, outcomes)
     verdict = replace(verdict, detail=verdict.detail | {"printed": lines} if lines else verdict.detail)
     return _with_its_place(assigned, answer, verdict, outcomes)
+
+
+def _call_again(answer: Any, args: Sequence[Plain] | None) -> Plain:
+    with call_limits(CALL_S):
+        return outcome_of(answer, args)
+
+
+def _remembered(answer: Any) -> dict[str, Any]:
+    """Return in which default argument a function keeps what earlier calls left; nothing if in none."""
+    try:
+        parameters = inspect.signature(answer).parameters.values()
+    except (TypeError, ValueError):
+        return {}
+    names = [each.name for each in parameters if isinstance(each.default, list | dict | set) and each.default]
+    return {"tip": PHRASES["default"].filled(name=names[0])} if names else {}
 
 
 def _stopped_call(assigned: AssignedTask, number: int) -> dict[str, Any]:
@@ -86,7 +104,8 @@ def _with_its_place(
     if stop is not None:
         is_other = stop.is_own_raise and is_raised(case.expected) and verdict.mistake is Mistake.RAISES
         mistake = Mistake.OTHER_EXCEPTION if is_other else verdict.mistake
-        tip = {"tip": Text("", "")} if stop.is_own_raise else {}
+        tip = {"tip": Text("", "")} if stop.is_cause else {}
+        tip |= {"meant": case.expected["raises"]} if is_other else {}
         return replace(verdict, mistake=mistake, detail=verdict.detail | tip | {"place": stop.said}), outcomes
     place = describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes

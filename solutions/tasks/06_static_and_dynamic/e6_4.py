@@ -42,6 +42,7 @@ def drive_circle(elapsed_s, radius_m, speed_mps, is_left, odom, base, *, ends="p
             "by radius": speed_mps / radius_m,
             "speed": speed_mps,
             "times": speed_mps * radius_m,
+            "over time": speed_mps / radius_m / elapsed_s**2 if elapsed_s else 0.0,
             "to degrees": math.degrees(speed_mps / radius_m),
             "circles": math.tau * speed_mps / radius_m,
             "by diameter": speed_mps / radius_m / 2,

@@ -66,11 +66,13 @@ class Form:
     Attributes:
         in_any_order: whether a probe may stand anywhere among the others, as in a set.
         is_measured: whether it holds numbers: two answers are alike by chance less often than words and lists are.
+        mistakes: which ones of any task it recognises, the surest first (see `diagnosis/matching.py`).
         unit: of its numbers, or "".
     """
 
     in_any_order: ClassVar[bool] = False
     is_measured: ClassVar[bool] = False
+    mistakes: ClassVar[tuple[str, ...]] = ()
     unit = ""  # no annotation: a ClassVar would come first among the fields of a form that has one
 
     def probes(self, plain: Plain) -> list[Probe] | None:

@@ -16,10 +16,10 @@ from typing import ClassVar
 
 from ...text import Text
 from .form import Form, Mark, Probe, inside, is_given, pose_of
-from .structures import as_one
+from .structures import RENAMED, as_one
 from .values import Plain
 
-__all__ = ["Pair", "Set", "Tree", "belonging", "edges_of", "members_of"]
+__all__ = ["Pair", "Set", "Tree", "belonging", "dict_of", "edges_of", "members_of", "pairs_of"]
 
 MOST_NAMED = 4  # children that are called by name
 MOST_MEMBERS = 1000  # of a set or a tree; no answer has as many
@@ -54,6 +54,7 @@ class Set(Form):
     of: Form
     once: bool = False
     in_any_order: ClassVar[bool] = True
+    mistakes: ClassVar = ("nothing filled in", *RENAMED, "members twice")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         members = members_of(plain)
@@ -90,6 +91,7 @@ class Tree(Form):
     """Who is whose parent: a dict child -> parent, or transforms; no pairs, whose order nobody can tell."""
 
     in_any_order: ClassVar[bool] = True
+    mistakes: ClassVar = ("pairs", "nothing filled in", *RENAMED, "tree")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         edges = edges_of(plain)
@@ -146,6 +148,19 @@ def edges_of(plain: Plain) -> list[Edge] | None:
     if edges is None or not all(edge and isinstance(edge[0], str) and isinstance(edge[1], str) for edge in edges):
         return None
     return sorted(set(edges))
+
+
+def pairs_of(plain: Plain) -> list[Edge]:
+    """Return the pairs that were given for a dict; none of anything else."""
+    members = list(map(inside, members_of(plain) or ()))
+    is_pairs = all(isinstance(one, list) and len(one) == 2 and all(isinstance(n, str) for n in one) for one in members)
+    return [(one[0], one[1]) for one in members] if is_pairs else []
+
+
+def dict_of(plain: Plain, is_child_first: bool = False) -> Plain:
+    """Return the dict child -> parent that pairs (parent, child) mean; anything else as it is."""
+    pairs = [pair if is_child_first else pair[::-1] for pair in pairs_of(plain)]
+    return {"dict": dict(pairs)} if pairs else plain
 
 
 def _edge(plain: Plain) -> Edge | None:

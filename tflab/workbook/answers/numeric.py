@@ -38,6 +38,10 @@ class Number(NumberForm):
 
     unit: str = ""
     tolerance: float = 1e-3
+    mistakes: ClassVar = (
+        *("a_time", "a_stamp", "one_text", "unit", "sign", "one over it", "twice", "half", "squared", "root"),
+        *("power of ten", "zeros", "count", "no sign", "rounded"),
+    )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         row = numbers_of(plain, None)
@@ -69,6 +73,10 @@ class Angle(NumberForm):
 
     tolerance: float = 1e-3
     unit = "rad"
+    mistakes: ClassVar = (
+        *("three_angles", "one_text", "its_yaw"),
+        *("unit", "sign", "half a turn", "z for the angle", "twice", "half the angle", "zeros", "rounded"),
+    )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         row = numbers_of(plain, None)
@@ -96,6 +104,10 @@ class Vector(NumberForm):
     unit: str = "m"
     frame: str = ""
     tolerance: float = 1e-3
+    mistakes: ClassVar = (
+        *("joined", "a_text", "its_translation", "unit", "all signs", "exchanged", "one sign", "places and signs"),
+        *("twice", "half", "power of ten", "zeros", "place", "rounded"),
+    )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         frame = member(plain, "header", "frame_id")
@@ -125,6 +137,11 @@ class Quaternion(NumberForm):
     """A rotation (x, y, z, w); q and -q are the same."""
 
     tolerance: float = 1e-3
+    mistakes: ClassVar = (
+        *("joined", "one_inside", "a_matrix", "rows", "without_zeros", "angles", "its_rotation"),
+        *("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "half angle", "one sign"),
+        *("exchanged", "w left at 1", "place", "angles for a quaternion", "rounded"),
+    )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         row = numbers_of(plain, 4)
@@ -152,6 +169,10 @@ class Pose(Form):
     stamp: bool = False
     frames: bool = False
     is_measured: ClassVar[bool] = True
+    mistakes: ClassVar = (
+        *("transposed", "inverse transform", "not turned back", "translation taken away", "w first", "w taken first"),
+        *("inverse rotation", "not normalised", "whole angle", "half angle", "exchanged"),
+    )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         parts = pose_of(plain)

@@ -27,8 +27,9 @@ from .form import Form, Mark, Probe, inside, member, numbers_of
 from .numeric import Number, Quaternion, Vector
 from .values import Plain
 
-__all__ = ["Choice", "Command", "Message", "Name", "Parts", "Sequence", "as_one", "named_beside"]
+__all__ = ["RENAMED", "Choice", "Command", "Message", "Name", "Parts", "Sequence", "as_one", "named_beside"]
 
+RENAMED = ("other case", "slash in front", "no slash in front", "space around", "other separator")
 MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 NEARLY = 0.6  # from which share of letters on a name looks like another
 
@@ -42,6 +43,7 @@ class Choice(Form):
 
     options: tuple[str, ...] = ()
     are_frames: bool = False
+    mistakes: ClassVar = ("no_name", "several", "a_class", "an_error")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         word = self.option(plain)
@@ -71,6 +73,7 @@ class Name(Form):
     """
 
     topic: bool = False
+    mistakes: ClassVar = ("no_name", "a_class", "an_error", "nothing filled in", *RENAMED, "empty", "stamp")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         if not isinstance(plain, str):
@@ -172,6 +175,7 @@ class Sequence(Form):
     """A list of any length, all members of one form."""
 
     of: Form
+    mistakes: ClassVar = ("a_set", "one_alone", "nothing filled in", "list")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         members = inside(plain)
@@ -207,6 +211,7 @@ class Message(Form):
     fields: tuple[str, ...]
     tolerance: float = 1e-3
     is_measured: ClassVar[bool] = True
+    mistakes: ClassVar = ("a_field", "no_message")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         if not isinstance(plain, dict) or not isinstance(plain.get("message"), list) or not plain["message"]:
@@ -261,6 +266,8 @@ STATIC_FIELDS = ("frame-id", "child-frame-id", "x", "y", "z")  # of static_trans
 @dataclass(frozen=True)
 class Command(Form):
     """One line for a terminal, compared by what it does."""
+
+    mistakes: ClassVar = ("nothing filled in", "empty", "line")
 
     def probes(self, plain: Plain) -> list[Probe] | None:
         rows = command_lines.rows(plain) if isinstance(plain, str) else None

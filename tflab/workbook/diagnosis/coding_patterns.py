@@ -1,31 +1,23 @@
-"""Recognise results of common coding patterns: the first member alone, a loop that removes, the input itself."""
+"""Recognise results of common coding patterns: a loop that removes, a constant, the input itself."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+import math
+from collections.abc import Iterator, Mapping, Sequence
 
 from ...text import Text, Texts
-from ..answers.form import Form, inside, numbers_of, pose_of
-from ..answers.forms import Angle, Choice, Name, Number, Parts, Pose, Quaternion, Set, Vector
+from ..answers.form import Form, inside, is_number, numbers_of, pose_of
+from ..answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Set, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised
-from .matching import alike, matches_closely
+from .matching import A_HAIR, alike
 
 __all__ = ["constant_of", "find_coding_pattern", "find_input", "leaves"]
 
 TEXTS = Texts(__file__)
 
 FEWEST = 3  # calls with a result of their own, for it to be no luck
-OF_A_LIST: dict[str, Callable[[list], Plain]] = {
-    "the first member": lambda held: held[0],
-    "the last member": lambda held: held[-1],
-    "the smallest": min,
-    "the largest": max,
-    "the number of members": len,
-    "the sum": sum,
-    "the mean": lambda held: sum(held) / len(held),
-}
 
 
 def find_coding_pattern(
@@ -36,11 +28,6 @@ def find_coding_pattern(
         return None
     if isinstance(form, ListForm | Set) and _passes_over(form, args, outcomes, wanted):
         return "removed in the loop", TEXTS["passed_over"]
-    if not isinstance(form, Number | Angle | Name) or len({str(outcome) for outcome in outcomes}) < FEWEST:
-        return None
-    for name, number, values in _candidates(args):
-        if matches_closely(form, outcomes, values):
-            return name, TEXTS[name].filled(at=number)
     return None
 
 
@@ -57,23 +44,6 @@ def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) 
     if isinstance(form, Number | Angle) and (row := numbers_of(outcomes[0], None)) is not None:
         what = Text(f"{row[0]:g}", f"{row[0]:g}이(가)")
     return "the same in every call", TEXTS["same"].filled(what=what)
-
-
-def _candidates(args: Sequence[list[Plain]]) -> Iterator[tuple[str, int, list[Plain]]]:
-    """Yield what may be made of an argument: a name, the argument's number, and what it gives in each call."""
-    for at in range(min(map(len, args), default=0)):
-        held = [inside(row[at]) for row in args]
-        if all(isinstance(each, list) and each for each in held):
-            for name, make in OF_A_LIST.items():
-                if (values := _made(make, held)) is not None:
-                    yield name, at + 1, values
-
-
-def _made(make: Callable, held: Sequence) -> list[Plain] | None:
-    try:
-        return [make(each) for each in held]
-    except (TypeError, ValueError, ZeroDivisionError):
-        return None
 
 
 def _passes_over(
@@ -106,15 +76,23 @@ def _same(one: list[Plain], other: list[Plain]) -> bool:
     return sorted(map(str, one)) == sorted(map(str, other))
 
 
-def find_input(form: Form, outcome: Plain, expected: Plain, given: dict[str, Plain] | None) -> str | None:
-    """Return under which name an answer was given, if it is nothing else than that."""
+def find_input(form: Form, outcome: Plain, expected: Plain, given: Mapping[str, Plain] | None) -> str | None:
+    """Return which input an answer is, or is multiplied by where it is to be divided by it, or the reverse."""
     if isinstance(form, Choice | Parts | ListForm) or alike(form, outcome, expected):
         return None
-    for name, leaf in leaves(given or {}):
-        for shaped in _shaped(form, name, leaf):
-            if form.read(shaped) is not None and alike(form, outcome, shaped):
-                return name
-    return None
+    held = list(leaves(given or {}))
+    came = (f"given {name}" for name, leaf in held for one in _shaped(form, name, leaf) if alike(form, outcome, one))
+    reverse = (f"by {name}" for name, leaf in held if _is_factor_reversed(form, outcome, expected, leaf))
+    return next(came, None) or next(reverse, None)
+
+
+def _is_factor_reversed(form: Form, outcome: Plain, expected: Plain, factor: Plain) -> bool:
+    """Return whether a product with this number was taken for a quotient, or the reverse, to all digits."""
+    if not isinstance(form, Number) or not is_number(factor) or abs(factor) in (0, 1) or form.is_short(outcome):
+        return False
+    (one,), (right,), square = form.numbers(outcome) or (0,), form.numbers(expected) or (0,), factor**2
+    pairs = ((one * right, square), (one * square, right), (one, right * square))
+    return any(math.isclose(*pair, rel_tol=A_HAIR) for pair in pairs)
 
 
 def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
@@ -128,7 +106,7 @@ def _shaped(form: Form, name: str, leaf: Plain) -> Iterator[Plain]:
         yield from ([leaf] if parts is None else [list(parts[3])])
 
 
-def leaves(given: dict[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
+def leaves(given: Mapping[str, Plain], before: str = "") -> Iterator[tuple[str, Plain]]:
     """Yield what was given, by name; of a dict its members, too."""
     for name, held in given.items():
         yield before + name, held

@@ -31,10 +31,11 @@ LONGEST_VALUE = 60  # characters
 
 
 class ErrorLine(NamedTuple):
-    """Where a function stopped: what to say of it, and whether the learner's own `raise` did it."""
+    """Where a function stopped: what to say of it, whether a `raise` of the learner did it, and whether that is all."""
 
     said: Text
-    is_own_raise: bool
+    is_own_raise: bool = False
+    is_cause: bool = False
 
 
 def error_line(function: Callable[..., Any], args: Sequence[Plain]) -> ErrorLine | None:
@@ -58,15 +59,16 @@ def _describe(function: Callable[..., Any], error: Exception) -> ErrorLine | Non
         return None
     segment = _segment(summary)
     if summary is stack[-1][1] and segment.startswith("raise"):
-        return ErrorLine(TEXTS["own"].filled(line=summary.lineno, text=_quoted(summary.line)), True)
+        return ErrorLine(TEXTS["own"].filled(line=summary.lineno, text=_quoted(summary.line)), True, True)
     said = TEXTS["line"].filled(line=summary.lineno, text=_quoted(segment))
     values = [f"`{name}` = `{_shown(value)}`" for name, value in _values(segment, frame.f_locals)]
     if values:
         said = Text.joined(said, TEXTS["values"].filled(values=", ".join(values[:MOST_VALUES])))
     is_refusal = type(error).__name__.endswith("Exception")  # as tf2 names its own
-    if is_refusal and (clause := _passed_by(frame.f_code, summary.lineno)) is not None:
+    clause = _passed_by(frame.f_code, summary.lineno) if is_refusal else None
+    if clause is not None:
         said = Text.joined(said, TEXTS["passed_by"].filled(clause=_quoted(clause), error=type(error).__name__))
-    return ErrorLine(said, False)
+    return ErrorLine(said, is_cause=clause is not None)
 
 
 def _segment(summary: traceback.FrameSummary) -> str:

@@ -11,10 +11,11 @@ mistake gives. The field calls such a table a *bug library* (BUGGY, DEBUGGY), se
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ...text import Text, Texts, begun
-from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Urdf, Vector
+from ...text import Text, Texts, begun, load_yaml
+from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
@@ -27,9 +28,8 @@ from .calls import (
 )
 from .coding_patterns import find_coding_pattern, find_input
 from .explanation import Explanation, and_then, describe
-from .generic import describe_names, unfilled
+from .generic import TOLD, describe_names
 from .links import explain_links
-from .lookup_time import explain_lookup_time
 from .matching import (
     A_HAIR,
     ONE,
@@ -43,30 +43,25 @@ from .matching import (
 )
 from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
-from .precision import TOLD, by_comparison
 from .question import Question, Rest
-from .vector_terms import put_together
-from .wrong_types import explain_durations
+from .wrong_types import explain_other_types
 
-__all__ = ["TABLE", "Explainer", "explain", "list_asked"]
+__all__ = ["TABLE", "Explainer", "explain", "list_asked", "read_conditions"]
 
 TEXTS = Texts(__file__)
-
-MORE_THAN_ORDER = ("places and signs", "exchanged")  # generic mistakes that a more precise row may explain
 
 
 class Explainer(NamedTuple):
     """One way to explain an answer.
 
     Attributes:
-        name: what is looked for.
+        name: what is looked for; when it is true stands under this name in `conditions.yaml`.
         explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
         of: which answers are asked about.
         forms: the forms that it applies to; all if empty.
         is_measured: whether it applies to measured forms alone.
         is_last: whether no later row is asked where this one's condition holds.
         condition: when it is asked, beside `of` and `forms`.
-        certainty: "seen" if it is plain in the answer; "fits" if it gives exactly what came out.
     """
 
     name: str
@@ -76,7 +71,6 @@ class Explainer(NamedTuple):
     is_measured: bool = False
     is_last: bool = False
     condition: Callable[[Question], bool] | None = None
-    certainty: Literal["seen", "fits"] = "fits"
 
     def applies(self, question: Question) -> bool:
         """Return whether this row is asked."""
@@ -89,6 +83,11 @@ class Explainer(NamedTuple):
 def explain(question: Question) -> Explanation | None:
     """Return the first explanation of the table, or None if there is none."""
     return next((found for _, found in _answers(question) if found is not None), None)
+
+
+def read_conditions() -> dict[str, str]:
+    """Return for each explanation, and for each mistake that a form recognises, when it is true, by name."""
+    return load_yaml(Path(__file__).with_name("conditions.yaml").read_text(encoding="utf-8"))
 
 
 def list_asked(question: Question) -> list[tuple[Explainer, bool]]:
@@ -120,11 +119,6 @@ def _with_the_rest(found: Rest) -> Explanation | None:
 # -- one mistake, or two ---------------------------------------------------------------------
 
 
-def _explain_unfilled_text(question: Question) -> Explanation | None:
-    words = unfilled(question.form, question.outcomes)
-    return Explanation.of("nothing filled in", words) if words else None
-
-
 def _explain_value_of_parts(question: Question) -> Explanation | None:
     """Explain each part; several mistakes only where there is nothing simpler, and no two give all of it."""
     found = explain_parts(question)
@@ -142,7 +136,7 @@ def _explain_one_mistake(question: Question) -> Explanation | None:
     if near and _is_measured_value(question) and not _single(question, A_HAIR):
         pair = next(_pairs(question, A_HAIR), None)
         if pair:
-            return _explain_given_point(question) or _explained_by(question, *pair)
+            return _explained_by(question, *pair)
     return _explained_by(question, near[0]) if near else None
 
 
@@ -154,15 +148,7 @@ def _explain_obvious_mistake(question: Question) -> Explanation | None:
 
 def _explain_input_as_it_came(question: Question) -> Explanation | None:
     name = find_input(question.form, question.outcomes[0], question.expected[0], question.inputs)
-    return _explained_by(question, f"given {name}") if name else None
-
-
-def _explain_given_point(question: Question) -> Explanation | None:
-    """Say how the numbers of a given point were put together, where no simple generic mistake says it."""
-    if question.task.is_function:
-        return None
-    found = put_together(question.form, question.outcomes[0], question.expected[0], question.inputs)
-    return Explanation.of(*found) if found else None
+    return _explained_by(question, name) if name else None
 
 
 def _explain_two_mistakes(question: Question) -> Explanation | None:
@@ -254,27 +240,14 @@ def _is_not_short(question: Question) -> bool:
     form, outcomes = question.form, list(question.outcomes)
     if question.task.is_function or not isinstance(form, Number):
         return True
-    return not form.is_short(outcomes[0]) and "rounded" not in by_comparison(form, outcomes, question.expected)
-
-
-def _fits_order_alone(question: Question) -> bool:
-    """Return whether no generic mistake says more than that places, or places and signs, are others."""
-    names = matching_corrections(question.form, question.outcomes, question.expected)
-    return next(names, MORE_THAN_ORDER[0]).startswith(MORE_THAN_ORDER) or next(_pairs(question, TWO), None) is not None
+    return not form.is_short(outcomes[0]) and "rounded" not in matching_corrections(form, outcomes, question.expected)
 
 
 TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
-    Explainer("a text that was not filled in", _explain_unfilled_text, certainty="seen"),
-    Explainer("a Duration or a Time for seconds", explain_durations, forms=(Number,), certainty="seen"),
-    Explainer("the time of a lookup", explain_lookup_time),
+    Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree)),
     Explainer(
-        "a changed argument",
-        explain_changed_arguments,
-        of="function",
-        condition=_changes_an_argument,
-        is_last=True,
-        certainty="seen",
+        "a changed argument", explain_changed_arguments, of="function", condition=_changes_an_argument, is_last=True
     ),
     Explainer("one mistake of the task", _explain_one_mistake),
     Explainer("an obvious generic mistake", _explain_obvious_mistake),
@@ -283,10 +256,7 @@ TABLE: tuple[Explainer, ...] = (
     Explainer(
         "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
     ),
-    Explainer("an input as it came", _explain_input_as_it_came, of="value"),
-    Explainer(
-        "numbers of a given point", _explain_given_point, of="value", forms=(Vector,), condition=_fits_order_alone
-    ),
+    Explainer("an input as it came, or a factor reversed", _explain_input_as_it_came, of="value"),
     Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
@@ -294,8 +264,8 @@ TABLE: tuple[Explainer, ...] = (
     Explainer(
         "a generic mistake in some calls", _explain_generic_mistake_in_some_calls, of="function", is_measured=True
     ),
-    Explainer("calls that raise", explain_raises, of="function", certainty="seen"),
-    Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function", certainty="seen"),
+    Explainer("calls that raise", explain_raises, of="function"),
+    Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function"),
     Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
     Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
     Explainer("a coding pattern", _explain_coding_pattern, of="function"),

@@ -1,4 +1,8 @@
-"""Undo mistakes that any answer can have: a sign, a unit, an order of numbers."""
+"""Recognise mistakes that any answer can have by undoing them: a sign, a unit, an order of numbers.
+
+A form names the mistakes that it recognises (`Form.mistakes`). What cannot be undone is in `precision.py`,
+answers of another type in `wrong_types.py`.
+"""
 
 from __future__ import annotations
 
@@ -13,52 +17,34 @@ from tflab.core import Transform
 from ...core.quaternions import to_rpy
 from ...text import Text, Texts
 from ..answers.form import Form, inside, numbers_of, pose_of
-from ..answers.forms import Angle, Command, Name, Number, Pose, Quaternion, Set, Tree, Vector
+from ..answers.forms import Name, Number, Pose
 from ..answers.values import Plain, is_raised, to_plain
 
-__all__ = [
-    "LETTERS",
-    "OF_FORM",
-    "OTHER_UNITS",
-    "PLAIN_TO_SEE",
-    "TEXTS",
-    "UNIVERSAL",
-    "corrections",
-    "describe_letters",
-    "describe_names",
-    "holds_angles",
-    "letters_changed",
-    "renamed",
-    "unfilled",
-]
+__all__ = ["TEXTS", "TOLD", "UNDONE", "Recogniser", "describe_letters", "describe_names", "holds_angles"]
 
 TEXTS = Texts(__file__)
 
 Row = tuple[float, ...]
 NOTHING = 10.0  # tolerances: a number below is as good as zero, whatever its unit
+TOLD = " | "  # between the name of a mistake and what is told of it, which stands in the answer
 
 
-class Universal(NamedTuple):
-    """A mistake that any answer of some form can have.
+class Recogniser(NamedTuple):
+    """How a mistake is recognised that an answer of some forms can have.
 
     Attributes:
-        undo: what the answer would have been without it; several where it can be undone in several ways.
+        undo: yields what the answer would be without the mistake, each after what is told of it.
+        misconception: what is behind it.
+        find: yields its name, and what is told of it, where all answers beside the right ones show it.
+        is_plain: whether it is seen at once, and so may stand behind another mistake.
+        is_exact: whether a number of one or two digits can show it.
     """
 
-    undo: Callable[[Row], Iterator[Row]]
+    undo: Callable[[Form, Plain], Iterator[tuple[str, Plain]]] | None = None
     misconception: str = ""
-
-
-class Undone(NamedTuple):
-    """An answer without one universal mistake: its name, the unit or the numbers it is told of, and what is left."""
-
-    name: str
-    unit: str
-    left: Plain
-
-
-def _no_numbers(row: Row) -> Iterator[Row]:
-    yield from ()
+    find: Callable[[Form, list[Plain], list[Plain]], Iterator[str]] | None = None
+    is_plain: bool = False
+    is_exact: bool = False
 
 
 def _negated(row: Row) -> Iterator[Row]:
@@ -78,13 +64,20 @@ def _double(row: Row) -> Iterator[Row]:
     yield tuple(number * 2.0 for number in row)
 
 
+def _double_angle(row: Row) -> Iterator[Row]:
+    angle = math.remainder(row[0], math.tau)
+    if abs(angle) <= math.pi / 2:  # twice as much as another is the right one but for a full turn
+        yield (2.0 * angle,)
+
+
 def _root(row: Row) -> Iterator[Row]:
     if row[0] > 0.0:
         yield (math.sqrt(row[0]),)
 
 
 def _square(row: Row) -> Iterator[Row]:
-    yield (row[0] ** 2,)
+    if row[0] > 0.0:
+        yield (row[0] ** 2,)
 
 
 def _powers_of_ten(row: Row) -> Iterator[Row]:
@@ -118,7 +111,7 @@ def _places_and_signs(row: Row) -> Iterator[Row]:
 
 
 def _one_sign(row: Row) -> Iterator[Row]:
-    for place, number in enumerate(row):
+    for place, number in enumerate(row[:3]):  # of a quaternion, w turned round is the inverse
         if number:
             yield (*row[:place], -number, *row[place + 1 :])
 
@@ -151,92 +144,117 @@ def _halved(row: Row) -> Iterator[Row]:
             yield (*(part * math.sin(half) / sine for part in (x, y, z)), math.cos(half))
 
 
-UNIVERSAL = {
-    "sign": Universal(_negated),
-    "one over it": Universal(_reciprocal),
-    "twice": Universal(_half),
-    "half": Universal(_double),
-    "squared": Universal(_root),
-    "root": Universal(_square),
-    "half a turn": Universal(_half_a_turn),
-    "z for the angle": Universal(_angle_of_z, "M5"),
-    "all signs": Universal(_negated),
-    "one sign": Universal(_one_sign),
-    "exchanged": Universal(_exchanged),
-    "places and signs": Universal(_places_and_signs),
-    "w first": Universal(_w_first, "M5"),
-    "w taken first": Universal(_w_taken_first, "M5"),
-    "inverse rotation": Universal(_conjugate, "M1"),
-    "not normalised": Universal(_scaled, "M5"),
-    "whole angle": Universal(_halved, "M5"),
-    "other case": Universal(_no_numbers, "M14"),
-    "slash in front": Universal(_no_numbers, "M14"),
-    "space around": Universal(_no_numbers, "M14"),
-    "no slash in front": Universal(_no_numbers, "M14"),
-    "other separator": Universal(_no_numbers, "M14"),
-    "inverse transform": Universal(_no_numbers, "M1"),
-    "not turned back": Universal(_no_numbers, "M1"),
-    "translation taken away": Universal(_negated, "M3"),
-    "transposed": Universal(_no_numbers),
-    "power of ten": Universal(_powers_of_ten),
-}
-OF_FORM = {
-    Number: ("sign", "one over it", "twice", "half", "squared", "root", "power of ten"),
-    Angle: ("sign", "half a turn", "z for the angle", "twice", "half"),
-    Vector: ("all signs", "exchanged", "one sign", "places and signs", "twice", "half", "power of ten"),
-    Quaternion: ("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "exchanged"),
-}
-# What is seen at once, and so may stand behind another mistake; of the others nobody could say that it was just that.
-PLAIN_TO_SEE = {
-    *("unit", "sign", "all signs", "w first", "w taken first", "not normalised"),
-    *("inverse rotation", "inverse transform", "not turned back"),
-}
+def _turned_on(row: Row) -> Iterator[Row]:
+    """Turn twice as far: the square of a quaternion."""
+    x, y, z, w = row
+    yield 2.0 * w * x, 2.0 * w * y, 2.0 * w * z, w * w - x * x - y * y - z * z
 
 
-def corrections(form: Form, answer: Plain) -> Iterator[Undone]:
-    """Yield what an answer would be without each of the mistakes that an answer of its form can have."""
-    if isinstance(form, Pose):
-        yield from _undone_pose(answer)
-    elif isinstance(form, Name | Tree) or (isinstance(form, Set) and isinstance(form.of, Name)):
-        yield from _undone_names(answer)
-    elif type(form) in OF_FORM and form.read(answer) is not None:  # not, say, a message in another frame
-        yield from _undone_numbers(form, answer)
+# -- in which forms -------------------------------------------------------------------------
 
 
-def _undone_numbers(form: Form, answer: Plain) -> Iterator[Undone]:
-    row = form.numbers(answer)
-    for unit, factor in OTHER_UNITS.get(form.unit, {}).items():
+def _numbers(undo: Callable[[Row], Iterator[Row]], name: str = "", least: float = 0.0) -> Callable:
+    """Return how a mistake is undone in the numbers of an answer; of a pose, in those of its rotation."""
+
+    def undone(form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
+        pose = pose_of(answer) if isinstance(form, Pose) else None
+        row = pose[3] if pose else form.numbers(answer)
+        is_a_count = isinstance(form, Number) and not form.unit and undo is not _negated
+        if row is None or is_a_count or form.read(answer) is None:  # or, say, a message in another frame
+            return
+        if pose:
+            lefts = undo(row) if math.hypot(*row) > TINY else ()
+            yield from (("", {"Transform": [list(pose[2]), list(left)]}) for left in lefts)
+            return
+        lefts = [left for left in undo(row) if not least or max(map(abs, left)) > least * form.tolerance]
+        told = [(letters_changed(name, row, left), _plain(left)) for left in lefts]
+        yield from ((TOLD + letters, left) for letters, left in told if letters)  # what is sure comes first
+        yield from (("", left) for _, left in told)
+
+    return undone
+
+
+def _units(form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
+    row = form.numbers(answer) if form.read(answer) is not None else None
+    for unit, factor in OTHER_UNITS.get(form.unit, {}).items() if row else ():
         left = tuple(number / factor for number in row)
         if max(map(abs, left)) > NOTHING * form.tolerance:
-            yield Undone("unit", unit, _plain(left))
-    is_a_count = isinstance(form, Number) and not form.unit
-    for name in ("sign",) if is_a_count else OF_FORM[type(form)]:
-        lefts = list(UNIVERSAL[name].undo(row))
-        if isinstance(form, Vector):  # what is sure of a number by its name comes first
-            yield from (Undone(name, f"| {told}", _plain(left)) for left in lefts
-                        if (told := letters_changed(name, row, left)))  # fmt: skip
-        yield from (Undone(name, "", _plain(left)) for left in lefts
-                    if name != "power of ten" or max(map(abs, left)) > NOTHING * form.tolerance)  # fmt: skip
+            yield f" {unit}", _plain(left)
 
 
-def _undone_pose(answer: Plain) -> Iterator[Undone]:
-    parts = pose_of(answer)
-    if parts is None and isinstance(rows := inside(answer), list) and all(numbers_of(row, 4) for row in rows):
-        yield Undone("transposed", "", [list(column) for column in zip(*map(inside, rows), strict=True)])
-    if parts is None or math.hypot(*parts[3]) < 1e-9:
-        return
-    yield Undone("inverse transform", "", to_plain(Transform(parts[2], parts[3]).inverse()))
-    step_back = tuple(-number for number in parts[2])
-    yield Undone("not turned back", "", to_plain(Transform(step_back, parts[3]).inverse()))
-    yield Undone("translation taken away", "", {"Transform": [list(step_back), list(parts[3])]})
-    for name in OF_FORM[Quaternion]:
-        for left in UNIVERSAL[name].undo(parts[3]):
-            yield Undone(name, "", {"Transform": [list(parts[2]), list(left)]})
+def _pose(undo: Callable[[Row, Row], Transform]) -> Callable:
+    def undone(_form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
+        parts = pose_of(answer)
+        if parts is not None and math.hypot(*parts[3]) > TINY:
+            yield "", to_plain(undo(parts[2], parts[3]))
+
+    return undone
 
 
-def _undone_names(answer: Plain) -> Iterator[Undone]:
-    """Yield a name, a set of names or a tree as it would be if each of its names were written otherwise."""
-    yield from (Undone(name, "", left) for name, left in renamed(answer))
+def _transposed(_form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
+    if pose_of(answer) is None and isinstance(rows := inside(answer), list) and all(numbers_of(r, 4) for r in rows):
+        yield "", [list(column) for column in zip(*map(inside, rows), strict=True)]
+
+
+def _renamed(change: Callable[[str], str]) -> Callable:
+    """Return how a name, a set of names or a tree is written otherwise."""
+
+    def undone(form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
+        left = _changed(answer, change)
+        if left != answer and isinstance(getattr(form, "of", Name()), Name):
+            yield "", left
+
+    return undone
+
+
+def _changed(plain: Plain, change: Callable[[str], str]) -> Plain:
+    if isinstance(plain, str):
+        return change(plain)
+    if isinstance(plain, list):
+        return [_changed(member, change) for member in plain]
+    if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}):
+        return {kind: _changed(held, change) for kind, held in plain.items()}
+    if isinstance(plain, dict) and set(plain) == {"dict"} and isinstance(plain["dict"], dict):
+        return {"dict": {change(key): _changed(value, change) for key, value in plain["dict"].items()}}
+    return plain
+
+
+def _back(step: Row, turn: Row) -> Transform:
+    return Transform(tuple(-number for number in step), turn)
+
+
+UNDONE = {
+    "unit": Recogniser(_units, is_plain=True, is_exact=True),
+    "sign": Recogniser(_numbers(_negated), is_plain=True, is_exact=True),
+    "one over it": Recogniser(_numbers(_reciprocal)),
+    "twice": Recogniser(_numbers(_half)),
+    "half": Recogniser(_numbers(_double)),
+    "half the angle": Recogniser(_numbers(_double_angle)),
+    "squared": Recogniser(_numbers(_root)),
+    "root": Recogniser(_numbers(_square)),
+    "half a turn": Recogniser(_numbers(_half_a_turn)),
+    "z for the angle": Recogniser(_numbers(_angle_of_z), "M5"),
+    "all signs": Recogniser(_numbers(_negated), is_plain=True),
+    "one sign": Recogniser(_numbers(_one_sign, "one sign")),
+    "exchanged": Recogniser(_numbers(_exchanged, "exchanged")),
+    "places and signs": Recogniser(_numbers(_places_and_signs, "places and signs")),
+    "w first": Recogniser(_numbers(_w_first), "M5", is_plain=True),
+    "w taken first": Recogniser(_numbers(_w_taken_first), "M5", is_plain=True),
+    "inverse rotation": Recogniser(_numbers(_conjugate), "M1", is_plain=True),
+    "not normalised": Recogniser(_numbers(_scaled), "M5", is_plain=True),
+    "whole angle": Recogniser(_numbers(_halved), "M5"),
+    "half angle": Recogniser(_numbers(_turned_on), "M5"),
+    "other case": Recogniser(_renamed(str.lower), "M14"),
+    "slash in front": Recogniser(_renamed(lambda name: name.removeprefix("/")), "M14"),
+    "no slash in front": Recogniser(_renamed(lambda name: f"/{name.removeprefix('/')}"), "M14"),
+    "space around": Recogniser(_renamed(str.strip), "M14"),
+    "other separator": Recogniser(_renamed(lambda n: n if "/" in n else re.sub(r"[_.:-]+", "/", n, count=1)), "M14"),
+    "inverse transform": Recogniser(_pose(lambda step, turn: Transform(step, turn).inverse()), "M1", is_plain=True),
+    "not turned back": Recogniser(_pose(lambda step, turn: _back(step, turn).inverse()), "M1", is_plain=True),
+    "translation taken away": Recogniser(_pose(lambda step, turn: _back(step, turn)), "M3"),
+    "transposed": Recogniser(_transposed),
+    "power of ten": Recogniser(_numbers(_powers_of_ten, least=NOTHING), is_exact=True),
+}
 
 
 def _plain(row: Row) -> Plain:
@@ -255,18 +273,12 @@ OTHER_UNITS = {
 }
 
 
-LETTERS = "xyz"
+LETTERS = "xyzw"
 BY_LETTER = {"one sign": "which sign", "exchanged": "which exchanged", "places and signs": "which is right"}  # texts
 
 
 def letters_changed(name: str, given: Sequence[float], left: Sequence[float]) -> str:
-    """Return which numbers of a point this mistake is about, as they are named; nothing where that is not sure.
-
-    Args:
-        name: of the mistake, as in UNIVERSAL.
-        given: the numbers of the answer.
-        left: the same without the mistake.
-    """
+    """Return which numbers of a point a mistake is about that leaves `left`; nothing where that is not sure."""
     if name not in BY_LETTER or len(given) > len(LETTERS):
         return ""
     pairs = zip(LETTERS, given, left, strict=False)
@@ -297,14 +309,6 @@ def holds_angles(given: Sequence[float], wanted: Sequence[float]) -> bool:
     return any(angles) and all(abs(one - other) < TINY for one, other in zip(given, angles, strict=False))
 
 
-RENAMED: dict[str, Callable[[str], str]] = {
-    "other case": str.lower,
-    "slash in front": lambda name: name.removeprefix("/"),
-    "no slash in front": lambda name: name if name.startswith("/") else f"/{name}",
-    "space around": str.strip,
-    "other separator": lambda name: re.sub(r"[_.:-]+", "/", name, count=1) if "/" not in name else name,
-}
-BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?::(?:[.\d]*[a-z]|\.\d+))?\}")
 FACTS: dict[str, Callable[[str, str], bool]] = {  # of a name and of the one that is asked for
     "nothing": lambda one, want: not one and bool(want),
     "slash in front of a name": lambda one, want: one.startswith("/") and not want.startswith("/"),
@@ -314,17 +318,6 @@ FACTS: dict[str, Callable[[str, str], bool]] = {  # of a name and of the one tha
     "too much in front": lambda one, want: bool(want) and one.strip("/").endswith("/" + want),
     "other letters": lambda one, want: one != want and one.lower() == want.lower(),
 }
-
-
-def unfilled(form: Form, outcomes: Sequence[Plain]) -> Text | None:
-    """Return what to say of texts in whose braces nothing was filled in; None if there is none."""
-    texts = [outcome for outcome in outcomes if isinstance(outcome, str)]
-    if not isinstance(form, Name | Command) or len(texts) < len(outcomes):
-        return None
-    first = next(filter(None, map(BRACES.search, texts)), None)
-    if first is None:
-        return None
-    return TEXTS["unfilled"].filled(text=first[0])
 
 
 def describe_names(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
@@ -348,21 +341,3 @@ def _that_differ(outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tup
 
 def _filled(words: Text, pairs: list[tuple[str, str]], wrong: list[tuple[str, str]]) -> Text:
     return TEXTS["in"].filled(count=len(pairs), of=len(wrong), fact=words.filled(one=pairs[0][0]))
-
-
-def renamed(answer: Plain) -> Iterator[tuple[str, Plain]]:
-    """Yield a name, a set of names or a tree as it would be if each of its names were written otherwise."""
-    ways = {name: _changed(answer, change) for name, change in RENAMED.items()}
-    yield from ((name, left) for name, left in ways.items() if left != answer)
-
-
-def _changed(plain: Plain, change: Callable[[str], str]) -> Plain:
-    if isinstance(plain, str):
-        return change(plain)
-    if isinstance(plain, list):
-        return [_changed(member, change) for member in plain]
-    if isinstance(plain, dict) and set(plain) in ({"tuple"}, {"set"}):
-        return {kind: _changed(held, change) for kind, held in plain.items()}
-    if isinstance(plain, dict) and set(plain) == {"dict"} and isinstance(plain["dict"], dict):
-        return {"dict": {change(key): _changed(value, change) for key, value in plain["dict"].items()}}
-    return plain

@@ -12,12 +12,13 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Feedback, TaskCases
 from . import generic
-from .generic import PLAIN_TO_SEE, corrections, describe_letters
-from .precision import TOLD, by_comparison, describe_loss
+from .generic import TOLD, UNDONE, Recogniser, describe_letters
+from .precision import LOST, describe_loss
 
 __all__ = [
     "ANY_BUG",
     "IN_SOME",
+    "RECOGNISERS",
     "alike",
     "all_alike",
     "expand_lists",
@@ -30,10 +31,13 @@ __all__ = [
 
 TEXTS = Texts(__file__)
 
+RECOGNISERS: dict[str, Recogniser] = UNDONE | LOST  # by the names that forms have for them
+
+NEVER = Recogniser()  # an answer of another type is told by `wrong_types.py`
+
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
 IN_SOME = "in some: "
-EXACT = {"sign", "power of ten"}  # what a number of one or two digits can show, beside a unit
 FITS_WHAT_IS_RIGHT = {"places and signs"}  # any order and signs, as they are, too: where some is right, it is not so
 ONE, TWO = 0.1, 0.005  # how far from what one mistake, or two, give: the more there are, the sooner one fits by chance
 A_HAIR = 1e-6  # how far, as a share, a number that was not rounded is from what gives it
@@ -94,21 +98,28 @@ def _decimals(number: float) -> int:
 def matching_corrections(
     form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain], *, only_plain_to_see: bool = False
 ) -> Iterator[str]:
-    """Yield the universal mistakes without which the outcomes would be what is wanted."""
+    """Yield the mistakes which the form recognises in the outcomes, each the only difference from what is wanted."""
     values = _values(form, outcomes, wanted)
     wrong = next((given for given, want in values if not alike(form, given, want)), None)
     if wrong is None:
         return
-    only = PLAIN_TO_SEE if only_plain_to_see else set(generic.UNIVERSAL)
-    if len(values) == 1 and form.is_short(wrong):
-        only = EXACT
-    if any(alike(form, given, want) for given, want in values):
-        only = only - FITS_WHAT_IS_RIGHT
-    for name, unit in dict.fromkeys(way[:2] for way in corrections(form, wrong)):
-        if name in {*only, "unit"} and all(_fits(form, name, unit, *pair) for pair in values):
-            yield f"{name} {unit}".strip()
-    if not only_plain_to_see:
-        yield from by_comparison(form, *map(list, zip(*values, strict=True)))
+    is_short = len(values) == 1 and form.is_short(wrong)
+    is_some_right = any(alike(form, given, want) for given, want in values)
+    columns = list(map(list, zip(*values, strict=True)))
+    for name in form.mistakes:
+        one = RECOGNISERS.get(name, NEVER)
+        if only_plain_to_see > one.is_plain or (is_some_right and name in FITS_WHAT_IS_RIGHT):
+            continue
+        if one.find is not None:
+            yield from one.find(form, *columns)
+        elif one.undo is not None and is_short <= one.is_exact:
+            yield from _undoing(form, name, wrong, values)
+
+
+def _undoing(form: Form, name: str, wrong: Plain, values: Sequence[tuple[Plain, Plain]]) -> Iterator[str]:
+    """Yield a mistake, and what is told of it, without which all of these answers would be what is wanted."""
+    ways = dict.fromkeys(told for told, _ in RECOGNISERS[name].undo(form, wrong))
+    yield from (name + told for told in ways if all(_fits(form, RECOGNISERS[name], told, *pair) for pair in values))
 
 
 def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:
@@ -133,9 +144,9 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
         yield from (IN_SOME + name for name in names if len(wrong) > 1 or name != "rounded")  # one is round by chance
 
 
-def _fits(form: Form, name: str, unit: str, given: Plain, wanted: Plain) -> bool:
+def _fits(form: Form, one: Recogniser, told: str, given: Plain, wanted: Plain) -> bool:
     """Return whether an answer without this mistake is what is wanted; what cannot have it has to be right."""
-    ways = [way.left for way in corrections(form, given) if way[:2] == (name, unit)]
+    ways = [left for way, left in one.undo(form, given) if way == told]
     return any(matches_closely(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
 
 
@@ -146,14 +157,13 @@ def feedback_of(task: TaskCases, name: str) -> Feedback:
     if name.startswith(IN_SOME):
         words = feedback_of(task, name.removeprefix(IN_SOME))
         return Feedback(TEXTS["some"].filled(said=words.reply), words.misconception)
-    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"])):
+    for start, words in (("unit ", TEXTS["unit"]), ("given ", TEXTS["given"]), ("by ", TEXTS["by"])):
         if name.startswith(start):
             rest = name.removeprefix(start)
             return Feedback(words.filled(unit=rest, name=rest), "")
-    if (words := describe_loss(name)) is not None:
-        return Feedback(words, "")
     kind, _, told = name.partition(TOLD)
-    return Feedback(describe_letters(kind, told) or generic.TEXTS[kind], generic.UNIVERSAL[kind].misconception)
+    words = describe_loss(name) or describe_letters(kind, told) or generic.TEXTS[kind]
+    return Feedback(words, RECOGNISERS[kind].misconception if kind in RECOGNISERS else "")
 
 
 def expand_lists(form: Form, parts: dict[str, Form], answers: Sequence[Plain]) -> dict[str, Form]:

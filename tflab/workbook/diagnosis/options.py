@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import permutations
 from typing import Any, NamedTuple
 
 from ...text import Text, Texts
@@ -15,14 +14,10 @@ from ..answers.values import Plain, is_raised
 from .explanation import Found
 
 __all__ = [
-    "CARD",
     "confused",
     "confused_in_lists",
-    "explain_list_orders",
     "explain_orders",
-    "named_twice",
     "never_said",
-    "parents_named",
     "seen_of",
     "word_of",
 ]
@@ -140,36 +135,6 @@ def word_of(form: Choice, plain: Plain) -> str | None:
     return str(probes[0][0][0].value) if probes else None
 
 
-CARD = {  # child -> parent, of the robot that every chapter meets
-    "odom": "map", "base_footprint": "odom", "base_link": "base_footprint", "laser_frame": "base_link",
-}  # fmt: skip
-FEWEST = 2  # of a single one nobody knows whether another edge was meant, unless it is no child at all
-
-
-def parents_named(
-    forms: Mapping[str, Form], given: Mapping[str, Plain], wanted: Mapping[str, str | None]
-) -> list[Found]:
-    """Return that edges were named by their parents: of parts that ask for one, all that are wrong.
-
-    Args:
-        given: the answers that are wrong, by part.
-        wanted: the word that is asked for, of these parts at least.
-    """
-    named = {name: inside(answer) for name, answer in given.items()}
-    if not named or not all(name.split()[-1] == "edge" for name in named):
-        return []
-    if not all(answer is not None and CARD.get(str(wanted[name])) == answer for name, answer in named.items()):
-        return []
-    is_no_child = any(
-        isinstance(form, Choice) and named.get(name, "") not in (*form.options, "") for name, form in forms.items()
-    )
-    if len(named) < FEWEST and not is_no_child:
-        return []
-    quoted = ", ".join(f'"{answer}"' for answer in dict.fromkeys(named.values()))
-    said = TEXTS["by_its_child"].filled(named=quoted)
-    return [Found.of("parents for children", said, *named)]
-
-
 FEWEST_OF_ORDERS = 3  # places, for an order to be more than two words that are exchanged
 
 Row = Sequence[Any]
@@ -179,7 +144,6 @@ ORDERS: dict[str, Callable[[Row, Row], bool]] = {
     "one place too late": lambda given, want: given[1:] == want[:-1],
     "one place too early": lambda given, want: given[:-1] == want[1:],
 }
-MOST_PLACES = 5  # of a list: with more of them there are too many orders
 ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
 
 
@@ -205,8 +169,6 @@ def explain_orders(
         order = _explain_an_order(have, want, means or {}) if wrong and is_order else None
         if order is not None:
             found.append(Found.of(*order, *wrong))
-        else:
-            found += parents_named(forms, {name: given[name][0] for name in wrong}, dict(zip(names, want, strict=True)))
     return found
 
 
@@ -231,49 +193,6 @@ def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | Non
                 TEXTS["comes_earlier" if place < at else "comes_later"].filled(word=word), means.get(word)
             )
     return None
-
-
-def explain_list_orders(
-    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]]
-) -> list[Found]:
-    """Return that each of several lists is right once its members are put in one other order, the same for all."""
-    rows = _lists_of_words(forms, given)
-    if len(rows) < FEWEST_OF_ORDERS or len({len(row) for row in rows}) > 1 or len(rows[0]) > MOST_PLACES:
-        return []
-    want, have = ([[word_of(forms[name], held[name][0]) for name in row] for row in rows] for held in (wanted, given))
-    order = _order_of(want, have)
-    wrong = [row[place] for row in rows for place, at in enumerate(order) if place != at]
-    return [Found.of("places exchanged", TEXTS["places"], *wrong)] if wrong else []
-
-
-def _order_of(want: list[Row], have: list[Row]) -> tuple[int, ...]:
-    """Return in which order the members of each list were put, the first way that fits all; nothing if none does."""
-    orders = permutations(range(len(want[0])))  # as it is comes first
-    return next((order for order in orders if [[row[place] for place in order] for row in want] == have), ())
-
-
-def _lists_of_words(forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]]) -> list[list[str]]:
-    """Return the names of the members of each list of choices that a value holds."""
-    lists: dict[str, list[str]] = {}
-    for name in forms:
-        if "[" in name and isinstance(forms[name], Choice) and len(given[name]) == 1:
-            lists.setdefault(name.partition("[")[0], []).append(name)
-    return list(lists.values())
-
-
-def named_twice(
-    forms: Mapping[str, Form], given: Mapping[str, Sequence[Plain]], wanted: Mapping[str, Sequence[Plain]], name: str
-) -> Text | None:
-    """Return that a part's word stands in other places, too, where each place has a word of its own; None if not."""
-    form = forms[name]
-    names = next((names for names in _asked_in_order(forms) if name in names), [])
-    if not isinstance(form, Choice) or len(names) < FEWEST_OF_ORDERS or not ORDINALS.issuperset(names):
-        return None  # where no order is asked for, a word may come twice
-    want, have = ([word_of(form, held[one][0]) for one in names] for held in (wanted, given))
-    word = word_of(form, given[name][0])
-    if word is None or len(set(want)) < len(want) or have.count(word) < 2:
-        return None
-    return TEXTS["named_twice"].filled(word=word, count=have.count(word))
 
 
 def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:

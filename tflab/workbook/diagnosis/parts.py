@@ -22,6 +22,7 @@ from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, Feedback, TaskCases
 from .coding_patterns import constant_of, find_coding_pattern, find_input
 from .explanation import Explanation, Found, describe, each_part_once, together
+from .generic import TOLD
 from .matching import (
     alike,
     all_alike,
@@ -31,11 +32,11 @@ from .matching import (
     matches_closely,
     matching_corrections,
 )
-from .options import confused, explain_list_orders, explain_orders, named_twice, seen_of, word_of
+from .options import confused, explain_orders, seen_of, word_of
 from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
-from .precision import TOLD, stamp_of, time_of
+from .precision import stamp_of, time_of
 from .question import Question
-from .vector_terms import turned_in_all
+from .rotation_terms import describe_terms
 from .wrong_types import describe_types
 
 __all__ = ["explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
@@ -109,7 +110,7 @@ def _explain_several(
         pair for pair in _changed_places(table, wrong) if not any(pair.parts <= mistake.parts for mistake in mistakes)
     ]
     rows = (table.forms, table.given, table.wanted)
-    orders = [*explain_list_orders(*rows), *explain_orders(*rows, task.means)]
+    orders = explain_orders(*rows, task.means)
     is_one_mistake = any(wrong <= mistake.parts for mistake in mistakes)
     return [*pairs, *mistakes, *orders] if is_one_mistake else [*pairs, *orders, *mistakes]
 
@@ -186,9 +187,8 @@ def _by_itself(
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
-    twice = named_twice(table.forms, table.given, table.wanted, name) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
-        hint = Text.joined(hint, form.remark(outcomes[0], {}), twice)
+        hint = Text.joined(hint, form.remark(outcomes[0], {}))
         return [Found({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
     if found := _explain_kinds(table, name) or _remarked(table, name) or _explain_any(task, table, name):
         return found
@@ -202,9 +202,8 @@ def _by_itself(
 
 def _summed_in_all(table: Table, name: str) -> list[Found]:
     """Return what a function computes for one part in every call."""
-    form, outcomes = table.forms[name], table.given[name]
-    found = turned_in_all(form, table.args, outcomes, table.wanted[name])
-    return [Found.of(f"{name}: {found[0]}", found[1], name)] if found else []
+    said = describe_terms(table.forms[name], table.args, table.given[name], table.wanted[name])
+    return [Found.of(f"{name}: rotation terms", said, name)] if said else []
 
 
 def _explain_kinds(table: Table, name: str) -> list[Found]:
@@ -293,11 +292,10 @@ def _anothers(table: Table, name: str) -> str | None:
 def _explain_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
 ) -> list[Found]:
-    """Return that a part is what was given."""
-    held = find_input(form, outcome, wanted, given)
-    if not held:
+    """Return that a part is what was given, or has a factor reversed."""
+    way = find_input(form, outcome, wanted, given)
+    if not way:
         return []
-    way = f"given {held}"
     return [Found({way: feedback_of(task, way)}, _shown_too(task, name, feedback_of(task, way).reply), {name})]
 
 

@@ -1,4 +1,4 @@
-"""Compare for what cannot be undone: digits, zeros, members or an order that got lost."""
+"""Recognise what is lost in an answer and cannot be undone: digits, zeros, members or an order."""
 
 from __future__ import annotations
 
@@ -12,38 +12,22 @@ from itertools import permutations
 from ...text import Text, Texts
 from ..answers.form import Row as Marks
 from ..answers.form import inside, member
-from ..answers.forms import Angle, Command, Form, Name, Number, Quaternion, Sequence, Set, Tree, Vector
+from ..answers.forms import Angle, Command, Form, Number, Quaternion, Sequence, Set
 from ..answers.members import members_of
-from ..answers.values import Plain
+from ..answers.values import Plain, is_raised
 from . import command_lines, trees
-from .generic import OF_FORM, holds_angles
+from .generic import TOLD, Recogniser, holds_angles
 
-__all__ = ["NEW", "TEXTS", "TOLD", "by_comparison", "describe_loss", "misplaced", "stamp_of", "time_of"]
+__all__ = ["LISTS", "LOST", "TEXTS", "describe_loss", "stamp_of", "time_of"]
 
 TEXTS = Texts(__file__)
 
 Numbers = tuple[float, ...]
-TOLD = " | "  # between the name of a loss and what is told of it: names that stand in the answer
+Rows = list[tuple[Numbers, Numbers]]  # of each call: what is given, and what is wanted
 
 TOO_MANY = ("members twice", "members too many")
 MOST_TOLD = 3
-
-
-def by_comparison(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
-    """Yield the mistakes that lose something and cannot be undone."""
-    if answers == [""] * len(answers):
-        yield "empty"
-    elif isinstance(form, Sequence):
-        yield from _told(_compare_lists(form, answers, wanted))
-    elif isinstance(form, Set) and form.once and all(map(_is_held_twice, [form] * len(wanted), answers, wanted)):
-        yield "members twice"
-    elif isinstance(form, Tree):
-        yield from _told(trees.compare_trees(form, answers, wanted))
-    elif isinstance(form, Name | Command):
-        yield from _compare_stamps(answers, wanted) if isinstance(form, Name) else _compare_lines(form, answers, wanted)
-    elif type(form) in OF_FORM and all(form.read(answer) is not None for answer in answers):
-        rows = [(form.numbers(given), form.numbers(want)) for given, want in zip(answers, wanted, strict=True)]
-        yield from _lost(form, rows)
+BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?::(?:[.\d]*[a-z]|\.\d+))?\}")
 
 
 def describe_loss(name: str) -> Text | None:
@@ -52,6 +36,8 @@ def describe_loss(name: str) -> Text | None:
     if kind in ("written over", "stands twice"):
         place, of = told.split(", ")
         return TEXTS[kind].filled(place=place, of=of)
+    if kind == "nothing filled in":
+        return TEXTS[kind].filled(text=told)
     if kind in TEXTS:
         return Text.joined(TEXTS[kind], TEXTS["shows_at"].filled(told=told) if told else None)
     for texts, explain in ((trees.TEXTS, trees.describe_tree), (command_lines.TEXTS, command_lines.describe_line)):
@@ -64,41 +50,78 @@ def _told(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
     yield from (kind + TOLD + told if told else kind for kind, told in rows)
 
 
-def _lost(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
-    if None in sum(rows, ()):
-        return
+def _unfilled(_form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    """Yield the first text in whose braces nothing was filled in, where the right answer has no braces."""
+    for answer, want in zip(answers, wanted, strict=True):
+        found = next(filter(None, map(BRACES.search, _texts_in(answer))), None)
+        if found and not any(map(BRACES.search, _texts_in(want))):
+            yield f"nothing filled in{TOLD}{found[0]}"
+            return
+
+
+def _texts_in(plain: Plain) -> Iterator[str]:
+    if isinstance(plain, str):
+        yield plain
+    elif isinstance(plain, list | dict) and not is_raised(plain):
+        members = [*plain, *plain.values()] if isinstance(plain, dict) else plain
+        yield from (text for member in members for text in _texts_in(member))
+
+
+# -- numbers --------------------------------------------------------------------------------
+
+
+def _rows(look: Callable[[Form, Rows], Iterator[str]]) -> Callable[[Form, list[Plain], list[Plain]], Iterator[str]]:
+    """Return what looks at the numbers of all answers, each beside those that are wanted."""
+
+    def find(form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+        rows = [(form.numbers(given), form.numbers(want)) for given, want in zip(answers, wanted, strict=True)]
+        if None not in sum(rows, ()) and all(form.read(answer) is not None for answer in answers):
+            yield from look(form, rows)
+
+    return find
+
+
+def _zeros(form: Form, rows: Rows) -> Iterator[str]:
+    """Yield that all numbers are 0, or all that are wrong, each place in all rows."""
     is_empty = not any(any(given) for given, _ in rows)
-    if isinstance(form, Vector) and _left_at_zero(rows, form.tolerance):
+    if isinstance(form, Number | Angle):
+        yield from ["zero"] * is_empty
+    elif _left_at_zero(rows, form.tolerance):
         yield "empty" if is_empty else "left at zero"
-    elif is_empty and isinstance(form, Number | Angle):
-        yield "zero"
-    if len(rows[0][1]) in NEW and not isinstance(form, Number | Angle):
-        yield from _told(misplaced(rows, form.tolerance))
-    yield from _lost_by_kind(form, rows)
-    if not is_empty and _all_rounded(form, rows):
-        yield "rounded"
 
 
-def _lost_by_kind(form: Form, rows: list[tuple[Numbers, Numbers]]) -> Iterator[str]:
-    if isinstance(form, Number):
-        pairs = [(given[0], want[0]) for given, want in rows]
-        yield from _counted_or_signed(pairs, form)
-    elif isinstance(form, Quaternion) and all(holds_angles(*row) for row in rows):
-        yield "angles for a quaternion"
-
-
-def _counted_or_signed(pairs: list[tuple[float, float]], form: Number) -> Iterator[str]:
-    """Yield whether counts are one off in every call, or only signs are wrong."""
-    off = {given - want for given, want in pairs}
-    if not form.unit and len(pairs) > 1 and off in ({1}, {-1}):
+def _counts(form: Form, rows: Rows) -> Iterator[str]:
+    off = {given - want for (given,), (want,) in rows}
+    if not form.unit and len(rows) > 1 and off in ({1}, {-1}):
         yield "one too many" if off == {1} else "one too few"
+
+
+def _signs(form: Form, rows: Rows) -> Iterator[str]:
+    pairs = [(given, want) for (given,), (want,) in rows]
     sizes_fit = all(abs(abs(given) - abs(want)) <= form.tolerance for given, want in pairs)
     wanted = [want for _, want in pairs]
     if sizes_fit and min(wanted) < 0 < max(wanted) and all(given >= 0 for given, _ in pairs):
         yield "no sign"
 
 
-def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool:
+def _w_left(form: Form, rows: Rows) -> Iterator[str]:
+    """Yield that x, y and z are right, and w is 1, as in a new message."""
+    axes = [(given[:3], want[:3]) for given, want in rows]
+    if all(given[3] == 1.0 for given, _ in rows) and all(any(a) and _is_near(a, b, form.tolerance) for a, b in axes):
+        yield "w left at 1"
+
+
+def _is_near(given: Numbers, wanted: Numbers, tolerance: float) -> bool:
+    """Return whether numbers are those wanted, or all of them with the other sign."""
+    return any(all(abs(a - sign * b) <= tolerance for a, b in zip(given, wanted, strict=True)) for sign in (1, -1))
+
+
+def _angles(_form: Form, rows: Rows) -> Iterator[str]:
+    if all(holds_angles(*row) for row in rows):
+        yield "angles for a quaternion"
+
+
+def _left_at_zero(rows: Rows, tolerance: float) -> bool:
     """Return whether each place is right in all rows, or 0 in all of them."""
     places = zip(*(zip(*row, strict=True) for row in rows), strict=True)
     return all(
@@ -107,16 +130,18 @@ def _left_at_zero(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> bool
     )
 
 
-def _all_rounded(form: Form, rows: list[tuple[Numbers, Numbers]]) -> bool:
-    """Return whether all were rounded to as many digits; in a quaternion 0 and 1 are near everything.
+def _all_rounded(form: Form, rows: Rows) -> Iterator[str]:
+    """Yield that all were rounded to as many digits; in a quaternion 0 and 1 are near everything.
 
     One number alone has to have two digits, and not to be cut: else it is near to too many.
     """
     is_alone = isinstance(form, Number) and len(rows) == 1
-    if is_alone and len(f"{rows[0][0][0]:g}".replace(".", "").strip("-0")) < 2:
-        return False
+    is_empty = not any(any(given) for given, _ in rows)
+    if is_empty or (is_alone and len(f"{rows[0][0][0]:g}".replace(".", "").strip("-0")) < 2):
+        return
     places = (1, 2, 3) if isinstance(form, Quaternion) else (0, 1, 2, 3)
-    return any(all(_rounded(*row, digits, not is_alone) for row in rows) for digits in places)
+    if any(all(_rounded(*row, digits, not is_alone) for row in rows) for digits in places):
+        yield "rounded"
 
 
 def _rounded(given: Numbers, wanted: Numbers, digits: int, or_cut: bool) -> bool:
@@ -129,7 +154,10 @@ def _rounded(given: Numbers, wanted: Numbers, digits: int, or_cut: bool) -> bool
     )
 
 
-def _compare_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+# -- lists, sets and lines ------------------------------------------------------------------
+
+
+def _compare_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     """Yield what is wrong with all of these lists, and the members of the first in which it shows."""
     pairs = [(_ways(form, answer), _ways(form, want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in pair for pair in pairs) or not any(given for given, _ in pairs):
@@ -138,7 +166,7 @@ def _compare_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) ->
     ends = ENDS if len(pairs) > 1 and max(len(want) for _, want in pairs) > 2 else {}
     for name, fits in (ends | LISTS).items():
         if all(fits(given, want) for given, want in pairs):
-            yield name, _too_many(answers[place], *pairs[place]) if name in TOO_MANY else ""
+            yield name + (_too_many(answers[place], *pairs[place]) if name in TOO_MANY else "")
 
 
 def _too_many(answer: Plain, given: list[str], want: list[str]) -> str:
@@ -148,7 +176,7 @@ def _too_many(answer: Plain, given: list[str], want: list[str]) -> str:
         lacking[way] -= 1
         if lacking[way] < 0:
             found.append(_written(plain))
-    return ", ".join(list(dict.fromkeys(found))[:MOST_TOLD]) if all(found) else ""
+    return TOLD + ", ".join(list(dict.fromkeys(found))[:MOST_TOLD]) if found and all(found) else ""
 
 
 def _written(plain: Plain) -> str:
@@ -166,9 +194,14 @@ def _is_within(few: list[str], many: list[str]) -> bool:
     return all(member in rest for member in few)
 
 
+def _row(member: str) -> list[float | str]:
+    """Return the numbers and words of a member, the first of its ways; `member` is the JSON that `_ways` wrote."""
+    return next(iter(json.loads(member)), [])
+
+
 def _by_text(members: list[str]) -> list[str]:
-    """Return numbers in the order in which texts would sort; `members` are the JSON that `_ways` wrote."""
-    values = {member: json.loads(member)[0][0] for member in members}
+    """Return numbers in the order in which texts would sort."""
+    values = {member: _row(member)[0] for member in members}
     is_of_numbers = all(isinstance(value, float) for value in values.values())
     return sorted(members, key=lambda member: f"{values[member]:g}") if is_of_numbers else members
 
@@ -182,6 +215,7 @@ ENDS: dict[str, Callable[[list[str], list[str]], bool]] = {  # of a function: on
 LISTS: dict[str, Callable[[list[str], list[str]], bool]] = {
     "other order": lambda given, want: given in (want, want[::-1]),
     "in order of text": lambda given, want: given in (want, _by_text(want)),
+    "unsorted": lambda given, want: want == sorted(want, key=_row) == sorted(given, key=_row),
     "another order": lambda given, want: sorted(given) == sorted(want),
     "members twice": lambda given, want: list(dict.fromkeys(given)) == want,
     "members once": lambda given, want: list(dict.fromkeys(want)) == given,
@@ -204,10 +238,11 @@ def _plain(row: Marks) -> list[float | str]:
     return [mark.value if isinstance(mark.value, str) else round(mark.value, 9) + 0.0 for mark in row]
 
 
-def _is_held_twice(form: Set, answer: Plain, wanted: Plain) -> bool:
-    """Return whether an answer is right once each of its members counts once, or right as it is."""
-    members = members_of(answer)
-    return members is not None and Set(form.of).same(members, wanted)
+def _held_twice(form: Set, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+    """Yield that answers are right once each of their members counts once, or right as they are."""
+    rows = [(members_of(answer), want) for answer, want in zip(answers, wanted, strict=True)]
+    if form.once and all(members is not None and Set(form.of).same(members, want) for members, want in rows):
+        yield "members twice"
 
 
 def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
@@ -219,7 +254,7 @@ def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> 
                          for kind, told in command_lines.wrong_in(*lines))  # fmt: skip
 
 
-def _compare_stamps(answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
+def _compare_stamps(_form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
     rows = [(stamp_of(answer), stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in row for row in rows):
         return
@@ -245,20 +280,20 @@ def time_of(plain: Plain) -> tuple[int, int] | None:
     return divmod(held[0], 10**9) if held else None
 
 
-Numbers = tuple[float, ...]
-
 NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
 
 
-def misplaced(rows: list[tuple[Numbers, Numbers]], tolerance: float) -> Iterator[tuple[str, str]]:
+def _misplaced(form: Form, rows: Rows) -> Iterator[str]:
     """Yield which place holds the number of which other, in all of these points, where nothing else is wrong."""
     size = len(rows[0][1])
+    if size not in NEW:
+        return
     for place, of in permutations(range(size), 2):
         twice: list[int | None] = [of if one == place else one for one in range(size)]
         over = [None if one == of else held for one, held in enumerate(twice)]
         for kind, held in (("written over", over), ("stands twice", twice)):
-            if all(_holds(given, want, held, tolerance) for given, want in rows):
-                yield kind, f"{'xyzw'[place]}, {'xyzw'[of]}"
+            if all(_holds(given, want, held, form.tolerance) for given, want in rows):
+                yield f"{kind}{TOLD}{'xyzw'[place]}, {'xyzw'[of]}"
 
 
 def _holds(given: Numbers, wanted: Numbers, held: list[int | None], tolerance: float) -> bool:
@@ -266,3 +301,26 @@ def _holds(given: Numbers, wanted: Numbers, held: list[int | None], tolerance: f
     new = NEW[len(wanted)]
     want = [new[place] if of is None else wanted[of] for place, of in enumerate(held)]
     return all(abs(one - other) <= tolerance for one, other in zip(given, want, strict=True))
+
+
+def _empty(_form: Form, answers: list[Plain], _wanted: list[Plain]) -> Iterator[str]:
+    if answers == [""] * len(answers):
+        yield "empty"
+
+
+LOST = {
+    "nothing filled in": Recogniser(find=_unfilled, is_plain=True),
+    "empty": Recogniser(find=_empty),
+    "zeros": Recogniser(find=_rows(_zeros)),
+    "count": Recogniser(find=_rows(_counts)),
+    "no sign": Recogniser(find=_rows(_signs)),
+    "w left at 1": Recogniser(find=_rows(_w_left)),
+    "place": Recogniser(find=_rows(_misplaced)),
+    "angles for a quaternion": Recogniser(find=_rows(_angles)),
+    "rounded": Recogniser(find=_rows(_all_rounded)),
+    "list": Recogniser(find=_compare_lists),
+    "members twice": Recogniser(find=_held_twice),
+    "tree": Recogniser(find=lambda _, answers, wanted: _told(trees.compare_trees(answers, wanted))),
+    "line": Recogniser(find=_compare_lines),
+    "stamp": Recogniser(find=_compare_stamps),
+}

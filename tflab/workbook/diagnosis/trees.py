@@ -6,8 +6,7 @@ from collections.abc import Callable, Iterator
 
 from ...text import Text, Texts
 from ..answers.form import inside
-from ..answers.forms import Tree
-from ..answers.members import belonging, edges_of, members_of
+from ..answers.members import edges_of
 from ..answers.values import Plain
 
 __all__ = ["TEXTS", "compare_trees", "describe_tree"]
@@ -16,7 +15,8 @@ TEXTS = Texts(__file__)
 
 Parents = dict[str, str]  # child -> parent
 MOST_NAMED = 4  # frames
-TOLD = {"tree: not whole": "orphans", "tree: more than asked for": "not_asked", "tree: other names": "not_asked"}
+NOT_ASKED = ("tree: more than asked for", "tree: other names", "tree: no such parent")
+TOLD = {"tree: not whole": "orphans"} | dict.fromkeys(NOT_ASKED, "not_asked")
 
 
 def describe_tree(kind: str, names: str) -> Text:
@@ -24,9 +24,9 @@ def describe_tree(kind: str, names: str) -> Text:
     return TEXTS[TOLD.get(kind, "so")].filled(names=names)
 
 
-def compare_trees(form: Tree, answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
+def compare_trees(answers: list[Plain], wanted: list[Plain]) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with trees, and the names of the first one in which it shows."""
-    if all(_is_turned(form, *pair) for pair in zip(answers, wanted, strict=True)):
+    if all(_is_turned(*pair) for pair in zip(answers, wanted, strict=True)):
         yield "parent for child", ""
     elif any(map(_has_lists, answers)):
         yield "tree: a list for a name", ""
@@ -44,10 +44,9 @@ def _fitting(wrong: list[tuple[Parents, Parents]]) -> Iterator[tuple[str, str]]:
             yield name, ", ".join(f'"{frame}"' for frame in _shown_in(name, *wrong[0])[:MOST_NAMED])
 
 
-def _is_turned(form: Tree, answer: Plain, want: Plain) -> bool:
-    edges = edges_of(answer) or []
-    turned = [[child, parent] for child, parent in edges]  # a Tree takes pairs (parent, child)
-    return len(edges) >= 2 and all(belonging(form, turned, want))
+def _is_turned(answer: Plain, want: Plain) -> bool:
+    edges, wanted = edges_of(answer) or [], edges_of(want) or []
+    return len(edges) >= 2 and all((parent, child) in wanted for child, parent in edges)
 
 
 def _has_lists(answer: Plain) -> bool:
@@ -57,12 +56,8 @@ def _has_lists(answer: Plain) -> bool:
 
 
 def _has_none(answer: Plain) -> bool:
-    """Return whether one parent of a dict, or of pairs (parent, child), is None, and every other one a name."""
-    if isinstance(answer, dict) and "dict" in answer:
-        parents = list(answer["dict"].values())
-    else:
-        pairs = list(map(inside, members_of(answer) or []))
-        parents = [pair[0] for pair in pairs if isinstance(pair, list) and len(pair) == 2]
+    """Return whether one parent of a dict is None, and every other one a name."""
+    parents = list(answer["dict"].values()) if isinstance(answer, dict) and "dict" in answer else []
     return None in parents and all(parent is None or isinstance(parent, str) for parent in parents)
 
 
@@ -117,7 +112,7 @@ def _shown_in(kind: str, given: Parents, want: Parents) -> list[str]:
     """
     if kind == "tree: not whole":
         return sorted(frame for frame in _names(given) & set(want) if frame not in given)
-    if kind.startswith(("tree: names", "tree: other names")):
+    if kind.startswith(("tree: names", "tree: other names", "tree: no such")):
         return sorted(_names(given) - _names(want))
     return sorted(child for child, parent in given.items() if want.get(child) != parent)
 
@@ -144,4 +139,5 @@ FITS: dict[str, Callable[[Parents, Parents], bool]] = {
         given, want, lambda name, other: name.endswith(f"/{other}")
     ),
     "tree: other names": lambda given, want: _names(given) != _names(want) and _has_shape(given, want),
+    "tree: no such parent": lambda given, want: _hang(given, want, lambda _, parent: parent not in _names(want)),
 }

@@ -11,6 +11,7 @@ Only JSON is compared, so this serves a learner's `check` and the grader alike.
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -53,7 +54,7 @@ class Verdict:
         of: how many there are.
         mistake: what is wrong with it; None if all of it is right.
         mistakes: those that it comes of, the first in the work first, and what is said of each.
-        case: the first case that failed, from 0.
+        case: the smallest case that failed, by the length of its arguments, first those with an answer; from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
         follows: of a value's, whether it is counted as right only since it follows from the mistake; empty if none is.
         detail: what a reply fills in.
@@ -91,7 +92,9 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     right = tuple(probe for row in counted for probe in row)
     if all(right):
         return Verdict(len(right), len(right), right=right)
-    case = next(number for number, row in enumerate(rights) if not all(row))
+    wrong = [number for number, row in enumerate(rights) if not all(row)]
+    sizes = {number: (is_raised(cases[number].expected), len(json.dumps(cases[number].args))) for number in wrong}
+    case = min(wrong, key=sizes.__getitem__)  # the smallest call, one that has an answer if there is one
     try:
         mistake, detail, found = _mistake(task, variant, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
@@ -111,9 +114,9 @@ def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[b
     return tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
 
 
-def _to_show(found: Explanation, first: int) -> int:
-    """Return the call in which an explanation is plain to see, or the first that goes wrong."""
-    return first if found.shows is None else found.shows
+def _to_show(found: Explanation, smallest: int) -> int:
+    """Return the call in which an explanation is plain to see, or the smallest that goes wrong."""
+    return smallest if found.shows is None else found.shows
 
 
 def _taking_part(form: Parts, outcome: Plain) -> Verdict:
@@ -159,10 +162,6 @@ def _mistake(
     if all(map(is_unanswered, outcomes)):
         return Mistake.UNANSWERED, {}, None
     missing = _missing(task, outcomes, outcome)
-    if missing is not None and missing[0] is Mistake.OPTION:  # a frame that is no child at all is none to choose from
-        found = explain(Question(task, cases, outcomes, variant.given or {}))
-        if found is not None and "parents for children" in found.mistakes:
-            return Mistake.KNOWN, {}, found
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
     found = explain(Question(task, cases, outcomes, variant.given or {}))
@@ -255,18 +254,20 @@ def _ending(
     if is_raised(outcome) and not task.is_function:  # the value cannot be written down
         return Mistake.TYPE, {"got": f"{outcome['raises']}: {outcome.get('text', '')}"}
     if is_raised(outcome):
-        meant = is_raised(expected) and outcome["raises"] not in ANY_BUG - {"ValueError"}
-        error, text = outcome["raises"], outcome.get("text", "")
-        detail = {
-            "error": error,
-            "text": text.rstrip(". "),
-            "tip": raised_option(task.form, text) or tip_for(error, text),
-        }
-        return Mistake.OTHER_EXCEPTION if meant else Mistake.RAISES, detail
+        return _raising(task.form, outcome["raises"], outcome.get("text", ""), expected)
     if task.is_function and outcome is None and not is_raised(expected):
-        always = all(other is None for other in outcomes)
+        always = all(other is None or is_raised(other) for other in outcomes)
         return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
     return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
+
+
+def _raising(form: Form, error: str, text: str, expected: Plain) -> tuple[Mistake, dict[str, Any]]:
+    """Return what is wrong with an exception that was raised."""
+    tip = raised_option(form, text) or tip_for(error, text)
+    detail = {"error": error, "text": text.rstrip(". "), "tip": tip}
+    if not is_raised(expected) or error in ANY_BUG - {"ValueError"}:
+        return Mistake.RAISES, detail
+    return Mistake.OTHER_EXCEPTION, detail | {"meant": expected["raises"]}
 
 
 def _wrong_names(form: Form, rights: list[bool]) -> list[str]:

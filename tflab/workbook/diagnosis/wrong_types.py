@@ -4,22 +4,23 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 from ...text import Text, Texts
 from ..answers.form import Form, inside, is_number, member
-from ..answers.forms import Angle, Choice, Message, Name, Number, Parts, Quaternion, Vector
-from ..answers.forms import Sequence as ListForm
-from ..answers.members import members_of
+from ..answers.forms import Choice, Number, Parts, Tree
+from ..answers.members import dict_of, members_of, pairs_of
 from ..answers.values import Plain
 from .explanation import Explanation
 from .matching import all_alike
 from .question import Question, Rest
 
 __all__ = [
+    "TYPES",
     "describe_type",
     "describe_types",
-    "explain_durations",
+    "explain_other_types",
     "near_an_option",
     "no_options_either",
     "one_part_alone",
@@ -30,84 +31,81 @@ __all__ = [
 TEXTS = Texts(__file__)
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
-OF_A_TRANSFORM = {Quaternion: "its_rotation", Vector: "its_translation", Angle: "its_yaw"}
 
 
 def describe_type(form: Form, outcome: Plain) -> Text | None:
     """Return what to say of an answer of another kind than the one asked for; None if nothing is plain."""
-    if outcome is None and (isinstance(form, Name) or (isinstance(form, Choice) and "none" in form.options)):
-        return TEXTS["no_name"]
-    if isinstance(form, ListForm):
-        return _said_of_a_list(form, outcome)
-    if seconds_of(form, outcome) is not None:
-        kind = next(iter(outcome))
-        return TEXTS["a_stamp"] if kind == "message" else TEXTS["a_time"].filled(kind=kind)
-    if isinstance(form, Message) and form.read(outcome) is None and outcome is not None:
-        return _said_of_no_such_message(form, outcome)
-    return _said_of_what_it_holds(form, outcome) or (
-        _said_of_an_object(form, outcome) if isinstance(outcome, dict) else None
-    )
+    name = next((name for name in form.mistakes if name in TYPES and TYPES[name](form, outcome)), None)
+    if name is None:
+        return None
+    kind = next(iter(outcome), "") if isinstance(outcome, dict) else ""
+    return TEXTS[name].filled(kind=kind, field=_field(outcome), name=str(getattr(form, "type", "")).rpartition("/")[2])
 
 
-def _said_of_what_it_holds(form: Form, outcome: Plain) -> Text | None:
-    """Return what to say of a list or a text by what stands in it."""
-    if _is_joined(form, outcome):
-        return TEXTS["joined"]
-    if isinstance(form, Choice) and (held := members_of(outcome)) and len(held) > 1:
-        return TEXTS["several"] if all(form.option(one) in form.options for one in held) else None
-    if isinstance(form, Quaternion) and isinstance(numbers := inside(outcome), list):
-        return _said_of_no_quaternion(numbers)
-    if isinstance(form, Angle) and isinstance(held := inside(outcome), list) and len(held) == len("rpy"):
-        return TEXTS["three_angles"] if all(map(is_number, held)) else None
-    return _said_of_a_text(form, outcome) if isinstance(outcome, str) else None
+def _field(outcome: Plain) -> str:
+    """Return the name that a message of this type has as a field of another one."""
+    kind = str(outcome["message"][0]) if isinstance(outcome, dict) and "message" in outcome else ""
+    return kind.rpartition("/")[2].lower()
 
 
-def _said_of_a_text(form: Form, outcome: str) -> Text | None:
-    """Return that numbers stand in a text where they are asked for."""
-    count = len(NUMBER.findall(outcome))
-    if isinstance(form, Number | Angle):
-        return TEXTS["one_text"] if count == 1 else None
-    return TEXTS["a_text"] if isinstance(form, Vector) and count >= form.size else None
+def _numbers_in(outcome: Plain) -> int:
+    """Return how many numbers stand in a text."""
+    return len(NUMBER.findall(outcome)) if isinstance(outcome, str) else 0
 
 
 def _is_joined(form: Form, outcome: Plain) -> bool:
     """Return whether a list or tuple holds as many numbers as several points, or quaternions, have."""
-    size = form.size if isinstance(form, Vector) else 4 if isinstance(form, Quaternion) else 0
+    size = getattr(form, "size", 4)
     body = outcome["tuple"] if isinstance(outcome, dict) and "tuple" in outcome else outcome
-    is_row = isinstance(body, list) and all(map(is_number, body))
-    return size > 0 and is_row and len(body) > size and len(body) % size == 0
+    return _is_row(body) and len(body) > size and len(body) % size == 0
 
 
-def _said_of_no_quaternion(members: list[Plain]) -> Text | None:
-    if members and all(isinstance(row, list) or isinstance(inside(row), list) for row in members):
-        return {1: TEXTS["one_inside"], 3: TEXTS["a_matrix"], 4: TEXTS["a_matrix"]}.get(len(members), TEXTS["rows"])
-    return {2: TEXTS["without_zeros"], 3: TEXTS["angles"]}.get(len(members)) if all(map(is_number, members)) else None
+def _is_row(body: Plain, *sizes: int) -> bool:
+    is_list = isinstance(body, list) and (not sizes or len(body) in sizes)
+    return is_list and all(map(is_number, body))
 
 
-def _said_of_no_such_message(form: Message, outcome: Plain) -> Text:
-    kind = str(outcome["message"][0]) if isinstance(outcome, dict) and "message" in outcome else ""
-    fields = {path.partition(".")[0] for path in form.fields}
-    field = kind.rpartition("/")[2].lower()
-    return (
-        TEXTS["a_field"].filled(field=field)
-        if field in fields
-        else TEXTS["no_message"].filled(name=form.type.rpartition("/")[2])
-    )
+def _rows_in(outcome: Plain) -> int:
+    """Return how many lists stand in a list; 0 if anything else stands in it."""
+    held = inside(outcome)
+    is_of_rows = isinstance(held, list) and all(isinstance(inside(row), list) for row in held)
+    return len(held) if is_of_rows else 0
 
 
-def _said_of_an_object(form: Form, outcome: dict[str, Plain]) -> Text | None:
-    if "Transform" in outcome and type(form) in OF_A_TRANSFORM:
-        return TEXTS[OF_A_TRANSFORM[type(form)]]
-    if not isinstance(form, Name | Choice):
-        return None
-    held = str(outcome.get("object"))
-    return TEXTS["a_class"] if held == "type" else TEXTS["an_error"] if "returned and not raised" in held else None
+def _is_several(form: Choice, outcome: Plain) -> bool:
+    held = members_of(outcome)
+    return held is not None and len(held) > 1 and all(form.option(one) in form.options for one in held)
 
 
-def _said_of_a_list(form: ListForm, outcome: Plain) -> Text | None:
-    if isinstance(outcome, dict) and "set" in outcome:
-        return TEXTS["a_set"]
-    return TEXTS["one_alone"] if not isinstance(outcome, list) and form.of.read(outcome) is not None else None
+def _is_of_kind(*kinds: str) -> Callable[[Form, Plain], bool]:
+    return lambda form, outcome: isinstance(outcome, dict) and not {*kinds}.isdisjoint(outcome)
+
+
+TYPES: dict[str, Callable[[Any, Plain], bool]] = {
+    "no_name": lambda form, plain: plain is None and "none" in getattr(form, "options", ("none",)),
+    "several": _is_several,
+    "a_class": lambda _, plain: plain == {"object": "type"},
+    "an_error": lambda _, plain: isinstance(plain, dict) and "returned and not raised" in str(plain.get("object")),
+    "a_set": _is_of_kind("set"),
+    "one_alone": lambda form, plain: not isinstance(plain, list) and form.of.read(plain) is not None,
+    "a_time": lambda form, plain: seconds_of(form, plain) is not None and "message" not in plain,
+    "a_stamp": lambda form, plain: seconds_of(form, plain) is not None and "message" in plain,
+    "one_text": lambda _, plain: _numbers_in(plain) == 1,
+    "a_text": lambda form, plain: _numbers_in(plain) >= form.size,
+    "three_angles": lambda _, plain: _is_row(inside(plain), 3),
+    "joined": _is_joined,
+    "one_inside": lambda _, plain: _rows_in(plain) == 1,
+    "a_matrix": lambda _, plain: _rows_in(plain) in (3, 4),
+    "rows": lambda _, plain: _rows_in(plain) > 0,
+    "without_zeros": lambda _, plain: _is_row(inside(plain), 2),
+    "angles": lambda _, plain: _is_row(inside(plain), 3),
+    "its_rotation": _is_of_kind("Transform"),
+    "its_translation": _is_of_kind("Transform"),
+    "its_yaw": _is_of_kind("Transform"),
+    "a_field": lambda form, plain: _field(plain) in {path.partition(".")[0] for path in form.fields},
+    "no_message": lambda form, plain: form.read(plain) is None and plain is not None,
+    "pairs": lambda _, plain: bool(pairs_of(plain)),
+}
 
 
 def describe_types(form: Form, outcomes: Sequence[Plain]) -> list[Text]:
@@ -127,14 +125,21 @@ def seconds_of(form: Form, outcome: Plain) -> float | None:
     return length / 1e9 if isinstance(length, int) else None
 
 
-def explain_durations(question: Question) -> Rest | None:
-    """Return that Durations or Times were given for seconds, and the seconds to explain; None if these are right."""
-    seconds = [seconds_of(question.form, outcome) for outcome in question.outcomes]
-    if None in seconds or all_alike(question.form, seconds, question.expected):
+def explain_other_types(question: Question) -> Rest | None:
+    """Return that a time was given for seconds, or pairs for a dict, and what these hold; None if that is right."""
+    form = question.form
+    if isinstance(form, Number):
+        values = [seconds_of(form, outcome) for outcome in question.outcomes]
+    elif not all(map(pairs_of, question.outcomes)):
+        return None
+    else:
+        ways = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
+        values = max(ways, key=lambda way: sum(map(sum, map(form.judge, way, question.expected))))
+    if None in values or all_alike(question.form, values, question.expected):
         return None
     said = describe_type(question.form, question.outcomes[0])
-    then = Explanation.of("no number", Text(f"{said.en}.", f"{said.ko}.")) if said else None
-    return Rest(then, question.with_outcomes(seconds)) if then else None
+    then = Explanation.of("other type", Text(f"{said.en}.", f"{said.ko}.")) if said else None
+    return Rest(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree)) if then else None
 
 
 ON, OFF = ("true", "on", "yes"), ("false", "off", "no")

@@ -29,6 +29,7 @@ from itertools import combinations
 
 from ..answers.form import inside
 from ..answers.forms import Choice, Form, Parts
+from ..answers.members import dict_of
 from ..answers.values import Plain, is_raised
 from .case_types import Case
 
@@ -68,7 +69,7 @@ def beyond_the_given(
     """Return which probes of a value earn credit: all if all are right, else those that no given has already."""
     if all(right):
         return list(right)
-    handed_out = [form.judge(value, expected) for value in (given or {}).values()]
+    handed_out = [form.judge(dict_of(value), expected) for value in (given or {}).values()]
     return [good and not any(row[place] for row in handed_out) for place, good in enumerate(right)]
 
 
