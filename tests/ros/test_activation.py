@@ -144,27 +144,16 @@ def test_the_names_that_programs_use_are_the_same_by_every_import_path():
 
 def test_a_module_offers_what_upstreams_module_imports():
     ros.activate()
-    for name, origin in (
-        ("rclpy.Parameter", "rclpy.parameter"),
-        ("rclpy.Context", "rclpy.context"),
-        ("rclpy.Future", "rclpy.task"),
-        ("rclpy.SignalHandlerOptions", "rclpy.signals"),
-        ("rclpy.action.client.GoalStatus", "action_msgs.msg"),
-        ("rclpy.action.get_action_names_and_types", "rclpy.action.graph"),
-        ("rclpy.parameter.ParameterType", "rcl_interfaces.msg"),
-        ("rclpy.node.QoSProfile", "rclpy.qos"),
-        ("rclpy.node.ParameterDescriptor", "rcl_interfaces.msg"),
-        ("rclpy.node.SetParametersResult", "rcl_interfaces.msg"),
-        ("tf2_ros.TransformStamped", "geometry_msgs.msg"),
-        ("tf2_ros.TFMessage", "tf2_msgs.msg"),
-        ("tf2_ros.Time", "rclpy.time"),
-        ("tf2_ros.Duration", "rclpy.duration"),
-        ("tf2_ros.QoSProfile", "rclpy.qos"),
-    ):
-        module, _, last = name.rpartition(".")
-        offered, original = (getattr(importlib.import_module(each), last) for each in (module, origin))
-        assert offered is original, name
+    for module, origins in {
+        "rclpy": "rclpy.parameter.Parameter rclpy.context.Context rclpy.task.Future rclpy.signals.SignalHandlerOptions",
+        "rclpy.action": "rclpy.action.graph.get_action_names_and_types",
+        "rclpy.action.client": "action_msgs.msg.GoalStatus",
+        "rclpy.node": "rclpy.qos.QoSProfile rcl_interfaces.msg.SetParametersResult",
+        "tf2_ros": "geometry_msgs.msg.TransformStamped tf2_msgs.msg.TFMessage rclpy.time.Time rclpy.duration.Duration",
+    }.items():
+        for origin, _, name in (each.rpartition(".") for each in origins.split()):
+            offered, original = (getattr(importlib.import_module(each), name) for each in (module, origin))
+            assert offered is original, (module, name)
     import builtin_interfaces
 
     assert builtin_interfaces.msg.Time is importlib.import_module("rclpy.time").builtin_interfaces.msg.Time
-    assert importlib.import_module("rclpy.lifecycle").NodeMixin.__name__ == "LifecycleMixin"

@@ -7,15 +7,8 @@ import pytest
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.entity import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
-from tflab.ros.exceptions import RCLError, ROSInterruptException
-from tflab.ros.executors import (
-    ConditionReachedException,
-    Executor,
-    ExternalShutdownException,
-    MultiThreadedExecutor,
-    SingleThreadedExecutor,
-    TimeoutException,
-)
+from tflab.ros.exceptions import ConditionReachedException, RCLError, ROSInterruptException, TimeoutException
+from tflab.ros.executors import Executor, ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
 from tflab.ros.graph import new_graph
 from tflab.ros.messages.rcl_interfaces import GetParameters
 from tflab.ros.messages.std_msgs import String
@@ -47,10 +40,12 @@ def test_an_executor_of_ones_own_takes_what_is_ready(node):
     executor.add_node(node)
     executor.spin_once(timeout_sec=0.2)
     assert done == [(True, True, "pop from empty list", True)]
-    with pytest.raises(TimeoutException):
-        executor.spin_once(timeout_sec=0.05)
-    with pytest.raises(ConditionReachedException):
-        executor.wait_for_ready_callbacks(condition=lambda: True)
+    for error, options in (
+        (TimeoutException, {"timeout_sec": 0.05}),
+        (ConditionReachedException, {"condition": object}),
+    ):
+        with pytest.raises(error):
+            executor.wait_for_ready_callbacks(**options)
 
 
 def test_waiting_for_a_future_in_a_callback_times_out_and_the_node_goes_on(node):

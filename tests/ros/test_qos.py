@@ -1,5 +1,7 @@
 """QoS profiles: required policies, compatibility, presets, and events of incompatible QoS."""
 
+from dataclasses import astuple
+
 import pytest
 
 from tflab.ros import client_library as rclpy
@@ -165,10 +167,6 @@ def node(graph):
     rclpy.shutdown()
 
 
-def told(infos):
-    return [(info.total_count, info.total_count_change, info.last_policy_kind) for info in infos]
-
-
 def test_event_callbacks_receive_the_incompatible_policy_and_nothing_is_logged(node, capsys):
     subscription, publisher = [], []
     node.create_subscription(
@@ -181,8 +179,8 @@ def test_event_callbacks_receive_the_incompatible_policy_and_nothing_is_logged(n
     assert (subscription, publisher) == ([], [])
     for _ in range(4):
         rclpy.spin_once(node, timeout_sec=0)
-    assert told(subscription) == [(1, 1, QoSPolicyKind.RELIABILITY), (2, 1, QoSPolicyKind.RELIABILITY)]
-    assert told(publisher) == [(1, 1, QoSPolicyKind.RELIABILITY)] * 2
+    assert [astuple(each) for each in subscription] == [(n, 1, QoSPolicyKind.RELIABILITY) for n in (1, 2)]
+    assert [astuple(each) for each in publisher] == [(1, 1, QoSPolicyKind.RELIABILITY)] * 2
     assert qos_policy_name_from_kind(subscription[0].last_policy_kind) == "RELIABILITY"
     assert "incompatible QoS" not in capsys.readouterr().err
 
@@ -195,20 +193,13 @@ def test_a_matched_callback_receives_how_many_ends_are_connected(node):
     node.destroy_subscription(last)
     for _ in range(6):
         rclpy.spin_once(node, timeout_sec=0)
-    counts = [
-        (each.total_count, each.total_count_change, each.current_count, each.current_count_change) for each in publisher
-    ]
-    assert counts == [(1, 1, 1, 1), (2, 1, 2, 1), (2, 0, 1, -1)]
+    assert [astuple(each) for each in publisher] == [(1, 1, 1, 1), (2, 1, 2, 1), (2, 0, 1, -1)]
     assert [each.current_count for each in subscription] == [1, 1]
 
 
 def test_a_parameter_overrides_a_policy_that_the_options_allow(graph):
-    overrides = [
-        ("publisher", "reliability", "best_effort"),
-        ("publisher", "depth", "3"),
-        ("subscription_a", "history", "x"),
-    ]
-    words = [word for end, policy, value in overrides for word in ("-p", f"qos_overrides./t.{end}.{policy}:={value}")]
+    values = {"publisher.reliability": "best_effort", "publisher.depth": "3", "subscription_a.history": "x"}
+    words = [word for name, value in values.items() for word in ("-p", f"qos_overrides./t.{name}:={value}")]
     rclpy.init(args=["x", "--ros-args", *words])
     node = Node("ends")
     options = QoSOverridingOptions.with_default_policies()
@@ -216,9 +207,8 @@ def test_a_parameter_overrides_a_policy_that_the_options_allow(graph):
     assert (qos.reliability, qos.depth) == (ReliabilityPolicy.BEST_EFFORT, 3)
     assert not node.set_parameters([Parameter("qos_overrides./t.publisher.depth", value=4)])[0].successful
     with pytest.raises(RuntimeError, match="Unexpected QoS override for policy `history`: `x`"):
-        node.create_subscription(
-            String, "t", print, 1, qos_overriding_options=QoSOverridingOptions([QoSPolicyKind.HISTORY], entity_id="a")
-        )
+        options = QoSOverridingOptions([QoSPolicyKind.HISTORY], entity_id="a")
+        node.create_subscription(String, "t", print, 1, qos_overriding_options=options)
     options = QoSOverridingOptions([], callback=lambda qos: SetParametersResult(reason="too deep"))
     with pytest.raises(InvalidQosOverridesError, match="for publisher `/u` with id `None`, are not valid: too deep"):
         node.create_publisher(String, "u", 10, qos_overriding_options=options)

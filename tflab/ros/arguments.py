@@ -15,6 +15,8 @@ from .logging import LoggingSeverity
 
 __all__ = ["Arguments", "parse_arguments", "remove_ros_args"]
 
+FAILED = "Failed to parse ROS arguments: Couldn't parse"
+
 
 @dataclass(frozen=True, slots=True)
 class Arguments:
@@ -92,9 +94,7 @@ def _parse_one(rest: list[str], parsed: _Parsed) -> list[str]:
         parsed.unknown.append(flag)
         return rest[1:]
     if value is None:
-        raise RCLInvalidROSArgsError(
-            f"Failed to parse ROS arguments: Couldn't parse trailing {flag} flag. No value found"
-        )
+        raise RCLInvalidROSArgsError(f"{FAILED} trailing {flag} flag. No value found")
     if flag in ("-r", "--remap"):
         node, before, after = _rule(flag, value)
         parsed.remaps.append((node, before, after))
@@ -125,9 +125,7 @@ def _rule(flag: str, text: str) -> tuple[str, str, str]:
     """Return (node or "", left, right) of "node:left:=right"."""
     left, found, right = text.partition(":=")
     if not found or not left:
-        raise RCLInvalidROSArgsError(
-            f"Failed to parse ROS arguments: Couldn't parse '{flag} {text}': expected name:=value"
-        )
+        raise RCLInvalidROSArgsError(f"{FAILED} '{flag} {text}': expected name:=value")
     node, _, name = left.rpartition(":")
     return node, name, right
 

@@ -200,11 +200,8 @@ def add_logger_services(node: Any) -> None:
             known = wanted.level in list(LoggingSeverity)
             if known:
                 set_logger_level(wanted.name, wanted.level)
-            response.results.append(
-                rcl_interfaces.SetLoggerLevelsResult(
-                    successful=known, reason="" if known else "Failed reason: Invalid logger level."
-                )
-            )
+            reason = "" if known else "Failed reason: Invalid logger level."
+            response.results.append(rcl_interfaces.SetLoggerLevelsResult(successful=known, reason=reason))
         return response
 
     node.create_service(rcl_interfaces.GetLoggerLevels, "~/get_logger_levels", get_levels)

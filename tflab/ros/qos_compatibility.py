@@ -171,6 +171,8 @@ Callback = Callable[[Any], Any] | None
 class UnsupportedEventTypeError(RCLError):
     """Nobody reports such an event here."""
 
+    __module__ = "rclpy._rclpy_pybind11"
+
 
 @dataclass(frozen=True, slots=True)
 class QoSRequestedIncompatibleQoSInfo:

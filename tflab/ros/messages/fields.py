@@ -116,9 +116,7 @@ def checker(name: str, slot_type: SlotType, message_class: type | None) -> Check
             )
         case BasicType("octet"):
             text = f"The '{name}' field must be of type 'bytes' or 'ByteString' with length 1"
-            return _checker_of(
-                lambda value: isinstance(value, (bytes, bytearray, memoryview)) and len(value) == 1, text
-            )
+            return _checker_of(lambda item: isinstance(item, (bytes, bytearray, memoryview)) and len(item) == 1, text)
         case BoundedString(maximum_size):
             text = f"The '{name}' field must be string value not longer than {maximum_size}"
             return _checker_of(lambda value: isinstance(value, str) and len(value) <= maximum_size, text)

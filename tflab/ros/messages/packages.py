@@ -170,7 +170,7 @@ def _install(package: str, made: Mapping[str, type]) -> ModuleType:
     for kind, _ in KINDS.values():
         module = ModuleType(f"{package}.{kind}", f"What {package} has of that kind.")
         for name, cls in types_of(package).items():
-            if name.split("/")[1] == kind and f"{cls.__name__.partition('_')[0]}" in stems:
+            if name.split("/")[1] == kind and cls.__name__.partition("_")[0] in stems:
                 setattr(module, cls.__name__, cls)
         sys.modules[module.__name__] = module
         setattr(top, kind, module)
