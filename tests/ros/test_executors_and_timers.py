@@ -14,7 +14,6 @@ from tflab.ros.messages.rcl_interfaces import GetParameters
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.node import Node
 from tflab.ros.task import Future, Task
-from tflab.ros.timer import TimerInfo
 
 
 def test_spin_once_executes_one_callback(node, graph):
@@ -158,17 +157,6 @@ def test_a_new_period_counts_from_the_next_call_on(node, graph):
     for _ in range(2):
         rclpy.spin_once(node, timeout_sec=1.0)
     assert calls == [seconds(1.5), seconds(1.6)]
-
-
-def test_a_timer_callback_with_an_argument_receives_timer_info(node):
-    infos = []
-
-    def on_timer(info: TimerInfo):
-        infos.append(info)
-
-    node.create_timer(0.5, on_timer)
-    rclpy.spin_once(node, timeout_sec=1.0)
-    assert infos[0].expected_call_time.nanoseconds == infos[0].actual_call_time.nanoseconds == seconds(1.5)
 
 
 def test_a_rate_sleeps_while_another_thread_spins(graph):

@@ -315,17 +315,14 @@ def test_a_keyword_turns_the_checks_on_or_off_for_one_message():
     assert Vector3(x=1, check_fields=False).x == 1
 
 
-def test_the_environment_turns_the_checks_on_and_humble_has_them_always(monkeypatch):
-    monkeypatch.setenv("TFLAB_ROS_DISTRO", "jazzy")
-    monkeypatch.setenv("ROS_PYTHON_CHECK_FIELDS", "1")
+@pytest.mark.parametrize(
+    ("release", "variable", "on"), [("jazzy", "1", True), ("jazzy", "", False), ("humble", "", True)]
+)
+def test_the_environment_turns_the_checks_on_and_humble_has_them_always(monkeypatch, release, variable, on):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", release)
+    monkeypatch.setenv("ROS_PYTHON_CHECK_FIELDS", variable)
     set_field_checks(None)
-    assert field_checks()
-    monkeypatch.delenv("ROS_PYTHON_CHECK_FIELDS")
-    set_field_checks(None)
-    assert not field_checks()
-    monkeypatch.setenv("TFLAB_ROS_DISTRO", "humble")
-    set_field_checks(None)
-    assert field_checks()
+    assert field_checks() is on
 
 
 # Arrays ---------------------------------------------------------------------------

@@ -259,34 +259,6 @@ def test_latched_messages_are_lost_with_their_publisher(graph):
     rclpy.shutdown()
 
 
-@pytest.mark.parametrize(
-    ("distro", "known"),
-    [
-        ("humble", {"lidar": None, "camera": 3.0}),  # the second message has replaced the first
-        ("jazzy", {"lidar": 1.0, "camera": 3.0}),  # all so far, but the first value of each
-        ("rolling", {"lidar": 2.0, "camera": 3.0}),
-    ],
-)
-def test_late_listeners_receive_a_resend_depending_on_the_distribution(graph, monkeypatch, distro, known):
-    monkeypatch.setenv("TFLAB_ROS_DISTRO", distro)
-    rclpy.init()
-    sender, late = Node("sender"), Node("late")
-    broadcaster = StaticTransformBroadcaster(sender)
-    broadcaster.sendTransform(transform("base_link", "lidar", x=1.0))
-    if distro != "humble":
-        broadcaster.sendTransform(transform("base_link", "lidar", x=2.0))
-    broadcaster.sendTransform(transform("base_link", "camera", x=3.0))
-    buffer = Buffer()
-    late.listener = TransformListener(buffer, late)
-    rclpy.spin_once(late, timeout_sec=0.1)
-    for frame, x in known.items():
-        if x is None:
-            assert not buffer.can_transform("base_link", frame, Time())
-        else:
-            assert buffer.lookup_transform("base_link", frame, Time()).transform.translation.x == x
-    rclpy.shutdown()
-
-
 def test_a_repeated_stamp_replaces_without_a_warning(graph, capsys):
     buffer = Buffer()
     for x in (1.0, 2.0):

@@ -97,7 +97,7 @@ def test_a_function_can_run_with_the_files_and_see_their_nodes(capfd):
 
 def test_a_file_that_ends_well_is_a_success_and_a_missing_one_is_named_before_anything_starts(tmp_path, capfd):
     path = tmp_path / "short.py"
-    path.write_text("import helper\nimport rclpy\nwith rclpy.init():\n    print(helper.WORD, __name__)\n")
+    path.write_text("import helper\nimport rclpy\nrclpy.init()\nprint(helper.WORD, __name__)\n")
     (tmp_path / "helper.py").write_text("WORD = 'neighbour'\n")
     assert run_files([str(path)]) == 0
     assert capfd.readouterr().out == "neighbour __main__\n"
@@ -161,13 +161,14 @@ def test_ctrl_c_with_the_present_idiom_ends_quietly():
         from rclpy.executors import ExternalShutdownException
         from rclpy.node import Node
 
+        rclpy.init()
         try:
-            with rclpy.init():
-                node = Node("script")
-                print("ready", file=sys.stderr, flush=True)
-                rclpy.spin(node)
+            node = Node("script")
+            print("ready", file=sys.stderr, flush=True)
+            rclpy.spin(node)
         except (KeyboardInterrupt, ExternalShutdownException):
             print("bye")
+        rclpy.try_shutdown()
         """,
         until="ready",
     )

@@ -52,9 +52,7 @@ def test_the_legend_hangs_on_the_last_root_and_a_name_may_be_a_number():
 
 def test_its_options():
     options = parser().parse_args([])
-    assert (options.wait_time, options.output, options.tf_topic, options.tf_static_topic) == (
-        5.0, None, "/tf", "/tf_static",
-    )  # fmt: skip
+    assert (options.wait_time, options.output) == (5.0, None)
     assert parser().parse_args(["-t", "2", "-o", "tree"]).output == "tree"
     help_text = parser().format_help()
     assert help_text.startswith("usage: view_frames [-h] [--wait-time WAIT_TIME] [-o OUTPUT]")

@@ -87,5 +87,7 @@ def main_forward(args: Sequence[str] | None = None) -> None:
 
 
 def _run(heading: float, args: Sequence[str] | None) -> None:
-    with rclpy.init(args=args), suppress(KeyboardInterrupt, ExternalShutdownException):
+    rclpy.init(args=args)
+    with suppress(KeyboardInterrupt, ExternalShutdownException):
         rclpy.spin(CircleBroadcaster(heading))
+    rclpy.try_shutdown()

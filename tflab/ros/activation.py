@@ -68,7 +68,7 @@ def _modules_in(name: str) -> list[str]:
     """Return the names of the modules in a package, sorted; none in a module."""
     if name in MESSAGE_PACKAGES:
         return sorted(_types_of(name))
-    return sorted(row.rpartition(".")[2] for row in _table() if row.rpartition(".")[0] == name)
+    return sorted(row.rpartition(".")[2] for row in _table() if row.rpartition(".")[0] == name and distro.has_name(row))
 
 
 class _Finder:
@@ -78,9 +78,11 @@ class _Finder:
         parent, _, last = name.rpartition(".")
         if name.partition(".")[0] not in PACKAGES or (parent and not (parent in sys.modules and _is_ours(parent))):
             return None
+        if not distro.has_name(name) and name not in _table():
+            raise ImportError(f"cannot import name {last!r} from {parent!r} in ROS 2 {distro.current().name}")
         if parent and last not in _modules_in(parent):
             raise ModuleNotFoundError(
-                f"No module named {name!r} in the in-process ROS 2 of tflab; {parent} has "
+                f"No module named {name!r} in the in-process ROS 2 {distro.current().name} of tflab; {parent} has "
                 f"{', '.join(_modules_in(parent)) or 'no modules'}.",
                 name=name,
             )
@@ -103,13 +105,15 @@ class _Finder:
                 function_module, _, function = names.rpartition(".")
                 getattr(import_module(function_module), function)()
             elif source == ".":
-                for each in names:
-                    import_module(f"{name}.{each}")
+                for each in filter(distro.has_name, (f"{name}.{each}" for each in names)):
+                    import_module(each)
             elif source == "modules":
                 for other, each in names.items():
                     setattr(module, other, import_module(each))
             else:
-                _copy(import_module(source, name), module, names)
+                wanted = [row for row in names if distro.has_name(f"{name}.{row.partition(' as ')[2] or row}")]
+                if wanted:
+                    _copy(import_module(source, name), module, wanted)
 
 
 def _copy(source: ModuleType, target: ModuleType, names: Iterable[str]) -> None:

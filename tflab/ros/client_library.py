@@ -13,12 +13,13 @@ Messages published before are missed, unless both sides are transient local.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from types import TracebackType
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
+from . import distro
 from .context import Context, SignalHandlerOptions, install_signal_handlers, uninstall_signal_handlers
 from .executors import Executor, SingleThreadedExecutor
 from .graph import current_process
@@ -48,7 +49,7 @@ __all__ = [
 
 
 class InitContextManager:
-    """What rclpy.init() returns, for `with rclpy.init(): ...`."""
+    """What rclpy.init() returns from Lyrical on, for `with rclpy.init(): ...`."""
 
     def __init__(self, context: Context) -> None:
         self.context = context
@@ -56,14 +57,9 @@ class InitContextManager:
     def __enter__(self) -> InitContextManager:
         return self
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        process = self.context.process
-        self.context.try_shutdown()
-        if process.default_context is self.context:
-            process.default_context = None
-        uninstall_signal_handlers()
+    def __exit__(self, *exc: object) -> None:
+        is_default = self.context is self.context.process.default_context
+        try_shutdown(context=None if is_default else self.context, uninstall_handlers=True)
 
 
 def get_default_context(*, shutting_down: bool = False) -> Context:
@@ -83,15 +79,18 @@ def init(
     context: Context | None = None,
     domain_id: int | None = None,
     signal_handler_options: SignalHandlerOptions | None = None,
-) -> InitContextManager:
-    """Begin; `args` is the command line (sys.argv if None), of which `--ros-args` concern ROS."""
+) -> InitContextManager | None:
+    """Begin; `args` is the command line (sys.argv if None), of which `--ros-args` concern ROS.
+
+    Return a context manager that ends it, from Lyrical on.
+    """
     is_default = context is None
     context = get_default_context() if context is None else context
     if signal_handler_options is None:
         signal_handler_options = SignalHandlerOptions.ALL if is_default else SignalHandlerOptions.NO
     install_signal_handlers(signal_handler_options)
     context.init(args, domain_id=domain_id)
-    return InitContextManager(context)
+    return InitContextManager(context) if distro.current().init_is_context else None
 
 
 def ok(*, context: Context | None = None) -> bool:
@@ -151,40 +150,40 @@ def get_global_executor() -> Executor:
         def forget() -> None:
             process.global_executor = None
 
-        context.on_shutdown(forget)
+        context.on_shutdown(forget, at_ctrl_c=True)
     return process.global_executor
+
+
+@contextmanager
+def _executing(node: Node, executor: Executor | None, keeps_node: bool) -> Iterator[Executor]:
+    """Give an executor, the global one if None, the node for a while; in a callback it may have had it before."""
+    executor = get_global_executor() if executor is None else executor
+    is_new = executor.add_node(node)
+    try:
+        yield executor
+    finally:
+        if is_new or not keeps_node:
+            executor.remove_node(node)
 
 
 def spin(node: Node, executor: Executor | None = None) -> None:
     """Run the callbacks of a node until the context ends, or Ctrl-C."""
-    executor = get_global_executor() if executor is None else executor
-    try:
-        executor.add_node(node)
-        executor.spin()
-    finally:
-        executor.remove_node(node)
+    with _executing(node, executor, distro.current().spin_keeps_node) as running:
+        running.spin()
 
 
 def spin_once(node: Node, *, executor: Executor | None = None, timeout_sec: float | None = None) -> None:
     """Run one callback of a node; wait for it at most `timeout_sec` [s], for ever if None."""
-    executor = get_global_executor() if executor is None else executor
-    try:
-        executor.add_node(node)
-        executor.spin_once(timeout_sec=timeout_sec)
-    finally:
-        executor.remove_node(node)
+    with _executing(node, executor, keeps_node=False) as running:
+        running.spin_once(timeout_sec=timeout_sec)
 
 
 def spin_until_future_complete(
     node: Node, future: Future, executor: Executor | None = None, timeout_sec: float | None = None
 ) -> None:
     """Run the callbacks of a node until a future is done, at most `timeout_sec` [s]."""
-    executor = get_global_executor() if executor is None else executor
-    try:
-        executor.add_node(node)
-        executor.spin_until_future_complete(future, timeout_sec)
-    finally:
-        executor.remove_node(node)
+    with _executing(node, executor, keeps_node=True) as running:
+        running.spin_until_future_complete(future, timeout_sec)
 
 
 class _FirstOnly(Subscription):

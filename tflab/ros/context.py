@@ -1,16 +1,18 @@
 """Manage contexts, from init to shutdown, and what Ctrl-C does to them.
 
-    rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes destroyed, spins end
+    rclpy.init()  -->  context ok  -->  rclpy.shutdown(): nodes leave the graph, spins end
 
 Ctrl-C shuts the contexts down first, and then interrupts. So on ROS 2 a program that
-ends with `finally: rclpy.shutdown()` raises an RCLError there. In pages there is no
-signal: `graph.stop()` interrupts and leaves the context valid.
+ends with `finally: rclpy.shutdown()` raises an RCLError there, and callbacks of
+`on_shutdown` are not called. In pages there is no signal: `graph.stop()` interrupts and
+leaves the context valid.
 """
 
 from __future__ import annotations
 
 import signal
 import threading
+import warnings
 import weakref
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
@@ -18,6 +20,7 @@ from enum import IntEnum
 from types import FrameType
 from typing import Any
 
+from . import distro
 from .arguments import Arguments, parse_arguments
 from .exceptions import RCLError
 from .graph import current_process
@@ -27,6 +30,8 @@ __all__ = ["Context", "SignalHandlerOptions", "install_signal_handlers", "uninst
 
 
 ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
+ENTERED = "init() must be called on a Context before using it in a Python context manager. Calling init() with no "
+ENTERED += "arguments, this usage is deprecated"
 
 
 class Context:
@@ -43,7 +48,7 @@ class Context:
         self._state = "new"
         self._domain_id = 0
         self._nodes: list[Any] = []
-        self._callbacks: list[Callable[[], None]] = []
+        self._callbacks: list[tuple[Callable[[], Any], bool]] = []  # and whether Ctrl-C calls it
         self._waiters: list[Any] = []
         self._lock = threading.RLock()
 
@@ -80,7 +85,7 @@ class Context:
         return self._domain_id
 
     def track_node(self, node: Any) -> None:
-        """Remember a node, to be destroyed with the context."""
+        """Remember a node, which ends with the context or with the process."""
         self._nodes.append(node)
 
     def untrack_node(self, node: Any) -> None:
@@ -89,7 +94,7 @@ class Context:
             self._nodes.remove(node)
 
     def shutdown(self) -> None:
-        """End: destroy the nodes, wake whoever waits.
+        """End: take the nodes out of the graph, from Lyrical on by their destroy_node(), and wake whoever waits.
 
         Raises:
             RuntimeError: it has not begun.
@@ -97,6 +102,7 @@ class Context:
         """
         if self._state == "new":
             raise RuntimeError("Context must be initialized before it can be shutdown")
+        self._destroy_nodes()
         if not self.try_shutdown():
             raise RCLError(ALREADY_SHUT_DOWN)
 
@@ -105,9 +111,7 @@ class Context:
         with self._lock:
             if self._state != "ok":
                 return False
-            nodes, self._nodes = self._nodes, []
-            for node in nodes:
-                node.destroy_node()
+            self._destroy_nodes()
             self._state = "shut down"
             if self in self.process.contexts:
                 self.process.contexts.remove(self)
@@ -115,33 +119,36 @@ class Context:
         return True
 
     def signalled(self) -> None:
-        """End as Ctrl-C ends it: nodes stay, but nothing spins any more."""
+        """End as Ctrl-C ends it: nodes stay, nothing spins any more, and no callback of on_shutdown() is called."""
         with self._lock:
             if self._state != "ok":
                 return
             self._state = "shut down"
+            self._callbacks = [row for row in self._callbacks if row[1]]
         self._after_shutdown()
 
     def end(self) -> None:
-        """End because the process does."""
+        """End because the process does: the nodes leave the graph, and nobody calls their destroy_node()."""
         self._callbacks.clear()
-        if not self.try_shutdown():
-            for node in list(self._nodes):
-                node.destroy_node()
+        for node in list(self._nodes):
+            node.leave_graph()
+        self.try_shutdown()
 
-    def on_shutdown(self, callback: Callable[[], None]) -> None:
-        """Have `callback()` called once at the end.
+    def on_shutdown(self, callback: Callable[[], None], *, at_ctrl_c: bool = False) -> None:
+        """Have `callback()` called once at shutdown(), at Ctrl-C only if asked; at once if the end has been.
 
         Raises:
             TypeError: it cannot be called.
         """
         if not callable(callback):
             raise TypeError("callback should be a callable, got {}", type(callback))
-        if hasattr(callback, "__self__"):
+        if self._state == "shut down":
+            callback()
+        elif hasattr(callback, "__self__"):
             reference = weakref.WeakMethod(callback)
-            self._callbacks.append(lambda: (method := reference()) and method())
+            self._callbacks.append((lambda: (method := reference()) and method(), at_ctrl_c))
         else:
-            self._callbacks.append(callback)
+            self._callbacks.append((callback, at_ctrl_c))
 
     @contextmanager
     def waking(self, waiter: Any) -> Iterator[None]:
@@ -154,13 +161,24 @@ class Context:
 
     def _after_shutdown(self) -> None:
         callbacks, self._callbacks = self._callbacks, []
-        for callback in callbacks:
+        for callback, _ in callbacks:
             callback()
         for waiter in self._waiters:
             waiter.wake()
 
+    def _destroy_nodes(self) -> None:
+        for node in list(self._nodes):
+            # Where shutdown() leaves the nodes alone, the garbage collector takes them out of the graph on a robot.
+            node.destroy_node() if distro.current().shutdown_destroys_nodes else node.leave_graph()
+
     def __enter__(self) -> Context:
-        # For users' convenience: `with rclpy.init(): ...`; Context() itself may be entered before init(), too.
+        text = "'Context' object does not support the context manager protocol"
+        distro.require("context_is_context", TypeError, text)
+        has_begun = distro.current().context_entry_warns and self._state != "new"
+        if distro.current().context_entry_warns and not has_begun:
+            warnings.warn(ENTERED, stacklevel=2)
+        if not has_begun:
+            self.init()
         return self
 
     def __exit__(self, *exc: object) -> None:

@@ -79,7 +79,7 @@ class Executor:
         self._round_entities: deque[Entity] = deque()
         self._is_shutdown = False
         self._lock = threading.RLock()
-        context.on_shutdown(self.wake)
+        context.on_shutdown(self.wake, at_ctrl_c=True)
 
     @property
     def context(self) -> Context:

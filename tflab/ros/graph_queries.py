@@ -116,10 +116,12 @@ class GraphQueries:
 
     def count_services(self, service_name: str) -> int:
         """Return how many serve a service."""
+        distro.require("node_waits_and_counts", AttributeError, "'Node' object has no attribute 'count_services'")
         return len(self.network.services.get(self.resolve_service_name(service_name), []))
 
     def count_clients(self, service_name: str) -> int:
         """Return how many ask a service."""
+        distro.require("node_waits_and_counts", AttributeError, "'Node' object has no attribute 'count_clients'")
         return len(self.network.clients.get(self.resolve_service_name(service_name), []))
 
     def get_publishers_info_by_topic(self, topic_name: str, no_mangle: bool = False) -> list[TopicEndpointInfo]:
@@ -132,6 +134,7 @@ class GraphQueries:
 
     def wait_for_node(self, fully_qualified_node_name: str, timeout: float) -> bool:
         """Block until a node is there, at most `timeout` [s]; return whether it is."""
+        distro.require("node_waits_and_counts", AttributeError, "'Node' object has no attribute 'wait_for_node'")
         name = fully_qualified_node_name
         name = name if name.startswith("/") else f"/{name}"
         process = self.context.process

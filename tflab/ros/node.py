@@ -15,7 +15,7 @@ import itertools
 import weakref
 from typing import Any
 
-from . import graph_queries
+from . import distro, graph_queries
 from .clock import Clock, ROSClock
 from .context import Context
 from .entity import CallbackGroup, Entity, MutuallyExclusiveCallbackGroup
@@ -194,6 +194,10 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
 
     def destroy_node(self) -> None:
         """Leave the graph with everything; harmless the second time."""
+        self.leave_graph()
+
+    def leave_graph(self) -> None:
+        """Do what destroy_node() does, also where that is overridden."""
         if self._is_destroyed:
             return
         self._is_destroyed = True
@@ -209,6 +213,8 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
         self._context.process.graph.remove_node(self)
 
     def __enter__(self) -> Node:
+        text = f"'{type(self).__name__}' object does not support the context manager protocol"
+        distro.require("init_is_context", TypeError, text)
         return self
 
     def __exit__(self, *exc: object) -> None:

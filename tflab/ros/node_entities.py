@@ -10,6 +10,7 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
+from . import distro
 from .clock import Clock
 from .context import Context
 from .entity import CallbackGroup, GuardCondition, MutuallyExclusiveCallbackGroup
@@ -133,14 +134,17 @@ class NodeEntities:
         callback: Callable[..., Any] | None,
         callback_group: CallbackGroup | None = None,
         clock: Clock | None = None,
-        autostart: bool = True,
+        autostart: bool | None = None,
     ) -> Timer:
         """Return a timer that calls back every `timer_period_sec` [s] of `clock`, the node's own if None."""
+        if autostart is not None:
+            text = "Node.create_timer() got an unexpected keyword argument 'autostart'"
+            distro.require("timer_takes_autostart", TypeError, text)
         period_ns = int(float(timer_period_sec) * NSEC_PER_SEC)
         if period_ns < 0:
             raise ValueError(f"the period of a timer cannot be negative: {timer_period_sec}")
         group = callback_group or self._default_callback_group
-        timer = Timer(self, callback, group, period_ns, clock or self._clock, autostart)
+        timer = Timer(self, callback, group, period_ns, clock or self._clock, autostart is not False)
         self.timer_list.append(timer)
         self._wake_executor()
         return timer

@@ -11,6 +11,7 @@ import warnings
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from . import distro
 from .clock import Clock
 from .exceptions import (
     InvalidParameterException,
@@ -254,6 +255,8 @@ class NodeParameters:
 
     def add_pre_set_parameters_callback(self, callback: Callable[[list[Parameter]], list[Parameter]]) -> None:
         """Let `callback(parameters)` change what is to be set; the last one added is asked first."""
+        text = "'Node' object has no attribute 'add_pre_set_parameters_callback'"
+        distro.require("node_has_set_callbacks", AttributeError, text)
         self._pre_set_parameters_callbacks.insert(0, callback)
 
     def add_on_set_parameters_callback(self, callback: Callable[[list[Parameter]], Result]) -> None:
@@ -262,6 +265,8 @@ class NodeParameters:
 
     def add_post_set_parameters_callback(self, callback: Callable[[list[Parameter]], None]) -> None:
         """Have `callback(parameters)` called after they were set; the last one added comes first."""
+        text = "'Node' object has no attribute 'add_post_set_parameters_callback'"
+        distro.require("node_has_set_callbacks", AttributeError, text)
         self._post_set_parameters_callbacks.insert(0, callback)
 
     def remove_pre_set_parameters_callback(self, callback: Callable) -> None:

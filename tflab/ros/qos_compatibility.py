@@ -10,6 +10,7 @@ them are refused.
 
 from __future__ import annotations
 
+import warnings
 from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -34,6 +35,7 @@ __all__ = [
     "qos_check_compatible",
     "qos_policy_name_from_kind",
     "reporter",
+    "warn_of_qos_event",
 ]
 
 
@@ -245,6 +247,12 @@ def reporter(
     if callbacks is not None and not callbacks.use_default_callbacks:
         return lambda policy: None
     return warn
+
+
+def warn_of_qos_event() -> None:
+    """Warn of the import of `rclpy.qos_event`, unless the release has no other module of the events."""
+    if distro.has_name("rclpy.event_handler"):
+        warnings.warn("importing 'qos_event' is deprecated; import 'event_handler' instead", stacklevel=2)
 
 
 def _refuse_others(callbacks: Any, events: tuple[str, ...]) -> None:

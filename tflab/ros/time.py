@@ -12,9 +12,12 @@ from __future__ import annotations
 
 import math
 from enum import IntEnum
+from functools import total_ordering
+from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
+from . import distro
 from .messages import builtin_interfaces
 
 __all__ = ["ClockType", "Duration", "Infinite", "Time"]
@@ -33,6 +36,7 @@ INT64_MAX = 2**63 - 1
 INT64_MIN = -(2**63)
 
 
+@total_ordering
 class Duration:
     """A span of time, positive or negative."""
 
@@ -57,22 +61,10 @@ class Duration:
         return "Infinite" if self == Infinite else f"{self._nanoseconds} nanoseconds"
 
     def __eq__(self, other: object) -> bool:
-        return self._nanoseconds == other._nanoseconds if isinstance(other, Duration) else NotImplemented
-
-    def __ne__(self, other: object) -> bool:
-        return self._nanoseconds != other._nanoseconds if isinstance(other, Duration) else NotImplemented
+        return self._nanoseconds == other._nanoseconds if isinstance(other, Duration) else _unequal(self, other)
 
     def __lt__(self, other: object) -> bool:
         return self._nanoseconds < other._nanoseconds if isinstance(other, Duration) else NotImplemented
-
-    def __le__(self, other: object) -> bool:
-        return self._nanoseconds <= other._nanoseconds if isinstance(other, Duration) else NotImplemented
-
-    def __gt__(self, other: object) -> bool:
-        return self._nanoseconds > other._nanoseconds if isinstance(other, Duration) else NotImplemented
-
-    def __ge__(self, other: object) -> bool:
-        return self._nanoseconds >= other._nanoseconds if isinstance(other, Duration) else NotImplemented
 
     def __add__(self, other: Duration) -> Duration:
         if not isinstance(other, Duration):
@@ -111,6 +103,14 @@ class Duration:
 Infinite = Duration(nanoseconds=INT64_MAX)
 
 
+def _unequal(one: Time | Duration, other: object) -> Any:
+    """Leave a comparison with another type to Python, or refuse it as Humble does."""
+    if not distro.current().compares_any_type:
+        raise TypeError(f"Can't compare {type(one).__name__.lower()} with object of type: ", type(other))
+    return NotImplemented
+
+
+@total_ordering
 class Time:
     """A moment on one clock."""
 
@@ -172,22 +172,10 @@ class Time:
         return NotImplemented
 
     def __eq__(self, other: object) -> bool:
-        return self._nanoseconds == self._comparable(other) if isinstance(other, Time) else NotImplemented
-
-    def __ne__(self, other: object) -> bool:
-        return self._nanoseconds != self._comparable(other) if isinstance(other, Time) else NotImplemented
+        return self._nanoseconds == self._comparable(other) if isinstance(other, Time) else _unequal(self, other)
 
     def __lt__(self, other: object) -> bool:
         return self._nanoseconds < self._comparable(other) if isinstance(other, Time) else NotImplemented
-
-    def __le__(self, other: object) -> bool:
-        return self._nanoseconds <= self._comparable(other) if isinstance(other, Time) else NotImplemented
-
-    def __gt__(self, other: object) -> bool:
-        return self._nanoseconds > self._comparable(other) if isinstance(other, Time) else NotImplemented
-
-    def __ge__(self, other: object) -> bool:
-        return self._nanoseconds >= self._comparable(other) if isinstance(other, Time) else NotImplemented
 
     def _comparable(self, other: Time) -> int:
         if self._clock_type != other._clock_type:

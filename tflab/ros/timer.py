@@ -14,6 +14,7 @@ import inspect
 from collections.abc import Callable
 from typing import Any
 
+from . import distro
 from .clock import Clock, ClockChange, JumpThreshold, TimeJump
 from .entity import Entity, Kind
 from .exceptions import InvalidHandle, ROSInterruptException
@@ -161,7 +162,9 @@ class Timer(Entity):
 
 
 def _wants_info(callback: Callable[..., Any] | None) -> bool:
-    """Return whether a callback has an argument that is annotated as TimerInfo."""
+    """Return whether a callback has an argument that is annotated as TimerInfo, and the release passes it."""
+    if not distro.current().timer_passes_info:
+        return False
     try:
         parameters = inspect.signature(callback).parameters.values()
     except (TypeError, ValueError):
@@ -178,7 +181,7 @@ class Rate:
         self._ticks = 0
         self._waiter = context.process.driver.new_waiter()
         timer.callback = self._tick
-        context.on_shutdown(self._waiter.wake)
+        context.on_shutdown(self._waiter.wake, at_ctrl_c=True)
 
     def sleep(self) -> None:
         """Block until the next tick.

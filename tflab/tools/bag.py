@@ -1,6 +1,6 @@
 """Run `ros2 bag record`, `play` and `info`.
 
-    ros2 bag record /tf /tf_static -o drive      until Ctrl-C
+    ros2 bag record -o drive --topics /tf /tf_static      until Ctrl-C; on Humble without --topics
     ros2 bag info drive
     ros2 bag play drive --clock --loop
 
@@ -43,7 +43,12 @@ def add_verbs(verbs: argparse._SubParsersAction) -> None:
 
 
 def _add_play_options(verb: argparse.ArgumentParser) -> None:
-    verb.add_argument("bag_path", help="Bag to open")
+    bag = verb.add_mutually_exclusive_group(required=True) if distro.current().play_takes_input else verb
+    bag.add_argument("bag_path", nargs="?" if distro.current().play_takes_input else None, help="Bag to open")
+    if distro.current().play_takes_input:
+        bag.add_argument("-i", "--input", action="append", nargs="+", help="Bag to open, and its storage.")
+    if distro.current().play_takes_storage:
+        verb.add_argument("-s", "--storage", choices=STORAGES, help="Storage implementation of bag.")
     verb.add_argument("-r", "--rate", type=_positive, default=1.0, help="rate at which to play back messages.")
     verb.add_argument("--topics", nargs="+", default=[], metavar="TOPIC", help="topics to replay; all if not given.")
     verb.add_argument("-l", "--loop", action="store_true", help="enables loop playback when playing a bagfile.")
@@ -56,11 +61,17 @@ def _add_play_options(verb: argparse.ArgumentParser) -> None:
 
 
 def _add_record_options(verb: argparse.ArgumentParser) -> None:
-    verb.add_argument("topics", nargs="*", default=[], help="List of topics to record.")
+    release = distro.current()
+    names = verb.add_mutually_exclusive_group()
+    if release.record_takes_names:
+        names.add_argument("names", nargs="*", default=[], metavar="topics", help="List of topics to record.")
+    if release.record_takes_topics:
+        names.add_argument("--topics", nargs="+", default=[], metavar="Topic",
+                           help="Space-delimited list of topics to record.")  # fmt: skip
     verb.add_argument("-a", "--all", action="store_true", help="Record all topics.")
     verb.add_argument("-e", "--regex", type=_pattern, help="Record only topics containing provided regular expression.")
     verb.add_argument("-o", "--output", help="Destination of the bag to create; a timestamped directory by default.")
-    verb.add_argument("-s", "--storage", choices=STORAGES, default=distro.current().default_bag_storage,
+    verb.add_argument("-s", "--storage", choices=STORAGES, default=release.default_bag_storage,
                       help="Storage identifier to be used.")  # fmt: skip
     verb.add_argument("--use-sim-time", action="store_true", help="Use simulation time for message timestamps.")
 
@@ -80,7 +91,8 @@ def record(options: argparse.Namespace) -> str | None:
     """Record until stopped; the bag is whole also then."""
     from tflab.bags.record import BagWriter, Recorder
 
-    if not (options.topics or options.all or options.regex):
+    named = [*getattr(options, "names", ()), *getattr(options, "topics", ())]
+    if not (named or options.all or options.regex):
         return "[ERROR] [ros2bag]: Must specify topics to record: by name, with --regex, or --all."
     path = Path(options.output or _dated_name())
     if path.exists() and not _put_aside(path):
@@ -88,7 +100,7 @@ def record(options: argparse.Namespace) -> str | None:
     arguments = ["--ros-args", "-p", "use_sim_time:=true"] if options.use_sim_time else []
     with tool_node("rosbag2_recorder", cli_args=arguments) as node:
         log = node.get_logger().info
-        topics = [node.resolve_topic_name(topic) for topic in options.topics]
+        topics = [node.resolve_topic_name(topic) for topic in named]
         is_wanted = _filter(options, topics)
         try:
             writer = BagWriter(path, options.storage)
@@ -115,6 +127,9 @@ def play(options: argparse.Namespace) -> str | None:
     from tflab.bags.play import PlayOptions
     from tflab.bags.play import play as play_bag
 
+    bags = [options.bag_path] if options.bag_path else [path for path, *_ in options.input]
+    if len(bags) > 1:
+        return "[ERROR] [ros2bag]: tflab plays one bag at a time; on a robot, several -i,--input play together."
     with tool_node("rosbag2_player") as node:
         log = node.get_logger().info
         driver = current_process().driver
@@ -134,7 +149,7 @@ def play(options: argparse.Namespace) -> str | None:
         log("Playback until timestamp: -1")
         how = PlayOptions(options.rate, options.start_offset, options.loop, tuple(options.topics), options.clock)
         try:
-            play_bag(node, options.bag_path, how, wait_until)
+            play_bag(node, bags[0], how, wait_until)
         except BagError as error:
             return f"[ERROR] [ros2bag]: {error}"
     return None

@@ -24,6 +24,7 @@ from typing import Any
 import yaml
 
 from tflab.core import NSEC_PER_SEC
+from tflab.ros import distro
 from tflab.ros.node import Node
 from tflab.views.tree import TreePicture
 from tflab.views.view_frames_tree import draw_upstream_tree
@@ -43,8 +44,9 @@ def parser() -> argparse.ArgumentParser:
         help="Listen to the /tf topic for this many seconds before rendering the frame tree",
     )  # fmt: skip
     options.add_argument("-o", "--output", help="Output filename")
-    options.add_argument("--tf_topic", help="Topic for dynamic transforms", default="/tf")
-    options.add_argument("--tf_static_topic", help="Topic for static transforms", default="/tf_static")
+    if distro.current().listener_takes_topics:
+        options.add_argument("--tf_topic", help="Topic for dynamic transforms", default="/tf")
+        options.add_argument("--tf_static_topic", help="Topic for static transforms", default="/tf_static")
     return options
 
 
@@ -91,7 +93,8 @@ def _view(node: Node, options: argparse.Namespace, pictures: list[Any]) -> int:
 
     log = node.get_logger()
     buffer = Buffer(node=node)
-    listener = TransformListener(buffer, node, tf_topic=options.tf_topic, tf_static_topic=options.tf_static_topic)
+    topics = {name: topic for name, topic in vars(options).items() if name in ("tf_topic", "tf_static_topic")}
+    listener = TransformListener(buffer, node, **topics)
     log.info(f"Listening to tf data for {options.wait_time} seconds...")
     spin_for(node, options.wait_time)
     log.info("Generating graph...")

@@ -13,6 +13,7 @@ import threading
 from collections.abc import Callable
 from typing import Any
 
+from .. import distro
 from ..clock import Clock, JumpThreshold, TimeJump
 from ..graph import current_process
 from ..logging import get_logger
@@ -50,10 +51,11 @@ class Buffer(BufferCore, BufferInterface):
             self.clock = node.get_clock()
         else:
             self.clock = Clock()
-        self._jump_handle = self.clock.create_jump_callback(
-            JumpThreshold(min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=True),
-            post_callback=self._on_time_jump,
-        )
+        if distro.current().buffer_clears_at_jump_back:
+            self._jump_handle = self.clock.create_jump_callback(
+                JumpThreshold(min_forward=None, min_backward=Duration(seconds=-1), on_clock_change=True),
+                post_callback=self._on_time_jump,
+            )
 
     def _serve_frames(self, request: Any, response: Any) -> Any:
         response.frame_yaml = self.all_frames_as_yaml()
@@ -165,7 +167,7 @@ class Buffer(BufferCore, BufferInterface):
         return self.lookup_transform_full_core(*question)
 
     def wait_for_transform_async(self, target_frame: str, source_frame: str, time: Time) -> Future:
-        """Return a Future of the transform; it stays pending for as long as there is no answer."""
+        """Return a Future of the transform (True on Humble); it stays pending for as long as there is no answer."""
         return self._wait(
             lambda: self.can_transform_core(target_frame, source_frame, time)[0],
             lambda: self.lookup_transform_core(target_frame, source_frame, time),
@@ -174,7 +176,7 @@ class Buffer(BufferCore, BufferInterface):
     def wait_for_transform_full_async(
         self, target_frame: str, target_time: Time, source_frame: str, source_time: Time, fixed_frame: str
     ) -> Future:
-        """Return a Future of the transform; it stays pending for as long as there is no answer."""
+        """Return a Future of the transform (True on Humble); it stays pending for as long as there is no answer."""
         question = (target_frame, target_time, source_frame, source_time, fixed_frame)
         return self._wait(
             lambda: self.can_transform_full_core(*question)[0],
@@ -183,8 +185,9 @@ class Buffer(BufferCore, BufferInterface):
 
     def _wait(self, can: Callable[[], int], lookup: Callable[[], TransformStamped]) -> Future:
         future = Future()
+        result: Callable[[], Any] = lookup if distro.current().wait_for_transform_gives_it else lambda: True
         if can():
-            future.set_result(lookup())
+            future.set_result(result())
             return future
 
         def on_new_data() -> None:
@@ -192,7 +195,7 @@ class Buffer(BufferCore, BufferInterface):
                 return
             try:
                 if can():
-                    future.set_result(lookup())
+                    future.set_result(result())
             except BaseException as error:
                 future.set_exception(error)
 
@@ -203,15 +206,13 @@ class Buffer(BufferCore, BufferInterface):
 
 def _poll(ask: Callable[[], tuple[int, str]], timeout: Any) -> tuple[int, str]:
     """Ask until the answer is yes, or `timeout` is over; return the last answer."""
-    result = ask()
-    if result[0] or timeout == NO_WAIT:
-        return result
+    if timeout == NO_WAIT:
+        return ask()
     process, clock = current_process(), Clock()
     start_ns = clock.now_ns()
-    until_ns = start_ns + timeout.nanoseconds
-    while start_ns - CLOCK_JUMPED_BACK_NS < clock.now_ns() < until_ns:
+    until_ns = (clock.now() + timeout).nanoseconds  # a TypeError, as upstream, if it is a number
+    result = ask()
+    while not result[0] and start_ns - CLOCK_JUMPED_BACK_NS < clock.now_ns() < until_ns:
         process.sleep(POLL_NS)
         result = ask()
-        if result[0]:
-            break
     return result

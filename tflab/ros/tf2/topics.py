@@ -66,12 +66,16 @@ class TransformListener:
         spin_thread: bool = False,
         qos: QoSProfile | int | None = None,
         static_qos: QoSProfile | int | None = None,
-        tf_topic: str = DEFAULT_TF_TOPIC,
-        tf_static_topic: str = DEFAULT_STATIC_TF_TOPIC,
+        tf_topic: str | None = None,
+        tf_static_topic: str | None = None,
     ) -> None:
+        if tf_topic is not None or tf_static_topic is not None:
+            refused = "tf_static_topic" if tf_topic is None else "tf_topic"
+            text = f"TransformListener.__init__() got an unexpected keyword argument '{refused}'"
+            distro.require("listener_takes_topics", TypeError, text)
         self._begin(buffer, node)
-        self.tf_sub = self._subscribe(tf_topic, _profile() if qos is None else qos, is_static=False)
-        self._subscribe_static(tf_static_topic, static_qos)
+        self.tf_sub = self._subscribe(tf_topic or DEFAULT_TF_TOPIC, _profile() if qos is None else qos, is_static=False)
+        self._subscribe_static(tf_static_topic or DEFAULT_STATIC_TF_TOPIC, static_qos)
         if spin_thread:
             self._spin_in_thread()
 
