@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from tflab.robots.model import Box, Cylinder, Limit, Material, Mesh, Mimic, Sphere
+from tflab.robots.model import Box, Capsule, Cylinder, Limit, Material, Mesh, Mimic, Sphere
 from tflab.robots.urdf import UrdfError, parse_urdf, read_urdf
 
 ARM = """<?xml version="1.0"?>
@@ -203,6 +203,38 @@ def test_a_bad_number_names_the_attribute_and_the_joint(written):
 )
 def test_missing_or_unknown_elements_name_what_is_needed(body, words):
     assert words in str(fault(robot_text(body)))
+
+
+QUATERNION = '<origin quat_xyzw="0 2 0 2"/>'
+CAPSULE = '<capsule radius="0.1" length="0.4"/>'
+
+
+@pytest.mark.parametrize(
+    ("release", "version", "origin", "geometry", "expected"),
+    [
+        ("humble", "1.2", QUATERNION, "", "Invalid 'version' specified; only version 1.0 is currently supported"),
+        ("jazzy", "1.1", "", "", "Invalid 'version' specified; only version 1.0 is currently supported in ROS 2 jazzy"),
+        ("jazzy", "1.0", QUATERNION, "", (0.0, 0.0, 0.0, 1.0)),  # as on a robot, which is silent about it
+        ("lyrical", "1.0", QUATERNION, "", (0.0, 0.0, 0.0, 1.0)),
+        ("lyrical", "1.0", "", CAPSULE, "URDF 1.0 has box, cylinder, sphere, mesh"),
+        ("lyrical", "1.1", QUATERNION, CAPSULE, (0.0, math.sqrt(0.5), 0.0, math.sqrt(0.5))),
+        ("lyrical", "1.2", '<origin quat_xyzw="0 0 0 1" rpy="0 0 0"/>', "", "either rpy or quat_xyzw"),
+        ("lyrical", "1.2", '<origin quat_xyzw="0 0 0 0"/>', "", "a quaternion has a length"),
+        ("lyrical", "1.3", "", "", "only versions 1.0 to 1.2 are currently supported in ROS 2 lyrical"),
+    ],
+)
+def test_urdf_after_1_0_is_read_as_the_release_reads_it(monkeypatch, release, version, origin, geometry, expected):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", release)
+    visual = "<visual><geometry>" + (geometry or '<sphere radius="1"/>') + "</geometry></visual>"
+    text = robot_text(f'<link name="a">{visual}</link><link name="b"/>' + joint_text("j", "a", "b", "fixed", origin))
+    text = text.replace('"r"', f'"r" version="{version}"')
+    if isinstance(expected, str):
+        assert expected in str(fault(text))
+        return
+    robot = parse_urdf(text)
+    assert robot.joint("j").origin.rotation == pytest.approx(expected)
+    assert robot.link("a").visuals[0].geometry == (Capsule(0.1, 0.4) if geometry else Sphere(1.0))
+    assert ("quat_xyzw is ignored" in "".join(robot.notes)) is (version == "1.0")
 
 
 @pytest.mark.parametrize(

@@ -17,7 +17,7 @@ kinematics. All values are frozen.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from tflab.core import Transform, quaternions
@@ -26,6 +26,7 @@ from tflab.core.quaternions import Quaternion, Vector3
 __all__ = [
     "JOINT_TYPES",
     "Box",
+    "Capsule",
     "Cylinder",
     "Geometry",
     "Joint",
@@ -41,6 +42,7 @@ __all__ = [
     "joint_transform",
     "link_poses",
     "link_transform",
+    "parents_first",
 ]
 
 
@@ -66,6 +68,14 @@ class Cylinder:
 
 
 @dataclass(frozen=True, slots=True)
+class Capsule:
+    """A cylinder with a hemisphere at each end; `length` is the cylinder's [m]."""
+
+    radius: float
+    length: float
+
+
+@dataclass(frozen=True, slots=True)
 class Sphere:
     """A sphere around its origin [m]."""
 
@@ -80,7 +90,7 @@ class Mesh:
     scale: Vector3 = (1.0, 1.0, 1.0)
 
 
-Geometry = Box | Cylinder | Sphere | Mesh
+Geometry = Box | Capsule | Cylinder | Sphere | Mesh
 
 
 @dataclass(frozen=True, slots=True)
@@ -215,6 +225,20 @@ NUMBERS_OF = {
     "floating": "seven numbers: x, y, z, qx, qy, qz, qw",
     "planar": "three numbers: x, y [m] and a turn [rad]",
 }
+
+
+def parents_first(root: str, joints: Iterable[Joint]) -> tuple[Joint, ...]:
+    """Return the joints in the order in which a walk down from the root meets them."""
+    below: dict[str, list[Joint]] = {}
+    for joint in joints:
+        below.setdefault(joint.parent, []).append(joint)
+    ordered: list[Joint] = []
+    waiting = list(reversed(below.get(root, [])))
+    while waiting:
+        joint = waiting.pop()
+        ordered.append(joint)
+        waiting.extend(reversed(below.get(joint.child, [])))
+    return tuple(ordered)
 
 
 def link_poses(robot: Robot, positions: Mapping[str, Position] | None = None) -> dict[str, Transform]:

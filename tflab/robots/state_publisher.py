@@ -5,6 +5,7 @@
     /joint_states -------------------+--> /tf                  the joints that a message names
 
     ros2 run robot_state_publisher robot_state_publisher --ros-args -p robot_description:="$(cat robot.urdf)"
+    ros2 run robot_state_publisher robot_state_publisher robot.urdf      up to Jazzy, with a warning
 
 It stores only received positions: a joint that no JointState ever names has no
 transform, so its link is missing from TF.  And it is in no hurry: a message whose
@@ -17,9 +18,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 
 from tflab.core import StampedTransform
 from tflab.ros import client_library as rclpy
+from tflab.ros import distro
 from tflab.ros.convert import msg_from_stamped, stamp_ns_from
 from tflab.ros.executors import ExternalShutdownException
 from tflab.ros.logging import get_logger
@@ -35,10 +38,14 @@ __all__ = ["RobotStatePublisher", "main"]
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 MILLISECOND_NS = 1_000_000
+FILE_GIVEN = (
+    "No robot_description parameter, but command-line argument available.  Assuming argument is name of URDF file.  "
+    "This backwards compatibility fallback will be removed in the future."
+)
 
 
 class RobotStatePublisher(Node):
-    """The node.
+    """The node; `file` has the URDF if robot_description is empty.
 
     Parameters (of ROS): robot_description, publish_frequency [Hz], frame_prefix, ignore_timestamp.
 
@@ -46,13 +53,20 @@ class RobotStatePublisher(Node):
         RuntimeError: robot_description is empty or no robot, or publish_frequency is out of range.
     """
 
-    def __init__(self, **options: object) -> None:
+    def __init__(self, file: str = "", **options: object) -> None:
         super().__init__("robot_state_publisher", **options)
         self._static: dict[str, geometry_msgs.TransformStamped] = {}
         self._published_ns: dict[str, int] = {}
         self._last_callback_ns = 0
 
         urdf = self.declare_parameter("robot_description", "").value
+        if not urdf and file and distro.current().reads_urdf_file:
+            self.get_logger().warning(FILE_GIVEN)
+            try:
+                urdf = Path(file).read_text(encoding="utf-8", errors="replace")
+            except OSError as error:
+                raise RuntimeError(f"Failed to open URDF file: {file}: {error.strerror}") from None
+            self.set_parameters([Parameter("robot_description", value=urdf)])
         if not urdf:
             raise RuntimeError("robot_description parameter must not be empty")
         self._description_publisher = self.create_publisher(std_msgs.String, "robot_description", LATCHED)
@@ -145,6 +159,9 @@ class RobotStatePublisher(Node):
         except UrdfError as error:
             self.get_logger().error(str(error))
             raise RuntimeError("Unable to initialize urdf::model from robot description") from None
+        for note in robot.notes:
+            if "quat_xyzw" in note:
+                self.get_logger().warning(note)
         kdl = get_logger("kdl_parser")
         if robot.link(robot.root).has_inertia:
             kdl.warning(
@@ -197,13 +214,13 @@ class RobotStatePublisher(Node):
 
 
 def main(args: Sequence[str] = ()) -> int:
-    """Run the node until it is interrupted; its `--ros-args` are those of the process, and `args` the rest: none.
+    """Run the node until it is interrupted; its `--ros-args` are those of the process, and `args` the rest: a file.
 
     Return the exit code.
     """
     rclpy.init()
     try:
-        rclpy.spin(RobotStatePublisher())
+        rclpy.spin(RobotStatePublisher(*args[:1]))
     except RuntimeError as error:
         # The last words of a C++ program whose exception nobody catches, and the code of SIGABRT.
         last_words = f"terminate called after throwing an instance of 'std::runtime_error'\n  what():  {error}"

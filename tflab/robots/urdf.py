@@ -6,7 +6,8 @@
 Files from the field are read with patience: unknown elements and prefixes are
 passed over, an axis of zeros on a joint that does not move harms nobody.  What
 cannot mean anything is an error that names the file, the line and the joint.
-Between the two are `Robot.notes`: odd, but readable.
+Between the two are `Robot.notes`: odd, but readable.  URDF after 1.0 is read as the
+ROS 2 release reads it.
 
 A robot is published by `state_publisher.py`.
 """
@@ -21,11 +22,13 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from tflab.core import Transform
-from tflab.core.quaternions import Vector3
+from tflab.core.quaternions import Vector3, normalized
+from tflab.ros import distro
 
 from .model import (
     JOINT_TYPES,
     Box,
+    Capsule,
     Cylinder,
     Geometry,
     Joint,
@@ -37,8 +40,9 @@ from .model import (
     Robot,
     Shape,
     Sphere,
+    parents_first,
 )
-from .xml_lines import Element, XmlFault, read_xml
+from .xml_lines import Element, XmlFault, float_from, read_xml
 
 __all__ = ["UrdfError", "parse_urdf", "read_urdf"]
 
@@ -95,6 +99,7 @@ class _Reader:
     source: str
     notes: list[str] = field(default_factory=list)
     materials: dict[str, Material] = field(default_factory=dict)
+    minor: int = 0  # the file is URDF 1.minor
 
     # -- the whole ----------------------------------------------------------
 
@@ -102,6 +107,7 @@ class _Reader:
         if root.tag != "robot":
             raise self.error(f"a URDF begins with <robot>, this file with <{root.tag}>{_foreign(root.tag)}", root)
         self.refuse_xacro(root)
+        self.minor = self.minor_version(root)
         name = self.text(root, "name", "a <robot>")
         for element in root.all("material"):
             material = self.material(element)
@@ -115,9 +121,19 @@ class _Reader:
         top = self.only_root(links, joint_to)
         self.check_mimics(joints)
         return Robot(
-            name, tuple(links.values()), _parents_first(top, joints.values()), top,
+            name, tuple(links.values()), parents_first(top, joints.values()), top,
             tuple(self.materials.values()), tuple(self.notes),
         )  # fmt: skip
+
+    def minor_version(self, root: Element) -> int:
+        """Return the digits after "1." of the file's version, or raise about one that the release does not read."""
+        version, newest = root.attributes.get("version", "1.0"), distro.current().urdf_minor
+        major, _, minor = version.partition(".")
+        if major != "1" or not minor.isdecimal() or int(minor) > newest:
+            known = f"{'versions 1.0 to' if newest else 'version'} 1.{newest} {'are' if newest else 'is'}"
+            refusal = f"Invalid 'version' specified; only {known} currently supported"
+            raise self.error(f'{refusal} in ROS 2 {distro.current().name}, not "{version}"', root)
+        return int(minor)
 
     def refuse_xacro(self, root: Element) -> None:
         """Raise if macros were left in: they would become frames with names such as `${prefix}base_link`."""
@@ -257,8 +273,16 @@ class _Reader:
         origin = element.first("origin")
         if origin is None:
             return Transform()
-        roll, pitch, yaw = self.numbers(origin, "rpy", 3, (0.0, 0.0, 0.0), joint)
-        return Transform.from_rpy(roll, pitch, yaw, self.numbers(origin, "xyz", 3, (0.0, 0.0, 0.0), joint))
+        xyz = self.numbers(origin, "xyz", 3, (0.0, 0.0, 0.0), joint)
+        if "quat_xyzw" in origin.attributes and self.minor:
+            if "rpy" in origin.attributes or not any(rotation := self.numbers(origin, "quat_xyzw", 4, None, joint)):
+                raise self.error("needs either rpy or quat_xyzw, and a quaternion has a length", origin, joint)
+            return Transform(xyz, normalized(rotation))
+        if "quat_xyzw" in origin.attributes:
+            self.notes.append(
+                f"line {origin.line}: quat_xyzw is ignored: it requires URDF version 1.1, this file is 1.0"
+            )
+        return Transform.from_rpy(*self.numbers(origin, "rpy", 3, (0.0, 0.0, 0.0), joint), xyz)
 
     def axis(self, element: Element, kind: str, joint: str) -> Vector3:
         """Return the unit axis; (1, 0, 0) if none is written, as the URDF rules say."""
@@ -304,10 +328,12 @@ class _Reader:
             "box": lambda e: Box(self.numbers(e, "size", 3)),
             "cylinder": lambda e: Cylinder(self.number(e, "radius"), self.number(e, "length")),
             "sphere": lambda e: Sphere(self.number(e, "radius")),
+            "capsule": lambda e: Capsule(self.number(e, "radius"), self.number(e, "length")),
             "mesh": lambda e: Mesh(self.text(e, "filename", "a <mesh>"), self.numbers(e, "scale", 3, (1.0, 1.0, 1.0))),
         }
-        if element.tag not in readers:
-            raise self.error(f"unknown geometry <{element.tag}>; URDF has {', '.join(readers)}", element)
+        known = [tag for tag in readers if self.minor or tag != "capsule"]
+        if element.tag not in known:
+            raise self.error(f"unknown geometry <{element.tag}>; URDF 1.{self.minor} has {', '.join(known)}", element)
         return readers[element.tag](element)
 
     def material(self, element: Element) -> Material:
@@ -351,7 +377,7 @@ class _Reader:
             if default is None:
                 raise self.error(f'<{element.tag}> needs a {key}="..."', element, joint)
             return default
-        values = tuple(map(_float, written.split()))
+        values = tuple(map(float_from, written.split()))
         if len(values) != count or None in values or not (may_be_infinite or all(map(math.isfinite, values))):
             wanted = "one number" if count == 1 else f"{count} numbers with spaces between"
             raise self.error(f'bad number: <{element.tag}> {key}="{written}" should be {wanted}', element, joint)
@@ -364,15 +390,6 @@ class _Reader:
         return UrdfError(message, self.source, joint.line, joint.name)
 
 
-def _float(word: str) -> float | None:
-    """Return a number as C reads it, or None; Python alone would also take 1_000."""
-    try:
-        value = float(word)
-    except ValueError:
-        return None
-    return None if "_" in word or math.isnan(value) else value
-
-
 def _foreign(tag: str) -> str:
     return ". That is SDF, Gazebo's own format" if tag == "sdf" else ""
 
@@ -380,17 +397,3 @@ def _foreign(tag: str) -> str:
 def _closest(name: str, known: Iterable[str]) -> str:
     close = difflib.get_close_matches(name, list(known), n=1)
     return f'. Did you mean "{close[0]}"?' if close else ""
-
-
-def _parents_first(root: str, joints: Iterable[Joint]) -> tuple[Joint, ...]:
-    """Return the joints in the order in which a walk down from the root meets them."""
-    below: dict[str, list[Joint]] = {}
-    for joint in joints:
-        below.setdefault(joint.parent, []).append(joint)
-    ordered: list[Joint] = []
-    waiting = list(reversed(below.get(root, [])))
-    while waiting:
-        joint = waiting.pop()
-        ordered.append(joint)
-        waiting.extend(reversed(below.get(joint.child, [])))
-    return tuple(ordered)

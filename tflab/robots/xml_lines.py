@@ -12,11 +12,12 @@ has none.  Entities are refused, because a robot needs none and an attacker does
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from xml.parsers import expat
 
-__all__ = ["Element", "XmlFault", "read_xml"]
+__all__ = ["Element", "XmlFault", "float_from", "read_xml"]
 
 
 @dataclass(slots=True)
@@ -86,6 +87,15 @@ def read_xml(text: str | bytes) -> Element:
     except (LookupError, ValueError) as error:  # an encoding that Python does not know, or cannot use here
         raise XmlFault(f"these bytes cannot be read as text: {error}", parser.CurrentLineNumber) from None
     return document.children[0]
+
+
+def float_from(word: str) -> float | None:
+    """Return a number as C reads it, or None; Python alone would also take 1_000."""
+    try:
+        value = float(word)
+    except ValueError:
+        return None
+    return None if "_" in word or math.isnan(value) else value
 
 
 def _explained(error: expat.ExpatError, text: str | bytes) -> XmlFault:

@@ -214,14 +214,14 @@ def links_to_see(urdf: str) -> dict[str, tuple[Any, ...]]:
 
 
 def _part(shape: Any) -> Any:
-    from tflab.robots.model import Box, Cylinder, Sphere
+    from tflab.robots.model import Box, Capsule, Cylinder, Sphere
     from tflab.views.scene.drawing import Part
 
     colour = {"rgba": shape.material.rgba} if shape.material is not None and shape.material.rgba else {}
     match shape.geometry:
         case Box(size):
             return Part("box", size, shape.origin, **colour)
-        case Cylinder(radius, length):
+        case Cylinder(radius, length) | Capsule(radius, length):
             return Part("cylinder", (radius, length), shape.origin, **colour)
         case Sphere(radius):
             return Part("sphere", (radius,), shape.origin, **colour)
