@@ -239,7 +239,7 @@ print(later.all_frames_as_string())
 # |---|---|---|
 # | Humble | the last one | is the only one on the board |
 # | Jazzy | all | is **ignored**: the old value stays |
-# | Rolling, and C++ everywhere | all | replaces the old value |
+# | Lyrical, and C++ everywhere | all | replaces the old value |
 #
 # One list in one call is right on all releases. On Jazzy, create a new broadcaster to publish a mount that was measured again.
 #
@@ -254,7 +254,7 @@ print(later.all_frames_as_string())
 # |---|---|---|
 # | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
 # | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
-# | Rolling, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
+# | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
 # 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 발행기를 새로 만들어야 합니다.
 #

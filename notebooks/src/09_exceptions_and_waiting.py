@@ -996,7 +996,7 @@ lesson.draw_lanes(patient)
 #
 # `wait_for_transform_async` returns a [[future]] at once. The future is completed when the transform arrives. Your callback returns immediately, and one thread is enough.
 # Two things are up to you. The future has **no timeout**: if the transform never comes, it waits for ever. So keep the futures, and cancel the old ones.
-# And check the result: `future.result()` returns the transform, or raises the exception.
+# And check the result: `future.result()` returns the transform, or raises the exception. (On Humble it returns `True`. Look the transform up then.)
 
 # %% [markdown] lang="ko" name="cure-async" slide="subslide"
 # ### 해결책 둘: 기다리지 말고, 오면 호출하게 합니다
@@ -1004,7 +1004,7 @@ lesson.draw_lanes(patient)
 # `wait_for_transform_async`는 [[future|퓨처(future)]]를 바로 반환합니다. 퓨처는 나중에 결과를 담는 객체이고, 변환이 오면 완료됩니다. 콜백은 바로 끝나고 스레드는 하나면 됩니다.
 #
 # 두 가지를 조심하십시오. 퓨처에는 **시간 제한이 없습니다.** 끝내 변환이 오지 않으면 영원히 기다립니다. 그러니 퓨처를 보관하고 오래된 것은 취소하십시오.
-# 그리고 퓨처의 결과는 확인해야 합니다. `future.result()`는 변환을 반환하거나, 무엇이 잘못됐는지 예외로 알려 줍니다.
+# 그리고 퓨처의 결과는 확인해야 합니다. `future.result()`는 변환을 반환하거나, 무엇이 잘못됐는지 예외로 알려 줍니다. (Humble에서는 `True`를 반환합니다. 그때 변환을 조회하십시오.)
 
 # %% name="called-node" slide="subslide"
 promises = deque()

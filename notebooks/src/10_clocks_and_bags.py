@@ -589,13 +589,13 @@ show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
 # One line for each pass, and everything is right: the buffer deletes the dynamic edges, keeps the mounts, and stores the transforms of the new pass.
-# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the argument `node=` exists, and you have to pass it.
+# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the argument `node=` exists, and you have to pass it. On Humble a Python buffer does not watch the clock. Call `buffer.clear()` there yourself.
 #
 # How old is the newest transform, for each of the three?
 
 # %% [markdown] lang="ko" name="with-a-node-read"
 # 반복할 때마다 로그가 한 줄 나오고, 결과는 모두 맞습니다. 버퍼는 동적 연결을 비우고 장착 변환은 남겨 둔 채, 다시 재생한 변환을 받습니다.
-# C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다.
+# C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다. Humble에서는 파이썬 버퍼가 시계를 살피지 않으므로 `buffer.clear()`를 직접 호출하십시오.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
 
@@ -830,7 +830,7 @@ print(lesson.doctor(recording))
 # ros2 param set /point_to_map use_sim_time true
 # ```
 #
-# From a simulation record `/clock`, too: `ros2 bag record /scan /odom /tf /tf_static /clock`.
+# From a simulation record `/clock`, too: `ros2 bag record /scan /odom /tf /tf_static /clock`. On Jazzy you may also write `--topics` before the topics. Humble does not have this option, and Lyrical requires it.
 # `use_sim_time` goes under `/**:` into the parameter file that the launch file passes to the nodes, so that no node is forgotten. RViz is a node, too.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
@@ -845,7 +845,7 @@ print(lesson.doctor(recording))
 # ros2 param set /point_to_map use_sim_time true
 # ```
 #
-# 시뮬레이션에서는 `/clock`도 기록합니다. `ros2 bag record /scan /odom /tf /tf_static /clock`입니다.
+# 시뮬레이션에서는 `/clock`도 기록합니다. `ros2 bag record /scan /odom /tf /tf_static /clock`입니다. Jazzy에서는 토픽 앞에 `--topics`를 적어도 됩니다. Humble에는 이 옵션이 없고, Lyrical에서는 반드시 적어야 합니다.
 # `use_sim_time`은 launch 파일이 넘겨주는 파라미터 파일의 `/**:` 아래에 적어 빠지는 노드가 없게 하십시오. RViz도 노드입니다.
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"

@@ -76,7 +76,7 @@ check("E10.1", outcomes)
 # %% [markdown] lang="en" name="e10-2"
 # ## E10.2 · The smallest recording (4 points)
 #
-# Three robots. For each write the `ros2 bag record …` line with as few topics as possible, topics only, no options.
+# Three robots. For each write the `ros2 bag record …` line with as few topics as possible and no options. On Jazzy you may write `--topics` before the topics. Humble does not have it, and Lyrical requires it.
 #
 # - **a** A real robot with localisation and wheel odometry, like ours. Tomorrow you want to see `e10_2.sensor["a"]` on the map, where the robot placed it.
 # - **b** The same in a simulation, with `e10_2.sensor["b"]`; tomorrow it should use the simulation's own time.
@@ -85,7 +85,7 @@ check("E10.1", outcomes)
 # %% [markdown] lang="ko" name="e10-2"
 # ## E10.2 · 가장 작은 기록 (4점)
 #
-# 로봇이 셋 있습니다. 각각 토픽이 가장 적은 `ros2 bag record …` 명령을 쓰십시오. 옵션 없이 토픽만 적습니다.
+# 로봇이 셋 있습니다. 각각 토픽이 가장 적은 `ros2 bag record …` 명령을 쓰십시오. 옵션 없이 토픽만 적습니다. Jazzy에서는 토픽 앞에 `--topics`를 적어도 됩니다. Humble에는 없고, Lyrical에서는 반드시 적어야 합니다.
 #
 # - **a** 우리 로봇처럼 위치 추정과 바퀴 오도메트리가 있는 실제 로봇입니다. 내일 `e10_2.sensor["a"]`의 데이터를 지도에, 로봇이 측정한 그 자리에 표시하려 합니다.
 # - **b** 시뮬레이션에서 `e10_2.sensor["b"]`로 같은 일을 합니다. 내일 재생할 때도 시뮬레이션의 시간을 써야 합니다.

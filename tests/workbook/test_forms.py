@@ -112,6 +112,7 @@ SAME = [
     (Command(), f"{STATIC} --frame-id a --child-frame-id b --ros-args -r __node:=mount",
      f"{STATIC} --frame-id a --child-frame-id b"),
     (Command(), "ros2 bag record /tf_static /tf", "ros2 bag record /tf /tf_static"),
+    (Command(), "ros2 bag record --topics /tf_static /tf", "ros2 bag record /tf /tf_static"),
     (Command(), f"{ECHO} --ros-args --param use_sim_time:=True", f"{ECHO} --ros-args -p use_sim_time:=true"),
 ]  # fmt: skip
 DIFFERENT = [

@@ -61,9 +61,11 @@ def _rows(line: str) -> tuple[tuple[MarkPair, ...], ...] | None:
 def _words(line: str) -> list[str]:
     """Return the words of a line; none of one that a shell would not take."""
     try:
-        return shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
+        words = shlex.split(line.strip().lstrip("$!%").replace("\\\n", " "), comments=True)
     except ValueError:
         return []
+    is_with_topics = words[:4] == ["ros2", "bag", "record", "--topics"]  # which Jazzy accepts, and does not need
+    return words[:3] + words[4:] if is_with_topics else words
 
 
 def _without_node_name(arguments: list[str]) -> list[str]:
