@@ -86,10 +86,10 @@ nodes = lesson.launch(graph, robot)
 bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
 
 # %% [markdown] lang="en" name="record-intro" slide="subslide"
-# The lecture's command, with an IMU. On a robot you stop the command with Ctrl-C. Here `--for` stops it.
+# The lecture's command, with an IMU. On a robot you stop the command with Ctrl-C. Here `--for` stops it. (With `TFLAB_ROS_DISTRO=lyrical`, write `--topics` before the topics.)
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
-# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다.
+# 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다. (`TFLAB_ROS_DISTRO=lyrical`이라면 토픽 앞에 `--topics`를 적으십시오.)
 
 # %% name="record"
 # %ros2 --for 15.03 bag record -o {bags}/lap /scan /odom /tf /tf_static /imu /clock

@@ -15,6 +15,7 @@ from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
+TERMINATED = "terminate called after throwing an instance of 'std::runtime_error'"
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 # base -+- bolt (fixed) -> plate            turn (revolute about z, 1 m ahead) -> arm -- slide -> hand
@@ -221,10 +222,23 @@ def test_without_a_robot_or_with_an_impossible_rate_it_does_not_start(parameters
         staged(**parameters)
     assert str(caught.value) == words
     assert logged in capfd.readouterr().err
-    participant = new_graph().start(main)
-    assert not participant.is_running
-    last = "terminate called after throwing an instance of 'std::runtime_error'\n"
-    assert last + "  what():  robot_description parameter must not be empty" in capfd.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("release", "file", "words"),
+    [
+        ("jazzy", "r.urdf", "in the future.\n[WARN] [1.000000000] [kdl_parser]: Converting unknown joint"),
+        ("jazzy", "nobody.urdf", "what():  Failed to open URDF file: nobody.urdf: No such file or directory"),
+        ("jazzy", "", f"{TERMINATED}\n  what():  robot_description parameter must not be empty"),
+        ("lyrical", "r.urdf", "what():  robot_description parameter must not be empty"),
+    ],
+)
+def test_it_takes_a_file_up_to_jazzy(monkeypatch, tmp_path, capfd, release, file, words):
+    monkeypatch.setenv("TFLAB_ROS_DISTRO", release)
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "r.urdf").write_text(URDF)
+    new_graph().start(main, [file] if file else [])
+    assert words in capfd.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -59,11 +59,10 @@ _TABLE = {
 }
 
 # Modules, and names in modules, that only these releases have.
+_NEW_IN_JAZZY = "clock_type destroyable event_handler logging_service parameter_client parameter_event_handler "
+_NEW_IN_JAZZY += "service_introspection type_description_service type_hash"
 _NAMES = {
-    "rclpy.clock_type": ("jazzy", "lyrical"),  # branches
-    "rclpy.event_handler": ("jazzy", "lyrical"),  # ros2/rclpy#1058
-    "rclpy.parameter_client": ("jazzy", "lyrical"),  # branches
-    "rclpy.parameter_event_handler": ("jazzy", "lyrical"),  # branches
+    **{f"rclpy.{module}": ("jazzy", "lyrical") for module in _NEW_IN_JAZZY.split()},  # branches
     "rclpy.qos_event": ("humble", "jazzy"),  # ros2/rclpy#1058, #1456
     "rclpy.timer.TimerInfo": ("lyrical",),  # branches, rclpy/timer.py
     "tf2_ros.DEFAULT_STATIC_TF_TOPIC": ("lyrical",),  # ros2/geometry2#709 (0.39.1)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from tflab.robots.faults.catalogue import Fault
+from tflab.ros import distro
 from tflab.text import Text, compose_yaml, text_of_node
 
 from ..findings import Finding, first_of
@@ -106,6 +107,8 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
     # a frame stands in quotes of its own, and a remedy is a command already
     command = description.command.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
+    if not distro.current().record_takes_names:
+        command = command.replace("bag record /", "bag record --topics /")
     if not finding.namespace:
         return Sentences(title, evidence, cause, command)
     if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf

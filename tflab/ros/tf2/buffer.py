@@ -208,8 +208,8 @@ def _poll(ask: Callable[[], tuple[int, str]], timeout: Any) -> tuple[int, str]:
     if timeout == NO_WAIT:
         return ask()
     process, clock = current_process(), Clock()
-    start_ns = clock.now_ns()
-    until_ns = (clock.now() + timeout).nanoseconds  # a TypeError, as upstream, if it is a number
+    start = clock.now()
+    start_ns, until_ns = start.nanoseconds, (start + timeout).nanoseconds  # a float is a TypeError
     result = ask()
     while not result[0] and start_ns - CLOCK_JUMPED_BACK_NS < clock.now_ns() < until_ns:
         process.sleep(POLL_NS)
