@@ -241,22 +241,6 @@ def test_it_takes_a_file_up_to_jazzy(monkeypatch, tmp_path, capfd, release, file
     assert words in capfd.readouterr().err
 
 
-@pytest.mark.parametrize(
-    ("release", "file", "words"),
-    [
-        ("jazzy", "r.urdf", "in the future.\n[WARN] [1.000000000] [kdl_parser]: Converting unknown joint"),
-        ("jazzy", "nobody.urdf", "what():  Failed to open URDF file: nobody.urdf: No such file or directory"),
-        ("lyrical", "r.urdf", "what():  robot_description parameter must not be empty"),
-    ],
-)
-def test_it_takes_a_file_up_to_jazzy(monkeypatch, tmp_path, capfd, release, file, words):
-    monkeypatch.setenv("TFLAB_ROS_DISTRO", release)
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "r.urdf").write_text(URDF)
-    new_graph().start(main, [file])
-    assert words in capfd.readouterr().err
-
-
 def test_as_a_program_it_serves_joint_states_until_it_is_interrupted():
     graph = new_graph()
     command_line = ["robot_state_publisher", "--ros-args", "-p", f"robot_description:={URDF!r}"]

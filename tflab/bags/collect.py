@@ -1,4 +1,4 @@
-"""Collect what is read from a bag: a handler for each kind of message, and columns that grow.
+"""Collect transforms, stamps and clocks while a bag is read: a handler for each kind of message.
 
     connections --> what is each to be asked for?  transforms | header | clock | joints | odometry | description
     messages    --> the handler of their connection --> columns --> Recording

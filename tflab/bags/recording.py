@@ -1,4 +1,4 @@
-"""Hold a recording: a million transforms as a few columns, and what else a bag holds about time.
+"""Define a Recording: transforms as NumPy columns, and the headers, clock, joint states and QoS of a bag.
 
     row    receive_ns   stamp_ns    label   x y z qx qy qz qw
       0    1000080000   1000000000    0     ...

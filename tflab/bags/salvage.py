@@ -1,4 +1,4 @@
-"""Read the records of a bag whose recorder was killed, up to where they end.
+"""Read a truncated bag, whose recorder was killed, up to its last complete message.
 
     magic | record | chunk of records | chunk of records | chunk of re      the index, which would come last,
                                                                   ^ cut     is missing

@@ -1,4 +1,4 @@
-"""Convert messages to bytes and back, and a quality of service to its entry in a file.
+"""Convert messages to CDR bytes and back, and QoS profiles to the form that a bag stores.
 
     our message  <-- rosbags' object of the same fields -->  CDR
     QoSProfile   <-- rosbags' Qos -->  metadata.yaml, or the channel of an .mcap

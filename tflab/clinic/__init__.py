@@ -1,4 +1,4 @@
-"""Diagnosis exercises: simulated faulty robots as plain data, tools with prices, and the proof of a diagnosis.
+"""Diagnosis exercises: simulated faulty robots, tools that cost minutes, and a check that a diagnosis is proved.
 
     causes            eighteen changes to how a robot is launched
     findings          a tool's text in a line

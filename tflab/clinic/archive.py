@@ -1,4 +1,4 @@
-"""Make patients on all cores, and keep them on disk by what they are made from.
+"""Make patients (simulated faulty robots) in parallel, and cache them on disk under a hash of their inputs.
 
     admissions --known?--> file           a hash of causes, numbers, and of the code that makes patients
                --new-----> ward --> file

@@ -1,4 +1,4 @@
-"""Change how a robot is launched: eighteen causes, each a small change.
+"""List the eighteen causes, faults of a robot: each changes one thing in how the robot is launched.
 
     HEALTHY --no_localizer--> the same launch without a node
             --late_network--> the same nodes, and a network that takes its time

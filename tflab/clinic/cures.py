@@ -1,4 +1,4 @@
-"""List the fixes: sixteen, each for its cause, and five plasters that take a symptom away at most.
+"""List the fixes: sixteen that each remove a cause, and five workarounds that at most hide a symptom.
 
     "set the laser's clock"    the cause is gone
     "stamp on arrival"         the error is gone; the points are still in the wrong place

@@ -1,4 +1,4 @@
-"""Show what findings look like: one line for each kind of each check.
+"""Print an example line for each kind of finding of each diagnostic tool.
 
     delay /scan   1 min   ros2 topic delay /scan
         0.105 s, std dev 0.000 s       (card)

@@ -1,4 +1,4 @@
-"""Read a tool's text into a finding of one line, with numbers and names, and classify it.
+"""Reduce a tool's output to one line with its numbers and names (a finding), and classify it.
 
     "average delay: -0.295 ..."                 --read-->  "-0.295 s"
     "... roots map and odm, 3 pages of yaml"    --read-->  "roots: map, odm; base_footprint 20.2 Hz; odom 10.2 Hz"

@@ -1,4 +1,4 @@
-"""Show a visit with controls: checks to choose from, a clock that runs down, a table that fills.
+"""Show a diagnosis exercise with controls: menus for tool and cause, the minutes left, a table of findings.
 
     check [ delay /scan ]  because [ laser clock ahead ]  ( Ask )      [=======   ] 10 of 12 left
     cause [ laser clock ahead ]  fix [ set the laser's clock ]  ( Try )

@@ -1,4 +1,4 @@
-"""Hold a patient as plain texts: a complaint, RViz's screen, and the answer to each check.
+"""Define a patient: a simulated faulty robot, stored as the outputs of all diagnostic tools.
 
     patient.ask("delay /scan")           "-0.295 s, std dev 0.000 s"       a minute
     patient.verdict("laser clock ahead", "laser_frame")

@@ -1,4 +1,4 @@
-"""Draw patients to practise on, each from a public number.
+"""Draw practice patients from a seed: the same number gives the same faulty robot.
 
     practice_patient(7)                       of any complaint
     practice_patient(7, complaint="jumps")

@@ -1,4 +1,4 @@
-"""Decide whether checks prove a diagnosis: they must exclude every other suspect.
+"""Decide whether the chosen checks prove a diagnosis: they must exclude every other possible cause.
 
     suspect   delay /scan      rivals left
     ahead     ahead

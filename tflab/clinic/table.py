@@ -1,4 +1,4 @@
-"""State what each suspect would answer: eighteen suspects, three to each of six complaints.
+"""State what each check shows for each of eighteen suspects (possible causes), three for each of six complaints.
 
     complaint   "Frame [map] does not exist"
     suspects    localizer not running   localizer waits for /clock   Fixed Frame misspelt

@@ -1,4 +1,4 @@
-"""Examine a patient: checks that cost minutes, a diagnosis, and then a fix.
+"""Run one diagnosis exercise: checks that cost minutes, a diagnosis, and then a fix.
 
     visit = admit(patient)                          the complaint, RViz's screen, the card; twelve minutes
     visit.ask("delay /scan", because="laser clock ahead")

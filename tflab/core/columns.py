@@ -1,4 +1,4 @@
-"""Compute poses and interpolation for many stamps at once, with NumPy columns.
+"""Interpolate and compose transforms for many stamps at once, with NumPy arrays (used by `batch.py`).
 
     moments_ns  [ t0   t1   t2  ... ]
                   |    |    |                    which segment of the history?  (search)

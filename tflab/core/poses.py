@@ -1,4 +1,4 @@
-"""Compose and invert poses of seven numbers.
+"""Compose and invert poses, as plain tuples (x, y, z, qx, qy, qz, qw).
 
     (x, y, z, qx, qy, qz, qw)        a translation [m] and a unit quaternion
 

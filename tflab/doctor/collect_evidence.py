@@ -1,4 +1,4 @@
-"""Collect the evidence of a recording or a buffer: rows sorted by child.
+"""Prepare the transforms of a recording or a buffer for the checks: sorted by child frame, with clock offsets removed.
 
     received minus stamp  =  delay  +  recorder's clock minus the stamping clock
                               ^             ^ in simulation: years

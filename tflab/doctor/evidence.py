@@ -1,4 +1,4 @@
-"""Hold what the checks examine: one namespace of transforms, sorted by child, and the clocks that stamped them.
+"""Define Evidence, the input of every check: the transforms of one namespace by child frame, headers and clocks.
 
     Recording  --.
     BufferCore --+-->  Evidence:  edges      one child each, in the order of arrival

@@ -1,4 +1,4 @@
-"""Bring what was fixed since into a release that is out, around everybody's answers.
+"""Update a release to a newer tflab: new texts and fixes, with every learner's answers kept.
 
     as released                   this version                     after --update
     E3.2  asks about a = 2.31     asks about a = 2.31, new text    the new text, replies, right answers

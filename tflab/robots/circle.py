@@ -1,4 +1,4 @@
-"""Drive the lecture's circle, as the lecture writes it and as it is meant.
+"""Publish a robot that drives a circle, with the lecture's wrong heading and with the right one.
 
     theta grows by 0.01 rad, twenty times a second: 0.2 rad/s, and at 1 m radius 0.2 m/s
 

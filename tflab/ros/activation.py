@@ -110,16 +110,15 @@ class _Finder:
                     import_module(each)
                     setattr(module, other, sys.modules[other if each.startswith(f"{other}.") else each])
             else:
-                wanted = [row for row in names if distro.has_name(f"{name}.{row.partition(' as ')[2] or row}")]
-                if wanted and distro.has_name(source):
-                    _copy(import_module(source, name), module, wanted)
+                _copy(source, module, names)
 
 
-def _copy(source: ModuleType, target: ModuleType, names: Iterable[str]) -> None:
-    """Copy names, each "name" or "name as other_name", from one module to another."""
-    for row in names:
+def _copy(source: str, target: ModuleType, rows: Iterable[str]) -> None:
+    """Copy what this release has of some names, each "name" or "name as other_name", from one module to another."""
+    for row in rows if distro.has_name(source) else ():
         name, _, other = row.partition(" as ")
-        setattr(target, other or name, getattr(source, name))
+        if distro.has_name(f"{target.__name__}.{other or name}"):
+            setattr(target, other or name, getattr(import_module(source, target.__name__), name))
 
 
 def _top_packages() -> Sequence[str]:

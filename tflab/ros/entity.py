@@ -1,4 +1,4 @@
-"""Define what an executor executes, guard conditions and callback groups.
+"""Define callback groups, guard conditions and Entity, the base of everything that an executor runs.
 
 A node's callbacks are in one mutually exclusive group unless they are put into
 another: while one of them runs, the others wait, even with many threads. The group

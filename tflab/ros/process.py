@@ -1,4 +1,4 @@
-"""Give each program in one Python process state of its own, as if it were a process.
+"""Simulate processes in one Python process: each program has its own rclpy context and globals.
 
     graph -- process "main" (the cell, the script)     default context, global executor
          |-- process "moving_robot"                    default context, global executor

@@ -1,4 +1,4 @@
-"""Provide publishers and subscriptions. A subscription's queue drops its oldest message when it is full."""
+"""Provide publishers, and subscriptions with a bounded queue."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Advance virtual time when all threads wait; run one thread at a time.
+"""Run nodes on virtual time: one thread at a time, and the clock moves on when all of them wait.
 
     driver ---- turn ----> strand A    runs until it sleeps, spins or returns
            <--- turn -----

@@ -1,4 +1,4 @@
-"""Wait and read clocks in real time, for scripts and `tflab run`.
+"""Run nodes on real (wall) time, for scripts and `tflab run`.
 
 Threads run in parallel.  The other driver, for pages, is
 `virtual.py`; both have the same methods.

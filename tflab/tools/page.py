@@ -1,4 +1,4 @@
-"""Run a tool in a page, as one more participant of the graph, for a while of its time.
+"""Run a ROS 2 command from a page as a node of the current graph, for some seconds of the graph's time.
 
     %ros2 run tf2_ros tf2_echo map odom            3.5 s of the graph, then Ctrl-C
     %ros2 --for 10 run tf2_ros tf2_echo map odom   10 s, then Ctrl-C

@@ -1,4 +1,4 @@
-"""Answer `rviz2` in a shell, which has no window; in a page `%rviz2` shows a view."""
+"""Explain, when `rviz2` is typed in a shell, that there is no window, and name `%rviz2` for pages."""
 
 from __future__ import annotations
 

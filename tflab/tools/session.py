@@ -1,4 +1,4 @@
-"""Run a tool as a program of its own: it begins, has a node, spins, and ends.
+"""Give a tool its own rclpy session: init, a node, spin, shutdown.
 
     with tool_node("tf2_echo") as node:      rclpy.init(), Node, ... destroy_node(), shutdown()
         spin_for(node, 1.0)                  callbacks run; Ctrl-C ends it

@@ -1,4 +1,4 @@
-"""Draw the tree of a graph, with its real publishers, and of a buffer.
+"""Draw frame trees, lookup paths and histories of a graph or a buffer, with the node that publishes each edge.
 
     odom -> base_link     published by /ekf, /wheel_odometry      <- a fault, and both are named
 

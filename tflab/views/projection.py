@@ -1,4 +1,4 @@
-"""Project points, robots and posts in space onto paper.
+"""Project 3D points and robots onto a 2D figure (orthographic).
 
               up                          right . p  = how far to the right on paper
                |   towards                   up . p  = how high on paper

@@ -1,4 +1,4 @@
-"""Free the views that a cell showed when the cell runs again.
+"""Release the widgets of a cell when the cell runs again, so that memory does not grow.
 
 IPython keeps every result in `Out` and ipywidgets every widget for as long as the kernel lives.
 Only views of this package are freed; a learner's own results stay.

@@ -1,4 +1,4 @@
-"""Draw on paper what RViz would show: the picture from above, and the list of statuses beside it.
+"""Draw what RViz would show as a static figure: the scene from above and the list of statuses.
 
 Both are made of what `rviz_status` decided. The list says what could be transformed into the Fixed
 Frame; whether it lies where it should, only the picture shows: `walls`, what is known of the room,

@@ -1,4 +1,4 @@
-"""Draw a product of transforms as a row of dominoes, and an arm as a chain of joints.
+"""Draw a product of transforms as a chain in which neighbouring frame names must match, and an arm the same way.
 
     [ map | odom ][ odom | base_link ][ base_link | laser_frame ]
          =  [ map | laser_frame ]

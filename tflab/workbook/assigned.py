@@ -1,4 +1,4 @@
-"""A task as a learner has it."""
+"""Define AssignedTask: a task with one learner's variant and language."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Check the clocks (question 5): stamps and times of receipt must agree.
+"""Check that the nodes' clocks agree: stamps against times of receipt.
 
     receipt   |----|----|----|----|----|
     stamps    |----|----|  |----|----|        the clock was set back: a bag in a loop, a simulator

@@ -1,4 +1,4 @@
-"""Measure steps and turns of poses, and find two sequences of values on one edge.
+"""Measure how far poses move and rotate between samples, and find two publishers mixed on one edge.
 
     one owner      o--o--o--o--o--o          steps of one size
     two owners     o     o     o             back and forth, again and again:

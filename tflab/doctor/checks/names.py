@@ -1,4 +1,4 @@
-"""Check the names of frames (question 1): a name that nobody else uses is usually misspelt.
+"""Check the names of frames: misspelt, empty, with a leading slash, or unknown to the tree.
 
     /laser            -              tf2 has no leading slashes
     Base_link         base_link      case     the same letters

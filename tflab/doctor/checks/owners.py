@@ -1,4 +1,4 @@
-"""Check that each transform has one owner (question 6).
+"""Check that each transform has one owner (one node that publishes it).
 
     /wheel_odometry  --o---o---o---.
                                     >-- odom -> base_link    o x o x o x   the robot trembles in RViz

@@ -1,4 +1,4 @@
-"""Check for edges that fall silent, begin late or are too slow (question 4).
+"""Check for edges that stop, have gaps, begin late or are too slow.
 
     o--o--o        o--o       a gap: no lookup in there, and a straight line across
        o--o--o--o--o          began late

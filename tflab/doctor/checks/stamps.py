@@ -1,4 +1,4 @@
-"""Check the stamps of each edge and its delays (question 4).
+"""Check the stamps of each edge: unset, repeated, out of order, in the future, or too long before receipt.
 
 ```
 o--o--o--o--o--o          as it should be

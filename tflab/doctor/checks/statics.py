@@ -1,4 +1,4 @@
-"""Check that fixed transforms are on /tf_static, once and for late listeners, and moving ones on /tf (question 7).
+"""Check that fixed transforms are on /tf_static, latched and sent once, and moving ones on /tf.
 
     /tf_static   base_link -> laser        once, latched
     /tf          odom -> base_link         again and again, each with its stamp

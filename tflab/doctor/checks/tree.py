@@ -1,4 +1,4 @@
-"""Check that the frames are one tree (question 2): one parent for each child, one root, no loop.
+"""Check that the frames are one tree: one parent for each child, one root, no loop.
 
       map            map   odm          map <-.
        |              |     |            |     |

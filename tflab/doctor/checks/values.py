@@ -1,4 +1,4 @@
-"""Check that the numbers are transforms (question 3): finite, of length one, and rotated as the name says.
+"""Check the values of transforms: finite numbers, unit quaternions, optical frames with z forward.
 
 ```
 rotation (0, 0, 0, 0)     no direction: tf2 refuses it, and the frame "does not exist"

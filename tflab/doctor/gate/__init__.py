@@ -1,4 +1,4 @@
-"""Let programs use the doctor.
+"""Use the doctor in CI: expectations of a good recording, accepted findings, and reports for other programs.
 
 expectations  what a good recording looks like, as a small file, and deviations from it
 filters       findings that are ignored: --ignore, a baseline

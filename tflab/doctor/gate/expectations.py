@@ -1,4 +1,4 @@
-"""Read and write what a good recording looks like, and find where another recording differs from it.
+"""Read and write expectations (rates, delays, owners, mounts), and report how a recording deviates from them.
 
     tflab doctor good_drive --write-expectations robot.toml
     tflab doctor today --expect robot.toml

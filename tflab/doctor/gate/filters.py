@@ -1,4 +1,4 @@
-r"""Leave findings out that somebody has looked at and accepted.
+r"""Leave out findings that somebody has accepted: `--ignore` and `--baseline`.
 
     --ignore unknown-frame                 whatever it is about
     --ignore unknown-frame:/diagnostics    on this topic

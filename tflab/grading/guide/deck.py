@@ -1,4 +1,4 @@
-"""Write a page as a deck with its votes: after the slide that asks, counts are typed and shares appear.
+"""Write a page as slides with votes: the instructor types the counts, and the slide shows the shares.
 
     page's cells  --votes put among them-->  notebook  --as `tflab slides`-->  deck, with `static/votes.js` in it
 

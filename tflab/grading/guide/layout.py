@@ -1,4 +1,4 @@
-"""Render guides and plans: pages for a screen and for paper, by day and by night, with nothing from elsewhere.
+"""Render guides and plans as self-contained HTML, for screen and print, light and dark.
 
 sheet("11 · Tools and RViz", "en", body)       a whole page
 markdown("`max`, not **avg**")                 HTML, as in the pages of the course

@@ -1,4 +1,4 @@
-"""Match the cells of a notebook with those of the master.
+"""Match the cells of a handed-in notebook with those of the exercise as it was released.
 
     master           handed in                            Theirs
     load             load            (changed)            a remark; ours runs

@@ -1,4 +1,4 @@
-"""Run a submission's answers; a task that hangs, dies or floods is set aside and costs no other task.
+"""Run a submission's answers; a task that hangs, crashes or prints too much does not affect other tasks.
 
     run everything in one kernel
       |-- all probes answered                        done

@@ -1,4 +1,4 @@
-"""Judge in forks of this process, which the system ends at their CPU and memory limits.
+"""Serve `isolated.py`: judge each large answer in a forked process with CPU and memory limits.
 
     python -m tflab.grading.judging.isolated_server 7      serve what comes over descriptor 7
 

@@ -1,4 +1,4 @@
-"""Describe the work and its results as plain data: a submission, its cells, their outcomes.
+"""Define what is passed to and from a grading process, as plain data: submission, cells to run, outcomes.
 
 Job(learner, files, chapters, limits)                       can be done in any process
 RunCell("answer", "e3-2-answer", "x = f(2)", "E3.2")        CellOutcome(trouble="error: NameError: ...")

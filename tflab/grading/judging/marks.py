@@ -1,4 +1,4 @@
-"""Mark a task's outcomes: points for each probe, the mistake that fits, and what went wrong.
+"""Turn the outcomes of a task into points, the name of the mistake, and what went wrong.
 
     outcomes of the cases   [440.2, 3.1, ...]     against   expected   -->   5 of 6 probes, 2.5 of 3 points
                                                   against   each twin  -->   "swapped"

@@ -1,4 +1,4 @@
-"""Put a notebook's answers between our cells, and plan the cells to run.
+"""Plan which cells to run: the given cells of the release, the learner's answers, and cells that test them.
 
     e3-2-given, e3-2-answer       ours, theirs
     e3-2-check        ->          probe "9d1f...": one message with the outcomes of all cases

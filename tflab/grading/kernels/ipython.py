@@ -1,4 +1,4 @@
-"""Run a learner's cells: ipykernel's kernel and shell, with its five sockets replaced by one wire.
+"""Run a learner's cells in ipykernel, with one socket pair in place of its five ZeroMQ sockets.
 
     grader                        kernel (forked, sandboxed)
     {"msg_id", "code"}   ----->   IPythonKernel.do_execute, in a running event loop, as in JupyterLab

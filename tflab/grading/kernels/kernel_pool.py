@@ -1,4 +1,4 @@
-"""Hand out kernels of this process's forkserver, one of them forked ahead of need.
+"""Hand out sandboxed kernels; the next one is always started in advance.
 
     kernels = Kernels(choose_sandbox())
     kernel = kernels.take(Limits())       # milliseconds: it was waiting

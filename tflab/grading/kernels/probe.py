@@ -1,4 +1,4 @@
-"""Call an answer in the learner's process and send the outcomes; no other module of ours runs there.
+"""Call a learner's answer inside the sandbox and send its results; the only tflab module in that process.
 
     prepare(givens)                 task("E3.2") returns what the pack gives; check and hint are silent
     probe("7f3a", lambda: answer, "null")           one message {"id": "7f3a", "v": [the answer as plain JSON]}

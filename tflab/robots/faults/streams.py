@@ -1,4 +1,4 @@
-"""Summarise the edges of a stream of transforms, and pick those where a fault can be put.
+"""Summarise the edges of a stream of transforms, and pick the edges into which a fault can be injected.
 
     records: odom->base  base->laser  odom->base  map->odom  odom->base ...
                 |                         |                      |

@@ -1,4 +1,4 @@
-"""Keep the shortest list of commands that gives a scene, and describe the scene in text.
+"""Store a 3D scene as the shortest list of meshcat commands that rebuilds it, and describe it in text.
 
     set_transform  robot   (1, 0, 0)      \\
     set_transform  robot   (2, 0, 0)       >   set_object     robot   box

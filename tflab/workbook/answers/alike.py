@@ -1,4 +1,4 @@
-"""Find which of many answers are the same; two that differ in one number are compared no further.
+"""Find equal answers among many, quickly: compare fully only those whose numbers agree.
 
     what each gives, case by case      the numbers of its marks       alike?
     right     1.57   (0, 0)            1.57   0   0

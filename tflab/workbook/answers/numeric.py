@@ -1,4 +1,4 @@
-"""NumberForm, angles, vectors, rotations and transforms as answers."""
+"""Define the numeric forms of answers: numbers, angles, vectors, rotations and transforms."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Judge whether a list of checks proves a diagnosis, without knowing the diagnosis.
+"""Define the answer form for a list of checks that must prove a diagnosis.
 
     ["delay /scan"]                          proves "laser clock ahead" among its three suspects
     ["node list", "hz /odom", ...]           proves nothing, or too late, or asks on when all is clear

@@ -1,4 +1,4 @@
-"""Print a given value, the same in both languages: names, and numbers with fixed decimals.
+"""Format the given values of a task for printing, the same in both languages.
 
 ```
 base_T_laser    translation (0.200, 0.000, 0.150), rotation xyzw (0.000, 0.000, 0.707, 0.707)

@@ -1,4 +1,4 @@
-"""Judge whether a check tells two suspects apart: any that they answer differently and that costs little enough.
+"""Define the answer form for a check that separates two suspects: any check with different results and low cost.
 
     between "odometry slow" and "scan slow"
     "hz /odom"     too seldom, as on the card     tells

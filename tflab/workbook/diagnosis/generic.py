@@ -1,4 +1,4 @@
-"""Recognise mistakes that any answer can have by undoing them: a sign, a unit, an order of numbers.
+"""Recognise mistakes that any answer can have (sign, unit, order): undo each one and compare.
 
 A form names the mistakes that it recognises (`Form.mistakes`). What cannot be undone is in `precision.py`,
 answers of another type in `wrong_types.py`.

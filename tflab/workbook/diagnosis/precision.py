@@ -1,4 +1,4 @@
-"""Recognise what is lost in an answer and cannot be undone: digits, zeros, members or an order."""
+"""Recognise lost information in an answer: rounded digits, zeros, missing members, another order."""
 
 from __future__ import annotations
 

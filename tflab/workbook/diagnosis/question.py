@@ -1,4 +1,4 @@
-"""An answer to be explained: the task, what came out of each case, and what the learner was shown."""
+"""Hold what an explanation starts from: the task, the outcome of each case, and what the learner saw."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Say what is meant by an answer of another type, or by a word that is no option."""
+"""Guess what the learner meant by an answer of a wrong type, or by a word that is no option."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Give a page all that it draws, drives and shows, through one line at its top:
+"""Provide what a page draws, runs and shows, as `lesson.…`: robots, scenes, panels, recordings.
 
     from tflab.workbook import lesson
 

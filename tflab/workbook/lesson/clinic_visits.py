@@ -1,4 +1,4 @@
-"""Admit patients in the language of the copy, and compare two orders of questions.
+"""Provide the diagnosis exercises for pages in the reader's language, and compare two orders of checks.
 
 ```
 admit(patient)            the complaint, the card, twelve minutes

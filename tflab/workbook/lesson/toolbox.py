@@ -1,4 +1,4 @@
-"""Put seven questions to seven tools on the current robot, with a verdict for each pair.
+"""Compare seven ROS 2 tools on the current robot: which of seven questions does each one answer?
 
 ```
 tools_panel()        put a question to a tool, in the language of the copy

@@ -1,4 +1,4 @@
-"""Decide which right results earn credit: those that a constant or a guess would not give.
+"""Decide which right results earn credit, so that a constant answer or a guess earns nothing.
 
     asked for      3.1   0.0  -2.4   0.0           [True, True]: two different results, and right
     always 0.0     0.0   0.0   0.0   0.0    right in two cases, but for one result only: no credit
