@@ -14,7 +14,7 @@ def draw_circles(rng):
     for place, is_left in enumerate((True, False, True, False, True, False)):
         radius = float(rng.choice([0.5, 0.8, 1.5, 2.0, 2.5]))
         speed = float(rng.choice([0.3, 0.4, 0.6, 0.7]))
-        angle = float(rng.uniform(0.4, 1.2)) if place % 3 else float(rng.uniform(1.8, 2.6)) + place  # 3: a whole lap
+        angle = float(rng.uniform(0.4, 1.2)) if place % 3 else float(rng.uniform(1.8, 2.6)) + place  # 3: most of a lap
         names = (("odom", "base_link"), ("robot1/odom", "robot1/base_link"), ("fleet/odom", "base_footprint"))[
             place % 3
         ]

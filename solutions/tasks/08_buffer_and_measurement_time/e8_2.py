@@ -34,8 +34,8 @@ def draw_samples(rng):
         yaw0 = -math.copysign(float(rng.uniform(0.2, 0.4)), size) if abs(way) == 2 else yaw0
         yaw1 = math.remainder(yaw0 + (size if abs(way) == 2 else (way or 1) * size), math.tau)
         rows.append((t0 + share * gap, (t0, x0, y0, yaw0), (t0 + gap, x1, y1, yaw1)))
-    far_s = 40.0 * float(rng.uniform(0.231, 0.238))  # samples so far apart that three digits of the ratio are too few
-    return [*rows, (far_s, (0.0, -30.0, 20.0, 0.4), (40.0, 30.0, -25.0, 1.1))]
+    far_s = 40.0 * float(rng.uniform(0.233, 0.237))  # samples so far apart that two digits of the ratio are too few
+    return [*rows, (far_s, (0.0, -4.0, 4.0, 0.4), (40.0, 4.0, -4.5, 1.1))]
 
 
 ORDERS = {"yaw before y": (0, 1, 3, 2), "yaw before x": (0, 2, 3, 1)}  # in which x, y and yaw stand in what was read
