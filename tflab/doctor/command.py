@@ -42,12 +42,7 @@ from .report.text import data_from_report, text_from_report
 
 __all__ = ["main"]
 
-FAILING = {
-    "error": ("error",),
-    "warning": ("error", "warning"),
-    "info": ("error", "warning", "info"),
-    "never": (),
-}
+FAILING = {"error": ("error",), "warning": ("error", "warning"), "info": ("error", "warning", "info"), "never": ()}
 
 DESCRIPTION = """\
 Say what is wrong with the TF of a recording, why, and what to type next.

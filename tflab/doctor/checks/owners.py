@@ -33,12 +33,7 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
     for edge in evidence.moving:
         named = _publishers_at_once(edge)
         if named:
-            facts = {
-                "evidence": _published_by(named),
-                "apart": "",
-                "count": len(edge),
-                "kind": _kind_of(edge),
-            }
+            facts = {"evidence": _published_by(named), "apart": "", "count": len(edge), "kind": _kind_of(edge)}
             span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
             continue
