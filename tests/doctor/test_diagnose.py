@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tflab.bags.recording import Headers, JointStates, recording_from_records
+from tflab.bags.recording import Connection, Headers, JointStates, QosProfile, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 from tflab.doctor import examine
@@ -571,3 +571,35 @@ def test_what_one_computer_publishes_late_is_one_finding():
     patient = replace(recording(MAP, *late, LASER), headers=(imu,))
     (finding,) = diagnose_recording(patient).of_severity("error", "warning")
     assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
+
+
+# -- what the recording says about its publishers --------------------------------------------------
+
+OFFER = QosProfile("keep_last", 10, "best_effort", "transient_local")
+
+
+def test_a_topic_without_a_message_points_at_the_quality_of_service():
+    silent = Connection("/tf", "tf2_msgs/msg/TFMessage", "", (OFFER,), 0)
+    odometry = headers("/odom", "nav_msgs/msg/Odometry", "odom")
+    patient = replace(recording(LASER), connections=(silent,), headers=(odometry,))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.topic, finding.facts["offer"]) == ("empty-topic", "/tf", "best_effort")
+    assert [effect.code for effect in finding.effects] == ["unknown-world-frame"]
+
+
+def test_two_publishers_of_one_topic_are_named_where_their_values_contradict_each_other():
+    offers = tuple(Connection(topic, "", "", (OFFER, OFFER), 1) for topic in ("/joint_states", "/tf_static"))
+    joints = JointStates("/joint_states", np.repeat(np.arange(9), 2), (("j",),) * 18, ((0.0,), (1.0,)) * 9)
+    mounts = [mount("base_link", name) for name in ("laser_frame", "imu")]
+    patient = recording(MAP, ODOM, *mounts, mount("base_link", "laser_frame", x=0.4, start_ms=2000))
+    message = np.where(patient.transforms.receive_ns < 1100 * MS, 0, np.arange(len(patient.transforms)))
+    together = replace(patient.transforms, message=message)  # one publisher sent the mounts in one message
+    patient = replace(patient, connections=offers, joint_states=(joints,), transforms=together)
+    assert alarming(patient) == {"two-joint-publishers", "two-owners"}
+    assert found(patient)["two-owners"].facts["apart"] == "0.200"
+
+
+def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_nodes():
+    late = edge("odom", "base_link", delay_ms=900, publisher="/base")
+    said = told(replace(recording(MAP, late, LASER), is_ros1=True), "late-stamps")
+    assert said.command == "rosrun tf tf_monitor odom base_link" and said.evidence.endswith("Published by /base.")

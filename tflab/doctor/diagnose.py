@@ -65,6 +65,8 @@ CHECKS = (
     Check("static transforms are there", statics.missing_statics, "recording"),
     Check("mounts repeated on /tf", statics.constant_on_tf),
     Check("motions on /tf_static", statics.moving_on_static, "arrival"),
+    Check("topics without messages", statics.empty_topics, "recording"),
+    Check("one owner for each joint", owners.several_joint_publishers, "recording"),
     Check("static transforms for late listeners", statics.volatile_statics, "recording"),
 )
 
@@ -79,6 +81,7 @@ EFFECTS_ON_CHILD = {
     "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
                    "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp", "expected-rate",
                    "expected-owners", "expected-mount"),
+    "two-joint-publishers": ("two-owners", "repeated-stamps", "unordered-stamps", "late-stamps"),
     "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
     "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
     "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
@@ -105,6 +108,7 @@ EFFECTS_ANYWHERE = {
     "volatile-static": ("statics-missing", "two-trees", "unknown-frame"),
     "statics-missing": ("two-trees", "unknown-frame"),
     "empty-name": ("two-trees",),
+    "empty-topic": ("statics-missing", "two-trees", "unknown-frame", "unknown-world-frame"),
     "loop": ("re-parented", "two-parents", "two-trees", "constant-on-tf", "early-stamps", "unknown-frame",
              "unknown-world-frame", "upside-down", "late-start"),
     "re-parented": ("two-trees", "upside-down"),
@@ -142,9 +146,28 @@ def diagnose_recording(recording: Recording) -> Report:
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
         told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
-        findings += [replace(finding, namespace=namespace) for finding in told]
+        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in told]
     made = tuple(check.name for check in CHECKS)
-    return Report(recording.name, recording.begin_ns, worst_first(findings), made, seen=_seen(recording))
+    return Report(
+        recording.name, recording.begin_ns, worst_first(_of_ros(findings, recording)), made, seen=_seen(recording)
+    )
+
+
+def _with_publishers(finding: Finding, evidence: Evidence) -> Finding:
+    """Return a finding with the nodes that publish its edge or topic, where the recording names them."""
+    names = [name for edge in evidence.moving if edge.child == finding.child for name in edge.publishers]
+    named = names or [c.publisher for c in evidence.connections if c.topic == finding.topic and not finding.child]
+    publishers = ", ".join(sorted(filter(None, set(named))))
+    has_said_so = not publishers or finding.code == "two-owners"
+    return finding if has_said_so else replace(finding, facts={**finding.facts, "publishers": publishers})
+
+
+def _of_ros(findings: list[Finding], recording: Recording) -> list[Finding]:
+    """Return findings as they are in the ROS of a recording: ROS 1 rejects rotations that ROS 2 normalises."""
+    if not recording.is_ros1:
+        return findings
+    ros1 = [replace(finding, is_ros1=True) for finding in findings]
+    return [replace(f, severity="error") if f.code == "not-unit-quaternion" else f for f in ros1]
 
 
 def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
@@ -255,6 +278,6 @@ def _report_without_transforms(recording: Recording, unreadable: list[Finding]) 
         topics = ", ".join(is_there)
         what = Text(f"In {topics} there are none.", f"다음 토픽에는 변환이 없습니다: {topics}.")
     facts = {"topics": ", ".join(names) or Text("nothing", "없음"), "what": what}
-    findings = worst_first([*unreadable, Finding("no-transforms", "error", facts=facts)])
+    findings = worst_first(_of_ros([*unreadable, Finding("no-transforms", "error", facts=facts)], recording))
     not_made = tuple(NotMade(check.name, Text("transforms", "변환")) for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

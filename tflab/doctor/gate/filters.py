@@ -49,7 +49,9 @@ def _with_effects(findings: Iterable[Finding], is_let_pass: Callable[[Finding], 
     for finding in findings:
         if is_let_pass(finding):
             yield None
-            effects = (replace(effect, namespace=finding.namespace) for effect in finding.effects)
+            effects = (
+                replace(effect, namespace=finding.namespace, is_ros1=finding.is_ros1) for effect in finding.effects
+            )
             yield from _with_effects(effects, is_let_pass)
         else:
             yield finding

@@ -49,6 +49,7 @@ class Description(NamedTuple):
     """What `sentences.yaml` holds of one code.
 
     Attributes:
+        ros1: the command in ROS 1, "" if it is the same.
         likely, open: what would settle it; at most one of the two is there.
         faults: those of the catalogue that the code names; none for a mere note.
     """
@@ -57,6 +58,7 @@ class Description(NamedTuple):
     evidence: Text
     cause: Text
     command: str
+    ros1: str = ""
     likely: Text | None = None
     open: Text | None = None
     faults: tuple[Fault, ...] = ()
@@ -74,8 +76,8 @@ def descriptions() -> dict[str, Description]:
     for code, node in compose_yaml(path).value:
         fields: dict[str, object] = {}
         for key, value in node.value:
-            if key.value == "command":
-                fields["command"] = value.value
+            if key.value in ("command", "ros1"):
+                fields[key.value] = value.value
             elif key.value == "faults":
                 fields["faults"] = tuple(Fault(fault.value) for fault in value.value)
             else:
@@ -102,10 +104,13 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
     if finding.siblings:
         likewise = Text("Likewise {names}.", "다음도 같습니다: {names}.")
         evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
+    if "publishers" in finding.facts:
+        evidence += Text(" Published by {publishers}.", " 발행자: {publishers}.").filled(**blanks).say(language)
     words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
     # a frame stands in quotes of its own, and a remedy is a command already
-    command = description.command.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
+    form = description.ros1 if finding.is_ros1 and description.ros1 else description.command
+    command = form.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
     if not finding.namespace:
         return Sentences(title, evidence, cause, command)
     if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf
