@@ -603,3 +603,14 @@ def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_node
     late = edge("odom", "base_link", delay_ms=900, publisher="/base")
     said = told(replace(recording(MAP, late, LASER), is_ros1=True), "late-stamps")
     assert said.command == "rosrun tf tf_monitor odom base_link" and said.evidence.endswith("Published by /base.")
+
+
+def test_an_image_in_a_body_frame_a_mount_in_degrees_and_latched_messages_that_replace_each_other_are_named():
+    optical = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
+    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0)))]
+    edges = [edge("base_link", child, 1, value=lambda i, pose=pose: pose, is_static=True) for child, pose in mounts]
+    edges.append(edge("camera", "camera_optical", 1, value=lambda i: optical, is_static=True, start_ms=1100))
+    patient = recording(MAP, ODOM, *([r._replace(publisher="/play") for r in records] for records in edges))
+    patient = replace(patient, headers=(headers("/image", "sensor_msgs/msg/Image", "camera"),))
+    assert alarming(patient) == {"image-in-body-frame", "mount-in-degrees", "latched-replaced"}
+    assert found(patient)["mount-in-degrees"].child == "laser_frame"

@@ -24,7 +24,14 @@ from ..evidence import Edge, Evidence
 from ..findings import Finding, first_of
 from .motion import LEAST_DIFFERENCE_M, distances, is_constant, steps_and_turns, unit
 
-__all__ = ["constant_on_tf", "empty_topics", "missing_statics", "moving_on_static", "volatile_statics"]
+__all__ = [
+    "constant_on_tf",
+    "empty_topics",
+    "missing_statics",
+    "moving_on_static",
+    "replaced_latched_messages",
+    "volatile_statics",
+]
 
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
@@ -135,6 +142,20 @@ def _takes_turns(poses: np.ndarray, is_change: np.ndarray) -> bool:
     """Return whether the values go back and forth between two."""
     told = poses[np.concatenate([[True], is_change])]
     return bool((distances(told[2:], told[:-2]) < LEAST_CHANGE_M).all())
+
+
+def replaced_latched_messages(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each latched publisher of ROS 1 whose last message lacks what an earlier one held."""
+    sent: dict[tuple[str, str], dict[int, set[str]]] = {}  # children of each message of a publisher
+    for edge in evidence.statics:
+        for message, number in zip(edge.message.tolist(), edge.publisher.tolist(), strict=True):
+            messages = sent.setdefault((edge.topic, edge.publishers[number]), {})
+            messages.setdefault(message, set()).add(edge.child)
+    for (topic, publisher), messages in sent.items():
+        lost = sorted(set().union(*messages.values()) - messages[max(messages)])
+        if publisher and lost:  # a rosbag2 names no publisher, and ROS 2 keeps as many messages as the depth
+            facts = {"count": len(messages), "lost": first_of(lost, MOST_SHOWN)}
+            yield Finding("latched-replaced", "warning", topic=topic, facts=facts)
 
 
 def empty_topics(evidence: Evidence) -> Iterator[Finding]:
