@@ -1,18 +1,20 @@
 """Run every check on a recording or a buffer, and separate causes from their effects.
 
 One cause has many effects: a misspelt name also makes two trees, two owners also bring stamps out of order.
-Only the cause is reported, with its effects in a line.
+Only the cause is reported, with its effects in a line. `diagnose.yaml` lists the effects of each cause.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
-from tflab.text import Text
+from tflab.text import Text, load_yaml
 
 from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
@@ -73,62 +75,6 @@ CHECKS = (
     Check("static transforms for late listeners", statics.volatile_statics, "recording"),
 )
 
-TIME_BASES = ("time-wall", "time-simulated", "time-uptime", "time-date", "time-frozen", "unset-stamps")
-OF_A_CLOCK = ("late-stamps", "early-stamps", "stamped-ahead", "messages-late", "messages-early")
-# cause: effects that it brings about on the same child or topic, and anywhere
-EFFECTS_ON_CHILD = {
-    **dict.fromkeys(TIME_BASES, (*OF_A_CLOCK, "gap", "unordered-stamps", "repeated-stamps", "clock-jump-back",
-                                 "clock-jump-forward", "future-stamp", "late-start", "went-silent")),
-    **dict.fromkeys(("clock-slow", "clock-fast"), (*OF_A_CLOCK, "expected-delay")),
-    **dict.fromkeys(("host-late", "host-early"), (*OF_A_CLOCK, "expected-delay")),
-    "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
-                   "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp", "expected-rate",
-                   "expected-owners", "expected-mount"),
-    "two-joint-publishers": ("two-owners", "repeated-stamps", "unordered-stamps", "late-stamps"),
-    "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
-    "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
-    "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
-    "moving-on-static": ("static-changed", "moving-and-static", "went-silent"),
-    "constant-on-tf": ("late-stamps", "early-stamps", "stamped-ahead", "late-start", "slow-edge"),
-    "repeated-stamps": ("unordered-stamps",),
-    "self-transform": ("loop", "two-parents", "re-parented"),
-    "future-stamp": ("unordered-stamps", "gap", "early-stamps"),
-    "clock-jump-back": ("late-stamps", "early-stamps", "unordered-stamps", "gap", "future-stamp"),
-    "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
-    "out-of-this-world": ("two-owners", "gap", "odom-jumps"),
-    "late-start": ("gap",),
-    "slow-edge": ("gap", "unordered-stamps", "expected-rate", "expected-silence"),
-    "gap": ("expected-silence",),
-    "went-silent": ("expected-silence",),
-    "late-stamps": ("expected-delay", "expected-silence"),
-    "static-changed": ("expected-mount",),
-    "expected-edge": ("two-trees", "re-parented"),
-}  # fmt: skip
-EFFECTS_ANYWHERE = {
-    "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame", "loop"),
-    "name-prefix": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
-    "name-slip": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
-    "volatile-static": ("statics-missing", "two-trees", "unknown-frame"),
-    "statics-missing": ("two-trees", "unknown-frame"),
-    "empty-name": ("two-trees",),
-    "empty-topic": ("statics-missing", "two-trees", "unknown-frame", "unknown-world-frame"),
-    "loop": ("re-parented", "two-parents", "two-trees", "constant-on-tf", "early-stamps", "unknown-frame",
-             "unknown-world-frame", "upside-down", "late-start"),
-    "re-parented": ("two-trees", "upside-down"),
-    "two-parents": ("two-trees", "upside-down"),
-    "clock-jump-back": ("messages-late", "messages-early", "unordered-stamps", "clock-offset", "late-stamps",
-                        "early-stamps", "future-stamp"),
-    "clock-jump-forward": ("messages-late", "messages-early", "clock-offset", "future-stamp"),
-    "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
-    "stall": ("late-stamps", "expected-silence"),
-    "tf-silent": ("expected-silence",),
-    "file-missing": ("stall", "tf-silent", "gap", "clock-jump-forward", "late-start", "statics-missing"),
-    "two-trees": ("unknown-frame", "unknown-world-frame"),
-}  # fmt: skip
-# what all edges of one node have, if one has it
-OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "stamped-ahead",
-               "slow-edge", "repeated-stamps", "unordered-stamps", "unset-stamps", "not-a-number", "zero-quaternion",
-               "not-unit-quaternion"}  # fmt: skip
 AT_ONCE_NS = NSEC_PER_SEC
 # what a buffer does not hold, by what a check needs
 NEEDS = {
@@ -138,6 +84,12 @@ NEEDS = {
     "raw": Text("what was sent, which a buffer corrects or refuses", "버퍼가 고치거나 거부하는, 발행된 그대로의 값"),
     "recording": Text("the other topics, which a buffer does not know", "버퍼에 없는 다른 토픽"),
 }
+
+
+@cache
+def effects_of() -> dict[str, dict[str, list[str]]]:
+    """Return the effects of each cause: those on the same edge or topic, and those anywhere."""
+    return load_yaml(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def diagnose_recording(recording: Recording) -> Report:
@@ -209,7 +161,7 @@ def _together(findings: list[Finding]) -> list[Finding]:
             effects = (*together[first].effects, *finding.effects)
             together[first] = replace(together[first], siblings=siblings, effects=effects)
             continue
-        if finding.code in OF_ONE_NODE:
+        if finding.code in effects_of()["of_one_node"]:
             firsts[key] = len(together)
         together.append(finding)
     return together
@@ -227,8 +179,10 @@ def _explains(cause: Finding, effect: Finding) -> bool:
         return False
     if cause.code == "time-wall" and effect.code == "late-start":  # a localiser waits for a pose that it can use
         return any("initialpose" in subject for subject in _subjects(cause))
-    on_child = _subjects(cause) & _subjects(effect) and effect.code in EFFECTS_ON_CHILD.get(cause.code, ())
-    return bool(on_child) or effect.code in EFFECTS_ANYWHERE.get(cause.code, ())
+    on_child = _subjects(cause) & _subjects(effect) and effect.code in effects_of()["on_the_same_edge_or_topic"].get(
+        cause.code, ()
+    )
+    return bool(on_child) or effect.code in effects_of()["anywhere"].get(cause.code, ())
 
 
 def _subjects(finding: Finding) -> set[str]:

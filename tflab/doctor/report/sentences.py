@@ -12,27 +12,13 @@ from pathlib import Path
 from typing import Literal, NamedTuple
 
 from tflab.robots.faults.catalogue import Fault
-from tflab.text import Text, compose_yaml, text_of_node
+from tflab.text import Text, Texts, compose_yaml, text_of_node
 
 from ..findings import Finding, first_of
 
 __all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "faults_of_code", "what_settles"]
 
-# who usually publishes an edge twice, by what the edge stands for
-OWNERS = {
-    "odometry": Text(
-        "wheel odometry and a filter, say; switch off one (often a parameter publish_tf)",
-        "예를 들어 바퀴 오도메트리와 필터입니다. 하나를 끄십시오(대개 파라미터 publish_tf)",
-    ),
-    "joint": Text(
-        "a driver and joint_state_publisher, or two robot_state_publishers; stop one",
-        "드라이버와 joint_state_publisher이거나 robot_state_publisher 둘입니다. 하나를 멈추십시오",
-    ),
-    "mount": Text(
-        "two robot descriptions, or a description and a static_transform_publisher; remove one",
-        "로봇 모델 둘이거나, 로봇 모델과 static_transform_publisher입니다. 하나를 없애십시오",
-    ),
-}
+TEXTS = Texts(str(Path(__file__).with_name("text")))
 MOST_SIBLINGS = 8  # that are named
 
 
@@ -97,15 +83,14 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
         "child": finding.child,
         "topic": finding.topic or "/tf",
         "frame": finding.child,
-        "who": OWNERS.get(str(finding.facts.get("kind")), ""),
+        "who": TEXTS.get(f"owners_of_{finding.facts.get('kind')}", ""),
         **finding.facts,
     }
     title, evidence, cause = (text.filled(**blanks).say(language) for text in description[:3])
     if finding.siblings:
-        likewise = Text("Likewise {names}.", "다음도 같습니다: {names}.")
-        evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
+        evidence += " " + TEXTS["likewise"].filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
     if "publishers" in finding.facts:
-        evidence += Text(" Published by {publishers}.", " 발행자: {publishers}.").filled(**blanks).say(language)
+        evidence += " " + TEXTS["published_by"].filled(**blanks).say(language)
     words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
     # a frame stands in quotes of its own, and a remedy is a command already
