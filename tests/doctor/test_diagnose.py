@@ -317,11 +317,15 @@ def test_an_edge_that_comes_once_a_second_and_moves_far_meanwhile_is_slow():
 
 def test_an_edge_that_begins_seconds_after_the_others_is_named():
     late = edge("odom", "base_link", start_ms=4000)
-    patient = recording(edge("map", "odom", 80, 100), late, HEALTHY[2])
-    finding = found(patient)["late-start"]
-    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "info")
-    needed = replace(patient, headers=(headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame"),))
-    assert found(needed)["late-start"].severity == "warning"
+    finding = found(recording(edge("map", "odom", 80, 100), late, HEALTHY[2]))["late-start"]
+    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "warning")
+
+
+@pytest.mark.parametrize(("frame", "severity"), [("laser_frame", "info"), ("map", "warning")])
+def test_a_localiser_that_begins_late_is_a_note_unless_messages_of_that_time_are_in_its_frame(frame, severity):
+    patient = recording(edge("map", "odom", 50, 100, start_ms=3000), ODOM, LASER)
+    patient = replace(patient, headers=(headers("/path", "nav_msgs/msg/Path", frame),))
+    assert found(patient)["late-start"].severity == severity
 
 
 def test_a_blocked_node_that_first_sends_what_it_had_in_hand_has_a_gap():

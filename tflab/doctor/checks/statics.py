@@ -164,7 +164,7 @@ def empty_topics(evidence: Evidence) -> Iterator[Finding]:
     for connection in evidence.connections:
         topic = connection.topic
         is_ours = topic.rpartition("/")[2] in ("tf", "tf_static") and namespace_of(topic) == evidence.namespace
-        if is_ours and topic not in heard:
+        if is_ours and not connection.count and topic not in heard:
             heard.add(topic)
             is_needed = evidence.named_by_messages - evidence.frames
             offers = sorted({qos.reliability for qos in connection.qos}) or [Text("unknown", "알 수 없음")]
