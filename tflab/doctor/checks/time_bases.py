@@ -173,7 +173,8 @@ def _usual_s(evidence: Evidence, source: Edge | Headers) -> float:
 
 
 def _is_far(evidence: Evidence, source: Edge | Headers) -> bool:
-    """Return whether a source is in another time base; of edges without stamps `unset_stamps` reports."""
+    """Return whether a source is in another time base, but for edges without stamps, which `unset_stamps` reports."""
     if not len(source.stamp_ns) or (isinstance(source, Edge) and not is_stamped(source)):
         return False
-    return abs(_usual_s(evidence, source)) * NSEC_PER_SEC > SAME_CLOCK_NS
+    # a clock that was set meanwhile is far for a part of the time only
+    return float(np.percentile(np.abs(evidence.delay_s(source)), 10)) * NSEC_PER_SEC > SAME_CLOCK_NS
