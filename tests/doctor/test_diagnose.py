@@ -6,11 +6,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tflab.bags.recording import Headers, JointStates, recording_from_records
+from tflab.bags.recording import Connection, Headers, JointStates, QosProfile, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 from tflab.doctor import examine
-from tflab.doctor.diagnose import EFFECTS_ANYWHERE, EFFECTS_ON_CHILD, diagnose_buffer, diagnose_recording
+from tflab.doctor.diagnose import diagnose_buffer, diagnose_recording, effects_of
 from tflab.doctor.report.sentences import describe
 from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
@@ -317,11 +317,15 @@ def test_an_edge_that_comes_once_a_second_and_moves_far_meanwhile_is_slow():
 
 def test_an_edge_that_begins_seconds_after_the_others_is_named():
     late = edge("odom", "base_link", start_ms=4000)
-    patient = recording(edge("map", "odom", 80, 100), late, HEALTHY[2])
-    finding = found(patient)["late-start"]
-    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "info")
-    needed = replace(patient, headers=(headers("/scan", "sensor_msgs/msg/LaserScan", "laser_frame"),))
-    assert found(needed)["late-start"].severity == "warning"
+    finding = found(recording(edge("map", "odom", 80, 100), late, HEALTHY[2]))["late-start"]
+    assert (finding.child, finding.facts["late"], finding.severity) == ("base_link", "3.000", "warning")
+
+
+@pytest.mark.parametrize(("frame", "severity"), [("laser_frame", "info"), ("map", "warning")])
+def test_a_localiser_that_begins_late_is_a_note_unless_messages_of_that_time_are_in_its_frame(frame, severity):
+    patient = recording(edge("map", "odom", 50, 100, start_ms=3000), ODOM, LASER)
+    patient = replace(patient, headers=(headers("/path", "nav_msgs/msg/Path", frame),))
+    assert found(patient)["late-start"].severity == severity
 
 
 def test_a_blocked_node_that_first_sends_what_it_had_in_hand_has_a_gap():
@@ -418,11 +422,9 @@ def test_a_clock_that_jumped_back_is_no_stamp_in_the_future_although_another_clo
 
 
 def test_no_two_causes_explain_each_other():
-    def explains(cause, effect):
-        return effect in EFFECTS_ON_CHILD.get(cause, ()) or effect in EFFECTS_ANYWHERE.get(cause, ())
-
-    codes = {*EFFECTS_ON_CHILD, *EFFECTS_ANYWHERE}
-    assert [(a, b) for a in codes for b in codes if explains(a, b) and explains(b, a)] == []
+    tables = [effects_of()[where] for where in ("on_the_same_edge_or_topic", "anywhere")]
+    explained = {(cause, effect) for table in tables for cause, effects in table.items() for effect in effects}
+    assert explained and not {(a, b) for a, b in explained if (b, a) in explained}
 
 
 def test_silences_of_one_edge_are_one_finding_with_the_moment_of_each():
@@ -571,3 +573,46 @@ def test_what_one_computer_publishes_late_is_one_finding():
     patient = replace(recording(MAP, *late, LASER), headers=(imu,))
     (finding,) = diagnose_recording(patient).of_severity("error", "warning")
     assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
+
+
+# -- what the recording says about its publishers --------------------------------------------------
+
+OFFER = QosProfile("keep_last", 10, "best_effort", "transient_local")
+
+
+def test_a_topic_without_a_message_points_at_the_quality_of_service():
+    silent = Connection("/tf", "tf2_msgs/msg/TFMessage", "", (OFFER,), 0)
+    odometry = headers("/odom", "nav_msgs/msg/Odometry", "odom")
+    patient = replace(recording(LASER), connections=(silent,), headers=(odometry,))
+    (finding,) = diagnose_recording(patient).of_severity("error", "warning")
+    assert (finding.code, finding.topic, finding.facts["offer"]) == ("empty-topic", "/tf", "best_effort")
+    assert [effect.code for effect in finding.effects] == ["unknown-world-frame"]
+
+
+def test_two_publishers_of_one_topic_are_named_where_their_values_contradict_each_other():
+    offers = tuple(Connection(topic, "", "", (OFFER, OFFER), 1) for topic in ("/joint_states", "/tf_static"))
+    joints = JointStates("/joint_states", np.repeat(np.arange(9), 2), (("j",),) * 18, ((0.0,), (1.0,)) * 9)
+    mounts = [mount("base_link", name) for name in ("laser_frame", "imu")]
+    patient = recording(MAP, ODOM, *mounts, mount("base_link", "laser_frame", x=0.4, start_ms=2000))
+    message = np.where(patient.transforms.receive_ns < 1100 * MS, 0, np.arange(len(patient.transforms)))
+    together = replace(patient.transforms, message=message)  # one publisher sent the mounts in one message
+    patient = replace(patient, connections=offers, joint_states=(joints,), transforms=together)
+    assert alarming(patient) == {"two-joint-publishers", "two-owners"}
+    assert found(patient)["two-owners"].facts["apart"] == "0.200"
+
+
+def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_nodes():
+    late = edge("odom", "base_link", delay_ms=900, publisher="/base")
+    said = told(replace(recording(MAP, late, LASER), is_ros1=True), "late-stamps")
+    assert said.command == "rosrun tf tf_monitor odom base_link" and said.evidence.endswith("Published by /base.")
+
+
+def test_an_image_in_a_body_frame_a_mount_in_degrees_and_latched_messages_that_replace_each_other_are_named():
+    optical = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
+    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0)))]
+    edges = [edge("base_link", child, 1, value=lambda i, pose=pose: pose, is_static=True) for child, pose in mounts]
+    edges.append(edge("camera", "camera_optical", 1, value=lambda i: optical, is_static=True, start_ms=1100))
+    patient = recording(MAP, ODOM, *([r._replace(publisher="/play") for r in records] for records in edges))
+    patient = replace(patient, headers=(headers("/image", "sensor_msgs/msg/Image", "camera"),))
+    assert alarming(patient) == {"image-in-body-frame", "mount-in-degrees", "latched-replaced"}
+    assert found(patient)["mount-in-degrees"].child == "laser_frame"

@@ -111,6 +111,7 @@ class Collector:
                 for topic, count in sorted(self._unreadable.items())
             ),
             unfinished=unfinished,
+            is_ros1=self._is_ros1,
         )
 
     def _handler(self, connection) -> Callable | None:

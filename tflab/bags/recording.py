@@ -160,7 +160,8 @@ class Recording:
         robot_description: the URDF that was published, "" if none.
         begin_ns, end_ns: first and last moment of receipt [ns].
         notes: what the reader had to pass over, in sentences.
-        unfinished: what it lacks if its recorder was killed.
+        unfinished: what it lacks if its recorder was killed, or a file of it is gone.
+        is_ros1: whether it comes from ROS 1.
     """
 
     name: str
@@ -175,6 +176,7 @@ class Recording:
     end_ns: int = 0
     notes: tuple[str, ...] = ()
     unfinished: Unfinished | None = None
+    is_ros1: bool = False
 
     def namespaces(self) -> tuple[str, ...]:
         """Return the namespaces with transforms, sorted: "" for /tf, "/robot1" for /robot1/tf."""

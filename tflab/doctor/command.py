@@ -21,7 +21,7 @@ from typing import NamedTuple
 
 from tflab.bags.errors import BagError
 from tflab.bags.recording import Recording
-from tflab.text import LANGUAGES, Text, language_of_tools
+from tflab.text import LANGUAGES, Text, language_of_tools, load_yaml
 
 from .api import NoRos, recording_from_ros
 from .diagnose import diagnose_recording, told_causes, worst_first
@@ -42,57 +42,13 @@ from .report.text import data_from_report, text_from_report
 
 __all__ = ["main"]
 
-FAILING = {
-    "error": ("error",),
-    "warning": ("error", "warning"),
-    "info": ("error", "warning", "info"),
-    "never": (),
-}
-
-DESCRIPTION = """\
-Say what is wrong with the TF of a recording, why, and what to type next.
-
-A bag is a rosbag2 directory, an .mcap or .db3 file, or a .bag of ROS 1. Nothing
-of ROS needs to be installed, and nothing is written but what you ask for.
-"""
-
-EPILOG = """\
-examples:
-  tflab doctor drive/                          what is wrong?
-  tflab doctor drive/ --html report.html       the same, to hand to a colleague
-  tflab doctor monday/ tuesday/                what changed between the two?
-  tflab doctor 'bags/*.mcap' --table           a line for each
-  tflab doctor --live 10                       a robot, for ten seconds (needs ROS 2)
-
-in CI:
-  tflab doctor good/ --write-expectations robot.toml      once; then edit the file
-  tflab doctor drive/ --expect robot.toml --fail-on warning --junit doctor.xml
-  tflab doctor drive/ --write-baseline known.json         live with what is known ...
-  tflab doctor drive/ --baseline known.json               ... and fail on what is new
-  tflab doctor drive/ --ignore unknown-frame:/diagnostics
-
-how to read a finding:
-  ERROR     lookups fail or are wrong: fix it
-  WARNING   somebody will notice, sooner or later
-  INFO      good to know
-  Also      what follows from it, and goes away with it
-  Sure      how sure that is, and what would settle it (nothing said: it is certain)
-  Next      the command to type on the robot
-
-exit status:
-  0  nothing as severe as --fail-on       1  something is
-  2  a bag cannot be read, or not to its end; a report not be written; or the words make no sense
-"""
+FAILING = {"error": ("error",), "warning": ("error", "warning"), "info": ("error", "warning", "info"), "never": ()}
 
 
 def options_from(words: Sequence[str]) -> argparse.Namespace:
     """Return what was asked for; what makes no sense ends the program with status 2."""
-    parser = argparse.ArgumentParser(
-        prog="tflab doctor",
-        description=DESCRIPTION,
-        epilog=EPILOG,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
+    texts = load_yaml(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))  # of --help
+    parser = argparse.ArgumentParser("tflab doctor", formatter_class=argparse.RawDescriptionHelpFormatter, **texts)
     parser.add_argument("bags", metavar="BAG", nargs="*", help="a recording; two are compared, more are a table")
     parser.add_argument("--live", metavar="SECONDS", type=_seconds, help="listen to the robot instead, through rclpy")
     parser.add_argument("--table", action="store_true", help="a line for each bag, also of one or two")

@@ -1,18 +1,20 @@
 """Run every check on a recording or a buffer, and separate causes from their effects.
 
 One cause has many effects: a misspelt name also makes two trees, two owners also bring stamps out of order.
-Only the cause is reported, with its effects in a line.
+Only the cause is reported, with its effects in a line. `diagnose.yaml` lists the effects of each cause.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cache
+from pathlib import Path
 from typing import NamedTuple
 
 from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
-from tflab.text import Text
+from tflab.text import Text, load_yaml
 
 from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
@@ -44,6 +46,8 @@ CHECKS = (
     Check("numbers", values.not_numbers, "raw"),
     Check("rotations", values.bad_rotations, "raw"),
     Check("optical frames", values.unturned_optical_frames),
+    Check("frames of images", values.images_in_body_frames, "recording"),
+    Check("mounts in degrees", values.mounts_in_degrees),
     Check("stamps that are not set", stamps.unset_stamps),
     Check("repeated stamps", stamps.repeated_stamps),
     Check("order of stamps", stamps.unordered_stamps, "arrival"),
@@ -65,73 +69,27 @@ CHECKS = (
     Check("static transforms are there", statics.missing_statics, "recording"),
     Check("mounts repeated on /tf", statics.constant_on_tf),
     Check("motions on /tf_static", statics.moving_on_static, "arrival"),
+    Check("latched messages", statics.replaced_latched_messages, "recording"),
+    Check("topics without messages", statics.empty_topics, "recording"),
+    Check("one owner for each joint", owners.several_joint_publishers, "recording"),
     Check("static transforms for late listeners", statics.volatile_statics, "recording"),
 )
 
-TIME_BASES = ("time-wall", "time-simulated", "time-uptime", "time-date", "time-frozen", "unset-stamps")
-OF_A_CLOCK = ("late-stamps", "early-stamps", "stamped-ahead", "messages-late", "messages-early")
-# cause: effects that it brings about on the same child or topic, and anywhere
-EFFECTS_ON_CHILD = {
-    **dict.fromkeys(TIME_BASES, (*OF_A_CLOCK, "gap", "unordered-stamps", "repeated-stamps", "clock-jump-back",
-                                 "clock-jump-forward", "future-stamp", "late-start", "went-silent")),
-    **dict.fromkeys(("clock-slow", "clock-fast"), (*OF_A_CLOCK, "expected-delay")),
-    **dict.fromkeys(("host-late", "host-early"), (*OF_A_CLOCK, "expected-delay")),
-    "two-owners": ("unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward", "late-stamps",
-                   "early-stamps", "static-changed", "moving-on-static", "gap", "future-stamp", "expected-rate",
-                   "expected-owners", "expected-mount"),
-    "two-parents": ("two-owners", "unordered-stamps", "repeated-stamps", "clock-jump-back", "clock-jump-forward"),
-    "re-parented": ("two-owners", "stamped-ahead", "early-stamps"),
-    "moving-and-static": ("constant-on-tf", "static-changed", "two-parents", "early-stamps", "stamped-ahead"),
-    "moving-on-static": ("static-changed", "moving-and-static", "went-silent"),
-    "constant-on-tf": ("late-stamps", "early-stamps", "stamped-ahead", "late-start", "slow-edge"),
-    "repeated-stamps": ("unordered-stamps",),
-    "self-transform": ("loop", "two-parents", "re-parented"),
-    "future-stamp": ("unordered-stamps", "gap", "early-stamps"),
-    "clock-jump-back": ("late-stamps", "early-stamps", "unordered-stamps", "gap", "future-stamp"),
-    "clock-jump-forward": ("late-stamps", "early-stamps", "gap", "future-stamp"),
-    "out-of-this-world": ("two-owners", "gap", "odom-jumps"),
-    "late-start": ("gap",),
-    "slow-edge": ("gap", "unordered-stamps", "expected-rate", "expected-silence"),
-    "gap": ("expected-silence",),
-    "went-silent": ("expected-silence",),
-    "late-stamps": ("expected-delay", "expected-silence"),
-    "static-changed": ("expected-mount",),
-    "expected-edge": ("two-trees", "re-parented"),
-}  # fmt: skip
-EFFECTS_ANYWHERE = {
-    "name-case": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame", "loop"),
-    "name-prefix": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
-    "name-slip": ("two-trees", "re-parented", "two-parents", "unknown-frame", "unknown-world-frame"),
-    "volatile-static": ("statics-missing", "two-trees", "unknown-frame"),
-    "statics-missing": ("two-trees", "unknown-frame"),
-    "empty-name": ("two-trees",),
-    "loop": ("re-parented", "two-parents", "two-trees", "constant-on-tf", "early-stamps", "unknown-frame",
-             "unknown-world-frame", "upside-down", "late-start"),
-    "re-parented": ("two-trees", "upside-down"),
-    "two-parents": ("two-trees", "upside-down"),
-    "clock-jump-back": ("messages-late", "messages-early", "unordered-stamps", "clock-offset", "late-stamps",
-                        "early-stamps", "future-stamp"),
-    "clock-jump-forward": ("messages-late", "messages-early", "clock-offset", "future-stamp"),
-    "clock-offset": ("late-stamps", "early-stamps", "messages-early", "messages-late"),
-    "stall": ("late-stamps", "expected-silence"),
-    "tf-silent": ("expected-silence",),
-    "file-missing": ("stall", "tf-silent", "gap", "clock-jump-forward", "late-start", "statics-missing"),
-    "two-trees": ("unknown-frame", "unknown-world-frame"),
-}  # fmt: skip
-# what all edges of one node have, if one has it
-OF_ONE_NODE = {"constant-on-tf", "late-start", "late-stamps", "early-stamps", "stamped-ahead",
-               "slow-edge", "repeated-stamps", "unordered-stamps", "unset-stamps", "not-a-number", "zero-quaternion",
-               "not-unit-quaternion"}  # fmt: skip
 AT_ONCE_NS = NSEC_PER_SEC
 # what a buffer does not hold, by what a check needs
 NEEDS = {
     "arrival": Text(
-        "the order and the times of arrival, which a buffer does not keep",
-        "버퍼가 보관하지 않는 도착 순서와 수신 시각",
+        "the order and the times of arrival, which a buffer does not keep", "버퍼가 보관하지 않는 도착 순서와 수신 시각"
     ),
     "raw": Text("what was sent, which a buffer corrects or refuses", "버퍼가 고치거나 거부하는, 발행된 그대로의 값"),
     "recording": Text("the other topics, which a buffer does not know", "버퍼에 없는 다른 토픽"),
 }
+
+
+@cache
+def effects_of() -> dict[str, dict[str, list[str]]]:
+    """Return the effects of each cause: those on the same edge or topic, and those anywhere."""
+    return load_yaml(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def diagnose_recording(recording: Recording) -> Report:
@@ -143,9 +101,28 @@ def diagnose_recording(recording: Recording) -> Report:
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
         told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
-        findings += [replace(finding, namespace=namespace) for finding in told]
+        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in told]
     made = tuple(check.name for check in CHECKS)
-    return Report(recording.name, recording.begin_ns, worst_first(findings), made, seen=_seen(recording))
+    return Report(
+        recording.name, recording.begin_ns, worst_first(_of_ros(findings, recording)), made, seen=_seen(recording)
+    )
+
+
+def _with_publishers(finding: Finding, evidence: Evidence) -> Finding:
+    """Return a finding with the nodes that publish its edge or topic, where the recording names them."""
+    names = [name for edge in evidence.moving if edge.child == finding.child for name in edge.publishers]
+    named = names or [c.publisher for c in evidence.connections if c.topic == finding.topic and not finding.child]
+    publishers = ", ".join(sorted(filter(None, set(named))))
+    has_said_so = not publishers or finding.code == "two-owners"
+    return finding if has_said_so else replace(finding, facts={**finding.facts, "publishers": publishers})
+
+
+def _of_ros(findings: list[Finding], recording: Recording) -> list[Finding]:
+    """Return findings as they are in the ROS of a recording: ROS 1 rejects rotations that ROS 2 normalises."""
+    if not recording.is_ros1:
+        return findings
+    ros1 = [replace(finding, is_ros1=True) for finding in findings]
+    return [replace(f, severity="error") if f.code == "not-unit-quaternion" else f for f in ros1]
 
 
 def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
@@ -184,7 +161,7 @@ def _together(findings: list[Finding]) -> list[Finding]:
             effects = (*together[first].effects, *finding.effects)
             together[first] = replace(together[first], siblings=siblings, effects=effects)
             continue
-        if finding.code in OF_ONE_NODE:
+        if finding.code in effects_of()["of_one_node"]:
             firsts[key] = len(together)
         together.append(finding)
     return together
@@ -202,8 +179,10 @@ def _explains(cause: Finding, effect: Finding) -> bool:
         return False
     if cause.code == "time-wall" and effect.code == "late-start":  # a localiser waits for a pose that it can use
         return any("initialpose" in subject for subject in _subjects(cause))
-    on_child = _subjects(cause) & _subjects(effect) and effect.code in EFFECTS_ON_CHILD.get(cause.code, ())
-    return bool(on_child) or effect.code in EFFECTS_ANYWHERE.get(cause.code, ())
+    on_child = _subjects(cause) & _subjects(effect) and effect.code in effects_of()["on_the_same_edge_or_topic"].get(
+        cause.code, ()
+    )
+    return bool(on_child) or effect.code in effects_of()["anywhere"].get(cause.code, ())
 
 
 def _subjects(finding: Finding) -> set[str]:
@@ -256,6 +235,6 @@ def _report_without_transforms(recording: Recording, unreadable: list[Finding]) 
         topics = ", ".join(is_there)
         what = Text(f"In {topics} there are none.", f"다음 토픽에는 변환이 없습니다: {topics}.")
     facts = {"topics": ", ".join(names) or Text("nothing", "없음"), "what": what}
-    findings = worst_first([*unreadable, Finding("no-transforms", "error", facts=facts)])
+    findings = worst_first(_of_ros([*unreadable, Finding("no-transforms", "error", facts=facts)], recording))
     not_made = tuple(NotMade(check.name, Text("transforms", "변환")) for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

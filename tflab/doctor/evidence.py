@@ -302,6 +302,10 @@ class Evidence:
             if np.isin(edge.stamp_ns[:MANY], joints.stamp_ns).mean() > 0.5
         }
 
+    def publishers_of(self, topic: str) -> int:
+        """Return how many publishers a topic had, as far as the recording tells."""
+        return sum(max(1, len(connection.qos)) for connection in self.connections if connection.topic == topic)
+
     def delay_s(self, edge: Edge | Headers) -> np.ndarray:
         """Return how late each message was received, the clocks' difference taken off [s]."""
         offset_s = (edge.receive_ns - edge.stamp_ns) / NSEC_PER_SEC

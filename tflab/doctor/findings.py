@@ -30,6 +30,7 @@ class Finding:
         effects: the findings that it explains; they need no fix of their own.
         siblings: other children of which the same is to be said: they come from one node, as a rule.
         namespace: of which robot, "" if its transforms are on /tf: "/robot1" for /robot1/tf.
+        is_ros1: whether the robot runs ROS 1, whose commands are others.
     """
 
     code: str
@@ -43,6 +44,7 @@ class Finding:
     effects: tuple[Finding, ...] = ()
     siblings: tuple[str, ...] = ()
     namespace: str = ""
+    is_ros1: bool = False
 
 
 def english(facts: dict[str, object]) -> dict[str, object]:

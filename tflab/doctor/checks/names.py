@@ -158,8 +158,14 @@ def misspelt_names(evidence: Evidence) -> Iterator[Finding]:
     for prefix, pairs in with_prefix.items():
         name, other = pairs[0]
         names = list(dict.fromkeys(name for pair in pairs for name in pair if name.startswith(prefix)))
-        facts = {"name": name, "other": other, "prefix": prefix, "names": first_of(names, MOST_NAMES)}
-        yield _finding_of(evidence, "name-prefix", name, facts)
+        without = [frame for frame in evidence.frames if not frame.startswith(prefix)]
+        is_odd = 2 * len(without) > len(
+            evidence.frames
+        )  # then most are without the prefix, and those with it stand out
+        facts = {"name": name, "other": other, "prefix": prefix, "names": first_of(names, MOST_NAMES),
+                 "with": len(evidence.frames) - len(without), "without": len(without)}  # fmt: skip
+        odd = (n for n in pairs[0] if n.startswith(prefix) == is_odd and n in evidence.frames)
+        yield _finding_of(evidence, "name-prefix", next(odd, name), facts)
 
 
 def slashes_in_messages(evidence: Evidence) -> Iterator[Finding]:

@@ -22,9 +22,10 @@ from ..evidence import Edge, Evidence
 from ..findings import Finding
 from .motion import LEAST_DIFFERENCE_M, distances, two_stories, unit
 
-__all__ = ["owners_of_both_kinds", "several_owners", "several_static_owners"]
+__all__ = ["owners_of_both_kinds", "several_joint_publishers", "several_owners", "several_static_owners"]
 
 MOST_SHOWN = 3
+FEWEST_CONTRADICTIONS = 3
 ODOMETRY = re.compile(r"(^|[/_])(map|odom|world|earth)")
 
 
@@ -33,12 +34,7 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
     for edge in evidence.moving:
         named = _publishers_at_once(edge)
         if named:
-            facts = {
-                "evidence": _published_by(named),
-                "apart": "",
-                "count": len(edge),
-                "kind": _kind_of(edge),
-            }
+            facts = {"evidence": _published_by(named), "apart": "", "count": len(edge), "kind": _kind_of(edge)}
             span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
             continue
@@ -65,6 +61,22 @@ def several_static_owners(evidence: Evidence) -> Iterator[Finding]:
             facts = {"evidence": _published_by(sorted(edge.publishers)), "apart": f"{apart_m.max():.3f}",
                      "count": len(edge), "kind": "mount"}  # fmt: skip
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, facts=facts)
+
+
+def several_joint_publishers(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each topic of joint states on which two publishers contradict each other."""
+    for joints in evidence.joint_states:
+        states: dict[int, dict[str, float]] = {}
+        contradictions = 0
+        for stamp_ns, names, positions in zip(joints.stamp_ns.tolist(), joints.names, joints.positions, strict=True):
+            state = dict(zip(names, positions, strict=False))
+            before = states.setdefault(stamp_ns, state)
+            contradictions += any(before[name] != state[name] for name in before.keys() & state.keys())
+        publishers = evidence.publishers_of(joints.topic)
+        if publishers > 1 and contradictions >= FEWEST_CONTRADICTIONS:
+            facts = {"count": contradictions, "publishers_count": publishers}
+            siblings = tuple(sorted(evidence.stamped_by_joint_states))
+            yield Finding("two-joint-publishers", "error", topic=joints.topic, facts=facts, siblings=siblings)
 
 
 def owners_of_both_kinds(evidence: Evidence) -> Iterator[Finding]:

@@ -97,12 +97,14 @@ def late_starts(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _is_needed(evidence: Evidence, edge: Edge) -> bool:
-    """Return whether messages from before an edge began are in a frame that only this edge connects to the rest."""
-    is_localiser = edge.usual_parent not in evidence.parent_of  # at the top: whoever is below it has a tree already
+    """Return whether lookups from before an edge began need it: all but a localiser's, if nothing was in its frame."""
+    is_top = edge.usual_parent not in evidence.parent_of
+    if not is_top or not any(other.usual_parent == edge.child for other in evidence.moving):
+        return True
     for header in evidence.headers:
         for number in np.unique(header.frame[header.receive_ns < edge.receive_ns[0]]).tolist():
             frame = header.frames[number].removeprefix("/")
-            if frame in evidence.frames and evidence.is_below(frame, edge.child) != is_localiser:
+            if frame in evidence.frames and not evidence.is_below(frame, edge.child):
                 return True
     return False
 

@@ -171,7 +171,8 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
                 yield _finding(edge, "stamped-ahead", "info", int(odd[0]), int(odd[-1]), facts)
             else:
                 code = "time-tai" if _is_tai(odd_s) else code
-                yield _finding(edge, code, _severity_of_delay(odd_s), int(odd[0]), int(odd[-1]), facts)
+                severity, facts["never"] = _severity_of_delay(odd_s)
+                yield _finding(edge, code, severity, int(odd[0]), int(odd[-1]), facts)
 
 
 def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
@@ -189,18 +190,25 @@ def odd_message_delays(evidence: Evidence) -> Iterator[Finding]:
 
     for group in in_groups(odd, is_one_device):
         usual_s = group[0][0]
-        facts = {"delay": f"{abs(usual_s):.3f}", "count": sum(len(header.stamp_ns) for _, header in group)}
+        severity, never = _severity_of_delay(usual_s)
+        count = sum(len(header.stamp_ns) for _, header in group)
+        facts = {"delay": f"{abs(usual_s):.3f}", "count": count, "never": never}
         code = "messages-late" if usual_s > 0.0 else "time-tai" if _is_tai(usual_s) else "messages-early"
-        yield finding_of_sources(code, _severity_of_delay(usual_s), [header for _, header in group], facts)
+        yield finding_of_sources(code, severity, [header for _, header in group], facts)
 
 
 def _is_tai(delay_s: float) -> bool:
     return abs(delay_s + TAI_S) < SWEEP_S + TAI_SLACK_S
 
 
-def _severity_of_delay(delay_s: float) -> Severity:
-    """Return "error" for what can never be looked up: it is forgotten when it comes, or always ahead."""
-    return "error" if delay_s > CACHE_S or delay_s < -FUTURE_S else "warning"
+def _severity_of_delay(delay_s: float) -> tuple[Severity, Text | str]:
+    """Return "error", and why, for what can never be looked up."""
+    if delay_s > CACHE_S:
+        text = f" tf2 keeps {CACHE_S:.0f} s: no lookup combines it with the others."
+        return "error", Text(text, f" tf2의 보관 시간은 {CACHE_S:.0f} s이므로 다른 변환과 함께 조회할 수 없습니다.")
+    if delay_s < -FUTURE_S:
+        return "error", Text(" No lookup waits so long.", " 이만큼 기다리는 조회는 없습니다.")
+    return "warning", ""
 
 
 def _usual_delay_s(source: Edge | Headers, delay_s: np.ndarray) -> float:

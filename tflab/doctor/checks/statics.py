@@ -22,9 +22,16 @@ from tflab.text import Text
 
 from ..evidence import Edge, Evidence
 from ..findings import Finding, first_of
-from .motion import LEAST_DIFFERENCE_M, distances, is_constant, unit
+from .motion import LEAST_DIFFERENCE_M, distances, is_constant, steps_and_turns, unit
 
-__all__ = ["constant_on_tf", "missing_statics", "moving_on_static", "volatile_statics"]
+__all__ = [
+    "constant_on_tf",
+    "empty_topics",
+    "missing_statics",
+    "moving_on_static",
+    "replaced_latched_messages",
+    "volatile_statics",
+]
 
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
@@ -76,6 +83,9 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         changes = int(is_change.sum())
         if not changes or apart_m < LEAST_CHANGE_M:
             continue
+        if changes == 1 and _was_replaced(evidence, edge, int(rows[int(np.argmax(is_change)) + 1])):
+            yield _finding_of_replacement(edge, poses)
+            continue
         if changes == 1:
             moment_ns = int(edge.receive_ns[rows[int(np.argmax(is_change)) + 1]])
             changed_at.setdefault(moment_ns // TOGETHER_NS, []).append((edge, apart_m))
@@ -108,10 +118,57 @@ def _finding_of_changes(changed: list[tuple[Edge, float]]) -> Finding:
     return Finding("static-changed", "warning", parent, child, edge.topic, *span, facts)
 
 
+def _finding_of_replacement(edge: Edge, poses: np.ndarray) -> Finding:
+    (moved_m,), (turned_rad,) = steps_and_turns(poses[-1:], poses[:1])
+    apart = f"{moved_m:.3f} m, {turned_rad:.3f} rad"
+    told = Text(
+        f"two publishers of {edge.topic} disagree by {apart}; the last value stays",
+        f"{edge.topic} 토픽의 두 발행자가 다른 값을 발행하고(차이 {apart}), 마지막 값이 남습니다",
+    )
+    facts = {"evidence": told, "kind": "mount", "count": len(edge), "apart": f"{moved_m:.3f}"}
+    span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
+    return Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
+
+
+def _was_replaced(evidence: Evidence, edge: Edge, row: int) -> bool:
+    """Return whether another publisher sent the new value: a broadcaster sends all of its transforms again with it."""
+    before, after = edge.message[row - 1], edge.message[row]
+    sent_before = {other.child for other in evidence.statics if before in other.message}
+    sent_after = {other.child for other in evidence.statics if after in other.message}
+    return evidence.publishers_of(edge.topic) > 1 and not sent_before <= sent_after
+
+
 def _takes_turns(poses: np.ndarray, is_change: np.ndarray) -> bool:
     """Return whether the values go back and forth between two."""
     told = poses[np.concatenate([[True], is_change])]
     return bool((distances(told[2:], told[:-2]) < LEAST_CHANGE_M).all())
+
+
+def replaced_latched_messages(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each latched publisher of ROS 1 whose last message lacks what an earlier one held."""
+    sent: dict[tuple[str, str], dict[int, set[str]]] = {}  # children of each message of a publisher
+    for edge in evidence.statics:
+        for message, number in zip(edge.message.tolist(), edge.publisher.tolist(), strict=True):
+            messages = sent.setdefault((edge.topic, edge.publishers[number]), {})
+            messages.setdefault(message, set()).add(edge.child)
+    for (topic, publisher), messages in sent.items():
+        lost = sorted(set().union(*messages.values()) - messages[max(messages)])
+        if publisher and lost:  # a rosbag2 names no publisher, and ROS 2 keeps as many messages as the depth
+            facts = {"count": len(messages), "lost": first_of(lost, MOST_SHOWN)}
+            yield Finding("latched-replaced", "warning", topic=topic, facts=facts)
+
+
+def empty_topics(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each topic of transforms that was recorded without a message."""
+    heard = {topic for *_, topic in evidence.raw_names}
+    for connection in evidence.connections:
+        topic = connection.topic
+        is_ours = topic.rpartition("/")[2] in ("tf", "tf_static") and namespace_of(topic) == evidence.namespace
+        if is_ours and not connection.count and topic not in heard:
+            heard.add(topic)
+            is_needed = evidence.named_by_messages - evidence.frames
+            offers = sorted({qos.reliability for qos in connection.qos}) or [Text("unknown", "알 수 없음")]
+            yield Finding("empty-topic", "error" if is_needed else "warning", topic=topic, facts={"offer": offers[0]})
 
 
 def volatile_statics(evidence: Evidence) -> Iterator[Finding]:

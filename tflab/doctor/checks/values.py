@@ -10,6 +10,7 @@ optical frame, not turned z must look ahead and x to the right (REP-103)
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 import numpy as np
@@ -17,10 +18,12 @@ import numpy as np
 from ..evidence import Edge, Evidence
 from ..findings import Finding
 
-__all__ = ["bad_rotations", "not_numbers", "unturned_optical_frames"]
+__all__ = ["bad_rotations", "images_in_body_frames", "mounts_in_degrees", "not_numbers", "unturned_optical_frames"]
 
 LENGTH_TOLERANCE = 1e-3  # of a quaternion: rounding to float32 gives 1e-7, careless drivers 1e-4
 TURN_TOLERANCE_RAD = 0.02
+DEGREES = range(5, 365, 5)  # people give such angles, and no such number of radians
+DEGREES_TOLERANCE = 1e-6  # [rad]
 EARTH_M = 1e7  # nothing on the earth is further from its centre
 
 
@@ -53,6 +56,32 @@ def unturned_optical_frames(evidence: Evidence) -> Iterator[Finding]:
             continue
         turn_rad = 2.0 * np.arccos(np.clip(np.abs(edge.numbers[:, 6]) / np.maximum(edge.norm, 1e-12), 0.0, 1.0))
         yield from _finding_where(edge, edge.is_usable & (turn_rad < TURN_TOLERANCE_RAD), "optical-unturned", "warning")
+
+
+def images_in_body_frames(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each frame of images below which there is an optical frame, in which they should be."""
+    optical = {edge.usual_parent: edge.child for edge in evidence.edges() if "optical" in edge.child}
+    topics: dict[str, list[str]] = {}
+    for header in evidence.headers:
+        for frame in header.frames if re.search(r"Image|CameraInfo", header.msgtype) else ():
+            if frame in optical and "optical" not in frame:
+                topics.setdefault(frame, []).append(header.topic)
+    for frame, names in topics.items():
+        facts = {"name": frame, "optical": optical[frame], "topics": ", ".join(names)}
+        yield Finding("image-in-body-frame", "warning", topic=names[0], facts=facts)
+
+
+def mounts_in_degrees(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each mount that is rotated about one axis by radians that were meant as degrees."""
+    for edge in evidence.statics:
+        x, y, z, w = np.abs(edge.numbers[-1, 3:])
+        axis = max(x, y, z)
+        angle_rad = 2.0 * float(np.arctan2(axis, w))
+        for degrees in DEGREES if edge.is_usable[-1] and x + y + z - axis < DEGREES_TOLERANCE else ():
+            off_rad = abs(np.arccos(np.cos(degrees)) - angle_rad)
+            if off_rad < DEGREES_TOLERANCE:
+                facts = {"degrees": degrees, "turned": f"{np.degrees(angle_rad):.1f}"}
+                yield Finding("mount-in-degrees", "warning", edge.usual_parent, edge.child, edge.topic, facts=facts)
 
 
 def _finding_where(edge: Edge, is_bad: np.ndarray, code: str, severity, facts: dict | None = None) -> Iterator[Finding]:

@@ -12,7 +12,7 @@ figures.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -35,24 +35,15 @@ def fingerprint(finding: Finding) -> str:
 def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> Report:
     """Return a report without the findings that are let pass; the effects of these are findings of their own again."""
     patterns, known = list(patterns), set(baseline)
-    kept, passed = [], report.let_pass
-    for finding in _with_effects(report.findings, lambda f: fingerprint(f) in known or _is_ignored(f, patterns)):
-        if finding is None:
+    rest, kept, passed = list(report.findings), [], report.let_pass
+    while rest:
+        finding = rest.pop(0)
+        if fingerprint(finding) in known or _is_ignored(finding, patterns):
             passed += 1
+            rest[:0] = [replace(e, namespace=finding.namespace, is_ros1=finding.is_ros1) for e in finding.effects]
         else:
             kept.append(finding)
     return replace(report, findings=tuple(kept), let_pass=passed)
-
-
-def _with_effects(findings: Iterable[Finding], is_let_pass: Callable[[Finding], bool]) -> Iterator[Finding | None]:
-    """Yield the findings that stay, and None for each that is let pass."""
-    for finding in findings:
-        if is_let_pass(finding):
-            yield None
-            effects = (replace(effect, namespace=finding.namespace) for effect in finding.effects)
-            yield from _with_effects(effects, is_let_pass)
-        else:
-            yield finding
 
 
 def baseline_from(reports: Iterable[Report]) -> str:

@@ -13,27 +13,13 @@ from typing import Literal, NamedTuple
 
 from tflab.robots.faults.catalogue import Fault
 from tflab.ros import distro
-from tflab.text import Text, compose_yaml, text_of_node
+from tflab.text import Text, Texts, compose_yaml, text_of_node
 
 from ..findings import Finding, first_of
 
 __all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "faults_of_code", "what_settles"]
 
-# who usually publishes an edge twice, by what the edge stands for
-OWNERS = {
-    "odometry": Text(
-        "wheel odometry and a filter, say; switch off one (often a parameter publish_tf)",
-        "예를 들어 바퀴 오도메트리와 필터입니다. 하나를 끄십시오(대개 파라미터 publish_tf)",
-    ),
-    "joint": Text(
-        "a driver and joint_state_publisher, or two robot_state_publishers; stop one",
-        "드라이버와 joint_state_publisher이거나 robot_state_publisher 둘입니다. 하나를 멈추십시오",
-    ),
-    "mount": Text(
-        "two robot descriptions, or a description and a static_transform_publisher; remove one",
-        "로봇 모델 둘이거나, 로봇 모델과 static_transform_publisher입니다. 하나를 없애십시오",
-    ),
-}
+TEXTS = Texts(str(Path(__file__).with_name("text")))
 MOST_SIBLINGS = 8  # that are named
 
 
@@ -50,6 +36,7 @@ class Description(NamedTuple):
     """What `sentences.yaml` holds of one code.
 
     Attributes:
+        ros1: the command in ROS 1, "" if it is the same.
         likely, open: what would settle it; at most one of the two is there.
         faults: those of the catalogue that the code names; none for a mere note.
     """
@@ -58,6 +45,7 @@ class Description(NamedTuple):
     evidence: Text
     cause: Text
     command: str
+    ros1: str = ""
     likely: Text | None = None
     open: Text | None = None
     faults: tuple[Fault, ...] = ()
@@ -75,8 +63,8 @@ def descriptions() -> dict[str, Description]:
     for code, node in compose_yaml(path).value:
         fields: dict[str, object] = {}
         for key, value in node.value:
-            if key.value == "command":
-                fields["command"] = value.value
+            if key.value in ("command", "ros1"):
+                fields[key.value] = value.value
             elif key.value == "faults":
                 fields["faults"] = tuple(Fault(fault.value) for fault in value.value)
             else:
@@ -96,17 +84,19 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
         "child": finding.child,
         "topic": finding.topic or "/tf",
         "frame": finding.child,
-        "who": OWNERS.get(str(finding.facts.get("kind")), ""),
+        "who": TEXTS.get(f"owners_of_{finding.facts.get('kind')}", ""),
         **finding.facts,
     }
     title, evidence, cause = (text.filled(**blanks).say(language) for text in description[:3])
     if finding.siblings:
-        likewise = Text("Likewise {names}.", "다음도 같습니다: {names}.")
-        evidence += " " + likewise.filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
+        evidence += " " + TEXTS["likewise"].filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
+    if "publishers" in finding.facts:
+        evidence += " " + TEXTS["published_by"].filled(**blanks).say(language)
     words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
     quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
     # a frame stands in quotes of its own, and a remedy is a command already
-    command = description.command.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
+    form = description.ros1 if finding.is_ros1 and description.ros1 else description.command
+    command = form.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
     if not distro.current().record_takes_names:
         command = command.replace("bag record /", "bag record --topics /")
     if not finding.namespace:
