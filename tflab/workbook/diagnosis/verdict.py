@@ -328,6 +328,8 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     if tip := _tip_of(form, outcome):
         return tip
     body = inside(outcome)
+    if isinstance(body, list) and body and all(isinstance(held, str) for held in body):
+        return {"got": f"{kind_of(outcome)}, holding str"}  # numbers that were formatted as text
     if not (isinstance(form, Tree) and isinstance(body, dict)):
         return {}
     odd = next((held for held in body.values() if not isinstance(held, str)), None)
