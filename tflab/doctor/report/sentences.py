@@ -19,7 +19,7 @@ from ..findings import Finding, first_of
 
 __all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "faults_of_code", "what_settles"]
 
-TEXTS = Texts(str(Path(__file__).with_name("text")))
+TEXTS = Texts(str(Path(__file__).with_name("evidence")))
 MOST_SIBLINGS = 8  # that are named
 
 
