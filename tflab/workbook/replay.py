@@ -52,11 +52,12 @@ def describe_call(assigned: AssignedTask, number: int, outcome: Plain) -> str:
     case = assigned.variant.cases[number]
     form, path, *values = differing(assigned.cases.form, return_value(outcome), case.expected)
     got, expected = (_shown_value(form, value) for value in values)
-    if got == expected:  # to three decimals
+    is_alike = form.alike(*values)  # what is wrong is not the result, but what became of an argument
+    if got == expected and not is_alike:  # to three decimals
         got, expected = map(str, values)
     place = assigned.phrase("differs_at", path=path) if path else ""
     call = show_call(assigned, number)
-    said = assigned.phrase("case", call=call, place=place, got=got, expected=expected)
+    said = assigned.phrase("alike" if is_alike else "case", call=call, place=place, got=got, expected=expected)
     return said if _literals(list(map(from_plain, case.args))) else f"{said} {assigned.phrase('get_call')}"
 
 

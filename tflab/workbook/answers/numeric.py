@@ -58,7 +58,7 @@ class Number(NumberForm):
         off = abs(have - want)
         if off < 0.1 * abs(want):
             return Text(f"{side.en}, by less than a tenth", f"10% 이내의 차이로 {side.ko}")
-        if off < abs(want):
+        if off <= abs(want):
             return Text(f"{side.en}, by more than a tenth", f"10% 넘는 차이로 {side.ko}")
         return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
 

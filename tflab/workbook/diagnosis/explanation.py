@@ -38,10 +38,11 @@ class Explanation(NamedTuple):
 
 def and_then(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
+    besides = TEXTS["sign_too"] if set(then.mistakes) == {"sign"} else then.said  # the size is not right any more
     said = (
-        TEXTS["and_then"].filled(first=first.said, then=then.said)
+        TEXTS["and_then"].filled(first=first.said, then=besides)
         if len(first.mistakes) == 1
-        else _in_a_row(first.said, then.said)
+        else _in_a_row(first.said, besides)
     )
     return Explanation(first.mistakes | then.mistakes, said, first.follows)
 
@@ -51,6 +52,7 @@ def describe(task: TaskCases, names: Sequence[str]) -> Text:
     said = [feedback_of(task, name).reply for name in names]
     if len(said) == 1:
         return said[0]
+    said[1:] = [TEXTS["sign_too"] if name == "sign" else words for name, words in zip(names[1:], said[1:], strict=True)]
     if len(said) == 2:
         return TEXTS["two_together"].filled(first=said[0], then=said[1])
     return TEXTS["three_together"].filled(first=said[0], then=said[1], last=said[2])
@@ -132,8 +134,9 @@ def _merged(found: Sequence[Found]) -> list[Found]:
 
 def _follows(found: Found) -> set[str]:
     """Return the parts that are wrong only because of a mistake in another part."""
-    made_in = {words.part for words in found.mistakes.values()} - {""}
-    return found.parts - made_in if found.is_whole and made_in & found.parts else set()
+    made_in = {words.part for words in found.mistakes.values()}
+    is_placed = "" not in made_in  # a mistake of no certain part is made in each of them
+    return found.parts - made_in if found.is_whole and is_placed and made_in & found.parts else set()
 
 
 def _where(words: Text, parts: set[str], names: Sequence[str]) -> Text:
