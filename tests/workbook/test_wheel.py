@@ -57,7 +57,7 @@ def test_a_copy_from_the_wheel_is_the_copy_from_the_repository(installed: Path, 
     from_the_wheel = contents(tmp_path / "empty" / "tflab_workbook")
     assert from_the_wheel == contents(lay_out(tmp_path / "from_the_repository", "ko"))
     assert {f"exercises/ko/E{stem}.ipynb" for stem in chapters()} <= set(from_the_wheel)
-    assert "check를 통과해야만" in run(installed, tmp_path / "empty", "progress")
+    assert "다음 과제: E1.1" in run(installed, tmp_path / "empty", "progress")
 
 
 def test_the_wheel_has_the_solutions_that_a_pass_opens_and_no_page_sources(installed: Path) -> None:

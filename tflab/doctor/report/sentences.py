@@ -7,6 +7,7 @@ finding. A fact that holds words is a Text.
 from __future__ import annotations
 
 import shlex
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
 from typing import Literal, NamedTuple
@@ -92,18 +93,24 @@ def describe(finding: Finding, language: str = "en") -> Sentences:
         evidence += " " + TEXTS["likewise"].filled(names=first_of(finding.siblings, MOST_SIBLINGS)).say(language)
     if "publishers" in finding.facts:
         evidence += " " + TEXTS["published_by"].filled(**blanks).say(language)
-    words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
-    quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
-    # a frame stands in quotes of its own, and a remedy is a command already
-    form = description.ros1 if finding.is_ros1 and description.ros1 else description.command
-    command = form.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
-    if not distro.current().record_takes_names:
-        command = command.replace("bag record /", "bag record --topics /")
+    command = _command_of(finding, description, blanks)
     if not finding.namespace:
         return Sentences(title, evidence, cause, command)
     if command.startswith("ros2 run tf2_"):  # the tools of tf2 listen to /tf
         command += f" --ros-args -r /tf:={finding.namespace}/tf -r /tf_static:={finding.namespace}/tf_static"
     return Sentences(f"{finding.namespace}: {title}", evidence, cause, command)
+
+
+def _command_of(finding: Finding, description: Description, blanks: Mapping[str, object]) -> str:
+    """Return the command to type next, in the words of the recording's ROS."""
+    words = {name: value.en if isinstance(value, Text) else str(value) for name, value in blanks.items()}
+    quoted = {name: shlex.quote(word) for name, word in words.items()}  # a name may hold spaces, or a shell's signs
+    # a frame stands in quotes of its own, and a remedy is a command already
+    form = description.ros1 if finding.is_ros1 and description.ros1 else description.command
+    command = form.format(**quoted | {name: words.get(name, "") for name in ("frame", "remedy")})
+    if distro.current().record_takes_names:
+        return command
+    return command.replace("bag record /", "bag record --topics /")
 
 
 def certainty_of(code: str) -> Literal["certain", "likely", "open"]:

@@ -16,7 +16,7 @@ import difflib
 import json
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import lru_cache
 from itertools import islice, product
 from typing import Any, ClassVar
@@ -42,7 +42,7 @@ class Choice(Form):
     """
 
     options: tuple[str, ...] = ()
-    are_frames: bool = False
+    are_frames: bool = field(default=False, kw_only=True)
     mistakes: ClassVar = ("no_name", "several", "a_class", "an_error")
 
     def probes(self, plain: Plain) -> list[Probe] | None:

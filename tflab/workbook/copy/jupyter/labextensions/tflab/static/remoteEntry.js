@@ -79,12 +79,14 @@
   }
 
   // What the first cell brings along: of anything else, a word that is not found is a slip.
-  const MAGICS = /magic function `%(ros2|rviz2)` not found/;
+  const MAGICS = /magic function `%(ros2|rviz2|turtlesim)` not found/;
   const PACKAGES = new Set([
-    "action_msgs", "builtin_interfaces", "diagnostic_msgs", "example_interfaces", "geometry_msgs", "lifecycle_msgs",
-    "message_filters", "nav_msgs", "rcl_interfaces", "rclpy", "rosgraph_msgs", "sensor_msgs", "sensor_msgs_py",
-    "std_msgs", "std_srvs", "tf2_geometry_msgs", "tf2_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs", "trajectory_msgs",
-    "unique_identifier_msgs", "visualization_msgs",
+    "action_msgs", "actionlib_msgs", "ament_index_python", "builtin_interfaces", "cv_bridge", "diagnostic_msgs",
+    "example_interfaces", "geometry_msgs", "launch", "launch_ros", "lifecycle_msgs", "message_filters", "nav_msgs",
+    "rcl_interfaces", "rclpy", "rosgraph_msgs", "sensor_msgs", "sensor_msgs_py", "service_msgs", "shape_msgs",
+    "std_msgs", "std_srvs", "stereo_msgs", "tf2_geometry_msgs", "tf2_msgs", "tf2_py", "tf2_ros", "tf2_sensor_msgs",
+    "tf_transformations", "trajectory_msgs", "turtlesim", "type_description_interfaces", "unique_identifier_msgs",
+    "visualization_msgs",
   ]);
 
   // Once the first cell has run, tflab itself says what to do about a name that is not there, in an output of its own.
