@@ -75,6 +75,10 @@ ANSWERS = {
         map_T_laser @ base_T_laser.inverse(), odom_T_base
     )
     for name, of_the_base in OF_THE_BASE.items()
+} | {
+    "inverses exchanged": lambda map_T_laser, odom_T_base, base_T_laser: (
+        map_T_laser @ odom_T_base.inverse() @ base_T_laser.inverse()
+    )
 }
 
 TASK = define_task(

@@ -25,7 +25,8 @@ def draw_touches(rng):
     rows = []
     for base_T_tool0, base_p_tip in cases:
         x, y, yaw = (draw_sign(rng) * float(rng.uniform(0.5, 2.5)) for _ in range(3))
-        map_T_base = Transform.from_rpy(yaw=yaw, translation=(x, y, 0.0))
+        slope = 0.1 * (len(rows) == 2)  # one robot stands on a ramp
+        map_T_base = Transform.from_rpy(roll=slope, pitch=2.0 * slope, yaw=yaw, translation=(x, y, slope))
         rows.append((map_T_base, base_T_tool0, tuple(round(each, 4) for each in map_T_base.apply(base_p_tip))))
     return rows
 
@@ -65,6 +66,11 @@ def make_message(
         place = base_T_tool0.translation
     if axes == "length":
         place = (0.0, 0.0, math.dist(base_p_tip, base_T_tool0.translation))
+    chains = {"chain as it is": map_T_base @ base_T_tool0, "other order": (base_T_tool0 @ map_T_base).inverse()}
+    if axes in chains:
+        place = chains[axes].apply(map_p_tip)
+    if axes == "map":
+        place = [tip - origin for tip, origin in zip(map_p_tip, (map_T_base @ base_T_tool0).translation, strict=True)]
     place = [-each for each in place] if sign == "minus" else list(place)
     names = {"tool0": ("tool0", "tcp"), "base": ("base_link", "tcp"), "tip": ("tool0", "tip")}[parent]
     names = names[::-1] if ends == "child first" else names

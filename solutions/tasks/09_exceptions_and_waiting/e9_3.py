@@ -35,7 +35,7 @@ def draw_messages(rng: Draws) -> list[tuple]:
         t = round(float(rng.uniform(20.0, 60.0)), 1)
     drawn = [
         ("laser_frame", rng.uniform(1.2, 3.8)),
-        ("left/lamp", rng.uniform(1.2, 3.8)),
+        ("left/future_lamp", rng.uniform(1.2, 3.8)),
         ("laser_frame", 4.0 + rng.uniform(0.05, 0.09)),
         ("laser_frame", 4.0 + rng.uniform(0.22, 0.35)),
         ("laser_frame", 4.0 + rng.uniform(1.2, 2.0)),
