@@ -22,7 +22,8 @@ def main(args=None):
     rclpy.init(args=args)
     node = rclpy.create_node("rabbit")
     hops = Hops(hops=[Hops().first])
-    print(node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:])
+    words = node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:]
+    sys.stdout.write(" ".join(map(str, words)) + "\\n")  # two nodes at once: one piece each
     rclpy.shutdown()
 """
 FILES = {
@@ -89,6 +90,14 @@ HOPPED = "/rabbit 1.5 0.1 0.5 []\n"
 def test_files_of_packages_and_executables_run_with_their_own_modules_and_interfaces(words, out, capfd):
     assert main(words) == 0
     assert capfd.readouterr() == (out, "")
+
+
+def test_a_repository_without_src_is_searched_as_colcon_does(ws, capfd):
+    (ws / "src").rename(ws / "level_2")
+    (ws / "level_2" / "hop_msgs").rename(ws / "hop_msgs")  # beside the folder of the package
+    (ws / ".git").mkdir()
+    assert main(["run", "level_2/hop/hop/rabbit.py"]) == 0
+    assert capfd.readouterr() == (HOPPED, "")
 
 
 @pytest.mark.parametrize(

@@ -74,7 +74,9 @@ def packages_around(path: str | Path) -> dict[str, Package]:
     """Return the packages of a workspace by name: those below a folder, or around one of them or a file in it."""
     path, own = Path(os.path.abspath(path)), package_around(path)
     if own is not None:
-        source = next((folder for folder in own.folder.parents if folder.name == "src"), None)
+        # the sources of a workspace, or a repository that was cloned without one
+        tops = (folder for folder in own.folder.parents if folder.name == "src" or (folder / ".git").exists())
+        source = next(tops, None)
         return _packages_below(source or own.folder.parent, DEPTH if source else 1) | {own.name: own}
     if path.is_dir():
         above = (_packages_below(folder / "src", DEPTH) for folder in path.parents)
