@@ -73,7 +73,7 @@ def test_the_three_nodes_run_together_and_end_as_on_ros_2(capfd):
     text = "_rclpy_pybind11.RCLError: failed to shutdown: rcl_shutdown already called on the given context, at "
     text += "./src/rcl/init.c:333\n"
     if sys.version_info >= (3, 11):  # before, an exception has no notes
-        text += "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown() instead of"
+        text += "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown(), not"
     assert err.count(text) == 3
     assert "run.py" not in err  # a traceback begins in the reader's own file
 

@@ -30,9 +30,7 @@ __all__ = ["Context", "SignalHandlerOptions", "install_signal_handlers", "uninst
 
 
 ALREADY_SHUT_DOWN = "failed to shutdown: rcl_shutdown already called on the given context, at ./src/rcl/init.c:333"
-AFTER_CTRL_C = (
-    "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown() instead of rclpy.shutdown()."
-)
+AFTER_CTRL_C = "tflab: Ctrl-C shut the context down, as on a robot. Write rclpy.try_shutdown(), not rclpy.shutdown()."
 ENTERED = "init() must be called on a Context before using it in a Python context manager. Calling init() with no "
 ENTERED += "arguments, this usage is deprecated"
 

@@ -45,10 +45,10 @@ class CvBridge:
             raise TypeError("Your input type is not a numpy array")
         channels = cvim.shape[2] if cvim.ndim > 2 else 1
         cv_type = f"{cvim.dtype.itemsize * 8}{cvim.dtype.kind.upper().replace('I', 'S')}C{channels}"
-        if _type_of(cv_type) != _type_of(cv_type if encoding == "passthrough" else encoding):
+        encoding = cv_type if encoding == "passthrough" else encoding
+        if _type_of(cv_type) != _type_of(encoding):
             raise CvBridgeError(f"encoding specified as {encoding}, but image has incompatible type {cv_type}")
-        message = Image(height=cvim.shape[0], width=cvim.shape[1], header=header or Header())
-        message.encoding = cv_type if encoding == "passthrough" else encoding
+        message = Image(height=cvim.shape[0], width=cvim.shape[1], encoding=encoding, header=header or Header())
         message.is_bigendian = cvim.dtype.byteorder == ">"
         message.data.frombytes(cvim.tobytes())
         message.step = len(message.data) // message.height

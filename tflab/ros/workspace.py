@@ -25,6 +25,7 @@ from .messages import define
 
 __all__ = ["EntryPoint", "find_executable", "find_package", "package_around", "packages_around", "use_packages"]
 
+BUILT = {"build", "install", "log"}  # colcon's folders
 DEPTH = 5  # how many folders below a workspace its packages are looked for
 INTERFACES = re.compile(r"[a-z]\w*_(msgs|interfaces|srvs|actions)")  # how packages of them are called
 ENTRY_POINT = re.compile(r"\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*(\w+)\s*")
@@ -71,10 +72,9 @@ def package_around(path: str | Path) -> Package | None:
 
 
 def packages_around(path: str | Path) -> dict[str, Package]:
-    """Return the packages of a workspace by name: those below a folder, or around one of them or a file in it."""
+    """Return the packages of a workspace or a cloned repository: those below a folder, or around what lies in one."""
     path, own = Path(os.path.abspath(path)), package_around(path)
     if own is not None:
-        # the sources of a workspace, or a repository that was cloned without one
         tops = (folder for folder in own.folder.parents if folder.name == "src" or (folder / ".git").exists())
         source = next(tops, None)
         return _packages_below(source or own.folder.parent, DEPTH if source else 1) | {own.name: own}
@@ -93,8 +93,7 @@ def _packages_below(top: Path, depth: int) -> dict[str, Package]:
             package = _package_at(folder)
             found.setdefault(package.name, package)
         is_end = is_package or "COLCON_IGNORE" in files or len(folder.relative_to(top).parts) == depth
-        skipped = {"build", "install", "log"}  # colcon's own
-        folders[:] = () if is_end else sorted(name for name in folders if name[0] not in "._" and name not in skipped)
+        folders[:] = () if is_end else sorted(name for name in folders if name[0] not in "._" and name not in BUILT)
     return found
 
 
