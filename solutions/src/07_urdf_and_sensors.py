@@ -173,10 +173,10 @@ start_the_joint_driver, write_it_into_the_joint = "start the joint driver", "wri
 restart_rviz, change_the_cable, wait_longer = "restart RViz", "change the cable", "wait longer"
 findings = {"a": ..., "a do": ..., "b": ..., "b do": ..., "c": ..., "c do": ..., "d": ..., "d do": ..., "e": ..., "e do": ...}
 # BEGIN SOLUTION
-_tells = (("Publisher count: 0", no_driver, start_the_joint_driver), ("<visual>", paint_moved, write_it_into_the_joint),
+_signs = (("Publisher count: 0", no_driver, start_the_joint_driver), ("<visual>", paint_moved, write_it_into_the_joint),
           ("<joint", degrees, write_radians), ("sec: 0,", stamp_zero, stamp_the_message), ("", other_names, use_the_urdfs_names))
 for letter, report in vars(e7_4).items():
-    findings[letter], findings[f"{letter} do"] = next(row[1:] for row in _tells if row[0] in report)
+    findings[letter], findings[f"{letter} do"] = next(row[1:] for row in _signs if row[0] in report)
 # END SOLUTION
 
 # %% name="e7-4-check" tags=["check"]

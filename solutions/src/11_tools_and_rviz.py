@@ -184,11 +184,11 @@ a_longer_timeout, no_check = "a longer timeout", "no check"
 findings = {"a": ..., "a check": ..., "b": ..., "b check": ..., "c": ..., "c check": ...,
             "d": ..., "d check": ..., "e": ..., "e check": ..., "f": ..., "f check": ...}
 # BEGIN SOLUTION
-_tells = (("  map: No transform", fixed_frame_misspelt, name_in_rviz), ("does not exist", localiser_down, node_list),
+_signs = (("  map: No transform", fixed_frame_misspelt, name_in_rviz), ("does not exist", localiser_down, node_list),
           ("same tree", odometry_down, node_list), ("RobotModel: Error", joint_states_missing, hz_of_joint_states),
           ("smears", stamps_late, delay_of_scan), ("beside the walls", mount_wrong, echo_of_laser))
 for robot, said in vars(e11_4).items():
-    findings[robot[-1]], findings[f"{robot[-1]} check"] = next(row[1:] for row in _tells if row[0] in said)
+    findings[robot[-1]], findings[f"{robot[-1]} check"] = next(row[1:] for row in _signs if row[0] in said)
 # END SOLUTION
 
 # %% name="e11-4-check" tags=["check"]

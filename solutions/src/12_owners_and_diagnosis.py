@@ -97,13 +97,13 @@ send_map_to_odom, correct_the_parent = "localization: send map -> odom", "wheel_
 terminals = {"a state": ..., "a cure": ..., "b state": ..., "b cure": ..., "c state": ..., "c cure": ...,
              "d state": ..., "d cure": ..., "e state": ..., "e cure": ...}
 # BEGIN SOLUTION
-_tells = (("Failure at", True, another_edge, send_map_to_odom), ("/wheel_odometry", False, nobody, start_wheel_odometry),
+_signs = (("Failure at", True, another_edge, send_map_to_odom), ("/wheel_odometry", False, nobody, start_wheel_odometry),
           ("/ekf_filter_node", True, two_owners, switch_off_the_filter),
           ("base_footprint: \n  parent: 'odom'", False, a_misspelt_parent, correct_the_parent),
           ("", True, one_owner, leave_it_as_it_is))  # the first that fits: how it shows, and what is to be done
 for place, text in vars(e12_2).items():
-    told = next(told for words, are_there, *told in _tells if (words in text) == are_there)
-    terminals[f"{place} state"], terminals[f"{place} cure"] = told
+    found = next(found for words, are_there, *found in _signs if (words in text) == are_there)
+    terminals[f"{place} state"], terminals[f"{place} cure"] = found
 # END SOLUTION
 
 # %% name="e12-2-check" tags=["check"]

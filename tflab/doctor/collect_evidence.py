@@ -20,7 +20,7 @@ import numpy as np
 from tflab.bags.recording import Clock, Headers, Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 
-from .evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, Stray, is_stamped, part_of
+from .evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, OtherSamples, is_stamped, part_of
 
 __all__ = ["clock_relation", "evidence_from_buffer", "evidence_from_recording"]
 
@@ -42,8 +42,8 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
     moving = [edge for edge in edges if not edge.is_static]
     headers = tuple(header for header in recording.headers if not namespace or header.topic.startswith(namespace + "/"))
     clock = clock_relation(moving, headers, recording.clock)
-    strays: list[Stray] = []
-    moving, headers = list(_separated(moving, clock, strays)), tuple(_separated(headers, clock, strays))
+    in_other_time: list[OtherSamples] = []
+    moving, headers = list(_separated(moving, clock, in_other_time)), tuple(_separated(headers, clock, in_other_time))
     return Evidence(
         subject=recording.name + (f" ({namespace})" if namespace else ""),
         namespace=namespace,
@@ -58,7 +58,7 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
         begin_ns=recording.begin_ns,
         end_ns=recording.end_ns,
         headers=headers,
-        strays=tuple(strays),
+        in_other_time=tuple(in_other_time),
         joint_states=recording.joint_states,
         connections=recording.connections,
         robot_description=recording.robot_description,
@@ -135,17 +135,17 @@ def _estimated_relation(sources: list) -> ClockRelation:
     return ClockRelation("estimated", middle_ns, np.nanmedian(least_s[:, filled], axis=0))
 
 
-def _separated(sources: Sequence, clock: ClockRelation, strays: list[Stray]) -> Iterator:
-    """Yield the samples of each source in the usual time base, and put the others among the strays."""
+def _separated(sources: Sequence, clock: ClockRelation, in_other_time: list[OtherSamples]) -> Iterator:
+    """Yield the samples of each source in the usual time base, and append the others to `in_other_time`."""
     for source in sources:
         offset_ns = source.receive_ns - source.stamp_ns
         away_ns = offset_ns - clock.difference_at(source.receive_ns) * NSEC_PER_SEC
         is_no_date = (away_ns > SAME_CLOCK_NS) & (source.stamp_ns < YEAR_NS)
         is_on_the_wall = (np.abs(away_ns) > SAME_CLOCK_NS) & (np.abs(offset_ns) <= SAME_CLOCK_NS)
-        is_stray = is_no_date | is_on_the_wall
-        if is_stray.any() and not is_stray.all():
-            strays.append(Stray(part_of(source, is_stray), len(is_stray)))
-            source = part_of(source, ~is_stray)
+        is_other = is_no_date | is_on_the_wall
+        if is_other.any() and not is_other.all():
+            in_other_time.append(OtherSamples(part_of(source, is_other), len(is_other)))
+            source = part_of(source, ~is_other)
         yield source
 
 

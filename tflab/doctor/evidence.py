@@ -29,8 +29,8 @@ from tflab.bags.recording import Connection, Headers, JointStates
 from tflab.core import NSEC_PER_SEC
 from tflab.robots.urdf import UrdfError, parse_urdf
 
-__all__ = ["SAME_CLOCK_NS", "YEAR_NS", "ClockRelation", "Edge", "Evidence", "Jump", "Stray", "find_jumps", "is_stamped",
-           "part_of"]  # fmt: skip
+__all__ = ["SAME_CLOCK_NS", "YEAR_NS", "ClockRelation", "Edge", "Evidence", "Jump", "OtherSamples", "find_jumps",
+           "is_stamped", "part_of"]  # fmt: skip
 
 LEAST_JUMP_S = 0.05
 LEAST_PERIODS = 3.0  # less can be a message or two that took another way
@@ -168,8 +168,13 @@ class Edge:
         return [slice(a, b) for a, b in pairwise(bounds) if b > a]
 
 
-class Stray(NamedTuple):
-    """Samples of an edge or a topic that are in another time base than most, and of how many they are a part."""
+class OtherSamples(NamedTuple):
+    """The samples of an edge or a topic that are in another time base than most.
+
+    Attributes:
+        source: the edge or topic, with these samples alone.
+        total: how many samples it has with the others.
+    """
 
     source: Edge | Headers
     total: int
@@ -205,7 +210,7 @@ class Evidence:
         moving, statics: what came on /tf and on /tf_static, in the order of first mention.
         has_arrival: whether times of receipt and the order of arrival are known.
         raw_names: every (parent, child, topic), as sent, in the order of first mention.
-        strays: samples in another time base, which are not among those of `moving` and `headers`.
+        in_other_time: samples in another time base, which are not among those of `moving` and `headers`.
     """
 
     subject: str
@@ -217,7 +222,7 @@ class Evidence:
     begin_ns: int = 0
     end_ns: int = 0
     headers: tuple[Headers, ...] = ()
-    strays: tuple[Stray, ...] = ()
+    in_other_time: tuple[OtherSamples, ...] = ()
     joint_states: tuple[JointStates, ...] = ()
     connections: tuple[Connection, ...] = ()
     robot_description: str = ""

@@ -138,9 +138,7 @@ class ActionClient:
         """
         if not isinstance(goal, self._action_type.Goal):
             raise TypeError(f"Expected {self._action_type.Goal}, got {type(goal)}")
-        goal_id = goal_uuid or type_named("unique_identifier_msgs/msg/UUID")(
-            uuid=list(next(_goal_numbers).to_bytes(16, "big"))
-        )
+        goal_id = goal_uuid or UUID(uuid=list(next(_goal_numbers).to_bytes(16, "big")))
         if feedback_callback is not None:
             self._feedback_callbacks[goal_key(goal_id)] = feedback_callback
         sent = Future()

@@ -59,8 +59,7 @@ _TABLE = {
 }
 
 # Modules, and names in modules, that only these releases have.
-_NEW_IN_JAZZY = "clock_type destroyable event_handler logging_service parameter_client parameter_event_handler "
-_NEW_IN_JAZZY += "service_introspection type_description_service type_hash"
+_NEW_IN_JAZZY = "clock_type event_handler parameter_client parameter_event_handler service_introspection"
 _NAMES = {
     **{f"rclpy.{module}": ("jazzy", "lyrical") for module in _NEW_IN_JAZZY.split()},  # branches
     "rclpy.qos_event": ("humble", "jazzy"),  # ros2/rclpy#1058, #1456

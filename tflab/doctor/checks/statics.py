@@ -121,11 +121,11 @@ def _finding_of_changes(changed: list[tuple[Edge, float]]) -> Finding:
 def _finding_of_replacement(edge: Edge, poses: np.ndarray) -> Finding:
     (moved_m,), (turned_rad,) = steps_and_turns(poses[-1:], poses[:1])
     apart = f"{moved_m:.3f} m, {turned_rad:.3f} rad"
-    told = Text(
+    text = Text(
         f"two publishers of {edge.topic} disagree by {apart}; the last value stays",
         f"{edge.topic} 토픽의 두 발행자가 다른 값을 발행하고(차이 {apart}), 마지막 값이 남습니다",
     )
-    facts = {"evidence": told, "kind": "mount", "count": len(edge), "apart": f"{moved_m:.3f}"}
+    facts = {"evidence": text, "kind": "mount", "count": len(edge), "apart": f"{moved_m:.3f}"}
     span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
     return Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
 

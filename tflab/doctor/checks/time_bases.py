@@ -19,7 +19,7 @@ import numpy as np
 from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
 
-from ..evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, Stray, is_stamped
+from ..evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, OtherSamples, is_stamped
 from ..findings import Finding, Severity
 from .names import SPATIAL
 
@@ -45,16 +45,16 @@ LEAST_DRIFT_S = 0.03  # in all
 
 def other_times(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each other time base that edges and topics are stamped in, wholly or in a part."""
-    whole = [Stray(s, len(s.stamp_ns)) for s in (*evidence.moving, *evidence.headers) if _is_far(evidence, s)]
-    strays = [(_time_base_of(stray, evidence.clock), stray) for stray in (*evidence.strays, *whole)]
-    strays = [entry for entry in strays if _says_enough(*entry)]
+    whole = [OtherSamples(s, len(s.stamp_ns)) for s in (*evidence.moving, *evidence.headers) if _is_far(evidence, s)]
+    separated = [(_time_base_of(samples, evidence.clock), samples) for samples in (*evidence.in_other_time, *whole)]
+    separated = [entry for entry in separated if _has_enough_samples(*entry)]
 
     def is_one_clock(a: tuple, b: tuple) -> bool:
         away_s = abs(_usual_s(evidence, a[1].source) - _usual_s(evidence, b[1].source))
         return a[0] == b[0] and (a[0] in ("time-wall", "unset-stamps") or away_s < ONE_CLOCK_S)
 
-    for group in in_groups(strays, is_one_clock):
-        parts = [stray for _, stray in group]
+    for group in in_groups(separated, is_one_clock):
+        parts = [samples for _, samples in group]
         facts = {
             "count": sum(len(part.source.stamp_ns) for part in parts),
             "total": sum(part.total for part in parts),
@@ -74,11 +74,10 @@ def other_hosts(evidence: Evidence) -> Iterator[Finding]:
         has_nearer = any(abs(other_s) < 0.5 * abs(offset_s) for other_s, _ in least_s)
         if abs(offset_s) < HOST_S or not has_nearer or len(group) < FEWEST_ON_A_HOST:
             continue
-        # what hands on the stamps of another source is no witness of its own
+        # a topic that copies the stamps of another source does not count as a second one
         if len(in_groups(group, lambda a, b: np.isin(a.stamp_ns[:MANY], b.stamp_ns).mean() > 0.5)) > 1:
-            group.sort(
-                key=lambda s: s.child not in evidence.all_parents if isinstance(s, Edge) else 2
-            )  # the tree first
+            # edges with children of their own come first, and topics last
+            group.sort(key=lambda s: s.child not in evidence.all_parents if isinstance(s, Edge) else 2)
             code = "host-late" if offset_s > 0.0 else "host-early"
             severity = "error" if offset_s > CACHE_S else "warning"
             yield finding_of_sources(code, severity, group, {"offset": f"{abs(offset_s):.3f}", "count": len(group)})
@@ -130,9 +129,9 @@ def in_groups(items: list, is_alike: Callable) -> list[list]:
     return groups
 
 
-def _time_base_of(stray: Stray, clock: ClockRelation) -> str:
+def _time_base_of(samples: OtherSamples, clock: ClockRelation) -> str:
     """Return the code of the time base of stamps that are far from the others."""
-    stamp_ns, receive_ns = stray.source.stamp_ns, stray.source.receive_ns
+    stamp_ns, receive_ns = samples.source.stamp_ns, samples.source.receive_ns
     pace = float(np.ptp(stamp_ns)) / max(float(np.ptp(receive_ns)), 1.0)
     if clock.source != "same" and abs(float(np.median(receive_ns - stamp_ns))) < SAME_CLOCK_NS:
         return "time-wall"
@@ -143,15 +142,18 @@ def _time_base_of(stray: Stray, clock: ClockRelation) -> str:
     return "time-uptime" if abs(pace - 1.0) < SAME_PACE else "time-simulated"
 
 
-def _says_enough(code: str, stray: Stray) -> bool:
-    """Return whether a time base is told by so few messages; a zero means "the latest" in what is no sensor's."""
-    if code == "time-wall" or (isinstance(stray.source, Edge) and len(stray.source) < stray.total):
+def _has_enough_samples(code: str, samples: OtherSamples) -> bool:
+    """Return whether there are enough messages in another time base to report it.
+
+    A stamp of zero asks for the latest transform, so it is reported of sensors and edges only.
+    """
+    if code == "time-wall" or (isinstance(samples.source, Edge) and len(samples.source) < samples.total):
         return True
-    is_sensor = isinstance(stray.source, Edge) or SENSOR.search(stray.source.msgtype)
-    return len(stray.source.stamp_ns) >= FEWEST_SAMPLES and (code not in ("unset-stamps", "time-frozen") or is_sensor)
+    is_sensor = isinstance(samples.source, Edge) or SENSOR.search(samples.source.msgtype)
+    return len(samples.source.stamp_ns) >= FEWEST_SAMPLES and (code not in ("unset-stamps", "time-frozen") or is_sensor)
 
 
-def _severity_of(parts: list[Stray]) -> Severity:
+def _severity_of(parts: list[OtherSamples]) -> Severity:
     sources = [part.source for part in parts]
     if any(isinstance(source, Edge) or SPATIAL.search(source.msgtype) for source in sources):
         return "error"

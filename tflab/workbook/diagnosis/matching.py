@@ -33,7 +33,7 @@ TEXTS = Texts(__file__)
 
 RECOGNISERS: dict[str, Recogniser] = UNDONE | LOST  # by the names that forms have for them
 
-NEVER = Recogniser()  # an answer of another type is told by `wrong_types.py`
+NEVER = Recogniser()  # `wrong_types.py` recognises an answer of another type
 
 # A function that stops with one of these has some bug or other: nobody can say that it is this mistake.
 ANY_BUG = {"AttributeError", "IndexError", "KeyError", "NameError", "NotImplementedError", "TypeError", "ValueError"}
