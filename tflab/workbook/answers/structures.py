@@ -245,7 +245,7 @@ class Message(Form):
         for name in (name for name, is_right in zip(parts, rights, strict=True) if not is_right):
             of_field = parts[name].describe_difference(self.part_of(answer, name), self.part_of(expected, name))
             if of_field is not None:
-                return Text.joined(*said, Text(f"{name}: {of_field.en}", f"{name}: {of_field.ko}"), between="; ")
+                return Text.joined(Text(f"{name}: {of_field.en}", f"{name}: {of_field.ko}"), *said, between="; ")
         return Text.joined(*said) if said else None
 
     def _form_of_field(self, path: str, held: Plain) -> Form:
