@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import pytest
 
 from tflab.core import Transform
@@ -97,27 +95,6 @@ def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written()
     assert "in quotes" in verdict.detail["tip"].en
     nested = {"red": {"red/odom": "map"}, "blue": {"blue/odom": "map"}}
     assert "One dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en
-
-
-TURNED = [{"x": 1.0 + n, "y": 0.4 - 0.3 * n, "yaw": 0.5 + 0.7 * n} for n in range(5)]
-
-
-@pytest.mark.parametrize(
-    ("wrong", "seen"),
-    [
-        (lambda x, y, a: x * math.cos(a), "`argument 1: y` does not come into your result at all."),
-        (lambda x, y, a: x * math.sin(a) - y * math.sin(a), "`+ argument 1: x * sin(argument 1: yaw)`"),
-        (lambda x, y, a: x * math.cos(a) - y * a, "`- argument 1: y * argument 1: yaw`"),
-        (lambda x, y, a: x * math.cos(a) + y * math.sin(a), "`+ argument 1: y * sin(argument 1: yaw)`"),
-        (lambda x, y, a: x - y * math.sin(a), "`+ argument 1: x`"),
-    ],
-)
-def test_of_a_turn_that_is_asked_for_it_is_told_where_the_terms_differ(wrong, seen):
-    form = Parts({"x": Number("m"), "y": Number("m")})
-    right = [x * math.cos(a) - y * math.sin(a) for x, y, a in map(dict.values, TURNED)]
-    rows = [((pose,), {"x": want, "y": 1.0}, {"x": wrong(*pose.values()), "y": 1.0})
-            for pose, want in zip(TURNED, right, strict=True)]  # fmt: skip
-    assert seen in called(form, rows).said.en
 
 
 def test_a_sign_in_one_part_alone_is_told_before_two_mistakes_that_meet_there():

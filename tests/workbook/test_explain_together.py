@@ -136,7 +136,6 @@ ROWS = [["c", "a", "b"], ["b", "c"], ["d"]]
         (NAMES, [(row, row[-1:]) for row in ROWS], "last alone"),
         (NAMES, [(row, row[:-1]) for row in ROWS], "all but the last"),
         (NAMES, [(row, row[1:]) for row in ROWS], "all but the first"),
-        (Sequence(Number()), [([9.0, 10.0, 11.0], [10.0, 11.0, 9.0]), ([2.0, 3.0], [2.0, 3.0])], "in order of text"),
         (COUNT, [(3, 4), (5, 6), (0, 1)], "one too many"),
         (COUNT, [(3, 2), (5, 4), (1, 0)], "one too few"),
         (Number("m"), [(3.0, 3.0), (-5.0, 5.0), (-1.0, 1.0)], "no sign"),

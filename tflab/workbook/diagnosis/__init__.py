@@ -10,7 +10,6 @@ part_mistakes    mistakes of a task that explain some parts
 calls            what a function does in some of its calls
 options          options that are confused, and their order
 coding_patterns  results of common coding patterns
-rotation_terms   terms of a 2D rotation that a function adds up
 links            the links of a robot
 wrong_types      answers of another type (`conditions.yaml`: when each explanation is true)
 matching         outcomes compared with what a mistake gives

@@ -36,7 +36,6 @@ from .options import confused, explain_orders, seen_of, word_of
 from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
 from .precision import stamp_of, time_of
 from .question import Question
-from .rotation_terms import describe_terms
 from .wrong_types import describe_types
 
 __all__ = ["explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
@@ -193,17 +192,11 @@ def _by_itself(
     if found := _explain_kinds(table, name) or _remarked(table, name) or _explain_any(task, table, name):
         return found
     if len(outcomes) > 1:
-        return _summed_in_all(table, name) or _explain_words(task, table, name)
+        return _explain_words(task, table, name)
     found = _explain_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
         task, table, name, wrong_answers, known
     )
     return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
-
-
-def _summed_in_all(table: Table, name: str) -> list[Found]:
-    """Return what a function computes for one part in every call."""
-    said = describe_terms(table.forms[name], table.args, table.given[name], table.wanted[name])
-    return [Found.of(f"{name}: rotation terms", said, name)] if said else []
 
 
 def _explain_kinds(table: Table, name: str) -> list[Found]:
