@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from tflab.core import BufferCore, ExtrapolationException
-from tflab.workbook.diagnosis.error_line import error_line
+from tflab.workbook.diagnosis.error_line import error_line, hidden_error
 
 
 def first_letter(prefix, name):
@@ -54,6 +54,26 @@ def test_a_raise_of_ones_own_is_told_from_a_failing_lookup():
 def test_an_except_clause_that_let_the_exception_pass_is_named():
     said = error_line(guarded, ["odom"]).said.en
     assert said.endswith("`except ExtrapolationException` does not catch LookupException.")
+
+
+def hides(frame):
+    try:
+        return frame + 1
+    except Exception:
+        return None
+
+
+def expects(frame):
+    try:
+        return float(frame)
+    except ValueError:
+        return None
+
+
+def test_a_bug_that_a_broad_except_hides_is_named_and_no_exception_that_is_expected():
+    said = hidden_error(hides, ["odom"]).en
+    assert "`return frame + 1`, raises TypeError" in said and said.endswith("`except Exception` hides it.")
+    assert hidden_error(hides, [1]) is hidden_error(expects, ["odom"]) is hidden_error(refuse, ["odom"]) is None
 
 
 def test_nothing_is_said_of_a_function_that_returns():

@@ -63,7 +63,17 @@ def seen(old, new):
         ("words.sort()", "sorted(words)", 14, lint.TEXTS["not_kept"]),
         ("words.sort()", 'words == ["ok"]', 14, lint.TEXTS["not_set"]),
         ("words.sort()", "words = words.sort()", 14, lint.TEXTS["gives_none"].filled(name="sort")),
+        ("words.sort()", "words + [text]", 14, lint.TEXTS["not_kept"]),
         ("str(error)", "str(LookupError)", 12, lint.TEXTS["text_of_a_class"]),
+        ('"past" in text', "text == math.nan", 10, lint.TEXTS["equals_nothing"]),
+        ('"past" in text', 'float("nan") in [text]', 10, lint.TEXTS["equals_nothing"]),
+        ('"past" in text', 'text == "True"', 10, lint.TEXTS["text_of_a_bool"].filled(word="True")),
+        (
+            "text.split()",
+            'text.lstrip("map/").split()',
+            13,
+            lint.TEXTS["strips_letters"].filled(method="lstrip", word="map/"),
+        ),
     ],
 )
 def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
@@ -80,6 +90,8 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
         ('return words or "ok"', 'return words\n    raise NotImplementedError("your turn")'),
         ('"past" in text', '"past" in text or "before" in text'),
         ('"past" in text', 'text.find("past") >= 0'),
+        ('"past" in text', "math.isnan(float(text))"),
+        ("text.split()", 'text.strip(" /").strip("a").split()'),
         ("return words", 'return words if text else text or "none"'),
     ],
 )

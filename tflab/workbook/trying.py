@@ -18,7 +18,7 @@ from .answers.forms import Sequence as SequenceForm
 from .answers.values import Plain, is_raised, is_unanswered, outcome_of
 from .assigned import AssignedTask
 from .call_limits import CALL_S, TimeLimitError, call_limits
-from .diagnosis.error_line import error_line
+from .diagnosis.error_line import error_line, hidden_error
 from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
@@ -107,7 +107,7 @@ def _with_its_place(
         tip = {"tip": Text("", "")} if stop.is_cause else {}
         tip |= {"meant": case.expected["raises"]} if is_other else {}
         return replace(verdict, mistake=mistake, detail=verdict.detail | tip | {"place": stop.said}), outcomes
-    place = describe_function_text(answer)
+    place = hidden_error(answer, case.args) or describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 
 

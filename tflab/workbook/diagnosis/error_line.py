@@ -12,9 +12,10 @@ from __future__ import annotations
 
 import ast
 import linecache
+import sys
 import traceback
 from collections.abc import Callable, Iterator, Sequence
-from types import CodeType
+from types import CodeType, FrameType
 from typing import Any, NamedTuple
 
 from ...text import Text, Texts
@@ -22,10 +23,12 @@ from ..answers.showing import show_in_a_line
 from ..answers.values import Plain, from_plain
 from ..call_limits import CALL_S, call_limits
 
-__all__ = ["ErrorLine", "error_line"]
+__all__ = ["ErrorLine", "error_line", "hidden_error"]
 
 TEXTS = Texts(__file__)
 
+BUGS = (AttributeError, IndexError, KeyError, NameError, TypeError, ValueError, ZeroDivisionError)
+BROAD = {"Exception", "BaseException"}
 MOST_VALUES = 3
 LONGEST_VALUE = 60  # characters
 
@@ -48,6 +51,34 @@ def error_line(function: Callable[..., Any], args: Sequence[Plain]) -> ErrorLine
     except BaseException:
         return None
     return None
+
+
+def hidden_error(function: Callable[..., Any], args: Sequence[Plain]) -> Text | None:
+    """Call a function once more and return which bug its own `except` hides: a broad one, or a bare one."""
+    file = getattr(getattr(function, "__code__", None), "co_filename", "")
+    found: list[Text] = []
+
+    def trace(frame: FrameType, event: str, arg: Any) -> Any:
+        if frame.f_code.co_filename != file or found:
+            return None
+        if event == "exception" and issubclass(arg[0], BUGS):
+            handler = _handler_around(frame.f_code, frame.f_lineno)
+            if handler is not None and (handler.type is None or getattr(handler.type, "id", "") in BROAD):
+                line, clause = (linecache.getline(file, number) for number in (frame.f_lineno, handler.lineno))
+                names = {"error": arg[0].__name__, "why": arg[1], "clause": _quoted(clause).rstrip(":")}
+                found.append(TEXTS["hidden"].filled(line=frame.f_lineno, text=_quoted(line), **names))
+        return trace
+
+    before = sys.gettrace()
+    try:
+        with call_limits(CALL_S):
+            sys.settrace(trace)
+            function(*[from_plain(arg) for arg in args])
+    except BaseException:
+        return None
+    finally:
+        sys.settrace(before)
+    return found[0] if found else None
 
 
 def _describe(function: Callable[..., Any], error: Exception) -> ErrorLine | None:
@@ -100,6 +131,12 @@ def _shown(value: Any) -> str:
 
 def _passed_by(code: CodeType, line: int) -> str | None:
     """Return the `except` clause around a line, in the same function, that did not catch the exception."""
+    handler = _handler_around(code, line)
+    return None if handler is None else linecache.getline(code.co_filename, handler.lineno).strip().rstrip(":")
+
+
+def _handler_around(code: CodeType, line: int) -> ast.ExceptHandler | None:
+    """Return the last handler of the first `try` of a function around a line."""
     try:
         tree = ast.parse("".join(linecache.getlines(code.co_filename)))
     except SyntaxError:  # a cell with a magic
@@ -107,7 +144,7 @@ def _passed_by(code: CodeType, line: int) -> str | None:
     for node in ast.walk(tree):
         is_guard = isinstance(node, ast.Try) and node.handlers and node.lineno >= code.co_firstlineno
         if is_guard and node.body[0].lineno <= line <= (node.body[-1].end_lineno or 0):
-            return linecache.getline(code.co_filename, node.handlers[-1].lineno).strip().rstrip(":")
+            return node.handlers[-1]
     return None
 
 

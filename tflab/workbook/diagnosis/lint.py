@@ -24,6 +24,7 @@ LONGEST_LINE = 70
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
 METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
+STRIPS = {"strip", "lstrip", "rstrip"}
 IN_PLACE = {"append", "extend", "sort", "reverse"}
 OF_NUMPY = {"np", "numpy"}
 
@@ -152,9 +153,23 @@ def _is_exception(named: tuple[str, Any]) -> bool:
     return isinstance(named[1], type) and issubclass(named[1], BaseException)
 
 
-def _look_at_a_chain(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
+def _look_at_a_comparison(node: ast.Compare, _names: Mapping[str, Any]) -> Found:
+    """Yield a chain with `in`, and a comparison with NaN or with the text of a bool, which says always the same."""
     if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
         yield node, TEXTS["a_chain"]
+    sides = [held for side in (node.left, *node.comparators) for held in getattr(side, "elts", [side])]
+    if any(map(_is_nan, sides)):
+        yield node, TEXTS["equals_nothing"]
+    texts = [held.value for held in sides if isinstance(held, ast.Constant) and held.value in ("True", "False")]
+    if texts and len(node.ops) == 1 and isinstance(node.ops[0], ast.Eq | ast.NotEq):
+        yield node, TEXTS["text_of_a_bool"].filled(word=texts[0])
+
+
+def _is_nan(node: ast.expr) -> bool:
+    """Return whether an expression is `math.nan`, `np.nan` or `float("nan")`."""
+    if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "float" and node.args:
+        return isinstance(node.args[0], ast.Constant) and str(node.args[0].value).lower() == "nan"
+    return getattr(node, "attr", getattr(node, "id", "")) == "nan"
 
 
 def _look_at_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
@@ -170,7 +185,7 @@ def _look_at_a_line(node: ast.Expr, _names: Mapping[str, Any]) -> Found:
         yield node, TEXTS["not_called"]
     elif isinstance(held, ast.Compare) and isinstance(held.ops[0], ast.Eq):
         yield node, TEXTS["not_set"]
-    elif isinstance(held, ast.Call) and _is_of_new(held.func):
+    elif isinstance(held, ast.BinOp) or (isinstance(held, ast.Call) and _is_of_new(held.func)):
         yield node, TEXTS["not_kept"]
 
 
@@ -189,8 +204,12 @@ def _look_at_what_is_kept(node: ast.Assign | ast.Return | ast.For, _names: Mappi
         yield node, TEXTS["gives_none"].filled(name=method.attr)
 
 
-def _look_at_a_text(node: ast.Call, names: Mapping[str, Any]) -> Found:
-    """Yield `str(LookupException)`, where the text of an error is meant."""
+def _look_at_a_call(node: ast.Call, names: Mapping[str, Any]) -> Found:
+    """Yield `str(LookupException)`, where the text of an error is meant, and `strip` of a whole word."""
+    if getattr(node.func, "attr", "") in STRIPS and node.args and isinstance(node.args[0], ast.Constant):
+        word = str(node.args[0].value)
+        if len(set(word)) > 1 and any(map(str.isalpha, word)):
+            yield node, TEXTS["strips_letters"].filled(method=node.func.attr, word=word)
     if getattr(node.func, "id", "") == "str" and len(node.args) == 1 and isinstance(node.args[0], ast.Name):
         name = node.args[0].id
         if _is_exception((name, names.get(name))):
@@ -253,9 +272,9 @@ def _holds(other: ast.AST, node: ast.AST) -> bool:
 
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
-    ast.Try: (_look_at_handlers, _only_printed), ast.Compare: (_look_at_a_chain,),
+    ast.Try: (_look_at_handlers, _only_printed), ast.Compare: (_look_at_a_comparison,),
     ast.If: (_look_at_an_if, _printed_in_an_if),
     ast.Expr: (_look_at_a_line,),
     ast.Assign: (_look_at_what_is_kept,), ast.Return: (_look_at_what_is_kept,), ast.For: (_look_at_what_is_kept,),
-    ast.Call: (_look_at_a_text,),
+    ast.Call: (_look_at_a_call,),
 }  # fmt: skip
