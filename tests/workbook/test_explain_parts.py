@@ -139,12 +139,9 @@ def test_a_single_word_out_of_its_place_is_told_as_one_and_others_are_not(cards,
     assert said is None or said in verdict.said.en
 
 
-@pytest.mark.parametrize(("answer", "near"), [("off", '"False"'), ("On", '"True"'), ("perhaps", None)])
-def test_what_a_switch_is_called_elsewhere_is_near_to_what_it_is_called_here(answer, near):
-    form = Parts({"a": Choice(("True", "False"))})
-    verdict = judged(form, {"a": "True"}, {}, {"a": answer})
-    assert verdict.mistake is Mistake.OPTION
-    assert verdict.detail["tip"].en.endswith(near) if near else "tip" not in verdict.detail
+def test_a_text_is_no_switch():
+    verdict = judged(Parts({"a": Choice(("True", "False"))}), {"a": True}, {}, {"a": "True"})
+    assert verdict.mistake is Mistake.TYPE
 
 
 @pytest.mark.parametrize(("answer", "part"), [("tree", '"a"'), ("clock", '"b"'), ("wind", None), (3, None)])

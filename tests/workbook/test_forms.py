@@ -85,7 +85,7 @@ SAME = [
     (Pose(), LEFT.matrix(), LEFT), (Pose(), message_of(STAMPED), LEFT),
     (Pose(frames=True), message_of(STAMPED), STAMPED),
     (Pose(), Transform(LEFT.translation, tuple(-q for q in LEFT.rotation)), LEFT),
-    (Choice(("no frame", "past")), " No-frame. ", "no frame"), (Choice(("True", "False")), True, "True"),
+    (Choice(("no frame", "past")), " No-frame. ", "no frame"), (Choice(("True", "False")), True, True),
     (Choice(("the map's origin, level", "no")), "The maps origin level", "the map's origin, level"),
     (Choice(("use_sim_time", "a longer timeout")), "A longer-timeout.", "a longer timeout"),
     (Choice(("node_a", "node_b")), "node b", "node_b"), (Choice(("node_a", "node_b")), "Node B", "node_b"),

@@ -49,17 +49,26 @@ class Choice(Form):
         word = self.option(plain)
         return None if word is None else [[(Mark(word),)]]
 
+    @property
+    def is_bool(self) -> bool:
+        """Whether True and False are the options."""
+        return set(self.options) == {"True", "False"}
+
     def option(self, plain: Plain) -> str | None:
         """Return the option that is meant, or None if there is none, or more than one."""
         if not isinstance(plain, str | bool):
             return None
         text = str(plain).strip()
+        if self.is_bool and isinstance(plain, str):
+            return None  # as for a parameter: the text "True" is no bool
         if not self.options or text in self.options:
             return text
         meant = () if self.are_frames else _options_meant(self.options, text)
         return meant[0] if len(meant) == 1 else None
 
     def wanted(self) -> Text:
+        if self.is_bool:
+            return Text(en="True or False, without quotes", ko="True 또는 False(따옴표 없이)")
         options = ", ".join(f'"{option}"' for option in self.options)
         en, ko = (" (capitals count)", " (대소문자 구별)") if self.are_frames else ("", "")
         return Text(en=f"one of {options}{en}", ko=f"{options} 가운데 하나{ko}")

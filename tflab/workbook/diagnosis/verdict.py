@@ -303,7 +303,7 @@ def _members(form: Form, outcome: Plain) -> list[Plain] | None:
 
 def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     """Return why an answer is not of its form."""
-    if isinstance(form, Choice) and isinstance(outcome, str):
+    if isinstance(form, Choice) and isinstance(outcome, str) and not form.is_bool:
         tip = near_an_option(form, outcome)
         return Mistake.OPTION, {"answer": outcome, **({"tip": tip} if tip else {})}
     if isinstance(form, Urdf) and (fault := form.fault(outcome)):

@@ -142,7 +142,6 @@ def explain_other_types(question: Question) -> Rest | None:
     return Rest(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree)) if then else None
 
 
-ON, OFF = ("true", "on", "yes"), ("false", "off", "no")
 NEAR = 0.8  # share of letters that two words have in common
 
 
@@ -152,8 +151,6 @@ def near_an_option(form: Choice, answer: str) -> Text | None:
     if topic is not None:
         return TEXTS["a_topic"].filled(option=topic)
     near = difflib.get_close_matches(answer[:100], form.options, 1, NEAR)
-    meant = next((words for words in (ON, OFF) if answer.lower() in words), ())
-    near += [option for option in form.options if option.lower() in meant]
     return TEXTS["nearly"].filled(option=near[0]) if near else None
 
 
