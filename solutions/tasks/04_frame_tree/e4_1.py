@@ -37,8 +37,9 @@ def build_tree(given, *, fault="corrected", way="child -> parent"):
         tree = {**tree, meant: wrong}
     elif fault == "left out":
         tree = {child: parent for child, parent in tree.items() if parent != wrong}
-    elif fault == "renamed":
-        tree = {wrong if c == meant else c: wrong if p == meant else p for c, p in tree.items()}
+    elif fault in ("renamed", "parents renamed"):
+        spelt = wrong if fault == "renamed" else meant
+        tree = {spelt if c == meant else c: wrong if p == meant else p for c, p in tree.items()}
     return {parent: child for child, parent in tree.items()} if way == "parent -> child" else tree
 
 

@@ -15,6 +15,10 @@ __all__ = ["Angle", "Number", "Pose", "Quaternion", "Vector"]
 
 LETTERS = "xyzw"
 ROUNDING_DEG = 1e-6
+MORE_DIGITS = Text(
+    en="; the right value has more digits: hand over the number as it was computed",
+    ko=". 정답은 자릿수가 더 많습니다. 계산한 값을 반올림하지 말고 그대로 넘기십시오",
+)
 FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 
 
@@ -51,6 +55,16 @@ class Number(NumberForm):
         unit = f" [{self.unit}]" if self.unit else ""
         return Text(en=f"one number{unit}", ko=f"숫자 하나{unit}")
 
+    def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
+        said = super().describe_difference(answer, expected)
+        is_cut = self.unit and 0 < self.digits(answer) < min(FEWEST_DIGITS, self.digits(expected))
+        return Text.joined(said, MORE_DIGITS, between="") if said and is_cut else said
+
+    def digits(self, plain: Plain) -> int:
+        """Return how many significant digits a number has, of nine behind its point; 0 of what is none."""
+        numbers = self.numbers(plain)
+        return len(f"{abs(numbers[0]):.9f}".replace(".", "").strip("0")) if numbers else 0
+
     def compare(self, given: Sequence[float], wanted: Sequence[float]) -> Text:
         have, want = given[0], wanted[0]
         large = have > want
@@ -63,8 +77,7 @@ class Number(NumberForm):
         return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
 
     def is_short(self, plain: Plain) -> bool:
-        numbers = self.numbers(plain)
-        return numbers is not None and len(f"{abs(numbers[0]):.9f}".replace(".", "").strip("0")) < FEWEST_DIGITS
+        return self.numbers(plain) is not None and self.digits(plain) < FEWEST_DIGITS
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ def _foreign(options: list[str]) -> str:
 
 def _wrong_rest(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
     """Yield what is wrong behind the command: a comma, the options, the names; nothing if no word differs."""
-    if any(isinstance(word, str) and word.endswith(",") for word in given):
+    if any(isinstance(word, str) and "," in word for word in given):
         yield "line: commas", ""
         return
     more, less = Counter(given) - Counter(wanted), Counter(wanted) - Counter(given)

@@ -34,7 +34,9 @@ def explain_links(question: Question) -> Explanation | None:
     mistakes, said = {}, []
     for link, rows, right in zip(form.links, given, form.read(expected) or [], strict=True):
         row = next((row for row in rows if _fits(row[: 2 + POSE], right[0][: 2 + POSE])), rows[0])
-        for name, words in [] if any(_fits(row, right[0]) for row in rows) else _explain_link(task, row, right[0]):
+        for name, words in (
+            [] if any(_fits(row, right[0]) for row in rows) else _explain_link(task, form, row, right[0])
+        ):
             mistakes[f"{link}: {name}"] = Feedback(words, "")
             said.append(Text(f'"{link}": {words.en}', f'"{link}": {words.ko}'))
     return Explanation(mistakes, Text.joined(*said)) if said else None
@@ -44,13 +46,14 @@ def _fits(row: Row, right: Row) -> bool:
     return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
 
 
-def _explain_link(task: TaskCases, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
+def _explain_link(task: TaskCases, robot: Urdf, row: Row, right: Row) -> Iterator[tuple[str, Text]]:
     """Yield what is wrong with one link: what it hangs on alone, or its place and its turn, or how it moves."""
     if not _fits(row[:2], right[:2]):
         yield "hangs", _explain_joint(str(row[0].value), str(row[1].value), str(right[1].value))
         return
     is_placed = True
-    for name, start, form in (("place", 2, Vector(3, "m")), ("turn", 5, Quaternion())):
+    place, turn = Vector(3, "m", tolerance=robot.tolerance_m), Quaternion(robot.tolerance_rad / 2.0)
+    for name, start, form in (("place", 2, place), ("turn", 5, turn)):
         values = [[float(mark.value) for mark in marks[start : start + len(_names(form))]] for marks in (row, right)]
         if not form.same(*values):
             is_placed = False

@@ -39,7 +39,18 @@ def mistakes_in_parts(
     found = _in_order(_causes(task, table, cases, wrong, single))
     if task.pairs is None or _is_explained(found, wrong):
         return found
-    return _in_order(found + _causes(task, table, cases, wrong, _pairs(task, table, cases, wrong, given)))
+    both = _causes(task, table, cases, wrong, _pairs(task, table, cases, wrong, given))
+    return _in_order(found + [cause for cause in (_without_others(cause, found) for cause in both) if cause.parts])
+
+
+def _without_others(cause: Found, found: Sequence[Found]) -> Found:
+    """Return a mistake that several pairs share without the parts that another one explains alone."""
+    if len(cause.mistakes) > 1:
+        return cause
+    others = [
+        other.parts for other in found if len(other.mistakes) == 1 and other.mistakes.keys() != cause.mistakes.keys()
+    ]
+    return cause._replace(parts=cause.parts.difference(*others))
 
 
 def _in_order(found: list[Found]) -> list[Found]:

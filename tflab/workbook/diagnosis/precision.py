@@ -139,7 +139,7 @@ def _all_rounded(form: Form, rows: Rows) -> Iterator[str]:
     is_empty = not any(any(given) for given, _ in rows)
     if is_empty or (is_alone and len(f"{rows[0][0][0]:g}".replace(".", "").strip("-0")) < 2):
         return
-    places = (1, 2, 3) if isinstance(form, Quaternion) else (0, 1, 2, 3)
+    places = range(1 if isinstance(form, Quaternion) else -2 if is_alone else 0, 4)
     if any(all(_rounded(*row, digits, not is_alone) for row in rows) for digits in places):
         yield "rounded"
 
