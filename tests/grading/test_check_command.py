@@ -37,12 +37,12 @@ def test_what_is_right_is_right_a_mistake_is_named_and_what_is_open_is_said(
 ) -> None:
     assert main([str(answer(copy, tiny.RIGHT))]) == 0
     said = capsys.readouterr().out
-    assert said.startswith("E3.1  ✓ 1/1\nE3.2  ✓ 4/4\nE3.3  ✓ 2/2\n")
+    assert said.startswith("E3.1  ✓ 2/2 points\nE3.2  ✓ 4/4 points\nE3.3  ✓ 2/2 points\n")
     assert "8 of 8 points on the public cases" in said
     stub = 'def length(x, y):\n    raise NotImplementedError("your turn")'
     assert main([str(answer(copy, {"e3-1-answer": "total = e3_1.a - e3_1.b", "e3-2-answer": stub}))]) == 1
     said = capsys.readouterr().out
-    assert "E3.1  ✗ 0/1   You subtracted." in said
+    assert "E3.1  ✗ 0/2 points   You subtracted." in said
     assert "E3.2  – not answered" in said
 
 
@@ -54,7 +54,7 @@ def test_an_exercise_is_called_by_its_number_too(copy: Path, monkeypatch, capsys
         assert main(["3"]) == 0
         assert "8 of 8 points" in capsys.readouterr().out
     assert main(["E3.2"]) == 0
-    assert capsys.readouterr().out == "E3.2  ✓ 4/4\n"
+    assert capsys.readouterr().out == "E3.2  ✓ 4/4 points\n"
     assert main(["E3.9"]) == 2
     assert "unknown task E3.9; available: E3.1, E3.2, E3.3" in capsys.readouterr().err
     monkeypatch.chdir(copy.parents[1])
@@ -108,7 +108,7 @@ def test_what_does_not_end_is_stopped_once_and_costs_its_own_points(
     path = answer(copy, {**tiny.RIGHT, "e3-3-answer": "while True: pass"})
     assert main([str(path)]) == 1
     said = capsys.readouterr().out
-    assert said.startswith("E3.1  ✓ 1/1\nE3.2  ✓ 4/4\n")
+    assert said.startswith("E3.1  ✓ 2/2 points\nE3.2  ✓ 4/4 points\n")
     assert "did not end within 2 s." in said and "second run" not in said
 
 
@@ -118,8 +118,8 @@ def test_without_a_sandbox_an_ordinary_kernel_does_and_an_answer_that_ends_pytho
     path = answer(copy, {**tiny.RIGHT, "e3-1-answer": "import os\nos._exit(3)", "e3-3-answer": "frames = 1 / 0"})
     assert main([str(path), "--plain"]) == 1
     said = capsys.readouterr().out
-    assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ! 0/1")
-    assert "E3.2  ✓ 4/4\n" in said and "the answer cell stops with ZeroDivisionError." in said
+    assert said.startswith("Checked in an ordinary kernel (--plain).\nE3.1  ! 0/2 points")
+    assert "E3.2  ✓ 4/4 points\n" in said and "the answer cell stops with ZeroDivisionError." in said
     ran = run_plainly([RunCell("answer", "endless", "while True: pass")], Limits(cell_s=1.0))
     assert ran.stopped == "timed out"
 

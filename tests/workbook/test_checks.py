@@ -82,7 +82,7 @@ def test_functions_are_called_on_the_public_inputs(copy, capsys):
     def your_turn(transform):
         raise NotImplementedError("your turn")
 
-    assert said(capsys, "E3.2", lambda T: T.inverse()).startswith("E3.2 ✓ 4/4")
+    assert said(capsys, "E3.2", lambda T: T.inverse()).startswith("E3.2 ✓ 2/2 points")
     assert "only the sign" in said(capsys, "E3.2", lambda T: Transform([-x for x in T.translation], T.rotation))
     assert "not answered yet" in said(capsys, "E3.2", your_turn)
     assert "should be a function" in said(capsys, "E3.2", Transform())
@@ -102,8 +102,10 @@ def test_arguments_are_fresh_copies(copy, capsys):
 
 
 def test_parts_have_credit_and_a_mistake_in_one_is_named(copy, capsys):
-    assert said(capsys, "E3.3", {"target": "laser", "source": "map"}).startswith("E3.3 ✗ 0/2: turned round")
-    assert said(capsys, "E3.3", {"target": "map", "source": "map"}).startswith('E3.3 ✗ 1/2: "source": turned round')
+    assert said(capsys, "E3.3", {"target": "laser", "source": "map"}).startswith("E3.3 ✗ 0/2 points: turned round")
+    assert said(capsys, "E3.3", {"target": "map", "source": "map"}).startswith(
+        'E3.3 ✗ 1/2 points: "source": turned round'
+    )
     assert '"source"' in said(capsys, "E3.3", {"target": "map"})
     assert "not among" in said(capsys, "E3.3", {"target": "odom", "source": "map"})
 
@@ -186,7 +188,7 @@ def test_replies_are_in_the_learners_language(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(chapter.copy_of_workbook(tmp_path, monkeypatch, language="ko"))
     assert "한국어: turned round" in said(capsys, "E3.3", {"target": "laser", "source": "map"})
     assert "아직 답하지 않았습니다" in said(capsys, "E3.1", ...)
-    assert said(capsys, "E3.3", {"target": "map", "source": "laser"}).startswith("E3.3 ✓ 2/2\n")
+    assert said(capsys, "E3.3", {"target": "map", "source": "laser"}).startswith("E3.3 ✓ 2/2점\n")
 
 
 def test_a_learner_has_a_variant_of_their_own(tmp_path, monkeypatch, capsys):

@@ -91,11 +91,11 @@ def test_an_answer_gets_the_reply_of_an_exercise_and_leaves_no_trace(copy: Path,
     before = sorted(path.name for path in copy.iterdir())
     ask_for("E3.3")
     practice.check({"target": "laser", "source": "map"})
-    assert "E3.3 ✗ 0/2: turned round" in capsys.readouterr().out
+    assert "E3.3 ✗ 0/2 points: turned round" in capsys.readouterr().out
     practice.hint()
     assert "hint 1 of 3: hint 1" in capsys.readouterr().out
     practice.check({"target": "map", "source": "laser"})
-    assert "E3.3 ✓ 2/2\npractice.ask() brings the next one." in capsys.readouterr().out
+    assert "E3.3 ✓ 2/2 points\npractice.ask() brings the next one." in capsys.readouterr().out
     assert sorted(path.name for path in copy.iterdir()) == before
 
 

@@ -1,7 +1,7 @@
 """Grade a learner's own notebook on the public cases: `tflab check NOTEBOOK`, or one task: `tflab check E3.2`.
 
-    E3.1  ✓ 4/4
-    E3.2  ✗ 0/2   You swapped target and source.
+    E3.1  ✓ 3/3 points
+    E3.2  ✗ 0/2 points   You swapped target and source.
     E3.4  – not answered
 
 It goes the way that grading goes: only the answers are taken, they run in a fresh
@@ -25,6 +25,7 @@ from tflab.text import Text, Texts
 from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
+from tflab.workbook.replies import points, show_points
 from tflab.workbook.tasks.catalog import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
 
@@ -35,7 +36,6 @@ from .judging.submission import graded
 from .kernels.limits import Limits
 from .reports.feedback import SIGNS
 from .reports.feedback import TEXTS as FEEDBACK
-from .reports.html import points
 from .submissions.reader import Unreadable, read_bytes, read_notebook
 from .submissions.remarks import Remark
 
@@ -183,12 +183,16 @@ def _line(task_id: str, row: Mapping[str, Any], task: Mapping[str, Any], languag
         counted = TEXTS["answered"].say(language, passed=row["passed"], of=row["of"])
         return f"{task_id}  {sign} {counted}"
     if row["status"] == "right":
-        return f"{task_id}  ✓ {row['passed']}/{row['of']}"
+        return f"{task_id}  ✓ {_score(row, language)}"
     said = [Text(**row["said"]).say(language)] if row["said"] else []
     said += [Remark.from_plain(remark).say(language, with_task=False) for remark in row["remarks"]]
     said = said or [FEEDBACK["not_right"].say(language)]
-    count = status.say(language) if row["status"] == "unanswered" else f"{row['passed']}/{row['of']}"
+    count = status.say(language) if row["status"] == "unanswered" else _score(row, language)
     return f"{task_id}  {sign} {count}" + ("" if row["status"] == "unanswered" else f"   {' '.join(said)}")
+
+
+def _score(row: Mapping[str, Any], language: str) -> str:
+    return show_points(row["points"], row["most"]).say(language)
 
 
 def _chapter(root: Path, workbook: Workbook, stem: str) -> dict[str, Any]:

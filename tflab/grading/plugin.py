@@ -114,7 +114,8 @@ class TaskItem(pytest.Item):
         self.chapter = chapter
 
     def runtest(self) -> None:
-        from .reports.html import points
+        from tflab.workbook.replies import points
+
         from .submissions.remarks import Remark
 
         record = self.parent.record()

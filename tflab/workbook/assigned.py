@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..text import Text
 from .paths import Workbook
-from .replies import PHRASES
+from .replies import PHRASES, show_points
 from .tasks.case_types import TaskCases, Variant
 
 __all__ = ["AssignedTask"]
@@ -22,6 +22,10 @@ class AssignedTask(NamedTuple):
     variant: Variant
     root: Path
     workbook: Workbook
+
+    def score(self, passed: int, of: int) -> str:
+        """Return the points that `passed` right parts `of` all earn, as grading counts them: "1.57/3 points"."""
+        return show_points(self.cases.points * passed / of, self.cases.points).say(self.workbook.language)
 
     def phrase(self, name: str, **names: object) -> str:
         """Return one of the phrases in the learner's language."""

@@ -1,7 +1,7 @@
 """The functions that an exercise calls: `task`, `check`, `call`, `hint`, `solution`.
 
     e3_2 = task("E3.2")              prints what is given, and returns it
-    check("E3.2", base_p_corner)     E3.2 ✓ 1/1, or what is wrong with it
+    check("E3.2", base_p_corner)     E3.2 ✓ 2/2 points, or what is wrong with it
     call("E4.3")                     the arguments of the call that went wrong
     hint("E3.2")                     three, coarse to fine
     solution("E3.2")                 after a pass or three tries, for self-study
@@ -20,7 +20,6 @@ from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
-from ..text import Text
 from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
@@ -54,7 +53,6 @@ class _Nothing:
 
 NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
-POINT, POINTS = Text(en="{points} point", ko="{points}점"), Text(en="{points} points", ko="{points}점")
 UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
 WHICH = "E?"  # what a reply is about where no task is named
@@ -70,7 +68,7 @@ def task(task_id: str) -> SimpleNamespace | None:
     assigned = _find(task_id)
     given = assigned.variant.given
     points = assigned.cases.points
-    print(f"{assigned.id} · {assigned.words(POINT if points == 1 else POINTS, points=points)}")
+    print(f"{assigned.id} · {assigned.phrase('point' if points == 1 else 'points', points=points)}")
     if given is None:
         return None
     values = {name: from_plain(value) for name, value in given.items()}
@@ -187,7 +185,7 @@ def solution_text(assigned: AssignedTask) -> str:
 
 def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
     if verdict.mistake is None and assigned.root == workbook_data():
-        print(f"{assigned.id} ✓ {verdict.passed}/{verdict.of}")  # a solution that is built: plain, in both languages
+        print(f"{assigned.id} ✓ {assigned.score(verdict.passed, verdict.of)}")  # a solution that is built: plain
         return
     tries = progress.attempts(assigned.root, assigned.id).tries
     more = []

@@ -1,7 +1,7 @@
 """Show a reply: as a card in a notebook, as text anywhere else and for screen readers.
 
     +-----------------------------------------------------------+
-    | E3.2 ✗ 0/1                                                |
+    | E3.2 ✗ 0/2 points                                         |
     | "map": You turned the point and forgot the step. Where is |      wrapped at words, code set as code,
     | the laser's own origin, (0, 0, 0), in `base_link`?        |      Korean unbroken
     | hint("E3.2") helps.                                       |

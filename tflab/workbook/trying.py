@@ -132,7 +132,7 @@ def say_verdict(
         more: lines that go with it, smaller.
         draws: whether a wrong value may be drawn beside the right one, which tells the number; a function's always is.
     """
-    score = f"{assigned.id} {'✗' if verdict.mistake else '✓'} {verdict.passed}/{verdict.of}"
+    score = f"{assigned.id} {'✗' if verdict.mistake else '✓'} {assigned.score(verdict.passed, verdict.of)}"
     if verdict.mistake is None:
         show_reply(score, more=more, kind="passed")
         return

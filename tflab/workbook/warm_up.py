@@ -32,7 +32,7 @@ MISTAKES = {
 }
 QUESTION = TaskCases(
     kind="N",
-    points=0,
+    points=1,
     answer="base_p_post",
     is_function=False,
     title=TEXTS["name"],

@@ -22,6 +22,7 @@ from markupsafe import Markup, escape
 from tflab.text import Text
 from tflab.views.picture import Picture
 from tflab.views.report_page import report_page, template_environment
+from tflab.workbook.replies import points
 
 __all__ = ["TEMPLATES", "environment", "page", "points", "prose", "render", "text"]
 
@@ -42,11 +43,6 @@ def prose(words: str) -> Markup:
         words = words[0].upper() + words[1:]
     marked = re.sub(r"`([^`]+)`", r"<code>\1</code>", str(text(words)))
     return Markup(re.sub(r"(?<![\w*])\*([^*\s][^*]*)\*(?![\w*])", r"<em>\1</em>", marked))
-
-
-def points(value: float) -> str:
-    """Return points as people write them: 2.5, 3."""
-    return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
 def png_address(picture: Picture) -> str:

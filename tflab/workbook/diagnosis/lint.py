@@ -19,11 +19,11 @@ TEXTS = Texts(__file__)
 
 Found = Iterator[tuple[ast.AST, Text]]
 
-
 LONGEST_LINE = 70
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
 METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
+NANS = {"nan", "math.nan", "np.nan", "numpy.nan", "float('nan')"}
 STRIPS = {"strip", "lstrip", "rstrip"}
 IN_PLACE = {"append", "extend", "sort", "reverse"}
 OF_NUMPY = {"np", "numpy"}
@@ -158,18 +158,11 @@ def _look_at_a_comparison(node: ast.Compare, _names: Mapping[str, Any]) -> Found
     if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
         yield node, TEXTS["a_chain"]
     sides = [held for side in (node.left, *node.comparators) for held in getattr(side, "elts", [side])]
-    if any(map(_is_nan, sides)):
+    if any(ast.unparse(held).lower() in NANS for held in sides):
         yield node, TEXTS["equals_nothing"]
     texts = [held.value for held in sides if isinstance(held, ast.Constant) and held.value in ("True", "False")]
     if texts and len(node.ops) == 1 and isinstance(node.ops[0], ast.Eq | ast.NotEq):
         yield node, TEXTS["text_of_a_bool"].filled(word=texts[0])
-
-
-def _is_nan(node: ast.expr) -> bool:
-    """Return whether an expression is `math.nan`, `np.nan` or `float("nan")`."""
-    if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "float" and node.args:
-        return isinstance(node.args[0], ast.Constant) and str(node.args[0].value).lower() == "nan"
-    return getattr(node, "attr", getattr(node, "id", "")) == "nan"
 
 
 def _look_at_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
