@@ -127,7 +127,7 @@ lesson.draw_scene(
 # 이 장을 마칠 때쯤이면 여러분은 이 결함을 명령 하나로, 1분 안에 찾아낼 것입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Let the picture stand for ten seconds before you say anything. Ask: "which line of code is wrong?" None of them is. A word in a header is.
+# Let the picture stand for ten seconds before you say anything. Ask: "which line of code is wrong?" None of them is. The header contains the wrong word.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 그림을 띄운 채 10초쯤 기다립니다. 그러고 나서 “어느 코드 줄이 틀렸습니까?”라고 묻습니다. 틀린 코드는 없습니다. 헤더에 적힌 단어 하나가 틀렸습니다.
@@ -294,7 +294,7 @@ lesson.draw_right_hand()
 # roll이 양수이면 왼쪽이 올라갑니다.
 
 # %% [markdown] lang="en" name="signs-notes" slide="notes"
-# Let them vote on pitch before the figure. The vote is usually split down the middle, and people with a drone at home lose it.
+# Let them vote on pitch before the figure. About half of the class is usually wrong, among them people who fly a drone.
 
 # %% [markdown] lang="ko" name="signs-notes" slide="notes"
 # 그림을 보여 주기 전에 pitch에 대해 손을 들게 합니다. 보통 반반으로 갈리고, 집에 드론이 있는 사람이 틀립니다.
@@ -442,7 +442,7 @@ print("turn between them:", lesson.fmt(lesson.angle(one, other), "rad"))
 
 # %% [markdown] lang="en" name="gimbal-after" tags=["predicted"] slide="fragment"
 # Not at all: they are the same. With the nose down, roll and yaw rotate about the same line, so one of the three angles is redundant.
-# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles becomes unstable.
+# That is [[gimbal lock]]. Near it, a tiny real motion makes the angles jump, and a filter or a controller that computes with angles can become unstable.
 #
 # With a [[quaternion]] there is no such orientation. It has four numbers, one more than necessary, and a small motion is always a small change.
 # So ROS **stores and sends** quaternions. Angles are for people: URDF files contain them, and tools print them.
@@ -960,7 +960,7 @@ buffer.lookup_transform("base_link", "rear_camera_link", Time())
 # Look at what happened, and where.
 #
 # 1. The **sender** reported nothing.
-# 2. **Each listener** rejected the transform, in its own log, with a message about `nan`. To turn the zeros into a matrix it divides by their length, and 0/0 is "not a number".
+# 2. **Each listener** rejected the transform, and printed a message about `nan` in its own log. To convert the quaternion to a matrix, it divides by the squared length, and 0/0 is "not a number".
 # 3. **You** read that the frame *does not exist*. You look for a typo. You read the launch file, which starts the programs. You restart the driver, which publishes as before.
 #
 # The cause is in the sender. The error appears in the program that looks up.
@@ -1044,7 +1044,7 @@ lesson.draw_misread(
 )
 
 # %% [markdown] lang="en" name="cloud-after" tags=["predicted"]
-# The wall is above the robot like a ceiling, and the floor is upright at its left.
+# The wall is above the robot like a ceiling, and the floor stands upright at its left.
 # TF raised nothing. It had to transform points from `camera_link` into `base_link`, and it did.
 
 # %% [markdown] lang="ko" name="cloud-after" tags=["predicted"]
@@ -1095,7 +1095,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # <details><summary>Deeper: who else made this mistake</summary>
 #
-# This does not happen to beginners only. Clouds that point at the sky or are rotated by 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots use ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
+# Experienced teams make this mistake, too. Clouds that point at the sky or are rotated by 90° fill the issue lists of a mapping package ([introlab/rtabmap_ros 383](https://github.com/introlab/rtabmap_ros/issues/383)), of the simulator of an underground robot race ([osrf/subt 369](https://github.com/osrf/subt/issues/369)) and of a simulator that very many ROS robots use ([gazebo_ros_pkgs 1329](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1329)).
 #
 # </details>
 #
@@ -1405,7 +1405,7 @@ lesson.draw_card()
 #
 # - (0, 0, 0, 1) is the identity: length one, no rotation.
 # - (0, 0, 0, 0) has length zero and is not a rotation. Normalising does not help.
-# - The sender reports nothing. Each listener rejects the transform in its log, and a later lookup reports that the frame does not exist.
+# - The sender reports nothing. Each listener rejects the transform, with a message in its log, and a later lookup reports that the frame does not exist.
 #
 # </details>
 
@@ -1446,7 +1446,7 @@ lesson.draw_card()
 # 3. What is still unclear? Write it down, and look at it again after chapter 03.
 #
 # **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
-# After a pass, or three tries, `solution("E2.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# After a pass or three tries there, `solution("E2.2")` shows a solution. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
 # ## 마무리하며

@@ -41,7 +41,7 @@ from tflab.workbook import lesson
 # In the video the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
 #
 # Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided, until the next one came.
-# The author was not the first. Others had proposed the same for two widely used localisers (2014, 2021), and it was fixed in the same way.
+# The author was not the first. Others had proposed to publish the robot's pose in `map` in two widely used packages (2014, 2021), and both were fixed in the same way.
 # The fix is the one edge of this chapter, `map → odom`.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
@@ -58,7 +58,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Both nodes published correct values. Say that twice.
 # Then ask for a solution, and take every proposal seriously: average them, prefer the better one, alternate.
-# The last is what tf2 does by itself.
+# The last is what happens in tf2.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 두 노드 모두 사실을 발행했습니다.
@@ -159,7 +159,7 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # %% [markdown] lang="en" name="speeds-notes" slide="notes"
 # Ask somebody who has tuned a controller what it would do at 2.4 m/s on a robot that drives half a metre per second.
 # It brakes.
-# That is the jerk in the corridor that everybody has seen.
+# The robot jerks. Most people have seen that on a real robot.
 
 # %% [markdown] lang="ko" name="speeds-notes" slide="notes"
 # 제어기를 조정해 본 사람에게 묻습니다.
@@ -168,13 +168,13 @@ for name, track in {'map': in_map, 'odom': in_odom}.items():
 # 복도에서 로봇이 덜컥거리는 까닭입니다.
 
 # %% [markdown] lang="en" name="speeds-seen"
-# A robot that drives half a metre per second seems to drive almost two and a half. A controller that brakes because of that makes the robot jerk.
+# The robot drives at 0.5 m/s and appears to drive at almost 2.5 m/s. A controller that brakes because of that makes the robot jerk.
 
 # %% [markdown] lang="ko" name="speeds-seen"
 # 0.5 m/s로 달리는 로봇이 순간 2.4 m/s로 달리는 것처럼 보입니다. 이 값으로 제동하면 로봇이 덜컥거립니다.
 
 # %% [markdown] lang="en" name="who-moves" slide="slide"
-# ## What moves when it jumps?
+# ## What moves when the pose jumps?
 #
 # Between 26.0 and 26.1 s the localiser corrects the pose. **Predict** for each: does it jump, or not?
 #
@@ -363,7 +363,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
            fixed_frame='base_footprint', length_m=0.5)
 
 # %% [markdown] lang="en" name="nose-up-seen"
-# 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake the wall for a low step.
+# 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake a wall for a low step.
 # On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have no `base_footprint`, or have it as a child of `base_link`. Check which edge your robot publishes, and never publish both.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
@@ -482,7 +482,7 @@ print(answered)
 
 # %% [markdown] lang="en" name="counted" tags=["predicted"]
 # Half the time the robot is in `map`, half the time in `odom`, and never in both. No node raises an error: two correct values alternate.
-# If you look up at the wrong time, you get:
+# A lookup in `map` while `odom` is the parent raises:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
 # 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
@@ -598,10 +598,10 @@ lesson.frame_tree(graph, seconds=1.0)
 # ```
 # ros2 run tf2_ros tf2_echo map odom               # constant, then a jump
 # ros2 run tf2_ros tf2_echo odom base_footprint    # smooth, and slowly drifting
-# ros2 param get /amcl tf_broadcast                # who publishes map -> odom
+# ros2 param get /amcl tf_broadcast                # does AMCL publish map -> odom?
 # ```
 #
-# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap (a map of the obstacles nearby) has `global_frame: odom`, and the global costmap has `global_frame: map`. In robot_localization the parameter is called `world_frame`.
+# In Nav2 (the navigation of ROS 2; `/amcl` is its localiser) the local costmap (a map of the obstacles nearby) has `global_frame: odom`, and the global costmap has `global_frame: map`. In robot_localization, the parameter `world_frame` selects `odom` or `map`, and with it the edge that the node publishes.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -612,7 +612,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # ros2 param get /amcl tf_broadcast                # map -> odom을 발행하는지
 # ```
 #
-# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 코스트맵(costmap)은 장애물을 적는 격자 지도입니다. 가까운 곳의 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `global_frame: map`을 씁니다. robot_localization에서는 `odom`과 `map` 가운데 하나를 `world_frame`으로 고릅니다.
+# Nav2는 ROS 2의 주행 패키지이고 `/amcl`은 Nav2의 위치 추정 노드입니다. 코스트맵(costmap)은 장애물을 적는 격자 지도입니다. 가까운 곳의 지역 코스트맵(local costmap)은 `global_frame: odom`, 전역 코스트맵(global costmap)은 `global_frame: map`을 씁니다. robot_localization에서는 `world_frame`을 `odom`이나 `map`으로 정하며, 그에 따라 노드가 발행하는 연결이 달라집니다.
 
 # %% name="stop" slide="skip"
 graph.stop()
@@ -640,14 +640,14 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="from-before" slide="subslide"
 # ### Three questions from earlier chapters
 #
-# 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and 3.60 m in `base_link` wrong on arrival?
+# 1. In chapter 01, why are the ball's coordinates (6.5, −1.5) in `map` still correct tomorrow, and the 3.60 m in `base_link` already wrong when the message arrives?
 # 2. A second node makes `base_link` a child of `map`. What does tf2 report, and what becomes of the tree?
 # 3. What is `(map_T_odom @ odom_T_base).inverse()`, as a product of the inverses of two published edges?
 #
 # <details><summary>Answers</summary>
 #
 # 1. An object at rest keeps its coordinates in the frame in which it is at rest. The robot drove on.
-# 2. Nothing: it checks no rule when a transform is sent. The child moves to the parent of the last message (chapter 04).
+# 2. Nothing: tf2 does not check whether a child already has another parent. The child moves to the parent of the last message (chapter 04).
 # 3. `base_T_odom @ odom_T_map`: the order is reversed, too.
 #
 # </details>
@@ -662,7 +662,7 @@ rclpy.shutdown()
 # <details><summary>답</summary>
 #
 # 1. 가만히 있는 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다. 로봇은 그사이 달렸습니다.
-# 2. 오류를 내지 않습니다. 변환을 발행할 때는 규칙을 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
+# 2. 오류를 내지 않습니다. 자식에게 이미 다른 부모가 있는지는 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
 # 3. `base_T_odom @ odom_T_map`입니다. 곱의 순서도 바뀝니다.
 #
 # </details>
@@ -722,7 +722,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > The localiser finds that the robot is 20 cm from its pose in `map`. Which edge changes, which values stay the same, and which program must not be affected?
+# > The localiser finds the robot 20 cm from the pose in `map` that TF gives. Which edge changes, which values stay the same, and which program must not be affected?
 #
 # <details><summary>Compare</summary>
 #
@@ -752,7 +752,7 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
-# After a pass, or three tries, `solution("E5.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# After a pass or three tries there, `solution("E5.1")` shows a solution. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다. 어느 변환을 한 번만 발행하고, 어느 변환을 계속 발행할지 배웁니다.

@@ -241,7 +241,7 @@ print(later.all_frames_as_string())
 # | Jazzy | all | is **ignored**: the old value stays |
 # | Lyrical, and C++ everywhere | all | replaces the old value |
 #
-# One list in one call is right on all releases. On Jazzy, create a new broadcaster to publish a mount that was measured again.
+# One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)` and create a new broadcaster.
 #
 # </details>
 
@@ -256,7 +256,7 @@ print(later.all_frames_as_string())
 # | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
 # | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
-# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 발행기를 새로 만들어야 합니다.
+# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어야 합니다.
 #
 # </details>
 
@@ -346,7 +346,7 @@ graph.run(seconds=1.0)
 print('early knows:', early.all_frames_as_string().splitlines())
 
 # %% [markdown] lang="en" name="volatile-seen" tags=["predicted"]
-# No frame at all. The publisher offers less than the listener requests, so the two are never connected. Both print it once, in a warning that contains `DURABILITY`.
+# No frame at all. The publisher offers less than the listener requests, so the two are never connected. Each prints one warning, which contains `DURABILITY`.
 # The error that you meet later reports only that a frame does not exist. Look for this warning first.
 #
 # Now it is your turn. Drag `join` from left to right, and watch what the listener receives. Then let it request VOLATILE.
@@ -486,7 +486,7 @@ graph = lesson.new_graph()
 # %ros2 --for 1 topic echo /tf_static --flow-style
 
 # %% [markdown] lang="en" name="echo-one-board-seen" tags=["predicted"]
-# `--once` means one *message*, and there are two boards: the first answer is half of the robot. Each publisher has a board of its own.
+# `--once` means one *message*, and there are two boards, one for each publisher. So the first command prints only one of the two mounts.
 
 # %% [markdown] lang="ko" name="echo-one-board-seen" tags=["predicted"]
 # `--once`는 *메시지* 하나라는 뜻이고 게시판은 둘입니다. 첫 번째 명령으로는 로봇의 절반만 본 셈입니다. 게시판은 발행자마다 따로 있습니다.
@@ -541,7 +541,7 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# Its main part is three lines: create a `TransformStamped`, fill in parent, child and numbers, send it once. The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
+# Its main part has three steps: create a `TransformStamped`, fill in parent, child and numbers, send it once. The mounts of a whole robot are better kept in its URDF, and published by one node from there: chapter 07. Never do both for one sensor.
 
 # %% [markdown] lang="ko" name="static-node" slide="slide"
 # ### 같은 일을 파이썬으로
@@ -595,12 +595,12 @@ graph = lesson.new_graph()
 #
 # </details>
 #
-# 핵심은 세 줄입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서의 장착 변환을 두 노드에서 발행하지는 마십시오.
+# 핵심은 세 단계입니다. `TransformStamped`를 만들고, 부모와 자식과 숫자를 채우고, 한 번 보냅니다. 로봇 전체의 장착 변환은 URDF에 적고 노드 하나가 발행하는 편이 좋습니다(07장). 같은 센서의 장착 변환을 두 노드에서 발행하지는 마십시오.
 
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
 #
-# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at most a twentieth of a second.
+# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at 20 Hz at most 0.05 s.
 # Here is the lecture's robot on its circle, 20 times a second. (The complete file is below, folded.)
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
@@ -768,7 +768,7 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # The answer for the camera is up to a second old, and for the laser at most a twentieth. The odometry is as fast as before. But "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data only once a second.
 # So the camera, which is screwed to the robot, jumps by half a metre each second, and nine of ten lookups for a tenth of a second ago raise an exception.
 #
-# A mount on `/tf` costs more than bandwidth: it makes every path that contains it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
+# A mount on `/tf` costs more than bandwidth: it makes every lookup through it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
 
 # %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
 # *그림 읽기:* age of the answer = 조회한 값의 나이, time = 조회한 시각.
@@ -805,8 +805,8 @@ for t in (1.0, 3.0, 6.0):
 #
 # | the link | on the board `/tf_static` | on the radio `/tf` |
 # |---|---|---|
-# | is fixed | **right** | the path becomes old |
-# | moves | no past, or frozen | **right**, if it never stops publishing |
+# | is fixed | **right** | each lookup through it is up to one period old |
+# | moves | one pose for all times | **right**, if it never stops publishing |
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
 # 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m로 나옵니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
@@ -818,7 +818,7 @@ for t in (1.0, 3.0, 6.0):
 # | 움직이는 것 | 과거가 없거나 처음 위치에 고정됩니다 | 멈춰도 계속 보내면 **맞습니다** |
 
 # %% [markdown] lang="en" name="static-lift-notes" slide="notes"
-# Fill the two by two table with the class, one cell at a time, each with the picture that showed it.
+# Fill the two-by-two table with the class, one cell at a time, each with the picture that showed it.
 # The lower left one has no error message at all: ask how one would ever find it.
 
 # %% [markdown] lang="ko" name="static-lift-notes" slide="notes"
@@ -831,7 +831,7 @@ for t in (1.0, 3.0, 6.0):
 # ## The crab
 #
 # Back to the lecture's robot. In RViz its circle looks perfect. But in which direction does it move in its own frame?
-# Take the robot at 4 s, and express in *its* `base_link` where it is one second later.
+# Take the robot's pose at 4 s. Where is the robot one second later, in the `base_link` of 4 s?
 
 # %% [markdown] lang="ko" name="crab" slide="slide"
 # ## 게걸음
@@ -982,7 +982,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 #
 # </details>
 #
-# Stamp a dynamic transform with the time of its *measurement*. With the time at which a callback happened to run, every delay before it is hidden.
+# Stamp a dynamic transform with the time of its *measurement*. If you stamp it with the time at which a callback ran, you hide every delay before the callback.
 #
 # <details><summary>Deeper: the two turtles of the official tutorials</summary>
 #
@@ -1168,7 +1168,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # Save the two nodes of the lecture and start them: `python3 static_sensor_broadcaster.py`, `python3 moving_robot_broadcaster.py`. Without ROS, in a terminal of this workbook, type `tflab run static_sensor_broadcaster.py moving_robot_broadcaster.py`. Then look:
 #
 # ```
-# ros2 topic info /tf_static --verbose      # who has a board, and which durability
+# ros2 topic info /tf_static --verbose      # the publishers, and the durability of each
 # ros2 topic echo /tf_static                # every board; stop with Ctrl-C
 # ros2 topic hz /tf                         # is it 20?
 # ros2 run tf2_ros static_transform_publisher --help
@@ -1209,7 +1209,7 @@ rclpy.try_shutdown()
 # - [[static transform|Static]]: a fixed mount, one message on `/tf_static`. [[dynamic transform|Dynamic]]: it can move, so it is published on `/tf` again and again, each time with its stamp.
 # - A board keeps the **last message** of its publisher (`depth` 1, [[transient local|TRANSIENT_LOCAL]]), and ends with the publisher. So: one list, one call, and stay alive.
 # - Sender and listener both need the board. A `DURABILITY` warning means: not connected at all.
-# - No message does not mean no motion. A mount on `/tf` makes the path old, a moving frame on `/tf_static` has no past.
+# - No message does not mean no motion. A mount on `/tf` makes every lookup through it old. A moving frame on `/tf_static` has one pose for all times.
 # - Each message can be right and the motion wrong. Check in which direction the robot moves along its own axes.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
@@ -1260,7 +1260,7 @@ rclpy.try_shutdown()
 #
 # - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
 # - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
-# - [ ] A mount on `/tf` costs bandwidth and, worse, holds the latest common time of its path back.
+# - [ ] A mount on `/tf` costs bandwidth and, worse, holds back the latest common time of its path.
 # - [ ] A moving frame on `/tf_static` has one value for all times, or stays where it was first.
 # - [ ] A lookup for a time after the last message of a dynamic transform raises an exception; the frame is not assumed to stand still.
 #
@@ -1284,7 +1284,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command distinguishes them first?
+# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command do you run first to tell them apart?
 #
 # <details><summary>Compare</summary>
 #
@@ -1314,7 +1314,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts.
-# After a pass, or three tries, `solution("E6.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# After a pass or three tries there, `solution("E6.1")` shows a solution. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다.

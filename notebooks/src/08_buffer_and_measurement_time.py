@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - describe a [[buffer]] as one [[timeline]] for each edge of the tree,
-# - say what the buffer returns between two samples, and what it rejects outside them,
+# - say what the buffer returns between two samples, and which times it rejects,
 # - find the [[latest common time]] of a path, and say what `Time()` means,
 # - transform a message at the time of its measurement,
 # - estimate the error if you use another time.
@@ -72,9 +72,9 @@ from tflab.workbook import lesson
 #
 # A mapping node looked up the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
 # The newest transform was from 3.235 s.
-# The node used the date of 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# The node used the computer's clock, in 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
-# That mistake is easy to find. Nothing works, and the error says why.
+# That mistake is easy to find. Nothing works, and the error message shows why.
 #
 # This one is harder: everything works, there is no error, and each obstacle is the length of a hand away from where it really is.
 # You now build it.
@@ -345,8 +345,8 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # Only the delay, and that is why this chapter is about time.
 # At zero speed the rotation still causes an error; at zero yaw rate the translation does.
 #
-# 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that rotates on the spot: about one image of a 30 Hz camera.
-# Few detectors are that fast, and the camera and the network add their own delay. Speed alone does not help. Looking up the right time does.
+# 0.1 m = 5 m × 0.5 rad/s × delay, so 0.04 s even for a robot that rotates on the spot. That is about one period of a 30 Hz camera.
+# Few detectors are that fast, and the camera and the network add their own delay. A faster detector alone does not help. Looking up the right time does.
 #
 # </details>
 
@@ -364,7 +364,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # %% [markdown] lang="en" name="the-lanes" slide="slide"
 # ## What the buffer remembers
 #
-# To look up a pose of the past, somebody must have stored it.
+# You can look up a past pose only if it was stored.
 # That is the purpose of the buffer.
 #
 # Each edge of the tree has a timeline of its own.
@@ -432,7 +432,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
     print(f"{stamp_s:.2f} s: yaw {math.degrees(yaw):7.2f} degrees")
 
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
-# 180°. The robot rotated by 20°, past the rear, as any robot would.
+# 180°. The robot rotated by 20°, through ±180°, as any robot would.
 # If you average the two angles you get 0°, and the robot appears to face in the opposite direction.
 # Many programs contain this bug. The exercise lets you write it once more, safely.
 
@@ -504,7 +504,7 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 
 # %% [markdown] lang="en" name="latest-live-read"
 # There are three times here: 13.00 s is now, 12.89 s is the latest common time, and 12.80 s is the stamp of the image.
-# `Time()` gives neither now nor the time of the image. It gives what the slowest timeline has.
+# `Time()` gives neither now nor the time of the image. It gives the newest stamp of the slowest timeline.
 # The returned transform contains its stamp. Print the stamp: it is not now.
 #
 # Now drag the requested time through the small buffer, and past both of its ends.
@@ -587,8 +587,8 @@ ways = {
 lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 
 # %% [markdown] lang="en" name="one-ball-again"
-# One ball. The messages, the buffer and the robot are the same; only the third argument is different.
-# The rest, 2 cm on average, is noise of the camera and the localisation.
+# One ball. The messages, the buffer and the robot are the same. Only the time of the lookup is different.
+# The remaining error, 2 cm on average, is noise of the camera and the localisation.
 
 # %% [markdown] lang="ko" name="one-ball-again"
 # *그림 읽기:* newest pose = 최신 포즈, pose at the stamp = 측정 시각의 포즈.
@@ -707,7 +707,7 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
     print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {off_m:.2f} m")
 
 # %% [markdown] lang="en" name="the-cure-read" slide="subslide"
-# The error is gone, and the ball is wrong. From now on nothing will tell you.
+# The exception is gone, but the ball's position is wrong. From now on no message shows it.
 # **The stamp is the time of the measurement, not of the arrival.** If you overwrite it, the error does not go away. It becomes invisible.
 #
 # What does that look like for a laser? Here a filter holds each scan for 0.3 s. The walls are drawn twice: once with the laser's stamp, once with a new one.
@@ -743,8 +743,8 @@ ways = {
 lesson.draw_placed(ways, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="smear-read" slide="subslide"
-# In RViz people call this "the walls are smeared", and look for a broken laser.
-# Distant walls are off by most: that is range × yaw rate × delay again.
+# RViz users call such walls "smeared", and look for a broken laser.
+# Distant walls are off the most: that is range × yaw rate × delay again.
 #
 # The left figure is not perfect either: its points are off by 4 cm on average, and by 27 cm at worst.
 # A sweep takes 0.1 s, and the header's stamp is that of its *first* ray. The last ray is 0.1 s newer.
@@ -767,12 +767,12 @@ for heard in scans:
 lesson.draw_placed({"one stamp a scan": at_stamp, "one stamp a ray": np.vstack(rays)}, walls=lesson.ROOM.walls)
 
 # %% [markdown] lang="en" name="ray-by-ray-notes" slide="notes"
-# This slide is for the engineers in the class: laser_geometry does the same in C++ if you pass it a TF buffer.
+# This slide is for the engineers in the class. In C++, laser_geometry corrects this if you pass it a TF buffer. It interpolates between the poses of the first and the last ray.
 # In a sweep of 0.1 s a robot at 0.5 rad/s rotates by 0.05 rad from the first ray to the last: 25 cm at 5 m.
 # Then go back: most of the smear in practice comes from stamps, and costs nothing to fix.
 
 # %% [markdown] lang="ko" name="ray-by-ray-notes" slide="notes"
-# 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 같은 일을 합니다.
+# 현업 엔지니어를 위한 슬라이드입니다. C++의 laser_geometry도 TF 버퍼를 주면 이 왜곡을 보정합니다. 첫 광선과 마지막 광선의 포즈를 조회하고 그 사이를 보간합니다.
 # 10 Hz로 훑는 레이저와 0.5 rad/s로 회전하는 로봇이면, 한 번 훑는 사이에 0.05 rad 회전하고 5 m 앞에서 25 cm가 된다고 말해 줍니다.
 # 그리고 다시 정리합니다. 실제 번짐의 대부분은 측정 시각이 원인이고, 고치는 데 비용이 들지 않습니다.
 
@@ -916,7 +916,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # %% [markdown] lang="en" name="two-moments" slide="slide"
 # ## One more lookup: two times at once
 #
-# A planner computes for a second with the ball that was detected at 7.4 s. Now, at 8.4 s, it wants to steer.
+# A ball was detected at 7.4 s. A planner computes with that detection for one second. Now, at 8.4 s, it has to steer.
 # So it needs the ball of *then* in the base_link of *now*.
 #
 # One stamp is not enough for that. You need a frame that does not move between the two times: the [[fixed frame]], here `odom`.
@@ -1442,7 +1442,7 @@ node.stop()
 #
 # Terms of this chapter: [[buffer]], [[listener]], [[stamp]], [[interpolation]], [[latest common time]], [[extrapolation]], [[cache time]], [[latency]], [[motion distortion]], [[fixed frame]].
 #
-# Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercise ticks both.
+# Lab checklist: *looked up the newest transform with Buffer and Listener* (C8), *transformed a PointStamped at its measurement time* (C9). The exercises tick both for you.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -1546,7 +1546,7 @@ node.stop()
 # </details>
 #
 # **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
-# After a pass, or three tries, `solution("E8.3")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# After a pass or three tries there, `solution("E8.3")` shows a solution. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며

@@ -23,7 +23,7 @@
 # - 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask first: you play yesterday's recording. What time is it? Two answers are right, and a robot needs to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
 # 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 오류를 내는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
@@ -60,8 +60,8 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## Skip the boring first second
 #
-# A recording begins with a robot that stands still. So somebody played it with `--start-offset`, a little later than the start, and there were no sensors: no laser, no camera, no model. Reported in 2026, and closed as working as designed ([ros2/rosbag2, issue 2333](https://github.com/ros2/rosbag2/issues/2333)).
-# Others began to record while paused, and got a bag without any mounts ([issue 1302](https://github.com/ros2/rosbag2/issues/1302)).
+# A recording begins with a robot that stands still. So somebody played it with `--start-offset`, from a little after the start, and there were no sensors: no laser, no camera, no model. The report of 2026 was closed as working as designed ([ros2/rosbag2, issue 2333](https://github.com/ros2/rosbag2/issues/2333)).
+# Others started the recorder in the paused state, and got a bag without any mounts ([issue 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
 # What was in that first second? Record a drive of our robot and look.
 
@@ -86,7 +86,7 @@ nodes = lesson.launch(graph, robot)
 bags = lesson.fresh_folder()  # for this page's recordings; it goes away with the kernel
 
 # %% [markdown] lang="en" name="record-intro" slide="subslide"
-# The lecture's command, with an IMU. On a robot you stop the command with Ctrl-C. Here `--for` stops it. (With `TFLAB_ROS_DISTRO=lyrical`, write `--topics` before the topics.)
+# This is the lecture's command, with `/imu` added. On a robot you stop the command with Ctrl-C. Here `--for` stops it. (With `TFLAB_ROS_DISTRO=lyrical`, write `--topics` before the topics.)
 
 # %% [markdown] lang="ko" name="record-intro" slide="subslide"
 # 강의의 명령에 IMU를 더했습니다. 로봇에서는 Ctrl-C로 끝내고, 여기서는 `--for`에 적은 시간이 지나면 끝납니다. (`TFLAB_ROS_DISTRO=lyrical`이라면 토픽 앞에 `--topics`를 적으십시오.)
@@ -96,12 +96,12 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 
 # %% [markdown] lang="en" name="record-read" slide="-"
 # Five subscriptions for six topics: there is no `/clock`, and the recorder reports no error. It waits for topics that may still appear.
-# A real robot has no `/clock`. Only a simulation publishes one, and then it belongs in the bag. The lecture's command includes it to be safe.
+# A real robot publishes no `/clock`. A simulation publishes one, and then it belongs in the bag. The lecture's command includes it to be safe.
 
 # %% [markdown] lang="ko" name="record-read" slide="-"
 # 토픽은 여섯인데 구독은 다섯입니다. `/clock`이 없지만 아무 오류도 나지 않습니다. 기록기는 나중에 나타날지도 모르는 토픽을 기다릴 뿐입니다.
 #
-# 실제 로봇에는 `/clock`이 없습니다. 시뮬레이션만 발행하므로, 시뮬레이션에서만 bag에 담으면 됩니다. 강의의 명령에는 만일을 위해 적혀 있습니다.
+# 실제 로봇에는 `/clock`이 없습니다. 시뮬레이션은 `/clock`을 발행하므로, 그때는 bag에 담습니다. 강의의 명령에는 만일을 위해 적혀 있습니다.
 
 # %% name="info" slide="fragment"
 # %ros2 bag info {bags}/lap
@@ -149,7 +149,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # 마지막 줄을 손으로 가리고 나머지 줄의 발행률을 묻습니다. 손을 떼고, 1밀리초를 건너뛰면 몇 개일지 모두 숫자로 적게 합니다.
 
 # %% [markdown] lang="en" name="asker-intro" slide="subslide"
-# To find out you need a node that listens while the bag plays. For each scan it looks up three times: the scan's stamp, its own now, and `Time()`. It also counts its timer callbacks, and measures the age of a scan by its own clock.
+# To find out you need a node that listens while the bag plays. For each scan it makes three lookups: at the scan's stamp, at its own *now*, and at `Time()`. It also counts its timer callbacks, and measures the age of a scan by its own clock.
 
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
 # 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
@@ -207,7 +207,7 @@ print(asker.first_no)
 
 # %% [markdown] lang="en" name="offset-read" tags=["predicted"]
 # None. The one message with the mounts was at 0.000 s, and the player skipped it. From then on no listener knows a `laser_frame`.
-# On the robot its publisher would send it again to each listener that joins later; that is how `/tf_static` works. A player sends only what it has played.
+# On the robot its publisher would send it again to each listener that joins later; that is how `/tf_static` works. A player publishes nothing from before the offset.
 #
 # If you must begin later, let `robot_state_publisher` publish the mounts, with the robot's URDF. Or play them first, `ros2 bag play lap --topics /tf_static`, while your nodes are already listening. When that player ends, the message that it kept for late listeners is gone.
 
@@ -218,7 +218,7 @@ print(asker.first_no)
 # 꼭 중간부터 재생해야 한다면 장착 변환은 따로 보내십시오. 로봇의 URDF로 `robot_state_publisher`를 실행하면 됩니다. 또는 노드를 모두 실행한 뒤에 `ros2 bag play lap --topics /tf_static`을 먼저 실행합니다. 이 재생기가 끝나면 보관하던 메시지도 함께 사라지므로, 그 뒤에 시작한 노드는 받지 못합니다.
 
 # %% [markdown] lang="en" name="offset-notes" slide="notes"
-# Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player sends only what it has played.
+# Hands for 149, for all but a few, for none; then run it. One sentence is enough: a player publishes nothing from before the offset.
 
 # %% [markdown] lang="ko" name="offset-notes" slide="notes"
 # 149개, 몇 개만 빼고 모두, 하나도 없음에 손을 들게 한 다음 실행합니다. 정리는 한 문장입니다. 재생기는 재생한 것만 보냅니다.
@@ -243,16 +243,16 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
     print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
 
 # %% [markdown] lang="en" name="place-all-read" tags=["predicted"]
-# Three bags of almost the same size, 149, 0 and 0, and the two errors name different frames: without `/tf_static` the sensor's frame is unknown, without `/tf` the map is.
-# The first error tells you which topic is missing. The sensor itself was never broken.
+# The three bags have almost the same size, but they place 149, 0 and 0 scans. The two errors name different frames: without `/tf_static` the sensor's frame is unknown, without `/tf` the map is.
+# So the frame in the error shows which topic is missing. The sensor is not broken.
 #
 # So what is the smallest recording? It depends on what you want to do with it tomorrow:
 #
 # | tomorrow you want | record besides the sensor |
 # |---|---|
 # | the sensor on the map, as the robot placed it | `/tf` `/tf_static` |
-# | to run the localisation again, with another algorithm | `/tf_static`, the odometry (`/tf` or `/odom`), and leave `map → odom` out when you play |
-# | the same from a simulation | the same, and `/clock`, which shows how fast the simulation ran; play that bag without `--clock`, because older players would publish `/clock` twice |
+# | to run the localisation again, with another algorithm | `/tf_static` and the odometry (`/tf` or `/odom`). When you play, filter `map → odom` out of `/tf` |
+# | the same from a simulation | the same, and `/clock`, which shows how fast the simulation ran; play that bag without `--clock`, because `ros2 bag play` of older releases would publish `/clock` twice |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 버퍼에 센서의 좌표계가, `/tf`가 없으면 지도의 좌표계가 없습니다.
@@ -307,8 +307,8 @@ for use_sim_time in (False, True):
 
 # %% [markdown] lang="en" name="four-set-ups-read" tags=["predicted"]
 # - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and they agree whatever a clock shows. That is another reason to look up at the stamp (08).
-# - **With the machine's time** everything else is a day off: now is 86 400 s in the future of all data, a scan seems a day old, and a new stamp of this node is from tomorrow.
-# - **With both** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup at *now* fails because a hundredth of a second is missing: transforms take time to arrive, too.
+# - **With the machine's time** everything else is a day off: now is 86 400 s in the future of all data, a scan appears to be a day old, and this node stamps its messages a day after the data.
+# - **With `use_sim_time` and `--clock`** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup at *now* fails because a hundredth of a second is missing: transforms take time to arrive, too.
 # - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and the lookup at *now* succeeds 59 times out of 60. It succeeds in no other set-up!
 
 # %% [markdown] lang="ko" name="four-set-ups-read" tags=["predicted"]
@@ -329,7 +329,7 @@ for use_sim_time in (False, True):
 # A node with `use_sim_time` that receives no `/clock` has a clock that stays at **0**. Nothing that waits for a time ever happens.
 # And tf2 reads the time 0 as *the latest*. So a node that looks up *now* gets the latest transform, without an error, while its clock stands still. The broken set-up is the one that looks best.
 #
-# A user once reported that a transform library failed with `use_sim_time`, and withdrew it the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
+# A user once reported that a transform library failed with `use_sim_time`, and withdrew the report the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
 
 # %% [markdown] lang="ko" name="stopped" slide="subslide"
 # ### 멈춘 시계
@@ -454,7 +454,7 @@ rclpy.shutdown()
 #
 # You want to run the localisation again. The bag contains laser, wheel odometry and mounts, and a new localiser publishes `map → odom`. Every node has `use_sim_time`, except one that was forgotten: the localiser.
 #
-# **Predict:** which node reports an error, and what does it say?
+# **Predict:** which node reports an error, and which error?
 
 # %% [markdown] lang="ko" name="innocent" slide="slide"
 # ## 오류를 내는 노드가 원인은 아닙니다
@@ -478,7 +478,7 @@ except TransformException as error:
     print(error)
 
 # %% [markdown] lang="en" name="innocent-read" tags=["predicted"]
-# Every node that looks up a transform gets the error; the one at fault has none. It stamps its transforms a day later than the bag, because this localiser uses its own clock for the stamp. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
+# Every node that looks up a transform gets the error; the one at fault has none. This localiser stamps its transforms with its own clock, a day later than the bag. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
 #
 # *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path the two days have no common time.
 # Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
@@ -503,7 +503,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # `ros2 bag play lap --clock --loop`: fifteen seconds, again and again. At the end of each pass the clock goes back from 16 to 1.
 # The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. It is in the second pass, its clock is at 11.9 s.
 #
-# **Predict:** where is the robot by `Time()`?
+# **Predict:** where does a lookup at `Time()` place the robot?
 
 # %% [markdown] lang="ko" name="loop" slide="slide"
 # ## 시각이 되돌아갈 때
@@ -549,7 +549,7 @@ show(long)
 # %% [markdown] lang="en" name="twenty-seconds-read" tags=["predicted"]
 # `Time()` places the robot at the end of the *previous* pass, almost two metres from its true position. There is no error and no warning, and every scan is placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
 #
-# With the usual ten seconds there is a warning. Many:
+# With the default of ten seconds, the buffer prints a warning, many times:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
 # *첫* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
@@ -665,7 +665,7 @@ for record in [record for record in recording.records() if record.is_static][:2]
 print(lesson.doctor(recording))
 
 # %% [markdown] lang="en" name="bag-read"
-# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only says when it was sent. Somebody has mistaken such a stamp for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only shows when it was sent. Somebody has mistaken such a stamp for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
 #
 # Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
 
@@ -727,7 +727,7 @@ print(lesson.doctor(recording))
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. The requested time is today's, the data is yesterday's: the node that looked it up does not use the bag's time.
+# Yes. The requested time is today's, the data is yesterday's. So your node does not use the bag's time.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -862,11 +862,11 @@ rclpy.try_shutdown()
 # ## Recap
 #
 # - A message in a [[bag]] has two times: the time of its arrival, by which it is played, and its stamp, which TF uses.
-# - `/tf_static` is sent once, at the beginning. If you skip that, no sensor can be placed.
+# - `/tf_static` is sent once, at the beginning. If you skip that message, no sensor can be placed.
 # - *Can the transforms in the bag place its own messages?* One number, without playing it.
 # - `use_sim_time` on every node, `--clock` at the player: both, or neither. With only one of them there is a stopped clock, or a node whose clock shows another day ([[simulation time]]).
 # - With a clock at 0, a lookup at *now* returns the latest transform, so the broken set-up looks best. A lookup at the stamp is always right.
-# - The node that reports an error about times is seldom the one at fault.
+# - The node that reports an error about times is often not the one at fault.
 # - Use `Buffer(node=self)`. Without it, a bag in a loop leads to wrong transforms.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
@@ -877,7 +877,7 @@ rclpy.try_shutdown()
 # - *bag은 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있을까요?* 재생하지 않고도 숫자 하나로 압니다.
 # - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날짜의 시각을 씁니다([[simulation time|시뮬레이션 시간]]).
 # - 시계가 0에 멈추면 현재 시각의 조회가 최신 조회가 되므로, 고장 났을 때 가장 정상으로 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
-# - 시계 오류를 내는 노드가 잘못된 노드인 경우는 드뭅니다.
+# - 시각 오류를 내는 노드가 원인이 아닌 경우가 많습니다.
 # - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 앞선 재생의 변환이 최신으로 나옵니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
@@ -931,7 +931,7 @@ rclpy.try_shutdown()
 #
 # - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's. A node with `use_sim_time` takes its now from `/clock`.
 # - [ ] All nodes must agree: if one uses the machine's time, its stamps and lookups are a day off, and other nodes get the errors.
-# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: no timer, no age, and a lookup at the current time gives the latest without an error.
+# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: timers never run, ages are wrong, and a lookup at the current time gives the latest without an error.
 # - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
 # - [ ] In a loop time goes back, and earlier data has to be deleted.
 #
@@ -988,7 +988,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
-# After a pass, or three tries, `solution("E10.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# After a pass or three tries there, `solution("E10.1")` shows a solution. To start a page over, delete its file and type `tflab lab`.
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"

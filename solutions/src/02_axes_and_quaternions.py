@@ -116,7 +116,7 @@ check("E2.3", quaternion_from_yaw)
 # %% [markdown] lang="en" name="e2-4"
 # ## E2.4 · Check a quaternion (4 points)
 #
-# A listener rejects a bad quaternion, two programs away from its source. Your function checks it where it enters your program.
+# A listener rejects a bad quaternion, but it may be two programs away from the source. Your function checks the quaternion where it enters your program.
 # The robot drives on a flat floor, so a good quaternion rotates only about z.
 # Return the first verdict that fits, in this order:
 #

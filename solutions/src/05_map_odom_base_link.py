@@ -55,7 +55,7 @@ check("E5.1", map_to_odom)
 # %% [markdown] lang="en" name="e5-2"
 # ## E5.2 · A loop closure (4 points)
 #
-# Before the correction the edge is `map_T_odom`, and the odometry gives `odom_T_base`. Now the robot recognises a door and its pose is found to be `found_T_base`, which is its new `map_T_base`. All of these are for the same time.
+# Before the correction the edge is `map_T_odom`, and the odometry gives `odom_T_base`. Now the robot recognises a door, and the localiser finds the robot's pose: `found_T_base` is the new `map_T_base`. All of these are for the same time.
 #
 # - `"believed"`: where was the robot on the map before, (x, y) [m]?
 # - `"jump_m"`: how far does the robot jump on the map [m]?
@@ -91,7 +91,7 @@ check("E5.2", closure)
 # %% [markdown] lang="en" name="e5-3"
 # ## E5.3 · Which frame for which purpose? (4 points)
 #
-# Eight purposes, each with `"map"`, `"odom"` or `"base_link"`:
+# Choose `"map"`, `"odom"` or `"base_link"` for each of the eight purposes:
 #
 # - **dock** the position of the charging dock, for tomorrow
 # - **line** follow the next half metre of a line on the floor

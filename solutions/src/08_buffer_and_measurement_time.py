@@ -130,7 +130,7 @@ check("E8.3", point_to_map)
 # `delay_ms` later a node transforms the detection with the *current* pose. (Check the units: the data sheets were written by different people.)
 #
 # Estimate the error with the two products of the page, x forward and y left, relative to the robot at the stamp:
-# `"forwards_m"` and `"left_m"`, with their signs, and `"together_m"`, their length.
+# `"forwards_m"` and `"left_m"`, with their signs, and `"together_m"`, the length of the whole error.
 
 # %% [markdown] lang="ko" name="e8-4"
 # ## E8.4 · 얼마나 빗나갑니까? (3점)
@@ -166,7 +166,7 @@ check("E8.4", late_error)
 # - **b** The scan is 5 cm beside the wall, in motion or at rest, always on the same side of the robot.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`, from a detector that takes 12 s.
-# - **e** About three of four points are rejected: `… into the future …`, always by less than a second. `ros2 topic hz` prints 1.0 for one edge's publisher, and 30 for the camera.
+# - **e** About three of four points are rejected: `… into the future …`, always by less than a second. `view_frames` shows a rate of 1.0 for one edge, and `ros2 topic hz` prints 30 for the camera.
 # - **f** The node stops with a traceback, although every lookup is inside `try … except TransformException`.
 
 # %% [markdown] lang="ko" name="e8-5"
@@ -179,7 +179,7 @@ check("E8.4", late_error)
 # - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** 12초 동안 계산하는 검출기에서 `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`
-# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `ros2 topic hz`는 어느 연결의 발행자에 1.0을, 카메라에 30을 보여 줍니다.
+# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `view_frames`는 어느 연결의 발행률을 1.0으로 보여 주고, `ros2 topic hz`는 카메라에 30을 출력합니다.
 # - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 노드가 traceback을 남기고 멈춥니다.
 
 # %% name="e8-5-answer" tags=["answer"]
@@ -202,7 +202,7 @@ check("E8.5", causes)
 #
 # A detector computes for `thinking_s` before it looks up the transform at the image's stamp.
 # Each transform on the path is published at `rate_hz`, immediately after it is measured.
-# By the rule of the page, which `cache_time` [s] is enough for every image, wherever its stamp is between two samples, and not longer than necessary?
+# By the rule of the page, what is the smallest `cache_time` [s] that is enough for every image, wherever its stamp is between two samples?
 
 # %% [markdown] lang="ko" name="e8-6"
 # ## E8.6 · 얼마나 오래 기억해야 합니까? (2점)

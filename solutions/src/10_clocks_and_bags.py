@@ -79,7 +79,7 @@ check("E10.1", outcomes)
 # Three robots. For each write the `ros2 bag record …` line with as few topics as possible and no options. On Jazzy you may write `--topics` before the topics. Humble does not have it, and Lyrical requires it.
 #
 # - **a** A real robot with localisation and wheel odometry, like ours. Tomorrow you want to see `e10_2.sensor["a"]` on the map, where the robot placed it.
-# - **b** The same in a simulation, with `e10_2.sensor["b"]`; tomorrow it should use the simulation's own time.
+# - **b** The same in a simulation, with `e10_2.sensor["b"]`. Tomorrow your nodes should use the simulation's own time.
 # - **c** A real robot without localisation. Its wheel odometry is published as messages on `e10_2.wheels["c"]`, and not as transforms. Tomorrow you want to localise it with `e10_2.sensor["c"]`; a node will turn the odometry into transforms then.
 
 # %% [markdown] lang="ko" name="e10-2"
@@ -213,7 +213,7 @@ check("E10.5", behind_s)
 #
 # `buffer` contains a bag's transforms, `messages` its stamped messages (each has a `header`), `target` is the frame in which they are wanted.
 # Return `{"placed": how many have a transform at their own stamps, "last_x_m": the x [m] of the last of these in `target`, "first_no": the name of the first exception's class}`.
-# The x is that of the origin of the message's frame. It is `0.0` if no message has a transform. If all have one, `"first_no"` is `"none"`. Such as `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
+# The x is that of the origin of the message's frame. It is `0.0` if no message has a transform. If all have one, `"first_no"` is `"none"`. For example `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
 # ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있습니까? (4점)
