@@ -5,7 +5,7 @@
 # `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, two metres ahead of the robot, or two metres from the origin of the map.
 # And a point that was two metres ahead a moment ago is somewhere else once the robot has moved.
 #
-# [[tf2|TF2]] is the part of ROS 2 that keeps track of this: the pose of each [[frame]] (its position and orientation) in another one, and the time at which it was measured.
+# [[tf2|TF2]] is the part of ROS 2 that keeps track of this. It stores the pose (position and orientation) of each [[frame]] in another frame, and the time of this pose.
 # In this workbook you learn TF2 from the beginning, with a simulated robot.
 #
 # You need basic Python.
@@ -47,7 +47,7 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. Whatever a page calls `lesson.…` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
+# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. Every name that begins with `lesson.` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
@@ -61,7 +61,7 @@ from tflab.workbook import lesson
 #
 # - The body with wheels and an arm is our robot. It drives round a pillar.
 # - The coloured dots are the points that its laser measures, ten times a second. The pale area is what the laser has covered. The dots are on the walls, although the laser measures only distances *from itself*. In curves they drift off the walls a little; chapter 08 explains why.
-# - The three arrows on the robot are the frame [[base_link]], and those on top of it are `laser_frame`. The arrows that stay on the floor are `map`.
+# - The three arrows on the robot are the frame [[base_link]], and the three above them are `laser_frame`. The arrows that stay on the floor are `map`.
 #
 # This workbook is about one step. The laser measures a point in its own frame, and you calculate the point's position on the map.
 
@@ -109,7 +109,7 @@ lesson.ask_first(base_p_post)
 #
 # So far you saw an animation. Now you run the robot's programs. Each is a ROS 2 [[node]], as it would run on the robot itself.
 # One node calculates the pose from the wheels, another finds the robot on the map, and a third publishes where each part is mounted.
-# Each node *publishes* the transforms that it knows. TF2 combines them.
+# Each node *publishes* transforms. A transform gives the pose of one frame in another. TF2 combines them.
 #
 # `new_graph` creates the simulation, `launch` starts the nodes, and `graph.run` lets two seconds pass. (On a robot you need neither `new_graph` nor `graph.run`: time passes by itself.)
 
@@ -130,9 +130,9 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="en" name="echo-why" slide="slide"
 # ## Where is the laser in `map`?
 #
-# Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. The frame in which you want the data comes first.
+# Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. In the command, the frame in which you want the data comes first.
 # `%ros2` is what you type as `ros2` in a terminal.
-# The first line that it prints is no error. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
+# The first line of its output is not an error. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
@@ -167,7 +167,7 @@ graph.run(seconds=2.0)
 # ## See what ROS 2 sees
 #
 # This is a small [[rviz]], ROS 2's 3D visualiser. Choose another [[fixed frame|Fixed Frame]] in the menu: the view changes, the data does not.
-# Choose `base_link`: now the robot is at the centre, and the room is drawn around it. Time does not advance here. With a driving robot the room would move towards it.
+# Choose `base_link`: now the robot is at the centre, and the room is drawn around it. Time does not advance here. If the robot drove, the room would move towards it.
 #
 # If the box stays empty, WebGL is switched off in your browser. Every 3D view is followed by a figure that shows the same. In your copy the figure is collapsed until you run its cell or click on the three dots.
 
@@ -191,8 +191,8 @@ graph.stop()
 # %% [markdown] lang="en" name="fifteen" slide="slide"
 # ## Before you begin: fifteen questions
 #
-# Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and nothing is marked. A guess is fine if you say that it is one.
-# You answer such questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every answer option.
+# Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and nothing is marked. You may guess if you mark the answer as a guess.
+# You answer similar questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every answer option.
 #
 # The test is small, and nobody has validated it yet. Use it to see what to read again, not to compare yourself with others.
 
@@ -209,8 +209,8 @@ graph.stop()
 # ## The chapters
 #
 # Each chapter begins with a fault that somebody reported.
-# For a first evening, read 01, 03 and 08. They take about three hours, and their exercises about two and a half more.
-# The minutes are for reading, predicting and running. The exercise of a chapter takes about as long again.
+# For a first evening, read 01, 03 and 08. Reading them takes about three hours, and their exercises take another two and a half hours.
+# The minutes are for reading, predicting and running. The exercise of a chapter takes about the same time again.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
@@ -304,7 +304,7 @@ lesson.check_environment()
 #
 # Run the next cell whenever you like, or type `tflab progress` in a terminal.
 # A task counts as passed after a successful check. The results are in the file `progress.json` in your copy.
-# After a chapter, [practice](91_practice.ipynb) asks its tasks again with other numbers.
+# After a chapter, [practice](91_practice.ipynb) gives you its tasks again with other numbers.
 # After you have installed a new version of tflab, `tflab lab --update` adds its new material and keeps what you wrote.
 
 # %% [markdown] lang="ko" name="progress-why" slide="skip"

@@ -282,7 +282,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
 # As long as no frame is rotated, you can simply add: 2 + 0.20 + 6.2.
-# Now the robot rotates on the spot, 90° to the left, and detects another ball straight ahead of its laser.
+# Now the robot rotates on the spot, 90° to the left, and detects another ball, again two metres straight ahead of its laser.
 #
 # **Predict:** which of the three sets of coordinates stay the same?
 
@@ -315,14 +315,14 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # Ask: where is the door now, for you?
 # And for the room?
 # Coordinates that rotate with you stay the same in your frame. In the frame of the room they change.
-# This is the last time today that adding works.
+# Adding coordinates works only as long as no frame is rotated.
 
 # %% [markdown] lang="ko" name="turned-notes" slide="notes"
 # 모두 일어나 왼쪽으로 90° 돌게 합니다.
 # 문은 나에게 어디입니까?
 # 이 방에서는 어디입니까?
 # 함께 돈 것의 숫자는 그대로이고, 방 기준의 숫자는 바뀝니다.
-# 더하기로 되는 것은 여기까지입니다.
+# 좌표를 더하기만 해도 되는 것은 회전이 없을 때뿐입니다.
 
 # %% name="stop-the-reader" slide="skip"
 graph.stop()
@@ -363,7 +363,7 @@ for t, pose in poses_at.items():
 
 # %% [markdown] lang="en" name="ball-and-cup-seen" tags=["predicted"]
 # The ball did not move, and its coordinates in `base_link` change. The cup moves with the robot, and its coordinates in `base_link` stay the same.
-# "It is at rest, so its coordinates stay the same" is true in one frame only: the one in which it is at rest.
+# "It is at rest, so its coordinates stay the same" is true only in frames in which it is at rest.
 
 # %% [markdown] lang="ko" name="ball-and-cup-seen" tags=["predicted"]
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 로봇과 함께 달리는데도 `base_link` 기준 숫자는 그대로입니다.
@@ -378,7 +378,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### Try it
 #
 # Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
-# *same* and *changed* compare the coordinates with those at the start. At the start the robot is in its first pose, and the object is in its first position on the floor (or on the tray, if you put it there). Can you change the coordinates in `laser_frame`, and in no other frame?
+# *same* and *changed* compare the coordinates with those at the start, before you moved anything. If you put the object on the tray, the start is its first position on the tray. Can you change the coordinates in `laser_frame`, and in no other frame?
 
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
@@ -408,7 +408,7 @@ lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first
 # %% [markdown] lang="en" name="rulers-answer"
 # <details><summary>Can you?</summary>
 #
-# No. The laser is fixed to the robot, so what changes in one frame changes in the other. The two sets of coordinates differ by an offset that never changes. That is why such an offset is sent only once.
+# No. The laser is fixed to the robot, so the coordinates in `laser_frame` and in `base_link` change together. They differ by an offset that never changes. That is why such an offset is sent only once.
 #
 # </details>
 
@@ -454,7 +454,7 @@ lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p
 #
 # The robot has a camera, and a node that finds the ball in its images. Each of its messages begins with a **header**: a frame and a [[stamp]].
 # The stamp is the time of the measurement, on the robot's clock.
-# The next cell subscribes to its [[topic]], `/detected_point`, and stores each message in `heard`, with the time of its arrival.
+# The next cell subscribes to the node's [[topic]], `/detected_point`, and stores each message in `heard`, with the time of its arrival.
 
 # %% [markdown] lang="ko" name="header" slide="slide"
 # ## 메시지의 헤더
@@ -566,7 +566,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # ### Milk and tins
 #
 # Coordinates in `base_link` are like milk, because they go bad. 3.60 m was true at 5.8 s, and is wrong on arrival.
-# Coordinates in `map` are like tinned food, because they keep. For an object at rest, (6.5, −1.5) stays correct.
+# Coordinates in `map` are like tinned food, because they stay good. For an object at rest, (6.5, −1.5) stays correct.
 # So transform a measurement into a frame in which it stays correct, **with the [[pose]] at its stamp**, and do it early.
 
 # %% [markdown] lang="ko" name="milk" slide="subslide"
@@ -586,7 +586,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # > **A measurement is a value, a frame, and a stamp.**
 # > The sender fills in frame and stamp at the time of the measurement. The receiver reads both, or rejects the message and reports it.
 #
-# Here is a receiver that keeps the contract. Read it once, aloud.
+# Here is a receiver that keeps the contract. Read it aloud once.
 
 # %% [markdown] lang="ko" name="contract" slide="slide"
 # ## 약속
@@ -689,7 +689,7 @@ buffer.transform(misspelt, 'map')
 # Both raise an exception, and both messages name the faulty argument, `source_frame`.
 # Now forget the stamp: TF2 takes a stamp of 0 as "the latest available".
 #
-# **Predict:** since the image was taken the robot has driven another 1.25 m. Where does the ball land in `map`, and what does TF2 report?
+# **Predict:** since the image was taken, the robot has driven another 1.25 m. At which x does TF2 place the ball in `map`, and what does it report?
 
 # %% [markdown] lang="ko" name="shouts"
 # 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.
@@ -862,7 +862,7 @@ rclpy.shutdown()
 #
 # - Three numbers are a position only with a [[frame]] and a [[stamp]].
 # - One position has different coordinates in each frame. Adding works only as long as no frame is rotated.
-# - An object keeps its coordinates in the frame in which it is at rest, and only there.
+# - An object keeps its coordinates in the frames in which it is at rest, and only there.
 # - `nanosec` has nine digits. The age of a measurement is the current time minus the stamp.
 # - TF2 raises an exception if the frame is missing. If the stamp is missing or the frame name is wrong, it reports nothing.
 

@@ -41,7 +41,7 @@
 # - x points forward, y left, z up. A positive yaw rotates to the left.
 # - A rotation is a quaternion (x, y, z, w). "No rotation" is (0, 0, 0, 1).
 # - A sensor's mount does not change, so its transform is published once, as a static transform.
-# - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` asks for the latest transform.
+# - A `Buffer` stores what was published, and a `TransformListener` fills it. `Time()` means the latest transform.
 # - In the workbook's code, `base_T_laser.apply(laser_p)` transforms a point from laser_frame into base_link. `Transform.from_rpy(yaw=…, translation=…)` creates such a transform. `LATEST` is the workbook's name for `Time()`.
 #
 # In this chapter the robot stands still, so the time of a transform does not matter. It does in chapter 08.
@@ -77,7 +77,7 @@ from tflab.workbook import lesson
 # They were not the only ones.
 # In 2015 somebody asked whether the frames in `tf_echo`, the tool that prints a transform, are reversed.
 # Three more people asked the same. ROS 2 brought a new `tf2_echo`, and the question came again in 2021 and in 2024.
-# Very many robots estimate their pose with one package. Even its maintainer wrote about frequently getting the two frames backwards.
+# Many robots estimate their pose with the package robot_localization. Even its maintainer wrote about frequently confusing the two frames.
 #
 # Now the strange part: the tool's numbers were right all along, and most of the questions were good ones.
 # The authors had asked for the transform **"from A to B"**, and that phrase has two meanings.
@@ -110,7 +110,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # %% [markdown] lang="en" name="two-readings-seen"
 # The left picture is for an engineer who mounts sensors. Where is the laser *mounted*, measured on the robot? The numbers are (0.20, 0, 0.15).
 # The right picture is for an engineer who transforms data. The data is in the robot's frame and is *wanted* in the laser's frame. The numbers are (0, 0.20, −0.15), along the laser's axes.
-# Both say "from base_link to laser_frame", and they need opposite transforms.
+# Both say "from base_link to laser_frame", and each needs the inverse of the other's transform.
 #
 # The solution is a sentence with neither "from" nor "to".
 # You will see it soon. First, make the mistake yourself.
@@ -277,7 +277,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # Name a transform by both frames, the parent first: `base_T_laser`. Read it as "laser, expressed in base".
 #
-# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. The `.transform` of its result is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
+# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. Its lookup returns a `.transform` that is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -451,7 +451,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # </details>
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
-# Change any of the menus; the others follow.
+# When you change one menu, the others change with it.
 # On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
 # Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
@@ -480,7 +480,7 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 #
 # `base_link` and `rear_laser`, a laser at the back that is rotated by 180°.
 # Its matrix and the inverse differ only in the sign of z.
-# Remember this laser: it will mislead a whole team below.
+# Remember this laser. It misleads a whole team later on this page.
 #
 # </details>
 
@@ -859,7 +859,7 @@ lesson.draw_mount(math.pi / 2)
 # ## The tool that caused it all
 #
 # `tf2_echo A B` prints the pose of B in A.
-# So A is the frame in which you want it, the target, and B is the source: the order of `lookup_transform`.
+# So A is the target, the frame in which you want the pose, and B is the source. `lookup_transform` has the same order.
 # Now read the tool's own help.
 
 # %% [markdown] lang="ko" name="echo-help" slide="slide"
@@ -980,7 +980,7 @@ print('swapped', lesson.fmt_all(swapped), f'off by {math.dist(right, swapped):.2
 #
 # There is none.
 # Both lookups are valid, and TF2 cannot know which one you meant.
-# The shelf is on the robot's left. The robot keeps clear of its own right side, and drives into the shelf.
+# The shelf is on the robot's left. The swapped answer places it on the right, so the robot drives into the shelf.
 #
 # An unknown frame name *does* raise an exception, and the message tells you in which argument you used it.
 # (`%xmode Minimal` shows only the last line of an error, the one to read. `%xmode Context` shows the rest again.)
@@ -1030,7 +1030,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # ## Checkpoint
 #
 # A detector publishes an apple with `header.frame_id = 'camera_optical_frame'`.
-# The arm is planned in `base_link`.
+# The motion of the arm is planned in `base_link`.
 # Which line gives the transform to apply to the apple?
 #
 # 1. `lookup_transform('camera_optical_frame', 'base_link', t)`
@@ -1057,7 +1057,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # </details>
 # <details><summary>I chose 4</summary>
 #
-# The source is right, the target is not: the arm is planned in `base_link`.
+# The source is right, the target is not: the motion of the arm is planned in `base_link`.
 # Through `map` you add the corrections of the localisation, which have nothing to do with the arm (chapter 05).
 #
 # </details>
@@ -1110,7 +1110,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # ## On a real robot
 #
 # Nothing changes.
-# Put the imports of ROS 2 at the top of a file and `main()` at its end, and `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
+# Copy the imports of ROS 2, the class and `main` into a file, and call `main()` at its end. Then `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
 # Directly after its start a listener has received nothing, so a real node must handle "not available yet". Chapter 09 shows how.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
@@ -1210,7 +1210,7 @@ rclpy.try_shutdown()
 #
 # 1. No: a value without a frame is a rumour. Reject it, and log a warning.
 # 2. Negative: z points up, and by the right-hand rule a positive yaw rate turns left.
-# 3. (0, 0, 0, 1). All zeros is no rotation at all: each listener rejects the transform, and the frame never appears.
+# 3. (0, 0, 0, 1). Four zeros are not a valid rotation: each listener rejects the transform, and the frame never appears.
 #
 # </details>
 
@@ -1302,9 +1302,9 @@ rclpy.try_shutdown()
 # 쪽지를 걷습니다. 순서가 틀린 사람이 있으면 다음 강의를 그 이야기로 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that nothing enforces it.
-# After a pass, or three tries, `solution("E3.2")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
-# `tflab progress` shows a checklist of what to do on a robot. This chapter ticks one line of it: *I ran `tf2_echo` with target and source in the right order.*
+# **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that tf2 does not check this.
+# After a pass, or three tries, `solution("E3.2")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
+# `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루고 누가 그것을 보장하는지(보장하는 프로그램은 없습니다) 봅니다.

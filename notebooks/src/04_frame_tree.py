@@ -35,7 +35,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="story" slide="slide"
 # ## The dog that was its own ancestor
 #
-# A four-legged robot gets a new driver. It worked yesterday; today its log fills with
+# A four-legged robot gets a new driver. The robot worked yesterday. Today its log fills with
 #
 # ```
 # The tf tree is invalid because it contains a loop.
@@ -88,7 +88,7 @@ print(driver(""))
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Let the class find the fault in the six lines before you say it.
 # Then ask which test would have caught it.
-# The answer is a robot without a name, and nobody has one on the desk.
+# The answer is a test with a robot that has no name. Few people write that test.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 답을 알려 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
@@ -189,7 +189,7 @@ lesson.draw_dominoes(
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# Without running anything: which steps, up and down, lead from `camera_optical_frame` to `odom`? And from `map` to `camera_link`? Fill in the blanks.
+# Without running anything: which steps, up and down, lead from `camera_optical_frame` to `odom`? And from `map` to `camera_link`? Fill in the blanks. Name each step, up or down, after the child of its edge.
 #
 # ```
 # camera_optical_frame -> odom      up ____________, up ____________, up ____________
@@ -198,7 +198,7 @@ lesson.draw_dominoes(
 #
 # <details><summary>Compare</summary>
 #
-# Up from `camera_optical_frame`, `camera_link`, `base_link`. Down to `odom`, `base_link`, `camera_link`. Each step, up or down, is named after the child of its edge.
+# Up from `camera_optical_frame`, `camera_link`, `base_link`. Down to `odom`, `base_link`, `camera_link`.
 #
 # </details>
 
@@ -327,7 +327,7 @@ send(island, "odom", "odm", x=0.0)
 lesson.draw_walk(island, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="plastered-seen"
-# One frame has two names now. The next program will publish `odom → base_link`, spelt correctly, and `base_link` will no longer be a child of `odm`. Fix the name where it is written.
+# One frame has two names now. As soon as another program publishes `odom → base_link`, spelt correctly, `base_link` is no longer a child of `odm`. Fix the name where it is written.
 
 # %% [markdown] lang="ko" name="plastered-seen"
 # 이제 같은 위치에 이름이 둘입니다. 언젠가 다른 프로그램이 철자를 맞게 써서 `odom → base_link`를 발행하면, base는 `odm`에서 떨어져 나갑니다. 이름은 잘못 적힌 곳에서 고치십시오.
@@ -352,7 +352,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then writes one line into the log, and the program goes on. Break the other rules yourself: give a frame another parent, then look up a transform.
+# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then writes one line into the log, and the program goes on. Break the rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
@@ -369,7 +369,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
 # %% [markdown] lang="en" name="panel-tasks"
-# Try three changes: make `odom` a child of `laser_frame`, of `odm`, and of itself. After each change, look up target `laser_frame`, source `camera_link`. Which faults does that lookup not show?
+# Try three changes: make `odom` a child of `laser_frame`, of `odm`, and of itself. After each change, look up target `camera_link`, source `laser_frame`. Which faults does that lookup not show?
 
 # %% [markdown] lang="ko" name="panel-tasks"
 # `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 목표 `camera_link`, 원본 `laser_frame`으로도 조회해 보세요. 이 조회로는 찾지 못하는 고장은 무엇일까요?
@@ -381,10 +381,10 @@ for child, parent in {**parent_of, "odom": "odm"}.items():
 lesson.draw_walk(broken, "camera_link", "laser_frame")
 
 # %% [markdown] lang="en" name="tree-still-seen"
-# With `odom` as a child of `odm`, the path between two sensors is as short as before. That is why a broken tree can work for weeks: only lookups fail, and only those whose path contains the fault.
+# With `odom` as a child of `odm`, the path between two sensors is as short as before. That is why a broken tree can work for weeks: a lookup fails only if its path crosses the gap.
 
 # %% [markdown] lang="ko" name="tree-still-seen"
-# `odom`이 `odm` 아래에 있어도 두 센서 사이의 경로는 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 고장 난 곳을 지나는 조회뿐입니다.
+# `odom`이 `odm` 아래에 있어도 두 센서 사이의 경로는 그대로입니다. 고장 난 트리가 몇 주씩 멀쩡해 보이는 까닭입니다. 실패하는 것은 끊긴 곳을 지나는 조회뿐입니다.
 
 # %% [markdown] lang="en" name="rules-notes" slide="notes"
 # In the panel, let the class give the orders: odom below the laser, below itself.
@@ -421,7 +421,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 
 # %% [markdown] lang="en" name="spellings-seen"
 # One leading slash is accepted when you *send*: the name is stored as `odom`. It is rejected in a *lookup*. And `//odom` is stored as `/odom`, a frame that no lookup can name.
-# Other programs accept no leading slash, such as the mapping program of the story. Write names without it.
+# Some other programs, such as the mapping program of the story, accept no leading slash. Write names without it.
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
@@ -668,7 +668,7 @@ lesson.draw_walk(tf_buffer, "robot1/base_footprint", "robot2/base_footprint")
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="who-is-it-seen"
-# `view_frames` prints `Broadcaster: default_authority` for every edge: a message on `/tf` does not contain the name of its sender. Two publishers show only in the rate, 20 Hz where 10 were meant.
+# `view_frames` prints `Broadcaster: default_authority` for every edge: a message on `/tf` does not contain the name of its sender. You see two publishers only in the rate, which is 20 Hz instead of 10 Hz.
 # Our `frame_tree` names the nodes, because here all of them are in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
 
 # %% [markdown] lang="ko" name="who-is-it-seen"
@@ -792,7 +792,7 @@ rclpy.shutdown()
 #
 # - TF is a dict, child → parent. A lookup goes up from its source to the first common frame, and down to its target: a [[path]].
 # - One [[root]] means a tree, two mean a gap, none means a loop. `set(parents) - set(children)` gives the roots.
-# - tf2 checks no rule when a transform is sent. Only lookups fail, and only those whose path contains the fault. The error names the frames of the lookup.
+# - tf2 checks no rule when a transform is sent. Only lookups fail. In two trees, those across the gap fail, and the error names only the frames of the lookup. In a loop, those fail whose target is not above the source.
 # - A child that is sent with another parent moves. If an edge has two publishers, the tree keeps its shape, and the value alternates. Look at the rate.
 # - Names are strings. Use no slash in front, and give every frame of one robot its [[frame prefix]].
 
@@ -801,7 +801,7 @@ rclpy.shutdown()
 #
 # - TF는 자식 → 부모로 된 dict입니다. 조회는 원본에서 두 경로가 만날 때까지 올라갔다가 목표로 내려갑니다. 이것이 [[path|경로]]입니다.
 # - [[root|루트]]가 하나면 트리, 둘이면 끊긴 것, 없으면 고리입니다. `set(부모들) - set(자식들)`로 알 수 있습니다.
-# - 변환을 발행할 때 tf2는 규칙을 확인하지 않습니다. 실패하는 것은 고장 난 곳을 지나는 조회뿐이고, 오류 메시지에는 조회의 두 이름이 나옵니다.
+# - 변환을 발행할 때 tf2는 규칙을 확인하지 않습니다. 조회할 때에만 실패합니다. 트리가 둘이면 끊긴 곳을 지나는 조회가 실패하고, 오류 메시지에는 조회의 두 이름만 나옵니다. 고리가 있으면 목표가 원본의 위쪽에 있지 않은 조회가 실패합니다.
 # - 같은 자식을 다른 부모로 발행하면 부모가 바뀝니다. 한 연결을 둘이 발행하면 모양은 그대로인 채 값만 번갈아 바뀝니다. 발행률을 보십시오.
 # - 이름은 문자열입니다. 앞에 슬래시를 쓰지 않고, 한 로봇에 속한 것에는 모두 [[frame prefix|접두사]]를 붙입니다.
 
@@ -814,7 +814,7 @@ rclpy.shutdown()
 #
 # <details><summary>Answers</summary>
 #
-# 1. Value, frame, stamp. The stamp: chapter 08 brings it back, and an edge then has a history.
+# 1. Value, frame, stamp. This chapter leaves out the stamp. Chapter 08 uses it, and each edge then has a history.
 # 2. `base_T_laser` was published; `camera_T_base` is the inverse of the published edge, base → camera.
 # 3. `header.frame_id`; the child is in `child_frame_id`.
 #
@@ -899,8 +899,8 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
-# After a pass, or three tries, `solution("E4.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
-# This chapter begins two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
+# After a pass, or three tries, `solution("E4.1")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
+# Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.

@@ -5,7 +5,7 @@
 #
 # After this chapter you can
 #
-# - read a joint of a [[urdf|URDF]]: its origin, its axis, and what neither of them means,
+# - read a joint of a [[urdf|URDF]]: its origin and its axis, and in which axes each is given,
 # - calculate the position of an arm's tip, transform by transform,
 # - say which frames `robot_state_publisher` publishes, on which topic, and why some are missing,
 # - recognise a sensor whose mount differs from the URDF: rotated, tilted, upside down.
@@ -66,7 +66,7 @@ from tflab.workbook import lesson
 # 1. Our robot's laser is really rotated to the left by 90°, and that line is in its `<visual>`. **How far off** are the walls on the map: centimetres, or metres?
 # 2. `robot_state_publisher` runs, and no node publishes joint positions. **Which frames are missing?** None, all, or some?
 # 3. A laser looks down by 3° in a room of 10 m. **What does the map show?**
-# 4. An IMU is mounted upside down, and the robot turns **left**. Which sign has the z of its gyro?
+# 4. An IMU is mounted upside down, and the robot turns **left**. What is the sign of z of its gyro (the sensor of the rotation rate)?
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -88,7 +88,7 @@ walls_off, missing, tilted_map, gyro_z = ..., ..., ..., ...
 # %% [markdown] lang="en" name="two-origins" slide="slide"
 # ## Two origins
 #
-# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which connect a link to its parent. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot. (`parse_urdf` reads it, and `link_poses` returns the pose of each link in the root.)
+# A URDF has [[link|links]], the rigid parts, and [[joint|joints]], which connect a link to its parent. Each link is a [[frame]]; each joint is one [[transform]], parent to child. This is the lecture's whole robot. (`parse_urdf` reads it, and `link_poses` returns the pose of each link in the root link.)
 
 # %% [markdown] lang="ko" name="two-origins" slide="slide"
 # ## 두 가지 origin
@@ -239,7 +239,7 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # %% [markdown] lang="en" name="chain-seen" slide="subslide"
 # - A joint changes one transform, its own. The tip moves because the product changes.
 # - The fixed joints are transforms, too, without a slider.
-# - [[tcp|`tcp`]] (tool centre point) is the working point of the tool, 0.12 m beyond `tool0`, where the arm ends. It is a **frame of its own**, offset along the tool's z. If you change the tool, only this transform changes. If you add 0.12 to the z in `base_link` instead, you get the grey ring, 15 cm off.
+# - [[tcp|`tcp`]] (tool centre point) is the working point of the tool. It is 0.12 m beyond `tool0`, the end of the arm. It is a **frame of its own**, offset along the tool's z. If you change the tool, only this transform changes. If you add 0.12 to the z in `base_link` instead, you get the grey ring, 15 cm off.
 #
 # Zero is a position like any other: at zero the tip is at (0.470, 0, 0.150).
 
@@ -272,7 +272,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # %% [markdown] lang="en" name="faded" slide="subslide"
 # ### Now you write
 #
-# A camera is a child of `base_link`, 10 cm ahead, 12 cm to its right, 30 cm up, and faces 20° to the left. Fill in the four blanks. Then its optical frame, rotated as in chapter 02.
+# A camera is a child of `base_link`, 10 cm ahead, 12 cm to its right, 30 cm up, and faces 20° to the left. Fill in the four blanks. The second joint adds the optical frame, rotated as in chapter 02.
 #
 # ```xml
 # <joint name="base_to_camera" type="fixed">
@@ -319,7 +319,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # ## Which node publishes the frames
 #
 # [[robot_state_publisher]] reads the URDF. It publishes fixed joints on `/tf_static`, once, also for listeners that join later (chapter 06).
-# For a joint that moves it needs a position. It waits for messages on `/joint_states`, which a joint driver publishes, and publishes on `/tf` the joints that a message **names**, and no others.
+# For a joint that moves it needs a position. It waits for messages on `/joint_states`, which a joint driver publishes. Then it publishes on `/tf` the joints that a message **names**, and no others.
 #
 # Here it runs alone. No node publishes joint positions. What do you expect of the arm?
 
@@ -357,7 +357,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
-# The hand without an arm gets a laugh; let it. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
+# The class laughs at the hand without an arm. Give them time. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
 
 # %% [markdown] lang="ko" name="alone-notes" slide="notes"
 # 팔 없는 손을 보고 웃는 사람이 있습니다. 잠시 둡니다. 그다음 묻습니다. wrist는 어느 노드가 발행합니까? 아무 노드도 발행하지 않는데 오류도 나지 않습니다. 다음에 나올 네 드라이버에 5분을 씁니다. 하나씩 손을 들게 합니다.
@@ -374,7 +374,7 @@ except TransformException as error:
     print(type(error).__name__, error, sep='\n')
 
 # %% [markdown] lang="en" name="play-driver" slide="subslide"
-# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** after which of them is the arm complete, and which of them cause a warning?
+# Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** after which of the four is the arm complete, and which of the four cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
 # 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 이유를 알려 주는 것은 어느 것일까요?
@@ -399,17 +399,17 @@ print('as it should  ', drive(JOINTS, position=[0.5, -0.6, 0.4]))
 
 # %% [markdown] lang="en" name="drivers-seen" tags=["predicted"]
 # - **Other names:** no warning at all. No node checks that the names are those of the URDF.
-# - **Stamp zero:** no warning. A JointState that is not newer than the last one is ignored, and zero never is newer.
+# - **Stamp zero:** no warning. A JointState that is not newer than the last one is ignored, and zero is never newer.
 # - **Velocity only:** only this one causes a WARN. It names the first joint, and its text is that of the real node.
 #
-# So when an arm is missing: `ros2 topic echo /joint_states`, and compare name, stamp and position with the URDF.
+# If an arm is missing, run `ros2 topic echo /joint_states`. Compare the names with the URDF, and check stamp and position.
 
 # %% [markdown] lang="ko" name="drivers-seen" tags=["predicted"]
 # - **이름이 다를 때**(other names): 아무 메시지도 없습니다. URDF의 이름과 같은지 확인하지 않습니다.
 # - **시각이 0일 때**(stamp zero): 아무 메시지도 없습니다. 마지막 메시지보다 나중의 시각이 아니면 무시하는데, 0은 결코 더 나중일 수 없습니다.
 # - **속도만 있을 때**(velocity only): 유일하게 WARN이 나옵니다. 첫 관절의 이름이 적혀 있고, 문구는 실제 노드의 것입니다.
 #
-# 팔이 보이지 않으면 `ros2 topic echo /joint_states`로 이름, 시각, 위치를 URDF와 나란히 놓고 읽으십시오.
+# 팔이 보이지 않으면 `ros2 topic echo /joint_states`를 실행해 이름을 URDF와 비교하고, 시각과 위치가 있는지 확인하십시오.
 
 # %% name="the-drawing-itself" slide="skip"
 # %ros2 topic echo /robot_description --once
@@ -541,7 +541,7 @@ up = (0.0, 0.0, rest.linear_acceleration[2])
 lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, fixed_frame='base_link', length_m=0.2)
 
 # %% [markdown] lang="en" name="gravity" slide="subslide"
-# Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** which of these can you tell apart from the reading at rest?
+# Upside down by roll π, or by pitch π? Or only rotated to the left? **Predict:** with the reading at rest, which of these can you tell apart?
 
 # %% [markdown] lang="ko" name="gravity" slide="subslide"
 # *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
@@ -556,7 +556,7 @@ for name, rpy in mounts.items():
     print(f'{name:<9} at rest {lesson.fmt_all(at_rest, "", 2)}   in the bend {lesson.fmt_all(in_bend, "m/s²", 2)}')
 
 # %% [markdown] lang="en" name="gravity-seen" tags=["predicted"]
-# Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated, and a rotation about the vertical does not show at all.
+# Gravity points along one line. It shows that the IMU is upside down, but not about which axis it was rotated. A rotation about the vertical cannot be seen at all.
 # A curve to the left gives an acceleration to the left, 0.5 m/s · 0.5 rad/s = 0.25 m/s². That second vector decides the rest. On a real robot, rotate the robot to the left by hand: `angular_velocity.z` must be positive.
 
 # %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
@@ -574,7 +574,7 @@ for name, rpy in mounts.items():
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: files that are no robot
 #
-# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the reader reports.
+# Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the parser reports.
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 로봇이 아닌 URDF
@@ -597,8 +597,8 @@ for what, text in broken.items():
         print(f'{what}: {error}')
 
 # %% [markdown] lang="en" name="broken-seen" tags=["predicted"]
-# Faults that break the *tree* are reported, with their line. A [[frame]] must have one parent, and every link that a joint names must exist. (Our reader reports more than the real one. The real one stops at these faults as well.)
-# **Degrees** are accepted, because 90 is a valid number of radians. No reader can compare the file with what you measured.
+# Faults that break the *tree* are reported, with their line. A [[frame]] must have one parent, and every link that a joint names must exist. (The workbook's parser reports more than ROS 2's. ROS 2's parser stops at these faults as well.)
+# **Degrees** are accepted, because 90 is a valid number of radians. No parser can compare the file with what you measured.
 
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
@@ -723,7 +723,7 @@ for what, text in broken.items():
 # - `<joint><origin>` moves the frame, `<visual><origin>` only the shape. Metres, radians, parent to child.
 # - `parent_T_child = origin @ movement`; the axis is given in the child's axes.
 # - [[robot_state_publisher]]: fixed joints on `/tf_static`, once; moving ones on `/tf`, and only those that a JointState names, with a stamp and a position.
-# - A laser that looks down by 3° sees the floor as a wall, five metres ahead. An IMU upside down reverses the sign of left. Fix both at the joint or with a screwdriver, not in a node.
+# - A laser that looks down by 3° sees the floor as a wall, five metres ahead. An IMU upside down reports a rotation to the left with the wrong sign. Fix both at the joint or with a screwdriver, not in a node.
 # - `tcp` is a frame of its own, a child of `tool0`.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
@@ -817,8 +817,8 @@ for what, text in broken.items():
 # </details>
 
 # %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time to which each answer belongs.
-# After a pass, or three tries, `solution("E7.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time of a transform.
+# After a pass, or three tries, `solution("E7.1")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.

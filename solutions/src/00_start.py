@@ -4,11 +4,11 @@
 # One task, about 15 minutes. The page it belongs to: [Start here](../../notebooks/en/00_start.ipynb).
 #
 # These are fifteen questions about robots, in everyday words.
-# You answer such questions again at the end of the last chapter, with other numbers.
-# Nothing here is marked. A wrong answer is useful, and a guess is fine if you say that it is one. In a class, the point is for answering.
+# You answer similar questions again at the end of the last chapter, with other numbers.
+# Nothing here is marked. A wrong answer is useful, and you may guess if you mark the answer as a guess. In a class, you get the point for answering.
 #
 # Neither `check` nor your copy shows the right answers until you have answered the second form, E12.8. Then you see both forms, an explanation of each option, what you have learned, and what to read again.
-# (tflab itself is public, and you can find the key in it, as at the back of a book. But then your before and after mean nothing.)
+# (tflab is public, so you can find the right answers in its files. But then the comparison of before and after means nothing.)
 
 # %% [markdown] lang="ko" name="title"
 # # 연습 문제 00 · 배우기 전에 풀어 보는 열다섯 문제
@@ -29,9 +29,9 @@ from tflab.workbook import check, task
 # %% [markdown] lang="en" name="e0-1"
 # ## E0.1 · Fifteen questions, before (1 point)
 #
-# Fifteen questions, fifteen minutes: answer without looking anything up, and go on where you do not know.
+# You have fifteen questions and fifteen minutes. Answer without looking anything up. If you do not know an answer, go on to the next question.
 # Write one letter for each into the cell below the last question, from `"a"` to `"d"`.
-# A `?` behind the letter means *I guessed*: `"c?"`. If you do not know, write `"e"`.
+# A `?` after the letter means *I guessed*: `"c?"`. If you do not know, write `"e"`.
 
 # %% [markdown] lang="ko" name="e0-1"
 # ## E0.1 · 열다섯 문제, 처음 (1점)
@@ -41,13 +41,13 @@ from tflab.workbook import check, task
 # 글자 뒤의 `?`는 *짐작*이라는 뜻입니다. 예: `"c?"`. 모르면 `"e"`를 쓰십시오.
 
 # %% [markdown] lang="en" name="questions"
-# Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
+# Unless a question says otherwise, *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
 
 # %% [markdown] lang="ko" name="questions"
 # 따로 말하지 않으면 *x*는 앞쪽, *y*는 왼쪽, *z*는 위쪽이고, 길이의 단위는 미터입니다. (2, 0)은 2미터 앞입니다.
 
 # %% [markdown] lang="en" name="question-1"
-# **1.** A laser is bolted on 0.2 ahead of a robot's middle, turned 90° to the left. It reports a ball at (2, 0), straight ahead of itself. Where is the ball for the robot?
+# **1.** A laser is fixed to a robot, 0.2 ahead of the robot's centre and turned 90° to the left. It reports a ball at (2, 0), straight ahead of itself. Where is the ball for the robot?
 #
 # - **a** (2.2, 0)
 # - **b** (0.2, 2.0)
@@ -65,12 +65,12 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-2"
-# **2.** In a drawing an arrow goes from a robot to its camera, and beside it stands (0.10, 0, 0.30). The camera sees a mark exactly at its own origin. What follows?
+# **2.** In a drawing, an arrow goes from a robot to its camera. The numbers (0.10, 0, 0.30) are written beside it. The camera sees a mark exactly at the camera's own origin. What do you know then?
 #
 # - **a** For the robot, the mark is at (0.10, 0, 0.30).
 # - **b** Numbers can be taken from robot to camera only, not back.
 # - **c** For the robot, the mark is at (−0.10, 0, −0.30).
-# - **d** It says who sends messages to whom, nothing about places.
+# - **d** It shows who sends messages to whom, and nothing about positions.
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-2"
@@ -119,12 +119,12 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-5"
-# **5.** The turn of a part is sent as four numbers; “not turned” is (0, 0, 0, 1). A program sends (0, 0, 0, 0). What happens?
+# **5.** The rotation of a part is sent as four numbers. “No rotation” is (0, 0, 0, 1). A program sends (0, 0, 0, 0). What happens?
 #
-# - **a** It is taken as “not turned”.
+# - **a** It is taken as “no rotation”.
 # - **b** The sender stops with an error.
-# - **c** Every receiver refuses it, and there the part seems not to exist.
-# - **d** The last good turn stays.
+# - **c** Every receiver rejects it, and for the receivers the part does not exist.
+# - **d** The last valid rotation stays.
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-5"
@@ -137,12 +137,12 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-6"
-# **6.** Two programs each say 20 times a second where the robot is: one “at 1.0”, the other “at 1.4”. You ask for moments in between the messages. What do you get?
+# **6.** Two programs each report the robot's position 20 times a second: one “1.0”, the other “1.4”. You ask for the position at times between the messages. What do you get?
 #
-# - **a** 1.0, the one who was first
+# - **a** 1.0, from the program that was first
 # - **b** always 1.2
 # - **c** an error that names both
-# - **d** now this, now that, and places between that nobody said
+# - **d** 1.0, 1.4 and anything between, changing
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-6"
@@ -155,7 +155,7 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-7"
-# **7.** A robot's wheels have counted 10.0 from the door. A map shows it 9.4 from the door. The wheel program goes on saying “10.0 in my count”. What should the map program announce?
+# **7.** A robot's wheels have counted 10.0 from the door. A map shows it 9.4 from the door. The wheel program keeps reporting “10.0 in my count”. What should the map program announce?
 #
 # - **a** “The robot is at 9.4 on the map.”
 # - **b** “Zero of that count is at −0.6 on the map.”
@@ -173,12 +173,12 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-8"
-# **8.** Two sources say where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. Which one does steering smoothly along the next two metres take?
+# **8.** Two programs report where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. Which one do you use to steer smoothly along the next two metres?
 #
 # - **a** S
 # - **b** J, because it is right
 # - **c** whichever is newer
-# - **d** neither: a source that drifts is broken
+# - **d** neither: a program that drifts is broken
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-8"
@@ -191,7 +191,7 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-9"
-# **9.** A robot drives 1 m/s and turns 0.5 rad/s. A picture that is 0.2 s old shows a post 5 ahead. It is put on the map with the robot's place of now. By about how much is the post off?
+# **9.** A robot drives 1 m/s and turns 0.5 rad/s. A picture that is 0.2 s old shows a post 5 ahead. The post is drawn on the map from the robot's current position and direction. By about how much is the post off?
 #
 # - **a** 0: posts stand still
 # - **b** 0.20
@@ -209,7 +209,7 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-10"
-# **10.** For an hour, each message has carried a time that is 0.4 s after the moment in which you hear it, to the millisecond. What do you do?
+# **10.** For an hour, the time in each message has been 0.4 s later than the time at which you receive it, to the millisecond. What do you do?
 #
 # - **a** wait up to 1 s for what is missing
 # - **b** use the newest data instead
@@ -227,7 +227,7 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-11"
-# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “there is a road, but I know nothing of it for that hour”. After the second, what do you look for?
+# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “There is a road, but I know nothing about it for that hour”. After the second, what do you look for?
 #
 # - **a** a spelling
 # - **b** the missing stretch
@@ -245,11 +245,11 @@ from tflab.workbook import check, task
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-12"
-# **12.** “The laser is bolted on here” is said once, at 9:00. A listener comes at 9:05. Why should that work?
+# **12.** A program reports once, at 9:00, where a laser is fixed. Another program starts at 9:05. Why should it get this report?
 #
-# - **a** The last such notice is kept for latecomers, while its sender lives.
+# - **a** The last report is kept for programs that start later, as long as its sender runs.
 # - **b** It is repeated 20 times a second.
-# - **c** The network stores all that it ever heard.
+# - **c** The network stores everything that was ever sent.
 # - **d** It cannot: 9:00 is too old.
 # - **e** I do not know
 
@@ -265,10 +265,10 @@ from tflab.workbook import check, task
 # %% [markdown] lang="en" name="question-13"
 # **13.** You have recorded what the laser of a robot measured, and nothing else. Next week you want to make a map of it. What is missing?
 #
-# - **a** nothing: what it measured holds the walls
+# - **a** nothing: the measurements contain the walls
 # - **b** only a faster computer
-# - **c** where the robot was, where the laser is bolted on, and whose clock counts
-# - **d** the robot, switched on beside you: its present place will do
+# - **c** where the robot was, where the laser is fixed, and which clock is used
+# - **d** the robot, switched on beside you: its present position is enough
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-13"

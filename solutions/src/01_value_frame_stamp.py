@@ -68,7 +68,7 @@ check("E1.1", post)
 # - **b** `/detected_point` of the camera's detector: `frame_id: ''`, stamp 59.8, point (0.1, 0.2, 3.1)
 # - **c** `/apple` of the camera's detector: `frame_id: camera_optical_frame`, stamp 0.0, point (0.0, 0.1, 2.2)
 # - **d** `/landmark` of a node that keeps a list of lamps: `frame_id: map`, stamp 31.2, point (7.5, 2.0, 2.6)
-# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9), the same coordinates in front of every door
+# - **e** `/door` of the camera's detector: `frame_id: map`, stamp 59.8, point (0.0, 0.0, 1.9). The message has the same coordinates at every door.
 # - **f** `/battery_tray`, measured once by a mechanic: `frame_id: base_link`, stamp 12.0, point (−0.1, 0.0, 0.2)
 
 # %% [markdown] lang="ko" name="e1-2"
@@ -199,7 +199,7 @@ check("E1.5", stays)
 # %% [markdown] lang="en" name="e1-6"
 # ## E1.6 · Fill in frame and stamp (3 points)
 #
-# A sonar points along the y of `sonar_frame`, to the robot's left. Your function is called at `now`, a `Time`. It gets the latest measurement, `range_m` [m], which is `age_ms` [ms] old by then (an int).
+# A sonar points along the y of `sonar_frame`, to the robot's left. Your function is called at `now`, a `Time`. It gets the latest measurement, `range_m` [m], and its age at `now`, `age_ms` [ms] (an int).
 # Return the `PointStamped` that a correct driver publishes.
 
 # %% [markdown] lang="ko" name="e1-6"

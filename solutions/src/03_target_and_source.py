@@ -38,7 +38,7 @@ from tflab.core import Transform
 # - **a** Obstacles come from the laser; draw them on the map.
 # - **b** The goal is given in the map; the controller works in `base_link`.
 # - **c** Where is `camera_link` on the robot, expressed in `base_link`?
-# - **d** Draw the origin of `base_link` into the laser's picture, which is drawn in `laser_frame`.
+# - **d** The laser's picture is drawn in `laser_frame`. Draw the origin of `base_link` into it.
 
 # %% [markdown] lang="ko" name="e3-1" slide="slide"
 # ## E3.1 · 문장 네 개, 호출 네 개 (4점)
@@ -246,7 +246,7 @@ check("E3.6", camera_mount)
 # ```
 #
 # - `node`: `"node_a"`, `"node_b"` or `"node_c"`
-# - `robot`, what its robot does: `"stops for the wrong things"`, `"is drawn where it is not"`, `"stops with an exception"` or `"drives to another place"`
+# - `robot`, what the robot of that node does: `"stops for the wrong things"`, `"is drawn where it is not"`, `"stops with an exception"` or `"drives to another place"`
 # - `hidden_while`, when nobody would notice: `"it stands on the map's origin, not turned"`, `"it stands still"` or `"the goal is far away"`
 
 # %% [markdown] lang="ko" name="e3-7" slide="slide"

@@ -62,7 +62,7 @@ check("E4.1", corrected)
 # - `"a"`: `"healthy"`, `"two trees"`, `"loop"`, `"two parents"` or `"two owners"` (two nodes send the same edge);
 # - `"a child"`: the name of the child at fault. It is the child that has a misspelt parent, two parents, or two owners. For a healthy robot and for a loop, write `"none"`.
 #
-# The answer cell gives each of these words a name, so that you need not type it: `"a": two_trees`. Only the names of children are strings. The next cell prints the listings; you only need to read them.
+# The answer cell gives each of these words a name, so that you need not type it: `"a": two_trees`. Write only the names of children in quotes. The next cell prints the listings; you only need to read them.
 
 # %% [markdown] lang="ko" name="e4-2"
 # ## E4.2 · 목록 다섯 개 (5점)
@@ -230,7 +230,7 @@ check("E4.6", several_owners)
 # %% [markdown] lang="en" name="e4-7"
 # ## E4.7 · The line that the dog needed (2 points)
 #
-# Return the full name of a frame. `prefix` is a robot's name, possibly with slashes around it, or empty; `name` is a frame, possibly with a slash in front. The result never begins with a slash and never contains two in a row. `map` is shared: it has no prefix.
+# Return the full name of a frame. `prefix` is a robot's name. It can be empty or have slashes around it. `name` is a frame, possibly with a slash in front. The result never begins with a slash and never contains two in a row. `map` is shared: it has no prefix.
 
 # %% [markdown] lang="ko" name="e4-7"
 # ## E4.7 · 로봇 개에게 필요했던 한 줄 (2점)

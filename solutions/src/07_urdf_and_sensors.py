@@ -32,7 +32,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e7-1"
 # ## E7.1 · Two joints to finish (5 points)
 #
-# A camera head is mounted on the robot, measured with a ruler and a protractor: its distance ahead of `base_link`, to its right, and up; the whole head is rotated to the right. A motor lets it **nod**: a positive angle lowers its view. The lens is a little in front of the head's centre.
+# A camera head is mounted on the robot. Somebody measured its position in `base_link` (ahead, to the right, up) with a ruler, and its rotation to the right with a protractor. A motor lets it **nod**: a positive angle lowers its view. The lens is a little in front of the head's centre.
 #
 # Write the two joints, as a URDF has them; the links are declared for you.
 #
@@ -111,7 +111,7 @@ check("E7.2", beam)
 # ## E7.3 · Forward kinematics (5 points)
 #
 # `chain` is a list of joints from the base to the tip, each a dict: `"name"`, `"type"` (`"fixed"`, `"revolute"` or `"prismatic"`), `"xyz"` [m], `"rpy"` [rad] and `"axis"`, which is `"x"`, `"y"` or `"z"`.
-# `positions` is a dict: name → rad or m. A joint that is missing in it is at 0, and it may contain other names. A fixed joint does not move.
+# `positions` is a dict: name → rad or m. A joint that is missing in `positions` is at 0. `positions` may also contain other names. A fixed joint does not move.
 # Return the pose of the tip in the base, a `Transform`.
 
 # %% [markdown] lang="ko" name="e7-3"
@@ -146,7 +146,7 @@ check("E7.3", fk)
 # %% [markdown] lang="en" name="e7-4"
 # ## E7.4 · Five robots (5 points)
 #
-# Each of `e7_4.a` to `e7_4.e` shows the tree of a robot, and the output of one command. The joints of the URDF are `shoulder_joint`, `elbow_joint` and `wrist_joint`. Every laser is mounted rotated, as somebody measured it.
+# Each of `e7_4.a` to `e7_4.e` shows the tree of a robot, and the output of one command. The joints of the URDF are `shoulder_joint`, `elbow_joint` and `wrist_joint`. On every robot the laser really is rotated. Somebody measured it.
 #
 # - `"a"` … `"e"`, the cause: `"other names"` (in the joint states), `"stamp zero"`, `"no driver"`, `"paint moved"` (the `<visual>`, and not the frame), `"degrees"`
 # - `"a do"` … `"e do"`, the fix: `"use the URDF's names"`, `"stamp the message"`, `"start the joint driver"`, `"write it into the joint"`, `"write radians"`, `"restart RViz"`, `"change the cable"`, `"wait longer"`
@@ -185,7 +185,7 @@ check("E7.4", findings)
 # %% [markdown] lang="en" name="e7-5"
 # ## E7.5 · How is this IMU mounted? (4 points)
 #
-# The URDF says that it is not rotated. The accelerometer's means, in the true `imu_link` [m/s²], are `at_rest`, and `in_left_bend` in a curve to the left at `speed_mps` and `yaw_rate_radps`.
+# The URDF describes it as not rotated. `at_rest` and `in_left_bend` are mean readings of its accelerometer, in the true `imu_link` [m/s²]: at rest, and in a curve to the left at `speed_mps` and `yaw_rate_radps`.
 #
 # - `"mount"`: `"as drawn"`, `"left"` (rotated to the left by 90°), `"right"`, `"backwards"` (by 180°), `"rolled over"` (roll π), `"pitched over"` (pitch π), or `"pitched over, left"` and `"pitched over, right"`: pitched over, and then rotated by 90°
 # - `"gyro_z"`: what does its gyro's z read in that curve [rad/s]?
@@ -223,7 +223,7 @@ check("E7.5", imu)
 # %% [markdown] lang="en" name="e7-6"
 # ## E7.6 · Find the tool's tip by touching (4 points)
 #
-# A new gripper. You let its tip touch a mark whose position in `map` you know: `map_p_tip`, (x, y, z) [m]. At that time the localiser reports `map_T_base` and the arm `base_T_tool0`, two `Transform`s.
+# The robot has a new gripper. You let its tip touch a mark whose position in `map` you know: `map_p_tip`, (x, y, z) [m]. At that time the localiser reports `map_T_base` and the arm `base_T_tool0`, two `Transform`s.
 # Return the message for the frame `tcp`: a `TransformStamped` whose parent is `tool0`, without a rotation, its stamp left as it is.
 
 # %% [markdown] lang="ko" name="e7-6"
@@ -253,7 +253,7 @@ check("E7.6", tcp_mount)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading uses the same tasks with other numbers.
 # On a robot, begin with a box straight ahead of the laser, and with a rotation to the left by hand. Then you have compared two mounts with the URDF.
 #
 # **Next:** [08 Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb).

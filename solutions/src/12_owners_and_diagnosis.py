@@ -377,13 +377,13 @@ check("E12.7", triage)
 # 열다섯 문제에 모두 답하면 `check`가 시험지 두 장을 열고 보기마다 한 문장씩 설명합니다. [E0.1](E00_start.ipynb)에 아직 답하지 않았다면 비교할 처음 답이 없습니다.
 
 # %% [markdown] lang="en" name="questions"
-# Where nothing else is said: *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
+# Unless a question says otherwise, *x* is ahead, *y* is to the left, *z* is up, and lengths are in metres. (2, 0) is two metres ahead.
 
 # %% [markdown] lang="ko" name="questions"
 # 따로 말하지 않으면 *x*는 앞쪽, *y*는 왼쪽, *z*는 위쪽이고, 길이의 단위는 미터입니다. (2, 0)은 2미터 앞입니다.
 
 # %% [markdown] lang="en" name="question-1"
-# **1.** A laser is bolted on 0.3 ahead of a robot's middle, turned 90° to the right. It reports a ball at (1.5, 0), straight ahead of itself. Where is the ball for the robot?
+# **1.** A laser is fixed to a robot, 0.3 ahead of the robot's centre and turned 90° to the right. It reports a ball at (1.5, 0), straight ahead of itself. Where is the ball for the robot?
 #
 # - **a** (0, 1.2)
 # - **b** (1.8, 0)
@@ -401,11 +401,11 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-2"
-# **2.** In a drawing an arrow goes from a charging dock to a robot, and beside it stands (4, 1, 0). A bolt sits exactly at the robot's own origin. What follows?
+# **2.** In a drawing, an arrow goes from a charging dock to a robot. The numbers (4, 1, 0) are written beside it. A bolt is exactly at the robot's own origin. What do you know then?
 #
 # - **a** For the dock, the bolt is at (−4, −1, 0).
 # - **b** What is known for the dock can be turned into the robot's numbers, but not back.
-# - **c** Only by which route messages go.
+# - **c** It shows only which route the messages take.
 # - **d** For the dock, the bolt is at (4, 1, 0).
 # - **e** I do not know
 
@@ -455,10 +455,10 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-5"
-# **5.** The turn of a part is sent as four numbers; “not turned” is (0, 0, 0, 1). Another library writes “not turned” as (1, 0, 0, 0), and just so it is sent. What happens?
+# **5.** The rotation of a part is sent as four numbers. “No rotation” is (0, 0, 0, 1). Another library writes “no rotation” as (1, 0, 0, 0), and a program sends these numbers. What happens?
 #
-# - **a** It is recognised: not turned.
-# - **b** It is refused: of the wrong length.
+# - **a** It is recognised as “no rotation”.
+# - **b** It is rejected, because its length is wrong.
 # - **c** The sender stops with an error.
 # - **d** It is accepted, and the part is upside down.
 # - **e** I do not know
@@ -473,7 +473,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-6"
-# **6.** Two programs each say 20 times a second where the robot is: one “at 3.0”, the other “at 3.6”. You ask for moments in between the messages. What do you get?
+# **6.** Two programs each report the robot's position 20 times a second: one “3.0”, the other “3.6”. You ask for the position at times between the messages. What do you get?
 #
 # - **a** an error
 # - **b** 3.0, 3.6 and anything between, changing
@@ -491,7 +491,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-7"
-# **7.** A robot's wheels have counted 25.0 from the door. A map shows it 25.8 from the door. The wheel program goes on saying “25.0 in my count”. What should the map program announce?
+# **7.** A robot's wheels have counted 25.0 from the door. A map shows it 25.8 from the door. The wheel program keeps reporting “25.0 in my count”. What should the map program announce?
 #
 # - **a** “Set your count to 25.8.”
 # - **b** “Zero of that count is at −0.8 on the map.”
@@ -509,12 +509,12 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-8"
-# **8.** Two sources say where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. The charger is 40 m away, and the robot has driven for an hour. Which one gives the place of the charger?
+# **8.** Two programs report where a robot is. S never jumps, but is 0.5 m off after ten minutes. J is right to 2 cm, but jumps 5 cm now and then. The charger is 40 m away, and the robot has driven for an hour. Which one do you use to find the charger?
 #
 # - **a** S, because it is smooth
 # - **b** the mean of both
 # - **c** J
-# - **d** neither: a source that jumps is broken
+# - **d** neither: a program that jumps is broken
 # - **e** I do not know
 
 # %% [markdown] lang="ko" name="question-8"
@@ -527,7 +527,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-9"
-# **9.** A robot drives 0.8 m/s and turns 0.6 rad/s. A picture that is 0.25 s old shows a post 4 ahead. It is put on the map with the robot's place of now. By about how much is the post off?
+# **9.** A robot drives 0.8 m/s and turns 0.6 rad/s. A picture that is 0.25 s old shows a post 4 ahead. The post is drawn on the map from the robot's current position and direction. By about how much is the post off?
 #
 # - **a** 0.15
 # - **b** 0.63
@@ -545,7 +545,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-10"
-# **10.** Messages that say where a robot was come 0.1 to 0.4 s late, each time otherwise, and only while the hall is full of phones. What do you do?
+# **10.** Messages with a robot's position arrive 0.1 to 0.4 s late. The delay changes each time, and it occurs only while the hall is full of phones. What do you do?
 #
 # - **a** set a clock
 # - **b** wait a little, and drop what is older
@@ -563,7 +563,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-11"
-# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “there is a road, but I know nothing of it for that hour”. After the third, what do you look at?
+# **11.** A guide refuses in three ways: “I do not know this name” · “I know both places, but no road joins them” · “There is a road, but I know nothing about it for that hour”. After the third, what do you look at?
 #
 # - **a** the spelling
 # - **b** the missing stretch
@@ -581,7 +581,7 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-12"
-# **12.** The angle of an arm is posted once, as if the arm were bolted on. Then the arm moves. What do the listeners do?
+# **12.** The angle of an arm is reported once, as if the arm could not move. Then the arm moves. What do the programs that received it do?
 #
 # - **a** They follow it.
 # - **b** They get an error: too old.
@@ -599,10 +599,10 @@ check("E12.7", triage)
 # - **e** 모르겠습니다
 
 # %% [markdown] lang="en" name="question-13"
-# **13.** A recording of last week is replayed. All programs but one take their time from the recording. What is the first sign?
+# **13.** A recording of last week is replayed. All programs except one take their time from the recording. What is the first sign?
 #
 # - **a** none: that one runs a bit behind
-# - **b** that one asks for moments far away from all the others
+# - **b** that one asks for times far from those of all the others
 # - **c** the recording plays more slowly
 # - **d** the sensor is silent
 # - **e** I do not know
