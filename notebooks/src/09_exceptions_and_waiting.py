@@ -730,7 +730,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 
 # %% [markdown] lang="en" name="delay-read" slide="-"
 # A negative delay: the scan arrived 0.195 s *before it was measured*. That is impossible, so a clock is wrong.
-# (A healthy laser here would show +0.105 s: a sweep takes a tenth of a second, so 0.105 − 0.3 = −0.195.)
+# (With a healthy laser it is +0.105 s, because a sweep takes a tenth of a second. With the laser's clock 0.3 s ahead it is 0.105 − 0.3 = −0.195 s.)
 #
 # What about the transforms? `/tf` has no header of its own, and the tool would print *msg does not have header*. But the odometry node also publishes `/odom`, stamped by the same clock.
 
@@ -744,7 +744,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %ros2 --for 1.5 topic delay /odom
 
 # %% [markdown] lang="en" name="delay-odom-read" slide="-"
-# 0.004 s: the transforms arrive without delay, and their clock is the same as ours. So the fault is in the laser's clock.
+# 0.004 s: the transforms arrive almost at once, and their clock agrees with ours. So the fault is in the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
 # 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 원인은 레이저의 시계입니다.
@@ -867,7 +867,7 @@ hopeless = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)
 print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-off-read" slide="-"
-# Every wait expires after its full second, as long as the robot runs. No message takes that long *every* time. (The node processed 8 of the 86 scans, one a second. The queue of its subscription is short, and dropped the others.)
+# However long the robot runs, every wait expires after its full second. No message takes that long *every* time. (The node processed 8 of the 86 scans, one a second. The queue of its subscription is short, and dropped the others.)
 
 # %% [markdown] lang="ko" name="plaster-off-read" slide="-"
 # 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다. (스캔 86개 중에서 노드가 처리한 것은 1초에 하나씩 8개뿐입니다. 구독의 큐는 짧아서 나머지를 버렸습니다.)
@@ -1030,7 +1030,7 @@ print(len(called.busy), 'scans,', len(called.answers), 'answered')
 lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="cures-compared" slide="subslide"
-# 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. The last two are still on their way.
+# 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. For the last two, the transforms are still on their way.
 # And look at the timeline of the callback: it runs ten times a second, and is never busy. With threads it was busy all the time.
 #
 # | where you wait | when it is right |
@@ -1171,7 +1171,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>3. Write the time of arrival into <code>header.stamp</code></summary>
 #
-# Then the stamp is the time at which the message *arrived*. The exception is gone, and no node after yours can find out the time of the measurement.
+# Then the stamp is the time at which the message *arrived*. The exception is gone, and no later node can find out the time of the measurement.
 #
 # </details>
 #

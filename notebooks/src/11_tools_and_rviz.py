@@ -129,7 +129,7 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # ## Ask first, then type
 #
 # A tool that cannot answer your question still prints something. So say the question first.
-# Below, try seven tools on seven questions, on a driving robot. The output is real, slightly shortened. The line above it says whether it answers the question.
+# Below, try seven tools on seven questions, on a driving robot. The output is that of the tools, slightly shortened. The line above it states whether it answers the question.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
@@ -217,7 +217,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 
 # %% [markdown] lang="en" name="monitor-average-seen"
 # 19 % at the first report, half after 34 s, 91 % after two minutes. (This is a low-pass filter.)
-# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
+# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, which give a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
 #
 # And if a path is sometimes missing, the tool gives no report at all. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
@@ -454,7 +454,7 @@ graph = lesson.start_robot()
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-seen"
-# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls, except for some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
+# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
 # **Question 4.** The same time, once in each Fixed Frame, and the robot's pose in `odom` for comparison:
 

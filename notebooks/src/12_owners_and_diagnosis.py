@@ -502,7 +502,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
 
 # %% [markdown] lang="en" name="worked-think"
-# It is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
+# The fix is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
 #
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
@@ -594,7 +594,7 @@ if my_cause is not ...:
 # %% [markdown] lang="en" name="alone" slide="slide"
 # ## Alone
 #
-# `lesson.practice_patient(7)` makes a patient in some seconds; each number makes another patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
+# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
 
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
