@@ -8,7 +8,7 @@
 # - tell tf2's exceptions apart by their meaning, and say what to look at first for each,
 # - read the text of an extrapolation exception: the requested time, the edge that limits the lookup, how far outside it is,
 # - tell delayed data from a wrong clock,
-# - wait without blocking the thread that would bring the transform,
+# - wait without blocking the thread that receives the transform,
 # - write down a policy: how long to wait, how many messages to keep, and at what age data may no longer move a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -71,7 +71,7 @@ from tflab.workbook import lesson
 # A small robot, a fresh install, the first drive.
 # It moved in jerks, and RViz printed in its log: *extrapolation into the future*.
 # RViz had looked up a time 43 ms newer than the newest transform that it had ([ROBOTIS-GIT/turtlebot3, issue 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
-# The makers of the robot asked back: are its clock and the desktop's synchronised? There were two computers, and each had a clock.
+# The makers of the robot replied with a question: are its clock and the desktop's clock synchronised? There were two computers, and each had a clock.
 #
 # Other users had the same message in their logs, set a timeout (of a whole second, in one case), and the errors went away (stella_vslam_ros, issue 21; perception_pcl, issue 416).
 # For some of them that was the fix. For others it only hid the fault.
@@ -214,7 +214,7 @@ for second in (12.3, 14.3, 10.6):
 
 # %% [markdown] lang="en" name="compare-three-notes" slide="notes"
 # Ask who blamed the odometry for 14.3 s. That is the common guess, because it is the one that moves.
-# The data of a path ends where its slowest publisher ends.
+# The data of a path ends where the first of its edges ends.
 
 # %% [markdown] lang="ko" name="compare-three-notes" slide="notes"
 # 14.3초에서 오도메트리를 탓한 사람이 있는지 묻습니다. 움직이는 것이 오도메트리라서 흔히 그렇게 추측합니다.
@@ -524,7 +524,7 @@ for when in (Time(seconds=99), Time()):
 # %% [markdown] lang="en" name="handler" slide="slide"
 # ## Four exceptions, four actions
 #
-# An exception is more than a log line. It is a decision: a different exception needs a different action.
+# An exception is more than a log line. Each class needs another action, so your code must distinguish them.
 
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
@@ -729,8 +729,8 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %ros2 --for 1.5 topic delay /scan
 
 # %% [markdown] lang="en" name="delay-read" slide="-"
-# A negative delay: the scan arrived 0.195 s *before it was measured*. Messages cannot do that; clocks can.
-# (A healthy laser here would show +0.105 s: a sweep takes a tenth of a second, so 0.105 − 0.3 = −0.195.)
+# A negative delay: the scan arrived 0.195 s *before it was measured*. That is impossible, so a clock is wrong.
+# (With a healthy laser it is +0.105 s, because a sweep takes a tenth of a second. With the laser's clock 0.3 s ahead it is 0.105 − 0.3 = −0.195 s.)
 #
 # What about the transforms? `/tf` has no header of its own, and the tool would print *msg does not have header*. But the odometry node also publishes `/odom`, stamped by the same clock.
 
@@ -744,7 +744,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %ros2 --for 1.5 topic delay /odom
 
 # %% [markdown] lang="en" name="delay-odom-read" slide="-"
-# 0.004 s: the transforms arrive without delay, and their clock is the same as ours. So the fault is in the laser's clock.
+# 0.004 s: the transforms arrive almost at once, and their clock agrees with ours. So the fault is in the laser's clock.
 
 # %% [markdown] lang="ko" name="delay-odom-read" slide="-"
 # 0.004초입니다. 변환 쪽은 제때 오고, 우리와 같은 시계를 씁니다. 그러니 원인은 레이저의 시계입니다.
@@ -867,7 +867,7 @@ hopeless = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)
 print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-off-read" slide="-"
-# Every wait expires after its full second, as long as the robot runs. No message takes that long *every* time. (The node processed 8 of the 86 scans, one a second. The queue of its subscription is short, and dropped the others.)
+# However long the robot runs, every wait expires after its full second. No message takes that long *every* time. (The node processed 8 of the 86 scans, one a second. The queue of its subscription is short, and dropped the others.)
 
 # %% [markdown] lang="ko" name="plaster-off-read" slide="-"
 # 1초를 꽉 채워 기다리다 매번 시간이 다 되고, 로봇이 달리는 내내 그렇습니다. 오는 중인 데이터라면 *매번* 그렇게 오래 걸리지는 않습니다. (스캔 86개 중에서 노드가 처리한 것은 1초에 하나씩 8개뿐입니다. 구독의 큐는 짧아서 나머지를 버렸습니다.)
@@ -943,12 +943,12 @@ print(*patient.answers, sep='\n')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="lanes-why" slide="-"
-# `rclpy.spin(node)` has one thread. Between two calls of `on_scan` it processes a single message. While `on_scan` waits *in* it, nothing calls the listener, and the transform stays in the queue.
+# `rclpy.spin(node)` has one thread. Between two calls of `on_scan` it processes a single message. While `on_scan` waits in that thread, the listener is not called, and the transform stays in the queue.
 # The callback waits for the mail, and it is also the postman.
 #
 # <details><summary>Deeper: in C++</summary>
 #
-# A public report of this is ros2/geometry2, issue 327. In C++ tf2 rejects such a wait at once, with a long message that requires a dedicated thread (`setUsingDedicatedThread`). In Python it lets you wait.
+# A public report of this is ros2/geometry2, issue 327. In C++ the listener has a thread of its own by default, so such a wait works. Without that thread (`spin_thread=false`) tf2 rejects the wait at once, with a long message that requires a dedicated thread (`setUsingDedicatedThread`). In Python the default is no thread, and tf2 lets you wait.
 #
 # </details>
 
@@ -958,7 +958,7 @@ lesson.draw_lanes(patient)
 #
 # <details><summary>더 깊이: C++에서는</summary>
 #
-# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 이런 기다림을 곧바로 거절합니다. 파이썬에서는 그대로 기다립니다.
+# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++에서는 수신자(listener)가 기본으로 전용 스레드를 가지므로 이런 기다림이 통합니다. 그 스레드가 없으면(`spin_thread=false`) C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 곧바로 거절합니다. 파이썬에서는 기본으로 그 스레드가 없고, 그대로 기다립니다.
 #
 # </details>
 
@@ -1030,7 +1030,7 @@ print(len(called.busy), 'scans,', len(called.answers), 'answered')
 lesson.draw_lanes(called)
 
 # %% [markdown] lang="en" name="cures-compared" slide="subslide"
-# 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. The last two are still on their way.
+# 27 of 30. The first scan can never be answered, and was cancelled when three newer ones were waiting. For the last two, the transforms are still on their way.
 # And look at the timeline of the callback: it runs ten times a second, and is never busy. With threads it was busy all the time.
 #
 # | where you wait | when it is right |
@@ -1171,13 +1171,13 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>3. Write the time of arrival into <code>header.stamp</code></summary>
 #
-# Then the stamp is the time at which the message *arrived*. The exception is gone, and no node after yours can find out the time of the measurement.
+# Then the stamp is the time at which the message *arrived*. The exception is gone, and no later node can find out the time of the measurement.
 #
 # </details>
 #
 # <details><summary>4. <code>chronyc tracking</code> on both computers, and set the clock right</summary>
 #
-# Yes. Constant for an hour, hardly any variation, and a negative delay: that is a clock. Set it right on the computer where it is wrong.
+# Yes. Constant for an hour, hardly any variation, and a negative delay: a clock is wrong. Set it on the computer where it is wrong.
 #
 # </details>
 
@@ -1311,7 +1311,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # - **Name, path, time.** Lookup, connectivity, extrapolation: which of the three is missing? (InvalidArgument: the arguments were wrong.)
 # - The text names the frames of the lookup, not the edge that limits it. Find that edge by the time in the text.
-# - Past: waiting is useless. Future: wait a little if the transform is *late*; set the clock if it is *wrong*. A negative delay is a clock.
+# - Past: waiting is useless. Future: wait a little if the transform is *late*; set the clock if it is *wrong*. A negative delay means that a clock is wrong.
 # - A timeout checks whether the transform is there, never whether the stamp is true.
 # - Never wait in the only thread. Use several threads, or a future.
 # - How long, how many, how old: decide before you drive.
@@ -1385,7 +1385,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # - Connectivity: both names are known, but there is no *path*: the tree is in pieces, two roots.
 # - Extrapolation: there is a path, but an edge on it has no data at that *time*, and tf2 does not guess.
 # - Each needs another first check: the name; the tree; stamps and clocks.
-# - For a star: with two faults at once, the time may be reported first.
+# - For an extra point: with two faults at once, tf2 may report the time first.
 #
 # </details>
 #
@@ -1438,13 +1438,13 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>One good ending</summary>
 #
-# The transform is late, or a clock is wrong. `ros2 topic delay`: delayed data shows a delay above the normal one, and it varies; below zero it is a clock.
+# The transform is late, or a clock is wrong. The command is `ros2 topic delay`. For late data it prints delays that vary and are larger than normal. A delay below zero means that a clock is wrong.
 # "If it is late, a short wait is enough. If it is a clock, a long wait only hides it. Let us look at the delay first."
 #
 # </details>
 #
-# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, and the buffer returns one of them. Subtract their `.nanoseconds`, because times of different clocks cannot be subtracted.
-# After a pass, or three tries, `solution("E9.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about the time that counts when a recording is played.
+# **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, one of which the buffer returns. Subtract their `.nanoseconds`, because rclpy cannot subtract Times of different clock types.
+# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about the time that counts when a recording is played.
 #
 # On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 

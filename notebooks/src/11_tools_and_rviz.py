@@ -72,7 +72,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
-# Six minutes with the title. A minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
+# Six minutes, the title included. Give them a minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 제목까지 6분입니다. 1.6318e9초가 몇 년인지 계산하게 하고, 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
@@ -129,7 +129,7 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # ## Ask first, then type
 #
 # A tool that cannot answer your question still prints something. So say the question first.
-# Below, try seven tools on seven questions, on a driving robot. The output is real, slightly shortened. The line above it says whether it answers the question.
+# Below, try seven tools on seven questions, on a driving robot. The output is that of the tools, slightly shortened. The line above it states whether it answers the question.
 
 # %% [markdown] lang="ko" name="ask-first" slide="slide"
 # ## 질문부터 정하고, 그다음에 입력합니다
@@ -161,7 +161,7 @@ lesson.draw_toolbox()
 # 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1의 `tf_monitor`는 이름을 출력했지만, ROS 2의 `tf2_monitor`에서는 어느 노드나 `<no authority available>`로 나옵니다.
 
 # %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
-# Which row has no tick? Wait for the owner, and leave it open: chapter 12 is about it.
+# Ask which row has no tick. Wait until somebody says "the owner", and leave the question open: chapter 12 is about it.
 
 # %% [markdown] lang="ko" name="ask-first-table-notes" slide="notes"
 # ✓가 하나도 없는 행은 어느 것입니까? 발행 책임(owner) 행이라는 답이 나오면, 그 질문은 12장으로 미룹니다.
@@ -217,7 +217,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 
 # %% [markdown] lang="en" name="monitor-average-seen"
 # 19 % at the first report, half after 34 s, 91 % after two minutes. (This is a low-pass filter.)
-# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
+# So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, which give a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
 #
 # And if a path is sometimes missing, the tool gives no report at all. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
@@ -261,7 +261,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In it, each edge has its own `Average rate`:
 #
 # - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (`view_frames` divides n samples by the time from the first to the last. With n − 1 its 20.204 would be 20.0.)
-# - static edges have 10000.0: not a rate, but a mark.
+# - static edges have 10000.0, which is not a rate: tf2 divides the number of samples by at least 0.0001 s, and a static edge has one sample.
 # - `default_authority` everywhere: no owner here either.
 #
 # It is a **[[snapshot]]** of five seconds. It probably misses what happens once a minute.
@@ -270,16 +270,16 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
 #
 # - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
-# - 정적 연결의 10000.0은 발행률이 아니라, 정적이라는 표시입니다.
+# - 정적 연결의 10000.0은 발행률이 아닙니다. tf2는 표본 수를 적어도 0.0001초로 나누는데, 정적 연결은 표본이 하나입니다.
 # - 모든 연결이 `default_authority`이므로 여기서도 발행자는 알 수 없습니다.
 #
 # 5초 동안의 [[snapshot|스냅샷]]이라서, 1분에 한 번 일어나는 일은 거의 놓칩니다.
 
 # %% [markdown] lang="en" name="view-frames-notes" slide="notes"
-# Find one edge together, `odom → base_footprint`, and read its rate. 10000 is a mark for static edges, and no rate.
+# Find one edge together, `odom → base_footprint`, and read its rate. 10000 is not a rate: it is one sample divided by 0.0001 s.
 
 # %% [markdown] lang="ko" name="view-frames-notes" slide="notes"
-# 연결 하나(`odom → base_footprint`)를 함께 찾아 발행률을 읽습니다. 10000은 정적이라는 표시이지 발행률이 아닙니다.
+# 연결 하나(`odom → base_footprint`)를 함께 찾아 발행률을 읽습니다. 10000은 발행률이 아니라 표본 하나를 0.0001초로 나눈 값입니다.
 
 # %% [markdown] lang="en" name="two-owners" slide="subslide"
 # Still, it reveals two publishers. **Predict:** a second node, the EKF, publishes `odom → base_footprint` too, 30 times a second. What is the edge's rate?
@@ -300,7 +300,7 @@ lesson.frame_tree()
 # `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 발행자를 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
-# On fingers: two, three or five times ten a second? On a robot you would have the 50 alone, and no names beside it.
+# Vote with fingers: two, three or five times ten a second? On a robot you would have the 50 alone, and no names beside it.
 
 # %% [markdown] lang="ko" name="two-owners-notes" slide="notes"
 # 손가락으로 답합니다. 1초에 스무 번, 서른 번, 쉰 번 가운데 무엇입니까? 로봇에서는 50만 보이고 이름은 없습니다.
@@ -354,7 +354,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # %% [markdown] lang="en" name="often-enough" slide="slide"
 # ## Often enough?
 #
-# Between two samples TF interpolates along a straight line, with a constant rotation. How large is the error at half a metre per second?
+# Between two samples TF interpolates the position along a straight line, and the rotation at a constant rate. How large is the error at half a metre per second?
 #
 # **Predict:** odometry is published once a second instead of twenty times. How far off is the robot, at worst, on a straight line? And in a curve of 1 rad/s?
 
@@ -378,14 +378,14 @@ for f in (1, 2, 10, 20):
 # On a straight line: **nothing**, at any rate. The midpoint between two points of a straight line is on the line.
 # In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
 #
-# What a slow edge always costs is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
+# What a slow edge can cost even on a straight line is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
 # The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
 # 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 실제 경로는 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
-# 발행률이 낮은 연결에는 언제나 **기다림**이 따릅니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
+# 발행률이 낮은 연결에는 곧은 길에서도 **기다림**이 따를 수 있습니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
 
 # %% [markdown] lang="en" name="often-enough-try"
@@ -454,7 +454,7 @@ graph = lesson.start_robot()
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-seen"
-# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls, except for some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
+# On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.
 #
 # **Question 4.** The same time, once in each Fixed Frame, and the robot's pose in `odom` for comparison:
 
@@ -517,7 +517,7 @@ lesson.start_robot('mount')
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="three-robots-mount-notes" slide="notes"
-# Who has a red line on paper? Let the class find the wall that does not fit. What would you compare it with: the drawing.
+# Who has a red line on paper? Let the class find the wall that does not fit. Ask what they would compare it with (the drawing).
 
 # %% [markdown] lang="ko" name="three-robots-mount-notes" slide="notes"
 # 빨간 줄을 적은 사람이 있습니까? 맞지 않는 벽을 함께 찾습니다. 무엇과 비교할까요? 도면입니다.
@@ -527,7 +527,7 @@ lesson.start_robot('header')
 lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="three-robots-header-notes" slide="notes"
-# The same list again. What would you compare the header with: the driver's manual. The first part to leave out when time is short.
+# The same list again. Ask what they would compare the header with (the driver's manual). If time is short, leave out this robot first.
 
 # %% [markdown] lang="ko" name="three-robots-header-notes" slide="notes"
 # 또 같은 목록입니다. 헤더는 무엇과 비교할까요? 드라이버의 설명서입니다. 시간이 모자라면 여기를 건너뜁니다.
@@ -743,7 +743,7 @@ for _ in range(6):
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# Yes. If it is right at rest and wrong in motion, the cause has to do with *time*. A stamp that is off by 0.3 s rotates the scan by the yaw of 0.3 s. On a straight line it only shifts the scan along the path: the walls beside the robot look right, and the wall ahead is 15 cm off at half a metre per second.
+# Yes. If it is right at rest and wrong in motion, the cause has to do with *time*. A stamp that is off by 0.3 s rotates the scan by the angle that the robot turns in 0.3 s. On a straight line it only shifts the scan along the path: the walls beside the robot look right, and the wall ahead is 15 cm off at half a metre per second.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -849,7 +849,7 @@ graph.stop()
 # - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the picture. The [[owner]]: no tool.
 # - Delay is not rate. `hz /tf` and the monitor's Hz count all nodes.
 # - `tf2_monitor`: read `max`, not `avg`. Ignore static edges. A negative average means stamps in the future.
-# - A slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and waiting everywhere.
+# - A slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and on both a wait if its period is longer than the scan's delay.
 # - [[fixed frame|Fixed Frame]] changes the picture, never the data.
 # - **Ok means computed, not true.** Compare value, frame name and stamp yourself.
 
@@ -859,12 +859,12 @@ graph.stop()
 # - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]이 어느 노드에 있는지 알려 주는 도구는 없습니다.
 # - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모든 발행자를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않습니다. 평균이 음수이면 측정 시각이 미래입니다.
-# - 발행률이 낮은 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀리며, 어디서나 기다리게 됩니다.
+# - 발행률이 낮은 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀립니다. 주기가 스캔의 지연보다 길면 어느 길에서나 기다리게 됩니다.
 # - [[fixed frame|고정 좌표계]]를 바꾸면 그림의 기준만 바뀌고 데이터는 바뀌지 않습니다.
 # - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 비교해 확인합니다.
 
 # %% [markdown] lang="en" name="recap-notes" slide="notes"
-# Leave it on the screen while the slips are written.
+# Leave it on the screen while they write the exit tickets.
 
 # %% [markdown] lang="ko" name="recap-notes" slide="notes"
 # 쪽지를 쓰는 동안 화면에 띄워 둡니다.
@@ -916,7 +916,7 @@ graph.stop()
 # - [ ] `tf2_echo A B` prints the value of one pair, the pose of B in A, the latest one, again and again.
 # - [ ] `tf2_monitor` measures how late a path and its frames are (`max`, not the first `avg`).
 # - [ ] None of them names the owner of an edge; `topic info --verbose` names the nodes on the topic.
-# - [ ] Each is a sample: what happens between two samples is not shown. For a star: a value that is printed need not be true.
+# - [ ] Each is a sample: what happens between two samples is not shown. For an extra point: a value that is printed need not be true.
 #
 # </details>
 
@@ -971,7 +971,7 @@ graph.stop()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), about which node owns an edge, and what is broken.
-# After a pass, or three tries, `solution("E11.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E11.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"

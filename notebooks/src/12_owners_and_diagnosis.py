@@ -6,8 +6,8 @@
 # After this chapter you can
 #
 # - write down the owner of each edge: the node, its data, and its switch,
-# - read the four states of an edge from a terminal: one [[owner]], none, two, another edge,
-# - choose the check that rules out most [[suspect|suspects]] for the fewest minutes, and stop when one is left,
+# - recognise the four states of an edge in a terminal: one [[owner]], no owner, two owners, or another edge to the same child,
+# - choose the check that rules out the most [[suspect|suspects]] per minute, and stop when one is left,
 # - tell a fix from a workaround.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
@@ -109,7 +109,7 @@ graph.run(seconds=20.0)
 # 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
-# Let those who said “one fewer” explain why. They think of a list of calls; this is a list of telephones. Then ask: what would show the calls? Wait for “the rate of the edge”.
+# Let those who said “one fewer” explain why. They think of calls, but `topic info` is a list of telephones: it counts publishers, not messages. Then ask: what would show the messages? Wait for “the rate of the edge”.
 
 # %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
 # “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 지금 발행하는 노드를 센다고 생각했겠지만, 이 도구는 발행할 수 있는 노드를 셉니다. 그럼 실제로 발행하는지 알려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답이 나오게 합니다.
@@ -363,7 +363,7 @@ rclpy.shutdown()
 # 시뮬레이션에서만 하고, 끝나면 프로세스를 모두 종료하십시오. 실제 로봇은 이 변환에 따라 움직입니다.
 
 # %% [markdown] lang="en" name="experiments-notes" slide="notes"
-# A takes a minute; who calls 2e+08 Hz a fault? Before B ask: what is the first line of the tool about, and what is the second about? Before C: 1.000, 2.000, or an error?
+# A takes a minute. Ask whether 2e+08 Hz is a fault. Before B ask: what is the first line of the tool about, and what is the second about? Before C ask: 1.000, 2.000, or an error?
 
 # %% [markdown] lang="ko" name="experiments-notes" slide="notes"
 # A는 1분이면 됩니다. 2e+08 Hz를 고장이라고 하는 사람이 있습니까? B 전에는 도구의 첫 줄과 둘째 줄이 무엇일지 묻습니다. C 전에는 1.000, 2.000, 오류 가운데 무엇일지 묻습니다.
@@ -389,7 +389,7 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line counts: **not part of the same tree**. If you suspect a stopped node, you restart one now. But the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
+# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line counts: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
@@ -415,7 +415,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
 #
-# The lecture has six steps (§27): names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But an order without a question is slow.
+# The lecture has six steps (§27): names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But a fixed order is slow, because it does not use the complaint.
 # Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would the result not be the same for all three?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
@@ -434,13 +434,13 @@ graph = lesson.new_graph()
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
-# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it rules out two rows, for one minute. Each row that is ruled out is an argument, and the one row that is left is proved. A result that all suspects share is no [[evidence]].
+# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
 # *그림 읽기:* 행은 용의자, 열은 그들을 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
-# Two people now diagnose the eighteen robots of the clinic below. Each robot has another cause, and the two get no complaint. One follows the six steps, the other always chooses the check that rules out most suspects per minute.
+# Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
 
 # %% [markdown] lang="ko" name="two-ways" slide="subslide"
 # 이제 두 사람이 아래 진료실의 로봇 열여덟 대를 진단합니다. 증상은 알려 주지 않으며, 원인은 저마다 다릅니다. 그중 한 대에는 이상이 없습니다. 한 사람은 여섯 단계를 따르고, 한 사람은 늘 1분당 용의자를 가장 많이 지우는 검사를 고릅니다.
@@ -455,7 +455,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen are found too late; with the best check next it takes 2.3, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
+# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen are found too late; if you always choose the best check, it takes 2.3 on average, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
@@ -465,7 +465,7 @@ lesson.draw_both_ways()
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it works
 #
-# A patient is a simulated robot, usually with one fault, together with the recorded output of every tool. You get the complaint, RViz's screen and the card of the healthy robot for free. Each check costs minutes, and you have twelve.
+# A patient is a simulated robot, usually with one fault, together with the recorded output of every tool. You get the complaint, RViz's screen and the card of the healthy robot, which lists its normal values, for free. Each check costs minutes, and you have twelve.
 
 # %% [markdown] lang="ko" name="clinic" slide="slide"
 # ## 진료실: 이렇게 합니다
@@ -502,7 +502,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
 
 # %% [markdown] lang="en" name="worked-think"
-# It is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
+# The fix is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
 #
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
@@ -594,7 +594,7 @@ if my_cause is not ...:
 # %% [markdown] lang="en" name="alone" slide="slide"
 # ## Alone
 #
-# `lesson.practice_patient(7)` makes a patient in some seconds; each number makes another patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
+# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
 
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
@@ -782,9 +782,9 @@ night.try_fix()
 # chronyc tracking                                   # on each computer
 # ```
 #
-# To find the owner of an edge, stop one node at a time and look whether the edge continues: wheels off the ground, and the emergency stop in your hand.
+# To find the owner of an edge, stop one node at a time and check whether the edge continues: wheels off the ground, and the emergency stop in your hand.
 #
-# A robot can have more than eighteen faults. Three common ones are not in the clinic: a localiser that waits for its initial pose or was never activated, a subscriber that requests `RELIABLE` where the driver offers `BEST_EFFORT`, a neighbour's robot on the same `ROS_DOMAIN_ID`. The method is the same: which check has different results for them?
+# The clinic has seventeen faults, and a robot can have others. Three common ones are not in the clinic: a localiser that waits for its initial pose or was never activated, a subscriber that requests `RELIABLE` where the driver offers `BEST_EFFORT`, a neighbour's robot on the same `ROS_DOMAIN_ID`. The method is the same: which check has different results for them?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -811,7 +811,7 @@ night.try_fix()
 # ```
 #
 # 누가 연결을 발행하는지 보려면 노드를 하나씩 멈추고 연결이 계속 오는지 봅니다. 바퀴는 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
-# 실제 로봇의 원인은 열여덟보다 많습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
+# 진료실의 고장은 17가지이고, 실제 로봇에는 그 밖의 고장도 있습니다. 누구나 만나지만 진료실에 없는 것이 셋 있습니다. 초기 포즈(initial pose)를 기다리거나 활성화되지 않은 위치 추정 노드, `BEST_EFFORT`로 보내는 드라이버에 `RELIABLE`을 요구하는 노드, 같은 `ROS_DOMAIN_ID`를 쓰는 옆 로봇입니다. 방법은 같습니다. 이들의 결과가 서로 다를 검사는 무엇일까요?
 
 # %% [markdown] lang="en" name="on-the-robot-notes" slide="notes"
 # To photograph. Say the last line aloud: wheels off the ground, the emergency stop in your hand.
@@ -988,7 +988,7 @@ night.try_fix()
 # - [ ] The mount's value, at rest.
 # - [ ] Delays and rates of the edges, and the scan's own frame, stamp and clock.
 # - [ ] Publishers and their switches last.
-# - [ ] Neither a new sensor nor a longer timeout is among them, because these show no fact.
+# - [ ] Neither a new sensor nor a longer timeout is among them, because neither is a check.
 #
 # </details>
 
@@ -1058,14 +1058,14 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="en" name="exit-ticket-notes" slide="notes"
-# Two minutes, in silence, on a slip. It ends the first sitting.
+# Two minutes, in silence, on paper. The ticket ends the first sitting.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분 동안 말없이 쪽지에 적습니다. 첫째 시간은 여기서 끝납니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
-# After a pass, or three tries, `solution("E12.1")` shows a solution there. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 # On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"

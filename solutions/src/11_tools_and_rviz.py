@@ -238,7 +238,7 @@ check("E11.5", changes)
 #
 # `report` is the output of `tf2_monitor A B`, as one text; `static_frames` are the names of the frames that are children of a static transform. Return a dict:
 #
-# - `"late"`: of the frames that move, the one with the largest delay at worst;
+# - `"late"`: of the frames that move, the one with the largest maximum delay;
 # - `"future"`: a list of the frames that move and whose stamps are in the future on average;
 # - `"delay_s"`: how late the whole path was at worst [s].
 

@@ -278,7 +278,7 @@ check("E12.5", robot)
 # - **tree** does `view_frames` show one tree?
 # - **rates** delays and rates of the edges
 #
-# Six readings follow one another, `"first"` to `"sixth"`. For each, choose the step that you take next:
+# Six observations follow one another, `"first"` to `"sixth"`. After each, choose the step that you take next:
 #
 # 1. RViz reports all Ok. The wall is sharp while the robot stands still. It smears in curves.
 # 2. That step shows nothing unusual: each scan arrives 0.05 s after its stamp. The wall still smears.
