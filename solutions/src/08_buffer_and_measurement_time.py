@@ -70,7 +70,7 @@ check("E8.1", latest_common_s)
 # %% [markdown] lang="ko" name="e8-2"
 # ## E8.2 · 두 표본 사이 (4점)
 #
-# 버퍼가 한 연결의 두 표본 사이에서 하는 일을 바닥 위의 2차원으로 작성하십시오.
+# 버퍼는 한 연결의 두 표본 사이를 보간합니다. 바닥 위의 2차원에서 같은 계산을 하는 함수를 작성하십시오.
 # 표본은 `(stamp_s, x, y, yaw)` tuple이고 단위는 초, m, rad입니다.
 #
 # dict를 반환합니다. `"position"`은 직선 위의 `(x, y)`, `"yaw"`는 가장 짧은 호 위의 각도입니다.
@@ -138,7 +138,7 @@ check("E8.3", point_to_map)
 # 로봇이 아래처럼 달리고 회전하면서 정면 `range_m` 앞의 물체를 봅니다.
 # `delay_ms` 뒤에 누군가 *지금*의 포즈로 그 관측을 지도 기준으로 바꿉니다. (단위에 주의하십시오. 데이터시트마다 단위가 다릅니다.)
 #
-# 본문의 두 곱으로 오차를 어림하십시오. 측정 시각의 로봇을 기준으로 x는 앞, y는 왼쪽입니다.
+# 본문에 나온 두 성분의 식으로 오차를 어림하십시오. 측정 시각의 로봇을 기준으로 x는 앞, y는 왼쪽입니다.
 # `"forwards_m"`과 `"left_m"`은 부호를 붙여서, `"together_m"`은 둘을 합친 길이로 답합니다.
 
 # %% name="e8-4-given"
@@ -166,7 +166,7 @@ check("E8.4", late_error)
 # - **b** The scan is 5 cm beside the wall, in motion or at rest, always on the same side of the robot.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`, from a detector that takes 12 s.
-# - **e** About three of four points are rejected: `… into the future …`, always by less than a second. `ros2 topic hz` prints 1.0 for one edge's publisher, and 30 for the camera.
+# - **e** About three of four points are rejected: `… into the future …`, always by less than a second. The rate of one edge is 1.0 Hz, that of the camera 30 Hz.
 # - **f** The node stops with a traceback, although every lookup is inside `try … except TransformException`.
 
 # %% [markdown] lang="ko" name="e8-5"
@@ -179,7 +179,7 @@ check("E8.4", late_error)
 # - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** 12초 동안 계산하는 검출기에서 `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`
-# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `ros2 topic hz`는 어느 연결의 발행자에 1.0을, 카메라에 30을 보여 줍니다.
+# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. 한 연결의 발행률은 1.0 Hz이고 카메라는 30 Hz입니다.
 # - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 노드가 traceback을 남기고 멈춥니다.
 
 # %% name="e8-5-answer" tags=["answer"]
@@ -209,7 +209,7 @@ check("E8.5", causes)
 #
 # 검출기는 `thinking_s` 동안 계산한 뒤 영상의 측정 시각으로 변환을 조회합니다.
 # 경로의 연결은 각각 `rate_hz`로 발행되며, 측정하는 즉시 보냅니다.
-# 본문의 규칙을 쓰십시오. 측정 시각이 두 표본 사이 어디에 놓이더라도 모든 영상에 충분하면서 필요 이상으로 길지 않은 `cache_time`[s]은 얼마입니까?
+# 본문의 규칙을 쓰십시오. 측정 시각이 두 표본 사이 어디에 있든 모든 영상에 충분한 `cache_time`[s] 가운데 가장 작은 값은 얼마입니까?
 
 # %% name="e8-6-given"
 e8_6 = task("E8.6")
