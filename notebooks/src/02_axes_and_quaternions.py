@@ -595,7 +595,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # If the length is off, TF normalises it without a message. Other programs use it as it is, and draw the robot stretched.
 # Rounded numbers are normal, so a check allows a small difference from one.
 #
-# And there is NaN, "not a number", the result of 0/0. **Predict:** is NaN close to 1, or far from it?
+# And there is NaN, "not a number", the result of 0/0 in C++ and NumPy. **Predict:** is NaN close to 1, or far from it?
 
 # %% [markdown] lang="ko" name="length" slide="subslide"
 # ### 길이는 얼마일까요?
@@ -604,7 +604,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # 길이가 1에서 벗어나면 TF는 오류 없이 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
 # 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지 확인하는 프로그램은 없습니다.
 #
-# 그리고 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
+# 그리고 C++나 NumPy에서 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
 
 # %% name="length-run" tags=["predicted"] slide="fragment"
 for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):

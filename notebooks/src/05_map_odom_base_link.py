@@ -400,7 +400,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸을 채워 보세요
 #
-# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔의 측정 시각에 대한 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔을 측정한 시각의 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
