@@ -29,7 +29,7 @@
 # Half the class will not move their hands. This chapter is for that half.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라라고 생각하고 다시 가리키게 합니다.
+# 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라 영상이라고 생각하고 그 x, y, z를 가리키게 합니다.
 # 절반은 손을 움직이지 않을 것입니다. 이 장은 그 절반을 위한 것입니다.
 
 # %% [markdown] lang="en" name="needed" slide="skip"
@@ -94,7 +94,7 @@ from tflab.workbook import lesson
 # 한 팀은 이미 나와 있는 검출기를 가져다 썼습니다. 잘한 일입니다.
 # 검출기는 물건을 찾아냈습니다. 그런데 위치가 모두 틀렸습니다.
 #
-# 수학은 맞았습니다. 검출기도 맞았습니다. 카메라도 맞았습니다.
+# 계산은 맞았습니다. 검출기에도 카메라에도 문제가 없었습니다.
 # 다만 영상에는 카메라 **본체**의 좌표계가 적혀 있었고, 검출기의 숫자는 카메라 **영상** 기준이었습니다.
 # 팀의 기록에 따르면, 이 때문에 대회 도중 반나절쯤을 잃었습니다.
 # ([usnistgov/ARIAC, 이슈 345](https://github.com/usnistgov/ARIAC/issues/345). 주최 측은 이후 빠져 있던 좌표계를 추가했습니다.)
@@ -186,7 +186,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # </details>
 
 # %% [markdown] lang="ko" name="predict-replies" slide="fragment"
-# 두 번째 좌표를 어떻게 적었을까요?
+# 두 번째 좌표를 무엇이라고 적었습니까?
 #
 # <details><summary>똑같이 (2, 0, 0)</summary>
 #
@@ -200,7 +200,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # </details>
 # <details><summary>(0, −2, 0)</summary>
 #
-# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 여기서는 본체 기준의 점을 영상 기준으로 바꾸어야 합니다. 둘을 헷갈리지 않게 하는 문장은 03장에서 배웁니다.
+# 회전은 맞지만 방향이 거꾸로입니다. 원본을 영상, 목표를 본체로 두고 바꾸었습니다. 여기서는 본체 기준의 점을 영상 기준으로 바꾸어야 합니다. 목표와 원본을 구별하는 방법은 03장에서 배웁니다.
 #
 # </details>
 # <details><summary>(0, 0, 2)</summary>
@@ -288,7 +288,7 @@ lesson.draw_right_hand()
 #
 # yaw가 양수이면 **왼쪽**으로 회전합니다. x에서 y 쪽을 향하는 방향입니다. 따라서 −0.5는 오른쪽입니다.
 #
-# pitch가 양수이면 **기수가 내려갑니다**. 조종사가 배운 것과는 반대입니다. 비행기 좌표계에서는 z가 아래를 향하므로 양수일 때 기수가 올라갑니다.
+# pitch가 양수이면 **기수가 내려갑니다**. 조종사가 배운 것과는 반대입니다. 비행기 좌표계에서는 z가 아래, y가 오른쪽을 향하므로 양수일 때 기수가 올라갑니다.
 # 어느 쪽도 틀리지 않았습니다. 약속이 둘일 뿐이고, 드론 한 대 안에 두 약속이 함께 들어 있기도 합니다.
 #
 # roll이 양수이면 왼쪽이 올라갑니다.
@@ -312,7 +312,7 @@ lesson.draw_right_hand()
 # %% [markdown] lang="ko" name="rpy" slide="slide"
 # ## Roll, pitch, yaw
 #
-# [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축으로 roll, 다음에 y축으로 pitch, 다음에 z축으로 yaw만큼 회전시킵니다.
+# [[roll pitch yaw|세 각도]]로 어떤 회전이든 나타낼 수 있습니다. x축 둘레로 roll, 다음에 y축 둘레로 pitch, 다음에 z축 둘레로 yaw만큼 회전시킵니다.
 # 세 축은 **고정**되어 있습니다. 로봇이 회전하는 동안에도 축은 제자리에 있습니다.
 # URDF의 `rpy="..."`와 ROS 2 도구의 `--roll --pitch --yaw`가 정확히 이 뜻입니다.
 #
@@ -410,7 +410,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 #
 # <details><summary>더 깊이: 함께 회전하는 축</summary>
 #
-# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축으로 pitch, 다음에 *새로운* x축으로 roll입니다.
+# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축 둘레로 pitch, 다음에 *새로운* x축 둘레로 roll입니다.
 # 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 회전하는지 꼭 확인하십시오.
 #
 # </details>
@@ -595,7 +595,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # If the length is off, TF normalises it without a message. Other programs use it as it is, and draw the robot stretched.
 # Rounded numbers are normal, so a check allows a small difference from one.
 #
-# And there is NaN, "not a number", the result of 0/0. **Predict:** is NaN close to 1, or far from it?
+# And there is NaN, "not a number", the result of 0/0 in C++ and NumPy. **Predict:** is NaN close to 1, or far from it?
 
 # %% [markdown] lang="ko" name="length" slide="subslide"
 # ### 길이는 얼마일까요?
@@ -604,7 +604,7 @@ print("-q turns it to", lesson.fmt_all(Transform(rotation=minus).apply(point), "
 # 길이가 1에서 벗어나면 TF는 오류 없이 1로 맞춥니다. 길이를 확인하지 않는 프로그램에서는 로봇이 늘어나거나 찌그러져 보입니다.
 # 반올림한 숫자는 괜찮습니다. 그래서 *정확히* 1인지 확인하는 프로그램은 없습니다.
 #
-# 그리고 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
+# 그리고 C++나 NumPy에서 0/0을 계산하면 나오는 NaN(숫자가 아님)이 있습니다. **예측해 봅시다.** NaN은 1에 가까울까요, 1에서 멀까요?
 
 # %% name="length-run" tags=["predicted"] slide="fragment"
 for q in (left_90, (0.0, 0.0, 0.707, 0.707), (0.0, 0.0, 1.4, 1.4), (0.0, 0.0, math.nan, 1.0)):
@@ -639,7 +639,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 # Convert once, where the data enters your program, in a function whose name says it: `xyzw_from_wxyz`.
 
 # %% [markdown] lang="ko" name="w-first-after" tags=["predicted"] slide="fragment"
-# roll이 160°입니다. 바퀴를 하늘로 하고 뒤집혔습니다.
+# roll이 160°입니다. 로봇이 뒤집혀 바퀴가 하늘을 향합니다.
 # 작은 회전이 180°에 가까운 roll로 바뀝니다. RViz에서 로봇이 뒤집혀 있다면 w를 먼저 쓴 흔적입니다.
 # 순서를 바꾸는 일은 데이터가 드나드는 경계에서 한 번만, 이름만 보아도 뜻이 드러나는 함수로 하십시오. `xyzw_from_wxyz`가 그런 이름입니다.
 
@@ -855,7 +855,7 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # | 낱말 | 뜻 | 이 페이지에서는 |
 # |---|---|---|
 # | [[node|노드]] | 이름을 가지고 ROS 2 통신에 참여하는 프로그램 | `Node("asker")` |
-# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환을 발행하는 객체 | `static_transform_publisher` |
+# | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환을 발행하는 객체 | `StaticTransformBroadcaster` |
 # | [[listener|변환 수신기]] | 발행된 변환을 모두 받는 객체 | `TransformListener` |
 # | [[buffer|변환 버퍼]] | 받은 변환을 모아 두고, 조회하면 값을 주는 객체 | `Buffer` |
 #
@@ -1154,7 +1154,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # 새 카메라가 도착했습니다. RViz에서 클라우드 전체가 천장처럼 납작하게 로봇 위 허공에 떠 있습니다.
 # `tf2_echo camera_link camera_optical_frame`은 −90, 0, −90도를 출력합니다. 무엇을 바꾸겠습니까?
 #
-# <details><summary>A. 내 노드에서 좌표를 (z, −x, −y)로 바꿔치기합니다</summary>
+# <details><summary>A. 내 노드에서 좌표를 (z, −x, −y)로 바꿉니다</summary>
 #
 # 내 노드에서는 맞아 보이지만 다른 모든 곳에서는 여전히 틀립니다. RViz도, 기록된 데이터도, 동료의 경로 계획기도 그렇습니다.
 # 게다가 누군가 드라이버를 고치는 날, 내 노드가 망가집니다. 숫자는 건드리지 마십시오.

@@ -51,7 +51,7 @@ from tflab.workbook import lesson
 # 바퀴 오도메트리 노드는 늘 이렇게 발행해 왔습니다. *base_link는 odom의 저기에 있다.*
 # 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
-# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나인데 둘을 주었고, 그때마다 마지막에 발행한 값이 쓰였습니다.
+# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 로봇의 포즈를 `map` 기준으로 바로 발행하자는 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
@@ -129,7 +129,7 @@ lesson.draw_tracks({'map': in_map, 'odom': in_odom}, truth, times)
 # %% [markdown] lang="ko" name="three-pens-seen" tags=["predicted"]
 # *그림 읽기:* 왼쪽은 위에서 본 경로입니다. 넓은 회색 띠(truth)가 실제 경로입니다. 오른쪽 위(step)는 이웃한 두 표본 사이의 거리, 아래(error)는 실제와의 거리입니다.
 #
-# - [[odom|`odom`]] 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
+# - [[odom|`odom`]] 기준 포즈는 끊김 없이 변합니다. 대신 오차가 조금씩 쌓여, 1분이 지나면 3 m 틀립니다. 이것을 **드리프트**(drift)라고 합니다.
 # - [[map|`map`]] 기준 포즈는 0.25 m 넘게 틀리지 않습니다. 대신 바로잡을 때마다 값이 한꺼번에 바뀝니다. 이것을 **튄다**(jump)고 합니다.
 #
 # 어느 쪽도 잘못이 아닙니다. 이 좌표계들에 관한 ROS의 규약인 [[rep-105]]의 약속이 바로 이렇습니다. odom은 연속이지만 드리프트할 수 있고, map은 드리프트하지 않지만 튈 수 있습니다.
@@ -272,18 +272,18 @@ print(f'off by {np.hypot(*off.translation[:2]):.2f} m and {off.rpy()[2]:+.2f} ra
 # A well-known estimator fixed exactly this in 2025 (robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="ko" name="another-moment-seen" tags=["predicted"]
-# 0.1초 차이로 0.33 m 틀립니다. 0.1초 동안 로봇이 회전한 각도가 연결에 섞여, odom이 로봇을 중심으로 그 각도만큼 회전합니다. 로봇에서 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
+# 0.1초 차이로 0.33 m 틀립니다. 0.1초 동안 로봇이 회전한 각도가 `map → odom`에 들어갑니다. 그래서 odom이 로봇을 중심으로 그 각도만큼 회전합니다. 로봇에서 3.5 m 떨어진 odom의 원점은 그만큼 크게 밀려납니다.
 # 널리 쓰는 추정 패키지도 2025년에 바로 이것을 고쳤습니다(robot_localization [939](https://github.com/cra-ros-pkg/robot_localization/pull/939)).
 
 # %% [markdown] lang="en" name="same-moment-notes" slide="notes"
 # A tenth of a second, a third of a metre.
-# Before you say why, let them draw it: rotate the robot by three degrees and look at what happens to a point three metres away.
+# Before you say why, let them draw it: rotate the robot by six degrees and look at what happens to a point three metres away.
 # The stamp is part of the calculation.
 
 # %% [markdown] lang="ko" name="same-moment-notes" slide="notes"
 # 0.1초에 0.33 m입니다.
 # 이유를 말하기 전에 그리게 합니다.
-# 로봇을 3° 회전시키면 3 m 떨어진 점은 어떻게 될까요?
+# 로봇을 6° 회전시키면 3 m 떨어진 점은 어떻게 될까요?
 # 측정 시각도 식의 일부입니다.
 
 # %% [markdown] lang="en" name="what-where" slide="slide"
@@ -400,7 +400,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸을 채워 보세요
 #
-# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔의 측정 시각에 대한 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
+# 스캔을 지도에 맞추는 프로그램(scan matcher)이 스캔을 측정한 시각의 `map_T_laser`를 반환합니다. TF에는 같은 시각의 `odom_T_base`와 `base_T_laser`가 있습니다. 빈칸 두 개를 채워 보세요.
 #
 # ```python
 # map_T_base = map_T_laser @ ____________
@@ -425,9 +425,9 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # ## 일부러 고장 내기: 사실을 그대로 발행하기
 #
 # 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 발행은 끄고, 다른 노드가 `map` 기준 로봇의 포즈를 1초에 열 번 발행합니다.
-# 프로그램은 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
+# 또 다른 노드는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
 #
-# **예측해 봅시다.** *둘 다* 값이 나오는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
+# **예측해 봅시다.** 두 조회가 *모두* 성공하는 때는 얼마나 될까요? 늘, 절반, 아니면 한 번도 없을까요?
 
 # %% name="eager-robot" slide="skip"
 import rclpy
@@ -578,7 +578,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # </details>
 # <details><summary>2번을 골랐습니다</summary>
 #
-# 맞습니다. `odom` 기준 포즈는 로봇이 실제로 달린 만큼만 바뀝니다. 0.5 m 동안에는 문제가 될 만큼 드리프트가 쌓이지 않습니다.
+# 맞습니다. `odom` 기준 포즈는 끊김 없이 변합니다. 0.5 m 동안에는 문제가 될 만큼 드리프트가 쌓이지 않습니다.
 #
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
@@ -633,7 +633,7 @@ rclpy.shutdown()
 #
 # - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
 # - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리는 보정으로 바뀌지 않습니다.
-# - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 둘은 같은 시각의 것입니다.
+# - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 두 포즈는 같은 시각의 것입니다.
 # - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 
@@ -661,7 +661,7 @@ rclpy.shutdown()
 #
 # <details><summary>답</summary>
 #
-# 1. 가만히 있는 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다. 로봇은 그사이 달렸습니다.
+# 1. 물체의 좌표는 그 물체가 움직이지 않는 좌표계에서만 변하지 않습니다. 로봇은 그사이 달렸습니다.
 # 2. 오류를 내지 않습니다. 자식에게 이미 다른 부모가 있는지는 확인하지 않습니다. 자식의 부모는 마지막에 발행한 것으로 바뀝니다(04장).
 # 3. `base_T_odom @ odom_T_map`입니다. 곱의 순서도 바뀝니다.
 #

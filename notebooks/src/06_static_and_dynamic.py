@@ -26,7 +26,7 @@
 # Two pictures are enough for this chapter: a notice board and a radio. Ask: how do you tell a class something that never changes, if people come in late? And something that changes all the time?
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 이 시간은 그림 두 개로 끌고 갑니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 나중에 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
+# 이 시간은 비유 두 개로 진행합니다. 게시판과 라디오입니다. 먼저 묻습니다. 변하지 않는 소식을 나중에 오는 사람에게도 알리려면 어떻게 할까요? 끊임없이 변하는 소식은 어떻게 할까요?
 
 # %% name="load" slide="skip"
 # %load_ext tflab
@@ -51,7 +51,7 @@ from tflab.workbook import lesson
 # 좌표계 100개를 반복문으로 보낸 사람도 같은 일을 겪었고, 그 때문에 라이브러리 자체가 바뀌었습니다(ros2/geometry2, 2023년).
 # 반대로 너무 자주 보낸 드라이버도 있습니다. RViz가 값이 오래되었다고 표시할까 봐, 고정된 레이저의 장착 변환을 1초에 110번쯤 보냈습니다(ouster-ros, 2023년).
 #
-# 하나는 한 번 보내고 말았고, 하나는 쉬지 않고 보냈습니다. 이 장은 무엇을 얼마나 자주 발행할지 다룹니다.
+# 앞의 두 프로그램은 한 번씩만 보냈고, 이 드라이버는 쉬지 않고 보냈습니다. 이 장은 무엇을 얼마나 자주 발행할지 다룹니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Ask who has closed RViz and opened it again because something was missing.
@@ -111,7 +111,7 @@ cameras_known, who_still_knows, height_at_5_s, drives = ..., ..., ..., ...
 # 고정된 것은 움직이지 않으므로 메시지 하나로 충분합니다. 나중에 참가하는 수신기를 위해 남겨 두기만 하면 됩니다.
 # `/tf_static`이 바로 그런 토픽입니다. 이 워크북에서는 이것을 게시판에 비유합니다. 발행자마다 **게시판**이 하나씩 있고, 보낸 메시지가 거기에 붙어 있습니다. 새로 온 수신기는 게시판부터 읽습니다.
 #
-# 게시판을 둘지는 메시지를 어떻게 전달할지 정하는 설정, 곧 [[qos|서비스 품질(QoS)]]로 정합니다. 설정의 이름은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 메시지를 몇 개까지 남길지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
+# 게시판을 둘지는 [[qos|서비스 품질(QoS)]]로 정합니다. 메시지를 어떻게 전달할지 정하는 설정들입니다. 그 가운데 게시판에 관한 것은 지속성(durability)이고 값은 [[transient local|TRANSIENT_LOCAL]]입니다. 게시판에 메시지를 몇 개까지 남길지는 `depth`로 정합니다. `/tf_static`에서는 **하나**입니다.
 #
 # 다음은 이야기 속의 프로그램과, 수신기로 참가하는 함수입니다.
 
@@ -253,7 +253,7 @@ print(later.all_frames_as_string())
 # | ROS 2, 파이썬 | 나중에 참가한 수신기가 받는 것 | 같은 자식을 다시 보내면 |
 # |---|---|---|
 # | Humble | 마지막 하나 | 그 하나만 게시판에 남습니다 |
-# | Jazzy | 모두 | **무시됩니다**. 옛값이 그대로 남습니다 |
+# | Jazzy | 모두 | **무시됩니다**. 이전 값이 그대로 남습니다 |
 # | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
 # 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어야 합니다.
@@ -646,7 +646,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # %% [markdown] lang="ko" name="radio-seen"
 # *그림 읽기:* **S**(static)는 정적, **D**(dynamic)는 동적입니다. rate = 발행률(1초에 몇 번), age = 나이, published by = 발행자. 연결마다 발행자는 하나입니다.
 #
-# 다음은 수신기의 버퍼에 있는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간. 맨 아래는 요청 시각에 조회한 결과입니다.
+# 다음은 수신기의 버퍼에 있는 것입니다. `/tf`는 최근 10초의 [[sample|표본]]이 저마다 측정 시각 자리에 있고, `/tf_static`은 값 하나가 어느 시각에나 유효합니다. *그림 읽기:* stamp = 측정 시각, all of them = 모든 시간줄에 값이 있는 구간. 맨 아래는 요청 시각의 변환을 조회한 결과입니다.
 
 # %% name="radio-history" slide="subslide"
 lesson.draw_history(listener, 'odom', 'laser_frame', graph.now_ns - seconds(0.5))
@@ -810,7 +810,7 @@ for t in (1.0, 3.0, 6.0):
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
 # 어느 시각을 조회해도 0.5 m입니다. 바닥에 있던 1초의 높이까지 0.5 m로 나옵니다. 게시판에는 과거도 미래도 없습니다. 마지막 값이 모든 시각에 적용됩니다.
-# 오류는 끝내 나지 않습니다. 한 번만 보내고 움직이면 RViz에서는 처음 위치에 고정되어 있습니다.
+# 오류는 끝내 나지 않습니다. 높이를 한 번만 보낸 다음 리프트가 움직이면 RViz의 리프트는 처음 위치에 머물러 있습니다.
 #
 # | 연결 | 게시판 `/tf_static` | 라디오 `/tf` |
 # |---|---|---|
@@ -837,7 +837,7 @@ for t in (1.0, 3.0, 6.0):
 # ## 게걸음
 #
 # 다시 강의의 로봇입니다. RViz에서 보면 훌륭한 원입니다. 그런데 로봇을 기준으로는 어디로 가고 있을까요?
-# 4초에서 1초 뒤의 로봇 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
+# 5초의 로봇 위치를 *4초의* `base_link` 기준으로 적어 봅시다.
 
 # %% name="one-second-later" tags=["predicted"] slide="fragment"
 def drive(node_class):
@@ -891,8 +891,8 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # The fix is one number. In 3D: change the position on the circle, and compare the robot as written (grey) with the robot that drives forward.
 
 # %% [markdown] lang="ko" name="forward" slide="subslide"
-# 숫자 하나만 고치면 됩니다. 3D 장면에서 theta를 바꾸며 적힌 대로의 로봇(회색)과 앞으로 달리는 로봇을 비교해 보세요.
-# *그림 읽기:* theta = 원 위의 각도, as written = 적힌 대로, forward = 앞으로 달리는 로봇, goes = 가는 방향.
+# 숫자 하나만 고치면 됩니다. 3D 장면에서 theta를 바꾸며 강의 코드의 로봇(회색)과 앞으로 달리는 로봇을 비교해 보세요.
+# *그림 읽기:* theta = 원 위의 각도, as written = 강의 코드대로, forward = 앞으로 달리는 로봇, goes = 가는 방향.
 
 # %% name="forward-robot" slide="-"
 class ForwardRobot(MovingRobotBroadcaster):

@@ -52,7 +52,7 @@
 # 앞 장에서 필요한 내용은 다음이 전부입니다. 읽은 장의 줄은 건너뛰어도 됩니다.
 #
 # - **점**(01)을 나타내려면 값, 좌표계, 측정 시각이 모두 필요합니다. ROS 2에서 뒤의 둘은 `header.frame_id`와 `header.stamp`입니다.
-# - **조회**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`: 원본(source) 기준 데이터를 목표(target) 기준으로 보고 싶습니다.
+# - **조회**(03)의 순서는 정해져 있습니다. `lookup_transform(target, source, time)`은 원본(source) 기준 데이터를 목표(target) 기준으로 바꾸는 변환을 반환합니다.
 # - **트리**(04)에서 각 좌표계의 부모는 하나입니다. 두 좌표계 사이에는 연결(edge)로 이루어진 경로가 하나 있습니다.
 # - **우리 로봇**(05)에는 `map → odom → base_footprint → base_link`가 있습니다. `map → odom`은 위치 추정 노드가 보정하고, `odom → base_footprint`는 바퀴 오도메트리 노드가 1초에 여러 번 발행합니다.
 # - **두 종류의 연결**(06): 카메라 장착 변환 같은 정적 연결은 한 번 보내면 언제나 유효합니다. 동적 연결은 매번 [[stamp|측정 시각(stamp)]]과 함께 계속 보냅니다.
@@ -100,7 +100,7 @@ from tflab.workbook import lesson
 # 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
-# `Leg`는 주행의 한 토막입니다. 시간(초), 나아가는 속도, 회전하는 속도를 차례로 적습니다.
+# `Leg`는 주행의 한 구간입니다. 시간(초), 나아가는 속도, 회전하는 속도를 차례로 적습니다.
 # `graph`는 셀을 실행할 때마다 새로 만드는 가상의 ROS 2 환경이고, `graph.now_ns`는 그 환경의 현재 시각(나노초)입니다.
 
 # %% name="start-the-robot"
@@ -357,7 +357,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
 #
 # 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초까지입니다. 30 Hz 카메라로 영상 한 장 남짓입니다.
-# 그렇게 빠른 검출기는 드물고, 카메라와 네트워크의 지연도 더해집니다. 계산을 빠르게 해서 될 일이 아닙니다. 올바른 시각의 변환을 조회해야 합니다.
+# 그렇게 빠른 검출기는 드물고, 카메라와 네트워크의 지연도 더해집니다. 계산을 더 빠르게 하는 것만으로는 부족합니다. 올바른 시각의 변환을 조회해야 합니다.
 #
 # </details>
 
@@ -471,7 +471,7 @@ print(small.latest_common_time_ns("odom", "laser_frame") / 1e9, "s  odom <- lase
 print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_link <- laser_frame, all static")
 
 # %% [markdown] lang="en" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00 s: **the earliest of the latest samples**. The slowest timeline limits the result.
+# 4.00 s: **the earliest of the latest samples**. The timeline that ends first limits the result.
 #
 # - For 4.75 s, `map → odom` has no data yet.
 # - 1.00 s is the stamp of the static edge, which is valid at all times and limits nothing.
@@ -484,13 +484,13 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # Here is our driving robot, shortly after its last detection:
 
 # %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
-# 4.00초, 즉 **마지막 시각들 가운데 가장 이른 것**입니다. 가장 느린 시간줄이 전체를 제한합니다.
+# 4.00초, 즉 **마지막 시각들 가운데 가장 이른 것**입니다. 가장 먼저 끝나는 시간줄이 전체를 제한합니다.
 #
 # - 4.75초라면 `map → odom`의 값이 아직 없는 시각입니다.
 # - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 제한하지 않습니다.
 # - 4.80초는 지금이고, 버퍼에 그만큼 최근의 표본은 없습니다.
 #
-# 목표가 `odom`이면 느린 시간줄을 지나지 않으므로 4.75초입니다.
+# 목표가 `odom`이면 `map → odom`을 지나지 않으므로 4.75초입니다.
 # 정적 연결만으로 된 경로에는 최신 시각이 없고, tf2는 0을 반환합니다.
 # (로봇에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
@@ -504,14 +504,14 @@ print("the picture is from", Time.from_msg(finder.messages[-1].header.stamp).nan
 
 # %% [markdown] lang="en" name="latest-live-read"
 # There are three times here: 13.00 s is now, 12.89 s is the latest common time, and 12.80 s is the stamp of the image.
-# `Time()` gives neither now nor the time of the image. It gives the newest stamp of the slowest timeline.
+# `Time()` gives neither now nor the time of the image. It gives the end of the timeline that ends first.
 # The returned transform contains its stamp. Print the stamp: it is not now.
 #
 # Now drag the requested time through the small buffer, and past both of its ends.
 
 # %% [markdown] lang="ko" name="latest-live-read"
 # 시각이 셋입니다. 지금 13.00초, “최신” 12.89초, 영상을 찍은 12.80초입니다.
-# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 느린 시간줄의 마지막 시각일 뿐입니다.
+# `Time()`은 지금도 아니고 영상을 찍은 때도 아닙니다. 가장 먼저 끝나는 시간줄의 마지막 시각일 뿐입니다.
 # 조회한 변환에는 시각(stamp)이 붙어 있습니다. 출력해 보면 “지금”이 아님을 알 수 있습니다.
 #
 # 이제 작은 버퍼에서 요청 시각을 끌어 시간줄의 양쪽 끝을 넘어가 보세요.
@@ -651,7 +651,7 @@ else:
 # ### 직접 해 보세요
 #
 # - 위 셀의 `moment`를 `Time()`으로 바꾸어 실행해 보세요. 공이 얼마나 움직일까요? 메시지 25번과 38번으로도 해 보세요. (지금 `Time()`은 어느 메시지를 쓰든 12.9초의 변환입니다. 그래서 오래된 메시지일수록 더 빗나갑니다.)
-# - 측정 시각 100 ms 이전의 변환을 조회해 보세요. 100 ms 이후의 변환보다 나을까요, 나쁠까요?
+# - 측정 시각보다 100 ms 이전의 변환을 조회해 보세요. 100 ms 이후의 변환보다 나을까요, 나쁠까요?
 # - 로봇을 출발시킨 셀로 올라가 `Leg`의 셋째 수인 각속도를 모두 0으로 바꾸고 *Restart Kernel and Run All*을 고른 뒤 공을 다시 세어 보세요. 작은 성분인 속도 × 지연만 남습니다.
 #
 # <details><summary>찾은 것 확인하기</summary>
@@ -930,7 +930,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # 따라서 *그때*의 공을 *지금*의 base_link 기준으로 알아야 합니다.
 #
 # 시각 하나로는 이런 조회를 할 수 없습니다. 두 시각 사이에 가만히 있다고 보는 [[fixed frame|고정 좌표계(fixed frame)]]가 둘을 연결합니다. 여기서는 `odom`입니다.
-# `lookup_transform_full`은 변환 하나를 반환합니다. **그때**의 카메라에서 `odom`까지, 다시 `odom`에서 1초 뒤인 **지금**의 base_link까지 이은 변환입니다.
+# `lookup_transform_full`은 변환 하나를 반환합니다. **그때**의 카메라 기준 점을 `odom` 기준으로 바꾸고, 다시 1초 뒤인 **지금**의 base_link 기준으로 바꾸는 변환입니다.
 # 인자는 좌표계 두 개(각각 시각이 하나씩 따라옵니다)와 고정 좌표계 하나입니다.
 
 # %% name="six-arguments"
@@ -1226,7 +1226,7 @@ node.stop()
 
 # %% [markdown] lang="ko" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
 # 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보세요. 차이가 점점 *벌어집니다*.
-# 로봇은 전과 똑같이 발행하고 있습니다. 수신이 멈춘 쪽은 노드입니다.
+# 로봇은 전과 똑같이 발행하고 있습니다. 변환을 받지 못하는 것은 노드입니다.
 #
 # 스레드가 하나인 노드는 한 번에 한 가지 일만 합니다.
 # 첫 점이 실패하자 콜백이 변환을 기다리며 0.2초를 쉬고, 그동안 `/tf`를 읽는 스레드가 없습니다.
@@ -1288,7 +1288,7 @@ node.stop()
 # 따라서 로봇에 입력하기 전에 다음을 알아 두십시오.
 #
 # - 콜백에서는 `timeout=`을 빼십시오. 콜백이 기다리는 동안에는 `rclpy.spin`이 변환을 받지 못합니다. 기다리는 법은 09장에서 다룹니다.
-# - ROS 2 Humble부터 Ctrl-C는 context를 스스로 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. `except (KeyboardInterrupt, ExternalShutdownException): pass`로 예외를 받고 `rclpy.try_shutdown()`을 부르십시오.
+# - ROS 2 Humble부터는 Ctrl-C를 누르면 rclpy가 context를 닫으므로, 마지막 `rclpy.shutdown()`이 `RCLError`를 일으킵니다. `except (KeyboardInterrupt, ExternalShutdownException): pass`로 예외를 받고 `rclpy.try_shutdown()`을 호출하십시오.
 #
 # 변환 자체가 필요할 때는 직접 조회합니다(아래에는 `timeout`이 있으므로, 스레드가 하나인 노드의 콜백에서는 쓰지 않습니다).
 #

@@ -26,7 +26,7 @@
 # Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분 배분: 건너뛰기까지 11분, 숫자 하나 9분, 두 시계와 오류를 내는 노드 15분, 반복 8분, 각자의 bag 6분, 투표와 쪽지 6분.
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분은 이렇게 나눕니다. ‘지루한 처음 1초 건너뛰기’까지 11분, ‘숫자 하나’ 9분, ‘두 시계’와 ‘오류를 내는 노드’ 15분, 반복 재생 8분, 각자의 bag 6분, 투표와 쪽지 6분입니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -264,7 +264,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | 로봇이 본 대로 센서 데이터를 지도 기준으로 바꾸기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
-# | 같은 일을 시뮬레이션에서 | 위와 같고, 시뮬레이션의 속도를 남기려고 `/clock`도 담습니다. 이런 bag은 `--clock` 없이 재생합니다. `--clock`을 주면 예전 재생기는 `/clock`을 두 번 발행합니다 |
+# | 위의 일을 시뮬레이션에서 하기 | 위의 토픽에 더해, 시뮬레이션의 속도를 남기려면 `/clock`도 담습니다. 이런 bag은 `--clock` 없이 재생합니다. `--clock`을 주면 예전 재생기는 `/clock`을 두 번 발행합니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
 # Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." Then M15: people read "laser_frame does not exist" and take the laser apart.
@@ -286,7 +286,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # %% [markdown] lang="ko" name="two-clocks" slide="slide"
 # ## 두 시계
 #
-# 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 시스템 시간은 그보다 86,400초 나중입니다.
+# 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 시스템 시간은 그보다 86,400초 미래입니다.
 # 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 시스템 시간, `true`면 `/clock`의 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
 #
 # ### 예측해 봅시다
@@ -349,7 +349,7 @@ for use_sim_time in (False, True):
 # Set the clocks yourself. Switch `--clock` off: which line falls to zero? Then drag the time, change `--rate`, switch the loop off.
 
 # %% [markdown] lang="ko" name="panel-intro" slide="subslide"
-# 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간을 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
+# 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간의 슬라이더를 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
 
 # %% name="clocks-panel" tags=["interactive"]
 lesson.clocks_panel()
@@ -408,7 +408,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # ```
 
 # %% [markdown] lang="ko" name="by-hand-read"
-# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 버퍼는 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 바꿀 수 없고, 설정을 바꾸기 전에 측정한 것은 영영 바꿀 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
+# *Clearing tf buffer*라고 나옵니다. 노드의 시계가 바뀌면 지금까지 모은 것은 다른 시간의 것이므로, 버퍼는 동적 연결을 모두 비웁니다. 장착 변환만 남습니다. 정적 변환은 어느 시각에나 유효하기 때문입니다. `/tf`가 다시 올 때까지는 아무것도 지도 기준으로 변환할 수 없습니다. 파라미터를 바꾸기 전에 측정한 데이터는 그 뒤에도 변환할 수 없습니다. 그러니 `use_sim_time`은 노드를 시작할 때, 모든 노드에 똑같이(`/**`는 모든 노드라는 뜻입니다), launch 파일에서 정하십시오.
 #
 # ```yaml
 # /**:
@@ -484,7 +484,7 @@ except TransformException as error:
 # Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
-# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 이 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
+# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 위치 추정 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로의 시간줄들에는 공통인 시각이 없습니다.
 # 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
 
@@ -574,7 +574,7 @@ print(warnings[0])
 # A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
-# 스캔 쉰 개를 잃었습니다. 다시 재생한 변환은 처음 5초 동안 버퍼의 최신 표본보다 보관 시간(10초) 넘게 과거의 것이므로, 버퍼가 거절합니다.
+# 스캔 쉰 개를 잃었습니다. 다시 재생한 변환은 처음 5초 동안 버퍼의 최신 표본보다 10초 넘게 과거의 것입니다. 보관 시간이 10초인 버퍼는 이런 변환을 거절합니다.
 # 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시각이 되돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
@@ -984,7 +984,7 @@ rclpy.try_shutdown()
 # Two minutes, on a slip, without talking. Collect them before the laboratory begins.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
-# 2분 동안 말없이 쪽지에 적습니다. 실습을 시작하기 전에 걷습니다.
+# 2분 동안 말없이 쪽지에 적습니다. 실습을 시작하기 전에 쪽지를 거둡니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?

@@ -71,7 +71,7 @@ check("E6.1", topics)
 # %% [markdown] lang="ko" name="e6-2"
 # ## E6.2 · 명령줄로 장착 변환 발행하기 (3점)
 #
-# 센서 `e6_2.child`를 `base_link`에 고정했습니다. 앞으로 `ahead_cm`센티미터, **오른쪽으로** `right_cm`센티미터, 위로 `up_cm`센티미터이고, 왼쪽으로 `turn_left_deg`도 회전해 있습니다.
+# 센서 `e6_2.child`를 `base_link`에 고정했습니다. 앞으로 `ahead_cm`센티미터, **오른쪽으로** `right_cm`센티미터, 위로 `up_cm`센티미터이고, 왼쪽으로 `turn_left_deg`°만큼 회전해 있습니다.
 # 이 변환을 발행하는 명령 한 줄을 `ros2 run tf2_ros static_transform_publisher`로 쓰십시오.
 
 # %% name="e6-2-given"
@@ -100,7 +100,7 @@ check("E6.2", command)
 # ## E6.3 · 모든 장착 변환을 메시지 하나에 (4점)
 #
 # `mounts`는 `{"parent": "base_link", "child": "imu_link", "xyz": [0.1, 0.0, 0.2], "rpy": [0.0, 0.0, 1.57]}` 같은 행이 한 개에서 네 개 담긴 리스트이고 단위는 m와 rad입니다. `stamp`는 메시지의 시각입니다.
-# `sendTransform`을 **한 번** 호출할 때 넘길 `TransformStamped`의 리스트를 반환하십시오. 행마다 메시지 하나, 행의 순서대로, 모두 `header.stamp = stamp`입니다.
+# `sendTransform`을 **한 번** 호출할 때 넘길 `TransformStamped`의 리스트를 반환하십시오. 행의 순서대로 행마다 메시지를 하나씩 만들고, `header.stamp`에는 모두 `stamp`를 넣습니다.
 # `Transform.from_rpy(roll=…, pitch=…, yaw=…).rotation`은 쿼터니언 (x, y, z, w)입니다.
 
 
@@ -255,7 +255,7 @@ check("E6.6", worst_error_m)
 # `letters`는 지금까지 보낸 모든 메시지를 시간순으로 담은 리스트입니다. 각각 `node`, `topic`(`"/tf"` 또는 `"/tf_static"`), `sent_s`, 이름의 리스트 `children`이 있는 dict입니다. `ends`는 노드 이름별로 끝난 시각이고, 여기에 없는 노드는 아직 실행 중입니다.
 # tf2의 수신기가 `join_s`에 참가합니다. `now_s`에 이 수신기의 버퍼에 있는 자식 좌표계의 이름을 중복 없이 반환하십시오.
 #
-# `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그 *이전에* 보낸 것은 `join_s` *이후에* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`에 보내는 노드마다 depth가 1인 게시판이 있습니다.
+# `join_s`부터 `now_s`까지(양 끝 포함) 보낸 것은 받습니다. 그 *이전에* 보낸 것은 `join_s` *이후에* 끝나는 노드의 게시판에서 읽습니다. `/tf_static`으로 보내는 노드마다 depth가 1인 게시판이 있습니다.
 
 
 # %% name="e6-7-answer" tags=["answer"]
