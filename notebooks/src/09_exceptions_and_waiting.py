@@ -18,10 +18,10 @@
 #
 # 이 장을 마치면
 #
-# - tf2의 예외를 의미로 구분하고, 각각 무엇부터 확인할지 말할 수 있습니다.
+# - tf2의 예외를 뜻에 따라 구별하고, 예외마다 무엇부터 확인할지 말할 수 있습니다.
 # - 외삽(extrapolation) 오류 메시지에서 요청 시각이 언제인지, 어느 연결에서 막혔는지, 얼마나 벗어났는지 찾아낼 수 있습니다.
 # - 데이터가 늦은 것인지 시계가 틀린 것인지 구별할 수 있습니다.
-# - 변환을 받을 바로 그 스레드를 멈추지 않으면서 기다릴 수 있습니다.
+# - 변환을 받는 스레드를 막지 않고 기다릴 수 있습니다.
 # - 얼마나 기다릴지, 몇 개까지 쌓아 둘지, 얼마나 오래된 데이터부터 로봇을 움직이는 데 쓰지 않을지 정할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -85,7 +85,7 @@ from tflab.workbook import lesson
 #
 # 작은 로봇에 막 소프트웨어를 설치하고 처음 주행하는 날이었습니다.
 # 로봇은 뚝뚝 끊기며 움직였고, RViz 로그에는 이런 문장이 나왔습니다. *extrapolation into the future.*
-# RViz는 버퍼의 최신 변환보다 43 ms 미래의 시각을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, 이슈 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
+# RViz는 버퍼의 최신 변환보다 43 ms 미래인 시각의 변환을 조회하고 있었습니다([ROBOTIS-GIT/turtlebot3, 이슈 618](https://github.com/ROBOTIS-GIT/turtlebot3/issues/618)).
 # 로봇 제조사는 이렇게 되물었습니다. 로봇과 데스크톱의 시계가 맞습니까? 컴퓨터가 두 대였고, 시계도 두 개였습니다.
 #
 # 같은 문장을 본 다른 사람들은 timeout을 넣었고(한 곳은 무려 1초), 오류는 사라졌습니다([stella_vslam_ros, 이슈 21](https://github.com/stella-cv/stella_vslam_ros/issues/21), [perception_pcl, 이슈 416](https://github.com/ros-perception/perception_pcl/issues/416)).
@@ -94,7 +94,7 @@ from tflab.workbook import lesson
 #
 # 두 시계가 어긋나면 밖에서는 이렇게 보입니다. 세 스캔의 측정과 송신은 로봇의 시계로, 수신은 데스크톱의 시계로 적었습니다. 숫자는 예시입니다.
 #
-# *그림 읽기:* stamped = 측정, sent = 송신, received = 수신, dropped = 버림. “62 ms, dropped”는 측정 시각에서 62 ms 뒤에 수신했지만 데스크톱이 그 스캔의 변환을 찾지 못해 버렸다는 뜻입니다.
+# *그림 읽기:* stamped = 측정, sent = 송신, received = 수신, dropped = 버림. “62 ms, dropped”는 측정 시각에서 62 ms 뒤에 수신했지만 데스크톱이 변환을 찾지 못해 그 스캔을 버렸다는 뜻입니다.
 
 # %% name="story-picture" slide="subslide"
 lesson.draw_journeys([
@@ -109,7 +109,7 @@ lesson.draw_journeys([
 
 # %% [markdown] lang="ko" name="story-read" slide="fragment"
 # 메시지는 보내기 전에 도착할 수 없습니다.
-# 그렇게 보인다면 지금 보고 있는 것은 네트워크가 아니라 두 개의 시계입니다.
+# 보내기 전에 도착한 것처럼 보인다면, 지금 보고 있는 것은 네트워크가 아니라 두 개의 시계입니다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Let somebody read the picture aloud, row by row: stamped, sent, received.
@@ -238,7 +238,7 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
 #
-# tf2는 먼저 인자가 올바른지 보고, 그다음 세 가지를 확인합니다. 처음 “아니요”가 나온 것이 예외가 됩니다.
+# tf2는 먼저 인자가 올바른지 보고, 그다음 세 가지를 확인합니다. 처음으로 “아니요”가 나온 항목에 따라 예외가 정해집니다.
 #
 # | tf2가 확인하는 것 | “아니요”일 때의 예외 | 의미 | 먼저 볼 곳 |
 # | --- | --- | --- | --- |
@@ -461,7 +461,7 @@ buffer.lookup_transform('base_link', 'tool0', Time(seconds=12.3))
 # And `base_link → laser_frame`, whose stamp is 0? It is valid at all times. **An old stamp on a static edge is not a fault**, although people have searched for days because of one.
 
 # %% [markdown] lang="ko" name="statics" slide="-"
-# `Time()`이나 그 표본의 시각을 그대로 조회하면 표본 하나로도 값이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 문제가 없고, 여러분의 노드에서는 실패합니다.
+# `Time()`이나 그 표본의 시각으로 조회하면 표본 하나로도 값이 나옵니다. 그래서 `Time()`으로 조회하는 `tf2_echo`에서는 문제가 없고, 여러분의 노드에서는 실패합니다.
 #
 # 그렇다면 시각이 0인 `base_link → laser_frame`은 어떨까요? 어느 시각에나 값이 나옵니다. **정적 연결의 오래된 시각은 결함이 아닙니다.** 며칠씩 이 시각 때문에 헤맨 사람도 있습니다.
 
@@ -702,7 +702,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # For a second they look alike: both look up a time about 0.3 s newer than the data in TF. Now the whole recording.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
-# 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 약 0.3초 미래의 시각을 조회합니다. 이제 전체를 봅시다.
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 약 0.3초 미래인 시각의 변환을 조회합니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" tags=["predicted"] slide="-"
 lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
@@ -735,7 +735,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # What about the transforms? `/tf` has no header of its own, and the tool would print *msg does not have header*. But the odometry node also publishes `/odom`, stamped by the same clock.
 
 # %% [markdown] lang="ko" name="delay-read" slide="-"
-# 지연이 음수입니다. 스캔을 *측정하기도 전에* 0.195초 먼저 받았습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
+# 지연이 음수입니다. 스캔을 측정 시각보다 0.195초 *먼저* 받았습니다. 메시지는 그럴 수 없지만 시계는 그럴 수 있습니다.
 # (정상인 레이저라면 +0.105초가 나옵니다. 한 번 훑는 데 0.1초가 걸리므로 0.105 − 0.3 = −0.195입니다.)
 #
 # 변환 쪽은 어떨까요? `/tf`에는 자체 헤더가 없어서 도구가 *msg does not have header*라고 답합니다. 하지만 오도메트리 노드는 같은 시계로 측정 시각을 적은 `/odom`도 보냅니다.
@@ -777,7 +777,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # System time     : 0.300184021 seconds fast of NTP time      <- 이 줄입니다
 # ```
 #
-# 오류가 나지 않는 경우도 조심하십시오. 시계가 *뒤처진* 센서의 데이터는 과거의 변환으로 바뀝니다. 보관 시간 안이면 언제나 값이 나옵니다. 예외도 경고도 없이 위치가 계속 틀립니다.
+# 오류가 나지 않는 경우도 조심하십시오. 시계가 *뒤처진* 센서의 데이터에는 과거의 변환이 쓰입니다. 보관 시간 안이면 언제나 값이 나옵니다. 예외도 경고도 없이 위치가 계속 틀립니다.
 
 # %% [markdown] lang="en" name="plaster" slide="slide"
 # ## Break it: the workaround
@@ -935,7 +935,7 @@ print(*patient.answers, sep='\n')
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
 # 하나도 얻지 못했습니다.
 #
-# 처음에는 운이 나빴습니다. 첫 스캔이 첫 변환보다 51 ms 오래되어 값이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
+# 처음에는 운이 나빴습니다. 첫 스캔의 측정 시각은 첫 변환보다 51 ms 과거여서 값이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
 # 그런데 왜 회복되지 않을까요? 숫자를 보십시오. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 버퍼의 최신 변환은 1.146초의 변환입니다.
 # 기다릴수록 버퍼가 더 뒤처집니다. 이유는 이렇습니다.
 
@@ -972,13 +972,13 @@ lesson.draw_lanes(patient)
 # ### Fix one: several threads
 #
 # The listener's subscriptions are in a *reentrant* callback group of their own. So an executor with several threads may call them while your callback waits. You change one word.
-# To make it harder, every transform now takes 0.15 s to arrive.
+# To make it harder, every transform now takes 0.15 s longer to arrive.
 
 # %% [markdown] lang="ko" name="cure-threads" slide="subslide"
 # ### 해결책 하나: 스레드를 여럿 둡니다
 #
 # 수신기의 구독은 따로 마련된 *재진입(reentrant)* 콜백 그룹에 있습니다. 그래서 스레드가 여럿인 실행기는 여러분의 콜백이 기다리는 동안에도 수신기를 호출할 수 있습니다. 단어 하나만 바뀝니다.
-# 더 어렵게, 이제 변환마다 도착하는 데 0.15초가 걸립니다.
+# 더 어려운 상황을 만들려고, 이제 변환마다 0.15초씩 더 늦게 도착하게 합니다.
 
 # %% name="cure-threads-run" slide="-"
 patient = lesson.on_robot_c(Patient, MultiThreadedExecutor, delay_s=0.15)
@@ -1050,7 +1050,7 @@ lesson.draw_lanes(called)
 
 # %% [markdown] lang="ko" name="cures-compared" slide="subslide"
 # 30개 가운데 27개입니다. 첫 스캔의 변환은 올 수 없으므로, 퓨처가 셋을 넘자 가장 오래된 그것을 취소했습니다. 마지막 둘은 아직 기다리는 중입니다.
-# 콜백의 줄도 보십시오. 1초에 열 번 잠깐씩 실행될 뿐 한 번도 오래 걸리지 않습니다. 스레드를 여럿 두었을 때는 내내 실행 중이었습니다.
+# 콜백의 시간줄도 보십시오. 1초에 열 번 잠깐씩 실행될 뿐 한 번도 오래 걸리지 않습니다. 스레드를 여럿 두었을 때는 내내 실행 중이었습니다.
 #
 # | 기다리는 곳 | 알맞은 경우 |
 # | --- | --- |
@@ -1112,7 +1112,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="ko" name="queues-read" tags=["predicted"] slide="subslide"
 # *그림 읽기:* age of the data = 데이터의 나이, no limit = 한계 없음, two at most = 최대 두 개.
 #
-# 4초입니다. 0.5 m/s라면 로봇은 2미터 전에 본 것을 두고 제동합니다. 그런데도 로그에 오류는 하나도 없습니다.
+# 4초입니다. 0.5 m/s라면 로봇은 2미터를 더 달린 다음에야, 그 전에 본 것을 기준으로 제동합니다. 그런데도 로그에 오류는 하나도 없습니다.
 # 메시지를 *하나도 잃지 않았습니다*. 바로 그것이 문제입니다.
 #
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3초보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
@@ -1397,7 +1397,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # - Future: the sensor's clock is ahead, or the clock of the transform's publisher is behind.
 # - Past: processing the message took longer than the cache time, or the message is from before TF began.
 # - Past: stamps of another clock: a sensor clock that is behind, a bag's old stamps.
-# - Waiting helps in the first case only.
+# - Waiting helps only while the transform is on its way or its publisher is slow.
 #
 # </details>
 
@@ -1426,7 +1426,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # - 미래: 센서 시계가 앞서 있거나, 변환 발행자의 시계가 뒤처져 있습니다.
 # - 과거: 처리 시간이 버퍼의 보관 시간보다 길었거나, TF가 시작되기 전의 메시지입니다.
 # - 과거: 다른 시계의 시각입니다. 뒤처진 센서 시계, bag에 담긴 옛 시각이 그렇습니다.
-# - 기다림이 도움이 되는 것은 첫 번째 경우뿐입니다.
+# - 기다림은 변환이 아직 오는 중이거나 발행률이 낮을 때만 도움이 됩니다.
 #
 # </details>
 
@@ -1456,7 +1456,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 #
 # <details><summary>좋은 답의 한 예</summary>
 #
-# 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 지터가 있습니다. 0보다 작으면 시계입니다.
+# 변환이 늦거나, 시계가 틀렸습니다. `ros2 topic delay`를 봅니다. 데이터가 늦으면 지연이 정상보다 크고 지터가 있습니다. 지연이 0보다 작으면 원인은 시계입니다.
 # “늦은 것이라면 조금만 기다려도 되고, 시계라면 오래 기다려도 원인이 가려질 뿐이니, 먼저 지연부터 봅시다.”
 #
 # </details>

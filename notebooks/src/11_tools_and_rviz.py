@@ -67,7 +67,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # It was the right tool, and its output was misread.
 
 # %% [markdown] lang="ko" name="half-a-century-seen"
-# 느린 것이 아니라 **51.7년**입니다. 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값이고, 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
+# 느린 것이 아닙니다. 1.6318e+09초는 **51.7년**이고, 시스템 시간에서 시뮬레이션의 측정 시각을 뺀 값입니다. 시뮬레이션은 0초에 시작했습니다. [[latency|지연(delay)]]은 *현재 시각 − 측정 시각*입니다. 발행률은 다른 질문이고, 이 줄에는 답이 없습니다.
 # 그리고 이 평균은 아직 평균이 아닙니다. 0에서 시작해, 측정할 때마다 남은 차이의 100분의 1만큼 다가갑니다. 이 도구는 그때까지 21번 측정했습니다.
 # 도구는 맞게 골랐지만 잘못 읽었습니다.
 
@@ -75,7 +75,7 @@ print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 # Six minutes, the title included. Give them a minute to divide 1.6318e9 s by a year, with a phone; open the output when somebody has said 51. The section on tf2_monitor explains why avg is a fifth of max.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 제목까지 6분입니다. 1.6318e9초가 몇 년인지 계산하게 하고, 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
+# 제목 슬라이드까지 합해 6분입니다. 1.6318e9초가 몇 년인지 계산하게 하고, 51이라는 답이 나오면 출력을 엽니다. avg가 max의 5분의 1인 까닭은 tf2_monitor에서 다룹니다.
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* [gazebo_ros_pkgs 1310](https://github.com/ros-simulation/gazebo_ros_pkgs/issues/1310), still open; further below [ros2/ros2 1655](https://github.com/ros2/ros2/issues/1655), [geometry2 88](https://github.com/ros2/geometry2/issues/88).
@@ -145,7 +145,7 @@ lesson.tools_panel()
 # Four minutes with the table. Try the wrong tool first on two questions, then the right one: a wrong tool prints, too.
 
 # %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
-# 표까지 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
+# 표까지 합해 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
 
 # %% name="ask-first-table" slide="subslide"
 lesson.draw_toolbox()
@@ -207,7 +207,7 @@ graph.run(seconds=9.1)
 # Eight minutes with the curve. Before you read line by line, everybody underlines the one number that they would report.
 
 # %% [markdown] lang="ko" name="monitor-run-notes" slide="notes"
-# 곡선까지 8분입니다. 한 줄씩 읽기 전에, 보고하고 싶은 숫자 하나에 밑줄을 긋게 합니다.
+# 곡선까지 합해 8분입니다. 한 줄씩 읽기 전에, 보고하고 싶은 숫자 하나에 밑줄을 긋게 합니다.
 
 # %% name="monitor-average" slide="subslide"
 looks = range(0, 481, 4)  # two a second, for four minutes
@@ -226,7 +226,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 주의할 것이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 정상처럼 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 미래의 시각을 적습니다.)
-# 경로가 연결되었다 끊어졌다 하면 보고도 없이 끝납니다. 처음 실패한 조회에서 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력하고 종료됩니다. 이것도 읽을 수 있는 결과입니다.
+# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 보고 없이 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다. 이 출력도 단서가 됩니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -269,7 +269,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %% [markdown] lang="ko" name="rates-seen" slide="subslide"
 # 긴 줄은 서비스의 응답이고, 그림은 그 응답으로 그린 것입니다(로봇에서는 `frames.pdf`와 `frames.gv`가 생기고, `-o`가 없으면 이름에 날짜와 시각이 들어갑니다). 그림에는 연결마다 `Average rate`(평균 발행률)가 있습니다.
 #
-# - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (표본 n개를 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1로 세면 20.0입니다.)
+# - `odom → base_footprint` 20.204, `map → odom` 10.208입니다. **질문 2의 답은 20입니다.** `topic hz`의 50은 20 + 20 + 10입니다. (도구는 표본의 수 n을 첫 표본과 마지막 표본 사이의 시간으로 나눕니다. n − 1을 나누면 20.0입니다.)
 # - 정적 연결의 10000.0은 발행률이 아닙니다. tf2는 표본 수를 적어도 0.0001초로 나누는데, 정적 연결은 표본이 하나입니다.
 # - 모든 연결이 `default_authority`이므로 여기서도 발행자는 알 수 없습니다.
 #
@@ -349,7 +349,7 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # One sentence: the part after the point is nanoseconds without their leading zeros. E11.2 asks for it again.
 
 # %% [markdown] lang="ko" name="echo-notes" slide="notes"
-# 한 문장입니다. 소수점 오른쪽은 앞자리 0이 빠진 나노초입니다. E11.2에서 다시 묻습니다.
+# 한 문장만 말합니다. 소수점 오른쪽은 앞자리 0이 빠진 나노초입니다. E11.2에서 다시 묻습니다.
 
 # %% [markdown] lang="en" name="often-enough" slide="slide"
 # ## Often enough?
@@ -383,7 +383,7 @@ for f in (1, 2, 10, 20):
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
 # 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
-# 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 실제 경로는 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
+# 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 로봇이 실제로 달린 선은 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 발행률이 낮은 연결에는 곧은 길에서도 **기다림**이 따를 수 있습니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
 # 강의에서 느린 `odom → base_link`를 경고하는 것은 옳습니다. 다만 강의의 식 v · Δt는 *기다리는 동안*, 또는 기다리지 않고 최신 포즈를 쓸 때 로봇이 달린 거리입니다. TF가 위치를 그만큼 틀리게 계산한다는 뜻은 아닙니다.
@@ -415,7 +415,7 @@ lesson.rate_panel()
 # Two minutes, the answer only: nothing on a straight line, 61 mm at 1 Hz in a curve, up to 0.9 s of waiting. The panel is for reading.
 
 # %% [markdown] lang="ko" name="often-enough-notes" slide="notes"
-# 2분 동안 답만 봅니다. 곧은 길에서는 0, 굽은 길에서는 1 Hz일 때 61 mm, 기다림은 최대 0.9초입니다. 패널은 읽을 때 씁니다.
+# 2분 동안 답만 봅니다. 곧은 길에서는 0, 굽은 길에서는 1 Hz일 때 61 mm, 기다림은 최대 0.9초입니다. 패널은 각자 읽을 때 씁니다.
 
 # %% name="often-enough-still" slide="subslide"
 lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
@@ -447,7 +447,7 @@ graph.run(seconds=20)
 # Four minutes with the still picture. Change the Fixed Frame, and let them say what moves before it does.
 
 # %% [markdown] lang="ko" name="rviz-notes" slide="notes"
-# 정지 그림까지 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
+# 정지 그림까지 합해 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
 
 # %% name="rviz-still" slide="subslide"
 graph = lesson.start_robot()

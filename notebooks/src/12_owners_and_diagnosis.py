@@ -74,7 +74,7 @@ from tflab.workbook import lesson
 # 바퀴 오도메트리 노드와 필터(`ekf_filter_node`)가 모두 `odom → base_footprint`를 발행합니다.
 #
 # 1. `ros2 topic info /tf`에 발행자는 몇으로 나올까요? 필터의 `publish_tf`를 false로 한 뒤에는 하나 줄어들까요, 그대로일까요?
-# 2. 오도메트리 포즈와 필터 포즈 **사이**의 시각을 조회하면 무엇이 나올까요? 한쪽, 다른 쪽, 아니면 또 다른 값일까요?
+# 2. 오도메트리의 표본과 필터의 표본 **사이** 시각의 변환을 조회하면 무엇이 나올까요? 한쪽, 다른 쪽, 아니면 또 다른 값일까요?
 
 # %% [markdown] lang="en" name="predict-notes" slide="notes"
 # Let everybody write down a number for the first and a word for the second. Most say: one fewer.
@@ -309,7 +309,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # Without the filter 20 a second are left, without the wheel odometry 30, and without the localiser all 50: it does not publish this edge. If the rate drops when a node stops, that node is an owner. On a real robot: wheels off the ground, and the emergency stop in your hand.
 
 # %% [markdown] lang="ko" name="stop-one-seen" tags=["predicted"]
-# 필터를 멈추면 1초에 스무 번, 바퀴 오도메트리 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 멈췄을 때 연결의 일부가 함께 사라지는 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
+# 필터를 멈추면 1초에 스무 번, 바퀴 오도메트리 노드를 멈추면 서른 번이 남고, 위치 추정 노드를 멈추면 쉰 번 그대로입니다. 이 연결과 상관없는 노드이기 때문입니다. 어떤 노드를 멈췄을 때 연결의 메시지가 줄거나 없어지면, 그 노드가 그 연결의 발행자입니다. 실제 로봇에서는 바퀴를 바닥에서 띄우고 비상 정지 버튼을 손에 쥐고 하십시오.
 
 # %% [markdown] lang="en" name="another-edge" slide="subslide"
 # ### The fourth state
@@ -319,7 +319,7 @@ for name in ("ekf_filter_node", "wheel_odometry", "localization"):
 # %% [markdown] lang="ko" name="another-edge" slide="subslide"
 # ### 네 번째 상태
 #
-# 위치 추정 노드가 지도에서 로봇의 위치를 찾아 `map → base_footprint`를 그대로 발행합니다. 바퀴 오도메트리 노드는 그대로입니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
+# 위치 추정 노드가 지도에서 구한 로봇의 포즈를 `map → base_footprint`로 바로 발행합니다. 바퀴 오도메트리 노드는 이전과 같습니다. **예측해 봅시다.** 마흔 번 조회하면 몇 번이나 `odom → base_footprint`가 나올까요?
 
 # %% [markdown] lang="en" name="another-edge-notes" slide="notes"
 # Draw the tree on the board and let somebody add the new arrow. Whose child is the robot then? Wait for "of both, in turn".
@@ -343,7 +343,7 @@ print(looks)
 # Each `.` is a lookup after a message of the localiser: then the robot is a child of `map`, `odom` is separate, and `tf2_echo` prints *not part of the same tree*. A child has one parent, the newest (04). So a localiser publishes `map → odom` and leaves the base to the wheel odometry.
 
 # %% [markdown] lang="ko" name="another-edge-seen" tags=["predicted"]
-# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇은 `map` 아래에 달리고 `odom`은 떨어져 나가며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
+# `.`은 최신 변환이 위치 추정 노드에서 온 순간입니다. 그때 로봇의 부모는 `map`이고 `odom`은 트리에서 떨어지며, `tf2_echo`에는 *not part of the same tree*가 나옵니다. 자식의 부모는 가장 최근의 하나뿐입니다(04장). 그래서 위치 추정 노드는 `map → odom`만 발행하고 base는 바퀴 오도메트리 노드에 맡깁니다.
 
 # %% name="stop-two" slide="skip"
 graph.stop()
@@ -409,7 +409,7 @@ graph = lesson.new_graph()
 # The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
-# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 알 수 있는 것은 `/tf_static`의 개수뿐인데, 정당한 두 번째 발행자가 있어도 개수는 늘어납니다.
+# C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
 # 강의의 로봇은 `odom → base_link`를 두 노드가 *동적으로* 발행해서 떨립니다. 앞에서 바퀴 오도메트리와 필터로 본 것과 같습니다. 정적 변환 둘은 떨리지 않아서 찾기가 더 어렵습니다.
 
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
@@ -437,7 +437,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 그들을 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자였든 똑같이 나왔을 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
@@ -487,7 +487,7 @@ lesson.show_trolley()
 
 # %% [markdown] lang="ko" name="trolley-seen"
 # 왼쪽 열은 검사의 짧은 이름이고, 명령 대신 쓸 수 있습니다. 줄자나 케이블이 필요한 검사는 명령보다 오래 걸립니다. 그래서 명령으로 하는 검사가 먼저입니다.
-# `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 대신 지워 주고, 없으면 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
+# `lesson.admit`은 환자를 받습니다. `helped=True`면 읽은 값에 맞지 않는 용의자를 진료실이 지워 주고, 쓰지 않으면 여러분이 직접 지웁니다. `because=`에는 의심하는 용의자를 적습니다. 채점하지는 않습니다.
 
 # %% name="worked" tags=["translated"] slide="subslide"
 visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)

@@ -142,7 +142,7 @@ check("E9.2", classify)
 # | 인자가 잘못됨 | `"fix message"` |
 #
 # “TF가 뒤처진다”는 경로 전체를 두고 하는 말입니다. *가장 느린* 연결이 올 때까지 기다려야 합니다.
-# 두 가지가 한꺼번에 틀렸다면 어느 쪽을 보고할지는 tf2가 정합니다.
+# 두 가지가 한꺼번에 틀렸다면 tf2가 보고하는 쪽을 따르십시오.
 
 # %% name="e9-3-answer" tags=["answer"]
 def decide(buffer, message):

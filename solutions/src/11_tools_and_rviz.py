@@ -124,7 +124,7 @@ check("E11.2", motion)
 # %% [markdown] lang="ko" name="e11-3"
 # ## E11.3 · 발행률은 충분합니까? (4점)
 #
-# 로봇의 카드에는 두 노드의 `/tf` 발행률이 적혀 있고(`sends_hz`), 셋째이자 마지막은 오도메트리입니다. `ros2 topic hz /tf`는 `hz_of_tf`를 출력합니다. `report`는 `tf2_monitor map laser_frame`의 첫 보고입니다. 로봇은 굽은 길을 달립니다(`speed_mps`, `yaw_rate_radps`).
+# `/tf`에 발행하는 노드는 셋입니다. 로봇의 카드에는 그 가운데 둘의 발행률이 적혀 있고(`sends_hz`), 나머지 하나가 오도메트리 노드입니다. `ros2 topic hz /tf`는 `hz_of_tf`를 출력합니다. `report`는 `tf2_monitor map laser_frame`의 첫 보고입니다. 로봇은 굽은 길을 달립니다(`speed_mps`, `yaw_rate_radps`).
 #
 # - `"odometry_hz"`: 오도메트리의 발행률은 얼마입니까[Hz]?
 # - `"late_s"`: 경로의 지연은 최악의 경우 얼마입니까[s]?
@@ -169,7 +169,7 @@ check("E11.3", verdict)
 # - 원인: `"localiser down"`(위치 추정 노드 멈춤), `"Fixed Frame misspelt"`(잘못 입력), `"joint states missing"`(관절 상태 없음), `"odometry down"`(오도메트리 멈춤), `"stamps late"`(측정 시각이 틀림), `"mount wrong"`(장착 변환이 틀림), `"sensor broken"`(센서 고장), `"nothing wrong"`(이상 없음)
 # - 점검: `"ros2 node list"`, `"the name in RViz"`(RViz에 입력한 이름), `"ros2 topic hz /joint_states"`, `"ros2 topic delay /scan"`, `"tf2_echo base_link laser_frame"`, `"replace the sensor"`(센서 교체), `"a longer timeout"`(더 긴 timeout), `"no check"`(점검 안 함)
 #
-# 답 셀에는 이 문구마다 이름이 있으니 `"a": stamps_late`처럼 이름으로 쓰십시오.
+# 답 셀에는 이 문구가 변수로 정의되어 있으니 `"a": stamps_late`처럼 변수 이름을 쓰십시오.
 
 # %% name="e11-4-given"
 e11_4 = task("E11.4")

@@ -36,7 +36,7 @@ from tflab.workbook import call, check, hint, lesson, solution, task
 # %% [markdown] lang="ko" name="e12-1"
 # ## E12.1 · 어느 노드가 무엇을 발행합니까? (4점)
 #
-# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 모두 스위치가 켜져 있으면 발행합니다.
+# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 어느 노드든 스위치가 켜져 있으면 발행합니다.
 # 발행자는 `task`가 주는 두 값에 따라 정해집니다.
 #
 # - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무 노드도 `map → odom`을 발행하지 않습니다.
@@ -84,7 +84,7 @@ check("E12.1", owners)
 # - `"… state"`: `"one owner"`, `"nobody"`, `"two owners"`, `"another edge"`, `"a misspelt parent"` 가운데 하나
 # - `"… cure"`: `"leave it as it is"`, `"start wheel_odometry"`, `"ekf_filter_node: publish_tf false"`, `"localization: send map -> odom"`, `"wheel_odometry: parent odom"` 가운데 하나. 고쳐야 할 노드의 이름이 들어 있습니다.
 #
-# 답 셀에는 이 문구마다 이름이 있으니 `"a state": two_owners`처럼 이름으로 쓰십시오.
+# 답 셀에는 이 문구가 변수로 정의되어 있으니 `"a state": two_owners`처럼 변수 이름을 쓰십시오.
 
 # %% name="e12-2-given"
 e12_2 = task("E12.2")
@@ -128,7 +128,7 @@ check("E12.2", terminals)
 # %% [markdown] lang="ko" name="e12-3"
 # ## E12.3 · 첫 검사 (3점)
 #
-# 열 가지 증상입니다. 무엇을 **먼저** 검사하겠습니까? 두 용의자의 결과가 다르고 2분을 넘지 않는 검사를 고르십시오. 그런 검사가 여럿이면 어느 것이든 맞습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
+# 열 가지 증상입니다. 무엇을 **먼저** 검사하겠습니까? 둘 가운데 어느 쪽이 원인인지에 따라 결과가 다르고, 2분을 넘지 않는 검사를 고르십시오. 그런 검사가 여럿이면 어느 것이든 맞습니다. 답은 다음 셀이 출력하는 검사의 짧은 이름입니다. 그 밖에 `"longer timeout"`과 `"read the code"`도 있습니다.
 #
 # - **no frame map** RViz에 `map`이 없습니다. 위치 추정 노드가 꺼졌습니까, 무언가를 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
@@ -183,7 +183,7 @@ check("E12.3", first)
 #
 # 로봇마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
 #
-# - `"a checks"`: 원인을 증명하는 데 **충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 네 가지 조건이 있습니다. 모두 12분을 넘지 않습니다. 그 증상의 다른 용의자를 모두 지웁니다. 카드와 다른 결과가 하나는 있습니다. 증명이 끝난 뒤의 검사는 쓰지 않습니다.
+# - `"a checks"`: 원인을 증명하는 데 **충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 네 가지 조건이 있습니다. 걸리는 시간의 합이 12분을 넘지 않습니다. 그 증상의 다른 용의자를 모두 지웁니다. 카드와 다른 결과가 하나는 있습니다. 증명이 끝난 뒤의 검사는 쓰지 않습니다.
 # - `"a cause"`: `lesson.show_suspects()`가 출력하는 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
 # - `"a frame"`: 포즈가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 틀린 것이 연결이면 그 연결의 자식을 씁니다.
 # - `"a owner"`: 고쳐야 할 노드. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
