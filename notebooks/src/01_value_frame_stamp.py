@@ -215,7 +215,7 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>강의를 들었는데, 거기서는 둘 다 z = 0.3이었습니다</summary>
 #
-# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있는데, 이것은 로봇을 정하기 전에 든 예입니다. 강의 뒷부분에서는 여기처럼 레이저를 0.15 m 위에 달고, 그러면 레이저 정면의 공은 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
+# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있습니다. 이때는 로봇을 아직 정하지 않았습니다. 강의 뒷부분에서는 여기처럼 레이저를 중심보다 0.15 m 위에 답니다. 그러면 레이저 정면의 공도 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
 #
 # </details>
 
@@ -278,7 +278,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="ko" name="one-place-seen"
 # *그림 읽기:* 같은 장면을 위에서 본 그림이 좌표계마다 하나씩 있습니다. 그림마다 그 좌표계의 x 방향 거리를 먼저, 그다음 y 방향 거리를 그렸습니다.
-# 세 가지 모두 맞습니다. 어느 것을 쓸지는 어디에 쓰느냐에 달려 있습니다. 그리퍼에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
+# 세 가지 모두 맞습니다. 어느 것을 쓸지는 어디에 쓰느냐에 달려 있습니다. 그리퍼(로봇의 집게)에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
 # As long as no frame is rotated, you can simply add: 2 + 0.20 + 6.2.
@@ -287,7 +287,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # **Predict:** which of the three sets of coordinates stay the same?
 
 # %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
-# 회전이 없으면 그냥 더해도 됩니다. 2 + 0.20 + 6.2.
+# 회전이 없으면 2 + 0.20 + 6.2처럼 그냥 더하면 됩니다.
 # 이제 로봇이 제자리에서 왼쪽으로 90° 돌고, 레이저 정면에서 다른 공을 봅니다.
 #
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
@@ -312,17 +312,16 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 
 # %% [markdown] lang="en" name="turned-notes" slide="notes"
 # Let everybody stand up and rotate 90° to the left.
-# Ask: where is the door now, for you?
-# And for the room?
-# Coordinates that rotate with you stay the same in your frame. In the frame of the room they change.
+# Ask: where is the door now in your frame, and where in the room's?
+# The door's coordinates change only in your frame. Those of a hand that you stretch out forward change only in the room's.
 # Adding coordinates works only as long as no frame is rotated.
 
 # %% [markdown] lang="ko" name="turned-notes" slide="notes"
 # 모두 일어나 왼쪽으로 90° 돌게 합니다.
-# 문은 나에게 어디입니까?
-# 이 방에서는 어디입니까?
-# 함께 돈 것의 숫자는 그대로이고, 방 기준의 숫자는 바뀝니다.
-# 좌표를 더하기만 해도 되는 것은 회전이 없을 때뿐입니다.
+# 문은 나를 기준으로 어디입니까? 방을 기준으로는 어디입니까?
+# 문의 숫자는 나를 기준으로만 바뀝니다.
+# 앞으로 뻗은 내 손의 숫자는 반대로, 방을 기준으로만 바뀝니다.
+# 좌표를 더하기만 해도 되는 것은 회전한 좌표계가 없을 때뿐입니다.
 
 # %% name="stop-the-reader" slide="skip"
 graph.stop()
@@ -384,7 +383,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### 직접 해 보세요
 #
 # 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
-# same과 changed는 처음 상태와 비교한 결과입니다. 처음 상태에서 로봇은 처음 자리에, 물체는 바닥의 처음 자리(쟁반을 골랐다면 쟁반 위)에 있습니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
+# same과 changed는 로봇과 물체를 움직이기 전과 비교한 결과입니다. 쟁반을 고르면 쟁반 위의 처음 자리와 비교합니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
 # %% [markdown] lang="en" name="rulers-notes" slide="notes"
 # Give the mouse to a student.
@@ -538,8 +537,8 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # The error equals the distance driven only if the robot drives straight. If it also rotates, distant points shift much further (chapter 08).
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
-# 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 도착한 시각을 촬영한 시각으로 본 것이고, 3.70이라고 했다면 부호를 거꾸로 쓴 것입니다.
-# 흔히 움직인 거리만큼 위치가 어긋난다고 합니다. 곧게 달릴 때는 그렇습니다. 그사이 로봇이 회전하면 멀리 있는 것은 훨씬 크게 어긋납니다(08장).
+# 3.50 m입니다. 0.2초 동안 로봇이 공 쪽으로 0.1 m 달렸습니다. 3.60이라고 했다면 측정 시각의 거리를 그대로 쓴 것이고, 3.70이라고 했다면 부호를 거꾸로 쓴 것입니다.
+# 로봇이 곧게 달리면 달린 거리만큼만 어긋납니다. 그사이 로봇이 회전하면 멀리 있는 것은 훨씬 크게 어긋납니다(08장).
 
 # %% [markdown] lang="en" name="age-notes" slide="notes"
 # Draw it: a timeline for the camera, a timeline for the robot, and the 0.2 s between them.
@@ -574,7 +573,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 #
 # `base_link` 기준의 숫자는 우유입니다. 3.60 m는 5.8초에는 맞았지만 도착했을 때는 이미 상했습니다.
 # 가만히 있는 물체라면, 같은 위치를 `map` 기준으로 적은 (6.5, −1.5)는 통조림입니다. 상하지 않습니다.
-# 그러니 측정값은 시간이 지나도 값이 그대로인 좌표계 기준으로 되도록 빨리 바꾸되, **측정 시각의 [[pose|포즈(pose)]]로** 바꾸십시오.
+# 그러니 측정값은 받는 대로, 시간이 지나도 값이 그대로인 좌표계 기준으로 바꾸십시오. 이때 **측정 시각의 [[pose|포즈(pose)]]를** 쓰십시오.
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
@@ -594,7 +593,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # > **측정값은 값, 좌표계, 측정 시각입니다.**
 # 보내는 쪽은 측정하는 순간에 좌표계와 측정 시각을 모두 채웁니다. 받는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 남깁니다.
 #
-# 이 약속을 지키며 읽는 함수입니다.
+# 받는 쪽의 약속을 지키는 함수입니다.
 
 # %% name="careful-reader" slide="-"
 def usable(message, now_ns, max_age_s=1.0):
@@ -617,7 +616,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # Both are in the exercises. The second cannot be detected from one message alone.
 
 # %% [markdown] lang="ko" name="contract-notes" slide="notes"
-# 호출 셋에 판정이 셋입니다.
+# 호출 세 번에 서로 다른 판정 세 가지가 나옵니다.
 # 이 함수가 받아들이지만 거절해야 할 메시지를 물어봅니다.
 # 측정 시각이 미래인 것과 좌표계 이름이 틀린 것입니다.
 # 둘 다 연습 문제에 있고, 둘째는 메시지 하나만 보아서는 찾을 수 없습니다.
@@ -668,7 +667,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # > 좌표계를 빠뜨리면 TF2가 오류를 냅니다. 측정 시각을 빠뜨리면 아무 오류도 나지 않습니다.
 #
-# 한 가지씩 망가뜨린 메시지 네 개입니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
+# 한 곳씩 망가뜨린 메시지 네 개를 차례로 변환합니다. (`%xmode Minimal`은 오류에서 꼭 읽어야 할 마지막 줄만 보여 줍니다.)
 
 # %% name="errors-in-one-line" slide="skip"
 # %xmode Minimal
@@ -937,7 +936,7 @@ rclpy.shutdown()
 # Collect the tickets. If the second question is missing on many, begin the next lecture with the cell that raised no exception.
 
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
-# 쪽지를 걷습니다. 둘째 질문이 빠진 것이 많으면 다음 강의를 측정 시각 0으로 조회한 셀부터 시작합니다.
+# 쪽지를 걷습니다. 둘째 질문을 빠뜨린 쪽지가 많으면 다음 강의를 측정 시각 0으로 조회한 셀부터 시작합니다.
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # Then do the exercises: [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb).

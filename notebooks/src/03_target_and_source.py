@@ -293,7 +293,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # 이 숫자 일곱 개(이동 셋, 회전 넷)의 쓰임새는 하나 더 있습니다.
 # 이 숫자로 **자식** 기준인 점의 좌표를 **부모** 기준 좌표로 바꿀 수 있습니다.
-# 그래서 흔히 그리는 부모 → 자식 화살표는 부모와 자식의 관계를 나타내고, 데이터는 그 반대인 자식 → 부모로 바뀝니다.
+# 흔히 그리는 부모 → 자식 화살표는 누가 누구에게 달려 있는지를 나타냅니다. 데이터는 그 반대로, 자식 기준에서 부모 기준으로 바뀝니다.
 #
 # 변환의 이름에는 두 좌표계를 모두 적고, 부모를 앞에 씁니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
 #
@@ -456,7 +456,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
 # %% [markdown] lang="ko" name="the-sentence-panel-why" slide="skip"
-# 메뉴 가운데 하나를 바꾸면 나머지도 따라 바뀝니다.
+# 메뉴에서 좌표계를 고르면 문장과 호출과 행렬이 함께 바뀝니다.
 # 오른쪽은 같은 변환을 표로 적은 행렬입니다. 앞의 세 열은 회전이고, 마지막 열은 이동입니다.
 # *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
 # 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
@@ -505,7 +505,7 @@ lesson.draw_question(buffer, 'base_link', 'laser_frame')
 # %% [markdown] lang="ko" name="dominoes" slide="slide"
 # ## 도미노
 #
-# 레이저는 로봇에 달려 있고, 로봇의 위치는 [[odom|`odom`]](바퀴로 잰 위치의 기준)을 기준으로, `odom`의 위치는 [[map|`map`]](건물)을 기준으로 정해집니다.
+# 레이저는 로봇에 달려 있습니다. 로봇의 포즈는 [[odom|`odom`]](바퀴로 잰 위치의 기준)을 기준으로 정해지고, `odom`의 포즈는 [[map|`map`]](건물 지도의 기준)을 기준으로 정해집니다.
 # [[base_footprint|`base_footprint`]]는 로봇 중심을 바닥에 투영한 자리입니다.
 #
 # 나머지를 연결해 봅시다. 이번에는 파이썬으로 합니다. 연결(edge, 부모와 자식의 쌍) 하나에 메시지가 하나입니다.
@@ -739,12 +739,12 @@ if ... not in (wanted_in, expressed_in):
 # %% [markdown] lang="ko" name="inverse" slide="slide"
 # ## 되돌아가는 변환: 역변환
 #
-# 자리에서 일어나 보세요. 여러분이 레이저입니다. 왼쪽을 보고 섭니다. 로봇의 중심은 20 cm 떨어져 있습니다.
-# **여러분을 기준으로** 로봇의 중심은 어느 쪽일까요? 손으로 가리킨 다음 아래를 열어 보세요.
+# 자리에서 일어나 보세요. 여러분이 레이저입니다. 지금 보는 쪽이 로봇의 앞이고, 로봇의 중심은 등 뒤로 20 cm 떨어져 있습니다. 이제 왼쪽으로 90° 회전해 보세요.
+# **여러분을 기준으로** 로봇의 중심은 이제 어느 쪽일까요? 손으로 가리킨 다음 아래를 열어 보세요.
 #
 # <details><summary>이제 앉아도 됩니다</summary>
 #
-# 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저가 달린 자리보다 뒤에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
+# 이제 로봇의 앞은 여러분의 오른쪽입니다. 중심은 레이저보다 로봇의 뒤쪽에 있으므로 여러분의 **왼쪽**, 즉 −x가 아니라 +y입니다.
 # 부호만 바꾸었다면 “등 뒤 20 cm”라고 했을 텐데, 거기에는 아무것도 없습니다.
 #
 # </details>
@@ -791,7 +791,7 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # %% [markdown] lang="ko" name="inverse-seen"
 # *그림 읽기:* sign flipped = 부호만 바꾼 것.
 #
-# 변환한 다음 역변환하면 처음의 점, (2, 0, 0)이어야 합니다.
+# 변환한 다음 역변환하면 처음의 점인 (2, 0, 0)이 나와야 합니다.
 # 부호만 바꾼 쪽은 신발 한 짝 길이인 28 cm만큼 빗나갑니다. 보정이 조금 틀어졌다고 넘기기 쉬운 크기입니다.
 # 이보다 작은 차이 때문에 며칠씩 센서의 나사를 조정한 사람도 있습니다.
 
@@ -880,7 +880,7 @@ lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="ko" name="echo-help-seen"
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
-# 첫 문장은 “어디에서 어디로”라고 하고, 두 줄 아래에서는 데이터가 반대로 바뀐다고 (맞게) 적었습니다.
+# 첫 문장은 “어디에서 어디로”라고 적었습니다. 두 줄 아래에는 데이터가 그 반대로 바뀐다고 적었고, 이쪽이 맞습니다.
 # 10년 동안 계속된 질문은 바로 이 글에서 나왔습니다.
 # 도움말 대신 문장을 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
@@ -1259,7 +1259,7 @@ rclpy.try_shutdown()
 # - [ ] 변환은 부모 기준으로 잰 자식 좌표계의 위치와 회전입니다.
 # - [ ] 메시지에서 부모는 `header.frame_id`, 자식은 `child_frame_id`입니다.
 # - [ ] 조회는 *원본* 기준 데이터를 *목표* 기준으로 바꾸는 변환을 반환합니다.
-# - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이를 따라갑니다.
+# - [ ] 목표와 원본이 꼭 부모와 자식일 필요는 없습니다. 한 트리 안의 어떤 두 좌표계라도 되고, 조회가 그 사이의 경로를 따라갑니다.
 # - [ ] `time`은 어느 시각의 변환인지를 정합니다. `Time()`은 경로의 모든 연결에 값이 있는 가장 최근 시각입니다.
 # - [ ] 둘을 바꿔 쓰면 역변환이 나올 뿐 오류는 나지 않습니다. 회전이 있으면 부호만 다른 것이 아닙니다.
 #
@@ -1307,6 +1307,6 @@ rclpy.try_shutdown()
 # `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루고 누가 그것을 보장하는지(보장하는 프로그램은 없습니다) 봅니다.
+# **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
 # 이 장을 마치면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

@@ -56,7 +56,7 @@ from tflab.workbook import lesson
 #
 # 몸체(body)는 늘 그랬듯 `odom` 아래에 있습니다. 그런데 이제 `odom`도 몸체 아래에 있습니다. 서로가 서로의 [[parent frame|부모]]입니다.
 # 원인은 문자열 하나였습니다. 드라이버는 로봇 이름과 슬래시와 `odom`을 붙여 이름을 만들었는데, 이 로봇에는 이름이 없었습니다. 그래서 만들어진 이름은 `/odom`이었고, `/odom`은 `odom`이 아닙니다(rai-opensource/spot_ros2, 2024년).
-# 1년 뒤에는 같은 슬래시 때문에 널리 쓰이는 교육용 로봇의 지도 작성 노드가 `/base_footprint`에서 멈추었습니다(ROBOTIS-GIT/turtlebot3, 2025년).
+# 1년 뒤에는 널리 쓰이는 교육용 로봇의 지도 작성 노드도 슬래시가 붙은 이름 `/base_footprint` 때문에 멈추었습니다(ROBOTIS-GIT/turtlebot3, 2025년).
 
 # %% [markdown] lang="en" name="story-sources" slide="skip"
 # *Read the reports:* spot_ros2 [302](https://github.com/rai-opensource/spot_ros2/issues/302), [304](https://github.com/rai-opensource/spot_ros2/pull/304); turtlebot3 [1064](https://github.com/ROBOTIS-GIT/turtlebot3/pull/1064), [1066](https://github.com/ROBOTIS-GIT/turtlebot3/issues/1066).
@@ -92,8 +92,8 @@ print(driver(""))
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 답을 알려 주기 전에 여섯 줄에서 잘못을 찾게 합니다.
-# 누군가 찾으면, 어떤 시험이라야 이것을 찾았을지 묻습니다.
-# 이름 없는 로봇입니다.
+# 누군가 찾으면, 어떤 시험을 했다면 미리 찾았을지 묻습니다.
+# 이름 없는 로봇으로 하는 시험입니다.
 # 개발자의 책상 위에는 대개 그런 로봇이 없습니다.
 
 # %% [markdown] lang="en" name="a-dict" slide="slide"
@@ -214,7 +214,7 @@ lesson.draw_dominoes(
 #
 # <details><summary>맞춰 보기</summary>
 #
-# 앞의 것은 `camera_optical_frame`, `camera_link`, `base_link`에서 차례로 올라갑니다. 뒤의 것은 `odom`, `base_link`, `camera_link`로 차례로 내려갑니다. 어느 쪽이든 단계에는 자식의 이름을 붙입니다.
+# 첫째 조회는 `camera_optical_frame`, `camera_link`, `base_link`에서 차례로 올라갑니다. 둘째 조회는 `odom`, `base_link`, `camera_link`로 차례로 내려갑니다. 어느 쪽이든 단계에는 자식의 이름을 붙입니다.
 #
 # </details>
 
@@ -249,7 +249,7 @@ lesson.draw_walk(buffer, "base_link", "camera_optical_frame")
 # If two nodes set it alternately, it moves back and forth, as you will see.
 
 # %% [markdown] lang="ko" name="moved-seen" tags=["predicted"]
-# 카메라는 한 대입니다. 키를 다시 쓰면 값이 바뀝니다. 카메라의 부모가 바뀌었고, 카메라 아래의 좌표계도 함께 따라갔습니다. 오류도 알림도 없었습니다.
+# 카메라는 한 대입니다. dict의 같은 키에 다시 쓰면 값이 바뀝니다. 카메라의 부모가 바뀌었고, 카메라 아래의 좌표계도 함께 따라갔습니다. 오류도 알림도 없었습니다.
 # 두 노드가 번갈아 발행하면 부모가 계속 바뀝니다. 잠시 뒤에 볼 것입니다.
 
 # %% name="typo" tags=["predicted"] slide="fragment"
@@ -355,7 +355,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then writes one line into the log, and the program goes on. Break the rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
-# ## 다섯 가지 규칙, 지키게 하는 것은 누구일까요?
+# ## 다섯 가지 규칙, 누가 지키게 할까요?
 #
 # 1. 자식마다 부모는 하나입니다.
 # 2. 어느 두 좌표계 사이에도 경로는 하나입니다.
@@ -363,7 +363,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. 고리가 없습니다.
 # 5. 모든 노드가 이름, 방향, 시각을 같은 뜻으로 씁니다.
 #
-# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 그때도 로그에 한 줄을 남길 뿐 프로그램은 계속됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
+# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 거절할 때도 로그에 한 줄을 남길 뿐이고 프로그램은 계속 실행됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
@@ -567,7 +567,7 @@ print(f"five more seconds: largest step in 20 ms {largest:.2f} m")
 # The largest step is two centimetres. That is the distance driven between two messages of the filter, which sends thirty a second. Check the tree again after such a fix, and do not trust the parameter alone. In ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499) it was set, and the tree still alternated.
 
 # %% [markdown] lang="ko" name="cured-seen"
-# 2센티미터입니다. 필터가 1초에 서른 번 발행하므로, 한 번 발행하는 동안 실제로 달린 거리입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 발행을 껐는데도 트리가 계속 번갈아 바뀌었습니다.
+# 2센티미터입니다. 필터가 1초에 서른 번 발행하므로, 한 번 발행하고 다음에 발행할 때까지 실제로 달린 거리입니다. 고친 뒤에는 다시 확인하고, 설정값만 믿지 마십시오. ros-controls/ros_controllers [499](https://github.com/ros-controls/ros_controllers/issues/499)에서는 발행을 껐는데도 트리가 계속 번갈아 바뀌었습니다.
 
 # %% [markdown] lang="en" name="two-robots" slide="slide"
 # ## Two robots, one map
@@ -672,7 +672,7 @@ lesson.frame_tree(graph, seconds=2.0)
 # Our `frame_tree` names the nodes, because here all of them are in one process. On a robot `ros2 topic info /tf --verbose` lists the nodes that publish `/tf`, though not which edge each of them sends.
 
 # %% [markdown] lang="ko" name="who-is-it-seen"
-# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 발행자의 이름이 없기 때문입니다. 발행자가 둘이라는 것은 합친 발행률로만 드러납니다. 10이어야 할 곳이 20 Hz입니다.
+# `view_frames`에는 어느 연결이나 `Broadcaster: default_authority`라고 나옵니다. `/tf` 메시지에는 발행자의 이름이 없기 때문입니다. 발행자가 둘이라는 것은 합친 발행률로만 드러납니다. 10 Hz여야 할 연결이 20 Hz입니다.
 # `frame_tree`는 노드 이름을 보여 줍니다. 여기서는 모든 노드가 한 프로세스 안에 있기 때문입니다. 로봇에서는 `ros2 topic info /tf --verbose`로 `/tf`에 발행하는 노드들을 알 수 있지만, 어느 연결을 발행하는지는 나오지 않습니다.
 
 # %% [markdown] lang="en" name="prefixed" slide="subslide"
@@ -883,7 +883,7 @@ rclpy.shutdown()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# 루트입니다. `view_frames`나 파이썬 한 줄로 봅니다. 이름이 둘이면, 예상하지 못한 이름이 잘못 적힌 부모이거나 그 위 연결의 발행자가 사라진 것입니다.
+# 루트입니다. `view_frames`나 파이썬 한 줄로 봅니다. 이름이 둘이면 예상하지 못한 이름을 찾습니다. 그것은 잘못 적힌 부모이거나, 위로 가는 연결의 발행자가 사라진 좌표계입니다.
 #
 # </details>
 

@@ -17,7 +17,7 @@
 #
 # 이 장을 마치면
 #
-# - [[urdf|URDF]]의 관절 하나를 읽고, origin과 axis에 적히는 것과 어디에도 적히지 않는 것을 구별할 수 있습니다.
+# - [[urdf|URDF]]의 관절 하나를 읽고, origin과 axis에 무엇이 적히고 무엇이 적히지 않는지 말할 수 있습니다.
 # - 로봇 팔 끝의 위치를 변환을 하나씩 곱해 계산할 수 있습니다.
 # - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명할 수 있습니다.
 # - 도면과 다르게 달린 센서(회전한 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
@@ -58,7 +58,7 @@ from tflab.workbook import lesson
 # *Read the reports:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017); fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (There the driver counted clockwise, like a compass; an IMU mounted upside down has the same effect.) [URDF's rules for a joint](http://wiki.ros.org/urdf/XML/joint).
 
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
-# *더 읽기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향으로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
+# *더 읽기:* cartographer_ros [1017](https://github.com/cartographer-project/cartographer_ros/issues/1017), fusioncore [88](https://github.com/manankharwar/fusioncore/issues/88). (이 로봇에서는 드라이버가 나침반처럼 시계 방향을 양수로 셌습니다. IMU를 뒤집어 달아도 같은 일이 생깁니다.) [URDF의 관절 규칙](http://wiki.ros.org/urdf/XML/joint).
 
 # %% [markdown] lang="en" name="predict" slide="slide"
 # ## Predict
@@ -147,7 +147,7 @@ lesson.draw_placed(placed, walls=lesson.ROOM.walls)
 #
 # 평균 1.5미터, 최대 5미터 가까이 어긋납니다. `<visual>`에 쓴 줄은 점 하나도 바꾸지 못했습니다. 관절에 쓰면 레이저의 잡음 몇 밀리미터만 남고 모두 맞습니다.
 #
-# 아무 오류도 나지 않았습니다. 도면과 실제 장착을 비교해 주는 도구는 없습니다. 똑바로 앞에 있다고 알고 있는 물체로 *여러분이* 비교해야 합니다.
+# 아무 오류도 나지 않았습니다. 도면과 실제 장착을 비교해 주는 도구는 없습니다. 로봇의 정면에 물체를 놓고 *여러분이* 비교해야 합니다.
 
 # %% [markdown] lang="en" name="walls-notes" slide="notes"
 # Stay here until somebody says why the middle picture is no better than the left one. Then ask who in the class has a URDF with a sensor that was moved since.
@@ -162,12 +162,12 @@ truth = {'laser, truly': poses['base_link'] @ truly['laser_frame']}
 lesson.draw_scene(axes, ghosts=truth, fixed_frame='base_footprint', length_m=0.08)
 
 # %% [markdown] lang="en" name="small-mistakes"
-# Smaller errors are harder to see. A laser that is described 0.20 m behind its true position puts the walls 0.08 m off. `1.57` for 90° is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
+# Smaller errors are harder to see. A laser that is described 0.20 m behind its true position puts the walls 0.08 m off on average. `1.57` for 90° is short by 0.0456°: 8 mm at 10 m. Write `1.5708`, or more digits.
 
 # %% [markdown] lang="ko" name="small-mistakes"
 # *그림 읽기:* 기울임꼴 회색(laser, truly)은 실제로 달린 레이저, 나머지는 TF에 있는 좌표계입니다.
 #
-# 작은 오차는 더 알아채기 어렵습니다. 레이저를 실제보다 0.20 m 뒤에 적으면 벽이 0.08 m 어긋납니다. 90°를 `1.57`로 적으면 0.0456° 모자라고, 10 m 앞에서 8 mm입니다. `1.5708`이나 더 긴 숫자를 쓰십시오.
+# 작은 오차는 더 알아채기 어렵습니다. URDF에 레이저를 실제보다 0.20 m 뒤에 적으면 벽이 평균 0.08 m 어긋납니다. 90°를 `1.57`로 적으면 0.0456° 모자라고, 10 m 앞에서 8 mm 어긋납니다. `1.5708`이나 더 긴 숫자를 쓰십시오.
 
 # %% [markdown] lang="en" name="axis" slide="slide"
 # ## A joint: an origin, then a movement
@@ -212,7 +212,7 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # *그림 읽기:* head = 머리, nose = 코, misread = 잘못 읽은 경우(회색 기울임꼴).
 #
 # 끄덕입니다. 머리가 보는 방향인 왼쪽에서 코가 z = −0.479까지 내려갑니다. 축을 부모의 축으로 읽으면 머리가 옆으로 갸웃하고 코는 제자리입니다.
-# TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 축을 눕힌 다음, `axis="0 0 1"`이 옆을 향합니다.
+# TurtleBot3의 바퀴가 이렇게 적혀 있습니다. `rpy="-1.57 0 0"`으로 좌표계를 눕히면 `axis="0 0 1"`이 옆을 향합니다.
 #
 # 두 가지를 더 조심하십시오. URDF에는 도(degree)가 없습니다. `rpy="0 0 90"`은 90 rad이고, 열네 번 회전하고도 116.62°를 더 회전합니다. rpy는 02장에서처럼 부모의 고정된 축을 중심으로 roll부터 회전합니다.
 
@@ -295,7 +295,7 @@ print('tool0_p_tip', lesson.fmt_all(tool0_p_tip))
 # %% [markdown] lang="ko" name="faded" slide="subslide"
 # ### 빈칸을 채워 보세요
 #
-# 카메라가 `base_link`에 달려 있습니다. 앞으로 10 cm, 오른쪽으로 12 cm, 위로 30 cm이고 왼쪽으로 20°를 봅니다. 빈칸 네 개를 채워 보세요. 다음은 광학 좌표계이며, 02장에서처럼 회전합니다.
+# 카메라가 `base_link`에 달려 있습니다. 앞으로 10 cm, 오른쪽으로 12 cm, 위로 30 cm이고 왼쪽으로 20°를 봅니다. 빈칸 네 개를 채워 보세요. 둘째 관절은 광학 좌표계이며, 02장에서처럼 회전합니다.
 #
 # ```xml
 # <joint name="base_to_camera" type="fixed">
@@ -377,7 +377,7 @@ except TransformException as error:
 # Now you are the joint driver, four times. Three of the messages are mistakes that real drivers make. **Predict:** after which of the four is the arm complete, and which of the four cause a warning?
 
 # %% [markdown] lang="ko" name="play-driver" slide="subslide"
-# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 이유를 알려 주는 것은 어느 것일까요?
+# 이번에는 관절 드라이버가 되어 봅시다. 네 번 보냅니다. 그중 셋은 실제 드라이버가 하는 실수입니다. **예측해 봅시다.** 어느 것이 손과 팔을 연결할까요? 연결하지 못할 때 이유를 알려 주는 것은 어느 것일까요?
 
 # %% name="driver" slide="skip"
 states = node.create_publisher(JointState, 'joint_states', 10)
@@ -533,7 +533,7 @@ for name, reading in {'at rest': rest, 'in the bend': turning}.items():
 # *그림 읽기:* at rest = 서 있을 때, in the bend = 굽은 길에서, acceleration = 가속도계 값.
 #
 # 서 있을 때 z가 +9.8이 아니라 **−9.8**이고, 왼쪽 회전이 **−0.50**입니다. 왼쪽이 양수라는 약속은 그대로이고, IMU의 z가 아래를 향할 뿐입니다.
-# 고장이 아닙니다. URDF에 달린 그대로 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 바르게 바꿉니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
+# 고장이 아닙니다. 실제로 달린 대로 URDF에 `rpy="3.1416 0 0"`이라고 적으면 TF가 모든 벡터를 바르게 바꿉니다. 내 노드에서 마이너스를 붙이면 숫자 하나는 맞지만 y는 틀린 채로 남고, 다음 사람이 이유를 알 수 없게 됩니다.
 
 # %% name="imu-arrows" slide="subslide"
 imu_link = {'base_link': Transform(), 'imu_link': Transform.from_rpy(roll=math.pi, translation=(0.0, 0.0, 0.6))}
@@ -546,7 +546,7 @@ lesson.draw_scene(imu_link, arrows={'acceleration at rest': ('imu_link', up)}, f
 # %% [markdown] lang="ko" name="gravity" slide="subslide"
 # *그림 읽기:* acceleration at rest = 서 있을 때의 가속도계 값입니다. IMU의 z는 아래를 향하는데 화살표는 위를 향합니다.
 #
-# roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 왼쪽으로 회전하기만 한 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
+# roll로 π만큼 뒤집힌 것일까요, pitch로 뒤집힌 것일까요? 아니면 뒤집히지 않고 왼쪽으로 회전해 달린 것일까요? **예측해 봅시다.** 서 있을 때의 값으로 구별되는 것은 어느 것일까요?
 
 # %% name="what-gravity-tells" tags=["predicted"]
 mounts = {'as drawn': {}, 'left': {'yaw': math.pi / 2}, 'roll π': {'roll': math.pi}, 'pitch π': {'pitch': math.pi}}
@@ -562,8 +562,8 @@ for name, rpy in mounts.items():
 # %% [markdown] lang="ko" name="gravity-seen" tags=["predicted"]
 # *그림 읽기:* as drawn = 도면대로, left = 왼쪽으로 회전.
 #
-# 중력은 한 직선만 알려 줍니다. IMU가 뒤집혔다는 것은 알 수 있지만 어떻게 뒤집혔는지는 알 수 없고, 수직축을 중심으로 한 회전은 전혀 알 수 없습니다.
-# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²만큼 당겨집니다. 이 둘째 벡터가 나머지를 정합니다. 실제로는 로봇을 손으로 회전시켜 봅니다. `angular_velocity.z`가 왼쪽에서 양수여야 합니다.
+# 중력은 방향 하나만 알려 줍니다. IMU가 뒤집혔다는 것은 알 수 있지만 어떻게 뒤집혔는지는 알 수 없고, 수직축을 중심으로 한 회전은 전혀 알 수 없습니다.
+# 왼쪽으로 굽은 길에서는 왼쪽으로 0.5 m/s · 0.5 rad/s = 0.25 m/s²의 가속도가 생깁니다. 이 둘째 벡터로 나머지가 정해집니다. 실제 로봇은 손으로 왼쪽으로 회전시켜 봅니다. `angular_velocity.z`가 양수여야 합니다.
 
 # %% [markdown] lang="en" name="gravity-notes" slide="notes"
 # Take a phone, lay it on its face, rotate it about the vertical: gravity reads the same. That is why a curve is needed. Leave the last ten minutes for the broken files and the checkpoint.
@@ -730,7 +730,7 @@ for what, text in broken.items():
 # ## 정리
 #
 # - [[urdf|URDF]]에는 장착이 도면의 값으로 적혀 있습니다. TF는 확인하지 않고 모든 노드에 그대로 전달합니다.
-# - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 값은 부모를 기준으로 한 자식의 포즈이고, 단위는 미터와 라디안입니다.
+# - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 관절의 origin은 부모를 기준으로 한 자식의 포즈이고, 단위는 미터와 라디안입니다.
 # - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
 # - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
 # - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드에서가 아니라, 관절의 origin이나 실제 장착을 바로잡아 고칩니다.

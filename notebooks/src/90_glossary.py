@@ -79,7 +79,7 @@
 # ## 2장 · 좌표축과 쿼터니언
 #
 # - **회전 (rotation)**: 부모 좌표계를 기준으로 자식의 축이 얼마나 회전해 있는지를 적은, 변환의 한 부분입니다.
-# - **롤·피치·요 (roll, pitch, yaw)**: 고정된 x, y, z 축을 그 순서대로 중심으로 삼는 세 번의 회전이며 단위는 라디안입니다.
+# - **롤·피치·요 (roll, pitch, yaw)**: 고정된 x축, y축, z축을 차례로 중심으로 하는 세 번의 회전이며 단위는 라디안입니다.
 # - **요 (yaw)**: 위를 향한 z축을 중심으로 하는 회전이며, 양수는 왼쪽입니다.
 # - **쿼터니언 (quaternion)**: 회전 하나를 나타내는 숫자 네 개로 순서는 x, y, z, w이고 길이는 1이며, (0, 0, 0, 1)이 회전 없음입니다.
 # - **단위 쿼터니언 (unit quaternion)**: 길이가 1인 쿼터니언이며, 이것만이 회전을 나타냅니다.
@@ -87,7 +87,7 @@
 # - **본체 축 좌표계 (body frame)**: REP-103의 축을 따르는 좌표계로 x는 앞, y는 왼쪽, z는 위입니다.
 # - **광학 좌표계 (optical frame)**: 카메라 영상의 축을 따르는 두 번째 좌표계로 z는 앞, x는 오른쪽, y는 아래입니다.
 # - **오른손 좌표계 (right-handed)**: 오른손 엄지를 z로 두면 나머지 손가락이 x에서 y로 감기는 축 배치입니다.
-# - **짐벌 락 (gimbal lock)**: 기수가 똑바로 위나 아래를 향할 때 roll, pitch, yaw 가운데 둘의 회전축이 같은 직선이 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 튑니다.
+# - **짐벌 락 (gimbal lock)**: x축(정면)이 똑바로 위나 아래를 향할 때 roll, pitch, yaw 가운데 둘의 회전축이 같은 직선이 되는 현상입니다. 이 근처에서는 작은 움직임에도 각도가 크게 튑니다.
 # - **검출기 (detector)**: 영상이나 스캔에서 물체를 찾아 그 위치를 알려 주는 프로그램입니다.
 # - **포인트 클라우드 (point cloud)**: 한 좌표계로 적은 수많은 측정점을 담은 메시지입니다. 깊이 카메라에서 나옵니다.
 
@@ -184,7 +184,7 @@
 # %% [markdown] lang="en" name="chapter-7" slide="skip"
 # ## Chapter 7 · URDF and sensors
 #
-# - **URDF (로봇 모델 파일)**: The file that describes a robot's links and joints, and so its fixed transforms.
+# - **URDF (로봇 모델 파일)**: The file that describes a robot's links and the joints that connect them, fixed and moving.
 # - **robot_state_publisher (로봇 상태 발행자)**: The node that turns a URDF and joint states into transforms.
 # - **link (링크)**: A rigid part of a robot, and the frame that is fixed to it.
 # - **joint (관절)**: The connection of a child link to its parent: an origin and, if it moves, a movement about or along an axis.
@@ -194,7 +194,7 @@
 # %% [markdown] lang="ko" name="chapter-7" slide="skip"
 # ## 7장 · URDF와 센서
 #
-# - **로봇 모델 파일 (URDF)**: 로봇의 링크와 관절, 즉 고정된 변환을 적은 파일입니다.
+# - **로봇 모델 파일 (URDF)**: 로봇의 링크와, 링크를 연결하는 관절을 적은 파일입니다.
 # - **로봇 상태 발행자 (robot_state_publisher)**: URDF와 관절 값에서 변환을 만들어 발행하는 노드입니다.
 # - **링크 (link)**: 로봇의 단단한 부품 하나이며, 거기에 고정된 좌표계이기도 합니다.
 # - **관절 (joint)**: 자식 링크가 부모 링크의 어디에 달려 있는지를 나타냅니다. origin이 있고, 움직이는 관절이면 축을 중심으로 회전하거나 축을 따라 이동합니다.
@@ -229,7 +229,7 @@
 # - **외삽 (extrapolation)**: 표본 바깥의 값을 짐작하는 일이며, tf2는 거절합니다.
 # - **보관 시간 (cache time)**: 버퍼가 얼마나 오래된 표본까지 보관하는지를 이르며, 따로 정하지 않으면 10초입니다.
 # - **지연 (latency)**: 무언가를 잰 때부터 그 값을 쓰는 때까지 걸린 시간입니다.
-# - **번짐 (smear)**: 다른 순간의 로봇 포즈로 스캔을 그려 벽이 두껍게 또는 겹쳐 보이는 현상입니다.
+# - **번짐 (smear)**: 다른 시각의 로봇 포즈로 스캔을 그려 벽이 두껍게 또는 겹쳐 보이는 현상입니다.
 # - **형식 예외 (TypeException)**: `transform()`에 그 메시지의 변환 방법이 등록되어 있지 않을 때 내는 예외이며, TransformException이 아닙니다.
 # - **움직임 왜곡 (motion distortion)**: 측정에 시간이 걸리는 동안 센서 자신이 움직여 생기는 왜곡입니다. 한 번 훑는 동안의 광선은 저마다 잰 순간이 달라, 포즈 하나로 그리면 벽이 휘어 보입니다.
 # - **표본 (sample)**: 한 연결의 변환 하나로, 측정 시각이 붙어 있습니다. 샘플이라고도 합니다.
@@ -315,6 +315,6 @@
 # %% [markdown] lang="ko" name="chapter-12" slide="skip"
 # ## 12장 · 발행 책임과 진단
 #
-# - **두 번째 발행자 (second owner)**: 같은 연결을 발행하는 또 다른 노드입니다. TF2는 오류 없이 둘 다 받고, 포즈가 오락가락합니다.
-# - **용의자 (suspect)**: 증상의 원인일 수 있는 것입니다. 검사에서 지워질 때까지 용의자입니다.
+# - **두 번째 발행자 (second owner)**: 같은 연결을 발행하는 또 다른 노드입니다. TF2는 오류 없이 둘 다 받고, 포즈는 번갈아 바뀝니다.
+# - **용의자 (suspect)**: 증상의 원인일 수 있는 것입니다. 검사 결과로 제외될 때까지 용의자로 둡니다.
 # - **증거 (evidence)**: 어떤 용의자라면 나오고 다른 용의자라면 나오지 않을 값입니다. 어느 용의자든 똑같이 나올 값은 증거가 아닙니다.

@@ -115,7 +115,7 @@ check("E1.2", verdicts)
 # ## E1.3 · 거절할 줄 아는 노드 (4점)
 #
 # 노드 콜백의 첫 부분을 작성하십시오. `message`는 `PointStamped`, `now`는 `Time`, `max_age_s`는 초 단위의 숫자입니다.
-# 다음 순서로 살펴보고 반환하십시오.
+# 다음 순서로 확인하고 해당하는 문자열을 반환하십시오.
 #
 # 1. 좌표계가 비어 있으면 `"no frame"`,
 # 2. 측정 시각이 0이면 `"no stamp"`,
@@ -205,7 +205,7 @@ check("E1.5", stays)
 # %% [markdown] lang="ko" name="e1-6"
 # ## E1.6 · 좌표계와 측정 시각을 적으십시오 (3점)
 #
-# 소나(초음파 거리 센서)가 `sonar_frame`의 y 방향, 곧 로봇의 왼쪽을 봅니다. 함수는 `now`(`Time`)에 호출되어 가장 최근의 측정값 `range_m`[m]를 받습니다. 그 값은 그때 `age_ms`[ms] 전에 측정한 것입니다(정수).
+# 소나(초음파 거리 센서)가 `sonar_frame`의 y 방향, 곧 로봇의 왼쪽을 봅니다. 함수는 `now`(`Time`)에 호출되고, 가장 최근의 측정값 `range_m`[m]와 그때 그 값의 나이 `age_ms`[ms](정수)를 받습니다.
 # 드라이버가 발행해야 할 `PointStamped`를 반환하십시오.
 
 
@@ -273,7 +273,7 @@ check("E1.7", findings)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 여기서 check는 여러분에게 주어진 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
 # 로봇에서는 쓰려는 토픽마다 `ros2 topic echo --once --field header`를 실행해 보세요. 좌표계와 측정 시각이 모두 있습니까? 값이 맞습니까?
 #
 # **다음:** [02 좌표축과 쿼터니언](../../notebooks/ko/02_axes_and_quaternions.ipynb)

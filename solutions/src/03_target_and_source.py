@@ -79,7 +79,7 @@ check("E3.1", calls)
 # 레이저가 `laser_p_corner`에서 모서리를 봅니다.
 # 모서리의 위치는 `base_link` 기준으로 어디이고, `map` 기준으로 어디입니까?
 #
-# `e3_2.base_T_laser.apply(점)`은 점의 좌표를 `base_link` 기준으로 바꾸고, `@`는 이웃이 맞는 변환을 합성합니다.
+# `e3_2.base_T_laser.apply(점)`은 점의 좌표를 `base_link` 기준으로 바꾸고, `@`는 이웃한 이름이 같은 두 변환을 합성합니다.
 
 # %% name="e3-2-given"
 e3_2 = task("E3.2")

@@ -161,7 +161,7 @@ check("E7.3", fk)
 # - `"a"` … `"e"`, 원인: `"other names"`(관절 메시지의 이름이 다름), `"stamp zero"`(시각이 0), `"no driver"`(드라이버 없음), `"paint moved"`(좌표계가 아니라 겉모습의 위치를 바꿈), `"degrees"`(도로 씀)
 # - `"a do"` … `"e do"`, 고치는 법: `"use the URDF's names"`(URDF의 이름 쓰기), `"stamp the message"`(시각 적기), `"start the joint driver"`(드라이버 켜기), `"write it into the joint"`(관절에 적기), `"write radians"`(라디안으로 적기), `"restart RViz"`(RViz 다시 켜기), `"change the cable"`(케이블 바꾸기), `"wait longer"`(더 기다리기)
 #
-# 답 셀에는 이 문구마다 이름이 있으니 `"a": stamp_zero`처럼 이름으로 쓰십시오.
+# 답 셀에는 이 문구들이 변수로 준비되어 있습니다. `"a": stamp_zero`처럼 변수를 쓰십시오.
 
 # %% name="e7-4-given"
 e7_4 = task("E7.4")
@@ -261,7 +261,7 @@ check("E7.6", tcp_mount)
 # %% [markdown] lang="ko" name="after"
 # ## 여기까지 해낸 것
 #
-# 여기의 check는 여러분의 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
+# 여기서 check는 여러분에게 주어진 숫자로 확인했습니다. 채점할 때는 같은 문제를 다른 숫자로 확인합니다.
 # 로봇에서는 레이저 바로 앞에 상자를 놓고, 로봇을 손으로 왼쪽으로 회전시켜 보는 것부터 해 보세요. 도면에 적힌 값 두 가지를 직접 확인하게 됩니다.
 #
 # **다음:** [08 버퍼와 측정 시각](../../notebooks/ko/08_buffer_and_measurement_time.ipynb)
