@@ -17,7 +17,7 @@ from tflab.ros.messages.std_msgs import Empty
 from tflab.ros.names import expand_topic_name
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
-from tflab.ros.qos import CQoSProfile, HistoryPolicy, QoSPresetProfiles, QoSProfile, ReliabilityPolicy
+from tflab.ros.qos import HistoryPolicy, QoSPresetProfiles, QoSProfile
 from tflab.ros.service import ServiceIntrospectionState
 from tflab.ros.time import Duration, Time
 
@@ -132,19 +132,9 @@ def test_a_timeout_in_nanoseconds_is_truncated_and_negative_for_ever():
     assert [rclpy.timeout_sec_to_nsec(each) for each in (None, -1, 0, 0.5e-9, 1.5)] == [-1, -1, 0, 0, 1_500_000_000]
 
 
-def test_a_profile_survives_conversion_to_rmw():
-    profile = QoSProfile(
-        history=HistoryPolicy.KEEP_ALL,
-        depth=12,
-        reliability=ReliabilityPolicy.BEST_EFFORT,
-        lifespan=Duration(seconds=4),
-    )
-    assert QoSProfile(**profile.get_c_qos_profile().to_dict()) == profile
-    unknown = QoSProfile(**CQoSProfile.predefined("qos_profile_unknown").to_dict())
-    assert unknown == QoSPresetProfiles.UNKNOWN.value == QoSPresetProfiles.get_from_short_key("unknown")
+def test_presets_and_policies_have_short_names():
+    assert QoSPresetProfiles.get_from_short_key("unknown") == QoSPresetProfiles.UNKNOWN.value
     assert HistoryPolicy.short_keys() == ["system_default", "keep_last", "keep_all", "unknown"]
-    with pytest.raises(ValueError, match="unknown rmw_qos_profile: qos_profile_loud"):
-        CQoSProfile.predefined("qos_profile_loud")
 
 
 # -- callbacks beside each other ------------------------------------------------------

@@ -48,7 +48,7 @@ setup(name=package_name, entry_points={"console_scripts": [
     "src/group/limp/limp/gait.py": "def stride():\n    return 0.1\n\n\ndef fox():\n    return 'the fox is lame'\n",
     "src/hop_msgs/package.xml": XML.format("hop_msgs"),
     "src/hop_msgs/msg/Hops.msg": "leg_msgs/Leg[] hops\nleg_msgs/Leg first",
-    "src/leg_msgs/msg/Leg.msg": "float64 stride 0.5",
+    "src/leg_msgs/src/msg/Leg.msg": "float64 stride 0.5",
     "src/build/built/package.xml": XML.format("built"),
     "src/ignored/COLCON_IGNORE": "",
     "src/ignored/package.xml": XML.format("ignored"),
@@ -152,3 +152,10 @@ def test_malformed_interfaces_are_named_where_they_are_imported(ws, capfd):
     (ws / "src/hop_msgs/msg/Hops.msg").write_text("float64")
     assert main(["run", "hop:rabbit"]) == 1
     assert f'cannot read the interfaces in {ws / "src" / "hop_msgs"}: cannot read "float64"' in capfd.readouterr().err
+
+
+def test_an_interface_that_cannot_be_read_leaves_the_others_of_its_package(ws, capfd):
+    (ws / "src/hop_msgs/msg/Wing.msg").write_text("bird_msgs/Feather[] feathers")
+    (ws / "src/hop/hop/gait.py").write_text("from hop_msgs.msg import Hops, Wing")
+    assert main(["run", "hop:rabbit"]) == 1
+    assert "cannot read Wing.msg: there is no bird_msgs/msg/Feather" in capfd.readouterr().err

@@ -17,7 +17,6 @@ from enum import Enum, IntEnum
 from .time import Duration
 
 __all__ = [
-    "CQoSProfile",
     "DurabilityPolicy",
     "HistoryPolicy",
     "InvalidQoSProfileException",
@@ -192,10 +191,6 @@ class QoSProfile:
 
     __repr__ = __str__
 
-    def get_c_qos_profile(self) -> CQoSProfile:
-        """Return what rclpy's lower half takes."""
-        return CQoSProfile(self)
-
     @property
     def is_latched(self) -> bool:
         """Whether it offers, or requests, what was sent before."""
@@ -207,29 +202,6 @@ class QoSProfile:
         if self.history == HistoryPolicy.KEEP_ALL:
             return None
         return self.depth or SYSTEM_DEPTH
-
-
-class CQoSProfile:
-    """A profile as rclpy's lower half has it: rmw_qos_profile_t."""
-
-    def __init__(self, profile: QoSProfile) -> None:
-        self._policies = {name: getattr(profile, name) for name in _DEFAULTS}
-
-    def to_dict(self) -> dict[str, object]:
-        """Return the policies by name; QoSProfile takes them as keywords."""
-        return dict(self._policies)
-
-    @staticmethod
-    def predefined(name: str) -> CQoSProfile:
-        """Return a preset: "qos_profile_default", "qos_profile_unknown", ...
-
-        Raises:
-            ValueError: there is none of that name.
-        """
-        try:
-            return CQoSProfile(QoSPresetProfiles[name.removeprefix("qos_profile_").upper()].value)
-        except KeyError:
-            raise ValueError(f"Requested unknown rmw_qos_profile: {name}") from None
 
 
 SYSTEM_DEPTH = 1

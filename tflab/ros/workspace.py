@@ -21,7 +21,7 @@ from types import ModuleType
 from typing import NamedTuple
 
 from .activation import PACKAGES
-from .messages import define
+from .messages.packages import define, interface_files
 
 __all__ = ["EntryPoint", "find_executable", "find_package", "package_around", "packages_around", "use_packages"]
 
@@ -103,7 +103,7 @@ def _package_at(folder: Path) -> Package:
 
 
 def _has_interfaces(folder: Path) -> bool:
-    return any(any(folder.glob(f"{kind}/**/*.{kind}")) for kind in ("msg", "srv", "action"))
+    return any(interface_files(folder, kind) for kind in ("msg", "srv", "action"))
 
 
 def _read(path: Path) -> str:
@@ -183,7 +183,7 @@ class _InterfaceFinder:
         if package is None:
             return None
         try:
-            define(name, package.folder).__path__ = [str(package.folder / name)]  # for Python modules that it also has
+            define(name, package.folder, {}).__path__ = [str(package.folder / name)]
         except (ValueError, KeyError) as fault:
             _undefined[name] = package
             raise ImportError(f"cannot read the interfaces in {package.folder}: {fault}", name=name) from None

@@ -17,7 +17,7 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, partial
 from importlib.util import find_spec
 from pathlib import Path
 from types import ModuleType
@@ -26,7 +26,7 @@ from typing import Any
 from .base import action, message, service, types_of
 from .definition import Field, NamespacedType, parse_definition
 
-__all__ = ["all_types", "define", "definitions", "ros_package", "type_store"]
+__all__ = ["all_types", "define", "definitions", "interface_files", "ros_package", "type_store"]
 
 KINDS = {".msg": ("msg", 1), ".srv": ("srv", 2), ".action": ("action", 3)}  # folder, and how many parts
 
@@ -66,13 +66,16 @@ def definitions() -> dict[str, dict[str, list[str]]]:
     return found
 
 
-def define(package: str, definitions: Mapping[str, str] | str | Path) -> ModuleType:
+def define(
+    package: str, definitions: Mapping[str, str] | str | Path, faults: dict[str, Exception] | None = None
+) -> ModuleType:
     """Make the messages, services and actions of a package; `import` finds them from now on.
 
     The same package again is taken as it was if its texts are, and is made anew if they are not.
 
     Args:
         definitions: file names, such as "Detection.msg", and their texts; or the folder of a package.
+        faults: is given the definitions that cannot be read, if others can; the types of these are made.
 
     Raises:
         ValueError: a name or a text is malformed, or the package is one of ROS's own, or of somebody else.
@@ -86,9 +89,16 @@ def define(package: str, definitions: Mapping[str, str] | str | Path) -> ModuleT
         raise ValueError(f'{package} has no definitions: expected names such as "Detection.msg", with their texts')
     made: dict[str, type] = {}
     for name in texts:
-        _make(package, name, texts, made, ())
+        try:
+            _make(package, name, texts, made, ())
+        except (KeyError, ValueError) as fault:
+            if faults is None:
+                raise
+            faults[name] = fault
+    if not made:
+        raise next(iter(faults.values()))
     _defined[package] = texts
-    return _install(package, made)
+    return _install(package, made, faults or {})
 
 
 def type_store() -> Any:
@@ -114,9 +124,14 @@ def _store_with(own: tuple[tuple[str, str], ...]) -> Any:
     return store
 
 
+def interface_files(folder: Path, kind: str) -> list[Path]:
+    """Return the definitions of a kind in a package's folder."""
+    return [path for top in (folder / kind, folder / "src" / kind) for path in sorted(top.rglob(f"*.{kind}"))]
+
+
 def _read(folder: Path) -> dict[str, str]:
     """Return the definitions in a package's folder, by file name."""
-    files = [path for suffix, (kind, _) in KINDS.items() for path in sorted((folder / kind).rglob(f"*{suffix}"))]
+    files = [path for kind in ("msg", "srv", "action") for path in interface_files(folder, kind)]
     texts = {path.name: path.read_text(encoding="utf-8") for path in files}
     if len(texts) < len(files):
         raise ValueError(f"{folder} has two definitions of one name: a type is named by its file, without its folder")
@@ -161,7 +176,7 @@ def _own(field: Field, package: str) -> str | None:
     return value_type.name if is_own else None
 
 
-def _install(package: str, made: Mapping[str, type]) -> ModuleType:
+def _install(package: str, made: Mapping[str, type], faults: Mapping[str, Exception]) -> ModuleType:
     """Put the modules of a package where `import` looks first."""
     top = ModuleType(package, f"{package}, defined in this Python.")
     top.__path__ = []
@@ -172,6 +187,15 @@ def _install(package: str, made: Mapping[str, type]) -> ModuleType:
         for name, cls in types_of(package).items():
             if name.split("/")[1] == kind and cls.__name__.partition("_")[0] in stems:
                 setattr(module, cls.__name__, cls)
+        module.__getattr__ = partial(_refuse, module.__name__, faults)
         sys.modules[module.__name__] = module
         setattr(top, kind, module)
     return top
+
+
+def _refuse(module: str, faults: Mapping[str, Exception], name: str) -> None:
+    kind = module.rpartition(".")[2]
+    if fault := faults.get(f"{name}.{kind}"):
+        why = f"there is no {fault.args[0]}" if isinstance(fault, KeyError) else fault
+        raise ImportError(f"cannot read {name}.{kind}: {why}", name=module)
+    raise AttributeError(f"module '{module}' has no attribute '{name}'")
