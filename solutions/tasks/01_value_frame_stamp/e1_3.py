@@ -42,6 +42,7 @@ def draw_messages(rng):
         (*row("laser_frame", 0.5, seconds(1.0))[:2], 1.0),  # a limit of whole seconds, and just that old
         (*row("robot1/gps", 0.5, seconds(2.1))[:2], 2.4),  # too old only for the other limits
         (*row("gps_link", 0.5, seconds(0.6))[:2], 0.5),  # young enough only for them
+        (*row("f", 0.5, seconds(1.0))[:2], 0.0),  # a name of one letter, and a limit of nothing
         (make_point("laser_frame", 0, 2.0), time_from_ns(seconds(second)), limit),
         (make_point("base_link", 0, 3.0), time_from_ns(seconds(0.3)), limit),
         (make_point("base_link", 1, 3.0), time_from_ns(seconds(0.3)), limit),  # a nanosecond is a stamp

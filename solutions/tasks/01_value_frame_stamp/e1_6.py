@@ -13,7 +13,7 @@ def draw_measurements(rng):
     for number in range(5):
         late_s = 0.6 if number == 3 else 0.0  # in its second, where who rounds has the next one
         measured_s = round(float(rng.integers(3, 60)) + float(rng.uniform(0.011, 0.099)) + late_s, 3 + number % 2 * 3)
-        age_ms = int(rng.integers(40, 500))
+        age_ms = int(rng.integers(40, 500)) + (1200 if number == 4 else 0)  # one is older than a second
         hair_m = 0.004 if number == 2 else 0.0  # what a range to centimetres has lost
         range_m = round(round(float(rng.uniform(0.4, 6.0)), 2) + hair_m, 3)
         rows.append((range_m, ros_time(measured_s + age_ms / 1e3), age_ms))

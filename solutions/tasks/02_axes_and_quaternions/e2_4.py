@@ -32,6 +32,7 @@ def draw_quaternions(rng: Draws) -> list[tuple[tuple[float, float, float, float]
         (0.0, 0.0, 0.0, 0.0),
         (0.0, 0.0, math.nan, 1.0),
         (math.inf, 0.0, 0.0, 1.0),
+        (0.0, 0.0, -math.inf, 1.0),
         (0.0, math.nan, 0.0, 1.0),
         (0.0, 0.0, 0.0, math.nan),
         (math.nan, 0.0, 0.0, 1.0),

@@ -20,6 +20,7 @@ def draw_mounts(rng: Draws) -> list[tuple]:
         (0.125, 0.405, 22.5),
         (0.45, 0.15, -178),
         (0.25, 0.35, 250),
+        (-0.20, -0.15, 45),  # behind and below
     ]
     return [(float(ahead_m), float(up_m), yaw_deg) for ahead_m, up_m, yaw_deg in cases]
 

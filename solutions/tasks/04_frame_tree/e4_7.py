@@ -18,7 +18,7 @@ def draw_names(rng):
             rows += [(prefix, first), (prefix, f"/{second}"), (prefix, "map")]
         rows += [(robot, "/map"), (f"fleet/{robot}", first), (robot, "map_server_frame"), (f"/{robot}/", "odom")]
         rows += [("", "/map"), (robot, "odom"), (robot, f"arm/{second}"), (robot.capitalize(), first)]
-        rows += [("r", first), (robot, "world"), (robot, "my_map"), (f"//{robot}//", first)]
+        rows += [("r", first), (robot, "world"), (robot, "my_map"), (robot, "Map"), (f"//{robot}//", first)]
         rows += [(second.partition("_")[0], second), ("arm", f"arm/{second}")]  # a frame that begins like the prefix
     return rows
 

@@ -15,6 +15,7 @@ def draw_poses(rng):
     ramps = [(draw_sloped_pose(rng), draw_planar_pose(rng)), (draw_planar_pose(rng), draw_sloped_pose(rng))]
     origin, both = (draw_planar_pose(rng), Transform()), (draw_sloped_pose(rng), draw_sloped_pose(rng))
     rows = [(*each, draw_planar_pose(rng, 0.8)) for each in (*pairs, (same, same), origin, *ramps, both)]
+    rows.append((draw_planar_pose(rng), draw_planar_pose(rng), draw_sloped_pose(rng)))  # a tilted mount
     return [(map_T_base @ mount, odom_T_base, mount) for map_T_base, odom_T_base, mount in rows]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException, seconds
 from tflab.workbook.tasks import Pose, define_task
 
-from .draws import draw_planar_pose, invert, subtract_by_component
+from .draws import draw_planar_pose, draw_sloped_pose, invert, subtract_by_component
 
 STEP_S = 0.2  # between two poses of the wheels
 HAIR_NS = 400_000  # less than half a millisecond
@@ -17,7 +17,8 @@ def draw_scans(rng):
     for share in (0.15, 0.35, 0.55, 0.95, 1.25, -0.25):
         buffer, start_s, newest_s = fill_buffer(rng)
         stamp_s = start_s + share * (newest_s - start_s)
-        rows.append((buffer, draw_planar_pose(rng), seconds(round(stamp_s, 3))))
+        found = draw_sloped_pose(rng) if share == 0.55 else draw_planar_pose(rng)
+        rows.append((buffer, found, seconds(round(stamp_s, 3))))
     for end, beyond_ns in (("newest", 0), ("newest", HAIR_NS), ("oldest", 0), ("oldest", -HAIR_NS)):
         buffer, start_s, newest_s = fill_buffer(rng)
         stamp_s = newest_s if end == "newest" else start_s

@@ -16,7 +16,8 @@ def draw_logs(rng):
     for place, stay in enumerate((2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 0.0, 0.0, 0.01)):
         join = round(10.0 + float(rng.uniform(0.0, 4.0)), 2)
         rows.append(_log(rng, join, place, stay))
-    return rows
+    first = {"node": "arm", "topic": "/tf_static", "sent_s": 0.0, "children": ["tool0"]}
+    return [*rows, ([first], {"arm": 0.0}, 1.0, 2.0)]  # of simulated time: all of it at 0 s
 
 
 def _log(rng, join, place, stay):

@@ -24,7 +24,7 @@ def draw_joint(rng, name, kind, axis):
 
 
 def draw_chains(rng):
-    """Draw arms of up to four joints of all types and axes; positions in another order, one missing, one too many."""
+    """Draw arms of one to eight joints, of all types and axes; positions in another order, one missing, one too many."""
     cases = []
     for kinds in (
         ("revolute", "fixed", "revolute"),
@@ -49,7 +49,9 @@ def draw_chains(rng):
     cases.append((chain[:1], {chain[0]["name"]: 0.7, "somebody_else": 1.0}))
     fixed, tip = draw_joint(rng, "weld", "fixed", "z"), draw_joint(rng, "tip", "fixed", "x")
     cases.append(([fixed, *cases[2][0], tip], {**cases[2][1], "weld": 0.5}))  # a fixed joint has no position
-    return cases
+    names = [f"arm/joint_{letter}" for letter in "hgfedcba"]
+    chain = [draw_joint(rng, name, "revolute", str(rng.choice(["x", "y", "z"]))) for name in names]
+    return [*cases, (chain, {name: draw_positions(rng) for name in names[::2]})]
 
 
 def walk_chain(
