@@ -32,7 +32,7 @@
 # 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문의 ‘강의’는 언제나 그 강의입니다. 강의를 듣지 않았어도 됩니다.
 #
 # 이 페이지에서는 5분 동안 먼저 둘러본 다음, 각 장의 소개, 답을 확인하는 방법, 나의 학습 현황을 차례로 봅니다.
-# 점선이 그어진 낱말에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
+# 점선이 그어진 단어에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
 
 # %% [markdown] lang="en" name="how-to-run" slide="skip"
 # Click into the first cell below and press `Shift`+`Enter`. The cell runs, and you are in the next one.

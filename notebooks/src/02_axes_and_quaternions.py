@@ -850,9 +850,9 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 계산에서 ROS 2로
 #
-# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 곱하는 일은 TF가 합니다. 알아야 할 낱말은 네 개뿐입니다.
+# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 곱하는 일은 TF가 합니다. 알아야 할 용어은 네 개뿐입니다.
 #
-# | 낱말 | 뜻 | 이 페이지에서는 |
+# | 용어 | 뜻 | 이 페이지에서는 |
 # |---|---|---|
 # | [[node|노드]] | 이름을 가지고 ROS 2 통신에 참여하는 프로그램 | `Node("asker")` |
 # | [[broadcaster|변환 발행기]] | *카메라는 여기 있다*처럼 변환을 발행하는 객체 | `StaticTransformBroadcaster` |

@@ -9,7 +9,7 @@
 # # 용어집
 #
 # 이 워크북에 나오는 용어를 장의 순서대로 모았습니다.
-# 본문에서 점선이 그어진 낱말에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
+# 본문에서 점선이 그어진 단어에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
 
 # %% [markdown] lang="en" name="index" slide="skip"
 # In the order of the alphabet, each with the number of its chapter:
