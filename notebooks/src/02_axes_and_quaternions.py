@@ -410,7 +410,7 @@ print("first yaw, then roll:", lesson.fmt_all((roll @ yaw).apply(nose), ""))
 #
 # <details><summary>더 깊이: 함께 회전하는 축</summary>
 #
-# 같은 곱을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축 둘레로 pitch, 다음에 *새로운* x축 둘레로 roll입니다.
+# 같은 합성을 왼쪽부터 읽을 수도 있습니다. 이때는 축도 함께 회전합니다. 먼저 yaw, 다음에 *새로운* y축 둘레로 pitch, 다음에 *새로운* x축 둘레로 roll입니다.
 # 두 방식 모두 쓰입니다. 누가 각도 세 개를 건네면 순서는 무엇인지, 축은 고정인지 함께 회전하는지 꼭 확인하십시오.
 #
 # </details>
@@ -850,7 +850,7 @@ print("camera_link:", lesson.fmt_all(camera_T_optical.apply((right, down, forwar
 # %% [markdown] lang="ko" name="break-zero" slide="slide"
 # ## 계산에서 ROS 2로
 #
-# 지금까지는 여러분이 직접 곱했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 곱하는 일은 TF가 합니다. 알아야 할 용어은 네 개뿐입니다.
+# 지금까지는 여러분이 변환을 직접 합성했습니다. 로봇에서는 그럴 필요가 없습니다. 프로그램들은 변환을 발행하고, 합성은 TF가 합니다. 알아야 할 용어는 네 개뿐입니다.
 #
 # | 용어 | 뜻 | 이 페이지에서는 |
 # |---|---|---|
