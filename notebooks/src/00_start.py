@@ -32,7 +32,7 @@
 # 이 워크북은 TF2 강의 하나를 처음부터 끝까지 따라갑니다. 본문의 ‘강의’는 언제나 그 강의입니다. 강의를 듣지 않았어도 됩니다.
 #
 # 이 페이지에서는 5분 동안 먼저 둘러본 다음, 각 장의 소개, 답을 확인하는 방법, 나의 학습 현황을 차례로 봅니다.
-# 점선이 그어진 낱말에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
+# 점선이 그어진 단어에 마우스를 올리면 설명이 나타납니다. 모든 용어는 [용어집](90_glossary.ipynb)에 모여 있습니다.
 
 # %% [markdown] lang="en" name="how-to-run" slide="skip"
 # Click into the first cell below and press `Shift`+`Enter`. The cell runs, and you are in the next one.
@@ -239,8 +239,8 @@ graph.stop()
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개는 언제 위치가 될까요? | 45 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
-# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 쪽이 앞일까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
+# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개가 위치가 되려면 무엇이 더 필요할까요? | 45 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
+# | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 축이 앞이고, 회전은 어떻게 적을까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
 # | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
 # | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 50 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
@@ -248,9 +248,9 @@ graph.stop()
 # | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb) |
 # | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 75 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 조회가 실패할까요? 기다리면 될까요? | 90 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
-# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 누구의 시간일까요? | 55 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
+# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 55 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
 # | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
-# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 누가 책임지고, 무엇이 고장 났을까요? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
+# | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 어느 노드의 책임이고, 무엇이 고장 났을까요? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="en" name="checks" slide="slide"
 # ## How your answers are checked

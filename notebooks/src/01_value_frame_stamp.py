@@ -944,4 +944,4 @@ rclpy.shutdown()
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb).
-# 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 쪽이 앞일까요?
+# 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 축이 앞이고, 회전은 어떻게 적을까요?

@@ -19,7 +19,7 @@
 #
 # - 자식이 부모를 기준으로 어디에 있는지, 데이터는 어느 기준에서 어느 기준으로 바뀌는지 말할 수 있습니다.
 # - 문장 하나를 `lookup_transform(target, source, time)` 호출로, 인자 순서를 짐작하지 않고 쓸 수 있습니다.
-# - 변환을 도미노처럼 이어 곱하고, 잘못된 곱은 보자마자 알아챌 수 있습니다.
+# - 변환을 도미노처럼 이어 합성하고, 잘못된 합성은 보자마자 알아챌 수 있습니다.
 # - 회전이 있는 변환의 역변환을 구하고, `tf2_echo`를 두 방향 모두 읽을 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -297,7 +297,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # 변환의 이름에는 두 좌표계를 모두 적고, 부모를 앞에 씁니다. `base_T_laser`라고 쓰고 “base 기준 laser”라고 읽습니다.
 #
-# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 그 결과의 `.transform`은 메시지가 아니라, `@`로 곱하고 점에 적용할 수 있는 값입니다.
+# 다음 셀의 `buffer.core`는 이 워크북에만 있는 지름길이며 로봇에는 없습니다. 그 결과의 `.transform`은 메시지가 아니라, `@`로 합성하고 점에 적용할 수 있는 값입니다.
 
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
@@ -559,7 +559,7 @@ lesson.draw_buffer(buffer)
 # %% [markdown] lang="ko" name="dominoes-fit" slide="subslide"
 # ### 이웃끼리 맞아야 합니다
 #
-# 변환을 곱하는 것은 도미노를 놓는 것과 같습니다. 앞 조각의 오른쪽 칸과 다음 조각의 왼쪽 칸이 같아야 합니다.
+# 변환을 합성하는 것은 도미노를 놓는 것과 같습니다. 앞 조각의 오른쪽 칸과 다음 조각의 왼쪽 칸이 같아야 합니다.
 # 맞닿은 두 이름은 지워지고 양 끝만 남습니다.
 
 # %% [markdown] lang="en" name="dominoes-fit-notes" slide="notes"
@@ -612,7 +612,7 @@ print('one lookup    ', lesson.fmt_all(asked.apply(laser_p_corner)))
 # %% [markdown] lang="ko" name="wrong-order" slide="subslide"
 # ### 맞지 않는 도미노
 #
-# 누군가 다른 순서로 곱합니다.
+# 누군가 다른 순서로 합성합니다.
 # 그림에서는 바로 드러납니다. *그림 읽기:* A is not B = A와 B가 다름.
 
 # %% name="dominoes-that-do-not-fit"
@@ -628,7 +628,7 @@ print('the corner, says Python', lesson.fmt_all(nonsense.apply(laser_p_corner)))
 # That is why a variable's name contains both frames: `map_T_odom @ base_T_laser` *looks* wrong, and `T1 @ T3` never does.
 
 # %% [markdown] lang="ko" name="wrong-order-seen"
-# 파이썬은 오류를 내지 않습니다. 변환은 어떤 둘이든 곱할 수 있기 때문입니다.
+# 파이썬은 오류를 내지 않습니다. 변환은 어떤 둘이든 합성할 수 있기 때문입니다.
 # 모서리의 위치가 몇 미터나 틀렸는데 오류는 나지 않았습니다.
 # 변수 이름에 두 좌표계를 모두 적는 이유가 이것입니다. `map_T_odom @ base_T_laser`는 틀려 *보이지만*, `T1 @ T3`는 절대 틀려 보이지 않습니다.
 
@@ -1287,7 +1287,7 @@ rclpy.try_shutdown()
 # 찾아보지 말고 빈칸을 채워 보세요.
 #
 # > "`goal`은 `map` 기준이다. 제어기는 `base_link`를 기준으로 움직인다."
-# > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 곱: `base_T_map = ______ @ ______`
+# > `lookup_transform('____', '____', Time())`, 그리고 이것을 만드는 합성: `base_T_map = ______ @ ______`
 #
 # <details><summary>맞춰 보기</summary>
 #

@@ -169,7 +169,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 단계의 순서, 둥근 테 = 두 경로가 만나는 곳입니다.
-# 03장의 곱을 트리에서 읽은 것입니다. 올라가는 단계는 발행된 연결 그대로이고, 내려가는 단계는 그 역변환입니다. 단계는 원본에서 시작하여 목표에서 끝나고, 곱은 오른쪽 끝에서 왼쪽으로 읽습니다.
+# 03장의 합성을 트리에서 읽은 것입니다. 올라가는 단계는 발행된 연결 그대로이고, 내려가는 단계는 그 역변환입니다. 단계는 원본에서 시작하여 목표에서 끝나고, 합성한 식은 오른쪽 끝에서 왼쪽으로 읽습니다.
 
 # %% [markdown] lang="en" name="walk-notes" slide="notes"
 # One person is the laser and one the camera. They walk to each other by naming parents only.

@@ -18,7 +18,7 @@
 # 이 장을 마치면
 #
 # - [[urdf|URDF]]의 관절 하나를 읽고, origin과 axis에 무엇이 적히고 무엇이 적히지 않는지 말할 수 있습니다.
-# - 로봇 팔 끝의 위치를 변환을 하나씩 곱해 계산할 수 있습니다.
+# - 로봇 팔 끝의 위치를 변환을 하나씩 합성해 계산할 수 있습니다.
 # - `robot_state_publisher`가 어떤 좌표계를 어느 토픽으로 발행하는지, 왜 일부가 빠지는지 설명할 수 있습니다.
 # - 도면과 다르게 달린 센서(회전한 것, 기울어진 것, 뒤집힌 것)를 알아볼 수 있습니다.
 
@@ -224,7 +224,7 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # %% [markdown] lang="ko" name="chain" slide="slide"
 # ## 사슬: 경첩이 달린 도미노
 #
-# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 관절마다 도미노가 하나이고, 팔 끝은 그 곱입니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 관절마다 도미노가 하나이고, 모두 합성하면 팔 끝의 포즈입니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
 
 # %% name="arm-panel" tags=["interactive"]
 lesson.joints_panel()
@@ -246,7 +246,7 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 # %% [markdown] lang="ko" name="chain-seen" slide="subslide"
 # *그림 읽기:* from above = 위에서, from the side = 옆에서, fixed = 고정. 둥근 고리가 있는 도미노가 움직이는 관절이고, 아래는 굵은 테두리 관절의 URDF입니다. 회색 고리는 0.12를 z에 더한 경우입니다.
 #
-# - 관절은 자기 도미노 하나만 바꿉니다. 팔 끝은 곱이 바뀌어서 움직입니다.
+# - 관절은 자기 도미노 하나만 바꿉니다. 그래서 합성한 변환이 바뀌고 팔 끝이 움직입니다.
 # - 고정된 관절에도 숫자는 있습니다. 경첩만 없습니다.
 # - [[tcp|`tcp`]](tool centre point)는 공구의 작업점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
 #

@@ -9,7 +9,7 @@
 # # 용어집
 #
 # 이 워크북에 나오는 용어를 장의 순서대로 모았습니다.
-# 본문에서 점선이 그어진 낱말에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
+# 본문에서 점선이 그어진 단어에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
 
 # %% [markdown] lang="en" name="index" slide="skip"
 # In the order of the alphabet, each with the number of its chapter:
@@ -198,7 +198,7 @@
 # - **로봇 상태 발행자 (robot_state_publisher)**: URDF와 관절 값에서 변환을 만들어 발행하는 노드입니다.
 # - **링크 (link)**: 로봇의 단단한 부품 하나이며, 거기에 고정된 좌표계이기도 합니다.
 # - **관절 (joint)**: 자식 링크가 부모 링크의 어디에 달려 있는지를 나타냅니다. origin이 있고, 움직이는 관절이면 축을 중심으로 회전하거나 축을 따라 이동합니다.
-# - **정기구학 (forward kinematics)**: 관절 값에서 팔 끝의 포즈를 구하는 계산이며, 모든 관절의 변환을 곱한 것입니다.
+# - **정기구학 (forward kinematics)**: 관절 값에서 팔 끝의 포즈를 구하는 계산이며, 모든 관절의 변환을 합성합니다.
 # - **공구 중심점 (tcp)**: 공구의 작업점을 나타내는 좌표계(tool centre point)이며, 팔이 끝나는 `tool0` 아래에 둡니다.
 
 # %% [markdown] lang="en" name="chapter-8" slide="skip"

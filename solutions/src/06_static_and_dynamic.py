@@ -193,7 +193,7 @@ check("E6.4", on_circle)
 # - `"send it on /tf_static"`, `"send it on /tf"` 그 토픽으로 보내기
 # - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"correct the name"` 이름 고치기
 #
-# 답 셀에는 이 문구마다 이름이 있으니 `"a": no_board`처럼 이름으로 쓰십시오.
+# 답 셀에는 이 문구들이 변수로 준비되어 있습니다. `"a": no_board`처럼 변수를 쓰십시오.
 
 # %% name="e6-5-given"
 e6_5 = task("E6.5")

@@ -89,4 +89,4 @@ def test_a_korean_copy_hears_of_it_in_korean(tmp_path, monkeypatch, capsys):
     (tmp_path / MARK).write_text(json.dumps(mark))
     monkeypatch.chdir(tmp_path)
     lines = seen_of(robot(bag={"/tf"}), capsys)
-    assert "내일 /tf만 담긴 bag을 재생하면 영상 17장 가운데 0장이 map에 놓입니다." in lines
+    assert "내일 재생할 bag의 토픽: /tf. 영상 17장 가운데 0장의 위치를 map 기준으로 구할 수 있습니다." in lines

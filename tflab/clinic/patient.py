@@ -34,11 +34,11 @@ NOTES = {
     "not placed": Text("Scan on the map: nothing can be placed", "지도 위의 스캔: 놓을 수 있는 점이 없음"),
     "tape": Text(
         "{ahead} m ahead, {side} m to the side, {up} m up: where the drawing has it",
-        "앞 {ahead} m, 옆 {side} m, 위 {up} m: 도면에 있는 그 자리",
+        "앞 {ahead} m, 옆 {side} m, 위 {up} m: 도면과 같은 위치",
     ),
     "cable": Text(
         "360 points ten times a second, as with the cable before",
-        "점 360개가 1초에 열 번, 케이블을 바꾸기 전과 같음",
+        "점 360개가 1초에 열 번 나옴. 케이블을 바꾸기 전과 같음",
     ),
 }
 KNOWN = 128  # patients that are held open: a ward is asked over and over

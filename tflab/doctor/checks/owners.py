@@ -42,7 +42,7 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
         if stories:
             told = Text(
                 f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times",
-                f"{stories.apart_m:.3f} m 떨어진 두 값의 열이 {stories.returns}번 번갈아 나타났습니다",
+                f"{stories.apart_m:.3f} m 떨어진 두 값이 {stories.returns}번 번갈아 나타났습니다",
             )
             span = (int(edge.receive_ns[stories.first]), int(edge.receive_ns[stories.last]))
             facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns,

@@ -207,7 +207,7 @@ def _severity_of_delay(delay_s: float) -> tuple[Severity, Text | str]:
         text = f" tf2 keeps {CACHE_S:.0f} s: no lookup combines it with the others."
         return "error", Text(text, f" tf2의 보관 시간은 {CACHE_S:.0f} s이므로 다른 변환과 함께 조회할 수 없습니다.")
     if delay_s < -FUTURE_S:
-        return "error", Text(" No lookup waits so long.", " 이만큼 기다리는 조회는 없습니다.")
+        return "error", Text(" No lookup waits so long.", " 조회가 이만큼 오래 기다리지는 않습니다.")
     return "warning", ""
 
 

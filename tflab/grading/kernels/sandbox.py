@@ -30,8 +30,8 @@ ONLY_FILES = (
     ),
     Text(
         en="An answer that shares locks between processes (multiprocessing) fails: the memory for them is everybody's.",
-        ko="프로세스끼리 잠금을 공유하는 답(multiprocessing)은 실패합니다. "
-        "그 메모리는 모두가 함께 쓰는 것이기 때문입니다.",
+        ko="프로세스 사이에 잠금을 공유하는 답(multiprocessing)은 실패합니다. "
+        "잠금에 필요한 메모리를 모든 프로세스가 함께 쓰기 때문입니다.",
     ),
 )
 NETWORK = Text(
@@ -50,7 +50,7 @@ GAPS = {
         Text(
             en="Code in a submission can read and change files that the instructor can, the pack and the other "
             "submissions among them, so hidden answers are only advisory. Keep a copy of what was handed in.",
-            ko="제출된 코드가 교수자의 파일을 읽고 바꿀 수 있습니다. 채점용 팩과 다른 제출물도 마찬가지입니다. "
+            ko="제출된 코드가 강사의 파일을 읽고 바꿀 수 있습니다. instructor 폴더와 다른 제출물도 마찬가지입니다. "
             "따라서 점수는 참고용일 뿐입니다. 제출물의 사본을 따로 보관하십시오.",
         ),
         Text(

@@ -71,10 +71,10 @@ class Number(NumberForm):
         side = Text("too large", "너무 큽니다") if large else Text("too small", "너무 작습니다")
         off = abs(have - want)
         if off < 0.1 * abs(want):
-            return Text(f"{side.en}, by less than a tenth", f"10% 이내의 차이로 {side.ko}")
+            return Text(f"{side.en}, by less than a tenth", f"{side.ko}(차이는 10% 이내)")
         if off <= abs(want):
-            return Text(f"{side.en}, by more than a tenth", f"10% 넘는 차이로 {side.ko}")
-        return Text(f"{side.en}, by more than the answer itself", f"정답 자체보다 큰 차이로 {side.ko}")
+            return Text(f"{side.en}, by more than a tenth", f"{side.ko}(차이는 10% 초과)")
+        return Text(f"{side.en}, by more than the answer itself", f"{side.ko}(차이가 정답의 크기보다 큼)")
 
     def is_short(self, plain: Plain) -> bool:
         return self.numbers(plain) is not None and self.digits(plain) < FEWEST_DIGITS
@@ -105,8 +105,8 @@ class Angle(NumberForm):
         off = math.remainder(given[0] - wanted[0], math.tau)
         size = _degrees(abs(off))
         if off > 0:
-            return Text(f"rotated too far to the left, by {size.en}", f"왼쪽으로 {size.ko} 더 돌았습니다")
-        return Text(f"rotated too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 돌았습니다")
+            return Text(f"rotated too far to the left, by {size.en}", f"왼쪽으로 {size.ko} 더 회전했습니다")
+        return Text(f"rotated too far to the right, by {size.en}", f"오른쪽으로 {size.ko} 더 회전했습니다")
 
 
 @dataclass(frozen=True)

@@ -63,7 +63,7 @@ class Proof(Form):
     def wanted(self) -> Text:
         return Text(
             en='a list of checks from the trolley, such as ["node list", "hz /odom"]',
-            ko='트롤리에 있는 검사의 리스트(예: ["node list", "hz /odom"])',
+            ko='검사 이름의 리스트(예: ["node list", "hz /odom"])',
         )
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:

@@ -298,11 +298,11 @@ class Command(Form):
         row, right = given[0][0], wanted[0][0]
         if right[0].value != "static":
             same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.fits(*pair)), 0)
-            return Text(f"right up to word {same}", f"{same}번째 낱말까지는 맞습니다") if same else None
+            return Text(f"right up to word {same}", f"{same}번째 단어까지는 맞습니다") if same else None
         if row[0].value != "static":
             return Text(
                 "this line publishes no static transform: another program, a word too few, or an option that it lacks",
-                "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램이거나, 낱말이 빠졌거나, 없는 옵션입니다",
+                "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램을 썼거나, 단어를 빠뜨렸거나, 없는 옵션을 썼습니다",
             )
         wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.fits(*pair)]
         if not any(all(map(Mark.fits, row[6:], other[6:])) for other in wanted[0]):

@@ -26,11 +26,11 @@ __all__ = ["Telling"]
 
 TOO_DEAR = Text(
     en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
-    ko="두 용의자를 가르기는 하지만 {minutes:g}분이 걸립니다. 허용된 것은 {most:g}분입니다.",
+    ko="두 원인을 구별할 수 있지만 {minutes:g}분이 걸립니다. 최대 {most:g}분까지 쓸 수 있습니다.",
 )
 THE_SAME = Text(
     en="It says the same whichever of these two it is.",
-    ko="두 용의자 가운데 어느 쪽이든 똑같이 나옵니다.",
+    ko="둘 가운데 어느 쪽이 원인이든 결과가 같습니다.",
 )
 
 

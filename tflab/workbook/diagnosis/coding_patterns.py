@@ -40,9 +40,9 @@ def constant_of(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) 
         return None
     word = inside(outcomes[0])
     is_word = isinstance(form, Choice) and isinstance(word, str)
-    what = Text(f'"{word}"', f'"{word}"이(가)') if is_word else Text("the same", "같은 것이")
+    what = Text(f'"{word}"', f'"{word}"만') if is_word else Text("the same", "같은 결과만")
     if isinstance(form, Number | Angle) and (row := numbers_of(outcomes[0], None)) is not None:
-        what = Text(f"{row[0]:g}", f"{row[0]:g}이(가)")
+        what = Text(f"{row[0]:g}", f"{row[0]:g}만")
     return "the same in every call", TEXTS["same"].filled(what=what)
 
 

@@ -379,7 +379,7 @@ def _with_tip(
 
 def _not_asked_for(names: list[str]) -> Text:
     quoted = ", ".join(f'"{name}"' for name in names[:3])
-    return Text(en=f"Nobody asked for {quoted}", ko=f"묻지 않은 이름: {quoted}")
+    return Text(en=f"Nobody asked for {quoted}", ko=f"필요 없는 이름: {quoted}")
 
 
 def _holds_numbers(body: Plain) -> bool:
