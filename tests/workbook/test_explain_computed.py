@@ -44,8 +44,8 @@ def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not
     ]
     said = called(Name(), rows).said.en
     assert said == (
-        "in 2 of the 3 names that are wrong: a slash in front, `/r/odom`; "
-        "in 1 of the 3 names that are wrong: two slashes in a row, `r//arm/tool`."
+        "in 2 of the 3 wrong names: a slash in front, `/r/odom`; "
+        "in 1 of the 3 wrong names: two slashes in a row, `r//arm/tool`."
     )
     assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).mistakes == {}
 

@@ -22,9 +22,9 @@ REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 �
 @pytest.mark.parametrize(
     ("answer", "kind"),
     [
-        (Duration(seconds=3.05), "A Duration is no number"),
-        (Time(seconds=3.05), "A Time is no number"),
-        (builtin_interfaces.Time(sec=3, nanosec=50_000_000), "A stamp is no number"),
+        (Duration(seconds=3.05), "A Duration is not a number"),
+        (Time(seconds=3.05), "A Time is not a number"),
+        (builtin_interfaces.Time(sec=3, nanosec=50_000_000), "A stamp is not a number"),
     ],
 )
 def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(answer, kind):

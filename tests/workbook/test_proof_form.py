@@ -24,11 +24,11 @@ def test_any_list_that_proves_the_true_suspect_is_right_and_guesses_are_none():
 
 def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():
     said = FORM.remark(["hz /scan"], {"a cause": "laser clock ahead"})
-    assert said.en.startswith("your checks say the same for “laser clock ahead” and “transforms late”")
+    assert said.en.startswith("your checks give the same results for “laser clock ahead” and “transforms late”")
     assert FORM.remark(["hz /scan"], {"a cause": "gremlins"}).en.startswith("no check on the trolley proves the cause")
-    assert "the rest, 4 min, tells nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
+    assert "The rest, 4 min, adds nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
     assert FORM.remark([], {"c": "laser clock ahead"}).en.startswith("without a check")
-    assert "on this patient these checks say otherwise" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
+    assert "these checks gave other results on this patient" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
 
 
 ONE = Parts({"a cause": Choice((*SUSPECTS, "sensor broken")), "a checks": FORM})
