@@ -72,9 +72,11 @@ def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
     assert capsys.readouterr().out.startswith("First make a diagnosis")
     assert refusal("laser clock ahead").startswith("You have made no check yet")
     visit.take("hz /scan")
-    assert 'fit "laser clock ahead", and 2 more. What would `ros2 topic hz /odom` say' in refusal("laser clock ahead")
+    assert 'fit "laser clock ahead", and 2 more. What would `ros2 topic hz /odom` print' in refusal("laser clock ahead")
     visit.take("hz /odom")
-    assert "as on the card. First show a result that differs from it: `ros2 topic delay /scan`" in refusal("laser clock ahead")
+    assert "as on the card. First show a result that differs from it: `ros2 topic delay /scan`" in refusal(
+        "laser clock ahead"
+    )
     visit.take("delay /scan")
     assert 'If "transforms late" were the cause, `ros2 topic hz /odom` would not print' in refusal("transforms late")
     assert "RViz: all Ok" in refusal("laser clock ahead")
@@ -145,7 +147,9 @@ def test_the_sensor_may_be_named_and_its_messages_speak_for_it(visit, capsys):
     assert capsys.readouterr().out.startswith("You have made no check yet")  # and not that it was struck before
     visit.take("hz /scan")
     visit.say("sensor broken", fix="new sensor")
-    assert 'If "sensor broken" were the cause, `ros2 topic hz /scan` would not print: 10.0 Hz' in capsys.readouterr().out
+    assert (
+        'If "sensor broken" were the cause, `ros2 topic hz /scan` would not print: 10.0 Hz' in capsys.readouterr().out
+    )
 
 
 def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
@@ -166,11 +170,11 @@ def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
 @pytest.mark.parametrize("number", [-1, 7.5, "7", None, True])
 def test_patients_go_by_whole_numbers(number):
     for make in (practice_patient, night_shift, answer_of):
-        with pytest.raises(ValueError, match="patients go by whole numbers: 0, 1, 2 and so on, not"):
+        with pytest.raises(ValueError, match="patients have whole numbers: 0, 1, 2 and so on, not"):
             make(number)
     with pytest.raises(ValueError, match=r'"clock ahead" is no cause; did you mean "laser clock ahead"\?'):
         worked_patient("clock ahead")
-    with pytest.raises(TypeError, match="a patient is wanted, such as practice_patient"):
+    with pytest.raises(TypeError, match="a patient is needed, such as practice_patient"):
         admit("a robot")
 
 

@@ -96,7 +96,7 @@ POINT = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
     [
         (Quaternion(), (0.0, 0.0, 0.0, 1.0), Transform(), "`.rotation`"),
         (Vector(3, "m"), (1.0, 0.0, 0.0), Transform((1.0, 0.0, 0.0)), "`.translation`"),
-        (POINT, geometry_msgs.PointStamped(), geometry_msgs.Point(), "`.point` alone"),
+        (POINT, geometry_msgs.PointStamped(), geometry_msgs.Point(), "only its `.point`"),
         (POINT, geometry_msgs.PointStamped(), {"x": 1.0}, "`message = PointStamped()`"),
         (Sequence(Name()), ["a", "b"], {"a", "b"}, "A set has no order"),
         (Sequence(Name()), ["a", "b"], "a", "the task asks for a list"),

@@ -26,7 +26,10 @@ IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
-        (DECIMALS | {"turn": math.degrees(0.3137)}, '"turn": this would be right in degrees/s. The task asks for another unit.'),
+        (
+            DECIMALS | {"turn": math.degrees(0.3137)},
+            '"turn": this would be right in degrees/s. The task asks for another unit.',
+        ),
         (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this is wrong only because "stamp_s" is wrong.'),
         (DECIMALS | {"turn": 0.41}, '"turn": not right yet'),
         (READ | {"turn": 0.3137}, "Zeros."),

@@ -48,4 +48,4 @@ def test_a_part_that_is_near_to_anothers_answer_by_its_tolerance_alone_is_not_ca
     right = {"ahead": 0.4, "left": 0.6, "together": math.hypot(0.4, 0.6)}
     verdict = judged(form, right, {}, right | {"ahead": 0.05, "together": together})
     said = verdict.said.en if verdict.said else ""
-    assert ('under "left"' in said) is is_anothers
+    assert ('answer for "left"' in said) is is_anothers

@@ -25,11 +25,11 @@ from .values import Plain
 __all__ = ["Telling"]
 
 TOO_DEAR = Text(
-    en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
+    en="It would distinguish these two, but it takes {minutes:g} minutes, and {most:g} are allowed.",
     ko="두 용의자를 가르기는 하지만 {minutes:g}분이 걸립니다. 허용된 것은 {most:g}분입니다.",
 )
 THE_SAME = Text(
-    en="It says the same whichever of these two it is.",
+    en="It gives the same result for both of these.",
     ko="두 용의자 가운데 어느 쪽이든 똑같이 나옵니다.",
 )
 
