@@ -44,7 +44,7 @@ def test_a_check_before_its_answer_says_which_cell_to_run(shell, capsys, tmp_pat
 
 def test_what_the_first_cells_make_and_what_any_other_makes_are_told_apart(shell, capsys) -> None:
     line = said(shell, "lesson.draw_room()", capsys)[1]
-    assert "`from tflab.workbook import lesson` does" in line  # check is there: the first cell has run
+    assert "Run `from tflab.workbook import lesson`" in line  # check is there: the first cell has run
     del shell.user_ns["check"]
     assert "the page's first cells" in said(shell, "lesson.draw_room()", capsys)[1]
     assert "check the spelling" in said(shell, "print(map_T_laser)", capsys)[1]
@@ -73,7 +73,7 @@ ODD = "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeEr
 @pytest.mark.parametrize(
     ("cell", "tip"),
     [
-        ("[1.0] - [2.0]", "take their members one by one"),
+        ("[1.0] - [2.0]", "the members one by one"),
         ("'1' - 2", "`float(text)` makes a number of a text"),
         ("raise RuntimeError('Context.init() must only be called once')", "End it with `rclpy.try_shutdown()`"),
         ("len(3)", "TypeError: "),
