@@ -225,14 +225,14 @@ graph.stop()
 # |--:|:--|:--|--:|:--|:--|
 # | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | When are three numbers a position? | 45 |  | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb) |
-# | 3 | **[Target and source](03_target_and_source.ipynb)** | Data in which frame, wanted in which? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb) |
+# | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb) |
 # | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 50 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb) |
 # | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 60 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb) |
 # | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 60 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb) |
-# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was I when I saw it? | 75 | 3, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
+# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 75 | 3, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb) |
-# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Whose time is it? | 55 | 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
+# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 55 | 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
 # | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb) |
 # | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Which node owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb) |
 

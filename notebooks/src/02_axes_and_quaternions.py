@@ -1446,7 +1446,7 @@ lesson.draw_card()
 # 3. What is still unclear? Write it down, and look at it again after chapter 03.
 #
 # **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
-# After a pass or three tries there, `solution("E2.2")` shows a solution. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
 # ## 마무리하며

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 03 · Target and source
 #
-# **Data in which frame, wanted in which?** · about 60 minutes · builds on 01 and 02
+# **In which frame is the data, and in which do you want it?** · about 60 minutes · builds on 01 and 02
 #
 # After this chapter you can
 #
@@ -1303,7 +1303,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that tf2 does not check this.
-# After a pass, or three tries, `solution("E3.2")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 # `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"

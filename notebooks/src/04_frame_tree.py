@@ -899,7 +899,7 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
-# After a pass, or three tries, `solution("E4.1")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E4.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 # Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 
 # %% [markdown] lang="ko" name="next" slide="skip"

@@ -818,7 +818,7 @@ for what, text in broken.items():
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time of a transform.
-# After a pass, or three tries, `solution("E7.1")` shows a solution in the exercises. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E7.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 08 · Buffer and measurement time
 #
-# **Where was I when I saw it?** · about 75 minutes · builds on 01, 03, 04, 05 and 06
+# **Where was the robot when it measured?** · about 75 minutes · builds on 01, 03, 04, 05 and 06
 #
 # After this chapter you can
 #
@@ -1546,7 +1546,7 @@ node.stop()
 # </details>
 #
 # **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
-# After a pass or three tries there, `solution("E8.3")` shows a solution. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E8.3")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며

@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 10 · Clocks and bags
 #
-# **Whose time is it?** · about 55 minutes · builds on 06, 08 and 09
+# **Which clock do the stamps come from?** · about 55 minutes · builds on 06, 08 and 09
 #
 # After this chapter you can
 #
@@ -988,7 +988,7 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
-# After a pass or three tries there, `solution("E10.1")` shows a solution. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"

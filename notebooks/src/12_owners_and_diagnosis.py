@@ -196,16 +196,16 @@ lesson.draw_owners(
 )
 
 # %% [markdown] lang="en" name="owner-seen"
-# `! 2` marks an edge with two owners, `! 0` one without any. The lecture's §24 asks you to fill in such a table for your own robot before anything is wrong: you need to know the normal state to notice a fault.
+# `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong. You need to know the normal state to notice a fault.
 #
-# One correction to §14 and §27 of the lecture: in ROS 2 `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes; no tool names their edges.
+# If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
 # *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
-# <details><summary>To print: the table of your own robot, with the lecture's five edges (§24)</summary>
+# <details><summary>To print: the table of your own robot, with five usual edges</summary>
 #
 # | edge | usual owner | made of | our node | its switch, on or off | rate |
 # |---|---|---|---|---|---|
@@ -351,9 +351,9 @@ node.destroy_node()
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="experiments" slide="slide"
-# ## Experiments A, B, C of the lecture
+# ## Experiments A, B, C
 #
-# §23 of the lecture has three, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
+# There are three experiments, each with `static_transform_publisher`. A: everything right. B: the parent misspelt. C: two owners of one edge.
 # Do them in simulation only, and stop every process afterwards, because a robot would move according to what they publish.
 
 # %% [markdown] lang="ko" name="experiments" slide="slide"
@@ -406,7 +406,7 @@ graph = lesson.new_graph()
 
 # %% [markdown] lang="en" name="experiment-c-seen"
 # C: 2.000, from the publisher that was received last, and no message about the other. A listener that joins in another order gets the other number. Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
-# The lecture's robot trembles, because it has two *dynamic* publishers of `odom → base_link`. You saw that above, with the wheel odometry and the filter. Two static ones do not tremble, and that makes them harder to find.
+# A robot with two *dynamic* publishers of `odom → base_link` trembles. You saw that above, with the wheel odometry and the filter. With two static publishers nothing trembles, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
 # C는 2.000입니다. 마지막에 받은 값이고, 다른 쪽에 대해서는 아무 메시지도 없습니다. 다른 순서로 받은 수신기에는 다른 숫자가 남습니다. 단서는 `/tf_static`의 발행자 수뿐인데, 다른 정적 연결의 발행자가 있어도 이 수는 늘어납니다.
@@ -415,7 +415,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="stop-guessing" slide="slide"
 # ## A check is worth what it rules out
 #
-# The lecture has six steps (§27): names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But a fixed order is slow, because it does not use the complaint.
+# A usual order of checks has six steps: names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But a fixed order is slow, because it does not use the complaint.
 # Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would the result not be the same for all three?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
@@ -772,7 +772,7 @@ night.try_fix()
 # ros2 param get /problem_node use_sim_time    # whatever its name
 # ```
 #
-# These are the lecture's eight (§27). What they cannot show:
+# These eight commands cannot show the following:
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # smooth?
@@ -820,7 +820,7 @@ night.try_fix()
 # 사진으로 찍게 합니다. 마지막 줄은 소리 내어 말합니다. 바퀴는 바닥에서 띄우고, 비상 정지 버튼은 손에 쥡니다.
 
 # %% [markdown] lang="en" name="ten" slide="skip"
-# <details><summary>For reference: the lecture's ten symptoms (§28), and the first check of each</summary>
+# <details><summary>For reference: ten symptoms, and the first check of each</summary>
 #
 # | you see | likely | first check | chapter |
 # |---|---|---|---|
@@ -856,7 +856,7 @@ night.try_fix()
 # </details>
 
 # %% [markdown] lang="en" name="twelve" slide="skip"
-# <details><summary>Deeper: the lecture's twelve mistakes (§29), the patient that has each, and the remedy</summary>
+# <details><summary>Deeper: twelve common mistakes, the patient that has each, and the remedy</summary>
 #
 # | the mistake | patient or chapter | remedy |
 # |---|---|---|
@@ -902,7 +902,7 @@ night.try_fix()
 # - A [[second-owner|second owner]] raises no error. Look up twenty times a second, and look at the rate of the edge.
 # - A complaint is not a cause. A check is worth what it rules out: choose one with different results for your [[suspect|suspects]].
 # - Stop when one is left. A fix is proved by the check that found the fault.
-# - From all twelve chapters (§31): a value needs its frame and its stamp. `map` is right in the long run, `odom` is smooth, `base_link` is the robot. A mount is published once on `/tf_static`, a moving frame again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
+# - From all twelve chapters: a value needs its frame and its stamp. `map` is right in the long run, `odom` is smooth, `base_link` is the robot. A mount is published once on `/tf_static`, a moving frame again and again on `/tf`. Most errors are a name, a gap, a second owner or a clock, and seldom mathematics.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리

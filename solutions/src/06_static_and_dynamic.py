@@ -281,7 +281,7 @@ check("E6.7", known)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
 # On a robot, let `ros2 topic info /tf_static --verbose` list the boards, and stop one of their publishers: which listeners still have the frame?
 #
 # **Next:** [07 URDF and sensors](../../notebooks/en/07_urdf_and_sensors.ipynb).

@@ -272,7 +272,7 @@ check("E10.7", jumps)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
 # On a robot: after your next recording, type `ros2 bag info`, and look for `/tf_static` first.
 #
 # **Next:** [11 Tools and RViz](../../notebooks/en/11_tools_and_rviz.ipynb).

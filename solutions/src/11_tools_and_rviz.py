@@ -307,7 +307,7 @@ check("E11.7", commands)
 # %% [markdown] lang="en" name="after"
 # ## What you have shown
 #
-# The checks here used your own numbers. In a class, grading asks the same questions with others.
+# The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
 # On a robot, do C5, C6 and C7 of the lab checklist: draw the tree, read a delay, show the axes in RViz. For each output write down what you compared it with.
 #
 # **Next:** [12 Owners and diagnosis](../../notebooks/en/12_owners_and_diagnosis.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.

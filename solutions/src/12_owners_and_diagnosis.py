@@ -267,7 +267,7 @@ check("E12.5", robot)
 # %% [markdown] lang="en" name="e12-6"
 # ## E12.6 · The wall that smears (3 points)
 #
-# The lecture's last question: in the middle of a drive a straight wall appears two and three times. There are eight possible steps:
+# In the middle of a drive, a straight wall appears two or three times. There are eight possible steps:
 #
 # - **new sensor** install another laser
 # - **mount** compare `tf2_echo base_link laser_frame` with the drawing

@@ -42,7 +42,7 @@ def test_each_question_takes_its_minutes_also_when_it_was_asked_before(visit, ca
     assert printed.startswith("$ ros2 topic delay /scan\naverage delay: -0.")
     assert "1 min; 11 of 12 left." in printed and "asked this before" not in printed
     visit.ask("delay /scan", because="I forgot")
-    assert "You asked this before" in capsys.readouterr().out and visit.minutes == 2
+    assert "You made this check before" in capsys.readouterr().out and visit.minutes == 2
     visit.ask("tape measure")
     assert "17 min; the time is up, 5 minutes over." in capsys.readouterr().out
     assert [asked.check for asked in visit.log] == ["delay /scan", "delay /scan", "tape measure"]
@@ -70,13 +70,15 @@ def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
 
     visit.try_fix()
     assert capsys.readouterr().out.startswith("First make a diagnosis")
-    assert refusal("laser clock ahead").startswith("Nothing was asked yet")
+    assert refusal("laser clock ahead").startswith("You have made no check yet")
     visit.take("hz /scan")
-    assert 'fit "laser clock ahead", and 2 more. What would `ros2 topic hz /odom` say' in refusal("laser clock ahead")
+    assert 'fit "laser clock ahead", and 2 more. What would `ros2 topic hz /odom` print' in refusal("laser clock ahead")
     visit.take("hz /odom")
-    assert "as on the card. Show what is sick first: `ros2 topic delay /scan`" in refusal("laser clock ahead")
+    assert "as on the card. First show a result that differs from it: `ros2 topic delay /scan`" in refusal(
+        "laser clock ahead"
+    )
     visit.take("delay /scan")
-    assert 'If it were "transforms late", `ros2 topic hz /odom` would not say' in refusal("transforms late")
+    assert 'If "transforms late" were the cause, `ros2 topic hz /odom` would not print' in refusal("transforms late")
     assert "RViz: all Ok" in refusal("laser clock ahead")
 
 
@@ -142,10 +144,12 @@ def test_a_command_may_be_asked_as_it_is_typed_on_a_page_or_in_a_shell(visit, ty
 
 def test_the_sensor_may_be_named_and_its_messages_speak_for_it(visit, capsys):
     visit.say("sensor broken")
-    assert capsys.readouterr().out.startswith("Nothing was asked yet")  # and not that it was struck before
+    assert capsys.readouterr().out.startswith("You have made no check yet")  # and not that it was struck before
     visit.take("hz /scan")
     visit.say("sensor broken", fix="new sensor")
-    assert 'If it were "sensor broken", `ros2 topic hz /scan` would not say: 10.0 Hz' in capsys.readouterr().out
+    assert (
+        'If "sensor broken" were the cause, `ros2 topic hz /scan` would not print: 10.0 Hz' in capsys.readouterr().out
+    )
 
 
 def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
@@ -154,7 +158,7 @@ def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
     assert capsys.readouterr().out.startswith("First make a diagnosis")
     visit.say("laser clock ahead")
     visit.try_fix()
-    assert capsys.readouterr().out.count("Now a fix: `fixes()` prints what there is") == 2
+    assert capsys.readouterr().out.count("Now choose a fix: `fixes()` prints the list") == 2
     assert len(steps_of(visit)) == 2  # what was refused is no row
     visit.fixes()
     fixes = capsys.readouterr().out.splitlines()
@@ -166,11 +170,11 @@ def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
 @pytest.mark.parametrize("number", [-1, 7.5, "7", None, True])
 def test_patients_go_by_whole_numbers(number):
     for make in (practice_patient, night_shift, answer_of):
-        with pytest.raises(ValueError, match="patients go by whole numbers: 0, 1, 2 and so on, not"):
+        with pytest.raises(ValueError, match="patients have whole numbers: 0, 1, 2 and so on, not"):
             make(number)
     with pytest.raises(ValueError, match=r'"clock ahead" is no cause; did you mean "laser clock ahead"\?'):
         worked_patient("clock ahead")
-    with pytest.raises(TypeError, match="a patient is wanted, such as practice_patient"):
+    with pytest.raises(TypeError, match="a patient is needed, such as practice_patient"):
         admit("a robot")
 
 

@@ -144,7 +144,7 @@ def test_the_tree_names_both_owners_of_a_static_edge_and_a_circle():
     loop = [TransformRecord("/tf", 1, "", StampedTransform(p, c, 1, Transform()), False) for p, c in pairs]
     for told, text in (
         ([*records, second], "laser_frame has 2 publishers: /robot_state_publisher, /static_sensor_broadcaster."),
-        (loop, "The frames go round in a circle"),
+        (loop, "The frames form a loop"),
     ):
         recording = recording_from_records(told)
         assert text in html_from_report(diagnose_recording(recording), recording)

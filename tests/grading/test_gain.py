@@ -85,7 +85,7 @@ def test_the_class_page_names_what_was_cured_and_what_grew() -> None:
         "Decreased most: the inverse is only a minus sign (M3) 10 → 0; "
         "latest or receive time instead of the stamp (M9) 10 → 0." in page
     )
-    assert "Grew: a timeout cures everything (M10) 0 → 10. Teach it again." in page
+    assert "Grew: a timeout solves everything (M10) 0 → 10. Teach it again." in page
     assert "guessing alone gives 3.75" in page
     assert re.search(r"localisation publishes map to base_link \(M7\)\s+33 % → 33 %\s+100 % → 100 %", page)
     assert re.search(r"only a minus sign \(M3\)\s+33 % → 0 %\s+100 % → –\s+gone", page)

@@ -268,8 +268,8 @@ def test_what_cannot_be_graded_is_one_line(
         (tmp_path / name).write_bytes(b"x")
     pack = str(course.pack)
     for words, said in (
-        ([tmp_path / "all.tar.gz", "--pack", pack], "tflab grade: no notebook; there is all.tar.gz."),
-        ([tmp_path / "03.py", "--pack", pack], "tflab grade: no notebook; there is 03.py."),
+        ([tmp_path / "all.tar.gz", "--pack", pack], "tflab grade: no notebook was found, only all.tar.gz."),
+        ([tmp_path / "03.py", "--pack", pack], "tflab grade: no notebook was found, only 03.py."),
         ([tmp_path / "nowhere", "--pack", pack], "there is no"),
         ([tmp_path, "--pack", tmp_path], "there is no pack in"),
         ([tmp_path, "--pack", pack, "--out", tmp_path], "would be taken for submissions"),

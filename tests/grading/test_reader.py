@@ -92,7 +92,7 @@ def test_a_source_is_text_whatever_it_was(source: object, text: str) -> None:
 def test_what_is_no_cell_is_left_out_and_remarked() -> None:
     read = read_notebook(as_bytes(notebook(ANSWER, 3, None, "x")))
     assert len(read.cells) == 1
-    assert [one.say("en") for one in read.remarks] == ["3 of its cells are no cells, and are left out"]
+    assert [one.say("en") for one in read.remarks] == ["3 of its cells are not valid cells and were left out"]
 
 
 @pytest.mark.parametrize(

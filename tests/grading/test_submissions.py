@@ -105,7 +105,7 @@ def test_an_empty_folder_and_one_without_a_notebook_are_a_line_each(tmp_path: Pa
     put(tmp_path, "HW1_7_attempt_1_03_tiny.ipynb", "HW1_7_attempt_1.txt", "7/desktop.ini")  # not worth a line
     collection = collect(tmp_path, ROSTER, CHAPTERS)
     assert remarks_of(collection, "s101") == ("an empty folder",)
-    assert remarks_of(collection, "s102") == ("no notebook; there is a.pdf, answers.docx",)
+    assert remarks_of(collection, "s102") == ("no notebook was found, only a.pdf, answers.docx",)
     assert remarks_of(collection, "7") == ()
     with pytest.raises(Unreadable, match="there is no"):
         collect(tmp_path / "nowhere", ROSTER, CHAPTERS)
@@ -218,7 +218,7 @@ def test_a_notebook_with_answers_is_found_behind_many_empty_ones(tmp_path: Path,
     collection = collect(tmp_path, ROSTER, CHAPTERS)
     found = who(collection)
     assert len(found["s101"]) == 60 and "s101/zz_03_tiny.ipynb" in found["s101"]
-    assert remarks_of(collection, "s101") == ("more than 60 notebooks; the 60 largest are looked at",)
+    assert remarks_of(collection, "s101") == ("more than 60 notebooks. Only the 60 largest were graded",)
     assert found["s102"] == ["s102/03_tiny.ipynb"]
 
 
@@ -383,7 +383,7 @@ def test_of_two_who_go_by_one_name_alike_neither_is_taken_for_the_one_on_the_ros
     found = who(collection)
     assert found["s102"] == []
     assert len(found["Ada Byron_4711"]) == len(found["Ada Byron_4712"]) == 1
-    assert "no sealed stamp says which" in remarks_of(collection, "Ada Byron_4711")[0]
+    assert "no valid stamp shows which" in remarks_of(collection, "Ada Byron_4711")[0]
 
 
 @pytest.mark.parametrize("name", ["upload/03_tiny.ipynb", "Nobody_4_assignsubmission_file_/03_tiny.ipynb"])

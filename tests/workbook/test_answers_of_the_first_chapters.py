@@ -161,7 +161,7 @@ def test_an_officer_is_told_which_question_is_another(judge, mistakes):
 def test_a_verdict_that_is_never_returned_is_told_by_its_name():
     verdict = verdict_on("E2.4", lambda q: None if customs()(q) == "ok" else customs()(q))
     assert verdict.mistake is Mistake.SOMETIMES_NOTHING
-    assert 'it is the way to "ok" that has no `return`' in verdict.detail["certain"].en
+    assert 'The branch for "ok" has no `return`' in verdict.detail["certain"].en
 
 
 def test_a_verdict_that_is_raised_is_told_to_be_returned():
@@ -189,9 +189,9 @@ def test_the_angles_of_the_right_turn_are_no_quaternion():
 
     assert mistakes_of("E2.5", lambda given: (*angles(given), 1.0)) == ["angles for a quaternion"]
     three = verdict_on("E2.5", angles)
-    assert three.mistake is Mistake.SHAPE and "as `.rpy()` gives them" in three.detail["tip"].en
+    assert three.mistake is Mistake.SHAPE and "from `.rpy()`" in three.detail["tip"].en
     for row, said in (
-        ([[0.0, 0.0, 0.0, 1.0]] * 2, "Several rows of numbers"),
+        ([[0.0, 0.0, 0.0, 1.0]] * 2, "several rows of numbers"),
         ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], "That is a matrix"),
         ([0.0, 0.0, 0.0, 1.0] * 2, "`+` between two lists"),
     ):
@@ -212,7 +212,7 @@ def test_a_pair_of_the_same_name_twice_is_not_called_the_wrong_way_round(same):
     ("node", "said"),
     [
         (" Node_B ", None),
-        (["node_b", "node_c"], "Exactly one of them is asked for"),
+        (["node_b", "node_c"], "Give exactly one of them"),
     ],
 )
 def test_a_node_is_read_as_it_is_meant_and_one_alone_is_asked_for(node, said):

@@ -36,7 +36,7 @@ def plain(text: str) -> str:
 def test_a_check_before_its_answer_says_which_cell_to_run(shell, capsys, tmp_path: Path, monkeypatch) -> None:
     error, line = said(shell, 'check("E3.2", base_p_corner)', capsys)
     assert error == "NameError"
-    assert line == "base_p_corner: Not there yet. Run the cell above with your answer, then this one again."
+    assert line == "base_p_corner: It does not exist yet. Run the cell above with your answer, then this one again."
     write_workbook(tmp_path, Workbook(language="ko"))
     monkeypatch.chdir(tmp_path)
     assert "답을 쓴 위의 셀" in said(shell, "check('E3.2', x)", capsys)[1]
@@ -44,10 +44,10 @@ def test_a_check_before_its_answer_says_which_cell_to_run(shell, capsys, tmp_pat
 
 def test_what_the_first_cells_make_and_what_any_other_makes_are_told_apart(shell, capsys) -> None:
     line = said(shell, "lesson.draw_room()", capsys)[1]
-    assert "`from tflab.workbook import lesson` does" in line  # check is there: the first cell has run
+    assert "Run `from tflab.workbook import lesson`" in line  # check is there: the first cell has run
     del shell.user_ns["check"]
     assert "the page's first cells" in said(shell, "lesson.draw_room()", capsys)[1]
-    assert "look how it is spelt" in said(shell, "print(map_T_laser)", capsys)[1]
+    assert "check the spelling" in said(shell, "print(map_T_laser)", capsys)[1]
 
 
 def test_a_misspelt_name_of_ours_is_told(shell, capsys) -> None:
@@ -59,12 +59,12 @@ def test_what_a_task_gives_is_found_where_it_is_and_what_it_does_not_give_is_tol
     given = "SimpleNamespace(base_p_laser=(1.0,), laser_p_post=(2.0,))"
     shell.run_cell(f"from types import SimpleNamespace\ne1_1 = {given}")
     for cell, tip in (
-        ("base_p_laser[0]", "stands in what you called e1_1: `e1_1.base_p_laser`."),
+        ("base_p_laser[0]", "as a part of e1_1: `e1_1.base_p_laser`."),
         ("e1_1.laser_p_pst", "`e1_1.laser_p_pst` is not given. Did you mean `e1_1.laser_p_post`?"),
         ("e1_1.speed", "What is given: `e1_1.base_p_laser`, `e1_1.laser_p_post`."),
     ):
         assert said(shell, cell, capsys)[1].endswith(tip)
-    assert "look how it is spelt" in said(shell, "base_p_lasr", capsys)[1]
+    assert "check the spelling" in said(shell, "base_p_lasr", capsys)[1]
 
 
 ODD = "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeError\nraise Odd('no') from Odd('way')"
@@ -73,9 +73,9 @@ ODD = "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeEr
 @pytest.mark.parametrize(
     ("cell", "tip"),
     [
-        ("[1.0] - [2.0]", "take their members one by one"),
+        ("[1.0] - [2.0]", "the members one by one"),
         ("'1' - 2", "`float(text)` makes a number of a text"),
-        ("raise RuntimeError('Context.init() must only be called once')", "`rclpy.try_shutdown()` ends it"),
+        ("raise RuntimeError('Context.init() must only be called once')", "End it with `rclpy.try_shutdown()`"),
         ("len(3)", "TypeError: "),
         ("def f():\n    x += 1\nf()", "UnboundLocalError: "),
         ("1 / 0", "ZeroDivisionError: "),

@@ -62,7 +62,7 @@ def test_each_stage_has_its_own_words(copy, capsys):
     assert "in degrees" in said(capsys, "E3.4", 90.0)
     place = geometry_msgs.Point(**dict(zip("xyz", right, strict=True)))
     wrong = geometry_msgs.PointStamped(header=std_msgs.Header(frame_id="map"), point=place)
-    assert '"map", and "base_link" is asked for' in said(capsys, "E3.1", wrong)
+    assert '"map", but the task asks for "base_link"' in said(capsys, "E3.1", wrong)
 
 
 def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(copy, capsys):
@@ -142,7 +142,7 @@ def test_check_never_raises_and_never_gives_points_for_rubbish(copy, capsys, tas
 
 
 def test_an_unknown_task_is_answered_with_those_there_are(copy, capsys):
-    there = "there is E3.1, E3.2, E3.3, E3.4."
+    there = "The tasks are E3.1, E3.2, E3.3, E3.4."
     for task_id in ("E3.9", "E7.1", "foo", "", 3, None, "E3", "03"):
         for ask in (check, hint, solution):
             ask(task_id)
@@ -161,7 +161,7 @@ def test_in_a_page_an_unknown_task_is_one_line_without_where_it_was_found(copy, 
         InteractiveShell().run_cell("from tflab.workbook import task\ntask('E9.9')").error_in_exec, WorkbookError
     )
     (line,) = capsys.readouterr().out.splitlines()
-    assert line == "there is no such task here; there is E3.1, E3.2, E3.3, E3.4."
+    assert line == "there is no such task here. The tasks are E3.1, E3.2, E3.3, E3.4."
 
 
 def test_what_was_meant_by_a_call_is_understood_or_asked_for(copy, capsys):
@@ -260,7 +260,7 @@ def test_a_pass_states_what_was_tried_and_the_next_task(copy, capsys):
     _, right = right_corner(capsys)
     assert said(capsys, "E3.1", right).endswith("Your answer is right for the numbers given to you. Next: E3.2.\n")
     assert "All 4 test calls are right. Next: E3.3." in said(capsys, "E3.2", lambda transform: transform.inverse())
-    assert "Your answer is the right one. " in said(capsys, "E3.4", math.pi / 2)
+    assert "Your answer is right. " in said(capsys, "E3.4", math.pi / 2)
 
 
 @pytest.mark.parametrize(
@@ -326,7 +326,7 @@ def test_a_class_copy_has_the_tasks_that_were_handed_out_and_draws_from_its_seed
     questions = dict(read_workbook(root).questions)
     del questions["E3.4"]
     write_workbook(root, replace(read_workbook(root), questions=questions))
-    assert "there is E3.1, E3.2, E3.3." in said(capsys, "E3.4", math.pi / 2)
+    assert "The tasks are E3.1, E3.2, E3.3." in said(capsys, "E3.4", math.pi / 2)
     write_workbook(root, Workbook())
     assert task("E3.1").base_T_laser != of_the_class.base_T_laser
 

@@ -61,7 +61,7 @@ def test_an_inverse_of_which_only_the_translation_was_negated_is_not_taken_for_t
 def test_one_mistake_comes_before_two_and_two_are_named_in_the_order_of_the_work():
     verdict = judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 7.25}, 7.25)
     assert list(verdict.mistakes) == ["late", "far"]
-    assert verdict.said.en == "Two things together give just this. First: late Then: far"
+    assert verdict.said.en == "Two mistakes together give this answer. First: late Then: far"
     assert list(judged(Number("m"), 1.0, {"late": 2.0, "far": 3.0, "late + far": 2.0}, 2.0).mistakes) == ["late"]
     assert list(judged(Number("m"), 1.0, {"backwards": -1.0}, -1.0).mistakes) == ["backwards"]  # and not "sign"
     assert list(judged(Number("m"), 1.0, {"late": 2.512}, 2512.0).mistakes) == ["late", "unit mm"]
@@ -100,7 +100,7 @@ def test_two_beliefs_each_held_in_some_parts_are_both_named():
 
 RIGHT = {"a": 1.0, "b": 2.0, "c": 3.0}
 LATE = RIGHT | {"a": 5.0, "b": 6.0}
-ANOTHER_A = '"b": this is what would follow from another "a" than the one you give: late'
+ANOTHER_A = '"b": this would follow from a different answer for "a": late'
 
 
 @pytest.mark.parametrize(
@@ -267,11 +267,11 @@ def test_what_was_given_is_named_where_it_comes_back():
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ((1.0, -2.0, 3.0), "y has the wrong sign, and the rest is right."),
-        ((1.0, 3.0, 2.0), "y and z have changed places."),
-        ((2.0, 3.0, 1.0), "these are the right numbers in the wrong places."),
-        ((1.0, 3.0, -2.0), "x is right; of the other two the sizes are right, their places or signs are not."),
-        ((3.0, -1.0, 2.0), "the sizes of the numbers are right; their places and signs are not."),
+        ((1.0, -2.0, 3.0), "y has the wrong sign. The rest is right."),
+        ((1.0, 3.0, 2.0), "y and z are swapped."),
+        ((2.0, 3.0, 1.0), "these are the right numbers, but in the wrong order."),
+        ((1.0, 3.0, -2.0), "x is right. The other two have the right sizes, but the wrong order or signs."),
+        ((3.0, -1.0, 2.0), "the sizes of the numbers are right, but their order or their signs are not."),
     ],
 )
 def test_which_numbers_of_a_point_have_it_is_told_where_it_is_sure(given, said):
@@ -288,9 +288,9 @@ def test_of_calls_it_is_told_only_where_it_is_the_same_number_in_all_that_are_wr
             ((4.0, 5.0, 6.0), (4.0, 5.0, 6.0)),
         )
     ]
-    assert said[0] == "y has the wrong sign, and the rest is right."
+    assert said[0] == "y has the wrong sign. The rest is right."
     assert said[1] == "one of the numbers has the wrong sign."
-    assert said[2].startswith("In some calls, not in all: y has the wrong sign, and the rest is right.")
+    assert said[2].startswith("In some calls, not in all: y has the wrong sign. The rest is right.")
 
 
 def test_each_part_of_what_a_function_gives_is_explained_by_itself():
@@ -479,16 +479,16 @@ def test_words_that_two_mistakes_would_give_in_different_calls_are_confused_word
 @pytest.mark.parametrize(
     ("wrong", "said"),
     [
-        ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": where it is in its parent: y has the wrong sign'),
-        ({"origin": 'xyz="0.2 -0.1 0.4" rpy="0 0 0.6"'}, '"head": how it is turned in its parent: this is the inverse'),
-        ({"axis": "-1 0 0"}, '"head": at 0 it stands right; moved, it turns about -x of its own axes'),
+        ({"origin": 'xyz="0.2 0.1 0.4" rpy="0 0 -0.6"'}, '"head": its position in its parent: y has the wrong sign'),
+        ({"origin": 'xyz="0.2 -0.1 0.4" rpy="0 0 0.6"'}, '"head": its rotation in its parent: this is the inverse'),
+        ({"axis": "-1 0 0"}, '"head": at 0 its pose is right. When the joint moves, it rotates about its own -x axis'),
         ({"kind": "fixed"}, '"head": its joint is fixed'),
         ({"kind": "prismatic"}, '"head": its joint slides'),
-        ({"parent": "lens"}, '"head": it hangs on lens'),
+        ({"parent": "lens"}, '"head": its parent is lens'),
         (
             {"origin": 'xyz="0.2 -0.1 0.4" rpy="0 1.5707963 0"'},
-            '"head": how it is turned in its parent: off by more than 90°. Now its '
-            "axes x, y, z point along -z, y, x of its parent",
+            '"head": its rotation in its parent: off by more than 90°. Its axes '
+            "x, y, z now point along -z, y, x of its parent",
         ),
     ],
 )

@@ -96,10 +96,10 @@ POINT = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
     [
         (Quaternion(), (0.0, 0.0, 0.0, 1.0), Transform(), "`.rotation`"),
         (Vector(3, "m"), (1.0, 0.0, 0.0), Transform((1.0, 0.0, 0.0)), "`.translation`"),
-        (POINT, geometry_msgs.PointStamped(), geometry_msgs.Point(), "`.point` alone"),
+        (POINT, geometry_msgs.PointStamped(), geometry_msgs.Point(), "only its `.point`"),
         (POINT, geometry_msgs.PointStamped(), {"x": 1.0}, "`message = PointStamped()`"),
         (Sequence(Name()), ["a", "b"], {"a", "b"}, "A set has no order"),
-        (Sequence(Name()), ["a", "b"], "a", "a list is asked for"),
+        (Sequence(Name()), ["a", "b"], "a", "the task asks for a list"),
     ],
 )
 def test_an_answer_of_another_kind_hears_how_the_right_one_is_made_of_it(form, right, wrong, tip):

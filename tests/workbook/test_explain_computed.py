@@ -44,8 +44,8 @@ def test_names_are_told_what_is_to_be_seen_in_them_and_nothing_where_that_is_not
     ]
     said = called(Name(), rows).said.en
     assert said == (
-        "in 2 of the 3 names that are wrong: a slash in front, `/r/odom`; "
-        "in 1 of the 3 names that are wrong: two slashes in a row, `r//arm/tool`."
+        "in 2 of the 3 wrong names: a slash in front, `/r/odom`; "
+        "in 1 of the 3 wrong names: two slashes in a row, `r//arm/tool`."
     )
     assert called(Name(), [*rows[:3], ([3, "r/base"], "r/base", "lamp")]).mistakes == {}
 
@@ -94,7 +94,7 @@ def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written()
     verdict = judged(Parts({"a": Name(), "b": Name()}), {"a": "x", "b": "y"}, {}, {"a": None, "b": "y"})
     assert "in quotes" in verdict.detail["tip"].en
     nested = {"red": {"red/odom": "map"}, "blue": {"blue/odom": "map"}}
-    assert "One dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en
+    assert "into one dict" in judged(Tree(), {"red/odom": "map", "blue/odom": "map"}, {}, nested).detail["tip"].en
 
 
 def test_a_sign_in_one_part_alone_is_told_before_two_mistakes_that_meet_there():

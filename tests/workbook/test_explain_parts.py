@@ -26,8 +26,11 @@ IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
 @pytest.mark.parametrize(
     ("answer", "said"),
     [
-        (DECIMALS | {"turn": math.degrees(0.3137)}, '"turn": right, if it were in degrees/s.'),
-        (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this only follows from what is wrong in "stamp_s".'),
+        (
+            DECIMALS | {"turn": math.degrees(0.3137)},
+            '"turn": this would be right in degrees/s. The task asks for another unit.',
+        ),
+        (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this is wrong only because "stamp_s" is wrong.'),
         (DECIMALS | {"turn": 0.41}, '"turn": not right yet'),
         (READ | {"turn": 0.3137}, "Zeros."),
     ],
@@ -40,8 +43,8 @@ def test_a_part_that_follows_from_a_mistake_is_told_so_and_a_second_mistake_on_i
 @pytest.mark.parametrize(
     ("answer", "tip"),
     [
-        ({"a": "start it", "a do": "no driver"}, 'to choose from under "a do"'),
-        ({"a": "no driver", "a do": "/dolly/tf"}, 'whoever listens on "/tf" hears nothing of it'),
+        ({"a": "start it", "a do": "no driver"}, 'possible answers for "a do"'),
+        ({"a": "no driver", "a do": "/dolly/tf"}, 'A node that subscribes to "/tf" does not receive it'),
         ({"a": "the moon", "a do": "start it"}, None),
     ],
 )
@@ -55,9 +58,9 @@ def test_a_word_that_is_none_to_choose_from_is_told_where_it_would_be_one(answer
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        (("ok", "future", "future", "future"), '"past", "lookup" never come'),
-        (("ok", "future", "future", "lookup"), '"past" never comes'),
-        (("ok", "future", "future", "past"), 'wherever "past" is asked for, there is "future"'),
+        (("ok", "future", "future", "future"), 'you never answer "past", "lookup"'),
+        (("ok", "future", "future", "lookup"), 'you never answer "past"'),
+        (("ok", "future", "future", "past"), 'wherever "past" is expected, your answer is "future"'),
     ],
 )
 def test_words_that_all_have_one_said_for_them_are_named_together(given, said):
@@ -127,8 +130,8 @@ def in_order(*cards):
 @pytest.mark.parametrize(
     ("cards", "said"),
     [
-        (("names", "header", "tree", "mount", "rates"), '"header" alone is out of its place, and comes later.'),
-        (("names", "mount", "rates", "tree", "header"), '"tree" alone is out of its place, and comes earlier.'),
+        (("names", "header", "tree", "mount", "rates"), 'only "header" is in the wrong place. It comes later.'),
+        (("names", "mount", "rates", "tree", "header"), 'only "tree" is in the wrong place. It comes earlier.'),
         (("tree", "names", "mount", "rates", "header"), None),  # two neighbours: either may be the one
         (("header", "names", "tree", "tree", "rates"), None),
     ],
@@ -175,7 +178,7 @@ def test_a_number_that_two_mistakes_give_to_a_hair_is_not_called_by_one_that_it_
     assert list(judged(Number("s"), 0.223, twins, 0.1445).mistakes) == ["mean"]
     near = judged(Number("s"), 0.223, {"mean": 0.1445}, 0.144)  # to three digits
     assert list(near.mistakes) == ["mean"]
-    assert near.said.en.startswith("Rounding aside, this is what comes of the following. ")
+    assert near.said.en.startswith("Apart from rounding, this is the result of the following. ")
     assert judged(Number("s"), 0.223, {"mean": 0.1445}, 0.1445).said.en == "mean"
 
 

@@ -22,9 +22,9 @@ REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 �
 @pytest.mark.parametrize(
     ("answer", "kind"),
     [
-        (Duration(seconds=3.05), "A Duration is no number"),
-        (Time(seconds=3.05), "A Time is no number"),
-        (builtin_interfaces.Time(sec=3, nanosec=50_000_000), "A stamp is no number"),
+        (Duration(seconds=3.05), "A Duration is not a number"),
+        (Time(seconds=3.05), "A Time is not a number"),
+        (builtin_interfaces.Time(sec=3, nanosec=50_000_000), "A stamp is not a number"),
     ],
 )
 def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(answer, kind):
@@ -48,4 +48,4 @@ def test_a_part_that_is_near_to_anothers_answer_by_its_tolerance_alone_is_not_ca
     right = {"ahead": 0.4, "left": 0.6, "together": math.hypot(0.4, 0.6)}
     verdict = judged(form, right, {}, right | {"ahead": 0.05, "together": together})
     said = verdict.said.en if verdict.said else ""
-    assert ('under "left"' in said) is is_anothers
+    assert ('answer for "left"' in said) is is_anothers

@@ -117,7 +117,7 @@ def test_the_call_that_is_shown_is_one_of_which_the_reply_speaks():
     cases = [Case([place], want, {}) for place, want in enumerate((*asked, "in"))]
     task, variant = bare(Choice(("in", "out", "off")), *cases, is_function=True)
     verdict = judge_outcomes(task, variant, [*said, "in"])
-    assert verdict.said.en.startswith('"off" never comes')
+    assert verdict.said.en.startswith('you never answer "off"')
     assert verdict.case == 1
 
 

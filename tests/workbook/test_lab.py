@@ -174,7 +174,7 @@ def test_root_is_told_what_to_type(started: list, monkeypatch, capsys, tflab: st
     monkeypatch.setattr(sys, "argv", ["my venv/bin/tflab"])
     monkeypatch.setattr(lab, "_is_root", lambda: True)
     assert lab.lab([]) == 2
-    assert capsys.readouterr().err.endswith(f"unless it is told to: {typed} lab -- --allow-root\n")
+    assert capsys.readouterr().err.endswith(f"without the option --allow-root: {typed} lab -- --allow-root\n")
     assert lab.lab(["--no-browser", "a copy", "--", "--port", "9000"]) == 2
     as_typed = f"{typed} lab --no-browser 'a copy' -- --port 9000 --allow-root\n"
     assert capsys.readouterr().err.endswith(as_typed)

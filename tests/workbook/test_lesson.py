@@ -42,8 +42,8 @@ def test_the_drive_is_played_with_a_robot_a_laser_and_the_walls():
     ("answer", "said"),
     [
         ((2.0, 0.5, 0.0), "These are the laser's numbers with another label."),
-        ((1.8, 0.5, -0.15), "You took the step away."),
-        ((2.0, 0.5, 0.15), "the way ahead is still the laser's"),
+        ((1.8, 0.5, -0.15), "You subtracted the position of the laser."),
+        ((2.0, 0.5, 0.15), "the distance ahead is still the laser's"),
         ((2.2, 0.5, 0.15), "First question ✓ 1/1 point\n"),
         (..., "in place of the dots, and run the cell again"),
     ],

@@ -95,7 +95,7 @@ def test_an_answer_gets_the_reply_of_an_exercise_and_leaves_no_trace(copy: Path,
     practice.hint()
     assert "hint 1 of 3: hint 1" in capsys.readouterr().out
     practice.check({"target": "map", "source": "laser"})
-    assert "E3.3 ✓ 2/2 points\npractice.ask() brings the next one." in capsys.readouterr().out
+    assert "E3.3 ✓ 2/2 points\npractice.ask() gives the next one." in capsys.readouterr().out
     assert sorted(path.name for path in copy.iterdir()) == before
 
 

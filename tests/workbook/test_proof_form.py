@@ -24,11 +24,13 @@ def test_any_list_that_proves_the_true_suspect_is_right_and_guesses_are_none():
 
 def test_what_is_said_of_a_list_depends_on_the_cause_beside_it():
     said = FORM.remark(["hz /scan"], {"a cause": "laser clock ahead"})
-    assert said.en.startswith("your checks say the same for “laser clock ahead” and “transforms late”")
+    assert said.en.startswith("your checks give the same results for “laser clock ahead” and “transforms late”")
     assert FORM.remark(["hz /scan"], {"a cause": "gremlins"}).en.startswith("no check on the trolley proves the cause")
-    assert "the rest, 4 min, tells nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
+    assert "The rest, 4 min, adds nothing" in FORM.remark(["delay /scan", "monitor"], {"c": "laser clock ahead"}).en
     assert FORM.remark([], {"c": "laser clock ahead"}).en.startswith("without a check")
-    assert "on this patient these checks say otherwise" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
+    assert (
+        "these checks gave other results on this patient" in FORM.remark(["delay /scan"], {"c": "laser clock ahead"}).en
+    )
 
 
 ONE = Parts({"a cause": Choice((*SUSPECTS, "sensor broken")), "a checks": FORM})
@@ -80,8 +82,8 @@ def test_any_cheap_check_that_two_suspects_answer_differently_tells_them_apart()
     form = Telling(options, ("odometry slow", "scan slow"))
     assert [form.judge(check, "hz /odom") for check in options] == [[True], [True], [False], [False], [False], [False]]
     said = {check: form.remark(check, {}) for check in options}
-    assert said["scan header"].en == "It says the same whichever of these two it is."
-    assert said["monitor"].en == "It would tell these two apart, but it takes 4 minutes, and 2 are allowed."
+    assert said["scan header"].en == "It gives the same result for both of these."
+    assert said["monitor"].en == "It would distinguish these two, but it takes 4 minutes, and 2 are allowed."
     assert said["hz /odom"] is said["tape measure"] is said["no check"] is None
     for each in (form, Proof(whole=True)):
         assert form_from_plain(each.plain()) == each

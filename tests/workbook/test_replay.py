@@ -67,7 +67,7 @@ def test_a_default_argument_that_remembers_earlier_calls_is_named(capsys):
         return sorted(child for child, nodes in seen.items() if len(nodes) > 1)
 
     check("E4.6", several_owners)
-    assert "The default `seen` is made once and shared by all calls" in capsys.readouterr().out
+    assert "The default of `seen` is made once and shared by all calls" in capsys.readouterr().out
 
 
 def test_call_says_that_a_task_of_values_has_none(capsys):

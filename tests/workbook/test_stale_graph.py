@@ -65,7 +65,7 @@ def test_a_cell_above_a_new_world_says_what_to_run_until_that_has_been_run(said)
     said(*ALL)
     for _ in range(2):
         (told,) = said("run")
-        assert told.startswith("run: Since this cell ran, another one has begun a new world.")
+        assert told.startswith("run: After this cell ran, another cell started a new graph.")
         assert "Run All Above Selected Cell" in told
     assert said("load", "start", "run") == []
     assert len(said("more")) == 1  # and now that one's is gone
@@ -74,4 +74,4 @@ def test_a_cell_above_a_new_world_says_what_to_run_until_that_has_been_run(said)
 def test_a_cell_above_a_stop_says_that_its_programs_have_ended(said) -> None:
     said("load", "start", "run", "stop")
     (told,) = said("run")
-    assert told.startswith("run: Since this cell ran, `graph.stop()` has ended every program of its world.")
+    assert told.startswith("run: After this cell ran, `graph.stop()` ended all nodes of its graph.")

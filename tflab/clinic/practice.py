@@ -96,5 +96,5 @@ def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str,
 
 def _chance(ward: int, number: int) -> np.random.Generator:
     if isinstance(number, bool) or not isinstance(number, int | np.integer) or number < 0:
-        raise ValueError(f"patients go by whole numbers: 0, 1, 2 and so on, not {number!r}")
+        raise ValueError(f"patients have whole numbers: 0, 1, 2 and so on, not {number!r}")
     return np.random.default_rng([ward, int(number)])

@@ -218,7 +218,7 @@ def admit(patient: SickRobot, language: str = "en", helped: bool = False) -> Vis
         TypeError: that is no patient.
     """
     if not isinstance(patient, SickRobot):
-        raise TypeError(f"a patient is wanted, such as practice_patient(3) or e12_4.a, not {type(patient).__name__}")
+        raise TypeError(f"a patient is needed, such as practice_patient(3) or e12_4.a, not {type(patient).__name__}")
     visit = Visit(SickRobot.unpacked(patient.packed()), language, helped)
     print(visit.opening())
     return visit

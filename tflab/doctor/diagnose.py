@@ -81,7 +81,10 @@ NEEDS = {
     "arrival": Text(
         "the order and the times of arrival, which a buffer does not keep", "버퍼가 보관하지 않는 도착 순서와 수신 시각"
     ),
-    "raw": Text("what was sent, which a buffer corrects or refuses", "버퍼가 고치거나 거절하기 전의, 발행된 그대로의 값"),
+    "raw": Text(
+        "the transforms as sent, before a buffer corrects or rejects them",
+        "버퍼가 고치거나 거절하기 전의, 발행된 그대로의 값",
+    ),
     "recording": Text("the other topics, which a buffer does not know", "버퍼에 없는 다른 토픽"),
 }
 

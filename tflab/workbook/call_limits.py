@@ -66,7 +66,7 @@ def call_limits(seconds: float) -> Iterator[PrintedLines]:
 
 
 def _refuse_input(prompt: object = "") -> str:
-    raise EOFError("input() has no one to ask: the function gets what it needs as arguments")
+    raise EOFError("input() cannot be used here: the function gets what it needs as arguments")
 
 
 @contextmanager

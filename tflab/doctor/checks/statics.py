@@ -176,7 +176,7 @@ def volatile_statics(evidence: Evidence) -> Iterator[Finding]:
     for connection in evidence.connections:
         is_ours = connection.topic.endswith("tf_static") and namespace_of(connection.topic) == evidence.namespace
         if is_ours and any(qos.durability == "volatile" for qos in connection.qos):
-            heard = "" if evidence.statics else Text(" Nothing was heard on it.", " 수신된 메시지가 없습니다.")
+            heard = "" if evidence.statics else Text(" No message was received on it.", " 수신된 메시지가 없습니다.")
             facts = {"publisher": connection.publisher or Text("a publisher", "이름을 알 수 없음"), "heard": heard}
             yield Finding("volatile-static", "warning", topic=connection.topic, facts=facts)
 

@@ -16,7 +16,7 @@ __all__ = ["Angle", "Number", "Pose", "Quaternion", "Vector"]
 LETTERS = "xyzw"
 ROUNDING_DEG = 1e-6
 MORE_DIGITS = Text(
-    en="; the right value has more digits: hand over the number as it was computed",
+    en=". The right value has more digits. Pass the number as computed",
     ko=". 정답은 자릿수가 더 많습니다. 계산한 값을 반올림하지 말고 그대로 넘기십시오",
 )
 FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
@@ -233,7 +233,7 @@ def _compare_vectors(given: Sequence[float], wanted: Sequence[float], tolerance:
     small = [name for name, number, other in rows if other - number > tolerance]
     if not right and abs(math.hypot(*given) - math.hypot(*wanted)) <= 2 * tolerance:
         return Text(
-            "its length is right, its direction is not: a rotation is missing, or there is one too many",
+            "its length is right, but its direction is not: a rotation is missing, or there is one too many",
             "길이는 맞지만 방향이 다릅니다. 회전이 빠졌거나 하나 더 들어갔습니다",
         )
     pieces = [(right, "right", "맞음"), (large, "too large", "너무 큼"), (small, "too small", "너무 작음")]
@@ -243,7 +243,7 @@ def _compare_vectors(given: Sequence[float], wanted: Sequence[float], tolerance:
 
 def _compare_rotations(given: Sequence[float], wanted: Sequence[float], tolerance: float) -> Text:
     if math.hypot(*given) < 1e-9:
-        return Text("all zeros is no rotation", "모두 0이면 회전이 아닙니다")
+        return Text("all zeros is not a rotation", "모두 0이면 회전이 아닙니다")
     if any(all(abs(sign * a - b) <= tolerance for a, b in zip(given, wanted, strict=True)) for sign in (1.0, -1.0)):
         return Text("right", "맞음")
     cosine = abs(sum(map(lambda a, b: a * b, given, wanted))) / math.hypot(*given) / math.hypot(*wanted)

@@ -101,10 +101,10 @@ class Name(Form):
             return None
         if difflib.SequenceMatcher(None, answer, expected).ratio() >= NEARLY:
             return Text(
-                "nearly the name that is asked for: compare letter by letter",
+                "nearly the right name: compare letter by letter",
                 "필요한 이름과 비슷합니다. 한 글자씩 비교하십시오",
             )
-        return Text("another name than the one that is asked for", "필요한 이름이 아닙니다")
+        return Text("another name than the expected one", "필요한 이름이 아닙니다")
 
 
 @dataclass(frozen=True)
@@ -209,7 +209,7 @@ class Sequence(Form):
         first = next((place for place, pair in enumerate(zip(given, wanted, strict=True)) if pair[0] != pair[1]), 0)
         if first:
             return Text(f"the first members are right, up to number {first}", f"앞에서 {first}번째 원소까지는 맞습니다")
-        return Text("as many members as asked for, and not these", "원소의 수는 맞지만 내용이 다릅니다")
+        return Text("the number of members is right, but the members are not", "원소의 수는 맞지만 내용이 다릅니다")
 
 
 @dataclass(frozen=True)
@@ -301,7 +301,7 @@ class Command(Form):
             return Text(f"right up to word {same}", f"{same}번째 단어까지는 맞습니다") if same else None
         if row[0].value != "static":
             return Text(
-                "this line publishes no static transform: another program, a word too few, or an option that it lacks",
+                "this line publishes no static transform: wrong program, missing word or unknown option",
                 "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램을 썼거나, 단어를 빠뜨렸거나, 없는 옵션을 썼습니다",
             )
         wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.fits(*pair)]

@@ -25,11 +25,11 @@ from .values import Plain
 __all__ = ["Telling"]
 
 TOO_DEAR = Text(
-    en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
+    en="It would distinguish these two, but it takes {minutes:g} minutes, and {most:g} are allowed.",
     ko="두 원인을 구별할 수 있지만 {minutes:g}분이 걸립니다. 최대 {most:g}분까지 쓸 수 있습니다.",
 )
 THE_SAME = Text(
-    en="It says the same whichever of these two it is.",
+    en="It gives the same result for both of these.",
     ko="둘 가운데 어느 쪽이 원인이든 결과가 같습니다.",
 )
 
