@@ -142,16 +142,16 @@ def create_node(node_name: str, **options: Any) -> Node:
 def get_global_executor() -> Executor:
     """Return the executor that the spin functions use; it lasts until shutdown."""
     process = current_process()
-    if process.global_executor is None:
+    executor = process.global_executor
+    if executor is None:
         context = get_default_context()
-        executor = SingleThreadedExecutor(context=context)
-        process.global_executor = executor
+        executor = process.global_executor = SingleThreadedExecutor(context=context)
 
         def forget() -> None:
             process.global_executor = None
 
-        context.on_shutdown(forget, at_ctrl_c=True)
-    return process.global_executor
+        context.on_shutdown(forget, at_ctrl_c=True)  # at once, if a Ctrl-C has ended the context already
+    return executor
 
 
 @contextmanager
