@@ -160,6 +160,6 @@ def test_a_wait_of_which_two_things_are_wrong_is_not_called_by_one_that_comes_ne
 def test_a_list_on_which_all_is_healthy_hears_that_beside_what_it_does_not_tell_apart():
     form = task_of("E12.4").form.parts["a checks"]
     said = form.remark(["node list"], {"a cause": "localizer waits for /clock"})
-    assert "something sick" in said.en
+    assert "differ from the card" in said.en
     assert "Fixed Frame misspelt" in said.en
-    assert "something sick" not in form.remark(["rviz"], {"a cause": "localizer waits for /clock"}).en
+    assert "differ from the card" not in form.remark(["rviz"], {"a cause": "localizer waits for /clock"}).en

@@ -75,7 +75,7 @@ ODD = "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeEr
     [
         ("[1.0] - [2.0]", "the members one by one"),
         ("'1' - 2", "`float(text)` makes a number of a text"),
-        ("raise RuntimeError('Context.init() must only be called once')", "End it with `rclpy.try_shutdown()`"),
+        ("raise RuntimeError('Context.init() must only be called once')", "with `rclpy.try_shutdown()`, then"),
         ("len(3)", "TypeError: "),
         ("def f():\n    x += 1\nf()", "UnboundLocalError: "),
         ("1 / 0", "ZeroDivisionError: "),

@@ -64,6 +64,13 @@ def seen(old, new):
         ("words.sort()", 'words == ["ok"]', 14, lint.TEXTS["not_set"]),
         ("words.sort()", "words = words.sort()", 14, lint.TEXTS["gives_none"].filled(name="sort")),
         ("words.sort()", "words + [text]", 14, lint.TEXTS["not_kept"]),
+        ('"past" in text', 'text is "past"', 10, lint.TEXTS["same_object"]),
+        (
+            "words.sort()",
+            "half = len(words) / 2\n    wait_s = 3.5\n    half = wait_s // 2",
+            16,
+            lint.TEXTS["drops_fraction"],
+        ),
         ("str(error)", "str(LookupError)", 12, lint.TEXTS["text_of_a_class"]),
         ('"past" in text', "text == math.nan", 10, lint.TEXTS["equals_nothing"]),
         ('"past" in text', 'float("nan") in [text]', 10, lint.TEXTS["equals_nothing"]),
@@ -98,3 +105,10 @@ def test_what_is_plain_to_see_is_said_with_its_line(old, new, line, said):
 def test_nothing_is_said_of_what_means_what_it_says(old, new):
     assert seen(old, new) is None
     assert lint.describe_function_text(len) is None  # of which there is no text
+
+
+def test_of_a_cell_it_is_said_whether_it_uses_what_is_given():
+    assert "`e1_1`" in lint.describe_cell_text("post = 3.2", "e1_1").en
+    assert lint.describe_cell_text("post = e1_1.a + 1.0\npost == 2.0", "e1_1") is None  # shown, as a cell's last line
+    assert "not stored" in lint.describe_cell_text("name.replace('a', 'b')\npost = 1").en
+    assert lint.describe_cell_text("post = (") is None

@@ -27,7 +27,7 @@ from .diagnosis.python_errors import tip_for
 from .paths import language_here
 from .reply import show_reply
 
-__all__ = ["register"]
+__all__ = ["register", "source_of"]
 
 MAKES = re.compile(r"^(?:def\s+(\w+)|(\w+)\s*=(?!=))", re.MULTILINE)
 CHECKS = re.compile(r"^\s*check\(", re.MULTILINE)
@@ -50,6 +50,7 @@ def register(ipython: Any) -> None:
         ipython.set_custom_exc((Exception,), _show)
 
 
+_sources: dict[str, str] = {}  # of the answers' cells that ran, by what they make
 _stopped: set[str] = set()  # what answers' cells would have made that failed when they were run last
 
 
@@ -63,10 +64,16 @@ def _drop_stale(result: Any) -> None:
     made = {function or value for function, value in MAKES.findall(result.info.raw_cell)}
     if result.success:
         _stopped.difference_update(made)
+        _sources.update(dict.fromkeys(made, result.info.raw_cell))
         return
     _stopped.update(made)
     for name in made:
         shell.user_ns.pop(name, None)
+
+
+def source_of(name: str) -> str:
+    """Return the text of the answer's cell that made a value last, "" if it is not known."""
+    return _sources.get(name, "")
 
 
 def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: int | None = None) -> None:

@@ -17,15 +17,19 @@ import json
 import os
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
 from . import progress
 from .answers.forms import Parts
+from .answers.numeric import NumberForm
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
 from .assigned import AssignedTask
+from .cell_errors import source_of
 from .diagnosis.explain import list_asked, read_conditions
+from .diagnosis.lint import describe_cell_text
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
@@ -105,7 +109,7 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
             language, form = assigned.workbook.language, assigned.cases.form
             say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])
         else:
-            _say(assigned, verdict, outcomes)
+            _say(assigned, _with_slip_in_cell(assigned, verdict), outcomes)
         if why and verdict.mistake and len(outcomes) == len(assigned.variant.cases):
             _print_asked(assigned, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
@@ -181,6 +185,16 @@ def solution_text(assigned: AssignedTask) -> str:
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     answers = [cell["source"] for cell in cells if cell["id"] == answer_cell_name(assigned.id)]
     return without_marks("".join(line for lines in answers for line in lines)).rstrip()
+
+
+def _with_slip_in_cell(assigned: AssignedTask, verdict: Verdict) -> Verdict:
+    """Return a verdict on a wrong value, with what is plain to see in the text of its cell."""
+    source = "" if assigned.cases.is_function or verdict.mistake is None else source_of(assigned.cases.answer)
+    forms = getattr(assigned.cases.form, "parts", {"": assigned.cases.form}).values()
+    is_of_numbers = assigned.variant.given and all(isinstance(form, NumberForm) for form in forms)
+    given = given_name(assigned.id) if is_of_numbers else ""
+    place = describe_cell_text(source, given) if source else None
+    return replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict
 
 
 def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:

@@ -66,7 +66,8 @@ def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
             return Verdict(0, len(cases), Mistake.UNSTEADY, case=number, detail=_remembered(answer)), []
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
-            return Verdict(0, len(cases), Mistake.UNANSWERED), []
+            behind = describe_function_text(answer)  # an answer, perhaps, behind the `raise`
+            return Verdict(0, len(cases), Mistake.UNANSWERED, detail={"place": behind} if behind else {}), []
     verdict = judge_outcomes(assigned.cases, assigned.variant, outcomes)
     verdict = replace(verdict, detail=verdict.detail | {"printed": lines} if lines else verdict.detail)
     return _with_its_place(assigned, answer, verdict, outcomes)
@@ -137,7 +138,8 @@ def say_verdict(
         show_reply(score, more=more, kind="passed")
         return
     if verdict.mistake is Mistake.UNANSWERED:
-        show_reply(assigned.id, assigned.words(REPLIES[verdict.mistake]))
+        said = Text.joined(REPLIES[verdict.mistake], verdict.detail.get("place"))
+        show_reply(assigned.id, assigned.words(said))
         return
     if assigned.cases.is_function and outcomes:
         if lines := verdict.detail.get("printed"):

@@ -83,6 +83,9 @@ ANSWERS = {
     "all children": lambda log: sorted({child for _, _, child in log}),
     "nodes": lambda log: sorted({node for node, _, child in log if len({n for n, _, c in log if c == child}) > 1}),
     "by parent": lambda log: sorted({parent for _, parent, _ in log if len({n for n, p, _ in log if p == parent}) > 1}),
+    "taken for (parent, child, node)": lambda log: sorted(
+        {parent for _, parent, _ in log if len({c for _, p, c in log if p == parent}) > 1}
+    ),
     "busy nodes": lambda log: sorted({node for node, _, _ in log if len({c for n, _, c in log if n == node}) > 1}),
     "parents": lambda log: sorted(
         {parent for _, parent, child in log if len({n for n, _, c in log if c == child}) > 1}

@@ -24,7 +24,7 @@ def draw_joint(rng, name, kind, axis):
 
 
 def draw_chains(rng):
-    """Draw arms of one to eight joints, of all types and axes; positions in another order, one missing, one too many."""
+    """Draw arms of one to eight joints of all types and axes; positions in another order, one missing, one too many."""
     cases = []
     for kinds in (
         ("revolute", "fixed", "revolute"),

@@ -16,8 +16,8 @@ __all__ = ["Angle", "Number", "Pose", "Quaternion", "Vector"]
 LETTERS = "xyzw"
 ROUNDING_DEG = 1e-6
 MORE_DIGITS = Text(
-    en=". The right value has more digits. Pass the number as computed",
-    ko=". 정답은 자릿수가 더 많습니다. 계산한 값을 반올림하지 말고 그대로 넘기십시오",
+    en=". The right value has more digits",
+    ko=". 정답은 자릿수가 더 많습니다",
 )
 FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 

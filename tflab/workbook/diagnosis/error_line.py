@@ -61,9 +61,10 @@ def hidden_error(function: Callable[..., Any], args: Sequence[Plain]) -> Text | 
     def trace(frame: FrameType, event: str, arg: Any) -> Any:
         if frame.f_code.co_filename != file or found:
             return None
-        if event == "exception" and issubclass(arg[0], BUGS):
+        if event == "exception" and issubclass(arg[0], Exception):
             handler = _handler_around(frame.f_code, frame.f_lineno)
-            if handler is not None and (handler.type is None or getattr(handler.type, "id", "") in BROAD):
+            is_hidden = handler is not None and (issubclass(arg[0], BUGS) or isinstance(handler.body[0], ast.Pass))
+            if is_hidden and (handler.type is None or getattr(handler.type, "id", "") in BROAD):
                 line, clause = (linecache.getline(file, number) for number in (frame.f_lineno, handler.lineno))
                 names = {"error": arg[0].__name__, "why": arg[1], "clause": _quoted(clause).rstrip(":")}
                 found.append(TEXTS["hidden"].filled(line=frame.f_lineno, text=_quoted(line), **names))

@@ -132,7 +132,7 @@ def _explain_value_of_parts(question: Question) -> Explanation | None:
 
 def _explain_one_mistake(question: Question) -> Explanation | None:
     """Name the mistake of the task that gives the answer; before one that is only near to it, two that are exact."""
-    near = [] if _may_be_rounded(question) else _single(question, ONE)
+    near = _single(question, ONE)
     if near and _is_measured_value(question) and not _single(question, A_HAIR):
         pair = next(_pairs(question, A_HAIR), None)
         if pair:
@@ -297,15 +297,6 @@ def _is_only_near(question: Question, name: str) -> bool:
         return False
     row = question.single_mistakes.get(name)
     return row is not None and not matches_closely(question.form, question.outcomes, row, A_HAIR)
-
-
-def _may_be_rounded(question: Question) -> bool:
-    """Return whether a number of one or two digits is the right one, rounded: then no mistake is certain."""
-    form, given, want = question.form, question.outcomes[0], question.expected[0]
-    if question.task.is_function or not isinstance(form, Number) or not form.unit or not form.is_short(given):
-        return False
-    pair = form.numbers(given), form.numbers(want)
-    return any(pair[0]) and any(round(pair[1][0], digits) == pair[0][0] for digits in range(-2, 3))
 
 
 def _is_measured_value(question: Question) -> bool:

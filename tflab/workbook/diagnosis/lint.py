@@ -5,6 +5,7 @@ from __future__ import annotations
 import ast
 import builtins
 import inspect
+import re
 import textwrap
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
@@ -13,7 +14,7 @@ from typing import Any
 
 from ...text import Text, Texts
 
-__all__ = ["describe_function_text"]
+__all__ = ["describe_cell_text", "describe_function_text"]
 
 TEXTS = Texts(__file__)
 
@@ -22,8 +23,9 @@ Found = Iterator[tuple[ast.AST, Text]]
 LONGEST_LINE = 70
 ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 NEW_EACH_TIME = {"sorted", "reversed", "str", "float", "int", "round", "abs"}
-METHODS_OF_NEW = {"strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
+METHODS_OF_NEW = {"replace", "strip", "lstrip", "rstrip", "lower", "upper", "removeprefix", "removesuffix", "inverse"}
 NANS = {"nan", "math.nan", "np.nan", "numpy.nan", "float('nan')"}
+MEASURED = re.compile(r"\w+_(s|ms|m|mm|cm|hz|deg|rad|mps|radps|degps)|yaw|pitch|roll|angle|theta|slope")
 STRIPS = {"strip", "lstrip", "rstrip"}
 IN_PLACE = {"append", "extend", "sort", "reverse"}
 OF_NUMPY = {"np", "numpy"}
@@ -34,12 +36,27 @@ def describe_function_text(function: Any) -> Text | None:
     return next(filter(None, map(_said_of, _with_its_own(function))), None)
 
 
-def _said_of(function: Any) -> Text | None:
-    if (written := _text_of(function)) is None:
+def describe_cell_text(source: str, given: str = "") -> Text | None:
+    """Return what is plain to see first in the text of an answer's cell, or that it does not use what is given."""
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:
         return None
-    text, first, tree = written
-    found = sorted(_found(tree, vars(builtins) | function.__globals__), key=lambda row: row[0].lineno)
-    for node, said in found[:1]:
+    shown = tree.body.pop() if tree.body and isinstance(tree.body[-1], ast.Expr) else None  # a notebook shows its value
+    said = _first_of(source, 1, tree, vars(builtins))
+    nodes = [*ast.walk(tree), *(ast.walk(shown) if shown else ())]
+    if said is None and given and not any(isinstance(node, ast.Name) and node.id == given for node in nodes):
+        return TEXTS["given_unused"].filled(name=given)
+    return said
+
+
+def _said_of(function: Any) -> Text | None:
+    written = _text_of(function)
+    return _first_of(*written, vars(builtins) | function.__globals__) if written else None
+
+
+def _first_of(text: str, first: int, tree: ast.Module, names: Mapping[str, Any]) -> Text | None:
+    for node, said in sorted(_found(tree, names), key=lambda row: row[0].lineno)[:1]:
         line = first + node.lineno - 1
         return TEXTS["in_line"].filled(line=line, text=_quoted(text, tree, node).rstrip(":"), said=said)
     return None
@@ -157,12 +174,29 @@ def _look_at_a_comparison(node: ast.Compare, _names: Mapping[str, Any]) -> Found
     """Yield a chain with `in`, and a comparison with NaN or with the text of a bool, which says always the same."""
     if len(node.ops) > 1 and any(isinstance(op, ast.In | ast.NotIn) for op in node.ops):
         yield node, TEXTS["a_chain"]
+    if any(map(_is_by_identity, node.ops, node.comparators)):
+        yield node, TEXTS["same_object"]
     sides = [held for side in (node.left, *node.comparators) for held in getattr(side, "elts", [side])]
     if any(ast.unparse(held).lower() in NANS for held in sides):
         yield node, TEXTS["equals_nothing"]
     texts = [held.value for held in sides if isinstance(held, ast.Constant) and held.value in ("True", "False")]
     if texts and len(node.ops) == 1 and isinstance(node.ops[0], ast.Eq | ast.NotEq):
         yield node, TEXTS["text_of_a_bool"].filled(word=texts[0])
+
+
+def _is_by_identity(op: ast.cmpop, right: ast.expr) -> bool:
+    return (
+        isinstance(op, ast.Is | ast.IsNot)
+        and isinstance(getattr(right, "value", None), str | int | float)
+        and not isinstance(right.value, bool)
+    )
+
+
+def _look_at_a_division(node: ast.BinOp, _names: Mapping[str, Any]) -> Found:
+    """Yield that `//` drops the fraction of a measured number."""
+    words = [getattr(side, "attr", getattr(side, "id", "")) for side in (node.left, node.right)]
+    if isinstance(node.op, ast.FloorDiv) and any(MEASURED.fullmatch(word) for word in words):
+        yield node, TEXTS["drops_fraction"]
 
 
 def _look_at_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
@@ -266,7 +300,7 @@ def _holds(other: ast.AST, node: ast.AST) -> bool:
 
 LOOKS: dict[type, tuple[Callable[[Any, Mapping[str, Any]], Found], ...]] = {
     ast.Try: (_look_at_handlers, _only_printed), ast.Compare: (_look_at_a_comparison,),
-    ast.If: (_look_at_an_if, _printed_in_an_if),
+    ast.BinOp: (_look_at_a_division,), ast.If: (_look_at_an_if, _printed_in_an_if),
     ast.Expr: (_look_at_a_line,),
     ast.Assign: (_look_at_what_is_kept,), ast.Return: (_look_at_what_is_kept,), ast.For: (_look_at_what_is_kept,),
     ast.Call: (_look_at_a_call,),

@@ -18,7 +18,7 @@ from typing import Any
 
 from ...text import Text, Texts
 from ..answers import forms
-from ..answers.form import inside, member
+from ..answers.form import inside, is_number, member
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Tree, Urdf, Vector
 from ..answers.members import members_of
 from ..answers.values import Plain, is_raised, is_unanswered
@@ -43,6 +43,8 @@ from .wrong_types import (
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
 
 TEXTS = Texts(__file__)
+
+A_FUNCTION = ({"object": "function"}, {"object": "method"})
 
 
 @dataclass(frozen=True)
@@ -311,7 +313,7 @@ def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
     frame = member(outcome, "header", "frame_id")
     if isinstance(form, Vector) and form.frame and frame is not None and frame != form.frame:
         return Mistake.FRAME, {"frame": frame, "wanted_frame": form.frame}
-    if outcome == {"object": "function"}:
+    if outcome in A_FUNCTION:
         return Mistake.A_FUNCTION, {}
     body = inside(outcome)
     if (
@@ -328,8 +330,8 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     if tip := _tip_of(form, outcome):
         return tip
     body = inside(outcome)
-    if isinstance(body, list) and body and all(isinstance(held, str) for held in body):
-        return {"got": f"{kind_of(outcome)}, holding str"}  # numbers that were formatted as text
+    if isinstance(body, list) and (other := next((held for held in body if not is_number(held)), None)) is not None:
+        return {"got": f"{kind_of(outcome)}, holding {kind_of(other)}"}  # such as numbers formatted as text
     if not (isinstance(form, Tree) and isinstance(body, dict)):
         return {}
     odd = next((held for held in body.values() if not isinstance(held, str)), None)
