@@ -10,10 +10,14 @@ from io import StringIO
 import pytest
 
 from tflab.ros import client_library as rclpy
+from tflab.ros.action_server import ActionServer
 from tflab.ros.context import Context
+from tflab.ros.exceptions import InvalidHandle, InvalidParameterValueException
+from tflab.ros.messages import type_named
 from tflab.ros.messages.geometry_msgs import TransformStamped
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
+from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.topics import StaticTransformBroadcaster, TransformListener
@@ -21,7 +25,12 @@ from tflab.ros.time import Duration, Time
 from tflab.ros.timer import TimerInfo
 from tflab.tools.ros2 import main
 
+LOOKUP, FRAMES = type_named("tf2_msgs/action/LookupTransform"), type_named("tf2_msgs/srv/FrameGraph")
 NO_CONTEXT = "does not support the context manager protocol"
+UNDECLARED, UNSET = "Invalid access to undeclared parameter(s)", "The parameter 'b' is not initialized"
+WRONG_TYPE = "Trying to set parameter 'a' to '1.5' of type 'DOUBLE', expecting type 'INTEGER'"
+REFUSED = "Invalid parameter value (9) for parameter. Reason: no"
+NO_INIT, MESSAGE = "rclpy.init() has not been called", "cannot create node"
 UNEXPECTED, UNKNOWN = "got an unexpected keyword argument", "unrecognized arguments"
 
 
@@ -93,6 +102,20 @@ def nest_spin():
     return node in executor.get_nodes()
 
 
+def fail(function):
+    """Return the arguments of the error of a call, or its result."""
+    try:
+        return function()
+    except Exception as error:
+        return error.args
+
+
+def override(value):
+    node = Node("n", parameter_overrides=[Parameter("a", value=value)])
+    node.declare_parameter("b", Parameter.Type.INTEGER)
+    return node
+
+
 def has(name, attribute="__name__"):
     return hasattr(importlib.import_module(name), attribute)
 
@@ -120,6 +143,14 @@ ROWS = [  # a call, and what comes of it on Humble, Jazzy and Lyrical: the resul
     (lambda: hasattr(Buffer(node=Node("n")), "_jump_handle"), False, True, True),
     (lambda: Node("n").wait_for_node("n", 0.0), "'Node' object has no attribute 'wait_for_node'", True, True),
     (lambda: Node("n").add_post_set_parameters_callback(print), "has no attribute", None, None),
+    (lambda: fail(lambda: Node("n").get_parameter("a")), (UNDECLARED, "a"), *[(f"{UNDECLARED}: a",)] * 2),
+    (lambda: fail(lambda: override(1.5).declare_parameter("a", 1)), (WRONG_TYPE,), *[(f"{WRONG_TYPE}: a",)] * 2),
+    (lambda: fail(lambda: override(1.5).get_parameter("b")), (UNSET,), *[(f"{UNSET}: b",)] * 2),
+    (lambda: InvalidParameterValueException("a", 9, "no").args, (REFUSED, "a"), *[(f"{REFUSED}: a",)] * 2),
+    (lambda: fail(lambda: Node("n", context=Context())), (NO_INIT, MESSAGE), *[(f"{NO_INIT}. msg:{MESSAGE}",)] * 2),
+    (lambda: ActionServer(Node("n"), LOOKUP, "a", print)._logger.name, "n", ".action_server", ".action_server"),
+    (lambda: [each.__name__ for each in InvalidHandle.__bases__], *[["RuntimeError"]] * 3),
+    (lambda: fail(lambda: Node("n").create_client(FRAMES, "s").call(FRAMES.Request(), 0.1)), None, None, ()),
     (nest_spin, False, False, True),
     (lambda: has("rclpy.event_handler"), "No module named 'rclpy.event_handler'", True, True),
     (lambda: has("rclpy.qos_event"), True, "import 'event_handler' instead", "No module named"),

@@ -30,6 +30,9 @@ _ROWS = {
     "shutdown_destroys_nodes": (False, False, True),  # by their destroy_node(): ros2/rclpy#1298 (7.2)
     "context_is_context": (False, True, True),  # `with Context():` begins it: branches, rclpy/context.py
     "context_entry_warns": (False, False, True),  # init() is to be called before: branches, rclpy/context.py
+    "errors_join_names": (False, True, True),  # of parameters, to one text: ros2/rclpy#1241
+    "actions_have_loggers": (False, True, True),  # "node.action_server": branches, rclpy/action/server.py
+    "call_raises_timeout": (False, False, True),  # Client.call(), not None: ros2/rclpy#1271
     "timer_takes_autostart": (False, True, True),  # branches, rclpy/node.py
     "timer_passes_info": (False, False, True),  # TimerInfo: branches, rclpy/timer.py
     "spin_keeps_node": (False, False, True),  # in a callback, with the executor that runs it: ros2/rclpy#1446
