@@ -61,12 +61,20 @@ def wait():
     return type(buffer.wait_for_transform_async("map", "base", Time()).result()).__name__
 
 
-def resend():
+def change(child, x):
+    SENT.child_frame_id, SENT.transform.translation.x = child, x
+    return SENT
+
+
+SENT = moved("", 0.0)
+
+
+def resend(make=moved):
     """Return what a late listener receives of a static broadcaster that sent three times."""
     node, got = Node("late"), []
     broadcaster = StaticTransformBroadcaster(node)
     for child, x in (("lidar", 1.0), ("lidar", 2.0), ("camera", 3.0)):
-        broadcaster.sendTransform(moved(child, x))
+        broadcaster.sendTransform(make(child, x))
     qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
     node.create_subscription(TFMessage, "/tf_static", got.append, qos)
     rclpy.spin_once(node, timeout_sec=0.1)
@@ -132,6 +140,7 @@ ROWS = [  # a call, and what comes of it on Humble, Jazzy and Lyrical: the resul
     (lambda: Duration(nanoseconds=5) != 5, "Can't compare duration", True, True),
     (wait, "bool", "TransformStamped", "TransformStamped"),
     (resend, [3.0], [1.0, 3.0], [2.0, 3.0]),
+    (lambda: resend(change), [3.0], [3.0, 3.0], [3.0, 3.0]),
     (lambda: enter(rclpy.init(context=Context(), args=[])), "NoneType", "NoneType", "InitContextManager"),
     (lambda: enter(Node("with")), NO_CONTEXT, NO_CONTEXT, "Node"),
     (lambda: enter(Context()), NO_CONTEXT, "Context", "this usage is deprecated"),
