@@ -188,9 +188,8 @@ class ActionServer:
         result_timeout: float = 10,
     ) -> None:
         check_type(action_type, is_action_class, "an action")
-        self._node, self._logger = node, node.get_logger()
-        if current().actions_have_loggers:
-            self._logger = self._logger.get_child("action_server")
+        self._node, logger = node, node.get_logger()
+        self._logger = logger.get_child("action_server") if current().actions_have_loggers else logger
         self._action_type = action_type
         self._result_timeout_ns = round(result_timeout * NSEC_PER_SEC)
         self._goals: dict[bytes, ServerGoalHandle] = {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partialmethod
 from typing import Any
 
 from .distro import current
@@ -77,29 +78,25 @@ class NameValidationException(Exception):
 class InvalidNamespaceException(NameValidationException):
     """A namespace is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("namespace", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "namespace")
 
 
 class InvalidNodeNameException(NameValidationException):
     """A node's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("node name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "node name")
 
 
 class InvalidTopicNameException(NameValidationException):
     """A topic's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("topic name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "topic name")
 
 
 class InvalidServiceNameException(NameValidationException):
     """A service's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("service name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "service name")
 
 
 class ParameterException(Exception):
@@ -112,22 +109,19 @@ class ParameterException(Exception):
 class ParameterNotDeclaredException(ParameterException):
     """A parameter was used that nobody declared."""
 
-    def __init__(self, parameters: object) -> None:
-        super().__init__("Invalid access to undeclared parameter(s)", parameters)
+    __init__ = partialmethod(ParameterException.__init__, "Invalid access to undeclared parameter(s)")
 
 
 class ParameterAlreadyDeclaredException(ParameterException):
     """A parameter was declared twice."""
 
-    def __init__(self, parameters: object) -> None:
-        super().__init__("Parameter(s) already declared", parameters)
+    __init__ = partialmethod(ParameterException.__init__, "Parameter(s) already declared")
 
 
 class InvalidParameterException(ParameterException):
     """A parameter's name is malformed."""
 
-    def __init__(self, parameter: str) -> None:
-        super().__init__("Invalid parameter name", parameter)
+    __init__ = partialmethod(ParameterException.__init__, "Invalid parameter name")
 
 
 class InvalidParameterTypeException(ParameterException):
@@ -150,8 +144,7 @@ class InvalidParameterValueException(ParameterException):
 class ParameterImmutableException(ParameterException):
     """A read-only parameter was to be changed."""
 
-    def __init__(self, parameter: str) -> None:
-        super().__init__("Attempted to modify read-only parameter", parameter)
+    __init__ = partialmethod(ParameterException.__init__, "Attempted to modify read-only parameter")
 
 
 class ParameterUninitializedException(ParameterException):
