@@ -15,6 +15,7 @@ from tflab.ros.context import Context
 from tflab.ros.exceptions import InvalidHandle, InvalidParameterValueException
 from tflab.ros.messages import type_named
 from tflab.ros.messages.geometry_msgs import TransformStamped
+from tflab.ros.messages.packages import definitions
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
@@ -165,6 +166,8 @@ ROWS = [  # a call, and what comes of it on Humble, Jazzy and Lyrical: the resul
     (lambda: has("rclpy.qos_event"), True, "import 'event_handler' instead", "No module named"),
     (lambda: has("tf2_ros", "StaticTransformListener"), False, False, True),
     (lambda: has("tf2_ros.StaticTransformListener"), "cannot import name", "cannot import name", "No module"),
+    (lambda: "turtlesim_msgs" in definitions.__wrapped__(), False, False, True),
+    (lambda: "turtlesim" in definitions.__wrapped__(), True, True, False),
     (lambda: run("bag record /tf /scan"), "begins", "begins", f"{UNKNOWN}: /tf /scan --nothing"),
     (lambda: run("bag record --topics /tf"), f"{UNKNOWN}: --topics", "begins", "begins"),
     (lambda: run("bag record /tf --topics /scan"), UNKNOWN, "not allowed with argument", UNKNOWN),

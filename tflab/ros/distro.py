@@ -48,6 +48,7 @@ _ROWS = {
     "play_takes_storage": (True, True, False),  # `ros2 bag play BAG -s mcap`: ros2/rosbag2#2328
     "play_takes_input": (False, True, True),  # `ros2 bag play -i BAG mcap`: ros2/rosbag2#1848 (0.26.6)
     "reads_urdf_file": (True, True, False),  # robot_state_publisher robot.urdf: ros/robot_state_publisher#233
+    "turtlesim_messages": ("turtlesim", "turtlesim", "turtlesim_msgs"),  # their package: ros/ros_tutorials#169
     "urdf_minor": (0, 0, 2),  # URDF 1.0 to 1.urdf_minor: ros/urdfdom#235, #238 (5.1 reads 1.1), #212 (6.0 reads 1.2)
 }
 
