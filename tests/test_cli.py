@@ -54,6 +54,16 @@ def test_a_user_without_a_home_is_told_so(raises, capsys) -> None:
     assert "Set HOME to a folder of yours." in capsys.readouterr().err
 
 
+def test_a_release_that_is_not_known_is_one_line(raises) -> None:
+    command = [sys.executable, "-m", "tflab", "run", "node.py"]
+    done = subprocess.run(command, env={**os.environ, "TFLAB_ROS_DISTRO": "foxy"}, capture_output=True, text=True)
+    known = "it is one of humble, jazzy, lyrical, rolling."
+    assert (done.returncode, done.stderr) == (2, f"tflab run: TFLAB_ROS_DISTRO='foxy' is not known: {known}\n")
+    raises(ValueError("another"))
+    with pytest.raises(ValueError, match="another"):
+        cli.main(["run", "node.py"])
+
+
 def test_pages_run_in_this_python_even_if_the_user_has_a_kernel_of_the_same_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys
 ) -> None:

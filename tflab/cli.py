@@ -58,7 +58,7 @@ def main(words: Sequence[str] | None = None) -> int:
     """Run `tflab` with these words, those of the command line if None; return the exit code.
 
     Ctrl-C ends it without a word, and so does a reader that has gone, as in `tflab ... | head -1`.
-    A disk that is full, a place where one may not write, or a part that is not installed is one line.
+    A full disk, a place where one may not write, a missing part or an unknown release of ROS is one line.
     """
     _keep_to_this_python()
     words = list(sys.argv[1:] if words is None else words)
@@ -75,7 +75,7 @@ def main(words: Sequence[str] | None = None) -> int:
     except BrokenPipeError:
         _leave_nothing_to_flush()
         return BY_A_CLOSED_PIPE
-    except (ModuleNotFoundError, OSError, RuntimeError) as error:
+    except (ModuleNotFoundError, OSError, RuntimeError, ValueError) as error:
         reason = _reason(error)
         if reason is None:
             raise
@@ -106,8 +106,9 @@ def _reason(error: Exception) -> str | None:
         return hint(error.name or "")
     if isinstance(error, RuntimeError):
         return f"{error} Set HOME to a folder of yours." if "home directory" in str(error) else None
-    reason = error.strerror or str(error)
-    return f"{error.filename}: {reason}" if error.filename else reason
+    if isinstance(error, ValueError):
+        return str(error) if str(error).startswith("TFLAB_ROS_DISTRO=") else None
+    return f"{error.filename}: {error.strerror or error}" if error.filename else error.strerror or str(error)
 
 
 def _run(words: list[str]) -> int:

@@ -198,5 +198,5 @@ def test_a_goal_that_is_aborted_has_a_result_and_one_without_an_end_counts_as_ab
     assert [answer.status for answer in answers] == [GoalStatus.STATUS_ABORTED] * 2
     assert [answer.result.error.error_string for answer in answers] == ["no map", ""]
     printed = capsys.readouterr().err
-    assert "[tf_buffer]: Error raised in execute callback: out of order" in printed
+    assert "[tf_buffer.action_server]: Error raised in execute callback: out of order" in printed
     assert "Goal state not set, assuming aborted" in printed

@@ -98,6 +98,16 @@ def test_the_presets_are_those_of_ros():
     assert QoSPresetProfiles.get_from_short_key("sensor_data") == qos_profile_sensor_data
 
 
+@pytest.mark.parametrize(
+    "policy", [RELIABLE, BEST_EFFORT, TRANSIENT_LOCAL, HistoryPolicy.KEEP_LAST, AUTOMATIC], ids=lambda each: each.name
+)
+def test_a_policy_has_its_old_name_which_is_deprecated(policy):
+    name = type(policy).__name__
+    old = f"RMW_QOS_POLICY_{name.upper()[:-6]}_{policy.name}"
+    with pytest.warns(UserWarning, match=f"{name}.{old} is deprecated. Use {name}.{policy.name} instead."):
+        assert getattr(type(policy), old) is policy
+
+
 def summary(qos):
     return (qos.history, qos.reliability, qos.durability, qos.depth)
 

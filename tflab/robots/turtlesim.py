@@ -23,6 +23,7 @@ import numpy as np
 
 from tflab.core import NSEC_PER_SEC
 from tflab.ros import client_library as rclpy
+from tflab.ros.distro import current
 from tflab.ros.executors import ExternalShutdownException
 from tflab.ros.messages.geometry_msgs import Twist
 from tflab.ros.messages.packages import ros_package
@@ -38,7 +39,7 @@ PERIOD_S = 0.016
 BACKGROUND, PEN, PEN_PX = (0x45, 0x56, 0xFF), (0xB3, 0xB8, 0xFF), 3
 CLEAR = (255, 255, 255, 0)  # red, green, blue, opacity
 QOS = QoSProfile(depth=7)
-TYPES = SimpleNamespace(**ros_package("turtlesim"), **ros_package("std_srvs"))
+TYPES = SimpleNamespace(**ros_package(current().turtlesim_messages), **ros_package("std_srvs"))
 
 
 class Turtle:

@@ -19,6 +19,7 @@ from typing import Any
 from tflab.core import NSEC_PER_SEC
 
 from .action_goals import GoalEvent, action_entity_name, goal_key, is_done, may_be_cancelled, next_status
+from .distro import current
 from .entity import CallbackGroup, ReentrantCallbackGroup
 from .messages.action_msgs import CancelGoal, GoalInfo, GoalStatus
 from .messages.base import Action, Message, is_action_class
@@ -187,7 +188,8 @@ class ActionServer:
         result_timeout: float = 10,
     ) -> None:
         check_type(action_type, is_action_class, "an action")
-        self._node = node
+        self._node, logger = node, node.get_logger()
+        self._logger = logger.get_child("action_server") if current().actions_have_loggers else logger
         self._action_type = action_type
         self._result_timeout_ns = round(result_timeout * NSEC_PER_SEC)
         self._goals: dict[bytes, ServerGoalHandle] = {}
@@ -283,7 +285,7 @@ class ActionServer:
             return response
         answer = await _settled(self._goal_callback(request.goal))
         if not isinstance(answer, GoalResponse):
-            self._warn("Goal request callback did not return a GoalResponse type. Rejecting goal.")
+            self._logger.warning("Goal request callback did not return a GoalResponse type. Rejecting goal.")
         elif answer is GoalResponse.ACCEPT:
             response.accepted = True
             response.stamp = self._node.get_clock().now().to_msg()
@@ -297,11 +299,11 @@ class ActionServer:
         try:
             result = await _settled(callback(handle))
         except Exception as error:
-            self._node.get_logger().error(f"Error raised in execute callback: {error}")
+            self._logger.error(f"Error raised in execute callback: {error}")
             traceback.print_exc()
             result = self._action_type.Result()
         if handle.is_active:
-            self._warn(f"Goal state not set, assuming aborted. Goal ID: {handle.goal_id.uuid}")
+            self._logger.warning(f"Goal state not set, assuming aborted. Goal ID: {handle.goal_id.uuid}")
             handle.abort()
         handle.done_ns = self._node.get_clock().now().nanoseconds
         handle.result.set_result(result)
@@ -356,9 +358,6 @@ class ActionServer:
     def _known(self) -> list[ServerGoalHandle]:
         with self._lock:
             return list(self._goals.values())
-
-    def _warn(self, text: str) -> None:
-        self._node.get_logger().warning(text)
 
 
 async def _settled(answer: Any) -> Any:

@@ -30,6 +30,9 @@ _ROWS = {
     "shutdown_destroys_nodes": (False, False, True),  # by their destroy_node(): ros2/rclpy#1298 (7.2)
     "context_is_context": (False, True, True),  # `with Context():` begins it: branches, rclpy/context.py
     "context_entry_warns": (False, False, True),  # init() is to be called before: branches, rclpy/context.py
+    "errors_join_names": (False, True, True),  # of parameters, to one text: ros2/rclpy#1241
+    "actions_have_loggers": (False, True, True),  # "node.action_server": branches, rclpy/action/server.py
+    "call_raises_timeout": (False, False, True),  # Client.call(), not None: ros2/rclpy#1271
     "timer_takes_autostart": (False, True, True),  # branches, rclpy/node.py
     "timer_passes_info": (False, False, True),  # TimerInfo: branches, rclpy/timer.py
     "spin_keeps_node": (False, False, True),  # in a callback, with the executor that runs it: ros2/rclpy#1446
@@ -45,6 +48,7 @@ _ROWS = {
     "play_takes_storage": (True, True, False),  # `ros2 bag play BAG -s mcap`: ros2/rosbag2#2328
     "play_takes_input": (False, True, True),  # `ros2 bag play -i BAG mcap`: ros2/rosbag2#1848 (0.26.6)
     "reads_urdf_file": (True, True, False),  # robot_state_publisher robot.urdf: ros/robot_state_publisher#233
+    "turtlesim_messages": ("turtlesim", "turtlesim", "turtlesim_msgs"),  # their package: ros/ros_tutorials#169
     "urdf_minor": (0, 0, 2),  # URDF 1.0 to 1.urdf_minor: ros/urdfdom#235, #238 (5.1 reads 1.1), #212 (6.0 reads 1.2)
 }
 

@@ -157,8 +157,4 @@ class GuardCondition(Entity):
 
     def take(self) -> Callable[[], Any]:
         self._triggered = False
-        return self.callback or _nothing
-
-
-def _nothing() -> None:
-    pass
+        return self.callback or (lambda: None)

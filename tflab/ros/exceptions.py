@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from functools import partialmethod
+from typing import Any
+
+from .distro import current
+
 __all__ = [
     "ConditionReachedException",
     "ExternalShutdownException",
@@ -30,7 +35,7 @@ __all__ = [
 ]
 
 
-class InvalidHandle(Exception):
+class InvalidHandle(RuntimeError):
     """Something destroyed was used."""
 
 
@@ -49,8 +54,10 @@ class UnknownROSArgsError(RuntimeError):
 class NotInitializedException(Exception):
     """rclpy.init() has not been called, or its context was shut down."""
 
-    def __init__(self, *args: object) -> None:
-        super().__init__("rclpy.init() has not been called. msg:" + (str(args[0]) if args else ""))
+    def __init__(self, *message: str) -> None:
+        text = "rclpy.init() has not been called"
+        joined = (text + (f". msg:{message[0]}" if message else "."),)
+        super().__init__(*joined if current().errors_join_names else (text, *message))
 
 
 class NoTypeSupportImportedException(Exception):
@@ -71,91 +78,81 @@ class NameValidationException(Exception):
 class InvalidNamespaceException(NameValidationException):
     """A namespace is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("namespace", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "namespace")
 
 
 class InvalidNodeNameException(NameValidationException):
     """A node's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("node name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "node name")
 
 
 class InvalidTopicNameException(NameValidationException):
     """A topic's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("topic name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "topic name")
 
 
 class InvalidServiceNameException(NameValidationException):
     """A service's name is malformed."""
 
-    def __init__(self, name: str, error_msg: str, invalid_index: int) -> None:
-        super().__init__("service name", name, error_msg, invalid_index)
+    __init__ = partialmethod(NameValidationException.__init__, "service name")
 
 
 class ParameterException(Exception):
-    """Something about parameters; `args` are the text and the names."""
+    """Something about parameters: a text and their names, which are one argument since Jazzy."""
 
     def __init__(self, error_msg: str, parameters: object) -> None:
-        names = parameters if isinstance(parameters, str) else list(parameters)
-        super().__init__(f"{error_msg}: {names}")
+        super().__init__(*[f"{error_msg}: {parameters}"] if current().errors_join_names else [error_msg, parameters])
 
 
 class ParameterNotDeclaredException(ParameterException):
     """A parameter was used that nobody declared."""
 
-    def __init__(self, parameters: object) -> None:
-        super().__init__("Invalid access to undeclared parameter(s)", parameters)
+    __init__ = partialmethod(ParameterException.__init__, "Invalid access to undeclared parameter(s)")
 
 
 class ParameterAlreadyDeclaredException(ParameterException):
     """A parameter was declared twice."""
 
-    def __init__(self, parameters: object) -> None:
-        super().__init__("Parameter(s) already declared", parameters)
+    __init__ = partialmethod(ParameterException.__init__, "Parameter(s) already declared")
 
 
 class InvalidParameterException(ParameterException):
     """A parameter's name is malformed."""
 
-    def __init__(self, parameter: str) -> None:
-        super().__init__("Invalid parameter name", parameter)
+    __init__ = partialmethod(ParameterException.__init__, "Invalid parameter name")
 
 
 class InvalidParameterTypeException(ParameterException):
     """A parameter was given a value of another type than it was declared with."""
 
-    def __init__(self, desired_parameter: object, expected_type: object) -> None:
-        Exception.__init__(
-            self,
-            f"Trying to set parameter '{desired_parameter.name}' to '{desired_parameter.value}' of type "
-            f"'{desired_parameter.type_.name}', expecting type '{getattr(expected_type, 'name', expected_type)}'",
-        )
-        self.param_name = desired_parameter.name
+    def __init__(self, desired_parameter: Any, expected_type: str) -> None:
+        name, value, kind = desired_parameter.name, desired_parameter.value, desired_parameter.type_.name
+        text = f"Trying to set parameter '{name}' to '{value}' of type '{kind}', expecting type '{expected_type}'"
+        super().__init__(text, name)
+        self.args = self.args[:1]  # Humble's does not have the name
 
 
 class InvalidParameterValueException(ParameterException):
     """A parameter was given a value that its descriptor, or a callback, rejects."""
 
     def __init__(self, parameter: str, value: object, reason: str) -> None:
-        Exception.__init__(self, f"Invalid parameter value ({value}) for parameter '{parameter}'. Reason: {reason}")
+        super().__init__(f"Invalid parameter value ({value}) for parameter. Reason: {reason}", parameter)
 
 
 class ParameterImmutableException(ParameterException):
     """A read-only parameter was to be changed."""
 
-    def __init__(self, parameter: str) -> None:
-        super().__init__("Attempted to modify read-only parameter", parameter)
+    __init__ = partialmethod(ParameterException.__init__, "Attempted to modify read-only parameter")
 
 
 class ParameterUninitializedException(ParameterException):
     """A parameter that was declared with a type but no value was read."""
 
     def __init__(self, parameter: str) -> None:
-        Exception.__init__(self, f"The parameter '{parameter}' is not initialized")
+        super().__init__(f"The parameter '{parameter}' is not initialized", parameter)
+        self.args = self.args[:1]  # Humble's does not have the name
 
 
 class ROSInterruptException(Exception):
@@ -187,7 +184,7 @@ class ExternalShutdownException(Exception):
 # A traceback names the modules of a robot.
 for _name in __all__:
     globals()[_name].__module__ = "rclpy.exceptions"
-for _class in (RCLError, RCLInvalidROSArgsError, UnknownROSArgsError):
+for _class in (InvalidHandle, RCLError, RCLInvalidROSArgsError, UnknownROSArgsError):
     _class.__module__ = "rclpy._rclpy_pybind11"
 for _class in (ConditionReachedException, ExternalShutdownException, ShutdownException, TimeoutException):
     _class.__module__ = "rclpy.executors"

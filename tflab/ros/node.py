@@ -97,9 +97,8 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
 
         self._rosout: Publisher | None = None
         self._parameter_event_publisher: Publisher | None = None
-        self._logger = RcutilsLogger(
-            self.get_fully_qualified_name().strip("/").replace("/", "."), self._log_time_ns, self._publish_log
-        )
+        name, process = self.get_fully_qualified_name().strip("/").replace("/", "."), context.process
+        self._logger = RcutilsLogger(name, lambda: process.driver.now_ns() + self._clock.offset_ns, self._publish_log)
         overrides = self._arguments.parameters_of(self.get_fully_qualified_name())
         overrides = {name: Parameter(name, value=value) for name, value in overrides.items()}
         overrides |= {each.name: each for each in parameter_overrides or ()}
@@ -244,9 +243,6 @@ class Node(graph_queries.GraphQueries, NodeEntities, NodeParameters):
         if only_expand:
             return full
         return self._arguments.remapped(self._name, full, lambda each: expanded(each, self._name, self._namespace))
-
-    def _log_time_ns(self) -> int:
-        return self._context.process.driver.now_ns() + self._clock.offset_ns
 
     def _publish_log(
         self, stamp_ns: int, severity: int, name: str, message: str, file: str, function: str, line: int

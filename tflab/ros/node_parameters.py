@@ -90,7 +90,7 @@ class NodeParameters:
         if parameter.type_ is not Parameter.Type.NOT_SET:
             result = self._judge([parameter], {name: descriptor}, check_read_only=False)
             if not result.successful and result.reason.startswith(WRONG_TYPE):
-                raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type))
+                raise InvalidParameterTypeException(parameter, Parameter.Type(descriptor.type).name)
             if not result.successful:
                 raise InvalidParameterValueException(name, parameter.value, result.reason)
         self._descriptors[name] = descriptor

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import warnings
 from enum import Enum, IntEnum
+from typing import Any
 
 from .time import Duration
 
@@ -113,6 +114,21 @@ class LivelinessPolicy(_Policy):
     BEST_AVAILABLE = 5
 
 
+class _OldName:
+    """A policy under an older name, such as ReliabilityPolicy.RMW_QOS_POLICY_RELIABILITY_RELIABLE."""
+
+    def __init__(self, old: str, new: str) -> None:
+        self.old, self.new = old, new
+
+    def __get__(self, _: Any, cls: type[_Policy]) -> _Policy:
+        warnings.warn(f"{cls.__name__}.{self.old} is deprecated. Use {cls.__name__}.{self.new} instead.", stacklevel=2)
+        return cls[self.new]
+
+
+for _each in (*HistoryPolicy, *ReliabilityPolicy, *DurabilityPolicy, *LivelinessPolicy):
+    _old = f"RMW_QOS_POLICY_{type(_each).__name__.removesuffix('Policy').upper()}_{_each.name}"
+    setattr(type(_each), _old, _OldName(_old, _each.name))
+
 QoSHistoryPolicy = HistoryPolicy
 QoSReliabilityPolicy = ReliabilityPolicy
 QoSDurabilityPolicy = DurabilityPolicy
@@ -186,7 +202,8 @@ class QoSProfile:
         return all(getattr(self, name) == getattr(other, name) for name in self.__slots__)
 
     def __str__(self) -> str:
-        shown = ", ".join(f"{name}={_shown(getattr(self, name))}" for name in _DEFAULTS)
+        values = {name: getattr(self, name) for name in _DEFAULTS}.items()
+        shown = ", ".join(f"{name}={getattr(value, 'name', value)}" for name, value in values)
         return f"QoSProfile({shown})"
 
     __repr__ = __str__
@@ -205,10 +222,6 @@ class QoSProfile:
 
 
 SYSTEM_DEPTH = 1
-
-
-def _shown(value: object) -> str:
-    return value.name if isinstance(value, Enum) else str(value)
 
 
 def profile_from(qos: QoSProfile | int) -> QoSProfile:

@@ -20,6 +20,7 @@ from typing import Any
 
 from tflab.core import NSEC_PER_SEC
 
+from .distro import current
 from .entity import Entity, Kind
 from .messages import copy_message, type_named
 from .network import PUBLISHER_KIND
@@ -171,10 +172,13 @@ class Client(_Introspected):
         return future
 
     def call(self, request: Any, timeout_sec: float | None = None) -> Any:
-        """Ask, block, and return the answer, or None if it did not come in time [s]."""
+        """Ask, block, and return the answer; see distro.py for an answer that does not come in time [s]."""
         future = self.call_async(request)
         duration_ns = None if timeout_sec is None else round(timeout_sec * NSEC_PER_SEC)
-        return future.result() if self.node.context.process.wait_for(future, duration_ns) else None
+        is_done = self.node.context.process.wait_for(future, duration_ns)
+        if not is_done and current().call_raises_timeout:
+            raise TimeoutError
+        return future.result() if is_done else None
 
     def put(self, response: Any, number: int) -> None:
         """Receive an answer."""

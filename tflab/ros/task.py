@@ -28,9 +28,8 @@ class Future:
         self._exception: BaseException | None = None
         self._exception_fetched = False
         self._callbacks: list[Callable[[Future], None]] = []
-        self._executor: Any = None
         self._lock = threading.RLock()
-        self._set_executor(executor)
+        self._executor: Any = None if executor is None else weakref.ref(executor)
 
     def __del__(self) -> None:
         if self._exception is not None and not self._exception_fetched:
@@ -97,9 +96,6 @@ class Future:
             before = len(self._callbacks)
             self._callbacks = [each for each in self._callbacks if each != callback]
             return before - len(self._callbacks)
-
-    def _set_executor(self, executor: Any) -> None:
-        self._executor = None if executor is None else weakref.ref(executor)
 
     def _notify(self) -> None:
         with self._lock:

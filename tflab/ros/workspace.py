@@ -54,15 +54,14 @@ class Package(NamedTuple):
         """Return what `ros2 run` finds in it, by name, but programs in C++."""
         found = {}
         for text in (*_texts_in(_read(self.folder / "setup.py")), *_read(self.folder / "setup.cfg").splitlines()):
-            if (match := ENTRY_POINT.fullmatch(text)) and (path := self._file_of(match[2])):
+            match = ENTRY_POINT.fullmatch(text)
+            paths = [root / f"{match[2].replace('.', '/')}.py" for root in self.roots()] if match else ()
+            for path in [*filter(Path.is_file, paths)][:1]:
                 found[match[1]] = EntryPoint(path, match[2], match[3])
         for words in PROGRAMS.findall(_read(self.folder / "CMakeLists.txt")):
             paths = [self.folder / word.strip('"') for word in words.split()]
             found |= {path.name: EntryPoint(path) for path in paths if path.is_file()}
         return found
-
-    def _file_of(self, module: str) -> Path | None:
-        return next(filter(Path.is_file, (root / f"{module.replace('.', '/')}.py" for root in self.roots())), None)
 
 
 def package_around(path: str | Path) -> Package | None:

@@ -32,7 +32,7 @@ from tflab.core import (
     stamp_from_sec_nanosec,
 )
 from tflab.ros.graph import Graph, current_graph
-from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
+from tflab.ros.messages import nav_msgs, sensor_msgs, std_msgs
 from tflab.ros.node import Node
 
 from .session import CPP_AUTHORITY, result_of, spin_for, tool_node
@@ -186,12 +186,8 @@ def _value(message: Any) -> Any:
 
             return PointCloud2(*head, read_points_numpy(message, ["x", "y", "z"], skip_nans=True))
         case nav_msgs.Path():
-            return Path(*head, [_point(each.pose.position) for each in message.poses])
+            return Path(*head, [(at.x, at.y, at.z) for at in (each.pose.position for each in message.poses)])
     return MapCells(*head, _occupied(message), message.info.resolution)
-
-
-def _point(point: geometry_msgs.Point) -> tuple[float, float, float]:
-    return (point.x, point.y, point.z)
 
 
 def _occupied(grid: nav_msgs.OccupancyGrid) -> np.ndarray:

@@ -333,7 +333,7 @@ def _plain_value(slot_type: SlotType) -> Callable[[object], object]:
     """Return the function that makes a value of the field as it comes off the wire, from one that was checked."""
     match slot_type:
         case BasicType("float"):
-            return _float32
+            return lambda value: array("f", (value,))[0]
         case BasicType("double"):
             return float
         case BasicType("boolean"):
@@ -351,10 +351,6 @@ def _plain_value(slot_type: SlotType) -> Callable[[object], object]:
         return pack if not isinstance(slot_type, Array) else lambda value: pack(value).reshape(-1)
     member = _plain_value(slot_type.value_type)
     return lambda values: [member(value) for value in values]
-
-
-def _float32(value: float) -> float:
-    return array("f", (value,))[0]
 
 
 def message_in(slot_type: SlotType) -> type[Message] | None:

@@ -23,6 +23,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any
 
+from ..distro import current
 from .base import action, message, service, types_of
 from .definition import Field, NamespacedType, parse_definition
 
@@ -62,6 +63,7 @@ def definitions() -> dict[str, dict[str, list[str]]]:
     found: dict[str, dict[str, list[str]]] = {}
     for block in DEFINITIONS.read_text(encoding="utf-8").split("==== ")[1:]:
         ros_type, _, text = block.partition("\n")
+        ros_type = ros_type.replace("turtlesim/", f"{current().turtlesim_messages}/")
         found.setdefault(ros_type.partition("/")[0], {})[ros_type] = text.split("---\n")
     return found
 

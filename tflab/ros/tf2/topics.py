@@ -218,12 +218,12 @@ class StaticTransformBroadcaster:
             qos = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL, history=HistoryPolicy.KEEP_LAST)
         self.pub_tf = node.create_publisher(tf2_msgs.TFMessage, DEFAULT_STATIC_TF_TOPIC, qos)
         self.net_message = tf2_msgs.TFMessage()
+        self._places: dict[str, int] = {}
 
     def sendTransform(self, transform: TransformStamped | Iterable[TransformStamped]) -> None:
         """Publish one transform, or several, together with what was sent before."""
         resend = distro.current().static_resend
-        sent = [] if resend == "forgets" else self.net_message.transforms
-        place = {each.child_frame_id: index for index, each in enumerate(sent)}
+        sent, place = ([], {}) if resend == "forgets" else (self.net_message.transforms, self._places)
         for each in _listed(transform):
             if resend == "forgets" or each.child_frame_id not in place:
                 place[each.child_frame_id] = len(sent)
