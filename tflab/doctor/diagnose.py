@@ -100,8 +100,8 @@ def diagnose_recording(recording: Recording) -> Report:
     findings = list(unreadable)
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
-        told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
-        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in told]
+        grouped = group_by_cause([finding for check in CHECKS for finding in check.run(evidence)])
+        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in grouped]
     made = tuple(check.name for check in CHECKS)
     return Report(
         recording.name, recording.begin_ns, worst_first(_of_ros(findings, recording)), made, seen=_seen(recording)
@@ -129,12 +129,12 @@ def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
     """Return what is wrong with what a buffer holds; it has forgotten much of what a recording tells."""
     evidence = evidence_from_buffer(buffer, name)
     made = [check for check in CHECKS if not check.needs]
-    findings = told_causes([finding for check in made for finding in check.run(evidence)])
+    findings = group_by_cause([finding for check in made for finding in check.run(evidence)])
     not_made = tuple(NotMade(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
     return Report(name, evidence.begin_ns, worst_first(findings), tuple(check.name for check in made), not_made)
 
 
-def told_causes(findings: list[Finding]) -> list[Finding]:
+def group_by_cause(findings: list[Finding]) -> list[Finding]:
     """Return the findings that no other explains, each with those that it explains."""
     cause_of = {number: _cause_of(finding, findings) for number, finding in enumerate(findings)}
     effects: dict[int, list[Finding]] = {}
@@ -145,8 +145,8 @@ def told_causes(findings: list[Finding]) -> list[Finding]:
         if cause is not None:
             effects.setdefault(cause, []).append(finding)
     causes = [number for number in range(len(findings)) if cause_of[number] is None]
-    told = [replace(f, effects=(*f.effects, *effects.get(number, ()))) for number, f in enumerate(findings)]
-    return _together([told[number] for number in causes])
+    grouped = [replace(f, effects=(*f.effects, *effects.get(number, ()))) for number, f in enumerate(findings)]
+    return _together([grouped[number] for number in causes])
 
 
 def _together(findings: list[Finding]) -> list[Finding]:

@@ -94,7 +94,7 @@ class Report:
         checks_made: names of the checks.
         checks_not_made: the others, and what each would need.
         seen: what was looked at; None of a buffer, which has forgotten.
-        let_pass: how many findings somebody has chosen to ignore.
+        ignored: how many findings somebody has chosen to ignore.
     """
 
     subject: str
@@ -103,7 +103,7 @@ class Report:
     checks_made: tuple[str, ...]
     checks_not_made: tuple[NotMade, ...] = ()
     seen: Seen | None = None
-    let_pass: int = 0
+    ignored: int = 0
 
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:
         """Return the findings of these severities, in order."""

@@ -43,8 +43,8 @@ def text_from_report(report: Report, language: str = "en") -> str:
         seen = report.seen._asdict()
         made += TEXTS["looked_at"].say(language, **seen, seconds=f"{report.seen.duration_s:.1f}")
     lines.append(f"{made}.")
-    if report.let_pass:
-        lines.append(TEXTS["let_pass"].say(language, n=report.let_pass))
+    if report.ignored:
+        lines.append(TEXTS["let_pass"].say(language, n=report.ignored))
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
         names = [check.check for check in report.checks_not_made if check.needs == needs]
         listed = f": {', '.join(names)}" if report.checks_made else ""
@@ -65,7 +65,7 @@ def data_from_report(report: Report) -> dict:
         "checks_made": list(report.checks_made),
         "checks_not_made": [{"check": check.check, "needs": check.needs.en} for check in report.checks_not_made],
         "seen": report.seen._asdict() if report.seen else None,
-        "let_pass": report.let_pass,
+        "let_pass": report.ignored,
     }
 
 
