@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from tflab.core.transforms import TransformRecord
 
-from ..chance import chance
+from ..seeded_rng import seeded_rng
 from . import broken_samples, broken_tree
 from .catalogue import Diagnosis, Fault
 from .streams import CannotInject, Injection, Patient, Stream, edges_of
@@ -58,7 +58,7 @@ def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0
     fault = Fault(fault)
     if aim and aim not in edges_of(records):
         raise ValueError(f"nobody sends {aim!r} as a child; there is {', '.join(edges_of(records))}")
-    patient = Patient(list(records), edges_of(records), chance(seed, fault), aim)
+    patient = Patient(list(records), edges_of(records), seeded_rng(seed, fault), aim)
     return INJECTORS[fault](patient)
 
 
