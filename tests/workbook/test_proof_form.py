@@ -1,6 +1,6 @@
 """A proof as an answer: checks that prove a diagnosis, judged beside it."""
 
-from tflab.clinic.proof import flaw_of
+from tflab.clinic.proof import find_flaw
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
 from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
 from tflab.workbook.answers.values import to_plain
@@ -51,7 +51,7 @@ def test_beside_a_cause_a_list_proves_that_one_or_nothing():
 
 def test_a_list_that_proves_two_of_three_suspects_earns_nothing_without_a_name():
     both = ["hz /odom"]
-    proved = [suspect for suspect in COMPLAINTS["flickers"].suspects if flaw_of(both, suspect) is None]
+    proved = [suspect for suspect in COMPLAINTS["flickers"].suspects if find_flaw(both, suspect) is None]
     assert proved == ["transforms late", "odometry slow"]
     for guess in (*proved, "laser clock ahead", "sensor broken", None):
         bound = FORM.beside(both, {"a cause": guess})

@@ -19,7 +19,8 @@ from __future__ import annotations
 from tflab.bags.info import example_bag
 from tflab.bags.reader import read_bag
 from tflab.clinic.causes import BaseLocalizer
-from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
+from tflab.clinic.practice import answer_of, practice_patient, worked_patient
+from tflab.clinic.practice import two_fault_patient as night_shift
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.robots.model import link_poses
