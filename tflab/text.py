@@ -3,7 +3,7 @@
     Text(en="Not answered yet.", ko="아직 답하지 않았습니다.").say("ko")
 
 Names, code and numbers are the same in both languages. A module that has many texts keeps
-them in a YAML file of its own name, here `replies.yaml` beside `replies.py`:
+them in a YAML file of its own name, here `phrases.yaml` beside `phrases.py`:
 
     not_answered:
       en: Not answered yet.

@@ -2,7 +2,7 @@
 
 from tflab.clinic.proof import find_flaw
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
-from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
+from tflab.workbook.answers.forms import Choice, DiscriminatingCheck, Parts, Proof, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
@@ -77,7 +77,7 @@ def test_what_is_said_of_checks_is_of_the_patient_whose_they_are():
 
 def test_any_cheap_check_that_two_suspects_answer_differently_tells_them_apart():
     options = ("hz /odom", "hz /scan", "scan header", "monitor", "tape measure", "no check")
-    form = Telling(options, ("odometry slow", "scan slow"))
+    form = DiscriminatingCheck(options, ("odometry slow", "scan slow"))
     assert [form.judge(check, "hz /odom") for check in options] == [[True], [True], [False], [False], [False], [False]]
     said = {check: form.remark(check, {}) for check in options}
     assert said["scan header"].en == "It says the same whichever of these two it is."

@@ -25,7 +25,7 @@ from typing import Any
 from ..text import Texts
 from .diagnosis.python_errors import tip_for
 from .paths import language_here
-from .reply import show_reply
+from .reply_card import show_reply
 
 __all__ = ["register"]
 

@@ -24,22 +24,22 @@ from . import progress
 from .answers.forms import Parts
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
 from .diagnosis.explain import list_asked, read_conditions
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
 from .inventory.participation import NO_HELP, say_taken_part
+from .judge_answer import judge_answer, show_hint, show_verdict
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
+from .phrases import PHRASES
 from .replay import shown_arguments
-from .replies import PHRASES
-from .reply import show_reply
+from .reply_card import show_reply
 from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
 from .tasks.credit import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.strip_solution import without_marks
 from .tasks.task import TaskError
-from .trying import say_verdict, show_hint, tried_on
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "call", "check", "hint", "solution", "solution_text", "task"]
 
@@ -96,7 +96,7 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
         verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
-        verdict, outcomes = tried_on(assigned, answer)
+        verdict, outcomes = judge_answer(assigned, answer)
         if verdict.mistake not in UNFINISHED:
             twin = next(iter(verdict.mistakes), None)
             came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
@@ -197,7 +197,7 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
         more.append(assigned.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.KNOWN, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
-    say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
+    show_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
 
 
 def _passed(assigned: AssignedTask) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from tflab.clinic.checks import CHECKS
-from tflab.workbook.tasks import Parts, Telling, define_task
+from tflab.workbook.tasks import DiscriminatingCheck, Parts, define_task
 
 OTHERS = ("longer timeout", "read the code")
 OPTIONS = (*CHECKS, *OTHERS)
@@ -25,5 +25,5 @@ TASK = define_task(
     kind="D",
     points=3,
     answer="first",
-    form=Parts({symptom: Telling(OPTIONS, suspects) for symptom, suspects in SUSPECTS.items()}),
+    form=Parts({symptom: DiscriminatingCheck(OPTIONS, suspects) for symptom, suspects in SUSPECTS.items()}),
 )

@@ -70,7 +70,7 @@ def _pairs(
     assert task.pairs is not None
     parts = [name for name in table.forms if name in wrong]
 
-    def fits(case: int, value: Plain) -> list[str]:
+    def reproduced_by(case: int, value: Plain) -> list[str]:
         if is_raised(value):
             return []
         return [
@@ -83,7 +83,7 @@ def _pairs(
     def is_right(case: int) -> bool:
         return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
 
-    return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
+    return task.pairs.matching(cases, sorted(range(len(cases)), key=is_right), reproduced_by, given)
 
 
 def _causes(
@@ -204,8 +204,8 @@ def after_a_mistake(
         return []
     if matches_closely(form, outcomes, row):
         return [only_follows(name, made_in)]
-    way = next(matching_corrections(form, outcomes, row, only_plain_to_see=True), None)
-    return [Found({way: feedback_of(task, way)}, feedback_of(task, way).reply, {name})] if way else []
+    fix = next(matching_corrections(form, outcomes, row, only_plain_to_see=True), None)
+    return [Found({fix: feedback_of(task, fix)}, feedback_of(task, fix).reply, {name})] if fix else []
 
 
 def only_follows(name: str, made_in: str) -> Found:

@@ -137,13 +137,13 @@ def explain_obvious_part(question: Question) -> Explanation | None:
     if len(wrong) != 1:
         return None
     (name,) = wrong
-    way = next(
+    fix = next(
         matching_corrections(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None
     )
-    if way is None:
+    if fix is None:
         return None
-    words = feedback_of(task, way)
-    found = Found({way: words}, _shown_too(task, name, words.reply), {name})
+    words = feedback_of(task, fix)
+    found = Found({fix: words}, _shown_too(task, name, words.reply), {name})
     return together([found], {}, list(table.forms))
 
 
@@ -226,10 +226,10 @@ def _mistake_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[
         row = [task.form.part_of(twin, name) for twin in (case.wrong.get(mistake) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
-        for way in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
+        for fix in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
             return [
                 Found(
-                    {each: feedback_of(task, each) for each in (mistake, way)}, describe(task, [mistake, way]), {name}
+                    {each: feedback_of(task, each) for each in (mistake, fix)}, describe(task, [mistake, fix]), {name}
                 )
             ]
     return []
@@ -248,13 +248,13 @@ def _remarked(table: Table, name: str) -> list[Found]:
 def _explain_any(task: TaskCases, table: Table, name: str) -> list[Found]:
     """Return what any answer can have: a habit, something universal, another part's answer."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    if len(outcomes) > 1 and (habit := find_coding_pattern(form, table.args, outcomes, wanted)):
-        return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
+    if len(outcomes) > 1 and (pattern := find_coding_pattern(form, table.args, outcomes, wanted)):
+        return [Found.of(f"{name}: {pattern[0]}", pattern[1], name)]
     if same := constant_of(form, outcomes, wanted):
         return [Found.of(f"{name}: {same[0]}", same[1], name)]
-    for way in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        words = feedback_of(task, way)
-        return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
+    for fix in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
+        words = feedback_of(task, fix)
+        return [Found({fix.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
         return [Found.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
     return []
@@ -286,10 +286,10 @@ def _explain_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
 ) -> list[Found]:
     """Return that a part is what was given, or has a factor reversed."""
-    way = find_input(form, outcome, wanted, given)
-    if not way:
+    fix = find_input(form, outcome, wanted, given)
+    if not fix:
         return []
-    return [Found({way: feedback_of(task, way)}, _shown_too(task, name, feedback_of(task, way).reply), {name})]
+    return [Found({fix: feedback_of(task, fix)}, _shown_too(task, name, feedback_of(task, fix).reply), {name})]
 
 
 def _as_another_is(

@@ -201,8 +201,8 @@ def _unexplained(
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
-    if task.is_function and (habit := credit.habit(form, cases, outcomes)):
-        return Mistake(habit), {}
+    if task.is_function and (pattern := credit.trivial_pattern(form, cases, outcomes)):
+        return Mistake(pattern), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
     if form.names():
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}

@@ -14,7 +14,7 @@ from ..answers.members import dict_of, members_of, pairs_of
 from ..answers.values import Plain
 from .explanation import Explanation
 from .matching import all_alike
-from .question import Question, Rest
+from .question import PartialExplanation, Question
 
 __all__ = [
     "TYPES",
@@ -125,7 +125,7 @@ def seconds_of(form: Form, outcome: Plain) -> float | None:
     return length / 1e9 if isinstance(length, int) else None
 
 
-def explain_other_types(question: Question) -> Rest | None:
+def explain_other_types(question: Question) -> PartialExplanation | None:
     """Return that a time was given for seconds, or pairs for a dict, and what these hold; None if that is right."""
     form = question.form
     if isinstance(form, Number):
@@ -133,13 +133,13 @@ def explain_other_types(question: Question) -> Rest | None:
     elif not all(map(pairs_of, question.outcomes)):
         return None
     else:
-        ways = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
-        values = max(ways, key=lambda way: sum(map(sum, map(form.judge, way, question.expected))))
+        rows = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
+        values = max(rows, key=lambda row: sum(map(sum, map(form.judge, row, question.expected))))
     if None in values or all_alike(question.form, values, question.expected):
         return None
     said = describe_type(question.form, question.outcomes[0])
     then = Explanation.of("other type", Text(f"{said.en}.", f"{said.ko}.")) if said else None
-    return Rest(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree)) if then else None
+    return then and PartialExplanation(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree))
 
 
 NEAR = 0.8  # share of letters that two words have in common

@@ -33,7 +33,7 @@ from ..diagnosis.mistake import Mistake
 from ..diagnosis.verdict import Verdict
 from ..paths import chapters, workbook_data
 from ..progress import read_progress
-from ..reply import show_page, show_reply
+from ..reply_card import show_page, show_reply
 from ..tasks.task import chapter_of
 from .items import DO_NOT_KNOW, FORMS, Item, read_inventory
 from .replies import Reply, changes, chosen, relearnt, replies_to

@@ -146,11 +146,11 @@ def best_questions(cause: str) -> list[str]:
 
 def draw_both_ways() -> Picture:
     """Draw the minutes that both ways take until one suspect is left, no complaint told, for each of eighteen."""
-    ways = {
+    orders = {
         "six steps": {cause: minutes_of(_until_clear(cause, LECTURES_ORDER)) for cause in SUSPECTS},
         "best next": {cause: minutes_of(best_questions(cause)) for cause in SUSPECTS},
     }
-    return draw_minutes(ways, BUDGET_MIN)
+    return draw_minutes(orders, BUDGET_MIN)
 
 
 def _until_clear(cause: str, checks: Sequence[str]) -> Sequence[str]:

@@ -6,7 +6,7 @@ from IPython.core.interactiveshell import InteractiveShell
 
 from tflab.text import Text
 from tflab.workbook import reply
-from tflab.workbook.reply import as_html, show_reply
+from tflab.workbook.reply_card import as_html, show_reply
 
 
 def test_in_a_notebook_it_is_a_card_that_has_the_same_text_beside_it(monkeypatch):

@@ -22,7 +22,7 @@ from .form import Mark, Probe
 from .structures import Choice
 from .values import Plain
 
-__all__ = ["Telling"]
+__all__ = ["DiscriminatingCheck"]
 
 TOO_DEAR = Text(
     en="It would tell these two apart, but it takes {minutes:g} minutes, and {most:g} are allowed.",
@@ -35,7 +35,7 @@ THE_SAME = Text(
 
 
 @dataclass(frozen=True)
-class Telling(Choice):
+class DiscriminatingCheck(Choice):
     """One of `options` that tells two suspects apart: all that do are the same answer.
 
     Attributes:
