@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.judging.marks import judged
+from tflab.grading.judging.task_score import score_task
 from tflab.grading.release import release
 from tflab.grading.reports.class_page import class_page, gain_section
 from tflab.grading.reports.gain import (
@@ -179,14 +179,14 @@ def test_grading_gives_points_for_answering_and_keeps_the_letters_of_a_complete_
     plain = assigned_cases(workbook_data(), STEMS[form], FORMS[form], Workbook()).plain()
     task = plain | plain["variants"][0]
     wrong = dict.fromkeys(map(str, range(1, 16)), "a?")
-    mark = judged(FORMS[form], task, {0: to_plain(wrong | {"3": " C "})})
+    mark = score_task(FORMS[form], task, {0: to_plain(wrong | {"3": " C "})})
     assert (mark.status, mark.points, mark.plain()["answers"]) == ("right", 1.0, wrong | {"3": "c"})
-    some = judged(FORMS[form], task, {0: to_plain(wrong | {"3": ..., "5": "x"})})
+    some = score_task(FORMS[form], task, {0: to_plain(wrong | {"3": ..., "5": "x"})})
     assert (some.status, some.passed, some.points) == ("partly", 13, 0.867)
     assert "answers" not in some.plain()
     assert [remark.kind for remark in some.remarks] == ["missing parts"]
-    assert judged(FORMS[form], task, {0: {"unanswered": True}}).status == "unanswered"
-    assert judged(FORMS[form], task, {0: to_plain([1, 2])}).status == "wrong"
+    assert score_task(FORMS[form], task, {0: {"unanswered": True}}).status == "unanswered"
+    assert score_task(FORMS[form], task, {0: to_plain([1, 2])}).status == "wrong"
 
 
 # -- what a release gives away ------------------------------------------------------------

@@ -20,7 +20,7 @@ from typing import Any, Literal
 from tflab.core import FrameSnapshot, Snapshot, format_stamp
 
 from . import style
-from .marks import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
+from .sheet import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
 from .style import fmt_name
 
 QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import style
-from .marks import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
+from .sheet import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
 from .tree import TreePicture
 
 MARGIN, GAP, OVAL = 18.0, 10.0, 30.0  # [pt] rim, between neighbours, height of a frame

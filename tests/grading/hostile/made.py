@@ -78,7 +78,7 @@ KINDS = [
     "sealed",
 ]
 OUTCOMES = (
-    "import itertools, tflab.grading.kernels.probe as p\nsend = p._send\nodd = itertools.cycle([None, [], {{}}, 'x', 0, [[]], ['a', {{}}], {{'a': 1}}, [[0, 0, 0], [0, 0, 0, 1]]])\np._send = lambda identity, plain: send(identity, [{{{kind!r}: next(odd)}} for _ in plain])\n"
+    "import itertools, tflab.grading.kernels.probe_answer as p\nsend = p._send\nodd = itertools.cycle([None, [], {{}}, 'x', 0, [[]], ['a', {{}}], {{'a': 1}}, [[0, 0, 0], [0, 0, 0, 1]]])\np._send = lambda identity, plain: send(identity, [{{{kind!r}: next(odd)}} for _ in plain])\n"
     + WRONG.replace("{", "{{")
 )
 

@@ -26,9 +26,9 @@ from ..submissions.remarks import Remark
 from ..submissions.roster import read_stamps
 from .draw import asks_of
 from .job import HandedIn, Job
-from .marks import TaskMark, judged, members
 from .repeatability import merge_runs
 from .select_submission import Candidate, select_counting
+from .task_score import TaskScore, members, score_task
 
 __all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "mark_task", "run_isolated", "select_notebooks", "stamps"]
 
@@ -49,7 +49,7 @@ class Ended(Exception):
 
 def mark_task(
     task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()
-) -> TaskMark:
+) -> TaskScore:
     """Return the mark of a task that was run once, or twice.
 
     What fails here or has no end costs no other task anything, and says nothing of what is expected.
@@ -62,7 +62,7 @@ def mark_task(
         said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
     except Exception as error:
         said = Remark("failed", task_id, error=type(error).__name__)
-    return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
+    return TaskScore(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
 
 
 def select_notebooks(job: Job) -> Chosen:
@@ -94,11 +94,11 @@ def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
     return []
 
 
-def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskMark:
+def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskScore:
     if len(runs) == 1:
-        return judged(task_id, task, runs[0], trouble)
+        return score_task(task_id, task, runs[0], trouble)
     asked, outcomes = merge_runs(task, *runs)
-    return judged(task_id, asked, outcomes, trouble)
+    return score_task(task_id, asked, outcomes, trouble)
 
 
 def _select(job: Job) -> Chosen:

@@ -31,7 +31,7 @@ import pytest
 
 from ..kernels.kernel_pool import Kernel, for_this_process
 from ..kernels.limits import Limits
-from ..kernels.probe import PROBE_TYPE
+from ..kernels.probe_answer import PROBE_TYPE
 from ..kernels.sandbox import Sandbox
 from ..kernels.wire import WireClosed, WireFault
 from .job import CellOutcome, Run, RunCell

@@ -24,11 +24,11 @@ from .cells import Master, MasterCell, Theirs, compared, defined
 from .draw import asks_of
 from .job import RunCell
 
-__all__ = ["BRIEFLY", "Asked", "RunPlan", "Transplant", "plan", "transplant"]
+__all__ = ["BRIEFLY", "Asked", "MergedNotebook", "RunPlan", "merge_submission", "plan"]
 
 
 @dataclass(frozen=True)
-class Transplant:
+class MergedNotebook:
     """What to run, which tasks have an answer at all, and what is to be said about it."""
 
     cells: tuple[RunCell, ...]
@@ -36,7 +36,7 @@ class Transplant:
     remarks: tuple[Remark, ...] = ()
 
 
-def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
+def merge_submission(master: Master, handed_in: SubmittedNotebook) -> MergedNotebook:
     """Return what runs of a notebook in the place of the master's answers."""
     theirs = compared(master, handed_in)
     cells = _own_behind("", "", theirs)
@@ -44,7 +44,7 @@ def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
         cells += _in_place_of(cell, master, theirs)
     cells += _probes_at_the_end(master, theirs, cells)
     counted = tuple(cell for cell in cells if cell.kind != "probe" or cell.task not in theirs.void)
-    return Transplant(counted, _answered(master, theirs), theirs.complaints)
+    return MergedNotebook(counted, _answered(master, theirs), theirs.complaints)
 
 
 def _in_place_of(cell: MasterCell, master: Master, theirs: Theirs) -> list[RunCell]:
@@ -137,7 +137,7 @@ class RunPlan:
 
 
 def plan(
-    transplanted: Transplant,
+    merged: MergedNotebook,
     tasks: Mapping[str, Mapping[str, Any]],
     wanted: Collection[str],
     *,
@@ -157,7 +157,7 @@ def plan(
     """
     cells = [_preparation(tasks)]
     asked: dict[str, Asked] = {}
-    for place, cell in enumerate(_up_to_the_last(transplanted.cells, set(wanted))):
+    for place, cell in enumerate(_up_to_the_last(merged.cells, set(wanted))):
         if cell.kind == "probe" and cell.task in wanted and cell.task in tasks:
             left = (places_left or {}).get(cell.task)
             for places in _groups(tasks[cell.task], closely, left):
@@ -173,7 +173,7 @@ def plan(
 
 def _preparation(tasks: Mapping[str, Mapping[str, Any]]) -> RunCell:
     givens = {task: held["given"] for task, held in tasks.items()}
-    say = "from tflab.grading.kernels.probe import prepare as _prepare; "
+    say = "from tflab.grading.kernels.probe_answer import prepare as _prepare; "
     return RunCell("ours", "ours", f"{say}_prepare({json.dumps(givens)!r})")
 
 
@@ -215,5 +215,5 @@ def _groups(task: Mapping[str, Any], closely: bool, left: Collection[int] | None
 def _probe(identity: str, task: Mapping[str, Any], places: tuple[int, ...]) -> str:
     asks = asks_of(task)
     args = [task["cases"][asks[place]]["args"] for place in places] if task["is_function"] else None
-    say = "from tflab.grading.kernels.probe import probe as _probe; "
+    say = "from tflab.grading.kernels.probe_answer import probe_answer as _probe; "
     return f"{say}_probe({identity!r}, lambda: {task['answer']}, {json.dumps(args)!r})"

@@ -23,7 +23,7 @@ import threading
 from types import SimpleNamespace
 from typing import Any
 
-from .probe import PROBE_TYPE
+from .probe_answer import PROBE_TYPE
 from .wire import Wire
 
 __all__ = ["build", "serve", "warm_up"]
