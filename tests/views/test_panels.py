@@ -8,7 +8,7 @@ import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.views.diagnosis_log import VisitStep
-from tflab.views.late_joiner import Letter, Sender
+from tflab.views.late_joiner import Sender, SentMessage
 from tflab.views.panels import (
     Travel,
     cameras_panel,
@@ -46,7 +46,7 @@ def query_panel(language="en"):
 
 
 def listener_panel(language="en"):
-    return joins_panel([Sender("driver", (Letter(1.0, ("laser_frame",)),))], 0.5, 4.0, language=language)
+    return joins_panel([Sender("driver", (SentMessage(1.0, ("laser_frame",)),))], 0.5, 4.0, language=language)
 
 
 def arm(positions):

@@ -28,7 +28,6 @@ In an exercise one calls five functions:
     copy/         a learner's own copy, and JupyterLab on it
     practice      the tasks again, with new numbers
     lesson/       what a page draws, drives and looks at
-
 """
 
 from __future__ import annotations

@@ -48,7 +48,8 @@ from tflab.views.clocks import Play, draw_clocks
 from tflab.views.coordinates import draw_moments, draw_rulers, readings_of
 from tflab.views.fault_tables import draw_owners
 from tflab.views.frames import draw_scene
-from tflab.views.late_joiner import Letter, Sender, draw_joins
+from tflab.views.late_joiner import Sender, draw_joins
+from tflab.views.late_joiner import SentMessage as Letter
 from tflab.views.map_error import draw_placed, draw_tracks
 from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, drive, latency_error
 from tflab.views.projection import FROM_ABOVE
