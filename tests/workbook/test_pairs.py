@@ -82,7 +82,7 @@ def test_a_pair_that_gives_the_answer_is_found(of_a_value):
 
 
 def test_no_pair_is_searched_if_one_mistake_explains_the_answer(of_a_value, monkeypatch):
-    monkeypatch.setattr(PairSearch, "fitting", lambda *_: pytest.fail("a pair was searched"))
+    monkeypatch.setattr(PairSearch, "matching", lambda *_: pytest.fail("a pair was searched"))
     for steps in ({"offset": -1.0}, {"scale": 2.0}, {"sign": -1.0}):
         assert len(mistakes_found(of_a_value, **steps)) == 1
     with pytest.raises(pytest.fail.Exception, match="a pair was searched"):
