@@ -33,7 +33,7 @@ ROUTE_BYTES = 500  # each, in CPython on 64 bits
 
 
 class Route:
-    """The histories to read, at whatever moment; only for a way whose shape has never changed.
+    """The histories to read, at whatever moment; only for a path whose shape has never changed.
 
     Attributes:
         up: from the source to where the climbs meet.
