@@ -6,7 +6,7 @@ import pytest
 from tflab.clinic.causes import CAUSES, HEALTHY, Numbers, draw_numbers
 from tflab.clinic.checks import CHECKS
 from tflab.clinic.fixes import EFFECTIVE_FIXES
-from tflab.clinic.patient import seen_after
+from tflab.clinic.patient import result_of_fix
 from tflab.clinic.proof import consistent_suspects
 from tflab.clinic.simulate_patient import ExaminedRobot, make_patient
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
@@ -58,15 +58,15 @@ def test_a_tools_terminal_shows_no_log_of_the_robots_nodes(patients):
 def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients):
     for cause, patient in patients.items():
         cure = next(fix for fix, causes in EFFECTIVE_FIXES.items() if cause in causes)
-        well = seen_after(patient, cure)[1]
+        well = result_of_fix(patient, cure)[1]
         assert "RViz: all Ok" in well or cause in ("localizer owns the base", "nothing is wrong")
         if cause not in ("two owners of one edge", "nothing is wrong"):
-            assert seen_after(patient, "new sensor")[1] != well
+            assert result_of_fix(patient, "new sensor")[1] != well
 
 
 def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
     ahead = patients["laser clock ahead"]
-    plaster, cure = seen_after(ahead, "timeout of 1 s")[1], seen_after(ahead, "set the laser's clock")[1]
+    plaster, cure = result_of_fix(ahead, "timeout of 1 s")[1], result_of_fix(ahead, "set the laser's clock")[1]
     assert "RViz: all Ok" in plaster and "RViz: all Ok" in cure
     beside = [float(text.split("up to ")[1].split(" m")[0]) for text in (plaster, cure)]
     assert beside[0] > 3 * beside[1]
@@ -95,5 +95,5 @@ def test_the_same_numbers_make_the_same_patient(patients):
 def test_two_causes_show_the_first_one_first():
     patient = make_patient(["localizer not running", "mount wrong"], Numbers())
     assert patient.complaint == "no map"
-    after = seen_after(patient, "start localization")[1]
+    after = result_of_fix(patient, "start localization")[1]
     assert "RViz: all Ok" in after and float(after.split("up to ")[1].split(" m")[0]) > 0.12

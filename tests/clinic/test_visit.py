@@ -10,7 +10,7 @@ from tflab.clinic.examples import EXAMPLES
 from tflab.clinic.patient import NOTES, FaultyRobot, translate_output
 from tflab.clinic.practice import answer_of, practice_patient, second_opinion, two_fault_patient, worked_patient
 from tflab.clinic.proof import consistent_suspects, shortest_proof
-from tflab.clinic.simulate_patient import examined
+from tflab.clinic.simulate_patient import doctor_report
 from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, expected_kind
 from tflab.clinic.visit import TEXTS, Visit, admit, steps_of
 from tflab.text import LANGUAGES
@@ -186,7 +186,7 @@ def test_a_practice_patient_is_the_same_wherever_it_is_made():
 def test_the_doctor_has_a_word_on_fourteen_robots_and_not_on_those_that_somebody_may_have_wanted_so(sample):
     wanted = {"Fixed Frame misspelt", "mount wrong", "header says base_link", "nothing is wrong"}
     for cause in sample(SUSPECTS, 4):
-        line = examined([cause], Numbers()).splitlines()[0]
+        line = doctor_report([cause], Numbers()).splitlines()[0]
         assert (line == "graph: nothing is wrong") == (cause in wanted), cause
 
 

@@ -25,7 +25,7 @@ from tflab.views.panels import (
     tree_panel,
     visit_panel,
 )
-from tflab.views.panels.lookups import between
+from tflab.views.panels.lookups import transform_between
 from tflab.views.timeline import Lane
 from tflab.views.transform_chain import Step
 
@@ -213,7 +213,7 @@ def test_the_sentence_is_there_in_korean_and_choosing_the_frame_of_the_other_men
 def test_a_sentence_between_frames_is_target_T_source():
     # base_link is 2 m ahead, turned by a quarter: the map's origin is 2 m to its left
     poses = {"map": Transform(), "base_link": Transform.from_rpy(yaw=1.5707963267948966, translation=(2.0, 0.0, 0.0))}
-    answer = between(poses, "base_link", "map")
+    answer = transform_between(poses, "base_link", "map")
     assert (answer.frame_id, answer.child_frame_id) == ("base_link", "map")
     assert answer.transform.translation == pytest.approx((0.0, 2.0, 0.0))
 

@@ -21,7 +21,7 @@ from tflab.views.diagnosis_log import describe_order, draw_order
 from tflab.views.fault_tables import draw_suspects
 from tflab.views.libraries import ipywidgets as widgets
 from tflab.views.panels.panel import Panel, side_by_side
-from tflab.views.panels.prefetch import At
+from tflab.views.panels.prefetch import Controls
 from tflab.views.slider_frames import Film
 
 from .checks import CHECKS
@@ -136,7 +136,7 @@ class ClinicPanel(Panel):
     def _questions(self) -> list[tuple[str, float, int]]:
         return [(asked.check, asked.minutes, len(asked.suspects)) for asked in self.visit.log]
 
-    def _move(self, at: At) -> None:
+    def _move(self, at: Controls) -> None:
         asked = {check: kind for check, kind in self.visit.found.items() if check in self._columns}
         self.picture.tell(asked if self.visit.helped else {})
 

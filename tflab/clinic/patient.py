@@ -23,7 +23,7 @@ from tflab.text import Text
 
 from .checks import CHECKS, find_check
 
-__all__ = ["NOTES", "FaultyRobot", "rows_of", "seen_after", "translate_output"]
+__all__ = ["NOTES", "FaultyRobot", "result_of_fix", "rows_of", "translate_output"]
 
 # what is written down without a tool of ROS
 NOTES = {
@@ -104,7 +104,7 @@ class FaultyRobot:
         return f"<Patient: {self.complaint or 'it does not work'}>"
 
 
-def seen_after(patient: FaultyRobot, fix: str) -> tuple[float, str]:
+def result_of_fix(patient: FaultyRobot, fix: str) -> tuple[float, str]:
     """Return the minutes of a fix, and what is seen after it; whether it may be tried yet, a visit decides."""
     return tuple(_unpacked(patient._word)[1][fix])
 

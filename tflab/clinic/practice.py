@@ -17,7 +17,7 @@ from .causes import CAUSES, Numbers, draw_numbers
 from .checks import CHECKS, unknown_name_error
 from .patient import FaultyRobot
 from .proof import consistent_suspects
-from .simulate_patient import examined, make_patient
+from .simulate_patient import doctor_report, make_patient
 from .table import COMPLAINTS
 
 __all__ = ["answer_of", "practice_patient", "second_opinion", "two_fault_patient", "worked_patient"]
@@ -70,7 +70,7 @@ def answer_of(number: int, complaint: str = "") -> str:
 def second_opinion(number: int, complaint: str = "") -> str:
     """Return what the doctor says of the robot of `practice_patient(number, complaint)`."""
     rng, causes = _drawn(number, complaint)
-    return examined(causes, _clear(rng, causes)[1])
+    return doctor_report(causes, _clear(rng, causes)[1])
 
 
 def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[FaultyRobot, Numbers]:

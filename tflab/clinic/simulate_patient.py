@@ -46,7 +46,7 @@ from .fixes import EFFECTIVE_FIXES, WORKAROUNDS
 from .patient import NOTES, FaultyRobot
 from .table import COMPLAINTS, DECIDING
 
-__all__ = ["ExaminedRobot", "examined", "make_patient"]
+__all__ = ["ExaminedRobot", "doctor_report", "make_patient"]
 
 DRIVEN_S = 20.0
 LOOKS = 8  # at RViz, until it shows what the operator complains of
@@ -89,7 +89,7 @@ def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None 
     return FaultyRobot(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
 
 
-def examined(causes: Sequence[str], numbers: Numbers) -> str:
+def doctor_report(causes: Sequence[str], numbers: Numbers) -> str:
     """Return what the doctor says of a robot that has these causes: a program that was told neither card nor plan."""
     launch = HEALTHY
     for cause in causes:

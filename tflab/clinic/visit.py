@@ -24,7 +24,7 @@ from .checks import CHECKS, CostedCheck, find_check, unknown_name_error
 from .examples import EXAMPLES
 from .findings import AS_ON_THE_CARD, READERS
 from .fixes import DIAGNOSES
-from .patient import FaultyRobot, seen_after, translate_output
+from .patient import FaultyRobot, result_of_fix, translate_output
 from .proof import NOTHING_IS_WRONG, best_check, consistent_suspects
 from .table import COMPLAINTS, DECIDING, SENSOR_BROKEN, SUSPECTS
 
@@ -171,7 +171,7 @@ class Visit:
 
     def _after(self) -> str:
         fix = self.diagnosis["fix"]
-        minutes, text = seen_after(self.patient, fix)
+        minutes, text = result_of_fix(self.patient, fix)
         self.tried.append(FixTried(fix, minutes, text))
         return self._say("after", fix=fix, minutes=minutes) + f"\n{_indented(translate_output(text, self.language))}"
 

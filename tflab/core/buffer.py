@@ -185,9 +185,9 @@ class BufferCore(Inspection):
             TransformException: as for lookup_transform.
         """
         with self._lock:
-            validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-            validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
-            validation.number_in_question(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument target_frame", target_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument source_frame", source_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
             fixed_T_source = self.lookup_transform(fixed_frame, source_frame, source_ns)
             target_T_fixed = self.lookup_transform(target_frame, fixed_frame, target_ns)
         outer, inner = target_T_fixed.transform, fixed_T_source.transform
@@ -234,7 +234,7 @@ class BufferCore(Inspection):
         if target_frame == source_frame:
             return True, ""
         with self._lock:
-            text = validation.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
+            text = validation.unknown_frame_text(self._tree, target_frame=target_frame, source_frame=source_frame)
             if text:
                 return False, text
             path = find_path(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
@@ -248,7 +248,7 @@ class BufferCore(Inspection):
         """Return (can_transform_full, tf2's text why not), the text "" if it can."""
         target_ns, source_ns = validation.whole_nanoseconds(target_ns), validation.whole_nanoseconds(source_ns)
         with self._lock:
-            text = validation.fault_in_question(
+            text = validation.unknown_frame_text(
                 self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame
             )
             if text:
@@ -263,8 +263,8 @@ class BufferCore(Inspection):
             TransformException: a bad or unknown name, or no path.
         """
         with self._lock:
-            target = validation.number_in_question(self._tree, "get_latest_common_time", target_frame)
-            source = validation.number_in_question(self._tree, "get_latest_common_time", source_frame)
+            target = validation.frame_number_or_raise(self._tree, "get_latest_common_time", target_frame)
+            source = validation.frame_number_or_raise(self._tree, "get_latest_common_time", source_frame)
             common_ns = latest_common_time(self._tree, target, source)
             if isinstance(common_ns, LookupFailure):
                 text = text_from_failure(self._tree, common_ns, target_frame, source_frame)

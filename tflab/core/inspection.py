@@ -229,8 +229,8 @@ class Inspection:
 
     def _find_path(self, target_frame: str, source_frame: str, stamp_ns: int) -> TreePath:
         """Return tf2's path between two frames at a moment, or raise its reason why there is none."""
-        target = validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-        source = validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
+        target = validation.frame_number_or_raise(self._tree, "lookupTransform argument target_frame", target_frame)
+        source = validation.frame_number_or_raise(self._tree, "lookupTransform argument source_frame", source_frame)
         path = find_path(self._tree, target, source, stamp_ns)
         if isinstance(path, LookupFailure):
             raise exception_from_failure(self._tree, path, target_frame, source_frame)

@@ -30,7 +30,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from . import quaternions
-from .cache import Cache, Gap, StaticCache, TimeCache, chained
+from .cache import Cache, Gap, StaticCache, TimeCache, compose_chain
 from .poses import IDENTITY_POSE, Pose, compose, invert
 from .stamps import LATEST
 
@@ -211,8 +211,8 @@ def pose_along(tree: FrameTree, path: TreePath) -> Pose:
     if tree.has_infinity:
         return _pose_at_infinity(up, down, path)
     if not down:
-        return chained(up, path.stamp_ns)
-    return compose(invert(chained(down, path.stamp_ns)), chained(up, path.stamp_ns))
+        return compose_chain(up, path.stamp_ns)
+    return compose(invert(compose_chain(down, path.stamp_ns)), compose_chain(up, path.stamp_ns))
 
 
 def frames_on_path(tree: FrameTree, path: TreePath, source: int) -> list[int]:

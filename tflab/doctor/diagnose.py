@@ -19,7 +19,7 @@ from tflab.text import Text, load_yaml
 from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
 from .evidence import Evidence
-from .findings import SEVERITIES, Finding, NotMade, Report, Seen
+from .findings import SEVERITIES, Coverage, Finding, Report, SkippedCheck
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 
@@ -130,7 +130,7 @@ def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
     evidence = evidence_from_buffer(buffer, name)
     made = [check for check in CHECKS if not check.needs]
     findings = group_by_cause([finding for check in made for finding in check.run(evidence)])
-    not_made = tuple(NotMade(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
+    not_made = tuple(SkippedCheck(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
     return Report(name, evidence.begin_ns, worst_first(findings), tuple(check.name for check in made), not_made)
 
 
@@ -200,13 +200,13 @@ def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(findings, key=lambda finding: SEVERITIES.index(finding.severity)))
 
 
-def _seen(recording: Recording) -> Seen:
+def _seen(recording: Recording) -> Coverage:
     """Return how much there was to look at; a frame counts once in each namespace."""
     labels = recording.transforms.labels
     frames = {(namespace_of(label.topic), frame) for label in labels for frame in (label.parent, label.child)}
     messages = sum(len(header.stamp_ns) for header in recording.headers)
     duration_s = (recording.end_ns - recording.begin_ns) / NSEC_PER_SEC
-    return Seen(len(frames), len(recording.transforms.label), messages, duration_s)
+    return Coverage(len(frames), len(recording.transforms.label), messages, duration_s)
 
 
 def _unreadable(recording: Recording) -> list[Finding]:
@@ -236,5 +236,5 @@ def _report_without_transforms(recording: Recording, unreadable: list[Finding]) 
         what = Text(f"In {topics} there are none.", f"다음 토픽에는 변환이 없습니다: {topics}.")
     facts = {"topics": ", ".join(names) or Text("nothing", "없음"), "what": what}
     findings = worst_first(_of_ros([*unreadable, Finding("no-transforms", "error", facts=facts)], recording))
-    not_made = tuple(NotMade(check.name, Text("transforms", "변환")) for check in CHECKS)
+    not_made = tuple(SkippedCheck(check.name, Text("transforms", "변환")) for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

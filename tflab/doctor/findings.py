@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 
 from tflab.text import Text
 
-__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Seen", "Severity", "english", "first_of", "times_of"]
+__all__ = ["SEVERITIES", "Coverage", "Finding", "Report", "Severity", "SkippedCheck", "english", "first_of", "times_of"]
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
@@ -67,14 +67,14 @@ def times_of(count: int, moments: str = "") -> Text:
     return Text(f"{count} times{when.en}", f"{count}번{when.ko}")
 
 
-class NotMade(NamedTuple):
+class SkippedCheck(NamedTuple):
     """A check that could not be made, and what it would need."""
 
     check: str
     needs: Text
 
 
-class Seen(NamedTuple):
+class Coverage(NamedTuple):
     """How much was looked at: frames, transforms, other messages with a stamp, and how long it took to record [s]."""
 
     frames: int
@@ -101,8 +101,8 @@ class Report:
     begin_ns: int
     findings: tuple[Finding, ...]
     checks_made: tuple[str, ...]
-    checks_not_made: tuple[NotMade, ...] = ()
-    seen: Seen | None = None
+    checks_not_made: tuple[SkippedCheck, ...] = ()
+    seen: Coverage | None = None
     ignored: int = 0
 
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:

@@ -20,7 +20,7 @@ from tflab.core import NSEC_PER_SEC
 from tflab.text import Texts
 
 from ..findings import SEVERITIES, Finding, Report, english, first_of
-from .sentences import certainty_of, describe, faults_of_code, what_settles
+from .sentences import certainty_of, describe, evidence_needed, faults_of_code
 
 __all__ = ["certainty_text", "data_from_report", "effects_text", "finding_text", "headline",
            "moments_text", "text_from_report"]  # fmt: skip
@@ -75,7 +75,7 @@ def _data_from_finding(finding: Finding) -> dict:
         "faults": [str(fault) for fault in faults_of_code(finding.code)],
         "severity": finding.severity,
         "certainty": certainty_of(finding.code),
-        "settled_by": what_settles(finding.code),
+        "settled_by": evidence_needed(finding.code),
         "namespace": finding.namespace,
         "parent": finding.parent,
         "child": finding.child,
@@ -140,7 +140,7 @@ def certainty_text(finding: Finding, language: str = "en") -> str:
     if certainty == "certain":
         return ""
     text = TEXTS["likely"] if certainty == "likely" else TEXTS["open"]
-    return text.say(language, settled=what_settles(finding.code, language))
+    return text.say(language, settled=evidence_needed(finding.code, language))
 
 
 def _padded(label: str, columns: int) -> str:
