@@ -30,7 +30,7 @@ __all__ = [
     "Text",
     "TextError",
     "Texts",
-    "begun",
+    "capitalized",
     "compose_yaml",
     "language_of_locale",
     "language_of_tools",
@@ -156,7 +156,7 @@ def text_of_node(node: yaml.Node, path: Path) -> Text:
     return Text(**texts)
 
 
-def begun(text: str) -> str:
+def capitalized(text: str) -> str:
     """Return a text with a capital as its first letter, unless its first word is a name such as `map`."""
     word = ENGLISH_WORD.match(text)
     return text[:1].upper() + text[1:] if word and word[0] not in NAMES else text

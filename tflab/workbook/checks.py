@@ -29,7 +29,7 @@ from .diagnosis.explain import list_asked, read_conditions
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
-from .inventory.participation import NO_HELP, say_taken_part
+from .inventory.participation import NO_HELP, report_participation
 from .judge_answer import judge_answer, show_hint, show_verdict
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
 from .phrases import PHRASES
@@ -103,7 +103,7 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
             progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
         if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
             language, form = assigned.workbook.language, assigned.cases.form
-            say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])
+            report_participation(assigned.id, assigned.root, language, form, verdict, outcomes[0])
         else:
             _say(assigned, verdict, outcomes)
         if why and verdict.mistake and len(outcomes) == len(assigned.variant.cases):

@@ -79,7 +79,7 @@ def execute(
     Raises:
         NotRun: our own cells did not run.
     """
-    tally = Tally(merged, tasks, wanted, closely)
+    tally = OutcomeCollector(merged, tasks, wanted, closely)
     for task in leave_out:
         tally.leave_out(task)
     for _ in range(MOST_RUNS):
@@ -93,7 +93,7 @@ def execute(
     return tally.result(notebook_s)
 
 
-class Tally:
+class OutcomeCollector:
     """What is known after some runs, and what the next one is to ask.
 
     Attributes:

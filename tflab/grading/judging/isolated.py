@@ -30,7 +30,7 @@ from .repeatability import merge_runs
 from .select_submission import Candidate, select_counting
 from .task_score import TaskScore, members, score_task
 
-__all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "mark_task", "run_isolated", "select_notebooks", "stamps"]
+__all__ = ["CPU_S", "MEMORY", "WORK", "OverLimit", "mark_task", "run_isolated", "select_notebooks", "stamps"]
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
@@ -43,7 +43,7 @@ Outcomes = Mapping[int, Any]
 Chosen = tuple[dict[str, Candidate], tuple[Remark, ...]]
 
 
-class Ended(Exception):
+class OverLimit(Exception):
     """The look at something took too long, or too much memory."""
 
 
@@ -58,7 +58,7 @@ def mark_task(
         if IS_POSSIBLE and _are_large(task, runs):
             return run_isolated("mark", task_id, task, runs, trouble)
         return _mark(task_id, task, runs, trouble)
-    except Ended:
+    except OverLimit:
         said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
     except Exception as error:
         said = Remark("failed", task_id, error=type(error).__name__)
@@ -69,7 +69,7 @@ def select_notebooks(job: Job) -> Chosen:
     """Return for each chapter the notebook that counts; a large file whose reading has no end is left out."""
     if not IS_POSSIBLE or sum(len(file.data) for file in job.files) < LARGE_FILES:
         return select_counting(job)
-    with contextlib.suppress(Ended):
+    with contextlib.suppress(OverLimit):
         return run_isolated("select", job)
     return select_counting(replace(job, files=tuple(_readable(job, file) for file in job.files)))
 
@@ -80,7 +80,7 @@ def _readable(job: Job, file: HandedIn) -> HandedIn:
         return file
     try:
         run_isolated("select", replace(job, files=(file,)))
-    except Ended:
+    except OverLimit:
         return HandedIn(file.name, fault=Remark("endless to read", seconds=CPU_S, most=MEMORY >> 20))
     return file
 
@@ -89,7 +89,7 @@ def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
     """Return the stamps in notebooks whose owner nothing else says; none if reading them has no end."""
     if not IS_POSSIBLE or sum(map(len, files)) < LARGE_FILES:
         return read_stamps(files)
-    with contextlib.suppress(Ended):
+    with contextlib.suppress(OverLimit):
         return run_isolated("stamps", files)
     return []
 
@@ -149,7 +149,7 @@ def run_isolated(work: str, *arguments: Any) -> Any:
                 return result
             raise result
         _stop()
-    raise Ended
+    raise OverLimit
 
 
 def _started() -> tuple[subprocess.Popen[bytes], Connection]:

@@ -267,7 +267,7 @@ def kill_all(pid: int, uid: int | None) -> None:
 
 
 def descendants(pid: int) -> list[int]:
-    """Return the processes below `pid`, outermost first."""
+    """Return the processes below `pid`, without_nested_paths first."""
     found: list[int] = []
     todo = [pid]
     while todo:

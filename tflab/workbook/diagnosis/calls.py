@@ -9,7 +9,7 @@ from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from .explanation import Explanation
 from .matching import ANY_BUG, all_alike
-from .python_errors import tip_for
+from .python_errors import python_error_hint
 from .question import PartialExplanation, Question
 
 __all__ = [
@@ -84,7 +84,7 @@ def explain_raises(question: Question) -> PartialExplanation | None:
     if left is None or len(rest.cases) < FEWEST or error not in BUGS:
         return None
     counts = {"stopped": len(stopped.cases), "of": len(question.cases), "error": error}
-    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**counts, tip=tip_for(error, text))))
+    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**counts, tip=python_error_hint(error, text))))
     return PartialExplanation(Explanation.of(f"stops: {error}", said), left)
 
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ...text import Text, Texts, begun, load_yaml
+from ...text import Text, Texts, capitalized, load_yaml
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
@@ -27,7 +27,7 @@ from .calls import (
     return_value,
 )
 from .coding_patterns import find_coding_pattern, find_input
-from .explanation import Explanation, and_then, describe
+from .explanation import Explanation, combine_explanations, describe
 from .generic import TOLD, describe_names
 from .links import explain_links
 from .matching import (
@@ -113,7 +113,7 @@ def _with_the_rest(found: PartialExplanation) -> Explanation | None:
     first = explain(found.question) if found.question else None
     if first is None:
         return found.then if found.is_enough else None
-    return and_then(first, found.then)
+    return combine_explanations(first, found.then)
 
 
 # -- one mistake, or two ---------------------------------------------------------------------
@@ -287,7 +287,7 @@ def _explained_by(question: Question, *names: str) -> Explanation:
     """Return what is said of mistakes that give an answer."""
     said = describe(question.task, names)
     if len(names) == 1 and _is_only_near(question, names[0]):
-        said = TEXTS["only_near"].filled(said=Text(begun(said.en), said.ko))
+        said = TEXTS["only_near"].filled(said=Text(capitalized(said.en), said.ko))
     return Explanation({name.partition(TOLD)[0]: feedback_of(question.task, name) for name in names}, said)
 
 

@@ -21,11 +21,11 @@ __all__ = [
     "describe_type",
     "describe_types",
     "explain_other_types",
+    "invalid_parts",
     "near_an_option",
-    "no_options_either",
-    "one_part_alone",
     "option_of_another",
     "raised_option",
+    "single_part_given",
 ]
 
 TEXTS = Texts(__file__)
@@ -160,7 +160,7 @@ def raised_option(form: Form, text: str) -> Text | None:
     return None if option is None else TEXTS["raised"].filled(option=option)
 
 
-def one_part_alone(form: Parts, outcome: Plain) -> Text | None:
+def single_part_given(form: Parts, outcome: Plain) -> Text | None:
     """Return which part a word is for that was given where all parts are asked for; None if it is for none."""
     if not isinstance(outcome, str):
         return None
@@ -177,7 +177,7 @@ def option_of_another(form: Parts, name: str, answer: Plain) -> Text | None:
     return None
 
 
-def no_options_either(form: Parts, name: str, answers: Mapping[str, Plain]) -> Text | None:
+def invalid_parts(form: Parts, name: str, answers: Mapping[str, Plain]) -> Text | None:
     """Return which other parts hold words that are none to choose from; None if no other does."""
     bad = [
         f'"{other}": "{answers[other]}"'
