@@ -28,8 +28,8 @@ from typing import Any, NamedTuple
 
 from tflab.grading.judging.cells import Master
 from tflab.grading.judging.draw import asks_of
-from tflab.grading.judging.marks import by_case, judged
 from tflab.grading.judging.pack import Pack, questions_asked, read_pack
+from tflab.grading.judging.task_score import by_case, score_task
 from tflab.grading.submissions.roster import Learner
 from tflab.workbook.answers.forms import Choice, Form, Parts, form_from_plain
 from tflab.workbook.answers.values import Plain, is_raised
@@ -143,11 +143,11 @@ def share_of(task_id: str, task: Mapping[str, Any], form: Form, outcomes: Outcom
     """Return which share of its points a task gives for outcomes; where nothing fits, nothing, at once."""
     asks = asks_of(task)
     fits = any(any(form.judge(outcomes[place], task["cases"][case]["expected"])) for place, case in enumerate(asks))
-    return judged(task_id, task, outcomes).points / float(task["points"]) if fits else 0.0
+    return score_task(task_id, task, outcomes).points / float(task["points"]) if fits else 0.0
 
 
 def shares_of(task: Mapping[str, Any]) -> Callable[[Outcomes], float]:
-    """Return what gives the share of a function's points for outcomes, as `judged` does; the reasons, it does not."""
+    """Return the function that gives a task's share of points for outcomes, as `score_task` does, without reasons."""
     held = TaskCases.of_a_learner(dict(task))
     form, cases, asks = held.form, held.variants[0].cases, asks_of(task)
     of, guessed = probes_of(form, cases), guessed_of(form, cases, task.get("known") or [False] * len(cases))

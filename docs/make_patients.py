@@ -11,9 +11,9 @@ import json
 import lzma
 from typing import Any
 
-from tflab.clinic.archive import Admission, patients
+from tflab.clinic.archive import PatientSpec, patients
 from tflab.clinic.causes import draw_numbers
-from tflab.clinic.patient import SickRobot, rows_of
+from tflab.clinic.patient import FaultyRobot, rows_of
 from tflab.clinic.table import SUSPECTS
 from tflab.workbook.paths import TASKS, workbook_data
 from tflab.workbook.tasks import Draws
@@ -26,17 +26,17 @@ OF_EACH_CAUSE = 4
 
 def main() -> None:
     """Write the patients."""
-    shared = tasks_of(workbook_data(), STEM)["E12.7"].inputs.__globals__["one_of_each"].__globals__  # draws.py
-    by_admission: dict[str, list[Any]] = {}
+    shared = tasks_of(workbook_data(), STEM)["E12.7"].inputs.__globals__["draw_one_of_each"].__globals__  # draws.py
+    by_spec: dict[str, list[Any]] = {}
 
-    def made(admissions: list[Admission]) -> list[SickRobot]:
-        found = patients(admissions)
-        names = map(shared["admission_name"], admissions)
-        by_admission.update(zip(names, map(rows_of, found), strict=True))
+    def made(specs: list[PatientSpec]) -> list[FaultyRobot]:
+        found = patients(specs)
+        names = map(shared["spec_name"], specs)
+        by_spec.update(zip(names, map(rows_of, found), strict=True))
         return found
 
-    shared["one_of_each"](draws_for(PUBLIC_SEED, "E12.7", 0), made)
-    text = json.dumps({"by cause": _by_cause(shared["cause_of"]), "by admission": by_admission}, ensure_ascii=False)
+    shared["draw_one_of_each"](draws_for(PUBLIC_SEED, "E12.7", 0), made)
+    text = json.dumps({"by cause": _by_cause(shared["cause_of"]), "by spec": by_spec}, ensure_ascii=False)
     path = workbook_data() / TASKS / STEM / "patients.json.xz"
     path.write_bytes(lzma.compress(text.encode(), preset=9))
     print(f"{path.name}: {path.stat().st_size:,} bytes")
@@ -46,7 +46,7 @@ def _by_cause(cause_of: Any) -> dict[str, list[list[Any]]]:
     """Return for each cause some patients whose readings fit it and no other."""
     rng, found = Draws(12), {cause: [] for cause in SUSPECTS}
     while missing := [cause for cause in SUSPECTS for _ in range(OF_EACH_CAUSE - len(found[cause]))]:
-        made = patients([Admission((cause,), draw_numbers(rng)) for cause in missing])
+        made = patients([PatientSpec((cause,), draw_numbers(rng)) for cause in missing])
         for cause, patient in zip(missing, made, strict=True):
             if cause_of(patient) == cause:
                 found[cause].append(rows_of(patient))

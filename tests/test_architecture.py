@@ -47,7 +47,7 @@ SUBPACKAGES = {
     "robots/faults": {"."},
     "doctor/checks": {"."},
     "doctor/report": {".", "checks"},
-    "doctor/gate": {".", "checks", "report"},
+    "doctor/ci": {".", "checks", "report"},
     "workbook/answers": {"."},
     "workbook/tasks": {".", "answers"},
     "workbook/diagnosis": {".", "answers", "tasks"},

@@ -3,7 +3,7 @@
     Text(en="Not answered yet.", ko="아직 답하지 않았습니다.").say("ko")
 
 Names, code and numbers are the same in both languages. A module that has many texts keeps
-them in a YAML file of its own name, here `replies.yaml` beside `replies.py`:
+them in a YAML file of its own name, here `phrases.yaml` beside `phrases.py`:
 
     not_answered:
       en: Not answered yet.
@@ -30,7 +30,7 @@ __all__ = [
     "Text",
     "TextError",
     "Texts",
-    "begun",
+    "capitalized",
     "compose_yaml",
     "language_of_locale",
     "language_of_tools",
@@ -156,7 +156,7 @@ def text_of_node(node: yaml.Node, path: Path) -> Text:
     return Text(**texts)
 
 
-def begun(text: str) -> str:
+def capitalized(text: str) -> str:
     """Return a text with a capital as its first letter, unless its first word is a name such as `map`."""
     word = ENGLISH_WORD.match(text)
     return text[:1].upper() + text[1:] if word and word[0] not in NAMES else text

@@ -194,13 +194,13 @@ e12_4 = task("E12.4")
 
 # %% name="e12-4-answer" tags=["answer"]
 # BEGIN SOLUTION
-from tflab.clinic.cures import DIAGNOSES
-from tflab.clinic.proof import fitting, shortest_proof
-from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.checks import CHECKS
+from tflab.clinic.fixes import DIAGNOSES
+from tflab.clinic.proof import consistent_suspects, shortest_proof
 
 patients = {}  # {"a checks": [...], "a cause": ..., "a frame": ..., "a owner": ..., "a fix": ..., "b checks": [...], ...}
 for who, patient in vars(e12_4).items():  # nobody on a visit may read all of it; a solution for any patient has to
-    (cause,) = fitting({key: check.kind(patient.ask(key)) for key, check in TROLLEY.items()})
+    (cause,) = consistent_suspects({key: check.kind(patient.ask(key)) for key, check in CHECKS.items()})
     told = {"checks": (cause, shortest_proof(cause)), "cause": cause, **DIAGNOSES[cause]._asdict()}
     for what, answer in told.items():
         patients[f"{who} {what}"] = answer
@@ -346,14 +346,14 @@ lesson.show_findings()
 def triage(patient):
     """Return the verdict on a patient of whom nothing is known."""
     # BEGIN SOLUTION
-    from tflab.clinic.cures import DIAGNOSES
-    from tflab.clinic.proof import SUSPECTS, TROLLEY, fitting, worth
+    from tflab.clinic.fixes import DIAGNOSES
+    from tflab.clinic.proof import CHECKS, SUSPECTS, bits_per_minute, consistent_suspects
 
     left = SUSPECTS
     for _ in SUSPECTS:
         if len(left) != 1:
-            check = max(TROLLEY, key=lambda key: worth(key, left))
-            left = fitting({check: TROLLEY[check].kind(patient.ask(check))}, left)
+            check = max(CHECKS, key=lambda key: bits_per_minute(key, left))
+            left = consistent_suspects({check: CHECKS[check].kind(patient.ask(check))}, left)
     (cause,) = left
     return patient.verdict(cause, DIAGNOSES[cause].frame)
     # END SOLUTION

@@ -9,7 +9,7 @@ import pytest
 
 import tflab
 from tflab.clinic import archive
-from tflab.clinic.archive import Admission, digest_of, files_of, patients
+from tflab.clinic.archive import PatientSpec, digest_of, files_of, patients
 from tflab.clinic.causes import Numbers
 
 PACKAGE = Path(tflab.__file__).parent
@@ -27,10 +27,10 @@ print(*sorted(opened | loaded), sep="\\n")
 
 def test_a_patient_is_made_once(tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    admission = Admission(("header says another frame",), Numbers())
-    made = patients([admission])[0].packed()
+    spec = PatientSpec(("header says another frame",), Numbers())
+    made = patients([spec])[0].packed()
     monkeypatch.setattr(archive, "make_patient", None)
-    assert patients([admission, admission])[1].packed() == made
+    assert patients([spec, spec])[1].packed() == made
     assert len([path for path in (tmp_path / "tflab").rglob("*") if path.is_file()]) == 1
 
 

@@ -2,23 +2,23 @@
 
 import pytest
 
-from tflab.clinic.examples import EXAMPLES, findings_as_text, suspects_as_text, trolley_as_text
-from tflab.clinic.table import SUSPECTS, kind_expected
-from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.checks import CHECKS
+from tflab.clinic.examples import EXAMPLES, checks_as_text, findings_as_text, suspects_as_text
+from tflab.clinic.table import SUSPECTS, expected_kind
 
 
-@pytest.mark.parametrize("check", TROLLEY)
+@pytest.mark.parametrize("check", CHECKS)
 def test_of_each_check_there_is_an_example_of_every_kind_that_is_read_as_that_kind(check):
-    kinds = {kind_expected(suspect, check) for suspect in SUSPECTS}
+    kinds = {expected_kind(suspect, check) for suspect in SUSPECTS}
     assert set(EXAMPLES[check]) == kinds
-    assert {TROLLEY[check].kind(line): line for line in EXAMPLES[check].values()} == EXAMPLES[check]
+    assert {CHECKS[check].kind(line): line for line in EXAMPLES[check].values()} == EXAMPLES[check]
 
 
 def test_every_suspect_stands_in_print_and_every_check_with_its_price():
     assert all(f"    {suspect}\n" in suspects_as_text() + "\n" for suspect in SUSPECTS)
-    assert len(trolley_as_text().splitlines()) == len(TROLLEY)
-    assert "delay /scan                   1 min   ros2 topic delay /scan" in trolley_as_text()
-    assert "delay /scan                   1분   ros2 topic delay /scan" in trolley_as_text("ko")
+    assert len(checks_as_text().splitlines()) == len(CHECKS)
+    assert "delay /scan                   1 min   ros2 topic delay /scan" in checks_as_text()
+    assert "delay /scan                   1분   ros2 topic delay /scan" in checks_as_text("ko")
 
 
 def test_what_a_check_says_of_whom_stands_beside_what_the_card_has():

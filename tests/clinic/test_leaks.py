@@ -9,7 +9,7 @@ from contextlib import redirect_stdout
 
 import pytest
 
-from tflab.clinic.patient import SickRobot
+from tflab.clinic.patient import FaultyRobot
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import SUSPECTS
 from tflab.clinic.visit import admit
@@ -41,7 +41,7 @@ def test_what_a_fix_leads_to_and_what_a_check_says_is_not_to_be_had_from_a_patie
 
 
 def test_a_patient_without_a_complaint_shows_no_screen_that_nobody_paid_for(patient):
-    silent = SickRobot("", patient.screen, 12.0, {"rviz": (1.0, patient.screen, "all Ok")}, {})
+    silent = FaultyRobot("", patient.screen, 12.0, {"rviz": (1.0, patient.screen, "all Ok")}, {})
     assert silent.screen == "" and silent.ask("rviz") == "all Ok" and silent.minutes == 1
 
 

@@ -4,10 +4,10 @@ import re
 
 import pytest
 
+from tflab.clinic.checks import CHECKS
 from tflab.clinic.panel import LABELS, clinic_panel, columns_for
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import COMPLAINTS
-from tflab.clinic.trolley import TROLLEY
 
 
 @pytest.fixture(scope="module")
@@ -56,7 +56,7 @@ def test_in_korean_only_names_and_what_is_typed_are_english(ahead):
 def test_on_an_exported_page_it_shows_what_each_check_would_say(ahead):
     panel = clinic_panel(ahead)
     _, film = panel.film().children
-    assert len(film.texts) == len(TROLLEY)
+    assert len(film.texts) == len(CHECKS)
     at = film.texts.index("ros2 topic delay /scan (1 min)")
     assert "average delay: -0." in film.words[at] and "1 of 3 suspects left" in film.words[at]
     assert panel.visit.log == []

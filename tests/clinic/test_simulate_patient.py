@@ -4,18 +4,18 @@ import numpy as np
 import pytest
 
 from tflab.clinic.causes import CAUSES, HEALTHY, Numbers, draw_numbers
-from tflab.clinic.cures import CURES
-from tflab.clinic.patient import seen_after
-from tflab.clinic.proof import fitting
+from tflab.clinic.checks import CHECKS
+from tflab.clinic.fixes import EFFECTIVE_FIXES
+from tflab.clinic.patient import result_of_fix
+from tflab.clinic.proof import consistent_suspects
 from tflab.clinic.simulate_patient import ExaminedRobot, make_patient
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
-from tflab.clinic.trolley import TROLLEY
 
 pytestmark = pytest.mark.proof  # a robot for each cause
 
 
 def found_in(patient):
-    return {key: check.kind(patient.ask(key)) for key, check in TROLLEY.items()}
+    return {key: check.kind(patient.ask(key)) for key, check in CHECKS.items()}
 
 
 @pytest.fixture(scope="module")
@@ -30,13 +30,13 @@ def patients(sample):
 
 def test_the_causes_are_the_suspects():
     assert tuple(CAUSES) == SUSPECTS
-    assert sorted(cause for causes in CURES.values() for cause in causes) == sorted(SUSPECTS)
+    assert sorted(cause for causes in EFFECTIVE_FIXES.values() for cause in causes) == sorted(SUSPECTS)
 
 
 def test_a_patients_findings_fit_its_cause_and_no_other_and_do_not_name_it(patients):
     for cause, patient in patients.items():
-        assert fitting(found_in(patient)) == (cause,)
-        texts = [patient.screen, *(patient.reading(key)[1] for key in TROLLEY)]
+        assert consistent_suspects(found_in(patient)) == (cause,)
+        texts = [patient.screen, *(patient.reading(key)[1] for key in CHECKS)]
         assert not [suspect for suspect in SUSPECTS for text in texts if suspect in text]
 
 
@@ -44,8 +44,8 @@ def test_every_reading_of_a_healthy_robot_is_as_on_the_card_and_leaves_no_file(t
     monkeypatch.chdir(tmp_path)
     with ExaminedRobot(HEALTHY, Numbers()) as well:
         screen = well.screen()
-        kinds = {key: check.kind(well.ask(key, screen)[1]) for key, check in TROLLEY.items()}
-    assert kinds == {key: check.usual for key, check in TROLLEY.items()}
+        kinds = {key: check.kind(well.ask(key, screen)[1]) for key, check in CHECKS.items()}
+    assert kinds == {key: check.usual for key, check in CHECKS.items()}
     assert list(tmp_path.iterdir()) == []
 
 
@@ -57,16 +57,16 @@ def test_a_tools_terminal_shows_no_log_of_the_robots_nodes(patients):
 
 def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients):
     for cause, patient in patients.items():
-        cure = next(fix for fix, causes in CURES.items() if cause in causes)
-        well = seen_after(patient, cure)[1]
+        cure = next(fix for fix, causes in EFFECTIVE_FIXES.items() if cause in causes)
+        well = result_of_fix(patient, cure)[1]
         assert "RViz: all Ok" in well or cause in ("localizer owns the base", "nothing is wrong")
         if cause not in ("two owners of one edge", "nothing is wrong"):
-            assert seen_after(patient, "new sensor")[1] != well
+            assert result_of_fix(patient, "new sensor")[1] != well
 
 
 def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
     ahead = patients["laser clock ahead"]
-    plaster, cure = seen_after(ahead, "timeout of 1 s")[1], seen_after(ahead, "set the laser's clock")[1]
+    plaster, cure = result_of_fix(ahead, "timeout of 1 s")[1], result_of_fix(ahead, "set the laser's clock")[1]
     assert "RViz: all Ok" in plaster and "RViz: all Ok" in cure
     beside = [float(text.split("up to ")[1].split(" m")[0]) for text in (plaster, cure)]
     assert beside[0] > 3 * beside[1]
@@ -95,5 +95,5 @@ def test_the_same_numbers_make_the_same_patient(patients):
 def test_two_causes_show_the_first_one_first():
     patient = make_patient(["localizer not running", "mount wrong"], Numbers())
     assert patient.complaint == "no map"
-    after = seen_after(patient, "start localization")[1]
+    after = result_of_fix(patient, "start localization")[1]
     assert "RViz: all Ok" in after and float(after.split("up to ")[1].split(" m")[0]) > 0.12

@@ -4,16 +4,16 @@ from itertools import permutations
 
 import pytest
 
-from tflab.clinic.proof import fitting, flaw_of, left_after, minutes_of, order_of, rivals_of
-from tflab.clinic.table import COMPLAINTS, DECIDING, SUSPECTS, kind_expected
-from tflab.clinic.trolley import TROLLEY, check_named
+from tflab.clinic.checks import CHECKS, find_check
+from tflab.clinic.proof import check_steps, consistent_suspects, find_flaw, minutes_of, rivals_left, rivals_of
+from tflab.clinic.table import COMPLAINTS, DECIDING, SUSPECTS, expected_kind
 
-CHEAP = [key for key, check in TROLLEY.items() if check.minutes <= 3]
+CHEAP = [key for key, check in CHECKS.items() if check.minutes <= 3]
 
 
 def test_no_two_of_eighteen_suspects_would_give_the_same_answers():
     assert {len(complaint.suspects) for complaint in COMPLAINTS.values()} == {3}
-    columns = {tuple(kind_expected(suspect, check) for check in TROLLEY) for suspect in SUSPECTS}
+    columns = {tuple(expected_kind(suspect, check) for check in CHECKS) for suspect in SUSPECTS}
     assert len(columns) == len(SUSPECTS) == 3 * len(COMPLAINTS) == 18
 
 
@@ -23,11 +23,11 @@ def test_each_suspect_has_a_proof_of_three_minutes_at_most(suspect):
         checks
         for count in (1, 2)
         for checks in permutations(CHEAP, count)
-        if minutes_of(checks) <= 3 and flaw_of(checks, suspect) is None
+        if minutes_of(checks) <= 3 and find_flaw(checks, suspect) is None
     ]
     assert proofs
     for checks in proofs:
-        assert left_after(suspect, rivals_of(suspect), checks)[-1] == ()
+        assert rivals_left(suspect, rivals_of(suspect), checks)[-1] == ()
 
 
 @pytest.mark.parametrize(
@@ -41,36 +41,36 @@ def test_each_suspect_has_a_proof_of_three_minutes_at_most(suspect):
     ],
 )
 def test_what_leaves_a_rival_or_asks_too_much_is_no_proof(checks, kind):
-    flaw = flaw_of(checks, "laser clock ahead")
+    flaw = find_flaw(checks, "laser clock ahead")
     assert flaw.kind == kind
     assert checks != ["hz /scan"] or flaw.rival == "transforms late"
     assert kind != "idle" or (flaw.count, flaw.minutes) == (1, 5)
-    assert flaw_of(["delay /scan"], "laser clock ahead") is None
-    assert flaw_of(["echo odom base_footprint"], "nothing is wrong") is None
+    assert find_flaw(["delay /scan"], "laser clock ahead") is None
+    assert find_flaw(["echo odom base_footprint"], "nothing is wrong") is None
 
 
 def test_everything_asked_proves_nothing():
-    everything = list(TROLLEY)
-    assert not [suspect for suspect in SUSPECTS if flaw_of(everything, suspect) is None]
+    everything = list(CHECKS)
+    assert not [suspect for suspect in SUSPECTS if find_flaw(everything, suspect) is None]
 
 
 def test_without_a_complaint_all_others_are_rivals():
     assert len(rivals_of("mount wrong")) == 2
     assert len(rivals_of("mount wrong", whole=True)) == 17
-    assert fitting({"delay /scan": "ahead"}) == ("laser clock ahead",)
+    assert consistent_suspects({"delay /scan": "ahead"}) == ("laser clock ahead",)
 
 
 def test_the_order_of_a_visit_counts_who_is_left():
-    assert order_of("laser clock ahead", ["hz /scan", "delay /scan"]) == [("hz /scan", 1, 3), ("delay /scan", 1, 1)]
+    assert check_steps("laser clock ahead", ["hz /scan", "delay /scan"]) == [("hz /scan", 1, 3), ("delay /scan", 1, 1)]
 
 
 def test_the_deciding_reading_of_a_suspect_is_not_as_on_the_card():
     for suspect, check in DECIDING.items():
         if suspect != "nothing is wrong":
-            assert kind_expected(suspect, check) != TROLLEY[check].usual
+            assert expected_kind(suspect, check) != CHECKS[check].usual
 
 
 def test_a_check_goes_by_its_name_or_by_what_is_typed():
-    assert check_named("delay /scan") == check_named("ros2 topic  delay /scan") == check_named("topic delay /scan")
+    assert find_check("delay /scan") == find_check("ros2 topic  delay /scan") == find_check("topic delay /scan")
     with pytest.raises(ValueError, match=r'"delay scan" is not on the trolley.*did you mean "delay /scan"'):
-        check_named("delay scan")
+        find_check("delay scan")

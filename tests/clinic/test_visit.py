@@ -5,13 +5,13 @@ from itertools import product
 import pytest
 
 from tflab.clinic.causes import Numbers
+from tflab.clinic.checks import CHECKS
 from tflab.clinic.examples import EXAMPLES
-from tflab.clinic.patient import NOTES, SickRobot, translate_output
-from tflab.clinic.practice import answer_of, night_shift, practice_patient, second_opinion, worked_patient
-from tflab.clinic.proof import fitting, shortest_proof
-from tflab.clinic.simulate_patient import examined
-from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, kind_expected
-from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.patient import NOTES, FaultyRobot, translate_output
+from tflab.clinic.practice import answer_of, practice_patient, second_opinion, two_fault_patient, worked_patient
+from tflab.clinic.proof import consistent_suspects, shortest_proof
+from tflab.clinic.simulate_patient import doctor_report
+from tflab.clinic.table import COMPLAINTS, SENSOR_BROKEN, SUSPECTS, expected_kind
 from tflab.clinic.visit import TEXTS, Visit, admit, steps_of
 from tflab.text import LANGUAGES
 
@@ -52,7 +52,7 @@ def test_each_question_takes_its_minutes_also_when_it_was_asked_before(visit, ca
 def test_suspects_are_struck_by_oneself_unless_the_table_helps(visit, ahead, capsys):
     visit.take("delay /scan")
     assert len(visit.suspects) == 3
-    visit.strike("odometry slow")
+    visit.rule_out("odometry slow")
     assert visit.suspects == ("laser clock ahead", "transforms late")
     helped = admit(ahead, helped=True)
     helped.take("delay /scan")
@@ -86,17 +86,17 @@ def test_no_fix_is_tried_on_a_suspicion(visit, capsys):
 @pytest.mark.parametrize("truth", SUSPECTS)
 def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, capsys):
     own = next(key for key, each in COMPLAINTS.items() if truth in each.suspects)
-    finding = {key: EXAMPLES[key][kind_expected(truth, key)] for key in TROLLEY}
-    evidence = {key: (check.minutes, finding[key], finding[key]) for key, check in TROLLEY.items()}
-    after = ([], ["hz /scan"], shortest_proof(truth), list(TROLLEY))
+    finding = {key: EXAMPLES[key][expected_kind(truth, key)] for key in CHECKS}
+    evidence = {key: (check.minutes, finding[key], finding[key]) for key, check in CHECKS.items()}
+    after = ([], ["hz /scan"], shortest_proof(truth), list(CHECKS))
     others = [each for each in (*SUSPECTS, SENSOR_BROKEN) if each != truth]
     for complaint, asked, wrong in product((own, ""), after, others):
-        visit = Visit(SickRobot(complaint, "", 12.0, evidence, {}), language)
+        visit = Visit(FaultyRobot(complaint, "", 12.0, evidence, {}), language)
         for check in asked:
             visit.take(check)
         visit.say(wrong)
         said = capsys.readouterr().out
-        assert [check for check in TROLLEY.values() if f"`{check.instruction(language)}`" in said], said
+        assert [check for check in CHECKS.values() if f"`{check.instruction(language)}`" in said], said
         assert truth not in said and TEXTS["noted"].say(language) not in said
 
 
@@ -126,7 +126,7 @@ def test_a_wrong_diagnosis_is_told_a_check_and_not_the_cause(truth, language, ca
         ),
         (lambda visit: visit.say("laser clock ahead", fix="Set the laser's clock"), 'mean "set the laser\'s clock"[?]'),
         (lambda visit: visit.try_fix("Timeout of 1s"), 'did you mean "timeout of 1 s"[?]'),
-        (lambda visit: visit.strike("odometry slo"), 'did you mean "odometry slow"[?]'),
+        (lambda visit: visit.rule_out("odometry slo"), 'did you mean "odometry slow"[?]'),
     ],
 )
 def test_what_is_misspelt_is_refused_with_what_is_near_and_costs_nothing(visit, tell, error):
@@ -169,7 +169,7 @@ def test_a_fix_may_be_named_when_it_is_tried(visit, capsys):
 
 @pytest.mark.parametrize("number", [-1, 7.5, "7", None, True])
 def test_patients_go_by_whole_numbers(number):
-    for make in (practice_patient, night_shift, answer_of):
+    for make in (practice_patient, two_fault_patient, answer_of):
         with pytest.raises(ValueError, match="patients have whole numbers: 0, 1, 2 and so on, not"):
             make(number)
     with pytest.raises(ValueError, match=r'"clock ahead" is no cause; did you mean "laser clock ahead"\?'):
@@ -190,26 +190,26 @@ def test_a_practice_patient_is_the_same_wherever_it_is_made():
 def test_the_doctor_has_a_word_on_fourteen_robots_and_not_on_those_that_somebody_may_have_wanted_so(sample):
     wanted = {"Fixed Frame misspelt", "mount wrong", "header says base_link", "nothing is wrong"}
     for cause in sample(SUSPECTS, 4):
-        line = examined([cause], Numbers()).splitlines()[0]
+        line = doctor_report([cause], Numbers()).splitlines()[0]
         assert (line == "graph: nothing is wrong") == (cause in wanted), cause
 
 
 def test_a_practice_patient_fits_its_cause_and_no_other_also_where_the_first_numbers_do_not():
     assert answer_of(6, "flickers") == "odometry slow"  # with the first numbers drawn RViz never speaks of the future
     visit = Visit(practice_patient(6, "flickers"))
-    for check in TROLLEY:
+    for check in CHECKS:
         visit.take(check)
-    assert fitting(visit.found) == ("odometry slow",) and "into the future" in visit.patient.screen
+    assert consistent_suspects(visit.found) == ("odometry slow",) and "into the future" in visit.patient.screen
     assert answer_of(7) == "localizer not running"
     assert 'Messages are in the frame "map", which nobody publishes' in second_opinion(7)
 
 
 def test_who_asks_pays_and_a_fresh_copy_has_paid_nothing(ahead):
-    patient = SickRobot.unpacked(ahead.packed())
+    patient = FaultyRobot.unpacked(ahead.packed())
     assert patient.ask("delay /scan").startswith("-0.")
     patient.ask("view_frames")
     assert (patient.asked, patient.minutes) == (("delay /scan", "view_frames"), 4)
-    assert SickRobot.unpacked(patient.packed()).asked == ()
+    assert FaultyRobot.unpacked(patient.packed()).asked == ()
     assert patient.verdict("laser clock ahead", "laser_frame") == {
         "cause": "laser clock ahead",
         "frame": "laser_frame",
@@ -221,8 +221,8 @@ def test_who_asks_pays_and_a_fresh_copy_has_paid_nothing(ahead):
 
 
 def test_commands_are_the_same_in_korean_and_what_is_done_by_hand_is_translated():
-    by_hand = {check.key for check in TROLLEY.values() if check.instruction("ko") != check.command}
-    assert by_hand == {check.key for check in TROLLEY.values() if not check.command.startswith("ros2 ")}
+    by_hand = {check.key for check in CHECKS.values() if check.instruction("ko") != check.command}
+    assert by_hand == {check.key for check in CHECKS.values() if not check.command.startswith("ros2 ")}
 
 
 def test_notes_are_translated_and_what_a_tool_printed_is_not():
@@ -258,7 +258,7 @@ def test_each_question_and_each_fix_is_a_row_and_the_readings_strike(ahead, caps
 
 
 def test_one_who_does_not_complain_has_nothing_at_the_door_and_eighteen_suspects():
-    silent = SickRobot("", "", 12.0, {"use_sim_time": (1.0, "Boolean value is: True", "True")}, {})
+    silent = FaultyRobot("", "", 12.0, {"use_sim_time": (1.0, "Boolean value is: True", "True")}, {})
     visit = Visit(silent)
     visit.take("use_sim_time")
     door, asked = steps_of(visit)

@@ -5,7 +5,7 @@ import sys
 import pytest
 
 import tflab.ros as ros
-from tflab.bags.listen import Heard
+from tflab.bags.listen import ReceivedRecords
 from tflab.cli import main
 from tflab.doctor import examine
 from tflab.doctor.api import recording_from_ros
@@ -60,20 +60,20 @@ def test_a_header_is_the_same_whether_the_message_is_read_or_stays_bytes():
     image.header.frame_id = "camera_optical_frame"
     image.header.stamp.sec, image.header.stamp.nanosec = 3, 5
     image.data = bytes(300)
-    read, raw = Heard(), Heard()
+    read, raw = ReceivedRecords(), ReceivedRecords()
     read.add("/image", image.ROS_TYPE, "/camera", 7, image)
     raw.add_raw("/image", image.ROS_TYPE, "/camera", 7, serialize_message(image))
-    for heard in (read, raw):
-        (header,) = heard.recording("live").headers
+    for received in (read, raw):
+        (header,) = received.recording("live").headers
         assert (header.stamp_ns.tolist(), header.receive_ns.tolist()) == ([3_000_000_005], [7])
         assert header.frames == ("camera_optical_frame",)
 
 
 def test_bytes_that_are_no_message_are_told_and_do_not_end_the_listening():
-    heard = Heard()
+    received = ReceivedRecords()
     for data in (b"", b"\0\1\0\0\5", b"\0\7\0\0" + bytes(20)):
-        heard.add_raw("/image", "sensor_msgs/msg/Image", "/camera", 7, data)
-    assert heard.recording("live").notes == ("3 messages on /image could not be read and were passed over",)
+        received.add_raw("/image", "sensor_msgs/msg/Image", "/camera", 7, data)
+    assert received.recording("live").notes == ("3 messages on /image could not be read and were passed over",)
 
 
 def test_without_ros_it_says_what_to_do_and_ends_with_2(monkeypatch, capsys):

@@ -12,9 +12,9 @@ import pytest
 
 from tflab.grading.judging.execute import SHORTLY, Execution, execute
 from tflab.grading.judging.job import CellOutcome, HandedIn, Job, NotRun, Run, RunCell
-from tflab.grading.judging.plan import BRIEFLY, Transplant, plan
+from tflab.grading.judging.plan import BRIEFLY, MergedNotebook, plan
 from tflab.grading.judging.submission import graded, merge_records
-from tflab.grading.kernels import probe as inside
+from tflab.grading.kernels import probe_answer as inside
 from tflab.grading.kernels.limits import Limits
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import raised, to_plain
@@ -26,8 +26,8 @@ TASKS = {
 }
 
 
-def pieces(**sources: str) -> Transplant:
-    """Return a transplant of three answers, with own cells where a name says so."""
+def pieces(**sources: str) -> MergedNotebook:
+    """Return a merge_submission of three answers, with own cells where a name says so."""
     made = [RunCell("ours", "load", "loaded = True")]
     for number, task in ((1, "E1.1"), (2, "E1.2"), (3, "E1.3")):
         slug = f"e1_{number}"
@@ -38,7 +38,7 @@ def pieces(**sources: str) -> Transplant:
         if f"after_{slug}" in sources:
             made.append(RunCell("own", f"{slug}-check+1", sources[f"after_{slug}"], task))
             made.append(RunCell("probe", f"{slug}-check-again", task=task))
-    return Transplant(tuple(made), tuple(TASKS))
+    return MergedNotebook(tuple(made), tuple(TASKS))
 
 
 class Stop(BaseException):
@@ -94,7 +94,7 @@ def quiet_prepare(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(inside, "prepare", lambda givens_json: json.loads(givens_json))
 
 
-def tried(here: Here, done: Transplant, **options: Any) -> Execution:
+def tried(here: Here, done: MergedNotebook, **options: Any) -> Execution:
     options = {"wanted": list(TASKS), "cell_s": 1.0, "notebook_s": 6.0} | options
     return execute(done, TASKS, here, **options)
 
@@ -184,7 +184,7 @@ def test_an_answer_behind_the_check_is_heard_there_if_there_was_none_before() ->
 def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
     with pytest.raises(NotRun):
         execute(
-            Transplant((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)),
+            MergedNotebook((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)),
             TASKS, Here(), wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
         )  # fmt: skip
 
@@ -193,7 +193,7 @@ def test_a_kernel_that_dies_in_our_cell_was_killed_by_what_ran_before_it() -> No
     (load, *others), here = pieces(e1_1="a = 1\nspoilt = True").cells, Here()
     dies_late = RunCell("ours", "scene", "if 'spoilt' in globals(): die()")
     made = execute(
-        Transplant((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)),
+        MergedNotebook((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)),
         TASKS, here, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
     )  # fmt: skip
     assert kinds(made, "E1.1") == ["died"]
@@ -249,7 +249,7 @@ def test_own_cells_that_do_not_end_cost_little_after_the_second_and_no_answer() 
 
     many = pieces()
     helpers = [RunCell("own", f"e1_1-given+{n}", "hang()", "E1.1") for n in range(15)]
-    done = Transplant((*many.cells[:1], *helpers, *many.cells[1:]), many.answered)
+    done = MergedNotebook((*many.cells[:1], *helpers, *many.cells[1:]), many.answered)
     made = execute(done, TASKS, watched, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0)
     assert made.outcomes["E1.1"] == {0: 1} and made.outcomes["E1.3"] == {0: 1}
     assert shares[:2] == [1.0, 1.0] and set(shares[2:]) == {SHORTLY}

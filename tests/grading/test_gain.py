@@ -10,16 +10,16 @@ from typing import Any
 import pytest
 import tiny
 
-from tflab.grading.judging.marks import judged
+from tflab.grading.judging.task_score import score_task
 from tflab.grading.release import release
 from tflab.grading.reports.class_page import class_page, gain_section
 from tflab.grading.reports.gain import (
-    Believed,
+    MisconceptionCount,
     band,
-    believed,
     class_gain,
+    misconception_counts,
     normalised_gain,
-    out_of_reach,
+    uninformative_items,
     unused_options,
 )
 from tflab.grading.submissions.remarks import Remark
@@ -97,12 +97,12 @@ def test_the_three_that_grew_stand_first_and_the_sure_are_counted_apart() -> Non
     after = [believer("B", "M12", "M14", "M4") | {"12": "b?"}, believer("B", "M12", "M4", "M13")]
     pairs = zip(before, after, strict=True)
     found = class_gain([record(f"s{number}", *pair) for number, pair in enumerate(pairs)], ITEMS)
-    rows = believed(ITEMS, found.matched)
+    rows = misconception_counts(ITEMS, found.matched)
     assert rows[:4] == [
-        Believed("M4", 0, 2, 0, 2),
-        Believed("M12", 0, 2, 0, 1),
-        Believed("M13", 0, 1, 0, 1),
-        Believed("M1", 1, 0, 1, 0),
+        MisconceptionCount("M4", 0, 2, 0, 2),
+        MisconceptionCount("M12", 0, 2, 0, 1),
+        MisconceptionCount("M13", 0, 1, 0, 1),
+        MisconceptionCount("M1", 1, 0, 1, 0),
     ]
     assert len(rows) == 15
 
@@ -111,7 +111,7 @@ def test_a_misconception_has_as_many_chances_before_as_after() -> None:
     """M10 is offered on items 10, 11 and 15 of form A, on 10 of form B: only 10 counts."""
     before = believer("A", "M10") | {"10": ITEMS[9].forms["A"].right}
     found = class_gain([record("s1", before, believer("B"))], ITEMS)
-    assert next(row for row in believed(ITEMS, found.matched) if row.misconception == "M10").before == 0
+    assert next(row for row in misconception_counts(ITEMS, found.matched) if row.misconception == "M10").before == 0
 
 
 def test_whoever_is_not_matched_is_a_line_and_counts_nowhere() -> None:
@@ -157,7 +157,7 @@ def test_items_and_options_that_tell_little_are_named_once_enough_have_answered(
     everybody[0] = record("s00", believer("A", "M3") | {"5": "a?"}, believer("B"))
     everybody[1:6] = [record(f"s{number:02}", believer("A"), believer("B")) for number in range(1, 6)]
     matched = class_gain(everybody, ITEMS).matched
-    assert out_of_reach(matched) == [2, *range(4, 16)]  # 25 % had 1 and 3 right
+    assert uninformative_items(matched) == [2, *range(4, 16)]  # 25 % had 1 and 3 right
     unused = unused_options(ITEMS, matched)
     assert not {"1a", "3a", "5a"} & set(unused)
     assert {"1c", "1d", "3b", "3c", "5b", "5d"} <= set(unused)
@@ -179,14 +179,14 @@ def test_grading_gives_points_for_answering_and_keeps_the_letters_of_a_complete_
     plain = assigned_cases(workbook_data(), STEMS[form], FORMS[form], Workbook()).plain()
     task = plain | plain["variants"][0]
     wrong = dict.fromkeys(map(str, range(1, 16)), "a?")
-    mark = judged(FORMS[form], task, {0: to_plain(wrong | {"3": " C "})})
+    mark = score_task(FORMS[form], task, {0: to_plain(wrong | {"3": " C "})})
     assert (mark.status, mark.points, mark.plain()["answers"]) == ("right", 1.0, wrong | {"3": "c"})
-    some = judged(FORMS[form], task, {0: to_plain(wrong | {"3": ..., "5": "x"})})
+    some = score_task(FORMS[form], task, {0: to_plain(wrong | {"3": ..., "5": "x"})})
     assert (some.status, some.passed, some.points) == ("partly", 13, 0.867)
     assert "answers" not in some.plain()
     assert [remark.kind for remark in some.remarks] == ["missing parts"]
-    assert judged(FORMS[form], task, {0: {"unanswered": True}}).status == "unanswered"
-    assert judged(FORMS[form], task, {0: to_plain([1, 2])}).status == "wrong"
+    assert score_task(FORMS[form], task, {0: {"unanswered": True}}).status == "unanswered"
+    assert score_task(FORMS[form], task, {0: to_plain([1, 2])}).status == "wrong"
 
 
 # -- what a release gives away ------------------------------------------------------------

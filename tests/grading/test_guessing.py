@@ -50,7 +50,7 @@ def test_the_share_without_reasons_is_the_share_that_judging_gives(guessing: Mod
     asks, cases = task["asks"], task["cases"]
     right = {place: cases[case]["expected"] for place, case in enumerate(asks)}
     for outcomes in (right, right | {0: -1.0}, dict.fromkeys(right, 3.0), right | {len(asks) - 1: None}):
-        judged = guessing.judged(TINY, task, outcomes)
+        judged = guessing.score_task(TINY, task, outcomes)
         assert share(outcomes) * judged.most == pytest.approx(judged.points, abs=1e-3)
     assert share(right) == 1.0
 

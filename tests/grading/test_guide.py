@@ -12,9 +12,9 @@ from pathlib import Path
 import pytest
 import yaml
 
+from tflab.clinic.checks import CHECKS
 from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import COMPLAINTS
-from tflab.clinic.trolley import TROLLEY
 from tflab.grading.guide.chapter import board_patients
 from tflab.grading.guide.command import main as guide_main
 from tflab.grading.guide.command import write_guide
@@ -284,6 +284,6 @@ def test_what_stands_on_the_board_is_what_the_ward_prints(number: int) -> None:
     patient = worked_patient(told.cause, told.number)
     assert COMPLAINTS[patient.complaint].en == told.words["said"].en
     assert COMPLAINTS[patient.complaint].ko == told.words["said"].ko
-    assert TROLLEY[told.check].command == told.command
+    assert CHECKS[told.check].command == told.command
     printed = [line.strip() for line in patient.reading(told.check)[1].splitlines()]
     assert [line for line in told.text.splitlines() if line.strip() not in printed] == []

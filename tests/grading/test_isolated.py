@@ -14,8 +14,8 @@ import tiny
 from tflab.grading.judging import isolated
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.job import HandedIn, Job
-from tflab.grading.judging.marks import judged, members
 from tflab.grading.judging.pack import read_pack
+from tflab.grading.judging.task_score import members, score_task
 from tflab.grading.kernels.limits import Limits
 
 
@@ -62,7 +62,7 @@ def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, 
     large = outcomes(task, [0.0] * 1_900)
     mark = isolated.mark_task("E3.2", task, [large])
     assert len(isolated._servers) == 1
-    assert mark == judged("E3.2", task, large)
+    assert mark == score_task("E3.2", task, large)
     assert mark.status == "wrong"
 
 
@@ -98,8 +98,8 @@ def test_a_large_honest_notebook_is_read_apart_as_it_is_here(course: tiny.Course
     large = job(course, HandedIn("03.ipynb", json.dumps(notebook).encode()))
     isolated_, here = isolated.select_notebooks(large), isolated.select_counting(large)
     assert len(isolated._servers) == 1
-    assert {stem: one.transplanted for stem, one in isolated_[0].items()} == {
-        stem: one.transplanted for stem, one in here[0].items()
+    assert {stem: one.merged for stem, one in isolated_[0].items()} == {
+        stem: one.merged for stem, one in here[0].items()
     }
     assert [one.page.file.data for one in isolated_[0].values()] == [b""]
 

@@ -8,8 +8,8 @@ import pytest
 import tiny
 
 from tflab.grading.judging.draw import asks_of
-from tflab.grading.judging.marks import judged
 from tflab.grading.judging.pack import Pack, read_pack
+from tflab.grading.judging.task_score import score_task
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
 from tflab.workbook.diagnosis.verdict import judge_outcomes
@@ -33,7 +33,7 @@ def record(language: str, row: dict[str, Any]) -> dict[str, Any]:
 def test_check_and_both_pages_of_a_class_say_of_a_mistake_the_same_words(pack: Pack, language: str) -> None:
     task = pack.for_learner("s102")[tiny.STEM]["tasks"]["E3.2"]
     got = {place: task["cases"][number]["wrong"]["added"] for place, number in enumerate(asks_of(task))}
-    mark = judged("E3.2", task, got)
+    mark = score_task("E3.2", task, got)
     held = TaskCases.of_a_learner(task)
     outcomes = [case.wrong["added"] for case in held.variants[0].cases]
     said = judge_outcomes(held, held.variants[0], outcomes).said.say(language)  # what `check` prints

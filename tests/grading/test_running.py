@@ -14,7 +14,7 @@ from tflab.grading.judging.job import CellOutcome, Run, RunCell
 from tflab.grading.judging.nbval_run import run_cells
 from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox, for_this_process
 from tflab.grading.kernels.limits import Limits
-from tflab.grading.kernels.probe import PROBE_TYPE
+from tflab.grading.kernels.probe_answer import PROBE_TYPE
 from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.kernels.wire import Wire
 
@@ -307,7 +307,7 @@ def test_a_forkserver_that_died_is_replaced(sandbox: Sandbox) -> None:
 
 def test_a_kernel_for_which_there_was_no_room_is_ordered_again(sandbox: Sandbox) -> None:
     kernels = Kernels(sandbox, ahead=0)
-    order, orders = kernels._order, []
+    order, orders = kernels._request, []
 
     def without_room(limits: Limits) -> Kernel:
         orders.append(limits)
@@ -318,7 +318,7 @@ def test_a_kernel_for_which_there_was_no_room_is_ordered_again(sandbox: Sandbox)
         its_leash.close()
         return Kernel(Wire(wire, longest=1000), leash)
 
-    kernels._order = without_room
+    kernels._request = without_room
     try:
         kernels.take(Limits()).close()
     finally:

@@ -16,7 +16,7 @@ import pytest
 from tflab.grading.kernels import kernel_pool, landlock, seccomp, supervisor
 from tflab.grading.kernels.kernel_pool import Kernel, KernelError, Kernels, choose_sandbox
 from tflab.grading.kernels.limits import Limits
-from tflab.grading.kernels.probe import PROBE_TYPE
+from tflab.grading.kernels.probe_answer import PROBE_TYPE
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 
 SAY = f"""
@@ -324,13 +324,13 @@ def test_no_two_kernels_are_the_same_user(monkeypatch: pytest.MonkeyPatch) -> No
     monkeypatch.setattr(supervisor.os, "getpid", lambda: 7)  # or a number as far away as there are users
     monkeypatch.setattr(supervisor, "FIRST_UID", 60000)  # those of the kernels that run are not in the way
     monkeypatch.setattr(supervisor, "UIDS", 3)
-    users = [supervisor.a_free_user() for _ in range(3)]
+    users = [supervisor.reserve_user_id() for _ in range(3)]
     assert sorted(uid for uid, _ in users) == [60000, 60001, 60002]
     with pytest.raises(OSError, match="no user from 60000 to 60002 is free"):
-        supervisor.a_free_user()
+        supervisor.reserve_user_id()
     first, reserved = users.pop(0)
     reserved.close()
-    assert supervisor.a_free_user()[0] == first
+    assert supervisor.reserve_user_id()[0] == first
     for _, taken in users:
         taken.close()
 

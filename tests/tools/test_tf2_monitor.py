@@ -9,7 +9,7 @@ from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_li
 def heard(*messages):
     delays = Delays()
     for now_s, stamps_s in messages:
-        delays.hear(now_s, stamps_s)
+        delays.add_message(now_s, stamps_s)
     return delays
 
 

@@ -90,7 +90,7 @@ def test_uneven_intervals_show_as_their_spread():
 def test_after_time_went_back_hz_begins_anew():
     intervals = Intervals()
     for moment in (10.0, 10.5, 11.5, 3.0, 3.5):
-        intervals.hear(seconds(moment))
+        intervals.add_message(seconds(moment))
     assert list(intervals._values_ns) == [seconds(0.5)]
 
 

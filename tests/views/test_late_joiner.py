@@ -2,14 +2,14 @@
 
 import pytest
 
-from tflab.views.late_joiner import Letter, Sender, draw_joins, frames_known, letters_heard
+from tflab.views.late_joiner import Sender, SentMessage, draw_joins, frames_known, messages_received
 from tflab.views.panels import joins_panel
 
 #  calibrator: camera_1 at 1 s, camera_2 at 2 s, ends at 4 s     driver: VOLATILE, one letter at 1 s
 #  wheels: on /tf, base_link every second
-CALIBRATOR = Sender("calibrator", (Letter(1.0, ("camera_1",)), Letter(2.0, ("camera_2",))), ends_s=4.0)
-DRIVER = Sender("driver", (Letter(1.0, ("laser_frame",)),), is_stored=False)
-WHEELS = Sender("wheels", tuple(Letter(float(i), ("base_link",)) for i in (1, 2, 3)), is_stored=False, topic="/tf")
+CALIBRATOR = Sender("calibrator", (SentMessage(1.0, ("camera_1",)), SentMessage(2.0, ("camera_2",))), ends_s=4.0)
+DRIVER = Sender("driver", (SentMessage(1.0, ("laser_frame",)),), is_stored=False)
+WHEELS = Sender("wheels", tuple(SentMessage(float(i), ("base_link",)) for i in (1, 2, 3)), is_stored=False, topic="/tf")
 ALL = (CALIBRATOR, DRIVER, WHEELS)
 
 
@@ -28,9 +28,9 @@ def test_a_board_keeps_its_last_letter_as_long_as_its_publisher_lives(join_s, fr
 
 
 def test_a_listener_that_asks_for_what_is_stored_is_not_connected_to_one_who_stores_nothing():
-    assert letters_heard(DRIVER, 0.5, 5.0) == []
-    assert letters_heard(DRIVER, 0.5, 5.0, asks_for_stored=False) == list(DRIVER.letters)
-    assert letters_heard(WHEELS, 2.5, 5.0) == [WHEELS.letters[2]]  # on /tf, nothing is stored
+    assert messages_received(DRIVER, 0.5, 5.0) == []
+    assert messages_received(DRIVER, 0.5, 5.0, asks_for_stored=False) == list(DRIVER.messages)
+    assert messages_received(WHEELS, 2.5, 5.0) == [WHEELS.messages[2]]  # on /tf, nothing is stored
 
 
 def test_who_does_not_ask_hears_only_what_is_sent_from_now_on_and_nothing_of_the_future():
@@ -53,8 +53,8 @@ def test_joins_in_words():
 
 def test_letters_that_are_heard_are_filled_and_stand_where_they_were_sent():
     picture = draw_joins(ALL, 2.5, 6.0)
-    heard = [line for line in picture.ax.lines if line.get_gid() in (0, 1, 2)]
-    assert [list(line.get_xdata()) for line in heard] == [[2.0], [], [3.0]]
+    received = [line for line in picture.ax.lines if line.get_gid() in (0, 1, 2)]
+    assert [list(line.get_xdata()) for line in received] == [[2.0], [], [3.0]]
 
 
 def test_panel_shows_what_a_listener_knows_for_each_join_and_durability():

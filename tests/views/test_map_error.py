@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tflab.views.map_error import describe_tracks, distances_to, draw_placed, draw_tracks, offs, smoothness
+from tflab.views.map_error import describe_tracks, distances_to, draw_placed, draw_tracks, point_errors, smoothness
 
 WALL = ((0.0, 0.0), (4.0, 0.0))
 
@@ -20,8 +20,8 @@ def test_the_distance_of_a_point_is_that_to_the_nearest_spot_of_a_wall_or_thing(
 
 def test_points_that_hit_nothing_are_left_out():
     points = np.array([(1.0, 0.1, 0.0), (np.nan, np.nan, np.nan), (1.0, 0.3, 0.0)])
-    assert offs(points, walls=[WALL]) == pytest.approx((2, 0.2, 0.3))
-    assert offs(np.full((2, 3), np.nan), things=[(0.0, 0.0)]) == (0, 0.0, 0.0)
+    assert point_errors(points, walls=[WALL]) == pytest.approx((2, 0.2, 0.3))
+    assert point_errors(np.full((2, 3), np.nan), things=[(0.0, 0.0)]) == (0, 0.0, 0.0)
 
 
 def test_the_picture_says_in_words_how_far_off_each_way_is():

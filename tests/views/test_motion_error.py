@@ -9,12 +9,12 @@ from tflab.core import seconds
 from tflab.views.motion_error import (
     Bend,
     Sight,
-    deepest,
     describe_latency,
     draw_bend,
     draw_latency,
     drive,
     gap_m,
+    largest_chord_gap,
     latency_error,
     wait_s,
 )
@@ -110,6 +110,6 @@ def test_the_arc_bulges_to_the_outside_of_the_turn_and_the_card_is_as_high_as_it
     assert np.sign(round(arc[30, 1], 9)) == -np.sign(turn)
     low, high = picture.ax.get_ylim()
     assert low < arc[:, 1].min() and arc[:, 1].max() < high
-    assert np.abs(arc[:, 1]).max() == pytest.approx(deepest(turn), abs=1e-9)
+    assert np.abs(arc[:, 1]).max() == pytest.approx(largest_chord_gap(turn), abs=1e-9)
     across, up = 1.24 / picture.ax.bbox.width, (high - low) / picture.ax.bbox.height
     assert across == pytest.approx(up)  # a circle is drawn round

@@ -8,7 +8,7 @@ import pytest
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.views.diagnosis_log import VisitStep
-from tflab.views.late_joiner import Letter, Sender
+from tflab.views.late_joiner import Sender, SentMessage
 from tflab.views.panels import (
     Travel,
     cameras_panel,
@@ -25,7 +25,7 @@ from tflab.views.panels import (
     tree_panel,
     visit_panel,
 )
-from tflab.views.panels.lookups import between
+from tflab.views.panels.lookups import transform_between
 from tflab.views.timeline import Lane
 from tflab.views.transform_chain import Step
 
@@ -46,7 +46,7 @@ def query_panel(language="en"):
 
 
 def listener_panel(language="en"):
-    return joins_panel([Sender("driver", (Letter(1.0, ("laser_frame",)),))], 0.5, 4.0, language=language)
+    return joins_panel([Sender("driver", (SentMessage(1.0, ("laser_frame",)),))], 0.5, 4.0, language=language)
 
 
 def arm(positions):
@@ -213,7 +213,7 @@ def test_the_sentence_is_there_in_korean_and_choosing_the_frame_of_the_other_men
 def test_a_sentence_between_frames_is_target_T_source():
     # base_link is 2 m ahead, turned by a quarter: the map's origin is 2 m to its left
     poses = {"map": Transform(), "base_link": Transform.from_rpy(yaw=1.5707963267948966, translation=(2.0, 0.0, 0.0))}
-    answer = between(poses, "base_link", "map")
+    answer = transform_between(poses, "base_link", "map")
     assert (answer.frame_id, answer.child_frame_id) == ("base_link", "map")
     assert answer.transform.translation == pytest.approx((0.0, 2.0, 0.0))
 

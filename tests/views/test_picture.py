@@ -19,7 +19,7 @@ from tflab.views import (
     timeline,
     tree_path,
 )
-from tflab.views.late_joiner import Letter, Sender, draw_joins
+from tflab.views.late_joiner import Sender, SentMessage, draw_joins
 from tflab.views.number_table import NumberTable
 from tflab.views.picture import Picture
 from tflab.views.transform_chain import Step, draw_joints
@@ -64,7 +64,7 @@ PICTURES = {
 
 SINCE_1970 = 1_700_000_000_250_000_000
 PARENTS = {"odom": "map", "base": "odom", "laser": "base"}
-SENDER = Sender("driver", (Letter(1.0, ("laser_frame",)),))
+SENDER = Sender("driver", (SentMessage(1.0, ("laser_frame",)),))
 ARM = [
     Step("neck", "base", "arm", Transform((0.0, 0.0, 1.0)), 0.3),
     Step("weld", "arm", "tool", Transform((2.0, 0, 0))),

@@ -11,7 +11,7 @@ from matplotlib import rcParams
 
 from tflab.core import StampedTransform, Transform, seconds
 from tflab.views.panels import cameras_panel, sentence_panel, timeline_panel
-from tflab.views.panels.prefetch import KEPT, At, Drawing, DrawnAhead
+from tflab.views.panels.prefetch import KEPT, Controls, Drawing, DrawnAhead
 from tflab.views.style import our_settings
 from tflab.views.timeline import Lane
 
@@ -22,7 +22,7 @@ def drawn_ahead(*controls):
     """A picture whose PNG says where the controls are, and what has been drawn of it."""
     drawn = []
 
-    def draw(at: At) -> Drawing:
+    def draw(at: Controls) -> Drawing:
         drawn.append([at(control) for control in controls])
         return Drawing(repr(drawn[-1]).encode(), f"moved {at.moved.description}")
 
@@ -97,7 +97,7 @@ def test_two_threads_that_draw_get_each_its_own_picture():
     """JupyterLab hears of a slider in one thread, while another draws ahead."""
     slider, figure = widgets.FloatSlider(0.0, max=100.0, description="speed"), []
 
-    def draw(at: At) -> Drawing:
+    def draw(at: Controls) -> Drawing:
         figure[:] = [at(slider)]
         time.sleep(0.001)  # drawing takes a while, and lets others have their turn
         return Drawing(b"", str(figure[0]))

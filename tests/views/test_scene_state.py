@@ -106,7 +106,7 @@ def test_a_late_viewer_sees_what_an_early_one_sees(commands):
 def test_what_is_said_already_changes_nothing_when_said_again(before, again):
     state, said = heard(*before), list(before)
     for command in again:
-        if state.is_said(command):
+        if state.is_redundant(command):
             assert seen([*said, command]) == seen(said)
         else:
             state.apply(command, pack(command))

@@ -18,7 +18,7 @@ from tflab.core import (
     Transform,
     seconds,
 )
-from tflab.views.marks import BoxMark, LineMark, TextMark, text_width
+from tflab.views.sheet import BoxMark, LineMark, TextMark, text_width
 from tflab.views.tree import draw_tree, rows_of, text_from_tree, tree_faults
 
 AHEAD = Transform((1.0, 0.0, 0.0))

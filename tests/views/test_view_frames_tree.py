@@ -5,7 +5,7 @@ from itertools import combinations
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tflab.views.marks import BoxMark, TextMark, text_width
+from tflab.views.sheet import BoxMark, TextMark, text_width
 from tflab.views.view_frames_tree import draw_upstream_tree
 
 

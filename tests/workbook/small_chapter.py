@@ -104,9 +104,9 @@ class StoredPairs:
     def __init__(self, rows):
         self.rows = {name: row for name, row in rows.items() if " + " in name}
 
-    def fitting(self, cases, order, fits, given):
+    def matching(self, cases, order, reproduced_by, given):
         def common(row):
-            return set.intersection(*(set(fits(number, row[number])) for number in order))
+            return set.intersection(*(set(reproduced_by(number, row[number])) for number in order))
 
         return {name: row for name, row in self.rows.items() if common(row)}
 

@@ -30,7 +30,7 @@ def recurses(*args: object) -> None:
 
 @pytest.fixture(autouse=True)
 def _short_calls(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("tflab.workbook.trying.CALL_S", 0.3)
+    monkeypatch.setattr("tflab.workbook.judge_answer.CALL_S", 0.3)
 
 
 @pytest.mark.parametrize(

@@ -10,7 +10,7 @@ from IPython.core.interactiveshell import InteractiveShell
 
 import tflab
 from tflab.workbook import cell_errors
-from tflab.workbook.cell_errors import of_the_reader
+from tflab.workbook.cell_errors import reader_traceback
 from tflab.workbook.paths import Workbook, write_workbook
 
 
@@ -116,7 +116,7 @@ def test_a_readers_module_in_a_copy_beside_the_package_is_the_readers() -> None:
     try:
         exec(compile("1 / 0", beside, "exec"), {})
     except ZeroDivisionError as error:
-        assert of_the_reader(error.__traceback__.tb_next).tb_frame.f_code.co_filename == beside
+        assert reader_traceback(error.__traceback__.tb_next).tb_frame.f_code.co_filename == beside
 
 
 def test_a_shell_that_treats_its_own_errors_keeps_doing_so() -> None:

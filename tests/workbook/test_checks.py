@@ -14,7 +14,7 @@ from IPython.core.interactiveshell import InteractiveShell
 from tflab.core import LookupException, Transform
 from tflab.ros.messages import geometry_msgs, std_msgs
 from tflab.ros.time import Time
-from tflab.workbook import check, checks, hint, solution, task, trying
+from tflab.workbook import check, checks, hint, judge_answer, solution, task
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
@@ -235,8 +235,8 @@ def test_an_answer_that_lacks_a_part_is_no_try_yet_and_a_solution_is_shown_witho
 
 def test_words_are_shown_before_a_picture_is_made(copy, capsys, monkeypatch):
     shown = []
-    monkeypatch.setattr(trying, "show_reply", lambda *_: shown.append("words"))
-    monkeypatch.setattr(trying, "shell", lambda: "IPython")
+    monkeypatch.setattr(judge_answer, "show_reply", lambda *_: shown.append("words"))
+    monkeypatch.setattr(judge_answer, "shell", lambda: "IPython")
     monkeypatch.setattr(comparison, "picture_of", lambda *_: shown.append("picture"))
     for wrong in (7.0, 8.0, 9.0):
         check("E3.4", wrong)

@@ -17,7 +17,7 @@ from tflab.workbook.tasks.credit import (
     beyond_one_word,
     beyond_the_usual,
     credited,
-    habit,
+    trivial_pattern,
     usual_among,
 )
 
@@ -100,7 +100,7 @@ def test_a_function_that_always_raises_earns_nothing():
 def test_one_case_is_judged_by_itself():
     case = Case([to_plain(1.0)], 2.0, {})
     assert credited(Number(), [case], [2.0], [[True]]) == [[True]]
-    assert habit(Number(), [case], [1.0]) == ""
+    assert trivial_pattern(Number(), [case], [1.0]) == ""
 
 
 def share_of(form, cases, outcomes, known):

@@ -7,7 +7,7 @@ import pytest
 from tflab.core import Transform
 from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Tree, Vector
 from tflab.workbook.answers.values import raised
-from tflab.workbook.diagnosis.python_errors import tip_for
+from tflab.workbook.diagnosis.python_errors import python_error_hint
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 
@@ -77,7 +77,7 @@ def test_a_field_of_a_message_says_what_it_takes():
         ("The 'translation' field must be a sub message of type 'Vector3'", "one by one"),
         ("The 'x' field must be of type 'float'", "`float(…)`"),
     ):
-        assert tip in tip_for("AssertionError", text).en
+        assert tip in python_error_hint("AssertionError", text).en
 
 
 def test_a_mistake_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():

@@ -8,7 +8,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Message, Number, Parts
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.diagnosis.explanation import Found, together
+from tflab.workbook.diagnosis.explanation import PartFound, merge_found
 from tflab.workbook.diagnosis.mistake import Mistake
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
@@ -113,7 +113,7 @@ def test_a_mistake_that_stops_in_some_calls_is_named_in_a_part_where_the_others_
 def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
     def reply(count):
         texts = [(name, Text(f"Cause {name}.", f"Cause {name}.")) for name in "abcdefg"[:count]]
-        return together([Found.of(name, said, name) for name, said in texts], {}, "abcdefgh").said
+        return merge_found([PartFound.of(name, said, name) for name, said in texts], {}, "abcdefgh").said
 
     assert reply(7).en.endswith('"d": Cause d. "e", "f", "g": not right yet either. Fix the others first.')
     assert reply(5).en.endswith('"e": Cause e.')

@@ -6,7 +6,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Choice, Name, Number, Parts, Sequence, form_from_plain
 from tflab.workbook.answers.values import to_plain
-from tflab.workbook.diagnosis.explanation import Found, together
+from tflab.workbook.diagnosis.explanation import PartFound, merge_found
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
@@ -57,8 +57,8 @@ def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
 
 def test_a_part_whose_name_the_reply_says_already_is_named_once():
     replies = {"a": Text("a: it was turned.", "a: 돌렸습니다."), "b": Text("b: it was moved.", "b: 옮겼습니다.")}
-    found = [Found({name: Feedback(reply, "")}, reply, {name}) for name, reply in replies.items()]
-    said = together(found, {}, ["a", "b"]).said
+    found = [PartFound({name: Feedback(reply, "")}, reply, {name}) for name, reply in replies.items()]
+    said = merge_found(found, {}, ["a", "b"]).said
     assert said == Text('"a": it was turned. "b": it was moved.', '"a": 돌렸습니다. "b": 옮겼습니다.')
 
 

@@ -88,7 +88,7 @@ def test_inputs_are_drawn_again_if_two_mistakes_give_the_same_answer(tmp_path, m
     def refuse_the_first(task, variant, made):
         if (task.id, variant) == ("E3.1", 0) and not refused:
             refused.append(made)
-            raise generate_cases.LookAlikes("these two meet")
+            raise generate_cases.EqualAnswersError("these two meet")
         usual(task, variant, made)
 
     drawn_once = make(tmp_path)

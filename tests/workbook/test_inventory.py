@@ -20,8 +20,8 @@ from tflab.workbook.answers.values import to_plain
 from tflab.workbook.copy.lay_out import PRISTINE, lay_out
 from tflab.workbook.course.progress_page import progress, show_progress
 from tflab.workbook.inventory.items import FORMS, RIGHT, imbalances, inventory_file, parsed, read_inventory
-from tflab.workbook.inventory.participation import Opened, opened, waiting
-from tflab.workbook.inventory.replies import FORM, changes, chosen, relearnt, replies_to
+from tflab.workbook.inventory.participation import RevealedForms, pending_notice, revealed_forms
+from tflab.workbook.inventory.replies import FORM, changes, chosen, fixed_items, replies_to
 from tflab.workbook.pages.exercise_rules import form_faults
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.paths import Workbook, workbook_data
@@ -233,7 +233,7 @@ def test_each_item_is_cured_held_stuck_or_lost_and_what_one_was_sure_of_comes_fi
     after |= {"3": "a", "4": "b"}
     found = changes(ITEMS, before, after)
     assert [change.state for change in found[:5]] == ["cured", "cured", "stuck", "lost", "held"]
-    assert [change.number for change in relearnt(found)] == [1]
+    assert [change.number for change in fixed_items(found)] == [1]
 
 
 # -- in a copy ----------------------------------------------------------------------------
@@ -253,7 +253,7 @@ def said(capsys, task_id, answer):
 
 
 def test_check_counts_answers_and_tells_nothing_before_form_b_is_in(copy, capsys):
-    assert waiting(copy, "en").startswith("The one task of 00, E0.1, is fifteen questions")
+    assert pending_notice(copy, "en").startswith("The one task of 00, E0.1, is fifteen questions")
     empty = dict.fromkeys(map(str, range(1, 16)), ...)
     assert "not answered yet" in said(capsys, "E0.1", empty)
     assert "E0.1 13/15: 13 of 15 answered. Not yet: 2, 10." in said(
@@ -266,7 +266,7 @@ def test_check_counts_answers_and_tells_nothing_before_form_b_is_in(copy, capsys
     assert wrong.startswith("E0.1 ✓ 15/15: 15 of 15 answered. The first answers that you gave are kept")
     assert read_progress(copy)["E0.1"].answers == answers(KEY["A"])
     assert read_progress(copy)["E0.1"].passed
-    assert waiting(copy, "en").startswith("Fifteen questions") and opened(copy, "en") is None
+    assert pending_notice(copy, "en").startswith("Fifteen questions") and revealed_forms(copy, "en") is None
 
 
 def test_form_b_opens_both_and_says_where_to_go(copy, capsys):
@@ -285,7 +285,7 @@ def test_form_b_opens_both_and_says_where_to_go(copy, capsys):
     for item in ITEMS:
         for wording in item.forms.values():
             assert all(option.why.en in out for option in wording.options.values())
-    assert waiting(copy, "en") == ""
+    assert pending_notice(copy, "en") == ""
 
 
 def test_without_form_a_form_b_opens_and_nothing_is_compared(copy, capsys):
@@ -307,7 +307,7 @@ def test_the_progress_page_waits_and_then_says_what_was_learnt(copy, capsys):
 
 
 def test_the_page_and_the_text_say_the_same_in_korean():
-    page = Opened(ITEMS, answers(KEY["A"]), answers(KEY["B"]) | {"7": "d?"}, "ko")
+    page = RevealedForms(ITEMS, answers(KEY["A"]), answers(KEY["B"]) | {"7": "d?"}, "ko")
     assert "7 · 지도 프로그램이 알려야 하는 것 (놓침) → 05장, 과제 E5.1" in page.text
     assert "7 · 지도 프로그램이 알려야 하는 것 (놓침) → 05장, 과제 E5.1" in page.html
     assert page.html.count("<details>") == 2

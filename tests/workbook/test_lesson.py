@@ -102,10 +102,10 @@ def test_a_tree_that_is_broken_in_a_panel_is_answered_as_tf2_does(child, parent,
 
 
 def test_a_scan_lies_on_the_walls_where_the_drawing_says_what_the_screws_do_and_nowhere_else():
-    from tflab.views.map_error import offs
+    from tflab.views.map_error import point_errors
 
-    turned = Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))
-    as_drawn = offs(lesson.scan_on_map(lesson.TeachingRobot(), at_s=1.0), lesson.ROOM.walls)
-    otherwise = offs(lesson.scan_on_map(lesson.TeachingRobot(screws={"laser_frame": turned}), 1.0), lesson.ROOM.walls)
+    screws = {"laser_frame": Transform.from_rpy(yaw=math.pi / 2, translation=(0.2, 0.0, 0.15))}
+    as_drawn = point_errors(lesson.scan_on_map(lesson.TeachingRobot(), at_s=1.0), lesson.ROOM.walls)
+    otherwise = point_errors(lesson.scan_on_map(lesson.TeachingRobot(screws=screws), 1.0), lesson.ROOM.walls)
     assert as_drawn.worst_m < 0.03  # the laser's noise: 5 mm, three times
     assert otherwise.mean_m > 1.0

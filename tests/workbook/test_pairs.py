@@ -82,7 +82,7 @@ def test_a_pair_that_gives_the_answer_is_found(of_a_value):
 
 
 def test_no_pair_is_searched_if_one_mistake_explains_the_answer(of_a_value, monkeypatch):
-    monkeypatch.setattr(PairSearch, "fitting", lambda *_: pytest.fail("a pair was searched"))
+    monkeypatch.setattr(PairSearch, "matching", lambda *_: pytest.fail("a pair was searched"))
     for steps in ({"offset": -1.0}, {"scale": 2.0}, {"sign": -1.0}):
         assert len(mistakes_found(of_a_value, **steps)) == 1
     with pytest.raises(pytest.fail.Exception, match="a pair was searched"):
@@ -134,23 +134,23 @@ def test_pairs_are_computed_only_while_they_fit(of_a_function, monkeypatch):
     wanted = [times(*case.args, scale=0.5, offset=0.7) for case in variant.cases]
     search = of_a_function.pairs
 
-    def fits(number, value):
+    def reproduced_by(number, value):
         return ["whole"] * (abs(value - wanted[number]) < 1e-9)
 
-    found = search.fitting(variant.cases, [4, 0, 1, 2, 3], fits, None)
+    found = search.matching(variant.cases, [4, 0, 1, 2, 3], reproduced_by, None)
     assert {name: pytest.approx(row) for name, row in found.items()} == {"halved + shifted": wanted}
     assert computed == [([12.0], 5), ([1.0], 1), ([2.5], 1), ([3.5], 1), ([8.0], 1)]
     computed.clear()
-    assert search.fitting(variant.cases, [4, 0, 1, 2, 3], lambda number, value: [], None) == {}
+    assert search.matching(variant.cases, [4, 0, 1, 2, 3], lambda number, value: [], None) == {}
     assert computed == [([12.0], 5)]
 
 
 def test_a_pair_must_give_the_same_part_in_every_case(of_a_function):
     (variant,) = of_a_function.variants
     parts = ["a", "b"]
-    found = of_a_function.pairs.fitting(variant.cases, range(5), lambda number, value: [parts[number % 2]], None)
+    found = of_a_function.pairs.matching(variant.cases, range(5), lambda number, value: [parts[number % 2]], None)
     assert found == {}
-    found = of_a_function.pairs.fitting(variant.cases, range(5), lambda number, value: [*parts[number % 2], "c"], None)
+    found = of_a_function.pairs.matching(variant.cases, range(5), lambda number, value: [*parts[number % 2], "c"], None)
     assert "halved + shifted" in found
 
 
@@ -163,7 +163,7 @@ def test_a_pair_that_gives_the_same_as_something_simpler_is_left_out():
     task = task_of(model=model, mistakes=tuple(WrongStep(name, {name: adds[name]}, said(name)) for name in adds))
     cases = made(task, "answer = e3_1.measured")
     (variant,) = cases.variants
-    found = cases.pairs.fitting(variant.cases, [0], lambda number, value: ["any"], variant.given)
+    found = cases.pairs.matching(variant.cases, [0], lambda number, value: ["any"], variant.given)
     every = {f"{first.name} + {then.name}" for first, then in combinable(task)}
     assert len(every) == 10
     right, one_mistake, another_pair = {"a + b"}, {"a + c", "b + d", "b + e"}, {"a + d", "c + e"}
@@ -178,7 +178,7 @@ def test_of_pairs_that_look_alike_only_the_mistake_that_they_share_is_named():
     task = task_of(model=model, mistakes=tuple(WrongStep(name, {name: steps[name]}, said(name)) for name in steps))
     (variant,) = made(task_of(model=model, mistakes=task.mistakes[:1]), "answer = e3_1.measured").variants
     search = PairSearch(lambda: task)
-    found = search.fitting(variant.cases, [0], lambda number, value: ["any"], variant.given)
+    found = search.matching(variant.cases, [0], lambda number, value: ["any"], variant.given)
     assert "a" in found and "a + b" not in found and "a + c" not in found
 
 
@@ -204,7 +204,7 @@ def test_a_search_without_its_task_finds_nothing():
     search = PairSearch(lambda: asked.append("asked"))
     task, variant = bare(Number(), *[])
     for _ in range(2):
-        assert search.fitting(variant.cases, [], lambda number, value: ["whole"], None) == {}
+        assert search.matching(variant.cases, [], lambda number, value: ["whole"], None) == {}
     assert asked == ["asked"] and task.pairs is None
 
 
@@ -218,12 +218,12 @@ def test_a_search_leaves_no_ros_modules():
 
     task = made(task_of(model=with_ros), "answer = e3_1.measured + e3_1.mounted")
     (variant,) = task.variants
-    assert task.pairs.fitting(variant.cases, [0], lambda number, value: ["whole"], variant.given)
+    assert task.pairs.matching(variant.cases, [0], lambda number, value: ["whole"], variant.given)
     assert {name for name in sys.modules if name.partition(".")[0] in ("rclpy", "tf2_ros")} == before
 
 
 def test_a_pair_is_computed_from_the_learners_inputs(of_a_value):
     (variant,) = of_a_value.variants
     other = {"measured": 1.0, "mounted": 0.5}
-    found = of_a_value.pairs.fitting(variant.cases, [0], lambda number, value: ["whole"], other)
+    found = of_a_value.pairs.matching(variant.cases, [0], lambda number, value: ["whole"], other)
     assert found["mount subtracted + doubled"] == [pytest.approx(1.0)]

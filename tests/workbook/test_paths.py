@@ -38,7 +38,7 @@ def test_what_is_missing_is_named_with_what_to_type(tmp_path: Path, monkeypatch,
     environment.check_environment()
     assert "✗" not in capsys.readouterr().out
     monkeypatch.setattr(environment, "LEAST_PYTHON", (99, 0))
-    needed = environment.Need(environment.NEEDED[1].what, "tflab[lab]", ("no_such_package",))
+    needed = environment.Requirement(environment.NEEDED[1].what, "tflab[lab]", ("no_such_package",))
     monkeypatch.setattr(environment, "NEEDED", (environment.NEEDED[0], needed))
     environment.check_environment()
     said = capsys.readouterr().out

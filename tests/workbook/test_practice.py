@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook import practice, progress, trying
+from tflab.workbook import judge_answer, practice, progress
 from tflab.workbook.paths import workbook_data
 from tflab.workbook.tasks.reference import in_process_ros
 
@@ -25,7 +25,7 @@ def test_a_drawn_task_accepts_the_solution(stem: str, file: str) -> None:
     question = practice.draw_question(stem, task.id, 1001, workbook_data())
     with in_process_ros():
         inputs = question.given if question.assigned.variant.given is not None else None
-        verdict, _ = trying.tried_on(question.assigned, solution_of(stem).answer(task, inputs))
+        verdict, _ = judge_answer.judge_answer(question.assigned, solution_of(stem).answer(task, inputs))
     assert verdict.mistake is None
     assert f"{task.id} · " in question.text.splitlines()[0]
     assert " points)" not in question.text.splitlines()[0]

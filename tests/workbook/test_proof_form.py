@@ -1,8 +1,8 @@
 """A proof as an answer: checks that prove a diagnosis, judged beside it."""
 
-from tflab.clinic.proof import flaw_of
+from tflab.clinic.proof import find_flaw
 from tflab.clinic.table import COMPLAINTS, SUSPECTS
-from tflab.workbook.answers.forms import Choice, Parts, Proof, Telling, form_from_plain
+from tflab.workbook.answers.forms import Choice, DiscriminatingCheck, Parts, Proof, form_from_plain
 from tflab.workbook.answers.values import to_plain
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
@@ -53,7 +53,7 @@ def test_beside_a_cause_a_list_proves_that_one_or_nothing():
 
 def test_a_list_that_proves_two_of_three_suspects_earns_nothing_without_a_name():
     both = ["hz /odom"]
-    proved = [suspect for suspect in COMPLAINTS["flickers"].suspects if flaw_of(both, suspect) is None]
+    proved = [suspect for suspect in COMPLAINTS["flickers"].suspects if find_flaw(both, suspect) is None]
     assert proved == ["transforms late", "odometry slow"]
     for guess in (*proved, "laser clock ahead", "sensor broken", None):
         bound = FORM.beside(both, {"a cause": guess})
@@ -79,7 +79,7 @@ def test_what_is_said_of_checks_is_of_the_patient_whose_they_are():
 
 def test_any_cheap_check_that_two_suspects_answer_differently_tells_them_apart():
     options = ("hz /odom", "hz /scan", "scan header", "monitor", "tape measure", "no check")
-    form = Telling(options, ("odometry slow", "scan slow"))
+    form = DiscriminatingCheck(options, ("odometry slow", "scan slow"))
     assert [form.judge(check, "hz /odom") for check in options] == [[True], [True], [False], [False], [False], [False]]
     said = {check: form.remark(check, {}) for check in options}
     assert said["scan header"].en == "It gives the same result for both of these."

@@ -14,7 +14,7 @@ from tflab.ros.time import ClockType, Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
 from tflab.workbook.diagnosis.mistake import Mistake
-from tflab.workbook.diagnosis.python_errors import tip_for
+from tflab.workbook.diagnosis.python_errors import python_error_hint
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 
@@ -92,7 +92,7 @@ STUMBLES = [
 def test_an_error_that_python_raises_here_gets_its_tip(stumble, tip):
     with pytest.raises(Exception) as raised:
         stumble()
-    assert tip in tip_for(raised.type.__name__, str(raised.value)).en
+    assert tip in python_error_hint(raised.type.__name__, str(raised.value)).en
 
 
 @pytest.mark.parametrize(
@@ -111,16 +111,16 @@ def test_a_field_that_is_filled_wrongly_says_what_it_takes(monkeypatch, field, v
     header = geometry_msgs.PointStamped().header
     with pytest.raises(AssertionError) as raised:
         setattr(header.stamp if owners else header, name, value)
-    assert tip in tip_for("AssertionError", str(raised.value)).en
+    assert tip in python_error_hint("AssertionError", str(raised.value)).en
 
 
 def test_an_error_of_ones_own_gets_none():
-    assert tip_for("ValueError", "the robot is tired").en == ""
-    assert tip_for("Tired", "KeyError").en == ""
-    assert tip_for("AttributeError", "'Robot' object has no attribute 'x'").en == ""
-    assert tip_for("AttributeError", "type object 'Transform' has no attribute 'from_ryp'").en == ""
-    assert tip_for("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
-    assert tip_for("TypeError", "unsupported operand" * 100_000).en == ""  # at once
+    assert python_error_hint("ValueError", "the robot is tired").en == ""
+    assert python_error_hint("Tired", "KeyError").en == ""
+    assert python_error_hint("AttributeError", "'Robot' object has no attribute 'x'").en == ""
+    assert python_error_hint("AttributeError", "type object 'Transform' has no attribute 'from_ryp'").en == ""
+    assert python_error_hint("IndexError", "only integers, slices (`:`) and integer arrays are valid indices").en == ""
+    assert python_error_hint("TypeError", "unsupported operand" * 100_000).en == ""  # at once
 
 
 def test_the_verdict_on_a_function_that_stops_carries_the_tip():

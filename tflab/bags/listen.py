@@ -32,13 +32,13 @@ from .record import adapted_profile
 from .recording import Clock, Connection, Headers, QosProfile, Recording, recording_from_records
 from .wire import MalformedMessage, header_in
 
-__all__ = ["Heard", "recording_from_graph", "subscribe_to_all"]
+__all__ = ["ReceivedRecords", "recording_from_graph", "subscribe_to_all"]
 
 NODE_NAME = "tf_listener"
 CLOCK_TYPE = "rosgraph_msgs/msg/Clock"
 
 
-class Heard:
+class ReceivedRecords:
     """What a listener has heard so far."""
 
     def __init__(self) -> None:
@@ -108,15 +108,15 @@ def recording_from_graph(graph: Graph, seconds: float = 5.0) -> Recording:
 
     Topics that have no publisher yet are not heard.
     """
-    heard = Heard()
-    participant = graph.start(_listen, heard, name=NODE_NAME)
+    received = ReceivedRecords()
+    participant = graph.start(_listen, received, name=NODE_NAME)
     graph.run(seconds=seconds)
     graph.stop(participant)
-    return heard.recording("graph")
+    return received.recording("graph")
 
 
 def subscribe_to_all(
-    node: Any, heard: Heard, class_of: Callable[[str], type | None], raw_headers: bool = False
+    node: Any, received: ReceivedRecords, class_of: Callable[[str], type | None], raw_headers: bool = False
 ) -> None:
     """Subscribe a node, of ours or of rclpy, to every topic that tells of transforms, frames or time.
 
@@ -129,14 +129,14 @@ def subscribe_to_all(
         message_class = class_of(types[0]) if len(types) == 1 and publishers else None
         if message_class is not None and _tells_something(types[0], message_class):
             is_raw = raw_headers and _begins_with_header(message_class)
-            _subscribe(node, topic, types[0], message_class, publishers, heard, is_raw)
+            _subscribe(node, topic, types[0], message_class, publishers, received, is_raw)
 
 
-def _listen(heard: Heard) -> None:
+def _listen(received: ReceivedRecords) -> None:
     """Write down everything, as a participant of the graph."""
     client_library.init()
     node = Node(NODE_NAME, start_parameter_services=False)
-    subscribe_to_all(node, heard, _class_here)
+    subscribe_to_all(node, received, _class_here)
     try:
         client_library.spin(node)
     finally:
@@ -160,15 +160,15 @@ def _begins_with_header(message_class: type) -> bool:
 
 
 def _subscribe(
-    node: Any, topic: str, ros_type: str, message_class: type, publishers: list, heard: Heard, is_raw: bool
+    node: Any, topic: str, ros_type: str, message_class: type, publishers: list, received: ReceivedRecords, is_raw: bool
 ) -> None:
     names = {bytes(p.endpoint_gid): f"{p.node_namespace.rstrip('/')}/{p.node_name}" for p in publishers}
     only = next(iter(set(names.values()))) if len(set(names.values())) == 1 else ""
     for publisher in publishers:
         name = names[bytes(publisher.endpoint_gid)]
-        heard.add_publisher(topic, ros_type, name, _words_of(publisher.qos_profile))
+        received.add_publisher(topic, ros_type, name, _words_of(publisher.qos_profile))
 
-    take = heard.add_raw if is_raw else heard.add
+    take = received.add_raw if is_raw else received.add
 
     def on_message(message: Any, info: dict) -> None:
         publisher = names.get(bytes(info.get("publisher_gid") or b""), only)

@@ -26,7 +26,7 @@ from tempfile import TemporaryDirectory
 from .collect import Collector
 from .errors import BagError
 from .recording import Recording, Unfinished
-from .salvage import Salvage, is_foreign, is_without_end, unpack
+from .salvage import Salvage, has_other_profile, is_without_end, unpack
 
 __all__ = ["open_bag", "read_bag"]
 
@@ -84,7 +84,7 @@ def _opened(path: Path, salvage: bool) -> Iterator[tuple]:
     """Open a file or a directory: (the reader, whether it is ROS 1, what it lacks if it is unfinished)."""
     kind = _kind_of(path)
     log = Path(f"{path}-wal")
-    if kind == ".mcap" and is_foreign(path) and not is_without_end(path, kind):
+    if kind == ".mcap" and has_other_profile(path) and not is_without_end(path, kind):
         reader = Salvage(path)
         yield reader, reader.is_ros1, None
         return

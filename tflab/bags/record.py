@@ -113,10 +113,10 @@ class Recorder:
         self._is_wanted = is_wanted
         self._wanted = set(wanted)
         self._seen: set[str] = set()
-        self._timer = node.create_timer(DISCOVERY_PERIOD_S, self.look_around)
-        self.look_around()
+        self._timer = node.create_timer(DISCOVERY_PERIOD_S, self.subscribe_to_new_topics)
+        self.subscribe_to_new_topics()
 
-    def look_around(self) -> None:
+    def subscribe_to_new_topics(self) -> None:
         """Subscribe to what has appeared since the last look."""
         for topic, types in self._node.get_topic_names_and_types():
             publishers = self._node.get_publishers_info_by_topic(topic)

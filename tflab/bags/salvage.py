@@ -26,7 +26,7 @@ from tflab.core import NSEC_PER_SEC
 
 from .errors import BagError
 
-__all__ = ["Salvage", "is_foreign", "is_without_end", "unpack"]
+__all__ = ["Salvage", "has_other_profile", "is_without_end", "unpack"]
 
 MCAP_MAGIC = b"\x89MCAP0\r\n"
 MCAP_FOOTER = 37  # bytes, with the closing magic
@@ -40,7 +40,7 @@ _message = Struct("<HIQQ")  # channel, sequence, log time, publish time
 _stamp = Struct("<II")
 
 
-class LeftTopic(NamedTuple):
+class FoundTopic(NamedTuple):
     """One connection, in the words of the file."""
 
     number: int
@@ -51,7 +51,7 @@ class LeftTopic(NamedTuple):
     encoding: str = ""
 
 
-class LeftMessage(NamedTuple):
+class FoundMessage(NamedTuple):
     """One message, of a connection that came before it."""
 
     number: int
@@ -71,11 +71,11 @@ class Salvage:
         self._path = path
         with path.open("rb") as file:
             self._is_bag = file.read(len(ROS1_MAGIC)) == ROS1_MAGIC
-        topics: dict[int, LeftTopic] = {}
+        topics: dict[int, FoundTopic] = {}
         counts: Counter[int] = Counter()
         self.start_time, self.end_time = 2**63 - 1, 0
         for record in self._records():
-            if isinstance(record, LeftTopic):
+            if isinstance(record, FoundTopic):
                 topics.setdefault(record.number, record)
             elif record.number in topics:
                 counts[record.number] += 1
@@ -92,10 +92,10 @@ class Salvage:
         """Yield (connection, time of receipt [ns], bytes) of each message, in the order of the file."""
         wanted = {connection.id: connection for connection in connections}
         for record in self._records():
-            if isinstance(record, LeftMessage) and record.number in wanted:
+            if isinstance(record, FoundMessage) and record.number in wanted:
                 yield wanted[record.number], record.receive_ns, record.data
 
-    def _records(self) -> Iterator[LeftTopic | LeftMessage]:
+    def _records(self) -> Iterator[FoundTopic | FoundMessage]:
         with self._path.open("rb") as file:
             yield from _ros1_records(file) if self._is_bag else _mcap_records(file)
 
@@ -116,7 +116,7 @@ def is_without_end(path: Path, kind: str) -> bool:
     return not (0 < index_at < size or is_empty)
 
 
-def is_foreign(path: Path) -> bool:
+def has_other_profile(path: Path) -> bool:
     """Return whether the header of an .mcap names another profile than ros2, or none; rosbags reads no such file."""
     with path.open("rb") as file:
         file.seek(len(MCAP_MAGIC) + 9)
@@ -132,7 +132,7 @@ def unpack(path: Path, whole: Path) -> None:
             file.write(unpacker.decompress(data))
 
 
-def _connection(topic: LeftTopic, count: int, is_ros1: bool):
+def _connection(topic: FoundTopic, count: int, is_ros1: bool):
     """Return a connection as rosbags makes them; who offered what is not told any more."""
     from rosbags.interfaces import (
         Connection,
@@ -152,7 +152,7 @@ def _connection(topic: LeftTopic, count: int, is_ros1: bool):
 # -- mcap ------------------------------------------------------------------------
 
 
-def _mcap_records(file: BinaryIO) -> Iterator[LeftTopic | LeftMessage]:
+def _mcap_records(file: BinaryIO) -> Iterator[FoundTopic | FoundMessage]:
     file.seek(len(MCAP_MAGIC))
     schemas: dict[int, tuple[str, str]] = {0: ("", "")}
     for kind, data in _mcap_parts(file):
@@ -183,12 +183,12 @@ def _parts_of(data: bytes) -> Iterator[tuple[int, bytes]]:
         at += 9 + size
 
 
-def _mcap_record(kind: int, data: bytes, schemas: dict[int, tuple[str, str]]) -> Iterator[LeftTopic | LeftMessage]:
+def _mcap_record(kind: int, data: bytes, schemas: dict[int, tuple[str, str]]) -> Iterator[FoundTopic | FoundMessage]:
     """Yield what a record tells, nothing if it is cut off."""
     with suppress(StructError, UnicodeDecodeError, KeyError):
         if kind == MCAP_MESSAGE:
             number, _, receive_ns, _ = _message.unpack_from(data)
-            yield LeftMessage(number, receive_ns, data[_message.size :])
+            yield FoundMessage(number, receive_ns, data[_message.size :])
         elif kind == MCAP_SCHEMA:
             name, rest = _word(data[2:])
             _, rest = _word(rest)
@@ -197,7 +197,7 @@ def _mcap_record(kind: int, data: bytes, schemas: dict[int, tuple[str, str]]) ->
             number, schema = _u16.unpack_from(data)[0], _u16.unpack_from(data, 2)[0]
             (topic, rest), (kind_of_message, definition) = _word(data[4:]), schemas[schema]
             modern = kind_of_message if "/msg/" in kind_of_message else kind_of_message.replace("/", "/msg/")
-            yield LeftTopic(number, topic, modern, definition, "", _word(rest)[0])
+            yield FoundTopic(number, topic, modern, definition, "", _word(rest)[0])
 
 
 def _mcap_chunk(data: bytes) -> bytes:
@@ -217,7 +217,7 @@ def _word(data: bytes) -> tuple[str, bytes]:
 # -- ROS 1 -----------------------------------------------------------------------
 
 
-def _ros1_records(file: BinaryIO) -> Iterator[LeftTopic | LeftMessage]:
+def _ros1_records(file: BinaryIO) -> Iterator[FoundTopic | FoundMessage]:
     file.seek(len(ROS1_MAGIC))
     while head := _sized(file):
         fields = _ros1_fields(head)
@@ -230,7 +230,7 @@ def _ros1_records(file: BinaryIO) -> Iterator[LeftTopic | LeftMessage]:
             yield from _ros1_record(kind, fields, data)
 
 
-def _ros1_chunk(data: bytes) -> Iterator[LeftTopic | LeftMessage]:
+def _ros1_chunk(data: bytes) -> Iterator[FoundTopic | FoundMessage]:
     at = 0
     while at + 8 <= len(data):
         size = _u32.unpack_from(data, at)[0]
@@ -245,18 +245,18 @@ def _ros1_chunk(data: bytes) -> Iterator[LeftTopic | LeftMessage]:
         at += 4 + size
 
 
-def _ros1_record(kind: int, fields: dict[bytes, bytes], data: bytes) -> Iterator[LeftTopic | LeftMessage]:
+def _ros1_record(kind: int, fields: dict[bytes, bytes], data: bytes) -> Iterator[FoundTopic | FoundMessage]:
     with suppress(StructError, KeyError, UnicodeDecodeError):
         if kind == ROS1_MESSAGE:
             sec, nanosec = _stamp.unpack(fields[b"time"])
-            yield LeftMessage(_u32.unpack(fields[b"conn"])[0], sec * NSEC_PER_SEC + nanosec, data)
+            yield FoundMessage(_u32.unpack(fields[b"conn"])[0], sec * NSEC_PER_SEC + nanosec, data)
         elif kind == ROS1_CONNECTION:
             more = _ros1_fields(data)
             package, _, name = more[b"type"].decode().partition("/")
             publisher = more.get(b"callerid", b"").decode()
             definition = more.get(b"message_definition", b"").decode()
             topic = fields[b"topic"].decode()
-            yield LeftTopic(_u32.unpack(fields[b"conn"])[0], topic, f"{package}/msg/{name}", definition, publisher)
+            yield FoundTopic(_u32.unpack(fields[b"conn"])[0], topic, f"{package}/msg/{name}", definition, publisher)
 
 
 def _sized(file: BinaryIO) -> bytes:

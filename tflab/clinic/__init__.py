@@ -2,11 +2,11 @@
 
     causes            eighteen changes to how a robot is launched
     findings          a tool's text in a line
-    trolley           the tools, and what each costs
+    checks            the tools, and what each costs
     table             what each suspect would answer
     examples          what findings look like, and the tables in print
     proof             when a diagnosis is proved
-    cures             the fixes
+    fixes             the fixes
     patient           a faulty robot as plain data
     simulate_patient  how a patient is made
     archive           many patients, none made twice

@@ -1,7 +1,7 @@
 """Make patients (simulated faulty robots) in parallel, and cache them on disk under a hash of their inputs.
 
-    admissions --known?--> file           a hash of causes, numbers, and of the code that makes patients
-               --new-----> ward --> file
+    specs --known?--> file                       a hash of causes, numbers, and of the code that makes patients
+          --new-----> simulated robot --> file
 
 A patient depends on its causes, its numbers and the files of all packages that the
 clinic may import (the tools print it, the robots drive it).  A digest of these is its
@@ -22,16 +22,16 @@ import numpy as np
 from tflab import __version__
 
 from .causes import Numbers
-from .patient import SickRobot
+from .patient import FaultyRobot
 from .simulate_patient import make_patient
 
-__all__ = ["Admission", "digest_of", "files_of", "patients"]
+__all__ = ["PatientSpec", "digest_of", "files_of", "patients"]
 
 MADE_BY = ("core", "views", "ros", "robots", "bags", "doctor", "tools", "clinic")  # all that the clinic may import
 COMPILED = {".pyc", ".so", ".pyd"}  # made from the sources
 
 
-class Admission(NamedTuple):
+class PatientSpec(NamedTuple):
     """What a patient is made from: see `make_patient`."""
 
     causes: tuple[str, ...]
@@ -39,27 +39,27 @@ class Admission(NamedTuple):
     complaint: str | None = None
 
 
-def patients(admissions: Sequence[Admission]) -> list[SickRobot]:
-    """Return a patient for each admission, in their order; new ones are made on all cores, and kept."""
-    paths = [_place(admission) for admission in admissions]
-    new = [(admission, path) for admission, path in zip(admissions, paths, strict=True) if not path.is_file()]
+def patients(specs: Sequence[PatientSpec]) -> list[FaultyRobot]:
+    """Return a patient for each spec, in their order; new ones are made on all cores, and kept."""
+    paths = [_place(spec) for spec in specs]
+    new = [(spec, path) for spec, path in zip(specs, paths, strict=True) if not path.is_file()]
     if new:
         from joblib import Parallel, delayed
 
         Parallel(n_jobs=min(len(new), os.cpu_count() or 1))(delayed(_make)(*pair) for pair in new)
-    return [SickRobot.unpacked(path.read_text(encoding="ascii")) for path in paths]
+    return [FaultyRobot.unpacked(path.read_text(encoding="ascii")) for path in paths]
 
 
-def _make(admission: Admission, path: Path) -> None:
+def _make(spec: PatientSpec, path: Path) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     beside = path.with_suffix(f".{os.getpid()}")
-    beside.write_text(make_patient(*admission).packed(), encoding="ascii")
+    beside.write_text(make_patient(*spec).packed(), encoding="ascii")
     beside.replace(path)
 
 
-def _place(admission: Admission) -> Path:
+def _place(spec: PatientSpec) -> Path:
     cache = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    name = hashlib.sha256(f"{_sources()} {admission!r}".encode()).hexdigest()
+    name = hashlib.sha256(f"{_sources()} {spec!r}".encode()).hexdigest()
     return cache / "tflab" / "patients" / name[:2] / name
 
 

@@ -6,16 +6,16 @@
 
 Who writes a program that reads findings needs to know their form; numbers and names
 are those of one robot, and another has others.  The same three tables in print: the
-suspects, the trolley, and what each suspect would say.
+suspects, the checks, and what each suspect would say.
 """
 
 from __future__ import annotations
 
+from .checks import CHECKS, unknown_name_error
 from .findings import AS_ON_THE_CARD, DENORMALIZED, INCOMPATIBLE
-from .table import COMPLAINTS, SUSPECTS, kind_expected
-from .trolley import TROLLEY, no_such
+from .table import COMPLAINTS, SUSPECTS, expected_kind
 
-__all__ = ["EXAMPLES", "findings_as_text", "suspects_as_text", "trolley_as_text"]
+__all__ = ["EXAMPLES", "checks_as_text", "findings_as_text", "suspects_as_text"]
 
 _CARD = AS_ON_THE_CARD
 _NODES = "joint_driver laser_driver laser_mount localization map_server robot_state_publisher wheel_odometry"
@@ -128,12 +128,12 @@ def suspects_as_text(language: str = "en") -> str:
     ).rstrip("\n")
 
 
-def trolley_as_text(language: str = "en") -> str:
+def checks_as_text(language: str = "en") -> str:
     """Return each check by its short name, what it costs, and what is typed."""
-    width = max(map(len, TROLLEY))
+    width = max(map(len, CHECKS))
     return "\n".join(
         f"{key:<{width}} {MINUTES[language].format(minutes=check.minutes)}   {check.instruction(language)}"
-        for key, check in TROLLEY.items()
+        for key, check in CHECKS.items()
     )
 
 
@@ -147,13 +147,13 @@ def findings_as_text(complaint: str = "", language: str = "en") -> str:
         ValueError: there is no such complaint.
     """
     if complaint and complaint not in COMPLAINTS:
-        raise no_such(complaint, "no complaint", COMPLAINTS)
+        raise unknown_name_error(complaint, "no complaint", COMPLAINTS)
     suspects = COMPLAINTS[complaint].suspects if complaint else SUSPECTS
     blocks = []
-    for key, check in TROLLEY.items():
+    for key, check in CHECKS.items():
         who: dict[str, list[str]] = {check.usual: []}
         for suspect in suspects:
-            who.setdefault(kind_expected(suspect, key), []).append(suspect)
+            who.setdefault(expected_kind(suspect, key), []).append(suspect)
         if complaint and sum(map(bool, who.values())) < 2:
             continue
         rows = [(EXAMPLES[key][kind], ", ".join(who[kind]) if kind != check.usual else CARD[language]) for kind in who]

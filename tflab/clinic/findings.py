@@ -155,7 +155,7 @@ def parameter(text: str) -> str:
     return text.strip().removeprefix("Boolean value is: ")
 
 
-def as_it_is(text: str) -> str:
+def verbatim(text: str) -> str:
     """Read a text that is a finding itself."""
     return text.strip()
 
@@ -164,7 +164,7 @@ READERS = {
     reader.__name__: reader
     for reader in (
         rviz, node_list, view_frames, publishers, connection, wheels, mount, correction, monitor, rate, delay, header,
-        static, parameter, as_it_is,
+        static, parameter, verbatim,
     )
 }  # fmt: skip
 
@@ -323,5 +323,5 @@ _KINDS = {
     "header": _kind_of_header,
     "static": _kind_of_static,
     "parameter": _kind_of_parameter,
-    "as_it_is": _kind_of_what_is,
+    "verbatim": _kind_of_what_is,
 }

@@ -21,13 +21,13 @@ from tflab.views.diagnosis_log import describe_order, draw_order
 from tflab.views.fault_tables import draw_suspects
 from tflab.views.libraries import ipywidgets as widgets
 from tflab.views.panels.panel import Panel, side_by_side
-from tflab.views.panels.prefetch import At
+from tflab.views.panels.prefetch import Controls
 from tflab.views.slider_frames import Film
 
+from .checks import CHECKS
 from .examples import MINUTES
-from .patient import SickRobot
-from .table import kind_expected
-from .trolley import TROLLEY
+from .patient import FaultyRobot
+from .table import expected_kind
 from .visit import Visit
 
 __all__ = ["ClinicPanel", "clinic_panel", "columns_for", "suspects_table"]
@@ -46,13 +46,13 @@ LABELS = {
 
 def columns_for(suspects: tuple[str, ...]) -> list[str]:
     """Return the checks that tell at least two of the suspects apart, cheap ones first."""
-    useful = [key for key in TROLLEY if len({kind_expected(suspect, key) for suspect in suspects}) > 1]
-    return sorted(useful, key=lambda key: TROLLEY[key].minutes)
+    useful = [key for key in CHECKS if len({expected_kind(suspect, key) for suspect in suspects}) > 1]
+    return sorted(useful, key=lambda key: CHECKS[key].minutes)
 
 
 def suspects_table(suspects: tuple[str, ...], checks: list[str]) -> dict[str, dict[str, str]]:
     """Return what each suspect would say to each check, as `draw_suspects` takes it."""
-    return {suspect: {check: kind_expected(suspect, check) for check in checks} for suspect in suspects}
+    return {suspect: {check: expected_kind(suspect, check) for check in checks} for suspect in suspects}
 
 
 class ClinicPanel(Panel):
@@ -67,7 +67,7 @@ class ClinicPanel(Panel):
         self._labels = LABELS[visit.language]
         suspects = visit.suspects
         self._columns = columns_for(suspects)
-        self._check = self._menu("check", [(self._priced(key), key) for key in TROLLEY], "430px")
+        self._check = self._menu("check", [(self._priced(key), key) for key in CHECKS], "430px")
         nobody = (self._labels["nobody"], "")
         self._because = self._menu("because", [nobody, *((each, each) for each in suspects)], "300px")
         self._cause = self._menu("cause", [nobody, *((each, each) for each in suspects)], "300px")
@@ -116,8 +116,8 @@ class ClinicPanel(Panel):
     def film(self, steps: int = 0) -> widgets.VBox:
         """Return the panel as it lives on without a kernel: what each check would say, and who would be left."""
         pictures, texts, words = [], [], []
-        for key in TROLLEY:
-            alone = Visit(SickRobot.unpacked(self.visit.patient.packed()), self.visit.language, helped=True)
+        for key in CHECKS:
+            alone = Visit(FaultyRobot.unpacked(self.visit.patient.packed()), self.visit.language, helped=True)
             with redirect_stdout(StringIO()) as printed:
                 alone.ask(key)
             self.picture.tell({check: kind for check, kind in alone.found.items() if check in self._columns})
@@ -136,14 +136,14 @@ class ClinicPanel(Panel):
     def _questions(self) -> list[tuple[str, float, int]]:
         return [(asked.check, asked.minutes, len(asked.suspects)) for asked in self.visit.log]
 
-    def _move(self, at: At) -> None:
+    def _move(self, at: Controls) -> None:
         asked = {check: kind for check, kind in self.visit.found.items() if check in self._columns}
         self.picture.tell(asked if self.visit.helped else {})
 
     def _priced(self, key: str) -> str:
         language = self.visit.language
-        minutes = MINUTES[language].format(minutes=TROLLEY[key].minutes).strip()
-        return f"{TROLLEY[key].instruction(language)} ({minutes})"
+        minutes = MINUTES[language].format(minutes=CHECKS[key].minutes).strip()
+        return f"{CHECKS[key].instruction(language)} ({minutes})"
 
     def _menu(self, name: str, options: list, width: str) -> widgets.Dropdown:
         words = self._labels[name]
@@ -157,6 +157,6 @@ class ClinicPanel(Panel):
         return button
 
 
-def clinic_panel(patient: SickRobot, language: str = "en", helped: bool = True) -> ClinicPanel:
+def clinic_panel(patient: FaultyRobot, language: str = "en", helped: bool = True) -> ClinicPanel:
     """Return a visit to a patient, with controls; where the table helps, it strikes whom a reading does not fit."""
-    return ClinicPanel(Visit(SickRobot.unpacked(patient.packed()), language, helped))
+    return ClinicPanel(Visit(FaultyRobot.unpacked(patient.packed()), language, helped))

@@ -21,9 +21,9 @@ from typing import Any
 
 from tflab.text import Text
 
-from .trolley import TROLLEY, check_named
+from .checks import CHECKS, find_check
 
-__all__ = ["NOTES", "SickRobot", "rows_of", "seen_after", "translate_output"]
+__all__ = ["NOTES", "FaultyRobot", "result_of_fix", "rows_of", "translate_output"]
 
 # what is written down without a tool of ROS
 NOTES = {
@@ -44,7 +44,7 @@ NOTES = {
 KNOWN = 128  # patients that are held open: a ward is asked over and over
 
 
-class SickRobot:
+class FaultyRobot:
     """A sick robot, as its ward wrote it down.
 
     Args:
@@ -72,20 +72,20 @@ class SickRobot:
         """Return the finding of a check, and note that it was asked; asked twice, it is paid twice.
 
         Raises:
-            ValueError: it is not on the trolley.
+            ValueError: it is none of the checks.
         """
         return self.reading(check)[2]
 
     def reading(self, check: str) -> tuple[float, str, str]:
         """Return the minutes, the text and the finding of a check, and note that it was asked."""
-        key = check_named(check).key
+        key = find_check(check).key
         self.asked += (key,)
         return tuple(_unpacked(self._word)[0][key])
 
     @property
     def minutes(self) -> float:
         """What has been asked so far took this long [min]."""
-        return sum(TROLLEY[key].minutes for key in self.asked)
+        return sum(CHECKS[key].minutes for key in self.asked)
 
     def verdict(self, cause: str, frame: str) -> dict[str, Any]:
         """Return what is handed in: the cause, the frame, and the proof, which is what was asked on the way."""
@@ -96,7 +96,7 @@ class SickRobot:
         return _whole(self.complaint, self.screen, self.budget_min, self._word)
 
     @classmethod
-    def unpacked(cls, word: str) -> SickRobot:
+    def unpacked(cls, word: str) -> FaultyRobot:
         """Return the patient that `packed` wrote, nothing asked of it yet."""
         return copy(_known(word))
 
@@ -104,13 +104,13 @@ class SickRobot:
         return f"<Patient: {self.complaint or 'it does not work'}>"
 
 
-def seen_after(patient: SickRobot, fix: str) -> tuple[float, str]:
+def result_of_fix(patient: FaultyRobot, fix: str) -> tuple[float, str]:
     """Return the minutes of a fix, and what is seen after it; whether it may be tried yet, a visit decides."""
     return tuple(_unpacked(patient._word)[1][fix])
 
 
-def rows_of(patient: SickRobot) -> list[Any]:
-    """Return what a patient is made of, as JSON has it: the arguments of `SickRobot`."""
+def rows_of(patient: FaultyRobot) -> list[Any]:
+    """Return what a patient is made of, as JSON has it: the arguments of `FaultyRobot`."""
     return _unpacked(patient.packed())
 
 
@@ -144,5 +144,5 @@ def _whole(complaint: str, screen: str, budget_min: float, word: str) -> str:
 
 
 @lru_cache(maxsize=KNOWN)
-def _known(word: str) -> SickRobot:
-    return SickRobot(*_unpacked(word))
+def _known(word: str) -> FaultyRobot:
+    return FaultyRobot(*_unpacked(word))

@@ -2,7 +2,7 @@
 
     practice_patient(7)                       of any complaint
     practice_patient(7, complaint="jumps")
-    night_shift(7)                            two causes, the second behind the first
+    two_fault_patient(7)                      two causes, the second behind the first
 
 The same number gives the same patient everywhere.  What was wrong is told by
 `answer_of`, which reads no patient: it draws again what the number draws.  And
@@ -14,17 +14,17 @@ from __future__ import annotations
 import numpy as np
 
 from .causes import CAUSES, Numbers, draw_numbers
-from .patient import SickRobot
-from .proof import fitting
-from .simulate_patient import examined, make_patient
+from .checks import CHECKS, unknown_name_error
+from .patient import FaultyRobot
+from .proof import consistent_suspects
+from .simulate_patient import doctor_report, make_patient
 from .table import COMPLAINTS
-from .trolley import TROLLEY, no_such
 
-__all__ = ["answer_of", "night_shift", "practice_patient", "second_opinion", "worked_patient"]
+__all__ = ["answer_of", "practice_patient", "second_opinion", "two_fault_patient", "worked_patient"]
 
 TRIES = 20  # of drawing a patient again
 # A first cause hides a second one: until it is cured, the second cannot be seen.
-NIGHTS = (
+TWO_FAULTS = (
     ("localizer not running", "mount wrong"),
     ("transforms late", "mount wrong"),
     ("odometry not running", "laser clock behind"),
@@ -32,7 +32,7 @@ NIGHTS = (
 )
 
 
-def practice_patient(number: int, complaint: str = "") -> SickRobot:
+def practice_patient(number: int, complaint: str = "") -> FaultyRobot:
     """Return a patient to practise on; it takes two or three seconds.
 
     Raises:
@@ -41,24 +41,24 @@ def practice_patient(number: int, complaint: str = "") -> SickRobot:
     return _clear(*_drawn(number, complaint))[0]
 
 
-def night_shift(number: int) -> SickRobot:
+def two_fault_patient(number: int) -> FaultyRobot:
     """Return a patient with two causes.
 
     Raises:
         ValueError: there is no such number.
     """
     rng = _chance(12, number)
-    return make_patient(NIGHTS[int(rng.integers(len(NIGHTS)))], draw_numbers(rng))
+    return make_patient(TWO_FAULTS[int(rng.integers(len(TWO_FAULTS)))], draw_numbers(rng))
 
 
-def worked_patient(cause: str, number: int = 0) -> SickRobot:
+def worked_patient(cause: str, number: int = 0) -> FaultyRobot:
     """Return a patient whose cause is known, to show how it is done.
 
     Raises:
         ValueError: there is no such cause, or no such number.
     """
     if cause not in list(CAUSES):
-        raise no_such(cause, "no cause", CAUSES)
+        raise unknown_name_error(cause, "no cause", CAUSES)
     return make_patient([cause], draw_numbers(_chance(1, number)))
 
 
@@ -70,15 +70,15 @@ def answer_of(number: int, complaint: str = "") -> str:
 def second_opinion(number: int, complaint: str = "") -> str:
     """Return what the doctor says of the robot of `practice_patient(number, complaint)`."""
     rng, causes = _drawn(number, complaint)
-    return examined(causes, _clear(rng, causes)[1])
+    return doctor_report(causes, _clear(rng, causes)[1])
 
 
-def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[SickRobot, Numbers]:
+def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[FaultyRobot, Numbers]:
     """Return a patient of one cause and its numbers; where its readings fit nobody, others are drawn."""
     for _ in range(TRIES):
         numbers = draw_numbers(rng)
         patient = make_patient(causes, numbers)
-        if fitting({key: check.kind(patient.reading(key)[2]) for key, check in TROLLEY.items()}) == causes:
+        if consistent_suspects({key: check.kind(patient.reading(key)[2]) for key, check in CHECKS.items()}) == causes:
             patient.asked = ()
             return patient, numbers
     raise ValueError(f"after {TRIES} draws no patient's readings fit {causes[0]} alone")
@@ -86,7 +86,7 @@ def _clear(rng: np.random.Generator, causes: tuple[str, ...]) -> tuple[SickRobot
 
 def _drawn(number: int, complaint: str) -> tuple[np.random.Generator, tuple[str, ...]]:
     if complaint and complaint not in COMPLAINTS:
-        raise no_such(complaint, "no complaint", COMPLAINTS)
+        raise unknown_name_error(complaint, "no complaint", COMPLAINTS)
     rng = _chance(7, number)
     keys = list(COMPLAINTS)
     key = complaint or keys[int(rng.integers(len(keys)))]

@@ -18,21 +18,21 @@ from collections.abc import Iterable, Sequence
 from itertools import permutations
 from typing import NamedTuple
 
-from .table import COMPLAINTS, SUSPECTS, kind_expected
-from .trolley import BUDGET_MIN, TROLLEY
+from .checks import BUDGET_MIN, CHECKS
+from .table import COMPLAINTS, SUSPECTS, expected_kind
 
 __all__ = [
     "NOTHING_IS_WRONG",
     "Flaw",
     "best_check",
-    "fitting",
-    "flaw_of",
-    "left_after",
+    "bits_per_minute",
+    "check_steps",
+    "consistent_suspects",
+    "find_flaw",
     "minutes_of",
-    "order_of",
+    "rivals_left",
     "rivals_of",
     "shortest_proof",
-    "worth",
 ]
 
 NOTHING_IS_WRONG = "nothing is wrong"
@@ -62,25 +62,25 @@ def rivals_of(suspect: str, whole: bool = False) -> tuple[str, ...]:
 
 def minutes_of(checks: Iterable[str]) -> float:
     """Return how long some checks take [min]."""
-    return sum(TROLLEY[check].minutes for check in checks)
+    return sum(CHECKS[check].minutes for check in checks)
 
 
-def left_after(suspect: str, rivals: Sequence[str], checks: Sequence[str]) -> list[tuple[str, ...]]:
+def rivals_left(suspect: str, rivals: Sequence[str], checks: Sequence[str]) -> list[tuple[str, ...]]:
     """Return which rivals are left after each check, were it this suspect."""
     left, rows = tuple(rivals), []
     for check in checks:
-        kind = kind_expected(suspect, check)
-        left = tuple(rival for rival in left if kind_expected(rival, check) == kind)
+        kind = expected_kind(suspect, check)
+        left = tuple(rival for rival in left if expected_kind(rival, check) == kind)
         rows.append(left)
     return rows
 
 
-def flaw_of(checks: Sequence[str], suspect: str, whole: bool = False, budget_min: float = BUDGET_MIN) -> Flaw | None:
-    """Return what keeps `checks`, keys of the trolley in their order, from proving a suspect; None if they do."""
-    rows = left_after(suspect, rivals_of(suspect, whole), checks)
+def find_flaw(checks: Sequence[str], suspect: str, whole: bool = False, budget_min: float = BUDGET_MIN) -> Flaw | None:
+    """Return what keeps `checks`, keys of `CHECKS` in their order, from proving a suspect; None if they do."""
+    rows = rivals_left(suspect, rivals_of(suspect, whole), checks)
     if not rows or rows[-1]:
         return Flaw("unproved", (rows[-1] if rows else rivals_of(suspect, whole))[0])
-    sick = [kind_expected(suspect, check) != TROLLEY[check].usual for check in checks]
+    sick = [expected_kind(suspect, check) != CHECKS[check].usual for check in checks]
     if not any(sick) and suspect != NOTHING_IS_WRONG:
         return Flaw("all healthy")
     enough = 1 + next(
@@ -93,32 +93,32 @@ def flaw_of(checks: Sequence[str], suspect: str, whole: bool = False, budget_min
     return Flaw("late", minutes=minutes_of(checks)) if minutes_of(checks) > budget_min else None
 
 
-def fitting(found: dict[str, str], suspects: Iterable[str] = SUSPECTS) -> tuple[str, ...]:
+def consistent_suspects(found: dict[str, str], suspects: Iterable[str] = SUSPECTS) -> tuple[str, ...]:
     """Return the suspects that would have given just these findings: of each check its kind."""
     return tuple(
-        suspect for suspect in suspects if all(kind_expected(suspect, check) == kind for check, kind in found.items())
+        suspect for suspect in suspects if all(expected_kind(suspect, check) == kind for check, kind in found.items())
     )
 
 
-def order_of(cause: str, checks: Sequence[str], whole: bool = False) -> list[tuple[str, float, int]]:
+def check_steps(cause: str, checks: Sequence[str], whole: bool = False) -> list[tuple[str, float, int]]:
     """Return a way of asking as `draw_order` takes it: of each check its minutes, and how many suspects were left."""
-    left = left_after(cause, rivals_of(cause, whole), checks)
-    return [(check, TROLLEY[check].minutes, 1 + len(rivals)) for check, rivals in zip(checks, left, strict=True)]
+    left = rivals_left(cause, rivals_of(cause, whole), checks)
+    return [(check, CHECKS[check].minutes, 1 + len(rivals)) for check, rivals in zip(checks, left, strict=True)]
 
 
 def shortest_proof(suspect: str) -> list[str]:
     """Return the cheapest one or two checks that prove a suspect of a complaint."""
-    lists = (list(checks) for count in (1, 2) for checks in permutations(TROLLEY, count))
-    return min((checks for checks in lists if flaw_of(checks, suspect) is None), key=minutes_of)
+    lists = (list(checks) for count in (1, 2) for checks in permutations(CHECKS, count))
+    return min((checks for checks in lists if find_flaw(checks, suspect) is None), key=minutes_of)
 
 
-def worth(check: str, suspects: Sequence[str]) -> float:
+def bits_per_minute(check: str, suspects: Sequence[str]) -> float:
     """Return how much a check is expected to tell about suspects that are equally likely [bit/min]."""
-    sizes = Counter(kind_expected(suspect, check) for suspect in suspects).values()
+    sizes = Counter(expected_kind(suspect, check) for suspect in suspects).values()
     told = math.log2(len(suspects)) - sum(size * math.log2(size) for size in sizes) / len(suspects)
-    return told / TROLLEY[check].minutes
+    return told / CHECKS[check].minutes
 
 
 def best_check(suspects: Sequence[str]) -> str:
     """Return the check that tells most about suspects for a minute; the first of them where several do."""
-    return max(TROLLEY, key=lambda check: worth(check, suspects))
+    return max(CHECKS, key=lambda check: bits_per_minute(check, suspects))

@@ -1,6 +1,6 @@
 """Simulate a patient: launch a robot with its cause, drive for twenty seconds, and run every tool on it.
 
-    cause + numbers --launch--> graph --20 s--> trolley, RViz --> texts and findings
+    cause + numbers --launch--> graph --20 s--> checks, RViz --> texts and findings
                                       --cured--> what each fix leads to
 
 It takes two to three seconds, and what leaves the ward is text alone: no graph, no
@@ -40,13 +40,13 @@ from tflab.tools.session import result_of, spin_for, tool_node
 from tflab.views.rviz_status import look_through, statuses_as_text
 
 from .causes import CAUSES, HEALTHY, MOUNT, Launch, Numbers
-from .cures import CURES, PLASTERS
+from .checks import BUDGET_MIN, CHECKS
 from .findings import READERS
-from .patient import NOTES, SickRobot
+from .fixes import EFFECTIVE_FIXES, WORKAROUNDS
+from .patient import NOTES, FaultyRobot
 from .table import COMPLAINTS, DECIDING
-from .trolley import BUDGET_MIN, TROLLEY
 
-__all__ = ["ExaminedRobot", "examined", "make_patient"]
+__all__ = ["ExaminedRobot", "doctor_report", "make_patient"]
 
 DRIVEN_S = 20.0
 LOOKS = 8  # at RViz, until it shows what the operator complains of
@@ -71,7 +71,7 @@ class Places(NamedTuple):
     arrived: float | None
 
 
-def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None = None) -> SickRobot:
+def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None = None) -> FaultyRobot:
     """Return the patient that has these causes, one or two.
 
     Args:
@@ -83,13 +83,13 @@ def make_patient(causes: Sequence[str], numbers: Numbers, complaint: str | None 
         launch = CAUSES[cause](launch, numbers)
     with ExaminedRobot(launch, numbers) as sick:
         screen = sick.screen(_shows(own))
-        evidence = {key: [check.minutes, *sick.ask(key, screen)] for key, check in TROLLEY.items()}
+        evidence = {key: [check.minutes, *sick.ask(key, screen)] for key, check in CHECKS.items()}
         places = sick.places()
     fixes = {fix: [minutes, _after(fix, causes, numbers, screen, evidence, places)] for fix, minutes in _prices()}
-    return SickRobot(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
+    return FaultyRobot(own if complaint is None else complaint, screen, BUDGET_MIN, evidence, fixes)
 
 
-def examined(causes: Sequence[str], numbers: Numbers) -> str:
+def doctor_report(causes: Sequence[str], numbers: Numbers) -> str:
     """Return what the doctor says of a robot that has these causes: a program that was told neither card nor plan."""
     launch = HEALTHY
     for cause in causes:
@@ -99,7 +99,7 @@ def examined(causes: Sequence[str], numbers: Numbers) -> str:
 
 
 def _prices() -> list[tuple[str, float]]:
-    return [(fix, 10.0) for fix in (*CURES, *PLASTERS)]
+    return [(fix, 10.0) for fix in (*EFFECTIVE_FIXES, *WORKAROUNDS)]
 
 
 # -- a robot, and what is asked of it -------------------------------------
@@ -123,7 +123,7 @@ class ExaminedRobot:
 
     def ask(self, key: str, screen: str = "") -> tuple[str, str]:
         """Return what a check prints, and its finding."""
-        check = TROLLEY[key]
+        check = CHECKS[key]
         if key == "rviz":
             text = screen
         elif key == "tape measure":
@@ -286,10 +286,10 @@ def _after(
     fix: str, causes: Sequence[str], numbers: Numbers, screen: str, evidence: dict[str, list], places: Places
 ) -> str:
     """Return what RViz, the walls and the deciding reading say after a fix."""
-    cured = [cause for cause in causes if cause in CURES.get(fix, ())]
+    cured = [cause for cause in causes if cause in EFFECTIVE_FIXES.get(fix, ())]
     decisive = DECIDING[(cured or list(causes))[0]]
     if not cured:
-        way = PLASTERS.get(fix, "waited")
+        way = WORKAROUNDS.get(fix, "waited")
         calm = way != "waited" or fix == "timeout of 1 s"
         placed = getattr(places, way)
         shown = _calmed(screen) if calm else screen
@@ -316,4 +316,4 @@ def _describe(screen: str, placed: float | None, key: str, reading: str) -> str:
     troubles = [line for line in screen.splitlines() if re.search(r": (Error|Warn)|No transform|does not exist", line)]
     rviz = "\n".join(["RViz:", *(f"  {line}" for line in troubles[:6])]) if troubles else NOTES["all ok"].en
     off = NOTES["not placed"].en if placed is None else NOTES["off the walls"].en.format(distance=f"{placed:.2f}")
-    return f"{rviz}\n{off}\n$ {TROLLEY[key].command}\n{reading}"
+    return f"{rviz}\n{off}\n$ {CHECKS[key].command}\n{reading}"

@@ -15,9 +15,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from .trolley import TROLLEY
+from .checks import CHECKS
 
-__all__ = ["COMPLAINTS", "DECIDING", "SENSOR_BROKEN", "SUSPECTS", "Complaint", "kind_expected"]
+__all__ = ["COMPLAINTS", "DECIDING", "SENSOR_BROKEN", "SUSPECTS", "Complaint", "expected_kind"]
 
 
 class Complaint(NamedTuple):
@@ -157,6 +157,6 @@ DECIDING = {
 }
 
 
-def kind_expected(suspect: str, check: str) -> str:
+def expected_kind(suspect: str, check: str) -> str:
     """Return what kind of finding a suspect would give to a check."""
-    return _COLUMNS[suspect].get(check, TROLLEY[check].usual)
+    return _COLUMNS[suspect].get(check, CHECKS[check].usual)

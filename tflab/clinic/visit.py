@@ -2,7 +2,7 @@
 
     visit = admit(patient)                          the complaint, RViz's screen, the card; twelve minutes
     visit.ask("delay /scan", because="laser clock ahead")
-    visit.strike("odometry slow")                   a suspect less on one's own list
+    visit.rule_out("odometry slow")                 remove a suspect from your list
     visit.say(cause=..., frame=..., owner=..., fix=...)
     visit.try_fix()                                 the robot after it
 
@@ -20,13 +20,13 @@ from typing import NamedTuple
 from tflab.text import Texts
 from tflab.views.diagnosis_log import VisitStep
 
-from .cures import DIAGNOSES
+from .checks import CHECKS, CostedCheck, find_check, unknown_name_error
 from .examples import EXAMPLES
 from .findings import AS_ON_THE_CARD, READERS
-from .patient import SickRobot, seen_after, translate_output
-from .proof import NOTHING_IS_WRONG, best_check, fitting
+from .fixes import DIAGNOSES
+from .patient import FaultyRobot, result_of_fix, translate_output
+from .proof import NOTHING_IS_WRONG, best_check, consistent_suspects
 from .table import COMPLAINTS, DECIDING, SENSOR_BROKEN, SUSPECTS
-from .trolley import TROLLEY, TrolleyCheck, check_named, no_such
 
 __all__ = ["FixTried", "Visit", "VisitEntry", "admit", "steps_of"]
 
@@ -67,7 +67,7 @@ class Visit:
         diagnosis: what was said last; empty before.
     """
 
-    def __init__(self, patient: SickRobot, language: str = "en", helped: bool = False) -> None:
+    def __init__(self, patient: FaultyRobot, language: str = "en", helped: bool = False) -> None:
         self.patient, self.language, self.helped = patient, language, helped
         self.log: list[VisitEntry] = []
         self.tried: list[FixTried] = []
@@ -84,7 +84,7 @@ class Visit:
     @property
     def found(self) -> dict[str, str]:
         """Of each check that was asked the kind of its finding."""
-        return {asked.check: TROLLEY[asked.check].kind(asked.finding) for asked in self.log}
+        return {asked.check: CHECKS[asked.check].kind(asked.finding) for asked in self.log}
 
     def opening(self) -> str:
         """Return what is known before the first check: the complaint, RViz, the card and the budget."""
@@ -101,7 +101,7 @@ class Visit:
         """Print what a check says, and what time is left; `because` says whom one suspects, or why one asks.
 
         Raises:
-            ValueError: there is no such check on the trolley, or `because` is a second one.
+            ValueError: there is no such check, or `because` is a second one.
         """
         before = {asked.check for asked in self.log}
         text = self.take(check, because)
@@ -110,17 +110,17 @@ class Visit:
 
     def take(self, check: str, because: str = "") -> str:
         """Ask without printing, and return the text."""
-        key = check_named(check).key
-        if any(because in (each.key, each.command) for each in TROLLEY.values()):
+        key = find_check(check).key
+        if any(because in (each.key, each.command) for each in CHECKS.values()):
             raise ValueError(f'one check at a time: first "{key}", then "{because}"')
         minutes, text, finding = self.patient.reading(key)
         if self.helped:
-            kind = TROLLEY[key].kind(finding)
-            self.suspects = fitting({key: kind}, self.suspects)
+            kind = CHECKS[key].kind(finding)
+            self.suspects = consistent_suspects({key: kind}, self.suspects)
         self.log.append(VisitEntry(key, minutes, finding, because, self.suspects))
         return translate_output(text, self.language)
 
-    def strike(self, *suspects: str) -> None:
+    def rule_out(self, *suspects: str) -> None:
         """Take suspects off one's own list.
 
         Raises:
@@ -147,7 +147,7 @@ class Visit:
         self._known(cause)
         for name, what, names in ((frame, "frame", FRAMES), (owner, "owner", OWNERS), (fix, "fix", self.patient.fixes)):
             if name and name not in list(names):
-                raise no_such(name, f"no {what}", names)
+                raise unknown_name_error(name, f"no {what}", names)
         self.diagnosis = {"cause": cause, "frame": frame, "owner": owner, "fix": fix}
         if cause in self._all and cause not in self.suspects and not self.helped:
             print(self._say("struck", cause=cause))
@@ -164,14 +164,14 @@ class Visit:
             ValueError: there is no such fix.
         """
         if fix and fix not in self.patient.fixes:
-            raise no_such(fix, "no fix", self.patient.fixes)
+            raise unknown_name_error(fix, "no fix", self.patient.fixes)
         if fix and self.diagnosis:
             self.diagnosis["fix"] = fix
         print(self._refusal() or self._after())
 
     def _after(self) -> str:
         fix = self.diagnosis["fix"]
-        minutes, text = seen_after(self.patient, fix)
+        minutes, text = result_of_fix(self.patient, fix)
         self.tried.append(FixTried(fix, minutes, text))
         return self._say("after", fix=fix, minutes=minutes) + f"\n{_indented(translate_output(text, self.language))}"
 
@@ -184,42 +184,42 @@ class Visit:
     def _doubt(self, cause: str) -> str:
         """Return what the readings say against a cause, with a check that was asked or should be; "" if nothing."""
         for asked in self.log:
-            if not fitting({asked.check: TROLLEY[asked.check].kind(asked.finding)}, [cause]):
+            if not consistent_suspects({asked.check: CHECKS[asked.check].kind(asked.finding)}, [cause]):
                 finding = translate_output(asked.finding, self.language)
                 return self._say("contradicted", cause=cause, command=self._done(asked.check), finding=finding)
-        rivals = [each for each in fitting(self.found, self._all) if each != cause]
+        rivals = [each for each in consistent_suspects(self.found, self._all) if each != cause]
         if rivals:
             command, why = self._done(best_check([cause, *rivals])), "not_apart" if self.log else "nothing_asked"
             return self._say(why, cause=cause, count=len(rivals), command=command)
-        is_sick = any(kind != TROLLEY[check].usual for check, kind in self.found.items())
+        is_sick = any(kind != CHECKS[check].usual for check, kind in self.found.items())
         if is_sick or cause == NOTHING_IS_WRONG:
             return ""
         return self._say("nothing_sick", command=self._done(DECIDING[cause]))
 
     def _done(self, check: str) -> str:
-        return TROLLEY[check].instruction(self.language)
+        return CHECKS[check].instruction(self.language)
 
     def _typed(self, check: str) -> str:
-        command = self._done(check_named(check).key)
+        command = self._done(find_check(check).key)
         return f"$ {command}" if command.startswith("ros2 ") else command
 
     def _known(self, suspect: str) -> None:
         if suspect not in (*SUSPECTS, SENSOR_BROKEN):
-            raise no_such(suspect, "no suspect", SUSPECTS)
+            raise unknown_name_error(suspect, "no suspect", SUSPECTS)
 
     def _say(self, name: str, **names: object) -> str:
         return TEXTS[name].say(self.language, **names)
 
 
-def admit(patient: SickRobot, language: str = "en", helped: bool = False) -> Visit:
+def admit(patient: FaultyRobot, language: str = "en", helped: bool = False) -> Visit:
     """Let a patient in: print its complaint, its card and the budget, and return the visit.
 
     Raises:
         TypeError: that is no patient.
     """
-    if not isinstance(patient, SickRobot):
+    if not isinstance(patient, FaultyRobot):
         raise TypeError(f"a patient is needed, such as practice_patient(3) or e12_4.a, not {type(patient).__name__}")
-    visit = Visit(SickRobot.unpacked(patient.packed()), language, helped)
+    visit = Visit(FaultyRobot.unpacked(patient.packed()), language, helped)
     print(visit.opening())
     return visit
 
@@ -249,14 +249,14 @@ def steps_of(visit: Visit) -> list[VisitStep]:
     seen = READERS["rviz"](visit.patient.screen) if complaint else ""
     steps = [VisitStep("RViz" if complaint else "it does not work", 0.0, seen, "", left)]
     for asked in visit.log:
-        check = TROLLEY[asked.check]
-        left = fitting({check.key: check.kind(asked.finding)}, left)
+        check = CHECKS[asked.check]
+        left = consistent_suspects({check.key: check.kind(asked.finding)}, left)
         said, card = _in_a_row(check, asked.finding), _in_a_row(check, EXAMPLES[check.key][check.usual])
         steps.append(VisitStep(check.key, check.minutes, said, f"card: {card}" if card != AS_ON_THE_CARD else "", left))
     return [*steps, *(_fixed(fix, left) for fix in visit.tried)]
 
 
-def _in_a_row(check: TrolleyCheck, finding: str) -> str:
+def _in_a_row(check: CostedCheck, finding: str) -> str:
     """Return a finding, and of a long one, such as all nodes, only its kind."""
     return finding if len(finding) <= LONGEST else check.kind(finding)
 
@@ -265,7 +265,7 @@ def _fixed(tried: FixTried, left: tuple[str, ...]) -> VisitStep:
     """Return a fix as a step: what RViz and the walls say after it, and beside it the reading that decides."""
     seen, _, reading = tried.text.partition("\n$ ")
     command, _, printed = reading.partition("\n")
-    check = check_named(command)
+    check = find_check(command)
     off = re.search(r"up to (\S+ m)", seen)
     rviz = "all Ok" if seen.startswith("RViz: all Ok") else "not Ok"
     said = f"RViz {rviz}, scan up to {off[1]} off" if off else f"RViz {rviz}, no scan placed"

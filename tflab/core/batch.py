@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .columns import Tables, along, integer_stamps, reader, signs
+from .columns import Tables, canonical_signs, history_reader, integer_stamps, poses_along_route
 from .errors import ExtrapolationException, TransformException
 from .failures import extrapolation_text
 from .routes import Route
@@ -148,15 +148,15 @@ def _in_columns(
 
 def _fill(numbers: np.ndarray, tables: Tables, route: Route, moments: np.ndarray) -> None:
     """Write the poses at moments that every history reaches into `numbers`, shape (7, N), block by block."""
-    readers = {cache: reader(tables, cache, len(moments)) for cache in route.up + route.down}
+    readers = {cache: history_reader(tables, cache, len(moments)) for cache in route.up + route.down}
     for start in range(0, len(moments), BLOCK):
         block = moments[start : start + BLOCK]
         place: slice | np.ndarray = slice(start, start + len(block))
         if (block[1:] < block[:-1]).any():
             order = np.argsort(block)
             block, place = block[order], start + order
-        *position, qx, qy, qz, qw = along(route, readers, block)
-        sign = signs((qx, qy, qz, qw))
+        *position, qx, qy, qz, qw = poses_along_route(route, readers, block)
+        sign = canonical_signs((qx, qy, qz, qw))
         for row, column in zip(numbers, (*position, qx * sign, qy * sign, qz * sign, qw * sign), strict=True):
             row[place] = column
 

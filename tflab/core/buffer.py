@@ -33,7 +33,7 @@ from .poses import IDENTITY_POSE, Pose, are_ordinary_numbers, canonical_pose, co
 from .requests import RequestCallback, RequestQueue
 from .stamps import NSEC_PER_SEC
 from .transforms import StampedTransform, Transform, stamped_from_pose
-from .tree import Failure, find_way, latest_common_time, pose_along
+from .tree import LookupFailure, find_path, latest_common_time, pose_along
 
 __all__ = ["DEFAULT_CACHE_TIME_NS", "BufferCore"]
 
@@ -185,9 +185,9 @@ class BufferCore(Inspection):
             TransformException: as for lookup_transform.
         """
         with self._lock:
-            validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-            validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
-            validation.number_in_question(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument target_frame", target_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument source_frame", source_frame)
+            validation.frame_number_or_raise(self._tree, "lookupTransform argument fixed_frame", fixed_frame)
             fixed_T_source = self.lookup_transform(fixed_frame, source_frame, source_ns)
             target_T_fixed = self.lookup_transform(target_frame, fixed_frame, target_ns)
         outer, inner = target_T_fixed.transform, fixed_T_source.transform
@@ -234,12 +234,12 @@ class BufferCore(Inspection):
         if target_frame == source_frame:
             return True, ""
         with self._lock:
-            text = validation.fault_in_question(self._tree, target_frame=target_frame, source_frame=source_frame)
+            text = validation.unknown_frame_text(self._tree, target_frame=target_frame, source_frame=source_frame)
             if text:
                 return False, text
-            way = find_way(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
-            if isinstance(way, Failure):
-                return False, text_from_failure(self._tree, way, target_frame, source_frame)
+            path = find_path(self._tree, self._tree.numbers[target_frame], self._tree.numbers[source_frame], stamp_ns)
+            if isinstance(path, LookupFailure):
+                return False, text_from_failure(self._tree, path, target_frame, source_frame)
             return True, ""
 
     def why_not_full(
@@ -248,7 +248,7 @@ class BufferCore(Inspection):
         """Return (can_transform_full, tf2's text why not), the text "" if it can."""
         target_ns, source_ns = validation.whole_nanoseconds(target_ns), validation.whole_nanoseconds(source_ns)
         with self._lock:
-            text = validation.fault_in_question(
+            text = validation.unknown_frame_text(
                 self._tree, target_frame=target_frame, source_frame=source_frame, fixed_frame=fixed_frame
             )
             if text:
@@ -263,10 +263,10 @@ class BufferCore(Inspection):
             TransformException: a bad or unknown name, or no path.
         """
         with self._lock:
-            target = validation.number_in_question(self._tree, "get_latest_common_time", target_frame)
-            source = validation.number_in_question(self._tree, "get_latest_common_time", source_frame)
+            target = validation.frame_number_or_raise(self._tree, "get_latest_common_time", target_frame)
+            source = validation.frame_number_or_raise(self._tree, "get_latest_common_time", source_frame)
             common_ns = latest_common_time(self._tree, target, source)
-            if isinstance(common_ns, Failure):
+            if isinstance(common_ns, LookupFailure):
                 text = text_from_failure(self._tree, common_ns, target_frame, source_frame)
                 raise TransformException(text, target_frame=target_frame, source_frame=source_frame)
             return common_ns
@@ -347,7 +347,7 @@ class BufferCore(Inspection):
         return cache, self._tree.number_of(parent), child_number
 
     def _shape_changed(self) -> None:
-        """Forget every way that was remembered: some frame got another parent, or another history."""
+        """Forget every path that was remembered: some frame got another parent, or another history."""
         self._edges.clear()
         self._routes.forget()
         self._tables.clear()
@@ -358,7 +358,7 @@ class BufferCore(Inspection):
             cache = self._tree.caches[self._tree.numbers.get(source_frame, 0)]
             newest_ns = cache.newest_ns if cache is not None else 0
             return stamped_from_pose(target_frame, source_frame, stamp_ns or newest_ns, IDENTITY_POSE)
-        way = self._way(target_frame, source_frame, stamp_ns)
+        path = self._find_path(target_frame, source_frame, stamp_ns)
         self._routes.between(target_frame, source_frame)
-        pose = canonical_pose(pose_along(self._tree, way))
-        return stamped_from_pose(target_frame, source_frame, way.stamp_ns, pose)
+        pose = canonical_pose(pose_along(self._tree, path))
+        return stamped_from_pose(target_frame, source_frame, path.stamp_ns, pose)

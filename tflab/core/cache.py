@@ -35,7 +35,7 @@ from .poses import IDENTITY_POSE, Pose, Sent, compose, through_matrix, unit_pose
 from .segments import Segment, Segments
 from .stamps import LATEST
 
-__all__ = ["Cache", "Gap", "StaticCache", "StoredTransform", "TimeCache", "chained"]
+__all__ = ["Cache", "Gap", "StaticCache", "StoredTransform", "TimeCache", "compose_chain"]
 
 _seven_doubles = Struct("=7d")  # an array takes and gives bytes twice as fast as floats
 _pack_seven = _seven_doubles.pack
@@ -365,7 +365,7 @@ class StaticCache:
 Cache = TimeCache | StaticCache
 
 
-def chained(caches: list[Cache], stamp_ns: int) -> Pose:
+def compose_chain(caches: list[Cache], stamp_ns: int) -> Pose:
     """Return the first child's pose in the last one's parent.
 
     Raises:

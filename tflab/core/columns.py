@@ -29,7 +29,7 @@ from .routes import Route
 from .stamps import LATEST
 from .validation import are_ordinary_names
 
-__all__ = ["Tables", "along", "columns_from_arrays", "integer_stamps", "is_plain", "signs"]
+__all__ = ["Tables", "canonical_signs", "columns_from_arrays", "integer_stamps", "is_plain", "poses_along_route"]
 
 TABLE_BYTES_AT_MOST = 256 * 2**20
 
@@ -116,7 +116,7 @@ Columns = tuple[Any, ...]  # a pose: seven arrays of shape (n,), or numbers that
 Reader = Callable[[np.ndarray], Columns]
 
 
-def reader(tables: Tables, cache: Cache, questions: int) -> Reader:
+def history_reader(tables: Tables, cache: Cache, questions: int) -> Reader:
     """Return the function that reads one history at many moments, given in ascending order."""
     if isinstance(cache, StaticCache):
         pose = cache.at(LATEST)
@@ -141,7 +141,7 @@ def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments: Callable[[n
     return (*((1.0 - ratio) * segment[0:3] + ratio * segment[3:6]), *rotation)
 
 
-def along(route: Route, readers: dict[Cache, Reader], moments: np.ndarray) -> Columns:
+def poses_along_route(route: Route, readers: dict[Cache, Reader], moments: np.ndarray) -> Columns:
     """Return the pose along a route at each of the moments; compare Route.pose_at."""
     if not route.down:
         return _chained(route.up, readers, moments)
@@ -167,7 +167,7 @@ def _inverse(pose: Columns) -> Columns:
     return (*quaternions.rotate(back, (-x, -y, -z)), *back)
 
 
-def signs(rotation: Sequence[np.ndarray]) -> np.ndarray:
+def canonical_signs(rotation: Sequence[np.ndarray]) -> np.ndarray:
     """Return 1 or -1 for each quaternion: tf2's choice between q and -q.  Compare poses.canonical_pose."""
     x, y, z, w = rotation
     sign = np.where(w < 0.0, -1.0, 1.0)

@@ -1,6 +1,6 @@
 """Build tf2's exception for a failed lookup, with the cause in attributes.
 
-    find_way  ->  Failure("future", laser, t, t_newest)  ->  ExtrapolationException
+    find_path  ->  LookupFailure("future", laser, t, t_newest)  ->  ExtrapolationException
                           "disconnected"                 ->  ConnectivityException
                           "loop"                         ->  LookupException
 
@@ -15,12 +15,12 @@ from __future__ import annotations
 from .describe import all_frames_as_string
 from .errors import ConnectivityException, ExtrapolationException, LookupException, TransformException
 from .stamps import format_stamp
-from .tree import Failure, FrameTree
+from .tree import FrameTree, LookupFailure
 
 __all__ = ["exception_from_failure", "extrapolation_text", "text_from_failure"]
 
 
-def text_from_failure(tree: FrameTree, failure: Failure, target_frame: str, source_frame: str) -> str:
+def text_from_failure(tree: FrameTree, failure: LookupFailure, target_frame: str, source_frame: str) -> str:
     """Return tf2's words for a failure."""
     if failure.kind == "loop":
         return f"The tf tree is invalid because it contains a loop.\n{all_frames_as_string(tree)}\n"
@@ -47,7 +47,7 @@ def extrapolation_text(direction: str, requested_ns: int, bound_ns: int, target_
 
 
 def exception_from_failure(
-    tree: FrameTree, failure: Failure, target_frame: str, source_frame: str
+    tree: FrameTree, failure: LookupFailure, target_frame: str, source_frame: str
 ) -> TransformException:
     """Return the exception that tf2 raises for a failure, with the cause in attributes."""
     text = text_from_failure(tree, failure, target_frame, source_frame)

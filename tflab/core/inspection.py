@@ -23,7 +23,7 @@ from .failures import exception_from_failure
 from .routes import Routes
 from .stamps import LATEST
 from .transforms import Transform, transform_from_pose
-from .tree import Failure, FrameTree, Way, find_way, frames_on_way
+from .tree import FrameTree, LookupFailure, TreePath, find_path, frames_on_path
 
 __all__ = ["FrameSnapshot", "History", "Inspection", "Memory", "Snapshot", "snapshot_of"]
 
@@ -175,8 +175,8 @@ class Inspection:
             TransformException: as for BufferCore.lookup_transform.
         """
         with self._lock:
-            way = self._way(target_frame, source_frame, validation.whole_nanoseconds(stamp_ns))
-            frames = frames_on_way(self._tree, way, self._tree.numbers[source_frame])
+            path = self._find_path(target_frame, source_frame, validation.whole_nanoseconds(stamp_ns))
+            frames = frames_on_path(self._tree, path, self._tree.numbers[source_frame])
             return [self._tree.names[frame] for frame in frames]
 
     def history(self, frame: str) -> History:
@@ -227,14 +227,14 @@ class Inspection:
         with self._lock:
             return describe.all_frames_as_dot(self._tree, now_ns or 0)
 
-    def _way(self, target_frame: str, source_frame: str, stamp_ns: int) -> Way:
-        """Return tf2's way between two frames at a moment, or raise its reason why there is none."""
-        target = validation.number_in_question(self._tree, "lookupTransform argument target_frame", target_frame)
-        source = validation.number_in_question(self._tree, "lookupTransform argument source_frame", source_frame)
-        way = find_way(self._tree, target, source, stamp_ns)
-        if isinstance(way, Failure):
-            raise exception_from_failure(self._tree, way, target_frame, source_frame)
-        return way
+    def _find_path(self, target_frame: str, source_frame: str, stamp_ns: int) -> TreePath:
+        """Return tf2's path between two frames at a moment, or raise its reason why there is none."""
+        target = validation.frame_number_or_raise(self._tree, "lookupTransform argument target_frame", target_frame)
+        source = validation.frame_number_or_raise(self._tree, "lookupTransform argument source_frame", source_frame)
+        path = find_path(self._tree, target, source, stamp_ns)
+        if isinstance(path, LookupFailure):
+            raise exception_from_failure(self._tree, path, target_frame, source_frame)
+        return path
 
 
 def _history_of(tree: FrameTree, number: int) -> History:

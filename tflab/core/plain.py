@@ -119,17 +119,17 @@ class PlainBuffer:
         self, frame: str, stamp_ns: int, until: set[str]
     ) -> tuple[list[tuple[str, Transform]], ExtrapolationException | None]:
         """Return each (ancestor, ancestor_T_frame) on the way up, and why it ended, if for want of data."""
-        way = [(frame, Transform())]
+        path = [(frame, Transform())]
         while frame not in until and (frame in self.moving or frame in self.static):
             try:
                 sample = self.at(frame, stamp_ns)
             except ExtrapolationException as fault:  # only an error if the other climb does not come by
-                return way, fault
+                return path, fault
             frame = sample.parent
-            way.append((frame, sample.transform @ way[-1][1]))
-            if len(way) > MAX_DEPTH + 1:
+            path.append((frame, sample.transform @ path[-1][1]))
+            if len(path) > MAX_DEPTH + 1:
                 raise LookupException()
-        return way, None
+        return path, None
 
     def at(self, frame: str, stamp_ns: int) -> PlainSample:
         """Return where a child was: between two samples on a straight line, and never outside of them."""
@@ -154,7 +154,7 @@ class PlainBuffer:
         ratio = (stamp_ns - older.stamp_ns) / (newer.stamp_ns - older.stamp_ns)
         return older._replace(transform=older.transform.interpolate(newer.transform, ratio))
 
-    # -- the newest moment at which the whole way is known -------------------
+    # -- the newest moment at which the whole path is known ------------------
 
     def newest_ns(self, frame: str) -> int:
         """Return a child's newest stamp [ns]; 0 for a static one, and for a root."""
@@ -180,12 +180,12 @@ class PlainBuffer:
 
     def climb_by_newest(self, frame: str, until: set[str]) -> list[str]:
         """Return the frames on the way up, following the parents of the newest samples."""
-        way = [frame]
-        while len(way) == 1 or way[-1] not in until:
-            newest = self.static.get(way[-1]) or next(iter(self.moving.get(way[-1], ())), None)
+        path = [frame]
+        while len(path) == 1 or path[-1] not in until:
+            newest = self.static.get(path[-1]) or next(iter(self.moving.get(path[-1], ())), None)
             if newest is None:
                 break
-            way.append(newest.parent)
-            if len(way) > MAX_DEPTH + 1:
+            path.append(newest.parent)
+            if len(path) > MAX_DEPTH + 1:
                 raise LookupException()
-        return way
+        return path

@@ -17,7 +17,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import NamedTuple
 
-from .tree import Failure, FrameTree, find_way, latest_common_time
+from .tree import FrameTree, LookupFailure, find_path, latest_common_time
 
 __all__ = ["NEVER", "POSSIBLE_NOW", "RequestCallback", "RequestQueue"]
 
@@ -101,7 +101,7 @@ class RequestQueue:
         source = self._tree.numbers.get(source_frame, 0)
         if not (target and source):
             return False
-        return not isinstance(find_way(self._tree, target, source, stamp_ns), Failure)
+        return not isinstance(find_path(self._tree, target, source, stamp_ns), LookupFailure)
 
     def _is_too_old(self, target_frame: str, source_frame: str, stamp_ns: int) -> bool:
         target = self._tree.numbers.get(target_frame, 0)
@@ -109,6 +109,6 @@ class RequestQueue:
         if not (target and source):
             return False
         common_ns = latest_common_time(self._tree, target, source)
-        if isinstance(common_ns, Failure) or common_ns == 0:
+        if isinstance(common_ns, LookupFailure) or common_ns == 0:
             return False
         return stamp_ns + self._tree.cache_time_ns < common_ns

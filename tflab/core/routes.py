@@ -22,7 +22,7 @@ tf2 remembers none of these (caching; cache invalidation).
 
 from __future__ import annotations
 
-from .cache import Cache, TimeCache, chained
+from .cache import Cache, TimeCache, compose_chain
 from .poses import Pose, canonical_pose, compose, invert
 from .tree import MAX_DEPTH, FrameTree, histories_of
 
@@ -33,7 +33,7 @@ ROUTE_BYTES = 500  # each, in CPython on 64 bits
 
 
 class Route:
-    """The histories to read, at whatever moment; only for a way whose shape has never changed.
+    """The histories to read, at whatever moment; only for a path whose shape has never changed.
 
     Attributes:
         up: from the source to where the climbs meet.
@@ -62,9 +62,9 @@ class Route:
             Gap: some history does not reach that far.
         """
         if not self.down:
-            return canonical_pose(chained(self.up, stamp_ns))
-        back = invert(chained(self.down, stamp_ns))
-        return canonical_pose(compose(back, chained(self.up, stamp_ns)) if self.up else back)
+            return canonical_pose(compose_chain(self.up, stamp_ns))
+        back = invert(compose_chain(self.down, stamp_ns))
+        return canonical_pose(compose(back, compose_chain(self.up, stamp_ns)) if self.up else back)
 
 
 class Routes:

@@ -30,18 +30,18 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from . import quaternions
-from .cache import Cache, Gap, StaticCache, TimeCache, chained
+from .cache import Cache, Gap, StaticCache, TimeCache, compose_chain
 from .poses import IDENTITY_POSE, Pose, compose, invert
 from .stamps import LATEST
 
 __all__ = [
     "MAX_DEPTH",
     "NO_PARENT",
-    "Failure",
     "FrameTree",
-    "Way",
-    "find_way",
-    "frames_on_way",
+    "LookupFailure",
+    "TreePath",
+    "find_path",
+    "frames_on_path",
     "histories_of",
     "latest_common_time",
     "pose_along",
@@ -97,8 +97,8 @@ class FrameTree:
 MAX_DEPTH = 1000  # tf2 takes a longer climb for a loop
 
 
-class Failure(NamedTuple):
-    """Why there is no way: `kind` is "past", "future", "no_data", "disconnected" or "loop"."""
+class LookupFailure(NamedTuple):
+    """Why there is no path: `kind` is "past", "future", "no_data", "disconnected" or "loop"."""
 
     kind: str
     frame: int = 0  # the child whose history does not reach
@@ -106,7 +106,7 @@ class Failure(NamedTuple):
     bound_ns: int = 0
 
 
-class Way(NamedTuple):
+class TreePath(NamedTuple):
     """The children whose transforms are chained at one moment, `up` from the source and `down` to the target."""
 
     stamp_ns: int
@@ -119,29 +119,29 @@ class _Climb(NamedTuple):
     children: list[int]  # each frame that was climbed from, the lowest first
     end: int
     is_direct: bool = False  # it ended because it came upon the other frame
-    failure: Failure | None = None  # it ended because a history does not reach, or because it goes in a circle
+    failure: LookupFailure | None = None  # it ended because a history does not reach, or because it goes in a circle
 
 
-def find_way(tree: FrameTree, target: int, source: int, stamp_ns: int) -> Way | Failure:
-    """Return the way from `source` to `target` at `stamp_ns`, as tf2 finds it, or why there is none."""
+def find_path(tree: FrameTree, target: int, source: int, stamp_ns: int) -> TreePath | LookupFailure:
+    """Return the path from `source` to `target` at `stamp_ns`, as tf2 finds it, or why there is none."""
     if target == source:
-        return Way(stamp_ns, [], [])
+        return TreePath(stamp_ns, [], [])
     if stamp_ns == LATEST:
         common = latest_common_time(tree, target, source)
-        if isinstance(common, Failure):
+        if isinstance(common, LookupFailure):
             return common
         stamp_ns = common
     up = _climb(tree, source, stamp_ns, other=target)
     if up.is_direct:
-        return Way(stamp_ns, up.children, [], is_direct=True)
+        return TreePath(stamp_ns, up.children, [], is_direct=True)
     if up.failure is not None and up.failure.kind == "loop":
         return up.failure
     down = _climb(tree, target, stamp_ns, other=source, top=up.end)
     if down.is_direct:
-        return Way(stamp_ns, [], down.children, is_direct=True)
+        return TreePath(stamp_ns, [], down.children, is_direct=True)
     if down.end == up.end and down.failure is None:
-        return Way(stamp_ns, up.children, down.children)
-    return down.failure or up.failure or Failure("disconnected")  # a gap above the source is only fatal now
+        return TreePath(stamp_ns, up.children, down.children)
+    return down.failure or up.failure or LookupFailure("disconnected")  # a gap above the source is only fatal now
 
 
 def _climb(tree: FrameTree, frame: int, stamp_ns: int, other: int, top: int = 0) -> _Climb:
@@ -151,7 +151,7 @@ def _climb(tree: FrameTree, frame: int, stamp_ns: int, other: int, top: int = 0)
         try:
             parent = cache.parent_at(stamp_ns)
         except Gap as gap:
-            failure = Failure(gap.direction, frame, gap.requested_ns, gap.bound_ns)
+            failure = LookupFailure(gap.direction, frame, gap.requested_ns, gap.bound_ns)
             return _Climb(children, frame, failure=failure)
         if parent == 0:  # a parent that is called NO_PARENT: tf2 then answers with an identity that means nothing
             break
@@ -160,11 +160,11 @@ def _climb(tree: FrameTree, frame: int, stamp_ns: int, other: int, top: int = 0)
         children.append(frame)
         frame = parent
         if len(children) > MAX_DEPTH:
-            return _Climb(children, frame, failure=Failure("loop"))
+            return _Climb(children, frame, failure=LookupFailure("loop"))
     return _Climb(children, frame)
 
 
-def latest_common_time(tree: FrameTree, target: int, source: int) -> int | Failure:
+def latest_common_time(tree: FrameTree, target: int, source: int) -> int | LookupFailure:
     """Return the newest moment at which every frame on the way is known [ns].
 
     It is the earliest of the newest stamps below the frame where both climbs
@@ -180,15 +180,15 @@ def latest_common_time(tree: FrameTree, target: int, source: int) -> int | Failu
         if parent == target:
             return limit_ns
         if depth >= MAX_DEPTH:
-            return Failure("loop")
+            return LookupFailure("loop")
     for depth, (parent, limit_ns) in enumerate(_climb_by_newest(tree, target)):
         if parent in limits:
             return _earlier(limit_ns, limits[parent])
         if parent == source:
             return limit_ns
         if depth >= MAX_DEPTH:
-            return Failure("loop")
-    return Failure("disconnected")
+            return LookupFailure("loop")
+    return LookupFailure("disconnected")
 
 
 def _climb_by_newest(tree: FrameTree, frame: int) -> Iterator[tuple[int, int]]:
@@ -205,21 +205,21 @@ def _earlier(a_ns: int, b_ns: int) -> int:
     return min(a_ns, b_ns) if a_ns and b_ns else a_ns or b_ns
 
 
-def pose_along(tree: FrameTree, way: Way) -> Pose:
-    """Return source's pose in target, chained along a way in tf2's order."""
-    up, down = histories_of(tree, way.up), histories_of(tree, way.down)
+def pose_along(tree: FrameTree, path: TreePath) -> Pose:
+    """Return source's pose in target, chained along a path in tf2's order."""
+    up, down = histories_of(tree, path.up), histories_of(tree, path.down)
     if tree.has_infinity:
-        return _pose_at_infinity(up, down, way)
+        return _pose_at_infinity(up, down, path)
     if not down:
-        return chained(up, way.stamp_ns)
-    return compose(invert(chained(down, way.stamp_ns)), chained(up, way.stamp_ns))
+        return compose_chain(up, path.stamp_ns)
+    return compose(invert(compose_chain(down, path.stamp_ns)), compose_chain(up, path.stamp_ns))
 
 
-def frames_on_way(tree: FrameTree, way: Way, source: int) -> list[int]:
-    """Return the frames on a way, from source to target, without what it climbs above the turning point."""
-    climbed = [source, *(cache.parent_at(way.stamp_ns) for cache in histories_of(tree, way.up))]
+def frames_on_path(tree: FrameTree, path: TreePath, source: int) -> list[int]:
+    """Return the frames on a path, from source to target, without what it climbs above the turning point."""
+    climbed = [source, *(cache.parent_at(path.stamp_ns) for cache in histories_of(tree, path.up))]
     frames: list[int] = []
-    for frame in [*climbed, *reversed(way.down)]:
+    for frame in [*climbed, *reversed(path.down)]:
         if frame in frames:
             del frames[frames.index(frame) :]
         frames.append(frame)
@@ -234,15 +234,15 @@ def histories_of(tree: FrameTree, children: list[int]) -> list[Cache]:
 # -- a robot at infinity: tf2 allows it, and formulas differ in what they make of it ----
 
 
-def _pose_at_infinity(up: list[Cache], down: list[Cache], way: Way) -> Pose:
+def _pose_at_infinity(up: list[Cache], down: list[Cache], path: TreePath) -> Pose:
     """Return what pose_along does, but number by number as tf2."""
-    above_source = _chained_literally(up, way.stamp_ns)
-    if way.is_direct and not down:
+    above_source = _chained_literally(up, path.stamp_ns)
+    if path.is_direct and not down:
         return above_source
-    x, y, z, qx, qy, qz, qw = _chained_literally(down, way.stamp_ns)
+    x, y, z, qx, qy, qz, qw = _chained_literally(down, path.stamp_ns)
     back = quaternions.conjugate((qx, qy, qz, qw))
     x, y, z = _turned_literally(back, (-x, -y, -z))
-    if way.is_direct:
+    if path.is_direct:
         return (x, y, z, *back)
     dx, dy, dz = _turned_literally(back, above_source[:3])
     return (dx + x, dy + y, dz + z, *quaternions.multiply(back, above_source[3:]))

@@ -23,12 +23,12 @@ from .tree import FrameTree
 
 __all__ = [
     "are_ordinary_names",
-    "fault_in_question",
+    "frame_number_or_raise",
     "is_acceptable",
     "log_old_data",
-    "number_in_question",
     "stamp_in_range",
     "unknown_frame",
+    "unknown_frame_text",
     "whole_nanoseconds",
     "without_slash",
 ]
@@ -114,7 +114,7 @@ def log_old_data(child: str, stamp_ns: int, authority: str) -> None:
     )
 
 
-def number_in_question(tree: FrameTree, argument: str, frame: str) -> int:
+def frame_number_or_raise(tree: FrameTree, argument: str, frame: str) -> int:
     """Return the number of a frame that somebody asks about; `argument` is tf2's word for its place.
 
     Raises:
@@ -136,7 +136,7 @@ def unknown_frame(tree: FrameTree, argument: str, frame: str) -> LookupException
     return LookupException(text, frame=frame, known_frames=tree.known_names())
 
 
-def fault_in_question(tree: FrameTree, **frames: str) -> str:
+def unknown_frame_text(tree: FrameTree, **frames: str) -> str:
     """Return tf2's text for the first bad name of a can_transform; "" if all are known."""
     for argument, frame in frames.items():
         fault = _fault_in_form(frame) or ("" if tree.numbers.get(frame, 0) else "frame does not exist")

@@ -7,7 +7,7 @@ checks/           the checks, by their subject
 diagnose          all checks, and causes separated from effects
 report/           the report as text and as a page
 profile           each edge in figures
-gate/             expectations, filters, and the formats of other programs
+ci/               expectations, filters, and the formats of other programs
 api               examine(recording | graph | buffer)
 command           `tflab doctor BAG`
 """

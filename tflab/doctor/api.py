@@ -14,7 +14,7 @@ import importlib
 from dataclasses import replace
 from os import PathLike
 
-from tflab.bags.listen import Heard, recording_from_graph, subscribe_to_all
+from tflab.bags.listen import ReceivedRecords, recording_from_graph, subscribe_to_all
 from tflab.bags.recording import Recording
 from tflab.core import BufferCore
 from tflab.ros.graph import Graph
@@ -91,14 +91,14 @@ def recording_from_ros(seconds: float) -> Recording:
     rclpy.init()
     try:
         node = rclpy.create_node(NODE_NAME)
-        heard = Heard()
+        received = ReceivedRecords()
         _spin(rclpy, node, DISCOVERY_S)
-        subscribe_to_all(node, heard, _message_class, raw_headers=True)
+        subscribe_to_all(node, received, _message_class, raw_headers=True)
         _spin(rclpy, node, seconds)
         node.destroy_node()
     finally:
         rclpy.try_shutdown()
-    return heard.recording("live")
+    return received.recording("live")
 
 
 def _spin(rclpy, node, seconds: float) -> None:

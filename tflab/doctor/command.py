@@ -24,9 +24,7 @@ from tflab.bags.recording import Recording
 from tflab.text import LANGUAGES, Text, language_of_tools, load_yaml
 
 from .api import NoRos, recording_from_ros
-from .diagnose import diagnose_recording, told_causes, worst_first
-from .findings import Report
-from .gate.expectations import (
+from .ci.expectations import (
     ExpectationError,
     Expectations,
     changes_between,
@@ -35,8 +33,10 @@ from .gate.expectations import (
     read_expectations,
     toml_from,
 )
-from .gate.filters import BaselineError, baseline_from, let_pass, read_baseline
-from .gate.formats import annotations_from_reports, junit_from_reports, sarif_from_reports, text_from_reports
+from .ci.filters import BaselineError, baseline_from, filter_findings, read_baseline
+from .ci.formats import annotations_from_reports, junit_from_reports, sarif_from_reports, text_from_reports
+from .diagnose import diagnose_recording, group_by_cause, worst_first
+from .findings import Report
 from .profile import RecordingProfile, profile_of, text_from_profile
 from .report.text import data_from_report, text_from_report
 
@@ -180,8 +180,8 @@ def _examine(name: str, read: Callable[[], Recording], options: argparse.Namespa
     profile = profile_of(recording) if needs_profile else None
     if options.expect and profile is not None:
         report = replace(report, findings=(*report.findings, *deviations_from(rules.expectations, profile)))
-    report = let_pass(report, rules.ignore, rules.baseline)
-    report = replace(report, findings=worst_first(told_causes(list(report.findings))))
+    report = filter_findings(report, rules.ignore, rules.baseline)
+    report = replace(report, findings=worst_first(group_by_cause(list(report.findings))))
     unfinished = recording.unfinished
     cut = f"{name}: read as far as it goes: {unfinished.what}" if unfinished and unfinished.is_cut else ""
     return Examined(name, report, profile, recording if options.html else None, cut=cut)
@@ -193,8 +193,8 @@ def _compare(examined: list[Examined], options: argparse.Namespace) -> list[Exam
         return examined
     before, after = examined
     changes = changes_between(before.profile, after.profile)
-    changed = let_pass(replace(after.report, findings=(*after.report.findings, *changes)), options.ignore)
-    changed = replace(changed, findings=worst_first(told_causes(list(changed.findings))))
+    changed = filter_findings(replace(after.report, findings=(*after.report.findings, *changes)), options.ignore)
+    changed = replace(changed, findings=worst_first(group_by_cause(list(changed.findings))))
     return [before, after._replace(report=changed)]
 
 

@@ -19,7 +19,7 @@ from tflab.text import Text, load_yaml
 from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
 from .evidence import Evidence
-from .findings import SEVERITIES, Finding, NotMade, Report, Seen
+from .findings import SEVERITIES, Coverage, Finding, Report, SkippedCheck
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 
@@ -103,8 +103,8 @@ def diagnose_recording(recording: Recording) -> Report:
     findings = list(unreadable)
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
-        told = told_causes([finding for check in CHECKS for finding in check.run(evidence)])
-        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in told]
+        grouped = group_by_cause([finding for check in CHECKS for finding in check.run(evidence)])
+        findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in grouped]
     made = tuple(check.name for check in CHECKS)
     return Report(
         recording.name, recording.begin_ns, worst_first(_of_ros(findings, recording)), made, seen=_seen(recording)
@@ -132,12 +132,12 @@ def diagnose_buffer(buffer: BufferCore, name: str = "buffer") -> Report:
     """Return what is wrong with what a buffer holds; it has forgotten much of what a recording tells."""
     evidence = evidence_from_buffer(buffer, name)
     made = [check for check in CHECKS if not check.needs]
-    findings = told_causes([finding for check in made for finding in check.run(evidence)])
-    not_made = tuple(NotMade(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
+    findings = group_by_cause([finding for check in made for finding in check.run(evidence)])
+    not_made = tuple(SkippedCheck(check.name, NEEDS[check.needs]) for check in CHECKS if check.needs)
     return Report(name, evidence.begin_ns, worst_first(findings), tuple(check.name for check in made), not_made)
 
 
-def told_causes(findings: list[Finding]) -> list[Finding]:
+def group_by_cause(findings: list[Finding]) -> list[Finding]:
     """Return the findings that no other explains, each with those that it explains."""
     cause_of = {number: _cause_of(finding, findings) for number, finding in enumerate(findings)}
     effects: dict[int, list[Finding]] = {}
@@ -148,8 +148,8 @@ def told_causes(findings: list[Finding]) -> list[Finding]:
         if cause is not None:
             effects.setdefault(cause, []).append(finding)
     causes = [number for number in range(len(findings)) if cause_of[number] is None]
-    told = [replace(f, effects=(*f.effects, *effects.get(number, ()))) for number, f in enumerate(findings)]
-    return _together([told[number] for number in causes])
+    grouped = [replace(f, effects=(*f.effects, *effects.get(number, ()))) for number, f in enumerate(findings)]
+    return _together([grouped[number] for number in causes])
 
 
 def _together(findings: list[Finding]) -> list[Finding]:
@@ -203,13 +203,13 @@ def worst_first(findings: list[Finding]) -> tuple[Finding, ...]:
     return tuple(sorted(findings, key=lambda finding: SEVERITIES.index(finding.severity)))
 
 
-def _seen(recording: Recording) -> Seen:
+def _seen(recording: Recording) -> Coverage:
     """Return how much there was to look at; a frame counts once in each namespace."""
     labels = recording.transforms.labels
     frames = {(namespace_of(label.topic), frame) for label in labels for frame in (label.parent, label.child)}
     messages = sum(len(header.stamp_ns) for header in recording.headers)
     duration_s = (recording.end_ns - recording.begin_ns) / NSEC_PER_SEC
-    return Seen(len(frames), len(recording.transforms.label), messages, duration_s)
+    return Coverage(len(frames), len(recording.transforms.label), messages, duration_s)
 
 
 def _unreadable(recording: Recording) -> list[Finding]:
@@ -239,5 +239,5 @@ def _report_without_transforms(recording: Recording, unreadable: list[Finding]) 
         what = Text(f"In {topics} there are none.", f"다음 토픽에는 변환이 없습니다: {topics}.")
     facts = {"topics": ", ".join(names) or Text("nothing", "없음"), "what": what}
     findings = worst_first(_of_ros([*unreadable, Finding("no-transforms", "error", facts=facts)], recording))
-    not_made = tuple(NotMade(check.name, Text("transforms", "변환")) for check in CHECKS)
+    not_made = tuple(SkippedCheck(check.name, Text("transforms", "변환")) for check in CHECKS)
     return Report(recording.name, recording.begin_ns, findings, (), not_made)

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 
 from tflab.text import Text
 
-__all__ = ["SEVERITIES", "Finding", "NotMade", "Report", "Seen", "Severity", "english", "first_of", "times_of"]
+__all__ = ["SEVERITIES", "Coverage", "Finding", "Report", "Severity", "SkippedCheck", "english", "first_of", "times_of"]
 
 Severity = Literal["error", "warning", "info"]
 SEVERITIES: tuple[Severity, ...] = ("error", "warning", "info")
@@ -67,14 +67,14 @@ def times_of(count: int, moments: str = "") -> Text:
     return Text(f"{count} times{when.en}", f"{count}번{when.ko}")
 
 
-class NotMade(NamedTuple):
+class SkippedCheck(NamedTuple):
     """A check that could not be made, and what it would need."""
 
     check: str
     needs: Text
 
 
-class Seen(NamedTuple):
+class Coverage(NamedTuple):
     """How much was looked at: frames, transforms, other messages with a stamp, and how long it took to record [s]."""
 
     frames: int
@@ -94,16 +94,16 @@ class Report:
         checks_made: names of the checks.
         checks_not_made: the others, and what each would need.
         seen: what was looked at; None of a buffer, which has forgotten.
-        let_pass: how many findings somebody has chosen to ignore.
+        ignored: how many findings somebody has chosen to ignore.
     """
 
     subject: str
     begin_ns: int
     findings: tuple[Finding, ...]
     checks_made: tuple[str, ...]
-    checks_not_made: tuple[NotMade, ...] = ()
-    seen: Seen | None = None
-    let_pass: int = 0
+    checks_not_made: tuple[SkippedCheck, ...] = ()
+    seen: Coverage | None = None
+    ignored: int = 0
 
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:
         """Return the findings of these severities, in order."""

@@ -25,7 +25,7 @@ from tflab.text import Text, Texts
 from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import read_pristine
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
-from tflab.workbook.replies import points, show_points
+from tflab.workbook.phrases import points, show_points
 from tflab.workbook.tasks.catalog import assigned_cases, task_ids
 from tflab.workbook.tasks.task import TaskError
 

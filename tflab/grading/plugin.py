@@ -114,7 +114,7 @@ class TaskItem(pytest.Item):
         self.chapter = chapter
 
     def runtest(self) -> None:
-        from tflab.workbook.replies import points
+        from tflab.workbook.phrases import points
 
         from .submissions.remarks import Remark
 

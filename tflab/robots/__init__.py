@@ -5,7 +5,7 @@
     urdf              URDF -> model, or an error with its line
     state_publisher   robot_state_publisher: a model and joint states -> /tf, /tf_static
 
-    chance            random generators from a seed and a name
+    seeded_rng        random generators from a seed and a name
     motion            the true motion of the teaching robot
     odometry          wheel odometry with drift, and a localizer that corrects map -> odom
     readings          values of sensors with their stamps

@@ -22,8 +22,8 @@ import numpy as np
 
 from tflab.core import NSEC_PER_SEC, seconds
 
-from .chance import chance
 from .motion import Drive, PlanarPose
+from .seeded_rng import seeded_rng
 
 __all__ = ["STEP_NS", "TRACK_M", "WHEEL_RADIUS_M", "Localizer", "WheelOdometry"]
 
@@ -50,7 +50,7 @@ class WheelOdometry:
         moments_ns = drive.start_ns + STEP_NS * np.arange(steps + 1, dtype=np.int64)
         way, turned = np.diff(drive.rolled_at(moments_ns), axis=0).T
         left, right = way - turned * TRACK_M / 2.0, way + turned * TRACK_M / 2.0
-        slipped = chance(seed, "odometry").standard_normal((2, steps))
+        slipped = seeded_rng(seed, "odometry").standard_normal((2, steps))
         left = left * (1.0 - bias) + slip * np.sqrt(np.abs(left)) * slipped[0]
         right = right * (1.0 + bias) + slip * np.sqrt(np.abs(right)) * slipped[1]
         self._rolled = np.cumsum(np.pad(np.stack([left, right], axis=1), ((1, 0), (0, 0))), axis=0)
@@ -128,5 +128,5 @@ class Localizer:
         truth = self._drive.pose_at(scan_ns)
         if scan_ns <= self._drive.start_ns:
             return truth
-        error = chance(self._seed, "localization", scan_ns).standard_normal(3) * self._sigmas
+        error = seeded_rng(self._seed, "localization", scan_ns).standard_normal(3) * self._sigmas
         return PlanarPose(*(np.array(truth) + error).tolist())

@@ -29,9 +29,9 @@ import numpy as np
 from tflab.core import NSEC_PER_SEC, Transform, seconds
 from tflab.core.quaternions import Vector3
 
-from .chance import chance
 from .motion import Drive
 from .readings import Detection, ImuReading, Scan
+from .seeded_rng import seeded_rng
 
 __all__ = ["BALL", "GRAVITY_MPS2", "ROOM", "Camera", "Imu", "Laser", "Room", "rectangle"]
 
@@ -156,7 +156,7 @@ class Laser:
         x, y, yaw = self.drive.poses_at(stamps_ns).T
         directions = _turned(rays @ mount[:3, :3].T, yaw)
         eyes = _turned(np.tile(mount[:3, 3], (self.rays, 1)), yaw) + np.stack([x, y, np.zeros(self.rays)], axis=1)
-        noise = chance(self.seed, "laser", stamp_ns).standard_normal(self.rays)
+        noise = seeded_rng(self.seed, "laser", stamp_ns).standard_normal(self.rays)
         ranges = self.room.distances(eyes, directions) + self.sigma_m * noise
         ranges[(ranges < self.range_min) | (ranges > self.range_max)] = np.inf
         return Scan(
@@ -195,7 +195,7 @@ class Camera:
             return None
         if not self.room.is_in_sight(map_T_optical.translation, self.map_p_object):
             return None
-        noise = chance(self.seed, "camera", stamp_ns).standard_normal(3) * self.sigma_m
+        noise = seeded_rng(self.seed, "camera", stamp_ns).standard_normal(3) * self.sigma_m
         return Detection(stamp_ns, self.frame_id, tuple((np.array([x, y, z]) + noise).tolist()))
 
 
@@ -216,7 +216,7 @@ class Imu:
         speed, yaw_rate = self.drive.twist_at(stamp_ns)
         elapsed_s = (stamp_ns - self.drive.start_ns) / NSEC_PER_SEC
         turned = self.drive.pose_at(stamp_ns).yaw - self.drive.start.yaw + self.gyro_bias_radps * elapsed_s
-        noise = chance(self.seed, "imu", stamp_ns).standard_normal(6)
+        noise = seeded_rng(self.seed, "imu", stamp_ns).standard_normal(6)
         imu_R_base = Transform(rotation=self.mount.rotation).inverse()
         # Driving an arc pulls inwards: the speed times the yaw rate, to the left when turning left.
         turn_rate = np.array(imu_R_base.apply((0.0, 0.0, yaw_rate + self.gyro_bias_radps)))

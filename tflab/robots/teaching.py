@@ -26,11 +26,11 @@ from tflab.core import NSEC_PER_SEC, BufferCore, StampedTransform, Transform, se
 from tflab.core.quaternions import Vector3
 from tflab.core.transforms import TransformRecord
 
-from .chance import chance
 from .model import Robot, joint_transform, link_poses
 from .motion import Drive
 from .odometry import Localizer, WheelOdometry
 from .readings import JointReading, OdometryReading, Reading
+from .seeded_rng import seeded_rng
 from .sensors import BALL, ROOM, Camera, Imu, Laser, Room
 from .urdf import parse_urdf
 
@@ -247,7 +247,7 @@ class TeachingRobot:
         """Yield (stamp_ns, receive_ns) of each message of a source that is heard before `until_s`."""
         source = self.sources[key]
         period_ns, until_ns = seconds(1.0 / source.rate_hz), seconds(until_s)
-        rng = chance(self.seed, key)
+        rng = seeded_rng(self.seed, key)
         stamp_ns = self.drive.start_ns
         while True:
             heard_ns = stamp_ns + seconds(source.delay_s + source.jitter_s * rng.random())

@@ -236,10 +236,10 @@ def start(thread: threading.Thread) -> None:
 
 def join(thread: threading.Thread, timeout: float | None = None) -> None:
     """Wait for a thread, on the time of whoever calls."""
-    strand = getattr(thread, "tflab_strand", None)
-    if strand is not None and not strand.is_finished:
-        strand.process.driver.join(strand, None if timeout is None else round(timeout * NSEC_PER_SEC))
-        if not strand.is_finished:
+    scheduled = getattr(thread, "tflab_scheduled", None)
+    if scheduled is not None and not scheduled.is_finished:
+        scheduled.process.driver.join(scheduled, None if timeout is None else round(timeout * NSEC_PER_SEC))
+        if not scheduled.is_finished:
             return  # the timeout is over, in the graph's time
     _join(thread, timeout)
 

@@ -1,17 +1,17 @@
 """Run nodes on virtual time: one thread at a time, and the clock moves on when all of them wait.
 
-    driver ---- turn ----> strand A    runs until it sleeps, spins or returns
+    driver ---- turn ----> thread A    runs until it sleeps, spins or returns
            <--- turn -----
-           ---- turn ----> strand B
+           ---- turn ----> thread B
            <--- turn -----
     nobody is ready: set the clock to the next event, and go on
 
-Every participant's thread is a *strand*: it only runs while it has the turn, and
+Every thread of a participant is scheduled: it only runs while it has the turn, and
 gives it back whenever it would block.  So there are no races, 20 s of robot take
 milliseconds, and the same program prints the same twice.  This is cooperative
 scheduling of a discrete-event simulation: the turn is a baton that a pair of locks
 hands over, the agenda is the event queue.  The thread that made
-the graph (the notebook's) is no strand: while it runs or waits, it hands out the
+the graph (the notebook's) is not scheduled: while it runs or waits, it hands out the
 turns.
 """
 
@@ -58,16 +58,16 @@ class VirtualWaiter:
     def __init__(self, driver: VirtualTime) -> None:
         self._driver = driver
         self.woken = False
-        self.strand: Strand | None = None
+        self.scheduled: ScheduledThread | None = None
 
     def wake(self) -> None:
         """End the present wait, or the next one."""
         self.woken = True
-        if self.strand is not None:
-            self._driver.make_ready(self.strand)
+        if self.scheduled is not None:
+            self._driver.make_ready(self.scheduled)
 
 
-class Strand:
+class ScheduledThread:
     """One thread that waits for its turn."""
 
     def __init__(self, process: Any, thread: threading.Thread) -> None:
@@ -126,8 +126,8 @@ class VirtualTime:
         self._home = threading.get_ident()
         self._order = itertools.count()
         self._agenda: list[tuple[int, int, Callable[..., None], tuple]] = []
-        self._ready: deque[Strand] = deque()
-        self._strands: dict[int, Strand] = {}
+        self._ready: deque[ScheduledThread] = deque()
+        self._scheduled: dict[int, ScheduledThread] = {}
         self._in_callback = 0
         self._presses: list[int] = []  # of Ctrl-C, while turns are handed out
         self._pace_ns: int | None = None  # what to add to virtual time for the time it is to have in reality
@@ -147,33 +147,33 @@ class VirtualTime:
     def wait(self, waiter: VirtualWaiter, duration_ns: int | None) -> None:
         """Block until woken, or until `duration_ns` [ns] have passed."""
         until_ns = None if duration_ns is None else self._now_ns + max(0, duration_ns)
-        strand = self._strands.get(threading.get_ident())
-        if strand is None:
+        scheduled = self._scheduled.get(threading.get_ident())
+        if scheduled is None:
             self._wait_at_home(waiter, until_ns)
         elif not waiter.woken:
-            waiter.strand = strand
-            strand.is_ready = False
-            if until_ns is not None and until_ns != strand.alarm_ns:
-                strand.alarm_ns = until_ns
-                self._put(until_ns, self._ring, (strand, until_ns))
-            strand.give_turn_back()
-            waiter.strand = None
+            waiter.scheduled = scheduled
+            scheduled.is_ready = False
+            if until_ns is not None and until_ns != scheduled.alarm_ns:
+                scheduled.alarm_ns = until_ns
+                self._put(until_ns, self._ring, (scheduled, until_ns))
+            scheduled.give_turn_back()
+            waiter.scheduled = None
         waiter.woken = False
 
     def call_after(self, delay_ns: int, action: Callable[[], None]) -> None:
         """Have `action` called in `delay_ns` [ns]; it must not block."""
         self._put(self._now_ns + delay_ns, action, ())
 
-    def make_ready(self, strand: Strand) -> None:
-        """Put a strand in the queue for the turn, if it is not there."""
-        if not strand.is_ready:
-            strand.is_ready = True
-            self._ready.append(strand)
+    def make_ready(self, scheduled: ScheduledThread) -> None:
+        """Put a thread in the queue for the turn, if it is not there."""
+        if not scheduled.is_ready:
+            scheduled.is_ready = True
+            self._ready.append(scheduled)
 
     def is_cooperative(self) -> bool:
         """Return whether this thread passes virtual time when it sleeps."""
         ident = threading.get_ident()
-        return ident in self._strands or (ident == self._home and self._in_callback > 0)
+        return ident in self._scheduled or (ident == self._home and self._in_callback > 0)
 
     def enter_callback(self) -> None:
         """Note that a callback begins; at home, sleeping passes virtual time in there."""
@@ -200,16 +200,16 @@ class VirtualTime:
             if is_first:
                 self._pace_ns = None
 
-    # -- strands --------------------------------------------------------------
+    # -- threads --------------------------------------------------------------
 
-    def adopt(self, thread: threading.Thread, process: Any) -> Strand:
-        """Make a strand of a thread that has not been started yet."""
-        strand = Strand(process, thread)
+    def adopt(self, thread: threading.Thread, process: Any) -> ScheduledThread:
+        """Schedule a thread that has not been started yet."""
+        scheduled = ScheduledThread(process, thread)
         run = thread.run
 
         def run_in_turns() -> None:
-            self._strands[threading.get_ident()] = strand
-            strand.begin()
+            self._scheduled[threading.get_ident()] = scheduled
+            scheduled.begin()
             try:
                 if not process.ended:
                     run()
@@ -218,19 +218,19 @@ class VirtualTime:
             except BaseException:  # reported while it still has its turn, so that outputs keep their order
                 threading.excepthook(threading.ExceptHookArgs((*sys.exc_info(), thread)))
             finally:
-                self._strands.pop(threading.get_ident(), None)
-                strand.finish()
+                self._scheduled.pop(threading.get_ident(), None)
+                scheduled.finish()
 
         thread.run = run_in_turns
-        thread.tflab_strand = strand
-        self._ready.append(strand)
-        return strand
+        thread.tflab_scheduled = scheduled
+        self._ready.append(scheduled)
+        return scheduled
 
-    def join(self, strand: Strand, duration_ns: int | None) -> None:
-        """Wait until a strand has finished."""
+    def join(self, scheduled: ScheduledThread, duration_ns: int | None) -> None:
+        """Wait until a thread has finished."""
         waiter = self.new_waiter()
-        strand.at_end.append(waiter)
-        if not strand.is_finished:
+        scheduled.at_end.append(waiter)
+        if not scheduled.is_finished:
             self.wait(waiter, duration_ns)
 
     # -- handing out the turns ------------------------------------------------
@@ -288,41 +288,41 @@ class VirtualTime:
         if self._presses:
             raise KeyboardInterrupt
 
-    def _turn(self, strand: Strand) -> None:
-        if strand.is_lost:
+    def _turn(self, scheduled: ScheduledThread) -> None:
+        if scheduled.is_lost:
             return
-        strand.get_turn()
+        scheduled.get_turn()
         waited_s, cpu_s = 0.0, None
-        while not strand.has_given_back(SLICE_S):
-            before_s, cpu_s = cpu_s, cpu_s_of(strand.thread)
+        while not scheduled.has_given_back(SLICE_S):
+            before_s, cpu_s = cpu_s, cpu_s_of(scheduled.thread)
             # Where other programs take the machine, a thread gets less of it than has passed, and less counts.
             worked_s = 0.0 if before_s is None else cpu_s - before_s
             waited_s += min(max(worked_s, LEAST_SHARE * SLICE_S), SLICE_S) if worked_s else SLICE_S
             if self._presses:  # interrupt it, too, while it runs
-                raise_in(strand.thread, KeyboardInterrupt)
-                self._wait_for_turn_of(strand)
+                raise_in(scheduled.thread, KeyboardInterrupt)
+                self._wait_for_turn_of(scheduled)
                 return
             if waited_s >= self.patience_s:
-                self._end_loop(strand)
+                self._end_loop(scheduled)
                 return
 
-    def _end_loop(self, strand: Strand) -> None:
-        """Throw EndlessLoop into a strand that keeps its turn; give it up if that does not help."""
-        where = place_of(strand.thread)
-        strand.process.loop = where
-        raise_in(strand.thread, EndlessLoop)
-        self._wait_for_turn_of(strand)
+    def _end_loop(self, scheduled: ScheduledThread) -> None:
+        """Throw EndlessLoop into a thread that keeps its turn; give it up if that does not help."""
+        where = place_of(scheduled.thread)
+        scheduled.process.loop = where
+        raise_in(scheduled.thread, EndlessLoop)
+        self._wait_for_turn_of(scheduled)
 
-    def _wait_for_turn_of(self, strand: Strand) -> None:
-        """Wait for the turn of a strand that was interrupted; give the strand up if it keeps it all the same."""
-        if not strand.has_given_back(PATIENCE_AFTER_INTERRUPT_S):
-            strand.is_lost = True
-            strand.process.lost(place_of(strand.thread))
+    def _wait_for_turn_of(self, scheduled: ScheduledThread) -> None:
+        """Wait for the turn of a thread that was interrupted; give the thread up if it keeps it all the same."""
+        if not scheduled.has_given_back(PATIENCE_AFTER_INTERRUPT_S):
+            scheduled.is_lost = True
+            scheduled.process.lost(place_of(scheduled.thread))
 
-    def _ring(self, strand: Strand, until_ns: int) -> None:
-        if strand.alarm_ns == until_ns:
-            strand.alarm_ns = None
-            self.make_ready(strand)
+    def _ring(self, scheduled: ScheduledThread, until_ns: int) -> None:
+        if scheduled.alarm_ns == until_ns:
+            scheduled.alarm_ns = None
+            self.make_ready(scheduled)
 
     def _put(self, time_ns: int, action: Callable[..., None], arguments: tuple) -> None:
         heapq.heappush(self._agenda, (time_ns, next(self._order), action, arguments))

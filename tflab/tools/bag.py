@@ -25,7 +25,7 @@ from tflab.ros.graph import current_process
 from tflab.ros.logging import get_logger
 
 from .discovery import add_verb
-from .session import spin, spin_for, tool_node, zone_here
+from .session import display_time_zone, spin, spin_for, tool_node
 
 __all__ = ["add_verbs"]
 
@@ -81,7 +81,7 @@ def info(options: argparse.Namespace) -> str | None:
     from tflab.bags.info import bag_facts, info_text
 
     try:
-        print(info_text(bag_facts(options.bag_path), zone_here()))
+        print(info_text(bag_facts(options.bag_path), display_time_zone()))
     except BagError as error:
         return f"[ERROR] [ros2bag]: {error}"
     return None
@@ -170,7 +170,7 @@ def _filter(options: argparse.Namespace, topics: list[str]):
 
 
 def _dated_name() -> str:
-    now = datetime.fromtimestamp(current_process().driver.now_ns() / NSEC_PER_SEC, zone_here())
+    now = datetime.fromtimestamp(current_process().driver.now_ns() / NSEC_PER_SEC, display_time_zone())
     return f"rosbag2_{now:%Y_%m_%d-%H_%M_%S}"
 
 

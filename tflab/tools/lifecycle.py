@@ -101,11 +101,11 @@ def set_state(options: argparse.Namespace) -> str | None:
         wanted = absolute_name(options.node_name)
         if wanted not in managed_nodes(node, options.include_hidden_nodes):
             return NOT_FOUND
-        ways = [each.transition for each in _transitions(node, wanted, "get_available_transitions")]
-        by_label = [way for way in ways if way.label == options.transition]
-        by_number = [way for way in ways if str(way.id) == options.transition]
+        transitions = [each.transition for each in _transitions(node, wanted, "get_available_transitions")]
+        by_label = [transition for transition in transitions if transition.label == options.transition]
+        by_number = [transition for transition in transitions if str(transition.id) == options.transition]
         if not by_label + by_number:
-            there = "".join(f"\n- {way.label} [{way.id}]" for way in ways)
+            there = "".join(f"\n- {transition.label} [{transition.id}]" for transition in transitions)
             return f"Unknown transition requested, available ones are:{there}"
         request = lifecycle_msgs.ChangeState.Request(transition=(by_label + by_number)[0])
         if call_service(node, lifecycle_msgs.ChangeState, f"{wanted}/change_state", request).success:

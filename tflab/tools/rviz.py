@@ -41,14 +41,14 @@ if TYPE_CHECKING:
     from tflab.views.rviz import RViz
     from tflab.views.rviz_status import Display
 
-__all__ = ["Look", "links_to_see", "look", "open_rviz"]
+__all__ = ["RVizInput", "links_to_see", "look", "open_rviz"]
 
 PATIENCE_S = 0.2  # how long a message may wait for its transform
 DESCRIPTION = "/robot_description"
 OCCUPIED = 65  # of a map's cell, in per cent
 
 
-class Look(NamedTuple):
+class RVizInput(NamedTuple):
     """What RViz's view takes: every frame with its parent, the displays, and whom to ask."""
 
     parents: dict[str, str]
@@ -63,7 +63,7 @@ def open_rviz(graph: Graph | None = None, fixed_frame: str = "map", seconds: flo
     return RViz(*look(graph, seconds), fixed_frame=fixed_frame)
 
 
-def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0) -> Look:
+def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0) -> RVizInput:
     """Listen to a graph for `seconds` [s] of its time, and return what RViz would have to show.
 
     Args:
@@ -77,7 +77,7 @@ def look(graph: Graph | None = None, seconds: float = 1.0, decay_s: float = 0.0)
     return result_of(graph, lambda: _watch(seconds, decay_s), seconds, name="rviz2")
 
 
-def _watch(seconds: float, decay_s: float) -> Look:
+def _watch(seconds: float, decay_s: float) -> RVizInput:
     from tflab.ros.tf2.buffer import Buffer
     from tflab.ros.tf2.topics import TransformListener
 
@@ -92,7 +92,7 @@ def _watch(seconds: float, decay_s: float) -> Look:
         listener.unregister()
         parents = _parents(buffer.core)
         displays = tuple(_without_forerunners(display, buffer.core, parents) for display in displays)
-        return Look(parents, displays, _asking(buffer.core))
+        return RVizInput(parents, displays, _asking(buffer.core))
 
 
 def _hear_everything(node: Node) -> dict[str, tuple[type, list[Any]]]:

@@ -33,6 +33,7 @@ __all__ = [
     "call_service",
     "cli_node",
     "cpp_listener",
+    "display_time_zone",
     "log_as_root",
     "result_of",
     "spin",
@@ -40,7 +41,6 @@ __all__ = [
     "spin_until_done",
     "tool_node",
     "unused_name",
-    "zone_here",
 ]
 
 DISCOVERY_S = 0.5  # how long a command looks around before it answers; on virtual time everybody is known at once
@@ -130,7 +130,7 @@ def spin_for(node: Node, duration_s: float) -> None:
         executor.spin_once(timeout_sec=left_ns / NSEC_PER_SEC)
 
 
-def zone_here() -> timezone | None:
+def display_time_zone() -> timezone | None:
     """Return the time zone to print: UTC on virtual time, which begins in 1970 everywhere; the machine's own (None)."""
     return timezone.utc if current_process().driver.is_virtual else None
 

@@ -60,7 +60,7 @@ class Delays:
     of_message: deque[float] = field(default_factory=_kept)
     heard_at: deque[float] = field(default_factory=_kept)
 
-    def hear(self, now_s: float, stamps_s: Sequence[tuple[str, float]]) -> None:
+    def add_message(self, now_s: float, stamps_s: Sequence[tuple[str, float]]) -> None:
         """Take in one message: the child and the stamp [s] of each of its transforms."""
         for child, stamp_s in stamps_s:
             self.of_frame.setdefault(child, _kept()).append(now_s - stamp_s)
@@ -148,7 +148,7 @@ def _listen(node: Node) -> Delays:
     def on_message(message: TFMessage) -> None:
         now_s = node.get_clock().now().nanoseconds / NSEC_PER_SEC
         headers = [(each.child_frame_id, each.header.stamp) for each in message.transforms]
-        delays.hear(now_s, [(child, stamp.sec + stamp.nanosec / NSEC_PER_SEC) for child, stamp in headers])
+        delays.add_message(now_s, [(child, stamp.sec + stamp.nanosec / NSEC_PER_SEC) for child, stamp in headers])
 
     node.create_subscription(TFMessage, "/tf", on_message, QoSProfile(depth=100))
     static = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)

@@ -82,7 +82,7 @@ class Intervals:
         self._last_ns: int | None = None
         self._reported_ns = 0
 
-    def hear(self, now_ns: int) -> None:
+    def add_message(self, now_ns: int) -> None:
         """Take in that a message came; after time went back, begin anew."""
         if self._last_ns is None or now_ns < self._last_ns:
             self._values_ns.clear()
@@ -113,7 +113,7 @@ def hz(options: argparse.Namespace) -> None:
         intervals = Intervals(options.window)
 
         def on_message(_) -> None:
-            intervals.hear(node.get_clock().now().nanoseconds)
+            intervals.add_message(node.get_clock().now().nanoseconds)
             report = intervals.report()
             if report:
                 print(report, flush=True)

@@ -149,10 +149,10 @@ def _below(way_up: list[str], top: str) -> list[str]:
 def _way_up(tree: Snapshot, frame: str) -> list[str]:
     """Return the frames from one up to its root; in a loop, each once."""
     parents = {edge.name: edge.parent for edge in tree.frames}
-    way = [frame]
-    while parents.get(way[-1]) is not None and parents[way[-1]] not in way:
-        way.append(parents[way[-1]])
-    return way
+    path = [frame]
+    while parents.get(path[-1]) is not None and parents[path[-1]] not in path:
+        path.append(parents[path[-1]])
+    return path
 
 
 def _pose(core: BufferCore, fixed_frame: str, frame: str, stamp_ns: int) -> Transform | None:

@@ -29,7 +29,7 @@ from tflab.ros.node import Node
 from tflab.views.tree import TreePicture
 from tflab.views.view_frames_tree import draw_upstream_tree
 
-from .session import spin_for, spin_until_done, tool_node, zone_here
+from .session import display_time_zone, spin_for, spin_until_done, tool_node
 
 __all__ = ["dot_from_frames", "main", "parser", "write_pictures"]
 
@@ -130,4 +130,4 @@ def _with_names_as_text(frames: Mapping[Any, Mapping[str, Any]]) -> dict[str, Ma
 
 def _dated_name(now_ns: int) -> str:
     """Return the name with date and time."""
-    return datetime.fromtimestamp(now_ns / NSEC_PER_SEC, zone_here()).strftime("frames_%Y-%m-%d_%H.%M.%S")
+    return datetime.fromtimestamp(now_ns / NSEC_PER_SEC, display_time_zone()).strftime("frames_%Y-%m-%d_%H.%M.%S")

@@ -10,7 +10,7 @@
     motion_error, map_error    what latency and a wrong pose cost
     timeline, clocks, ages, busy_chart, late_joiner    time: the buffer, clocks, delays, executors, durability
     fault_tables, diagnosis_log, slope_chart    diagnosis and learning
-    marks, tree, tree_path, view_frames_tree    the frame tree as SVG, PDF and text
+    sheet, tree, tree_path, view_frames_tree    the frame tree as SVG, PDF and text
     rviz_status, rviz, rviz_figure    what RViz shows and reports
     turtles          the field of turtlesim
     scene/           3D in the page

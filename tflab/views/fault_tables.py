@@ -19,19 +19,19 @@ ROW_PX, HEAD_PX, BORDER_PX, SLANT_PX = 30, 112, 14, 96
 Findings = Mapping[str, Mapping[str, str]]  # of each suspect what it would say to each check
 
 
-def left_of(findings: Findings, asked: Mapping[str, str]) -> list[str]:
+def remaining_suspects(findings: Findings, asked: Mapping[str, str]) -> list[str]:
     """Return the suspects that would have said what was said."""
     return [name for name, row in findings.items() if all(row[check] == said for check, said in asked.items())]
 
 
 def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     """Return the figure's text: a line for each suspect, then what was said, and how each other check would split."""
-    left = left_of(findings, asked)
+    left = remaining_suspects(findings, asked)
     width = max(map(len, findings))
     lines = [f"{len(left)} of {len(findings)} suspects left"]
     for name, row in findings.items():
         struck = next((check for check, said in asked.items() if row[check] != said), None)
-        why = f"struck: {check_said(struck, row[struck])}" if struck else "left"
+        why = f"struck: {expected_result_text(struck, row[struck])}" if struck else "left"
         lines.append(f"  {name:<{width}}  {why}")
     lines += [f"asked: {check}: {said}" for check, said in asked.items()]
     for check in next(iter(findings.values())):
@@ -43,7 +43,7 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
-def check_said(check: str, kind: str) -> str:
+def expected_result_text(check: str, kind: str) -> str:
     """Return what a suspect would have said to a check."""
     return f"{check} would be {kind}"
 
@@ -74,7 +74,7 @@ class SuspectsPicture(Picture):
         self.redraw_all()
 
     def _draw(self, asked: Mapping[str, str]) -> None:
-        left, cell_px = left_of(self._findings, asked), self._cell_px
+        left, cell_px = remaining_suspects(self._findings, asked), self._cell_px
         for column, check in enumerate(self._checks):
             x = self._names_px + (column + 0.5) * cell_px
             weight = "bold" if check in asked else "normal"

@@ -24,12 +24,12 @@ INCOMPATIBLE = "incompatible QoS"
 COLUMNS = 60  # how wide a row is in words
 ROW_PX, TOP_PX, BOTTOM_PX, KNOWS_PX = 74, 48, 52, 168
 BAR = 0.30  # of a row's height
-WORDS_END = 0.42  # of a row's height below its middle: what hangs on the board stands above, and no line crosses it
+WORDS_END = 0.42  # of a row's height below its middle: the stored message stands above, and no line crosses it
 LETTER_PX = 7  # of a name's, in small print
 MOST_NAMES = 4  # beside a row
 
 
-class Letter(NamedTuple):
+class SentMessage(NamedTuple):
     """One message: when it was sent [s], and the child frames in it."""
 
     sent_s: float
@@ -41,21 +41,21 @@ class Sender(NamedTuple):
 
     Attributes:
         name: of its node.
-        letters: what it sends, in order.
+        messages: what it sends, in order.
         ends_s: when its process ends [s]; None if it does not.
-        is_stored: whether it offers TRANSIENT_LOCAL, and so keeps its last letter.
+        is_stored: whether it offers TRANSIENT_LOCAL, and so keeps its last message.
         topic: where it publishes.
     """
 
     name: str
-    letters: tuple[Letter, ...]
+    messages: tuple[SentMessage, ...]
     ends_s: float | None = None
     is_stored: bool = True
     topic: str = STATIC_TOPIC
 
 
-def letters_heard(sender: Sender, join_s: float, until_s: float, asks_for_stored: bool = True) -> list[Letter]:
-    """Return the letters of a sender that a listener has heard by `until_s` [s], if it joined at `join_s` [s].
+def messages_received(sender: Sender, join_s: float, until_s: float, asks_for_stored: bool = True) -> list[SentMessage]:
+    """Return the messages of a sender that a listener has received by `until_s` [s], if it joined at `join_s` [s].
 
     Args:
         asks_for_stored: whether the listener requests TRANSIENT_LOCAL on /tf_static, as tf2's does; on /tf it never
@@ -65,22 +65,22 @@ def letters_heard(sender: Sender, join_s: float, until_s: float, asks_for_stored
     if asks and not sender.is_stored:
         return []
     ends_s = float("inf") if sender.ends_s is None else sender.ends_s
-    sent = [letter for letter in sender.letters if letter.sent_s <= until_s and letter.sent_s < ends_s]
-    before = [letter for letter in sent if letter.sent_s < join_s]
+    sent = [message for message in sender.messages if message.sent_s <= until_s and message.sent_s < ends_s]
+    before = [message for message in sent if message.sent_s < join_s]
     stored = before[-1:] if asks and join_s < ends_s and join_s <= until_s else []
-    return stored + [letter for letter in sent if letter.sent_s >= join_s]
+    return stored + [message for message in sent if message.sent_s >= join_s]
 
 
 def frames_known(senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True) -> list[str]:
     """Return the child frames that a listener knows at `until_s` [s], each once, in the order of the senders."""
-    heard = (letter for each in senders for letter in letters_heard(each, join_s, until_s, asks_for_stored))
-    return list(dict.fromkeys(frame for letter in heard for frame in letter.frames))
+    received = (message for each in senders for message in messages_received(each, join_s, until_s, asks_for_stored))
+    return list(dict.fromkeys(frame for message in received for frame in message.frames))
 
 
 def describe_joins(
     senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True, start_s: float = 0.0
 ) -> str:
-    """Return the figure's text: `o` a letter, `@` a letter heard, `=` the board, `x` the end, `^` the join."""
+    """Return the figure's text: `o` a message, `@` one received, `=` the stored one, `x` the end, `^` the join."""
     width = max(len("listener"), *(len(sender.name) for sender in senders))
 
     def column(at_s: float) -> int:
@@ -89,15 +89,15 @@ def describe_joins(
     lines = [f"from {style.fmt(start_s, 's', 1)} to {style.fmt(until_s, 's', 1)}"]
     for sender in senders:
         cells = [" "] * COLUMNS
-        for first_s, last_s, _ in _boards(sender, until_s):
+        for first_s, last_s, _ in _stored_spans(sender, until_s):
             cells[column(first_s) : column(last_s) + 1] = "=" * (column(last_s) + 1 - column(first_s))
-        heard = letters_heard(sender, join_s, until_s, asks_for_stored)
-        for mark, letters in (("o", sender.letters), ("@", heard)):
-            for letter in letters:
-                cells[column(letter.sent_s)] = mark
+        received = messages_received(sender, join_s, until_s, asks_for_stored)
+        for mark, messages in (("o", sender.messages), ("@", received)):
+            for message in messages:
+                cells[column(message.sent_s)] = mark
         if sender.ends_s is not None and sender.ends_s <= until_s:
             cells[column(sender.ends_s)] = "x"
-        remark = _remark(sender, len(heard), asks_for_stored)
+        remark = _remark(sender, len(received), asks_for_stored)
         lines.append(f"{sender.name:<{width}} |{''.join(cells)}| {sender.topic}, {remark}")
     line = " " * column(join_s) + "^"
     lines.append(f"{'listener':<{width}} |{line:<{COLUMNS}}| joins at {style.fmt(join_s, 's', 2)}, "
@@ -131,16 +131,16 @@ class JoinsPicture(Picture):
         """Show a listener that joins at `join_s` [s], asking for what is stored or not."""
         self._join.set_xdata([join_s] * len(self._join.get_ydata()))
         self._join_name.xy = (join_s, 1.0)
-        for sender, marks, known in zip(self._senders, self._heard, self._known, strict=True):
-            heard = letters_heard(sender, join_s, self._until_s, asks_for_stored)
+        for sender, marks, known in zip(self._senders, self._received, self._known, strict=True):
+            received = messages_received(sender, join_s, self._until_s, asks_for_stored)
             row = marks.get_gid()
-            marks.set_data([letter.sent_s for letter in heard], [row] * len(heard))
-            known.set_text(_beside(sender, heard, asks_for_stored))
+            marks.set_data([message.sent_s for message in received], [row] * len(received))
+            known.set_text(_known_text(sender, received, asks_for_stored))
         self._durability.set_text(_durability(asks_for_stored))
         self.text = describe_joins(self._senders, join_s, self._until_s, asks_for_stored, self._start_s)
 
     def _draw_rows(self, px_per_s: float) -> None:
-        """Draw what stands still: when each letter was sent, what hung on the board meanwhile, and the end."""
+        """Draw what stands still: when each message was sent, which one was stored, and the end."""
         ax = self.ax
         ax.set_xlim(self._start_s, self._until_s)
         style.label_rows(ax, [f"{sender.name}\n{sender.topic}" for sender in self._senders], style.SMALL_PT)
@@ -148,14 +148,14 @@ class JoinsPicture(Picture):
         how = {"facecolor": style.SHADE, "edgecolor": style.FAINT, "linewidth": 1.0, "zorder": 1}
         for i, sender in enumerate(self._senders):
             ax.axhline(i, color=style.HAIR, linewidth=1.0, zorder=0)
-            for first_s, last_s, letter in _boards(sender, self._until_s):
+            for first_s, last_s, message in _stored_spans(sender, self._until_s):
                 ax.broken_barh([(first_s, last_s - first_s)], (i - BAR / 2, BAR), **how)
-                text = "stored: " + ", ".join(letter.frames)
+                text = "stored: " + ", ".join(message.frames)
                 if LETTER_PX * len(text) < (last_s - first_s) * px_per_s - 16:
                     middle_s = (first_s + last_s) / 2
                     ax.annotate(text, (middle_s, i + BAR / 2), (0, -4), textcoords="offset points", ha="center",
                                 va="top", color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
-            sent = [letter.sent_s for letter in sender.letters]
+            sent = [message.sent_s for message in sender.messages]
             ax.plot(sent, [i] * len(sent), color=style.INK, linestyle="none", marker="o", markersize=8.0,
                     markerfacecolor=style.PAPER, markeredgewidth=1.4, zorder=3)  # fmt: skip
             if sender.ends_s is not None:
@@ -163,7 +163,7 @@ class JoinsPicture(Picture):
                         linestyle="none", zorder=5)  # fmt: skip
 
     def _draw_moving(self, knows_x: float, height_px: float) -> None:
-        """Make what `show` moves: the join, the letters that are heard, and what is known of each sender."""
+        """Make what `show` moves: the join, the messages that are received, and what is known of each sender."""
         ax, write = self.ax, self.figure.text
         heights = [y for i in range(len(self._senders)) for y in (i - 0.5, i + BAR / 2, math.nan, i + WORDS_END)]
         heights.append(len(self._senders) - 0.5)
@@ -172,7 +172,7 @@ class JoinsPicture(Picture):
         self._join_name = ax.annotate("join", (0.0, 1.0), (0, 4), xycoords=("data", "axes fraction"), ha="center",
                                       textcoords="offset points", color=style.ACCENT,
                                       fontsize=style.SMALL_PT)  # fmt: skip
-        self._heard = [
+        self._received = [
             ax.plot([], [], color=style.ACCENT, linestyle="none", marker="o", markersize=8.0, zorder=6, gid=i)[0]
             for i in range(len(self._senders))
         ]
@@ -180,28 +180,28 @@ class JoinsPicture(Picture):
         self._durability = write(knows_x, 1 - 28 / height_px, "", va="top", color=style.GREY, fontsize=style.SMALL_PT)
         middles = [1 - (TOP_PX + ROW_PX * (i + 0.5)) / height_px for i in range(len(self._senders))]
         self._known = [write(knows_x, y, "", va="center", fontsize=style.SMALL_PT) for y in middles]
-        self.moving = [self._join, self._join_name, *self._heard, self._durability, *self._known]
+        self.moving = [self._join, self._join_name, *self._received, self._durability, *self._known]
 
 
 def draw_joins(
     senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True, start_s: float = 0.0
 ) -> JoinsPicture:
-    """Draw what a listener knows at `until_s` [s] that joins at `join_s` [s]; see `letters_heard`."""
+    """Draw what a listener knows at `until_s` [s] that joins at `join_s` [s]; see `messages_received`."""
     picture = JoinsPicture(senders, until_s, start_s)
     picture.show(join_s, asks_for_stored)
     return picture
 
 
-def _boards(sender: Sender, until_s: float) -> list[tuple[float, float, Letter]]:
-    """Return from when until when [s] each letter hung on the sender's board."""
+def _stored_spans(sender: Sender, until_s: float) -> list[tuple[float, float, SentMessage]]:
+    """Return from when until when [s] the sender stored each message."""
     if not sender.is_stored:
         return []
     ends_s = until_s if sender.ends_s is None else min(sender.ends_s, until_s)
-    moments = [*(letter.sent_s for letter in sender.letters[1:]), ends_s]
+    moments = [*(message.sent_s for message in sender.messages[1:]), ends_s]
     return [
-        (letter.sent_s, min(next_s, ends_s), letter)
-        for letter, next_s in zip(sender.letters, moments, strict=False)
-        if letter.sent_s < ends_s
+        (message.sent_s, min(next_s, ends_s), message)
+        for message, next_s in zip(sender.messages, moments, strict=False)
+        if message.sent_s < ends_s
     ]
 
 
@@ -213,17 +213,17 @@ def _is_incompatible(sender: Sender, asks_for_stored: bool) -> bool:
     return asks_for_stored and sender.topic == STATIC_TOPIC and not sender.is_stored
 
 
-def _remark(sender: Sender, heard: int, asks_for_stored: bool) -> str:
+def _remark(sender: Sender, received: int, asks_for_stored: bool) -> str:
     if _is_incompatible(sender, asks_for_stored):
         return INCOMPATIBLE
-    return f"{heard} of {len(sender.letters)} heard"
+    return f"{received} of {len(sender.messages)} heard"
 
 
-def _beside(sender: Sender, heard: Sequence[Letter], asks_for_stored: bool) -> str:
+def _known_text(sender: Sender, received: Sequence[SentMessage], asks_for_stored: bool) -> str:
     """Return what is known of a sender as it stands beside its row."""
     if _is_incompatible(sender, asks_for_stored):
         return INCOMPATIBLE
-    frames = list(dict.fromkeys(frame for letter in heard for frame in letter.frames))
+    frames = list(dict.fromkeys(frame for message in received for frame in message.frames))
     if len(frames) > MOST_NAMES:
         frames = [*frames[: MOST_NAMES - 1], f"… {len(frames)} frames"]
     return "\n".join(frames) or "—"

@@ -32,7 +32,7 @@ SCALES_M = (0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
 SCALE_PART, SCALE_PT = 0.2, 8.0  # of a panel, at most; how far below it
 
 
-class Offs(NamedTuple):
+class PointErrors(NamedTuple):
     """How far a group of points lies from what is really there [m]."""
 
     count: int
@@ -62,13 +62,13 @@ def distances_to(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequenc
     return np.min(each, axis=0)
 
 
-def offs(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()) -> Offs:
+def point_errors(points: np.ndarray, walls: Sequence[Wall] = (), things: Sequence[Sequence[float]] = ()) -> PointErrors:
     """Return how far points lie from the nearest wall or thing, on average and at worst; NaN rows are left out."""
     points = _seen(points)
     if not len(points):
-        return Offs(0, 0.0, 0.0)
+        return PointErrors(0, 0.0, 0.0)
     distances = distances_to(points, walls, things)
-    return Offs(len(points), float(distances.mean()), float(distances.max()))
+    return PointErrors(len(points), float(distances.mean()), float(distances.max()))
 
 
 def describe_placed(
@@ -78,10 +78,10 @@ def describe_placed(
     width = max(map(len, placed))
     lines = []
     for name, points in placed.items():
-        off = offs(points, walls, things)
+        error = point_errors(points, walls, things)
         lines.append(
-            f"{name:<{width}}  {off.count:>5} points, off by {style.fmt(off.mean_m)} on average, "
-            f"{style.fmt(off.worst_m)} at worst"
+            f"{name:<{width}}  {error.count:>5} points, off by {style.fmt(error.mean_m)} on average, "
+            f"{style.fmt(error.worst_m)} at worst"
         )
     return "\n".join(lines)
 
@@ -113,8 +113,8 @@ def draw_placed(
             _show_box(ax, (x_low, y_low, x_high, y_high), panel_px / tall_px)
             ax.set_title(name, loc="left", pad=7)
             _draw_scale(ax)
-            off = offs(points, walls, things)
-            ax.set_xlabel(f"off by {style.fmt(off.mean_m)} on average\n{style.fmt(off.worst_m)} at worst", loc="left")
+            err = point_errors(points, walls, things)
+            ax.set_xlabel(f"off by {style.fmt(err.mean_m)} on average\n{style.fmt(err.worst_m)} at worst", loc="left")
     picture.text = describe_placed(placed, walls, things)
     return picture
 
@@ -234,13 +234,13 @@ def draw_tracks(tracks: Mapping[str, np.ndarray], truth: np.ndarray, times_s: Se
     with style.our_settings():
         _draw_ground(picture.figure.add_axes((0.03, 0.05, 0.46, 0.86)), tracks, truth)
         steps = _curves(picture.figure.add_axes((0.575, 0.60, 0.39, 0.29)), "step [m]")
-        errors = _curves(picture.figure.add_axes((0.575, 0.14, 0.39, 0.29)), "error [m]")
-        errors.set_xlabel("time [s]", loc="right")
+        error = _curves(picture.figure.add_axes((0.575, 0.14, 0.39, 0.29)), "error [m]")
+        error.set_xlabel("time [s]", loc="right")
         for (name, track), line, colour in zip(tracks.items(), LINES, COLOURS, strict=False):
             how = {"color": colour, "linestyle": line, "linewidth": TRACK_WIDTH, "label": name}
             steps.plot(times[1:], steps_of(track), **how)
-            errors.plot(times, errors_of(track, truth), **how)
-        for ax in (steps, errors):
+            error.plot(times, errors_of(track, truth), **how)
+        for ax in (steps, error):
             ax.set_xlim(times[0], times[-1])
             ax.set_ylim(bottom=0.0)
     picture.text = describe_tracks(tracks, truth)

@@ -362,7 +362,7 @@ def draw_bend(bend: Bend) -> BendPicture:
     return picture
 
 
-def deepest(turn_rad: float) -> float:
+def largest_chord_gap(turn_rad: float) -> float:
     """Return how far the arc of a period in which the robot turns so far [rad] is from its chord, in chords."""
     return math.tan(abs(turn_rad) / 4.0) / 2.0
 

@@ -17,7 +17,7 @@ from tflab.core import Transform
 
 from . import style
 from .labels import FloatingLabel, place_labels
-from .map_error import Wall, offs
+from .map_error import Wall, point_errors
 from .picture import Picture
 from .rviz_status import LaserScan, MapCells, Message, Path, RobotModel, Shown, statuses_as_text
 from .scene.drawing import Part
@@ -55,10 +55,10 @@ def describe_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> str:
             lines += [f"{frame} at {style.fmt_all(pose.translation)}" for frame, pose in sorted(entry.poses.items())]
         points = _seen(entry)
         if len(points) and walls:
-            off = offs(points, walls)
+            errors = point_errors(points, walls)
             lines.append(
-                f"{entry.name}: {off.count} points, off the walls by {style.fmt(off.mean_m)} on average, "
-                f"{style.fmt(off.worst_m)} at worst"
+                f"{entry.name}: {errors.count} points, off the walls by {style.fmt(errors.mean_m)} on average, "
+                f"{style.fmt(errors.worst_m)} at worst"
             )
     return "\n".join(lines).rstrip()
 

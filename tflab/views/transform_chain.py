@@ -236,12 +236,12 @@ class _ArmArtists:
     def move(self, poses: Mapping[str, Transform], ghosts: Mapping[str, Sequence[float]]) -> None:
         """Draw the links at `poses`, which are in the first link."""
         places = {name: self._eye.on_paper(pose.translation) for name, pose in poses.items()}
-        way = np.array(list(places.values()))
-        self.line.set_data(*way.T)
+        points = np.array(list(places.values()))
+        self.line.set_data(*points.T)
         self.hinges.set_data(*np.array([places[name] for name in self._moving]).reshape(-1, 2).T)
-        self.base.set_data(*way[:1].T)
+        self.base.set_data(*points[:1].T)
         self.tip.set_data(*places[self._tip].reshape(1, 2).T)
-        lines = [(tuple(a), tuple(b)) for a, b in pairwise(way)]
+        lines = [(tuple(a), tuple(b)) for a, b in pairwise(points)]
         for name, label in self.labels.items():
             label.follow(places[name])
             label.keep_off = lines

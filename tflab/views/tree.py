@@ -20,7 +20,7 @@ from typing import Any, Literal
 from tflab.core import FrameSnapshot, Snapshot, format_stamp
 
 from . import style
-from .marks import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
+from .sheet import FONT_SIZE, BoxMark, LineMark, Mark, Sheet, TextMark, pdf_from_sheet, svg_from_sheet, text_width
 from .style import fmt_name
 
 QUIET, ALARM, WASH = style.GREY, style.ACCENT, "#F8EDF6"
@@ -128,9 +128,9 @@ def _faults(snapshot: Snapshot) -> Iterator[TreeFault]:
     loops, parents = _loops(snapshot), {edge.parent for edge in snapshot.frames}
     roots = [root for root in _roots(snapshot) if root in parents]  # one that only had a child once is no tree
     for loop in loops:
-        way = " -> ".join(map(fmt_name, (*loop, loop[0])))
+        path = " -> ".join(map(fmt_name, (*loop, loop[0])))
         what = "A lookup that enters it fails (LookupException), unless it meets its target on the way up"
-        yield TreeFault("loop", loop, f"loop: {way}. {what} from its source.")
+        yield TreeFault("loop", loop, f"loop: {path}. {what} from its source.")
     if len(roots) + len(loops) > 1:
         tops = (*roots, *(loop[0] for loop in loops))
         trees = f"{len(tops)} separate trees, from {', '.join(map(fmt_name, tops))}."
@@ -174,13 +174,13 @@ def _loops(snapshot: Snapshot) -> tuple[tuple[str, ...], ...]:
     parent_of = {edge.name: edge.parent for edge in snapshot.frames}
     loops, seen = [], set()
     for start in sorted(parent_of):
-        way, frame = [], start
+        path, frame = [], start
         while frame in parent_of and frame not in seen:
             seen.add(frame)
-            way.append(frame)
+            path.append(frame)
             frame = parent_of[frame]
-        if frame in way:
-            upwards = way[way.index(frame) :]
+        if frame in path:
+            upwards = path[path.index(frame) :]
             downwards = upwards[::-1]
             first = downwards.index(min(downwards))
             loops.append(tuple(downwards[first:] + downwards[:first]))

@@ -70,7 +70,7 @@ def describe_walk(walk: Walk, parent_of: Mapping[str, str]) -> str:
     steps = [("up", frame, parent_of[frame]) for frame in walk.up]
     steps += [("down", parent_of[frame], frame) for frame in walk.down] if walk.met is not None else []
     lines = [f"from {fmt_name(walk.source)} to {fmt_name(walk.target)}"]
-    lines += [f"  {n}  {way:<4}  {fmt_name(a)} -> {fmt_name(b)}" for n, (way, a, b) in enumerate(steps, 1)]
+    lines += [f"  {n}  {direction:<4}  {fmt_name(a)} -> {fmt_name(b)}" for n, (direction, a, b) in enumerate(steps, 1)]
     if walk.met is not None:
         return "\n".join([*lines, f"they meet at {fmt_name(walk.met)}"])
     if len(walk.ends) == 1:
@@ -226,13 +226,13 @@ def _height_pt(rows: int, lines: int) -> float:
 
 def _climb(parent_of: Mapping[str, str], frame: str, until: set[str]) -> tuple[list[str], bool]:
     """Return the frames from one upwards, to a root or to one of `until`, and whether it went round in a loop."""
-    way = [frame]
-    while way[-1] not in until and way[-1] in parent_of:
-        parent = parent_of[way[-1]]
-        if parent in way:
-            return [*way, parent], True
-        way.append(parent)
-    return way, False
+    path = [frame]
+    while path[-1] not in until and path[-1] in parent_of:
+        parent = parent_of[path[-1]]
+        if parent in path:
+            return [*path, parent], True
+        path.append(parent)
+    return path, False
 
 
 def _listing(rows: Sequence[Row]) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from . import style
-from .marks import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
+from .sheet import BoxMark, LineMark, Mark, Sheet, TextMark, svg_from_sheet, text_width
 from .tree import TreePicture
 
 MARGIN, GAP, OVAL = 18.0, 10.0, 30.0  # [pt] rim, between neighbours, height of a frame
@@ -159,10 +159,10 @@ def _edge(parent: _Place, child: _Place, frame: Mapping[str, Any]) -> Iterator[M
         x = child.x - width / 2
     else:
         left = parent.x - LOOP
-        way = ((left, parent.y - OVAL / 2), (child.x - LOOP, child.y + OVAL / 2))
+        points = ((left, parent.y - OVAL / 2), (child.x - LOOP, child.y + OVAL / 2))
         if parent == child:
-            way = ((left, below), (left, below + BEND), (parent.x, below + BEND), (parent.x, below))
+            points = ((left, below), (left, below + BEND), (parent.x, below + BEND), (parent.x, below))
         x, top = left - LOOP / 2 - width, child.y + OVAL / 2 + BEND + LINE
-        yield LineMark(way, style.INK, arrow=True)
+        yield LineMark(points, style.INK, arrow=True)
     for number, line in enumerate(lines):
         yield TextMark(x, top + number * LINE, line, style.INK, size=SMALL)

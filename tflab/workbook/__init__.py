@@ -9,14 +9,14 @@ In an exercise one calls five functions:
     answers/      what an answer may be, and when two are the same
     tasks/        a task, its right answer, its wrong ones, what it is tried on
     diagnosis/    judges an answer, and explains a wrong one by the mistakes that would produce it
-    replies       texts that `check` prints besides
+    phrases       texts that `check` prints besides
     call_limits   bounds the time and memory of a learner's function
     replay        shows one call of a function, and where its result differs
-    assigned      a task as a learner has it
-    trying        what became of an answer, and what is said of it
+    assigned_task a task as a learner has it
+    judge_answer  what became of an answer, and what is said of it
     inventory/    a test before and after; nothing in it is marked
     checks        check, hint, solution, task
-    reply         how a reply looks
+    reply_card    how a reply looks
     rerun_cleanup end what a cell's last run started
     stale_graph   tell the reader when a cell runs in another graph than before
     cell_errors   explain why a cell failed
@@ -28,7 +28,6 @@ In an exercise one calls five functions:
     copy/         a learner's own copy, and JupyterLab on it
     practice      the tasks again, with new numbers
     lesson/       what a page draws, drives and looks at
-
 """
 
 from __future__ import annotations

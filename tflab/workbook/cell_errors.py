@@ -23,9 +23,9 @@ from types import SimpleNamespace, TracebackType
 from typing import Any
 
 from ..text import Texts
-from .diagnosis.python_errors import tip_for
+from .diagnosis.python_errors import python_error_hint
 from .paths import language_here
-from .reply import show_reply
+from .reply_card import show_reply
 
 __all__ = ["register", "source_of"]
 
@@ -79,13 +79,13 @@ def source_of(name: str) -> str:
 def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: int | None = None) -> None:
     if shell.InteractiveTB.mode != "Verbose":
         for each in _with_those_before(error):
-            each.__traceback__ = of_the_reader(each.__traceback__)
+            each.__traceback__ = reader_traceback(each.__traceback__)
             each.__suppress_context__ |= each.__context__ is not None and not _is_readers(each.__context__)
         traceback = error.__traceback__
     shell.showtraceback((kind, error, traceback), tb_offset=tb_offset)
     if kind is NameError and error.name:
         show_reply(error.name, _said(error.name, shell.user_ns))
-    elif kind is TypeError and (tip := tip_for("TypeError", str(error)).say(language_here())):
+    elif kind is TypeError and (tip := python_error_hint("TypeError", str(error)).say(language_here())):
         show_reply("TypeError", tip)
     elif kind is AttributeError and type(error.obj) is SimpleNamespace:
         show_reply("AttributeError", _said_of_given(error, shell.user_ns))
@@ -93,7 +93,7 @@ def _show(shell: Any, kind: type, error: Exception, traceback: Any, tb_offset: i
         show_reply("rclpy", OF_ORDER[str(error)].say(language_here()))
 
 
-def of_the_reader(traceback: TracebackType | None) -> TracebackType | None:
+def reader_traceback(traceback: TracebackType | None) -> TracebackType | None:
     """Return a traceback without what lies below our own code, up to where the reader's begins again."""
     kept, is_below = [], False
     while traceback is not None:
@@ -119,7 +119,7 @@ def _with_those_before(error: BaseException) -> list[BaseException]:
 
 def _is_readers(error: BaseException) -> bool:
     """Return whether an error came from a reader's own lines."""
-    return of_the_reader(error.__traceback__) is not None
+    return reader_traceback(error.__traceback__) is not None
 
 
 def _said(name: str, space: Mapping[str, Any]) -> str:

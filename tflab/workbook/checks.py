@@ -26,24 +26,24 @@ from .answers.forms import Parts
 from .answers.numeric import NumberForm
 from .answers.showing import show_all
 from .answers.values import Plain, from_plain
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
 from .cell_errors import source_of
 from .diagnosis.explain import list_asked, read_conditions
 from .diagnosis.lint import describe_cell_text
 from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
-from .inventory.participation import NO_HELP, say_taken_part
+from .inventory.participation import NO_HELP, report_participation
+from .judge_answer import judge_answer, show_hint, show_verdict
 from .paths import TASKS, Workbook, WorkbookError, chapters, read_workbook, workbook_data, workbook_root
+from .phrases import PHRASES
 from .replay import shown_arguments
-from .replies import PHRASES
-from .reply import show_reply
+from .reply_card import show_reply
 from .tasks.catalog import OtherQuestionError, assigned_cases, task_ids
 from .tasks.credit import beyond_one_word
 from .tasks.reference import answer_cell_name, given_name
 from .tasks.strip_solution import without_marks
 from .tasks.task import TaskError
-from .trying import say_verdict, show_hint, tried_on
 
 __all__ = ["TRIES_BEFORE_SOLUTION", "call", "check", "hint", "solution", "solution_text", "task"]
 
@@ -100,14 +100,14 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
         verdict = Verdict(0, 1, Mistake.UNANSWERED)
     else:
-        verdict, outcomes = tried_on(assigned, answer)
+        verdict, outcomes = judge_answer(assigned, answer)
         if verdict.mistake not in UNFINISHED:
             twin = next(iter(verdict.mistakes), None)
             came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
             progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
         if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
             language, form = assigned.workbook.language, assigned.cases.form
-            say_taken_part(assigned.id, assigned.root, language, form, verdict, outcomes[0])
+            report_participation(assigned.id, assigned.root, language, form, verdict, outcomes[0])
         else:
             _say(assigned, _with_slip_in_cell(assigned, verdict), outcomes)
         if why and verdict.mistake and len(outcomes) == len(assigned.variant.cases):
@@ -211,7 +211,7 @@ def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> Non
         more.append(assigned.phrase("solution"))
     elif verdict.mistake in (Mistake.VALUE, Mistake.KNOWN, Mistake.PARTS):
         more.append(assigned.phrase("hint"))
-    say_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
+    show_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
 
 
 def _passed(assigned: AssignedTask) -> str:

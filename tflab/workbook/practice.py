@@ -29,18 +29,18 @@ from typing import Any
 from ..text import Texts
 from .answers.showing import show_all
 from .answers.values import from_plain
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
 from .checks import TRIES_BEFORE_SOLUTION, solution_text
 from .diagnosis.mistake import Mistake
+from .judge_answer import judge_answer, show_hint, show_verdict
 from .paths import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
 from .progress import mark_of, read_progress
-from .reply import in_notebook, shell, show_reply
+from .reply_card import in_notebook, shell, show_reply
 from .tasks.case_types import TaskCases
 from .tasks.catalog import solution_of, tasks_of
 from .tasks.generate_cases import PUBLIC_SEED, CasesError, task_cases
 from .tasks.reference import given_name, in_process_ros
 from .tasks.task import Task, TaskError, slug
-from .trying import say_verdict, show_hint, tried_on
 
 __all__ = ["DrawnQuestion", "ask", "check", "draw_question", "given", "hint", "practice_tasks", "solution"]
 
@@ -55,7 +55,7 @@ class DrawnQuestion:
     """A task with drawn numbers, and what the learner has done with it.
 
     Attributes:
-        assigned: the task as `tried_on` takes it.
+        assigned: the task as `judge_answer` takes it.
         text: the exercise's text, in Markdown.
         imports: the chapter's import lines, if the answer may need them.
         starter: the exercise's answer cell, with `practice.given()` in place of `task(...)`.
@@ -115,11 +115,11 @@ def check(answer: Any = ...) -> None:
     """Print what is right or wrong about an answer to the question."""
     if (question := _asked_question()) is None:
         return
-    verdict, outcomes = tried_on(question.assigned, answer)
+    verdict, outcomes = judge_answer(question.assigned, answer)
     if verdict.mistake not in (None, Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION):
         question.wrong.add(mark_of(outcomes or [str(verdict.mistake)]))
     more = TEXTS["help" if verdict.mistake else "next"].say(question.assigned.workbook.language)
-    say_verdict(question.assigned, verdict, outcomes, [more], draws=False)
+    show_verdict(question.assigned, verdict, outcomes, [more], draws=False)
 
 
 def hint() -> None:

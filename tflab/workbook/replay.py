@@ -18,7 +18,7 @@ from .answers.forms import Message, Pair, Parts
 from .answers.forms import Sequence as ListForm
 from .answers.showing import show_in_a_line
 from .answers.values import Plain, from_plain, is_raised
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
 from .diagnosis.calls import return_value
 from .diagnosis.verdict import kind_of
 

@@ -20,7 +20,7 @@ from tflab.ros.process import process_here
 
 from ..text import Text, Texts
 from .paths import language_here
-from .reply import show_reply
+from .reply_card import show_reply
 
 __all__ = ["register"]
 

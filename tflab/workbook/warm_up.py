@@ -12,11 +12,11 @@ from typing import Any
 
 from ..text import Texts
 from .answers.forms import Vector
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
+from .judge_answer import judge_answer, show_verdict
 from .paths import read_workbook, workbook_root
-from .reply import show_reply
+from .reply_card import show_reply
 from .tasks.case_types import Case, Feedback, TaskCases, Variant
-from .trying import say_verdict, tried_on
 
 __all__ = ["ask_first"]
 
@@ -53,6 +53,6 @@ def ask_first(base_p_post: Any) -> None:
         show_reply(name, TEXTS["unanswered"].say(workbook.language))
         return
     assigned = AssignedTask(name, "", QUESTION, QUESTION.variants[0], root, workbook)
-    verdict, outcomes = tried_on(assigned, base_p_post)
+    verdict, outcomes = judge_answer(assigned, base_p_post)
     said = TEXTS["go_on"] if verdict.mistake else TEXTS["done"]
-    say_verdict(assigned, verdict, outcomes, [said.say(workbook.language)], draws=False)
+    show_verdict(assigned, verdict, outcomes, [said.say(workbook.language)], draws=False)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from tflab.clinic.trolley import TROLLEY
-from tflab.workbook.tasks import Parts, Telling, define_task
+from tflab.clinic.checks import CHECKS
+from tflab.workbook.tasks import DiscriminatingCheck, Parts, define_task
 
 OTHERS = ("longer timeout", "read the code")
-CHECKS = (*TROLLEY, *OTHERS)
+OPTIONS = (*CHECKS, *OTHERS)
 SUSPECTS = {
     "no frame map": ("localizer not running", "localizer waits for /clock"),
     "odom stands alone": ("publish_tf off", "parent misspelt"),
@@ -25,5 +25,5 @@ TASK = define_task(
     kind="D",
     points=3,
     answer="first",
-    form=Parts({symptom: Telling(CHECKS, suspects) for symptom, suspects in SUSPECTS.items()}),
+    form=Parts({symptom: DiscriminatingCheck(OPTIONS, suspects) for symptom, suspects in SUSPECTS.items()}),
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tflab.clinic.cures import DIAGNOSES
+from tflab.clinic.fixes import DIAGNOSES
 from tflab.clinic.proof import shortest_proof
 from tflab.workbook.tasks import Choice, Parts, Proof, define_task
 

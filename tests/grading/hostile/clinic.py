@@ -9,14 +9,14 @@ __all__ = ["CLINIC"]
 TOOLS = """
 import json
 from pathlib import Path
-from tflab.clinic.cures import DIAGNOSES
-from tflab.clinic.proof import SUSPECTS, TROLLEY, fitting, shortest_proof
+from tflab.clinic.fixes import DIAGNOSES
+from tflab.clinic.proof import SUSPECTS, CHECKS, consistent_suspects, shortest_proof
 def proved(patient, cause):
     for check in shortest_proof(cause):
         patient.ask(check)
     return patient.verdict(cause, DIAGNOSES[cause].frame)
 def right(patient):
-    (cause,) = fitting({key: check.kind(patient.reading(key)[2]) for key, check in TROLLEY.items()})
+    (cause,) = consistent_suspects({key: check.kind(patient.reading(key)[2]) for key, check in CHECKS.items()})
     patient.asked = ()
     return proved(patient, cause)
 """
@@ -61,26 +61,26 @@ CLINIC = [
     triage("a suspect by the length of the patient", "    return proved(patient, SUSPECTS[len(patient.packed()) % 18])"),
     triage("a suspect by a digest of the patient", "    import hashlib\n    return proved(patient, SUSPECTS[hashlib.sha256(patient.packed().encode()).digest()[0] % 18])"),
     triage("a suspect by chance", "    import os\n    return proved(patient, SUSPECTS[os.urandom(1)[0] % 18])"),
-    triage("asks everything, and names one", "    for check in TROLLEY: patient.ask(check)\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
+    triage("asks everything, and names one", "    for check in CHECKS: patient.ask(check)\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
     triage("a proof of everybody", "    return patient.verdict('laser clock ahead', 'laser_frame') | {'proof': [[cause, shortest_proof(cause)] for cause in SUSPECTS]}"),
     triage("a proof of nobody", "    return {'cause': 'nobody', 'frame': 'none', 'proof': ['nobody', []]}"),
     triage("a record that was faked", "    patient.asked = tuple(shortest_proof('laser clock ahead'))\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
-    triage("a record of another kind", "    patient.asked = {check: 0 for check in TROLLEY}\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
-    triage("a record of ten thousand questions", "    patient.asked = tuple(TROLLEY) * 500\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
+    triage("a record of another kind", "    patient.asked = {check: 0 for check in CHECKS}\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
+    triage("a record of ten thousand questions", "    patient.asked = tuple(CHECKS) * 500\n    return patient.verdict('laser clock ahead', 'laser_frame')"),
     triage("the patient handed back", "    return patient"),
     triage("the patient's word handed back", "    return patient.packed()"),
     triage("a visit handed back", "    from tflab.clinic.visit import admit\n    return admit(patient)"),
-    triage("a visit whose log is faked", "    from tflab.clinic.visit import Visit, VisitEntry\n    visit = Visit(patient)\n    visit.log = [VisitEntry(check, 0.0, 'all Ok', '', ()) for check in TROLLEY]\n    return {**visit.diagnosis, 'proof': visit.log}"),
+    triage("a visit whose log is faked", "    from tflab.clinic.visit import Visit, VisitEntry\n    visit = Visit(patient)\n    visit.log = [VisitEntry(check, 0.0, 'all Ok', '', ()) for check in CHECKS]\n    return {**visit.diagnosis, 'proof': visit.log}"),
     triage("a word that equals every word", "    return patient.verdict(Any('laser clock ahead'), Any('laser_frame'))", EQUAL),
     triage("a verdict that equals every verdict", "    return Same(" + AHEAD + ")", "class Same(dict):\n    def __eq__(self, other): return True\n    def __missing__(self, key): return key"),
     triage("raises its diagnosis", "    raise type('laser clock ahead', (Exception,), {})(patient.packed())"),
     triage("a cause whose letters cannot be seen", "    return patient.verdict('laser clock ahead\\u200b', 'laser_frame\\x00')"),
-    triage("a trolley that costs nothing, and everything asked", "    for check in TROLLEY: patient.ask(check)\n    return patient.verdict('nothing is wrong', 'none')", "for check, held in TROLLEY.items():\n    object.__setattr__(held, 'minutes', 0.0) if hasattr(held, '__dict__') else None"),
-    triage("no flaw in any proof", "    return patient.verdict('laser clock ahead', 'laser_frame')", "import tflab.clinic.proof as p, tflab.workbook.answers.proof as q\np.flaw_of = q.flaw_of = lambda *a, **k: None"),
+    triage("a trolley that costs nothing, and everything asked", "    for check in CHECKS: patient.ask(check)\n    return patient.verdict('nothing is wrong', 'none')", "for check, held in CHECKS.items():\n    object.__setattr__(held, 'minutes', 0.0) if hasattr(held, '__dict__') else None"),
+    triage("no flaw in any proof", "    return patient.verdict('laser clock ahead', 'laser_frame')", "import tflab.clinic.proof as p, tflab.workbook.answers.proof as q\np.find_flaw = q.find_flaw = lambda *a, **k: None"),
     triage("one suspect for all", "    return proved(patient, 'laser clock ahead')", "import tflab.clinic.table as t, tflab.clinic.proof as p, tflab.workbook.answers.proof as q\nt.SUSPECTS = p.SUSPECTS = q.SUSPECTS = ('laser clock ahead',)"),
-    triage("findings rewritten", "    return proved(patient, 'laser clock ahead')", "import tflab.clinic.table as t, tflab.clinic.proof as p\nt.kind_expected = p.kind_expected = lambda *a: 'as on the card'"),
-    triage("patients who all have the same", "    return proved(patient, 'laser clock ahead')", "from tflab.clinic.patient import SickRobot\nSickRobot.reading = lambda self, check: (0.0, 'all Ok', 'all Ok')\nSickRobot.unpacked = classmethod(lambda cls, word: cls('', '', 12.0, {}, {}))"),
-    triage("a verdict that always says the same", "    return patient.verdict('', '')", f"from tflab.clinic.patient import SickRobot\nSickRobot.verdict = lambda *a: {AHEAD}"),
+    triage("findings rewritten", "    return proved(patient, 'laser clock ahead')", "import tflab.clinic.table as t, tflab.clinic.proof as p\nt.expected_kind = p.expected_kind = lambda *a: 'as on the card'"),
+    triage("patients who all have the same", "    return proved(patient, 'laser clock ahead')", "from tflab.clinic.patient import FaultyRobot\nFaultyRobot.reading = lambda self, check: (0.0, 'all Ok', 'all Ok')\nFaultyRobot.unpacked = classmethod(lambda cls, word: cls('', '', 12.0, {}, {}))"),
+    triage("a verdict that always says the same", "    return patient.verdict('', '')", f"from tflab.clinic.patient import FaultyRobot\nFaultyRobot.verdict = lambda *a: {AHEAD}"),
     triage("admit and Visit rewritten", "    return proved(patient, 'laser clock ahead')", "import tflab.clinic.visit as v\nv.admit = v.Visit._doubt = v.Visit._refusal = lambda *a, **k: ''"),
     triage("forms that agree with everything", f"    return {AHEAD}", "from tflab.workbook.answers import form, forms, proof, structures\nfor each in (proof.Proof, structures.Choice, forms.Parts):\n    each.same = each.alike = lambda *a: True\n    each.judge = lambda *a: [True] * 3\n    each.probes = lambda *a: [[()]]"),
     triage("the causes of the public patients by place", "    global count\n    count += 1\n    return proved(patient, order[count % len(order)]) if order else None", CASES + "count, order = -1, []\ntry:\n    order = [case.expected['dict']['cause'] for case in cases_of('E12.7')]\nexcept Exception:\n    pass"),
@@ -94,7 +94,7 @@ CLINIC = [
     three("every suspect everywhere", "list(SUSPECTS)"),
     three("one patient's answer for all", "{'checks': ['delay /scan'], 'cause': 'laser clock ahead', 'frame': 'laser_frame', 'owner': 'laser_driver', 'fix': 'new sensor'}[what]"),
     three("the patients handed back", "getattr(e12_4, who)"),
-    three("the whole trolley as a proof", "list(TROLLEY)"),
+    three("the whole trolley as a proof", "list(CHECKS)"),
     three("a proof of each suspect", "[(cause, shortest_proof(cause)) for cause in SUSPECTS]"),
     three("words that equal every word", "Any('laser clock ahead')", EQUAL),
     three("visits instead of answers", "Visit(getattr(e12_4, who))", "from tflab.clinic.visit import Visit"),

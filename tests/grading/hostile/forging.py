@@ -43,7 +43,7 @@ def twice(*a, **k):
 d.display = twice
 """),
     function("says true to every probe", WRONG + """
-import tflab.grading.kernels.probe as inside
+import tflab.grading.kernels.probe_answer as inside
 _send = inside._send
 inside._send = lambda identity, plain: _send(identity, [True] * len(plain))
 """),
@@ -55,7 +55,7 @@ def F(transform):
         function(
             f"sends {depth} lists in one another",
             f"""
-import tflab.grading.kernels.probe as inside
+import tflab.grading.kernels.probe_answer as inside
 _send = inside._send
 def deep(identity, plain):
     for _ in range({depth}): plain = [plain]
@@ -124,7 +124,7 @@ for content in (None, [], 3, {'data': None}, {'data': {PROBE: None}}, {'data': {
         say(kind, content)
 """, keeps="any"),
     function("answers for its probe with every shape there is", """
-import tflab.grading.kernels.probe as inside
+import tflab.grading.kernels.probe_answer as inside
 _send, _shapes = inside._send, iter([
     [None] * 7, [{}] * 7, [[]] * 7, [{'dict': None}] * 7, [{'dict': {'x': {'tuple': [[]]}}}] * 7, [{'raises': {}}] * 7,
     [{'object': []}] * 7, [{'message': [[], {}]}] * 7, [{'dict': {'x': 1e999, 'y': {'float': 'nan'}, 'yaw': True}}] * 7,
@@ -207,7 +207,7 @@ def F(transform):
     function("builtins deleted", WRONG + "import builtins\nfor n in ('print', 'len', 'isinstance', 'type', '__import__'): delattr(builtins, n)"),
     function("an audit hook that ends Python", WRONG + "import os, sys\nsys.addaudithook(lambda event, args: os._exit(3) if event == 'compile' else None)"),
     function("a transformer that makes every call 1", WRONG + "import ast\nclass One(ast.NodeTransformer):\n    def visit_Call(self, node): return ast.Constant(1)\nget_ipython().ast_transformers.append(One())"),
-    function("a probe that asks its neighbour", WRONG + "import tflab.grading.kernels.probe as inside\n_p = inside.probe\ninside.probe = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
+    function("a probe that asks its neighbour", WRONG + "import tflab.grading.kernels.probe_answer as inside\n_p = inside.probe_answer\ninside.probe_answer = lambda identity, answer, args: _p(identity, lambda: compose, args)"),
     function("nothing and no one published", WRONG + "get_ipython().display_pub.publish = lambda *a, **k: None"),
     function("every descriptor closed", WRONG + "import os\nos.closerange(0, 256)"),
     function("half a frame on the wire", WRONG + WRITE + "os.write(wire, b'\\0\\0\\0\\xff{')"),

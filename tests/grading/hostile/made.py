@@ -26,7 +26,7 @@ OBJECTS = {
     "keys of another case": "{'X': 0.5, 'Y': 0.5, 'YAW': 0.5}",
     "a Time that lies": "type('T', (__import__('tflab.ros.time', fromlist=['Time']).Time,), {'nanoseconds': property(lambda s: 1 / 0)})()",
     "a Transform that lies": "type('T', (Transform,), {'translation': property(lambda s: exit()), 'rotation': property(lambda s: [0] * 10**6)})((0, 0, 0), (0, 0, 0, 1))",
-    "a patient that lies": "type('T', (__import__('tflab.clinic.patient', fromlist=['x']).SickRobot,), {'packed': lambda s: 'x' * 10**6, '__init__': lambda s: None})()",
+    "a patient that lies": "type('T', (__import__('tflab.clinic.patient', fromlist=['x']).FaultyRobot,), {'packed': lambda s: 'x' * 10**6, '__init__': lambda s: None})()",
     "a dataclass that exits": "__import__('dataclasses').make_dataclass('D', ['x', 'y', 'yaw'], namespace={'__getattribute__': lambda s, n: exit() if n in ('x', 'y') else object.__getattribute__(s, n)})(1, 2, 3)",
     "a class that is no class of anything": "type.__new__(type('M', (type,), {'__instancecheck__': lambda c, o: 1 / 0, 'mro': lambda c: (c, dict, object)}), 'D', (dict,), {})(x=0.5)",
     "a key whose hash is the time": "{type('K', (str,), {'__hash__': lambda s: __import__('time').monotonic_ns()})('x'): 0.5}",
@@ -78,7 +78,7 @@ KINDS = [
     "sealed",
 ]
 OUTCOMES = (
-    "import itertools, tflab.grading.kernels.probe as p\nsend = p._send\nodd = itertools.cycle([None, [], {{}}, 'x', 0, [[]], ['a', {{}}], {{'a': 1}}, [[0, 0, 0], [0, 0, 0, 1]]])\np._send = lambda identity, plain: send(identity, [{{{kind!r}: next(odd)}} for _ in plain])\n"
+    "import itertools, tflab.grading.kernels.probe_answer as p\nsend = p._send\nodd = itertools.cycle([None, [], {{}}, 'x', 0, [[]], ['a', {{}}], {{'a': 1}}, [[0, 0, 0], [0, 0, 0, 1]]])\np._send = lambda identity, plain: send(identity, [{{{kind!r}: next(odd)}} for _ in plain])\n"
     + WRONG.replace("{", "{{")
 )
 

@@ -2,7 +2,7 @@
 
     one owner      o--o--o--o--o--o          steps of one size
     two owners     o     o     o             back and forth, again and again:
-                      x     x     x          each story is smooth, the mixture is not
+                      x     x     x          each stream is smooth, the mixture is not
 
 Values are compared as poses: metres, plus the turn in radians as it moves a point
 at arm's length.  Everything is measured against the edge's own habits, so a drone
@@ -17,24 +17,24 @@ import numpy as np
 
 from ..evidence import Edge
 
-__all__ = ["ARM_M", "Stories", "distances", "is_constant", "steps_and_turns", "two_stories", "unit"]
+__all__ = ["ARM_M", "InterleavedStreams", "distances", "interleaved_streams", "is_constant", "steps_and_turns", "unit"]
 
 ARM_M = 0.3  # a turn counts as far as it moves a point at this distance
 LEAST_DIFFERENCE_M = 0.01  # values closer than this do not contradict each other
 LOOK_BACK = 12  # samples: a second owner may be this many times slower
-LARGEST_STEP = 1 / 3  # within a story, as a fraction of the distance between the stories
+LARGEST_STEP = 1 / 3  # within a stream, as a fraction of the distance between the streams
 MOST_SAMPLES = 5_000  # of an edge that are looked at for a second owner
 CONSTANT = 1e-9
 UNTURNED = (0.0, 0.0, 0.0, 1.0)
 
 
-class Stories(NamedTuple):
-    """Two smooth sequences of values that were told alternately.
+class InterleavedStreams(NamedTuple):
+    """Two smooth sequences of values that alternate on one edge.
 
     Attributes:
         apart_m: how far apart they are, where they take turns.
         returns: how often the first came back after the second.
-        first, last: samples between which both were told.
+        first, last: first and last sample between which the two alternate.
     """
 
     apart_m: float
@@ -71,8 +71,8 @@ def is_constant(edge: Edge) -> bool:
     return len(poses) > 0 and bool((distances(poses, np.broadcast_to(poses[0], poses.shape)) < CONSTANT).all())
 
 
-def two_stories(edge: Edge) -> Stories | None:
-    """Return the two stories that an edge tells alternately, or None if it tells one.
+def interleaved_streams(edge: Edge) -> InterleavedStreams | None:
+    """Return the two streams that alternate on an edge, or None if there is one.
 
     Samples are followed in the order of their stamps, so that one who merely came
     late is no second owner; if the clock was set, that order means nothing, and
@@ -83,7 +83,7 @@ def two_stories(edge: Edge) -> Stories | None:
     if len(rows) < 6:
         return None
     poses = unit(edge.numbers[rows])
-    return _stories_of(poses, rows) or _stories_of(_without_turns(poses), rows)
+    return _streams_of(poses, rows) or _streams_of(_without_turns(poses), rows)
 
 
 def _without_turns(poses: np.ndarray) -> np.ndarray:
@@ -93,7 +93,7 @@ def _without_turns(poses: np.ndarray) -> np.ndarray:
     return places
 
 
-def _stories_of(poses: np.ndarray, rows: np.ndarray) -> Stories | None:
+def _streams_of(poses: np.ndarray, rows: np.ndarray) -> InterleavedStreams | None:
     look_back = _less_than_half_a_turn(poses)
     if look_back < 2:
         return None
@@ -104,7 +104,7 @@ def _stories_of(poses: np.ndarray, rows: np.ndarray) -> Stories | None:
     step = distances(poses[1:], poses[:-1])
     if np.count_nonzero(step > apart_m) < 4:
         return None
-    return _told_alternately(poses, rows, apart_m, look_back)
+    return _follow_streams(poses, rows, apart_m, look_back)
 
 
 def _less_than_half_a_turn(poses: np.ndarray) -> int:
@@ -116,29 +116,29 @@ def _less_than_half_a_turn(poses: np.ndarray) -> int:
     return LOOK_BACK if turn_rad * LOOK_BACK < np.pi else int(0.5 * np.pi / turn_rad)
 
 
-def _told_alternately(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_back: int) -> Stories | None:
-    """Follow two stories through the samples: each sample continues the nearer one, or begins another."""
-    last_of: list[int] = [0]  # the newest sample of each story, the story told last at the end
+def _follow_streams(poses: np.ndarray, rows: np.ndarray, apart_m: float, look_back: int) -> InterleavedStreams | None:
+    """Follow two streams through the samples: each sample continues the nearer one, or begins another."""
+    last_of: list[int] = [0]  # the newest sample of each stream, the latest stream at the end
     returns = []
     apart: list[float] = []
-    within: list[float] = []  # how far each sample is from the one before it in its own story
+    within: list[float] = []  # how far each sample is from the one before it in its own stream
     for i in range(1, len(poses)):
         here = poses[i : i + 1]
         gaps = [float(distances(here, poses[j : j + 1])[0]) for j in last_of]
-        story = int(np.argmin(gaps))
-        if gaps[story] > apart_m:
+        stream = int(np.argmin(gaps))
+        if gaps[stream] > apart_m:
             last_of.append(i)
             del last_of[:-2]
             continue
-        if story != len(last_of) - 1 and i - last_of[story] <= look_back + 1:
+        if stream != len(last_of) - 1 and i - last_of[stream] <= look_back + 1:
             returns.append(i)
             apart.append(gaps[-1])
-        within.append(gaps[story])
-        last_of.append(last_of.pop(story))
+        within.append(gaps[stream])
+        last_of.append(last_of.pop(stream))
         last_of[-1] = i
     if len(returns) < 4 or len(returns) < 0.08 * (returns[-1] - returns[0]):
         return None
     apart_m = float(np.median(apart))
     if float(np.median(within)) > LARGEST_STEP * apart_m:
-        return None  # one noisy owner: its values are as far from each other as the two stories
-    return Stories(apart_m, len(returns), int(rows[returns[0]]), int(rows[returns[-1]]))
+        return None  # one noisy owner: its values are as far from each other as the two streams
+    return InterleavedStreams(apart_m, len(returns), int(rows[returns[0]]), int(rows[returns[-1]]))

@@ -21,8 +21,8 @@ from tflab.text import Text
 from ..evidence import Evidence
 from ..findings import Finding, first_of
 
-__all__ = ["differ_in_side", "empty_names", "endings_of", "is_slip", "leading_slashes", "letters_of",
-           "likeness", "misspelt_names", "prefix_of", "remind_of_each_other", "slashes_in_messages",
+__all__ = ["are_confusable", "differ_in_side", "empty_names", "endings_of", "is_misspelling", "leading_slashes",
+           "letters_of", "misspelt_names", "name_similarity", "prefix_of", "slashes_in_messages",
            "unknown_frames_in_messages"]  # fmt: skip
 
 LONG_NAME = 12  # letters, from which on two slips are one misspelling
@@ -31,7 +31,7 @@ SIDES = {"left", "right", "front", "rear", "back", "upper", "lower", "top", "bot
 SHORT_WORD = 2  # letters: l, r, fl, x, ... tell honest names apart
 
 
-def likeness(name: str, other: str) -> str:
+def name_similarity(name: str, other: str) -> str:
     """Return how `name` is like `other`, but for a slip: "case", "prefix" or ""."""
     if letters_of(name) == letters_of(other):
         return "case"
@@ -42,10 +42,10 @@ def likeness(name: str, other: str) -> str:
     return ""
 
 
-def remind_of_each_other(name: str, other: str) -> bool:
+def are_confusable(name: str, other: str) -> bool:
     """Return whether somebody may have written one name for the other: also laser for laser_frame."""
     longer, shorter = (name, other) if len(name) > len(other) else (other, name)
-    return bool(likeness(longer, shorter)) or longer.startswith(f"{shorter}_") or is_slip(name, other)
+    return bool(name_similarity(longer, shorter)) or longer.startswith(f"{shorter}_") or is_misspelling(name, other)
 
 
 def letters_of(name: str) -> str:
@@ -69,7 +69,7 @@ def differ_in_side(name: str, other: str) -> bool:
     return bool(({*_words(name)} ^ {*_words(other)}) & SIDES)
 
 
-def is_slip(name: str, other: str) -> bool:
+def is_misspelling(name: str, other: str) -> bool:
     """Return whether one name is probably the other, misspelt."""
     most = 1 if min(len(name), len(other)) <= LONG_NAME else 2
     if abs(len(name) - len(other)) > most or name[:1] != other[:1] or _digits(name) != _digits(other):
@@ -203,7 +203,7 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
 
 def _alike_text(frame: str, known: set[str]) -> Text | str:
     """Return a sentence with the names of the tree that a name may be meant for, "" if there are none."""
-    alike = sorted(name for name in known if remind_of_each_other(name, frame))
+    alike = sorted(name for name in known if are_confusable(name, frame))
     quoted = ", ".join(f'"{name}"' for name in alike[:MOST_NAMES])
     return Text(f" The tree has {quoted}.", f" 트리에 있는 비슷한 이름: {quoted}.") if alike else ""
 
@@ -221,7 +221,7 @@ def _pairs_alike(evidence: Evidence) -> Iterator[tuple[str, str, str]]:
             ending_in.setdefault(ending, set()).add(name)
     for name in frames:
         others = same_letters[letters_of(name)] | ending_in.get(name, set()) | (known & set(endings_of(name)))
-        yield from ((name, other, kind) for other in sorted(others - {name}) if (kind := likeness(name, other)))
+        yield from ((name, other, kind) for other in sorted(others - {name}) if (kind := name_similarity(name, other)))
     yield from _slips(evidence, frames, everybody)
 
 
@@ -233,7 +233,7 @@ def _slips(evidence: Evidence, frames: list[str], everybody: list[str]) -> Itera
     strangers = [name for name in everybody if name not in evidence.frames]
     for name in frames:
         for other in everybody if name in hanging else sorted({*hanging, *strangers}):
-            if name != other and is_slip(name, other):
+            if name != other and is_misspelling(name, other):
                 yield name, other, "slip"
 
 

@@ -20,7 +20,7 @@ from tflab.text import Text
 
 from ..evidence import Edge, Evidence
 from ..findings import Finding
-from .motion import LEAST_DIFFERENCE_M, distances, two_stories, unit
+from .motion import LEAST_DIFFERENCE_M, distances, interleaved_streams, unit
 
 __all__ = ["owners_of_both_kinds", "several_joint_publishers", "several_owners", "several_static_owners"]
 
@@ -38,14 +38,14 @@ def several_owners(evidence: Evidence) -> Iterator[Finding]:
             span = (int(edge.receive_ns[0]), int(edge.receive_ns[-1]))
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
             continue
-        stories = two_stories(edge) if evidence.has_arrival else None
-        if stories:
+        streams = interleaved_streams(edge) if evidence.has_arrival else None
+        if streams:
             told = Text(
-                f"two sequences of values, {stories.apart_m:.3f} m apart, that took turns {stories.returns} times",
-                f"{stories.apart_m:.3f} m 떨어진 두 값이 {stories.returns}번 번갈아 나타났습니다",
+                f"two sequences of values, {streams.apart_m:.3f} m apart, that took turns {streams.returns} times",
+                f"{streams.apart_m:.3f} m 떨어진 두 값이 {streams.returns}번 번갈아 나타났습니다",
             )
-            span = (int(edge.receive_ns[stories.first]), int(edge.receive_ns[stories.last]))
-            facts = {"evidence": told, "apart": f"{stories.apart_m:.3f}", "count": stories.returns,
+            span = (int(edge.receive_ns[streams.first]), int(edge.receive_ns[streams.last]))
+            facts = {"evidence": told, "apart": f"{streams.apart_m:.3f}", "count": streams.returns,
                      "kind": _kind_of(edge)}  # fmt: skip
             yield Finding("two-owners", "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
 

@@ -18,7 +18,7 @@ from tflab.text import Text, Texts, compose_yaml, text_of_node
 
 from ..findings import Finding, first_of
 
-__all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "faults_of_code", "what_settles"]
+__all__ = ["Description", "Sentences", "certainty_of", "describe", "descriptions", "evidence_needed", "faults_of_code"]
 
 TEXTS = Texts(str(Path(__file__).with_name("evidence")))
 MOST_SIBLINGS = 8  # that are named
@@ -123,7 +123,7 @@ def certainty_of(code: str) -> Literal["certain", "likely", "open"]:
     return "likely" if description.likely else "open" if description.open else "certain"
 
 
-def what_settles(code: str, language: str = "en") -> str:
+def evidence_needed(code: str, language: str = "en") -> str:
     """Return what would settle a finding that is not certain, "" if it is certain."""
     description = descriptions()[code]
     text = description.likely or description.open

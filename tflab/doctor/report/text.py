@@ -20,7 +20,7 @@ from tflab.core import NSEC_PER_SEC
 from tflab.text import Texts
 
 from ..findings import SEVERITIES, Finding, Report, english, first_of
-from .sentences import certainty_of, describe, faults_of_code, what_settles
+from .sentences import certainty_of, describe, evidence_needed, faults_of_code
 
 __all__ = ["certainty_text", "data_from_report", "effects_text", "finding_text", "headline",
            "moments_text", "text_from_report"]  # fmt: skip
@@ -43,8 +43,8 @@ def text_from_report(report: Report, language: str = "en") -> str:
         seen = report.seen._asdict()
         made += TEXTS["looked_at"].say(language, **seen, seconds=f"{report.seen.duration_s:.1f}")
     lines.append(f"{made}.")
-    if report.let_pass:
-        lines.append(TEXTS["let_pass"].say(language, n=report.let_pass))
+    if report.ignored:
+        lines.append(TEXTS["let_pass"].say(language, n=report.ignored))
     for needs in dict.fromkeys(check.needs for check in report.checks_not_made):
         names = [check.check for check in report.checks_not_made if check.needs == needs]
         listed = f": {', '.join(names)}" if report.checks_made else ""
@@ -65,7 +65,7 @@ def data_from_report(report: Report) -> dict:
         "checks_made": list(report.checks_made),
         "checks_not_made": [{"check": check.check, "needs": check.needs.en} for check in report.checks_not_made],
         "seen": report.seen._asdict() if report.seen else None,
-        "let_pass": report.let_pass,
+        "let_pass": report.ignored,
     }
 
 
@@ -75,7 +75,7 @@ def _data_from_finding(finding: Finding) -> dict:
         "faults": [str(fault) for fault in faults_of_code(finding.code)],
         "severity": finding.severity,
         "certainty": certainty_of(finding.code),
-        "settled_by": what_settles(finding.code),
+        "settled_by": evidence_needed(finding.code),
         "namespace": finding.namespace,
         "parent": finding.parent,
         "child": finding.child,
@@ -140,7 +140,7 @@ def certainty_text(finding: Finding, language: str = "en") -> str:
     if certainty == "certain":
         return ""
     text = TEXTS["likely"] if certainty == "likely" else TEXTS["open"]
-    return text.say(language, settled=what_settles(finding.code, language))
+    return text.say(language, settled=evidence_needed(finding.code, language))
 
 
 def _padded(label: str, columns: int) -> str:

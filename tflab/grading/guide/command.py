@@ -16,7 +16,7 @@ from pathlib import Path
 from tflab.text import LANGUAGES, Text
 from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.course.course import read_course
-from tflab.workbook.pages.html import PageFailed
+from tflab.workbook.pages.html import PageRunError
 from tflab.workbook.paths import TASKS, WorkbookError, read_workbook, workbook_data
 from tflab.workbook.tasks.catalog import tasks_of
 
@@ -89,7 +89,7 @@ def _decks(out: Path, shown: Mapping[str, Sequence[str]], language: str, prefix:
         votes, cells = votes_of(teaching, page), shown[teaching.stem]
         try:
             deck = write_deck(page.notebook, votes, out, name=name, language=language, cells=cells)
-        except PageFailed as failure:
+        except PageRunError as failure:
             print(failure, file=sys.stderr)
             failed += 1
         else:

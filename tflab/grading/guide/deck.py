@@ -47,7 +47,7 @@ def write_deck(
         cells: what is shown; everything if empty.
 
     Raises:
-        PageFailed: a cell raised an error, or nothing is shown.
+        PageRunError: a cell raised an error, or nothing is shown.
     """
     chosen = only(notebook, cells) if cells else notebook
     shown = [vote for vote in votes if not cells or vote.after in cells]

@@ -8,7 +8,7 @@ In reading order:
     plan               the cells to run, in order, with probes
     nbval_run          run cells by nbval on a sandboxed kernel
     execute            run a notebook; set aside what hangs or dies
-    marks              points, mistakes and messages of a task
+    task_score         points, mistakes and messages of a task
     job                one submission as plain data
     select_submission  the notebook that counts, of several
     repeatability      one outcome from two runs

@@ -27,7 +27,7 @@ from tflab.workbook.tasks.task import slug
 from ..submissions.reader import SubmittedCell, SubmittedNotebook
 from ..submissions.remarks import Remark
 
-__all__ = ["VOID", "Master", "MasterCell", "Theirs", "answers_most", "compared", "defined", "master_of"]
+__all__ = ["VOID", "Master", "MasterCell", "NotebookMatch", "answers_most", "defines", "master_of", "match_notebook"]
 
 ROLES = ("given", "answer", "check")
 VOID = ("twice", "no code")
@@ -66,11 +66,11 @@ class Master:
     def asked(self) -> dict[str, frozenset[str]]:
         """The names that each task's check asks for: of what its answer defines, what the check says."""
         checks = {cell.task: set(re.findall(r"\w+", cell.source)) for cell in self.cells if cell.role == "check"}
-        names = {cell.task: defined(cell.source) for cell in self.answers}
+        names = {cell.task: defines(cell.source) for cell in self.answers}
         return {task: there & checks.get(task, there) or there for task, there in names.items()}
 
 
-class Claimed(NamedTuple):
+class ClaimedCell(NamedTuple):
     """What a cell that claims one of our names holds, and which cell of the notebook it is."""
 
     source: str
@@ -79,7 +79,7 @@ class Claimed(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Theirs:
+class NotebookMatch:
     """A notebook, laid beside the master.
 
     Attributes:
@@ -93,7 +93,7 @@ class Theirs:
         kept: what of a cell of ours that is not theirs may still serve: more imports, an answer in the check.
     """
 
-    texts: Mapping[str, Sequence[Claimed]]
+    texts: Mapping[str, Sequence[ClaimedCell]]
     own: Mapping[str, Sequence[str]]
     sources: Mapping[str, str]
     complaints: tuple[Remark, ...]
@@ -126,12 +126,12 @@ def answers_most(master: Master, handed_in: SubmittedNotebook) -> bool:
 
     A page to read may define one of the names, too.
     """
-    there = set().union(*(defined(cell.source) for cell in handed_in.cells if cell.kind == "code"))
+    there = set().union(*(defines(cell.source) for cell in handed_in.cells if cell.kind == "code"))
     asked = master.asked.values()
     return 2 * sum(bool(names & there) for names in asked) > len(asked)
 
 
-def compared(master: Master, handed_in: SubmittedNotebook) -> Theirs:
+def match_notebook(master: Master, handed_in: SubmittedNotebook) -> NotebookMatch:
     """Return a notebook laid beside the master."""
     cells = handed_in.cells
     names = _without_scratch(master, cells, _names(master, cells))
@@ -142,7 +142,7 @@ def compared(master: Master, handed_in: SubmittedNotebook) -> Theirs:
     complaints = tuple(complaint for _, complaint in judged.values() if complaint is not None)
     lost = frozenset(cell.task for cell in master.answers if cell.name not in texts)
     kept = {cell.name: _kept(cell, texts.get(cell.name, ()), master.asked, lost) for cell in master.cells}
-    return Theirs(
+    return NotebookMatch(
         texts=texts,
         own=own,
         sources=sources,
@@ -186,7 +186,7 @@ def _scratch(
     """Return the cells that only have an answer's name: copies to try something in, while one other cell answers."""
     mine = [number for number, name in names.items() if name == answer.name and cells[number].kind == "code"]
     changed = {number: text for number in mine if (text := _bare(cells[number].source)) != _bare(answer.source)}
-    answering = {number for number, text in changed.items() if defined(text) & asked[answer.task]}
+    answering = {number for number, text in changed.items() if defines(text) & asked[answer.task]}
     halves = list(changed) == list(range(min(changed, default=0), min(changed, default=0) + len(changed)))
     if halves or len({changed[number] for number in answering}) != 1:
         return []
@@ -195,22 +195,22 @@ def _scratch(
 
 def _sorted_by_name(
     cells: Sequence[SubmittedCell], names: Mapping[int, str]
-) -> tuple[dict[str, list[Claimed]], dict[str, list[str]]]:
+) -> tuple[dict[str, list[ClaimedCell]], dict[str, list[str]]]:
     """Return the texts under each of our names, and the own cells behind each."""
-    texts: dict[str, list[Claimed]] = {}
+    texts: dict[str, list[ClaimedCell]] = {}
     own: dict[str, list[str]] = {}
     last = ""
     for number, cell in enumerate(cells):
         name = names.get(number)
         if name is not None:
-            texts.setdefault(name, []).append(Claimed(cell.source, cell.kind == "code", number))
+            texts.setdefault(name, []).append(ClaimedCell(cell.source, cell.kind == "code", number))
             last = name
         elif cell.kind == "code" and cell.source.strip():
             own.setdefault(last, []).append(cell.source)
     return texts, own
 
 
-def _as_handed_out_now(master: Master, texts: Mapping[str, list[Claimed]]) -> dict[str, list[Claimed]]:
+def _as_handed_out_now(master: Master, texts: Mapping[str, list[ClaimedCell]]) -> dict[str, list[ClaimedCell]]:
     """Return the texts under our names, what was handed out before an update as what is handed out now."""
     now = {}
     for cell in (cell for cell in master.cells if cell.name in texts):
@@ -225,7 +225,7 @@ def _as_handed_out_now(master: Master, texts: Mapping[str, list[Claimed]]) -> di
 
 
 def _source(
-    cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, frozenset[str]]
+    cell: MasterCell, there: Sequence[ClaimedCell], asked: Mapping[str, frozenset[str]]
 ) -> tuple[str, Remark | None]:
     """Return the text of one of our cells as it is to run, and what there is to say about it."""
     code = {_bare(text.source): text for text in there if text.is_code}
@@ -238,7 +238,7 @@ def _source(
     return "\n".join(text.source for text in changed) if changed else cell.source, None
 
 
-def _fault_of_an_answer(there: Sequence[Claimed], changed: Sequence[Claimed], asked: frozenset[str]) -> str:
+def _fault_of_an_answer(there: Sequence[ClaimedCell], changed: Sequence[ClaimedCell], asked: frozenset[str]) -> str:
     """Return the kind of remark on an answer's cell that cannot be taken as it is, or ""."""
     if not there:
         return "missing"
@@ -247,7 +247,7 @@ def _fault_of_an_answer(there: Sequence[Claimed], changed: Sequence[Claimed], as
     return "twice" if len(changed) > 1 and not _is_split(changed, asked) else ""
 
 
-def _is_split(texts: Sequence[Claimed], asked: frozenset[str]) -> bool:
+def _is_split(texts: Sequence[ClaimedCell], asked: frozenset[str]) -> bool:
     """Return whether these are one answer that was split over neighbouring cells, not several answers.
 
     An editor that splits a cell gives both halves its name. Then only one of them defines what is asked for.
@@ -255,11 +255,11 @@ def _is_split(texts: Sequence[Claimed], asked: frozenset[str]) -> bool:
     places = [text.place for text in texts]
     if places != list(range(places[0], places[0] + len(places))):
         return False
-    return sum(bool(defined(text.source) & asked) for text in texts) == 1
+    return sum(bool(defines(text.source) & asked) for text in texts) == 1
 
 
 def _kept(
-    cell: MasterCell, there: Sequence[Claimed], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
+    cell: MasterCell, there: Sequence[ClaimedCell], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
 ) -> Sequence[str]:
     """Return what the learner wrote into a cell of ours that is not theirs, where it can still serve.
 
@@ -270,16 +270,16 @@ def _kept(
         return []
     texts = dict.fromkeys(text.source for text in there if text.is_code)
     kept = [text for text in texts if text.strip() and not _same(text, cell.source)][:1]
-    return kept if cell.role != "given" or any(defined(text) & asked[cell.task] for text in kept) else []
+    return kept if cell.role != "given" or any(defines(text) & asked[cell.task] for text in kept) else []
 
 
 def _holds_what_is_lost(
-    texts: Mapping[str, Sequence[Claimed]], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
+    texts: Mapping[str, Sequence[ClaimedCell]], asked: Mapping[str, frozenset[str]], lost: frozenset[str]
 ) -> bool:
     """Return whether a task whose cell is gone is answered in a cell of another."""
     wanted = set().union(*(asked[task] for task in lost))
     return bool(wanted) and any(
-        defined(text.source) & wanted for there in texts.values() for text in there if text.is_code
+        defines(text.source) & wanted for there in texts.values() for text in there if text.is_code
     )
 
 
@@ -287,7 +287,7 @@ def _holds_what_is_lost(
 
 
 @lru_cache(maxsize=4096)
-def defined(source: str) -> frozenset[str]:
+def defines(source: str) -> frozenset[str]:
     """Return the names that a cell defines at its top level; what cannot be parsed, or is very long, may define any."""
     lines = (line for line in source.splitlines() if not line.startswith(("%", "!")))
     try:

@@ -43,10 +43,10 @@ def pool_of(task: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], shown: 
     """
     form = form_from_plain(task["form"])
     once = {digest_of(case["args"]): case for case in cases}
-    return [dict(case) | {"tells": _told(form, case), "shown": name in shown} for name, case in once.items()]
+    return [dict(case) | {"tells": _mistakes_seen(form, case), "shown": name in shown} for name, case in once.items()]
 
 
-def _told(form: Form, case: Mapping[str, Any]) -> list[str]:
+def _mistakes_seen(form: Form, case: Mapping[str, Any]) -> list[str]:
     return sorted(name for name, wrong in case["wrong"].items() if not form.alike(wrong, case["expected"]))
 
 

@@ -24,8 +24,8 @@ from tflab.workbook.tasks.task import slug
 from ..submissions.remarks import Remark
 from .draw import asks_of
 from .job import NotRun, Run, RunCell
-from .marks import safe_error_name
-from .plan import Asked, RunPlan, Transplant, plan
+from .plan import Asked, MergedNotebook, RunPlan, plan
+from .task_score import safe_error_name
 
 __all__ = ["Execution", "Runner", "execute"]
 
@@ -58,7 +58,7 @@ class Execution:
 
 
 def execute(
-    transplanted: Transplant,
+    merged: MergedNotebook,
     tasks: Mapping[str, Mapping[str, Any]],
     run: Runner,
     *,
@@ -79,21 +79,21 @@ def execute(
     Raises:
         NotRun: our own cells did not run.
     """
-    tally = Tally(transplanted, tasks, wanted, closely)
+    tally = OutcomeCollector(merged, tasks, wanted, closely)
     for task in leave_out:
         tally.leave_out(task)
     for _ in range(MOST_RUNS):
         if not tally.left or tally.seconds > notebook_s * MOST_TIMES_THE_NOTEBOOK:
             break
         planned = plan(
-            transplanted, tasks, tally.left, without=tally.without, closely=closely, places_left=tally.places_left,
+            merged, tasks, tally.left, without=tally.without, closely=closely, places_left=tally.places_left,
             own_part=SHORTLY if len(tally.own_that_hang) >= ENOUGH_TO_KNOW else 1.0,
         )  # fmt: skip
         tally.take(planned, run(planned.cells, closely), cell_s)
     return tally.result(notebook_s)
 
 
-class Tally:
+class OutcomeCollector:
     """What is known after some runs, and what the next one is to ask.
 
     Attributes:
@@ -104,13 +104,13 @@ class Tally:
     """
 
     def __init__(
-        self, transplanted: Transplant, tasks: Mapping[str, Mapping[str, Any]], wanted: Sequence[str], closely: bool
+        self, merged: MergedNotebook, tasks: Mapping[str, Mapping[str, Any]], wanted: Sequence[str], closely: bool
     ) -> None:
         self.left = list(wanted)
         self.without: set[str] = set()
         self.places_left: dict[str, set[int]] = {}
         self.seconds = 0.0
-        self._transplanted, self._tasks, self._wanted, self._closely = transplanted, tasks, tuple(wanted), closely
+        self._transplanted, self._tasks, self._wanted, self._closely = merged, tasks, tuple(wanted), closely
         self._timed_out = "timed out twice" if closely else "timed out"
         self._outcomes: dict[str, dict[int, Any]] = {}
         self._outcomes_again: dict[str, dict[int, Any]] = {}  # behind the learner's own cells

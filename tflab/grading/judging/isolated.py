@@ -26,11 +26,11 @@ from ..submissions.remarks import Remark
 from ..submissions.roster import read_stamps
 from .draw import asks_of
 from .job import HandedIn, Job
-from .marks import TaskMark, judged, members
 from .repeatability import merge_runs
 from .select_submission import Candidate, select_counting
+from .task_score import TaskScore, members, score_task
 
-__all__ = ["CPU_S", "MEMORY", "WORK", "Ended", "mark_task", "run_isolated", "select_notebooks", "stamps"]
+__all__ = ["CPU_S", "MEMORY", "WORK", "OverLimit", "mark_task", "run_isolated", "select_notebooks", "stamps"]
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
@@ -43,13 +43,13 @@ Outcomes = Mapping[int, Any]
 Chosen = tuple[dict[str, Candidate], tuple[Remark, ...]]
 
 
-class Ended(Exception):
+class OverLimit(Exception):
     """The look at something took too long, or too much memory."""
 
 
 def mark_task(
     task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()
-) -> TaskMark:
+) -> TaskScore:
     """Return the mark of a task that was run once, or twice.
 
     What fails here or has no end costs no other task anything, and says nothing of what is expected.
@@ -58,18 +58,18 @@ def mark_task(
         if IS_POSSIBLE and _are_large(task, runs):
             return run_isolated("mark", task_id, task, runs, trouble)
         return _mark(task_id, task, runs, trouble)
-    except Ended:
+    except OverLimit:
         said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
     except Exception as error:
         said = Remark("failed", task_id, error=type(error).__name__)
-    return TaskMark(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
+    return TaskScore(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
 
 
 def select_notebooks(job: Job) -> Chosen:
     """Return for each chapter the notebook that counts; a large file whose reading has no end is left out."""
     if not IS_POSSIBLE or sum(len(file.data) for file in job.files) < LARGE_FILES:
         return select_counting(job)
-    with contextlib.suppress(Ended):
+    with contextlib.suppress(OverLimit):
         return run_isolated("select", job)
     return select_counting(replace(job, files=tuple(_readable(job, file) for file in job.files)))
 
@@ -80,7 +80,7 @@ def _readable(job: Job, file: HandedIn) -> HandedIn:
         return file
     try:
         run_isolated("select", replace(job, files=(file,)))
-    except Ended:
+    except OverLimit:
         return HandedIn(file.name, fault=Remark("endless to read", seconds=CPU_S, most=MEMORY >> 20))
     return file
 
@@ -89,16 +89,16 @@ def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
     """Return the stamps in notebooks whose owner nothing else says; none if reading them has no end."""
     if not IS_POSSIBLE or sum(map(len, files)) < LARGE_FILES:
         return read_stamps(files)
-    with contextlib.suppress(Ended):
+    with contextlib.suppress(OverLimit):
         return run_isolated("stamps", files)
     return []
 
 
-def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskMark:
+def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskScore:
     if len(runs) == 1:
-        return judged(task_id, task, runs[0], trouble)
+        return score_task(task_id, task, runs[0], trouble)
     asked, outcomes = merge_runs(task, *runs)
-    return judged(task_id, asked, outcomes, trouble)
+    return score_task(task_id, asked, outcomes, trouble)
 
 
 def _select(job: Job) -> Chosen:
@@ -149,7 +149,7 @@ def run_isolated(work: str, *arguments: Any) -> Any:
                 return result
             raise result
         _stop()
-    raise Ended
+    raise OverLimit
 
 
 def _started() -> tuple[subprocess.Popen[bytes], Connection]:

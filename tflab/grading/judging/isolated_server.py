@@ -20,7 +20,7 @@ from multiprocessing.connection import Connection
 from typing import NoReturn
 
 from ..kernels.rlimits import virtual_memory
-from .isolated import WORK, Ended
+from .isolated import WORK, OverLimit
 
 __all__ = ["main"]
 
@@ -42,7 +42,7 @@ def main(descriptor: int) -> None:
             look(order, line, cpu_s, memory)
         _, status = os.waitpid(child, 0)
         if status:
-            line.send((False, Ended()))
+            line.send((False, OverLimit()))
 
 
 def look(order: bytes, line: Connection, cpu_s: int, memory: int) -> NoReturn:
@@ -57,7 +57,7 @@ def look(order: bytes, line: Connection, cpu_s: int, memory: int) -> NoReturn:
         try:
             said = (True, WORK[work](*arguments))
         except Exception as error:
-            said = (False, RuntimeError(type(error).__name__) if not isinstance(error, MemoryError) else Ended())
+            said = (False, RuntimeError(type(error).__name__) if not isinstance(error, MemoryError) else OverLimit())
         signal.signal(signal.SIGXCPU, signal.SIG_IGN)  # half an answer would be the end of the line
         line.send(said)
         status = 0

@@ -31,7 +31,7 @@ import pytest
 
 from ..kernels.kernel_pool import Kernel, for_this_process
 from ..kernels.limits import Limits
-from ..kernels.probe import PROBE_TYPE
+from ..kernels.probe_answer import PROBE_TYPE
 from ..kernels.sandbox import Sandbox
 from ..kernels.wire import WireClosed, WireFault
 from .job import CellOutcome, Run, RunCell
@@ -273,7 +273,7 @@ def outcome_of(item: AnswerCell) -> CellOutcome:
     return CellOutcome(item.value, item.trouble)
 
 
-class OnlyASession:
+class EmptyPytestSession:
     """A pytest that collects nothing and runs nothing: nbval's classes want one above them."""
 
     session: pytest.Session | None = None
@@ -293,7 +293,7 @@ class OnlyASession:
         return True
 
 
-_only = OnlyASession()
+_only = EmptyPytestSession()
 _lock = threading.Lock()
 
 
@@ -303,14 +303,14 @@ def nbval_session() -> pytest.Session:
         if _only.session is None:
             arguments = ["-p", "no:terminal", "-p", "no:cacheprovider", "-p", "no:faulthandler", "-p", "nbval.plugin"]
             arguments += ["--noconftest", "-c", os.devnull, "--rootdir", "/", "--capture=no"]
-            with no_other_plugins():
+            with disable_other_plugins():
                 pytest.main(arguments, plugins=[_only])
         assert _only.session is not None
         return _only.session
 
 
 @contextlib.contextmanager
-def no_other_plugins() -> Any:
+def disable_other_plugins() -> Any:
     """Keep pytest from loading plugins and options of whoever started this process."""
     names = ("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "PYTEST_ADDOPTS", "PYTEST_PLUGINS", "PYTEST_CURRENT_TEST")
     before = {name: os.environ.get(name) for name in names}

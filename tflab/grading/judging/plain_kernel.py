@@ -13,7 +13,7 @@ from queue import Empty
 from typing import TYPE_CHECKING
 
 from ..kernels.limits import Limits
-from ..kernels.probe import PROBE_TYPE
+from ..kernels.probe_answer import PROBE_TYPE
 from .job import CellOutcome, Run, RunCell
 
 if TYPE_CHECKING:

@@ -20,15 +20,15 @@ from typing import Any
 
 from ..submissions.reader import SubmittedNotebook
 from ..submissions.remarks import Remark
-from .cells import Master, MasterCell, Theirs, compared, defined
+from .cells import Master, MasterCell, NotebookMatch, defines, match_notebook
 from .draw import asks_of
 from .job import RunCell
 
-__all__ = ["BRIEFLY", "Asked", "RunPlan", "Transplant", "plan", "transplant"]
+__all__ = ["BRIEFLY", "Asked", "MergedNotebook", "RunPlan", "merge_submission", "plan"]
 
 
 @dataclass(frozen=True)
-class Transplant:
+class MergedNotebook:
     """What to run, which tasks have an answer at all, and what is to be said about it."""
 
     cells: tuple[RunCell, ...]
@@ -36,18 +36,18 @@ class Transplant:
     remarks: tuple[Remark, ...] = ()
 
 
-def transplant(master: Master, handed_in: SubmittedNotebook) -> Transplant:
+def merge_submission(master: Master, handed_in: SubmittedNotebook) -> MergedNotebook:
     """Return what runs of a notebook in the place of the master's answers."""
-    theirs = compared(master, handed_in)
+    theirs = match_notebook(master, handed_in)
     cells = _own_behind("", "", theirs)
     for cell in master.cells:
         cells += _in_place_of(cell, master, theirs)
     cells += _probes_at_the_end(master, theirs, cells)
     counted = tuple(cell for cell in cells if cell.kind != "probe" or cell.task not in theirs.void)
-    return Transplant(counted, _answered(master, theirs), theirs.complaints)
+    return MergedNotebook(counted, _answered(master, theirs), theirs.complaints)
 
 
-def _in_place_of(cell: MasterCell, master: Master, theirs: Theirs) -> list[RunCell]:
+def _in_place_of(cell: MasterCell, master: Master, theirs: NotebookMatch) -> list[RunCell]:
     """Return what runs where one of the master's cells stood."""
     own = _own_behind(cell.name, cell.task, theirs)
     if cell.role == "answer":
@@ -60,19 +60,19 @@ def _in_place_of(cell: MasterCell, master: Master, theirs: Theirs) -> list[RunCe
     return [RunCell("ours", cell.name, cell.source, cell.task), *_stubs_behind(cell, master, theirs), *own]
 
 
-def _answered(master: Master, theirs: Theirs) -> tuple[str, ...]:
+def _answered(master: Master, theirs: NotebookMatch) -> tuple[str, ...]:
     """Return the tasks that are worth a look."""
     tasks = [cell.task for cell in master.answers if theirs.wrote_elsewhere or cell.task not in theirs.stubs]
     return tuple(task for task in tasks if task not in theirs.void)
 
 
-def _own_behind(name: str, task: str, theirs: Theirs) -> list[RunCell]:
+def _own_behind(name: str, task: str, theirs: NotebookMatch) -> list[RunCell]:
     """Return the learner's own cells behind one of ours."""
     texts = [*theirs.kept.get(name, ()), *theirs.own.get(name, ())]
     return [RunCell("own", f"{name or 'top'}+{number}", text, task) for number, text in enumerate(texts, start=1)]
 
 
-def _stubs_behind(cell: MasterCell, master: Master, theirs: Theirs) -> list[RunCell]:
+def _stubs_behind(cell: MasterCell, master: Master, theirs: NotebookMatch) -> list[RunCell]:
     """Return the answers that were left as they were and that stand behind this cell.
 
     They come before all else of their task, so that they undo no answer that stands in a cell of the learner's own.
@@ -91,7 +91,7 @@ def _last_before_the_tasks(master: Master) -> MasterCell | None:
     return master.cells[first - 1] if first else None
 
 
-def _stub(answer: MasterCell, master: Master, theirs: Theirs) -> RunCell:
+def _stub(answer: MasterCell, master: Master, theirs: NotebookMatch) -> RunCell:
     """Return what fills the place of an answer; if its cell is gone, unless another cell has answered already."""
     unless = master.asked[answer.task] if answer.task in theirs.lost else ()
     names = ", ".join(map(repr, sorted(unless)))
@@ -99,17 +99,17 @@ def _stub(answer: MasterCell, master: Master, theirs: Theirs) -> RunCell:
     return RunCell("stub", f"{answer.name}-stub", source, answer.task)
 
 
-def _probes_at_the_end(master: Master, theirs: Theirs, cells: Sequence[RunCell]) -> list[RunCell]:
+def _probes_at_the_end(master: Master, theirs: NotebookMatch, cells: Sequence[RunCell]) -> list[RunCell]:
     """Return one more look at each task that may be answered further down than its check."""
     if not theirs.wrote_elsewhere:
         return []
-    half = {cell.task for cell in master.answers if not defined(theirs.sources[cell.name]) & defined(cell.source)}
+    half = {cell.task for cell in master.answers if not defines(theirs.sources[cell.name]) & defines(cell.source)}
     checks = [cell for cell in master.cells if cell.role == "check" and cell.task in half | theirs.stubs]
     written = [check for check in checks if _is_written_behind(cells, check.task, theirs)]
     return [RunCell("probe", f"{check.name}-again", task=check.task) for check in written]
 
 
-def _is_written_behind(cells: Sequence[RunCell], task: str, theirs: Theirs) -> bool:
+def _is_written_behind(cells: Sequence[RunCell], task: str, theirs: NotebookMatch) -> bool:
     """Return whether there is a cell behind the last probe of a task that may answer it."""
     kinds = ("own", "answer") if task in theirs.lost else ("own",)
     last = max(number for number, cell in enumerate(cells) if (cell.kind, cell.task) == ("probe", task))
@@ -137,7 +137,7 @@ class RunPlan:
 
 
 def plan(
-    transplanted: Transplant,
+    merged: MergedNotebook,
     tasks: Mapping[str, Mapping[str, Any]],
     wanted: Collection[str],
     *,
@@ -157,7 +157,7 @@ def plan(
     """
     cells = [_preparation(tasks)]
     asked: dict[str, Asked] = {}
-    for place, cell in enumerate(_up_to_the_last(transplanted.cells, set(wanted))):
+    for place, cell in enumerate(_up_to_the_last(merged.cells, set(wanted))):
         if cell.kind == "probe" and cell.task in wanted and cell.task in tasks:
             left = (places_left or {}).get(cell.task)
             for places in _groups(tasks[cell.task], closely, left):
@@ -173,7 +173,7 @@ def plan(
 
 def _preparation(tasks: Mapping[str, Mapping[str, Any]]) -> RunCell:
     givens = {task: held["given"] for task, held in tasks.items()}
-    say = "from tflab.grading.kernels.probe import prepare as _prepare; "
+    say = "from tflab.grading.kernels.probe_answer import prepare as _prepare; "
     return RunCell("ours", "ours", f"{say}_prepare({json.dumps(givens)!r})")
 
 
@@ -215,5 +215,5 @@ def _groups(task: Mapping[str, Any], closely: bool, left: Collection[int] | None
 def _probe(identity: str, task: Mapping[str, Any], places: tuple[int, ...]) -> str:
     asks = asks_of(task)
     args = [task["cases"][asks[place]]["args"] for place in places] if task["is_function"] else None
-    say = "from tflab.grading.kernels.probe import probe as _probe; "
+    say = "from tflab.grading.kernels.probe_answer import probe_answer as _probe; "
     return f"{say}_probe({identity!r}, lambda: {task['answer']}, {json.dumps(args)!r})"

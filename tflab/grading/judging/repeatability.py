@@ -18,7 +18,7 @@ from typing import Any
 from tflab.workbook.answers.forms import Form, form_from_plain
 
 from .draw import asks_of
-from .marks import most_members, of_bounded_size
+from .task_score import limit_size, most_members
 
 __all__ = ["merge_runs", "reverse_order"]
 
@@ -36,7 +36,7 @@ def merge_runs(
     form = form_from_plain(task["form"])
     most = most_members(case["expected"] for case in task["cases"])
     outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}
-    outcomes = {place: of_bounded_size(outcome, most) for place, outcome in outcomes.items()}
+    outcomes = {place: limit_size(outcome, most) for place, outcome in outcomes.items()}
     both = [*asks, *asks_again]
     values = {(both[place], place < len(asks)) for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
     kept = {

@@ -19,7 +19,7 @@ from ..submissions.reader import SubmittedNotebook, Unreadable, read_notebook
 from ..submissions.remarks import Remark
 from .cells import Master, answers_most
 from .job import HandedIn, Job
-from .plan import Transplant, transplant
+from .plan import MergedNotebook, merge_submission
 
 __all__ = ["Candidate", "select_counting"]
 
@@ -41,7 +41,7 @@ class Candidate:
     """A notebook that may be graded for a chapter, and what is to be said about it."""
 
     page: ReadFile
-    transplanted: Transplant
+    merged: MergedNotebook
     remarks: tuple[Remark, ...] = ()
 
     @property
@@ -100,7 +100,7 @@ def _candidates(pages: Sequence[ReadFile], masters: Mapping[str, Master], job: J
 
 def _candidate(page: ReadFile, master: Master, job: Job) -> Candidate:
     remarks = [Remark("file", file=page.file.name, why=why) for why in page.notebook.remarks]
-    return Candidate(page, transplant(master, page.notebook), (*remarks, *_remarks_on_the_stamp(page, job)))
+    return Candidate(page, merge_submission(master, page.notebook), (*remarks, *_remarks_on_the_stamp(page, job)))
 
 
 def _chapter_of(notebook: SubmittedNotebook, masters: Mapping[str, Master]) -> str | None:
@@ -118,7 +118,7 @@ def _chapter_of(notebook: SubmittedNotebook, masters: Mapping[str, Master]) -> s
 def _best(stem: str, several: Sequence[Candidate], rule: str) -> Candidate:
     """Return the candidate that counts by the instructor's rule; with a line if another differs."""
     by_age = sorted(several, key=lambda candidate: _age(candidate.file), reverse=rule == "first")
-    answered = {candidate.file: len(candidate.transplanted.answered) for candidate in several}
+    answered = {candidate.file: len(candidate.merged.answered) for candidate in several}
     best = max(reversed(by_age), key=lambda one: answered[one.file] if rule == "answers" else answered[one.file] > 0)
     others = [other for other in several if other is not best and answered[other.file]]
     if all(_texts(other) == _texts(best) for other in others):
@@ -135,7 +135,7 @@ def _age(name: str) -> tuple[bool, list[tuple[int, str]]]:
 
 
 def _texts(candidate: Candidate) -> list[tuple[str, str]]:
-    return [(cell.name, cell.source) for cell in candidate.transplanted.cells]
+    return [(cell.name, cell.source) for cell in candidate.merged.cells]
 
 
 def _with_unknown_tasks(candidate: Candidate, known: set[str]) -> Candidate:

@@ -1,6 +1,6 @@
 """Grade one submission: its files become notebooks, each chapter's answers run, and a record results.
 
-    Job(learner, files, chapters)  --select, transplant, execute, mark-->  {"points": 11.5, "chapters": {...}}
+    Job(learner, files, chapters)  --select, merge_submission, execute, mark-->  {"points": 11.5, "chapters": {...}}
 
 Nothing that a submission does ends a job: every fault becomes a line in the record.
 """
@@ -20,10 +20,10 @@ from .draw import asks_of
 from .execute import Execution, execute
 from .isolated import mark_task, select_notebooks
 from .job import Job, NotRun, Run, RunCell, RunCells
-from .marks import TaskMark
-from .plan import Transplant
+from .plan import MergedNotebook
 from .repeatability import reverse_order
 from .select_submission import Candidate
+from .task_score import TaskScore
 
 __all__ = ["grade_with_retry", "graded", "merge_records"]
 
@@ -92,14 +92,14 @@ def merge_records(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, An
 
 def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCells) -> GradedChapter:
     """Return the result of the notebook that counts for a chapter."""
-    grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.transplanted, run_cells)
+    grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.merged, run_cells)
     only = job.only.get(stem, ()) if job.only is not None else None
     wanted = [task for task in grader.answered if only is None or task in only]
     first = grader.execute(wanted, alone=job.only is not None)
     before = grader.marks(first, only if job.only else None)
     again = dict(grader.looked_at_again(before, first))
     marks = [again[mark.task].mark if mark.task in again else mark for mark in before]
-    remarks = [*candidate.remarks, *_about_cells(candidate.transplanted, marks), *first.remarks]
+    remarks = [*candidate.remarks, *_about_cells(candidate.merged, marks), *first.remarks]
     remarks += [Remark("apart", task) for task, second in again.items() if second.needed_to_be_apart]
     written_in = candidate.page.notebook.stamp.get("language", "")
     plain = {
@@ -116,7 +116,7 @@ def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCel
 class SecondLook:
     """What a task got after a second run, the time of that, and whether it only works without the other answers."""
 
-    mark: TaskMark
+    mark: TaskScore
     seconds: float
     needed_to_be_apart: bool = False
 
@@ -127,13 +127,13 @@ class ChapterGrader:
 
     job: Job
     tasks: Mapping[str, Any]
-    transplanted: Transplant
+    merged: MergedNotebook
     run_cells: RunCells
 
     @property
     def answered(self) -> list[str]:
         """The tasks that are worth a look."""
-        return [task for task in self.transplanted.answered if task in self.tasks]
+        return [task for task in self.merged.answered if task in self.tasks]
 
     def execute(
         self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = (), again: bool = False
@@ -148,7 +148,7 @@ class ChapterGrader:
 
         def once() -> Execution:
             return execute(
-                self.transplanted, tasks, run, wanted=wanted, cell_s=usual.cell_s,
+                self.merged, tasks, run, wanted=wanted, cell_s=usual.cell_s,
                 notebook_s=(patient if alone else usual).notebook_s, closely=alone, leave_out=leave_out,
             )  # fmt: skip
 
@@ -162,19 +162,19 @@ class ChapterGrader:
             line = Remark("not run", why=error)
             return Execution(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
 
-    def marks(self, made: Execution, only: Sequence[str] | None = None) -> list[TaskMark]:
+    def marks(self, made: Execution, only: Sequence[str] | None = None) -> list[TaskScore]:
         """Return what the tasks got."""
         return [self._mark(task_id, made) for task_id in self.tasks if only is None or task_id in only]
 
-    def _mark(self, task_id: str, made: Execution) -> TaskMark:
+    def _mark(self, task_id: str, made: Execution) -> TaskScore:
         task = self.tasks[task_id]
-        void = [remark for remark in self.transplanted.remarks if remark.task == task_id and remark.kind in VOID]
+        void = [remark for remark in self.merged.remarks if remark.task == task_id and remark.kind in VOID]
         trouble = void or made.trouble.get(task_id, [])
-        if task_id not in self.transplanted.answered and not trouble:
+        if task_id not in self.merged.answered and not trouble:
             return mark_task(task_id, task, [_nothing(task)])
         return mark_task(task_id, task, [made.outcomes.get(task_id, {})], trouble)
 
-    def looked_at_again(self, marks: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
+    def looked_at_again(self, marks: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         """Run what is not all right or all wrong once more, and take what both runs say.
 
         What failed oddly runs without the other answers: one of these may have got in its way (`math = 3`, a patched
@@ -187,19 +187,19 @@ class ChapterGrader:
         yield from self._in_a_fresh_kernel([mark for mark in partly if self.tasks[mark.task]["is_function"]], first)
         yield from self._apart(odd, first)
 
-    def _is_worth_a_second_look(self, mark: TaskMark, first: Execution) -> bool:
-        is_there = mark.task in self.transplanted.answered and mark.task not in first.set_aside
+    def _is_worth_a_second_look(self, mark: TaskScore, first: Execution) -> bool:
+        is_there = mark.task in self.merged.answered and mark.task not in first.set_aside
         return is_there and mark.points < mark.most
 
-    def _in_a_fresh_kernel(self, partly: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
+    def _in_a_fresh_kernel(self, partly: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         second = self.execute([mark.task for mark in partly], again=True) if partly else Execution()
         for mark in partly:
             yield mark.task, SecondLook(self._agreed(mark, first, second), second.seconds / len(partly))
 
-    def _apart(self, odd: Sequence[TaskMark], first: Execution) -> Iterator[tuple[str, SecondLook]]:
+    def _apart(self, odd: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         seconds = 0.0
         for mark in odd:
-            others = [task for task in self.transplanted.answered if task != mark.task]
+            others = [task for task in self.merged.answered if task != mark.task]
             if not others or seconds > self.job.limits.notebook_s:
                 continue
             second = self.execute([mark.task], leave_out=others, again=True)
@@ -207,7 +207,7 @@ class ChapterGrader:
             agreed = self._agreed(mark, first, second)
             yield mark.task, SecondLook(agreed, second.seconds, agreed.points > mark.points)
 
-    def _agreed(self, mark: TaskMark, first: Execution, second: Execution) -> TaskMark:
+    def _agreed(self, mark: TaskScore, first: Execution, second: Execution) -> TaskScore:
         """Return what a task gets for what both runs say of it."""
         if mark.task in second.set_aside:
             return mark
@@ -216,14 +216,14 @@ class ChapterGrader:
         return mark_task(mark.task, self.tasks[mark.task], outcomes, min(ran_without, key=len))
 
 
-def _about_cells(transplanted: Transplant, marks: Sequence[TaskMark]) -> list[Remark]:
+def _about_cells(merged: MergedNotebook, marks: Sequence[TaskScore]) -> list[Remark]:
     """Return the remarks on cells; of a lost cell whose answer was found elsewhere, that it was."""
     found = {mark.task for mark in marks if mark.points}
     return [
         Remark("elsewhere", remark.task, **remark.words)
         if remark.kind == "missing" and remark.task in found
         else remark
-        for remark in transplanted.remarks
+        for remark in merged.remarks
     ]
 
 

@@ -11,7 +11,7 @@ In reading order:
     bubblewrap   a sandbox by the program `bwrap`
     wire         messages between grader and kernel
     ipython      the kernel that runs a cell
-    probe        our code beside the learner's: calls an answer and sends the outcomes
+    probe_answer our code beside the learner's: calls an answer and sends the outcomes
     supervisor   the process that watches a kernel and ends it
     forkserver   the process that forks supervisors
     kernel_pool  the grader's side: kernels on request, and the choice of the sandbox

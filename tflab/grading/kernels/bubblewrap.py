@@ -24,10 +24,10 @@ __all__ = ["WITHOUT_THIS_FOLDER", "command", "start"]
 WITHOUT_THIS_FOLDER = ("-P",) if sys.version_info >= (3, 11) else ()  # older Pythons start in a folder that is empty
 
 
-def start(words: Sequence[str], wire: socket.socket, order: Mapping[str, Any]) -> int:
+def start(words: Sequence[str], wire: socket.socket, request: Mapping[str, Any]) -> int:
     """Start a kernel in bubblewrap; return the process to kill."""
     module = "tflab.grading.kernels.forkserver"
-    program = [sys.executable, *WITHOUT_THIS_FOLDER, "-m", module, "--one", str(wire.fileno()), json.dumps(order)]
+    program = [sys.executable, *WITHOUT_THIS_FOLDER, "-m", module, "--one", str(wire.fileno()), json.dumps(request)]
     null = subprocess.DEVNULL
     pass_fds = [wire.fileno()]
     return subprocess.Popen([*words, *program], pass_fds=pass_fds, stdin=null, stdout=null, stderr=null, env={}).pid

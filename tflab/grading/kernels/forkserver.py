@@ -1,11 +1,11 @@
 """Fork kernels from one process that has imported everything.
 
-    python -m tflab.grading.kernels.forkserver 7           serve orders that come over descriptor 7
+    python -m tflab.grading.kernels.forkserver 7           serve requests that come over descriptor 7
     python -m tflab.grading.kernels.forkserver --one 7     be one kernel (inside bubblewrap)
 
 It is executed afresh, with an environment of its own, and never sees a submission, a pack or an
 expected value: what a kernel inherits from it is Python with the libraries loaded, nothing else.
-An order is a frame of JSON with two descriptors: the kernel's end of the wire and the supervisor's of the leash.
+A request is a frame of JSON with two descriptors: the kernel's end of the wire and the supervisor's of the leash.
 """
 
 from __future__ import annotations
@@ -32,20 +32,20 @@ PRELOADED = (
     "ipywidgets", "comm", "tornado.platform.asyncio", "pygments.styles", "pygments.formatters",
     "tflab.core", "tflab.ros", "tflab.ros.activation", "tflab.tools.magic", "tflab.workbook", "tflab.workbook.checks",
     "tflab.workbook.answers.forms", "tflab.workbook.tasks.task", "tflab.workbook.answers.values",
-    "tflab.grading.kernels.probe",
+    "tflab.grading.kernels.probe_answer",
 )  # fmt: skip
 LONGEST_ORDER = 1 << 16
 
 
 def main(arguments: list[str]) -> None:
-    """Serve orders, or be the one kernel of a bubblewrap."""
+    """Serve requests, or be the one kernel of a bubblewrap."""
     if arguments[0] == "--one":
-        be_one(socket.socket(fileno=int(arguments[1])), json.loads(arguments[2]))
+        run_single_kernel(socket.socket(fileno=int(arguments[1])), json.loads(arguments[2]))
     else:
-        take_orders(socket.socket(fileno=int(arguments[0])))
+        serve_requests(socket.socket(fileno=int(arguments[0])))
 
 
-def take_orders(orders: socket.socket) -> None:
+def serve_requests(requests: socket.socket) -> None:
     from . import ipython as shell
     from . import supervisor  # all that is needed is here before the first fork
 
@@ -55,17 +55,17 @@ def take_orders(orders: socket.socket) -> None:
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # nobody waits for supervisors: the leash tells
     gc.collect()
     gc.freeze()  # what is here now is never moved or looked at again, so it stays shared
-    orders.send(b"ready")
+    requests.send(b"ready")
     while True:
-        said, ends, _, _ = socket.recv_fds(orders, LONGEST_ORDER, 2)
+        said, ends, _, _ = socket.recv_fds(requests, LONGEST_ORDER, 2)
         if not said:
             return
         wire, leash = (socket.socket(fileno=end) for end in ends)
         if fork_or_none() == 0:
             with contextlib.suppress(BaseException):
-                orders.close()
+                requests.close()
                 os.setsid()
-                supervisor.keep(json.loads(said), wire, leash, lambda end: serve(kernel, end))
+                supervisor.supervise(json.loads(said), wire, leash, lambda end: serve(kernel, end))
             os._exit(0)
         wire.close()
         leash.close()
@@ -79,14 +79,14 @@ def fork_or_none() -> int | None:
         return None
 
 
-def be_one(wire: socket.socket, order: dict[str, Any]) -> None:
+def run_single_kernel(wire: socket.socket, request: dict[str, Any]) -> None:
     from . import namespaces, rlimits, seccomp
     from .limits import Limits
 
     kernel = prepare()
     silence()
-    rlimits.apply(Limits(**order["limits"]))
-    namespaces.become_nobody(order["uid"])
+    rlimits.apply(Limits(**request["limits"]))
+    namespaces.drop_privileges(request["uid"])
     seccomp.refuse_dangerous_calls()
     serve(kernel, wire)
 
@@ -111,10 +111,10 @@ def silence() -> None:
     for standard in (0, 1, 2):
         os.dup2(null, standard)
     os.close(null)
-    sys.stdout, sys.stderr = (io.TextIOWrapper(Nowhere(standard), encoding="utf-8") for standard in (1, 2))
+    sys.stdout, sys.stderr = (io.TextIOWrapper(NullStream(standard), encoding="utf-8") for standard in (1, 2))
 
 
-class Nowhere(io.RawIOBase):
+class NullStream(io.RawIOBase):
     """What is printed to: as in JupyterLab no descriptor, so that a print works whatever becomes of that."""
 
     def __init__(self, descriptor: int) -> None:

@@ -23,7 +23,7 @@ import threading
 from types import SimpleNamespace
 from typing import Any
 
-from .probe import PROBE_TYPE
+from .probe_answer import PROBE_TYPE
 from .wire import Wire
 
 __all__ = ["build", "serve", "warm_up"]
@@ -57,7 +57,7 @@ def build() -> Any:
         def send(self, stream: Any, message: Any, content: Any = None, parent: Any = None, **rest: Any) -> Any:
             if not isinstance(message, dict):  # a type, and what belongs to it
                 message = as_message(message, parent or {}, content)
-            said = what_grading_reads(message)
+            said = filter_message(message)
             if said is not None and self.wire is not None:  # there is none before `serve`
                 self.wire.send_bytes(said)
             return message
@@ -90,7 +90,7 @@ def build() -> Any:
         def _location_changed(self, change: Any) -> None:
             """Make no folder in anybody's home."""
 
-    IPython.embed = nobody_is_there
+    IPython.embed = refuse_nested_shell
     config = Config()
     config.HistoryManager.enabled = False
     config.InteractiveShell.xmode = "Minimal"  # nobody reads the traceback, and a full one takes long
@@ -124,7 +124,7 @@ def warm_up(kernel: Any) -> None:
     shell.execution_count = 1
 
 
-def nobody_is_there(*_: Any, **__: Any) -> None:
+def refuse_nested_shell(*_: Any, **__: Any) -> None:
     """Stand in for IPython's shell in a shell, which would take this one's place and wait for a keyboard."""
     raise RuntimeError("there is no keyboard here")
 
@@ -133,7 +133,7 @@ def as_message(kind: str, parent: dict[str, Any], content: Any) -> dict[str, Any
     return {"msg_type": kind, "parent_header": parent.get("header", parent), "content": content}
 
 
-def what_grading_reads(message: dict[str, Any]) -> bytes | None:
+def filter_message(message: dict[str, Any]) -> bytes | None:
     """Return what of a message goes to the grader, as JSON; None if nothing does."""
     kind, content = message.get("msg_type"), message.get("content") or {}
     if kind == "error":

@@ -94,8 +94,8 @@ class Kernels:
         if sandbox.level == "limits" and landlock.abi() < landlock.CONFINES:
             namespaces.libc.prctl(PR_SET_DUMPABLE, 0, 0, 0, 0)  # at least nobody reads this process's memory
         self._server: subprocess.Popen[bytes] | None = None
-        self._begun: tuple[socket.socket, IO[bytes]] | None = None  # its orders and its last words, until it is ready
-        self._orders: socket.socket | None = None
+        self._begun: tuple[socket.socket, IO[bytes]] | None = None  # its requests and its last words, until it is ready
+        self._requests: socket.socket | None = None
 
     def take(self, limits: Limits) -> Kernel:
         """Return a kernel that serves; it is the caller's to close."""
@@ -103,11 +103,11 @@ class Kernels:
             kernel = next((kernel for made_for, kernel in self._ready if made_for == limits), None)
             self._ready = [(made_for, other) for made_for, other in self._ready if other is not kernel]
             if kernel is None:
-                kernel = self._order(limits)
+                kernel = self._request(limits)
             self._ending.append(kernel)
             in_use = sum(not other.hung_up for other in self._ending)  # by so many threads
             while len(self._ready) < self.ahead * in_use:
-                self._ready.append((limits, self._order(limits)))
+                self._ready.append((limits, self._request(limits)))
             ended = [other for other in self._ending[:-MOST_ENDING] if other.hung_up]
             self._ending = [other for other in self._ending if other not in ended]
         for other in ended:
@@ -116,13 +116,13 @@ class Kernels:
             kernel.await_ready()
         except KernelError:  # its forkserver may be gone, or the machine was out of room for a moment
             with self._lock:
-                kernel = self._order(limits)
+                kernel = self._request(limits)
                 self._ending.append(kernel)
             kernel.await_ready()
         return kernel
 
-    def _order(self, limits: Limits) -> Kernel:
-        order = {
+    def _request(self, limits: Limits) -> Kernel:
+        request = {
             "level": self.sandbox.level,
             "limits": asdict(limits),
             "shown": self._shown,
@@ -135,7 +135,7 @@ class Kernels:
         try:
             for attempt in (1, 2):
                 try:
-                    socket.send_fds(self._server_socket(), [json.dumps(order).encode()], ends)
+                    socket.send_fds(self._server_socket(), [json.dumps(request).encode()], ends)
                     break
                 except OSError:  # it has died, of memory perhaps
                     self._stop_server()
@@ -148,7 +148,7 @@ class Kernels:
 
     def begin(self) -> None:
         """Start the forkserver if there is none, and do not wait for it: it takes a second."""
-        if self._orders is not None or self._begun is not None:
+        if self._requests is not None or self._begun is not None:
             return
         words = tempfile.TemporaryFile()  # noqa: SIM115  # it may have warnings; they matter only if it fails
         ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
@@ -166,7 +166,7 @@ class Kernels:
         self._begun = ours, words
 
     def _server_socket(self) -> socket.socket:
-        if self._orders is None:
+        if self._requests is None:
             self.begin()
             ours, words = self._begun
             ours.settimeout(START_S)
@@ -175,16 +175,16 @@ class Kernels:
                 words.seek(0)
                 last = words.read().decode(errors="replace").strip().splitlines()[-1:]
                 raise KernelError(f"the forkserver did not start: {' '.join(last)}")
-            self._orders, self._begun = ours, None
-        return self._orders
+            self._requests, self._begun = ours, None
+        return self._requests
 
     def _stop_server(self) -> None:
         if self._begun is not None:
             self._begun[0].close()
             self._begun = None
-        if self._orders is not None:
-            self._orders.close()
-            self._orders = None
+        if self._requests is not None:
+            self._requests.close()
+            self._requests = None
         if self._server is not None:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self._server.wait(5)

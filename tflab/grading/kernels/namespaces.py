@@ -17,7 +17,8 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-__all__ = ["LEARNER_HOME", "READ_ALL", "WRITE_ALL", "become_nobody", "check", "furnish", "leave", "libc"]
+__all__ = ["LEARNER_HOME", "READ_ALL", "WRITE_ALL", "check_libc", "drop_privileges", "libc", "mount_file_system",
+           "unshare_namespaces"]  # fmt: skip
 
 LEARNER_HOME = "/home/learner"
 LEARNER_UID = 1000  # inside a namespace of users
@@ -42,57 +43,56 @@ NOT_FOR_READING = ("acpi", "kcore", "keys", "kallsyms", "latency_stats", "sched_
 NOT_FOR_WRITING = ("bus", "fs", "irq", "sys", "sysrq-trigger")
 
 OCTAL = re.compile(r"\\([0-7]{3})")  # as mountinfo writes a space in a path
-
 libc = ctypes.CDLL(None, use_errno=True)
 
 
-def check(result: int, what: str) -> None:
+def check_libc(result: int, what: str) -> None:
     """Raise the OSError of a call into libc that failed."""
     if result:
         number = ctypes.get_errno()
         raise OSError(number, f"{what}: {os.strerror(number)}")
 
 
-def leave() -> None:
+def unshare_namespaces() -> None:
     """Leave the machine's network, names and users; the next child leaves its processes, too."""
     apart = NEWUTS | NEWIPC | NEWPID | NEWNET
     uid, gid = os.getuid(), os.getgid()
     if uid == 0 and libc.unshare(apart) == 0:
         return
-    check(libc.unshare(apart | NEWUSER), "unshare")
+    check_libc(libc.unshare(apart | NEWUSER), "unshare")
     Path("/proc/self/setgroups").write_text("deny")
     Path("/proc/self/uid_map").write_text(f"{LEARNER_UID} {uid} 1")
     Path("/proc/self/gid_map").write_text(f"{LEARNER_UID} {gid} 1")
 
 
-def furnish(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: int) -> None:
+def mount_file_system(shown: Sequence[str], hidden: Sequence[str], file_bytes: int, uid: int) -> None:
     """Give this process, the first of its namespace, a file system with only `shown` in it, read only."""
-    check(libc.unshare(NEWNS), "unshare")  # not before: its supervisor goes on seeing the machine's processes
+    check_libc(libc.unshare(NEWNS), "unshare")  # not before: its supervisor goes on seeing the machine's processes
     mount(None, "/", None, REC | PRIVATE)
     root = "/tmp"
     mount("tmpfs", root, "tmpfs", NOSUID | NODEV, "size=4m,nr_inodes=4k,mode=755")
     os.mkdir(f"{root}/.old")
-    check(libc.pivot_root(root.encode(), f"{root}/.old".encode()), "pivot_root")
+    check_libc(libc.pivot_root(root.encode(), f"{root}/.old".encode()), "pivot_root")
     os.chdir("/")
-    furnish_home(file_bytes)
+    mount_home(file_bytes)
     for path in shown:  # some Pythons live in /tmp or /home
-        show(path)
-    furnish_proc()
-    furnish_dev()
+        bind_read_only(path)
+    mount_proc()
+    mount_dev()
     Path("/etc").mkdir(exist_ok=True)
     Path("/etc/passwd").write_text(f"learner:x:{uid}:{uid}::{LEARNER_HOME}:/bin/sh\n")
     Path("/etc/group").write_text(f"learner:x:{uid}:\n")
     Path("/etc/hosts").write_text("127.0.0.1 localhost\n")
-    check(libc.umount2(b"/.old", DETACH), "umount /.old")
+    check_libc(libc.umount2(b"/.old", DETACH), "umount /.old")
     os.rmdir("/.old")
     for path in hidden:
-        cover(path)
+        mask_path(path)
     mount(None, "/", None, REMOUNT | BIND | RDONLY | NOSUID | NODEV)
     libc.sethostname(b"grader", 6)
     os.chdir(LEARNER_HOME)
 
 
-def furnish_home(file_bytes: int) -> None:
+def mount_home(file_bytes: int) -> None:
     """A home and folders for temporary files: one room with three doors, so one limit for all of them."""
     os.makedirs(LEARNER_HOME)
     mount("tmpfs", LEARNER_HOME, "tmpfs", NOSUID | NODEV, f"size={file_bytes},nr_inodes=4k,mode=1777")
@@ -105,23 +105,23 @@ def furnish_home(file_bytes: int) -> None:
 
 def mount(source: str | None, target: str, kind: str | None, flags: int, data: str | None = None) -> None:
     words = [word and word.encode() for word in (source, target, kind, data)]
-    check(libc.mount(words[0], words[1], words[2], ctypes.c_ulong(flags), words[3]), f"mount {target}")
+    check_libc(libc.mount(words[0], words[1], words[2], ctypes.c_ulong(flags), words[3]), f"mount {target}")
 
 
-def show(path: str) -> None:
+def bind_read_only(path: str) -> None:
     """Let the same path of the old root appear here, read only, with all that is mounted below it."""
     old = f"/.old{path}"
     if os.path.islink(old):
         os.makedirs(os.path.dirname(path), exist_ok=True)
         os.symlink(os.readlink(old), path)
         return
-    place(path, os.path.isdir(old))
+    make_mount_point(path, os.path.isdir(old))
     mount(old, path, None, BIND | REC)
     for point in mounted_below(path):
         read_only(point)
 
 
-def place(path: str, folder: bool) -> None:
+def make_mount_point(path: str, folder: bool) -> None:
     """Make something to mount upon."""
     os.makedirs(path if folder else os.path.dirname(path), exist_ok=True)
     if not folder and not os.path.exists(path):
@@ -144,7 +144,7 @@ def mounted_below(path: str) -> list[str]:
     return points
 
 
-def cover(path: str, nothing: str = "/dev/null") -> None:
+def mask_path(path: str, nothing: str = "/dev/null") -> None:
     """Make what is shown at `path` unreadable, if it is shown at all; `nothing` is the null device."""
     if os.path.isdir(path):
         mount("tmpfs", path, "tmpfs", RDONLY | NOSUID | NODEV, "size=4k,mode=0")
@@ -152,22 +152,22 @@ def cover(path: str, nothing: str = "/dev/null") -> None:
         mount(nothing, path, None, BIND)
 
 
-def furnish_proc() -> None:
+def mount_proc() -> None:
     os.mkdir("/proc")
     mount("proc", "/proc", "proc", NOSUID | NODEV | NOEXEC)
     for name in NOT_FOR_READING:
-        cover(f"/proc/{name}", nothing="/.old/dev/null")  # /dev is not furnished yet
+        mask_path(f"/proc/{name}", nothing="/.old/dev/null")  # /dev is not mounted yet
     for name in NOT_FOR_WRITING:
         if os.path.exists(f"/proc/{name}"):
             mount(f"/proc/{name}", f"/proc/{name}", None, BIND | REC)
             mount(None, f"/proc/{name}", None, REMOUNT | BIND | RDONLY | NOSUID | NODEV | NOEXEC)
 
 
-def furnish_dev() -> None:
+def mount_dev() -> None:
     """A few devices that hold nothing, and terminals of its own (`!command` needs one)."""
     os.makedirs("/dev/pts")
     for name in DEVICES:
-        place(f"/dev/{name}", folder=False)
+        make_mount_point(f"/dev/{name}", folder=False)
         mount(f"/.old/dev/{name}", f"/dev/{name}", None, BIND)
     mount("devpts", "/dev/pts", "devpts", NOSUID | NOEXEC, "newinstance,ptmxmode=0666,mode=620")
     os.symlink("pts/ptmx", "/dev/ptmx")
@@ -175,7 +175,7 @@ def furnish_dev() -> None:
         os.symlink(f"/proc/self/fd{target}", f"/dev/{name}")
 
 
-def become_nobody(uid: int | None, kept: int | None = None) -> None:
+def drop_privileges(uid: int | None, kept: int | None = None) -> None:
     """Take the user `uid` if this is root (None: stay), give up every right, for good, whatever is executed later.
 
     Args:
@@ -192,7 +192,7 @@ def become_nobody(uid: int | None, kept: int | None = None) -> None:
         os.setresuid(uid, uid, uid)
     rights = 0 if kept is None else 1 << kept
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
-    check(libc.capset(header, (ctypes.c_uint32 * 6)(rights, rights, rights)), "capset")
+    check_libc(libc.capset(header, (ctypes.c_uint32 * 6)(rights, rights, rights)), "capset")
     if kept is not None:
-        check(libc.prctl(PR_CAP_AMBIENT, AMBIENT_RAISE, kept, 0, 0), "ambient capability")
+        check_libc(libc.prctl(PR_CAP_AMBIENT, AMBIENT_RAISE, kept, 0, 0), "ambient capability")
     libc.prctl(PR_SET_DUMPABLE, 1, 0, 0, 0)  # so that the supervisor may measure it

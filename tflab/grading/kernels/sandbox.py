@@ -102,7 +102,7 @@ class Sandbox:
             Path(tflab.__file__).parent,
         ]
         paths += [path for path in sys.path if Path(path).name in ("site-packages", "dist-packages")]
-        return outermost(Path(path) for path in paths)
+        return without_nested_paths(Path(path) for path in paths)
 
     def hidden(self) -> tuple[str, ...]:
         """Return what is covered even where it lies in a folder that is shown."""
@@ -111,7 +111,7 @@ class Sandbox:
         return tuple(sorted({str(path.resolve()) for path in secrets if path.exists()}))
 
 
-def outermost(paths: object) -> tuple[str, ...]:
+def without_nested_paths(paths: object) -> tuple[str, ...]:
     """Return those of the paths that exist and lie in none of the others."""
     kept: list[Path] = []
     for path in sorted({Path(path) for path in paths if Path(path).exists()}):  # type: ignore[attr-defined]

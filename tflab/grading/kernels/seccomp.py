@@ -26,7 +26,7 @@ import struct
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from .namespaces import check, libc
+from .namespaces import check_libc, libc
 
 __all__ = ["is_there", "refuse_dangerous_calls"]
 
@@ -138,7 +138,7 @@ def refuse_dangerous_calls(*, names_are_shared: bool = False) -> bool:
     code = program(MACHINES[platform.machine()], names_are_shared)
     buffer = ctypes.create_string_buffer(code, len(code))
     filter_ = struct.pack("HxxxxxxP", len(code) // 8, ctypes.addressof(buffer))
-    check(libc.prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.create_string_buffer(filter_), 0, 0), "seccomp")
+    check_libc(libc.prctl(PR_SET_SECCOMP, MODE_FILTER, ctypes.create_string_buffer(filter_), 0, 0), "seccomp")
     return True
 
 

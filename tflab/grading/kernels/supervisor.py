@@ -32,7 +32,7 @@ from . import bubblewrap, landlock, namespaces, rlimits, seccomp
 from .limits import Limits
 from .wire import Wire
 
-__all__ = ["keep"]
+__all__ = ["supervise"]
 
 TICK_S = 0.2
 SHARED = "/dev/zero (deleted)"  # how maps call memory that forks share
@@ -62,7 +62,7 @@ ENVIRONMENT = {
 
 
 @dataclass(frozen=True)
-class Order:
+class KernelLaunch:
     """Which kernel to start, and with what ends in its hands."""
 
     level: str
@@ -78,19 +78,19 @@ class Order:
     serve: Callable[[socket.socket], None]
 
 
-def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[Any], None]) -> None:
-    """Start a kernel as ordered and stay until it has ended."""
+def supervise(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve: Callable[[Any], None]) -> None:
+    """Start a kernel as requested and stay until it has ended."""
     namespaces.libc.prctl(PR_SET_CHILD_SUBREAPER, 1, 0, 0, 0)
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)
     folder = tempfile.mkdtemp(prefix="tflab-kernel-") if said["level"] == "limits" else ""
     try:
-        uid, reserved = a_free_user()
+        uid, reserved = reserve_user_id()
         of_its_own = {"uid": uid, "reserved": reserved, "folder": folder}
         of_its_own |= {"limits": Limits(**said["limits"]), "environment": ENVIRONMENT | said["environment"]}
-        order = Order(**said | of_its_own, wire=wire, leash=leash, serve=serve)
-        pid = START[order.level](order)
+        launch = KernelLaunch(**said | of_its_own, wire=wire, leash=leash, serve=serve)
+        pid = START[launch.level](launch)
         wire.close()
-        end = watch(pid, order)
+        end = watch(pid, launch)
     except OSError as fault:
         end = {"fault": str(fault)}
     finally:
@@ -100,7 +100,7 @@ def keep(said: dict[str, Any], wire: socket.socket, leash: socket.socket, serve:
         leash.sendall(json.dumps(end).encode())
 
 
-def a_free_user() -> tuple[int, socket.socket]:
+def reserve_user_id() -> tuple[int, socket.socket]:
     """Return a user id that no other supervisor has reserved, and the socket that reserves it while it is open.
 
     At its kernel's end a supervisor kills whoever runs as this user.  A name of the abstract kind is taken by
@@ -124,42 +124,42 @@ def a_free_user() -> tuple[int, socket.socket]:
 # Three ways to start it.
 
 
-def in_namespaces(order: Order) -> int:
+def in_namespaces(launch: KernelLaunch) -> int:
     """Fork a kernel that is the first process of its own small machine."""
 
     def enter() -> None:
-        uid = order.uid if os.getuid() == 0 else namespaces.LEARNER_UID
-        namespaces.furnish(order.shown, order.hidden, order.limits.file_bytes, uid)
-        rlimits.apply(order.limits)
-        namespaces.become_nobody(order.uid)
+        uid = launch.uid if os.getuid() == 0 else namespaces.LEARNER_UID
+        namespaces.mount_file_system(launch.shown, launch.hidden, launch.limits.file_bytes, uid)
+        rlimits.apply(launch.limits)
+        namespaces.drop_privileges(launch.uid)
 
-    namespaces.leave()
-    return os.fork() or become_kernel(order, enter)
-
-
-def in_bubblewrap(order: Order) -> int:
-    words = bubblewrap.command(order.shown, order.hidden, order.limits.file_bytes, order.environment)
-    return bubblewrap.start(words, order.wire, {"limits": asdict(order.limits), "uid": order.uid})
+    namespaces.unshare_namespaces()
+    return os.fork() or become_kernel(launch, enter)
 
 
-def in_limits(order: Order) -> int:
+def in_bubblewrap(launch: KernelLaunch) -> int:
+    words = bubblewrap.command(launch.shown, launch.hidden, launch.limits.file_bytes, launch.environment)
+    return bubblewrap.start(words, launch.wire, {"limits": asdict(launch.limits), "uid": launch.uid})
+
+
+def in_limits(launch: KernelLaunch) -> int:
     """Fork a kernel that has a folder and, from root, a user of its own."""
 
     def enter() -> None:
-        uid = order.uid if gets_a_user() else None
+        uid = launch.uid if gets_a_user() else None
         if uid is not None:
-            os.chown(order.folder, uid, uid)
-        os.chdir(order.folder)
-        os.environ.update(HOME=order.folder, TMPDIR=order.folder, MPLCONFIGDIR=order.folder)
+            os.chown(launch.folder, uid, uid)
+        os.chdir(launch.folder)
+        os.environ.update(HOME=launch.folder, TMPDIR=launch.folder, MPLCONFIGDIR=launch.folder)
         tempfile.tempdir = None
-        rlimits.apply(order.limits, others=0 if uid is not None else rlimits.tasks_of(os.getuid()))
-        namespaces.become_nobody(uid, right_to_python() if uid is not None else None)
-        landlock.confine(order.shown, order.hidden, order.folder)
+        rlimits.apply(launch.limits, others=0 if uid is not None else rlimits.tasks_of(os.getuid()))
+        namespaces.drop_privileges(uid, right_to_python() if uid is not None else None)
+        landlock.confine(launch.shown, launch.hidden, launch.folder)
 
-    return os.fork() or become_kernel(order, enter)
+    return os.fork() or become_kernel(launch, enter)
 
 
-START: dict[str, Callable[[Order], int]] = {
+START: dict[str, Callable[[KernelLaunch], int]] = {
     "namespaces": in_namespaces,
     "bubblewrap": in_bubblewrap,
     "limits": in_limits,
@@ -194,23 +194,23 @@ def right_to_python() -> int | None:
     return next((right for right in rights if held >> right & 1), None)
 
 
-def become_kernel(order: Order, enter: Callable[[], None]) -> int:
+def become_kernel(launch: KernelLaunch, enter: Callable[[], None]) -> int:
     """Go behind the wall and serve there; never returns."""
     try:
-        order.leash.close()
-        order.reserved.close()
+        launch.leash.close()
+        launch.reserved.close()
         namespaces.libc.prctl(PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
         os.setsid()
         os.nice(5)  # the supervisor and the grader come first
         os.environ.clear()
-        os.environ.update(order.environment)
+        os.environ.update(launch.environment)
         try:
             enter()
-            seccomp.refuse_dangerous_calls(names_are_shared=order.level == "limits")
+            seccomp.refuse_dangerous_calls(names_are_shared=launch.level == "limits")
         except Exception as fault:
-            Wire(order.wire, longest=0).send({"fault": f"{type(fault).__name__}: {fault}"})
+            Wire(launch.wire, longest=0).send({"fault": f"{type(fault).__name__}: {fault}"})
             os._exit(1)
-        order.serve(order.wire)
+        launch.serve(launch.wire)
     finally:
         os._exit(0)  # nobody reads a traceback
 
@@ -218,27 +218,27 @@ def become_kernel(order: Order, enter: Callable[[], None]) -> int:
 # Until the end.
 
 
-def watch(pid: int, order: Order) -> dict[str, Any]:
+def watch(pid: int, launch: KernelLaunch) -> dict[str, Any]:
     """Wait for the end of the kernel, or bring it about; return how it ended."""
     ended = os.pidfd_open(pid)
     said: dict[str, Any] = {}
     poll = select.poll()
     poll.register(ended, select.POLLIN)
-    poll.register(order.leash, select.POLLIN)
+    poll.register(launch.leash, select.POLLIN)
     while not (ready := poll.poll(TICK_S * 1000)):
         processes = descendants(os.getpid())  # whoever has lost its parent is the supervisor's
-        if len(processes) > 2 * order.limits.processes:  # root has no limit of them
+        if len(processes) > 2 * launch.limits.processes:  # root has no limit of them
             said["fault"] = "process limit"
             break
-        if memory_of_all(processes, order.limits.memory_bytes) > order.limits.memory_bytes:
+        if memory_of_all(processes, launch.limits.memory_bytes) > launch.limits.memory_bytes:
             said["fault"] = "memory limit"
             break
-        if order.folder and disk_of(order.folder, processes, order.limits.file_bytes) > order.limits.file_bytes:
+        if launch.folder and disk_of(launch.folder, processes, launch.limits.file_bytes) > launch.limits.file_bytes:
             said["fault"] = "disk limit"
             break
     if not said and ready and ready[0][0] == ended:
         said["ended"] = True
-    kill_all(pid, order.uid if order.level == "limits" and gets_a_user() else None)
+    kill_all(pid, launch.uid if launch.level == "limits" and gets_a_user() else None)
     os.close(ended)
     return said
 
@@ -267,7 +267,7 @@ def kill_all(pid: int, uid: int | None) -> None:
 
 
 def descendants(pid: int) -> list[int]:
-    """Return the processes below `pid`, outermost first."""
+    """Return the processes below `pid`, without_nested_paths first."""
     found: list[int] = []
     todo = [pid]
     while todo:

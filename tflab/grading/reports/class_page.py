@@ -28,13 +28,13 @@ from .class_figures import bars, histogram, scores
 from .feedback import SIGNS
 from .gain import (
     BY_GUESSING,
-    Believed,
     ClassGain,
+    MisconceptionCount,
     band,
-    believed,
     class_gain,
+    misconception_counts,
     normalised_gain,
-    out_of_reach,
+    uninformative_items,
     unused_options,
 )
 from .gradebook import remarks_of, tasks_of, verdicts_of
@@ -172,7 +172,7 @@ def gain_section(found: ClassGain, items: Sequence[Item], language: str) -> Mark
     values: dict[str, Any] = {"rows": []}
     if found.matched:
         (before, after), of = found.means(), len(items)
-        gain, table = normalised_gain(before, after, of), believed(items, found.matched)
+        gain, table = normalised_gain(before, after, of), misconception_counts(items, found.matched)
         values = {
             "means": TEXTS["means"].say(
                 language, count=len(found.matched), of=of, before=f"{before:.1f}", after=f"{after:.1f}",
@@ -189,7 +189,7 @@ def gain_section(found: ClassGain, items: Sequence[Item], language: str) -> Mark
     return render("gain.html", TEXTS, language, lines=lines, about_the_test=about, **values)
 
 
-def _named(table: Sequence[Believed], language: str) -> list[str]:
+def _named(table: Sequence[MisconceptionCount], language: str) -> list[str]:
     """Return which misconceptions fell most, and which grew most."""
     fell = sorted((row for row in table if row.after < row.before), key=lambda row: row.after - row.before)
     grew = sorted((row for row in table if row.after > row.before), key=lambda row: row.before - row.after)
@@ -200,15 +200,15 @@ def _named(table: Sequence[Believed], language: str) -> list[str]:
     ]
 
 
-def _in_short(row: Believed, language: str) -> str:
+def _in_short(row: MisconceptionCount, language: str) -> str:
     return f"{_name(row, language)} {row.before} → {row.after}"
 
 
-def _name(row: Believed, language: str) -> str:
+def _name(row: MisconceptionCount, language: str) -> str:
     return f"{MISCONCEPTIONS[row.misconception].say(language)} ({row.misconception})"
 
 
-def _row(row: Believed, of: int, language: str) -> dict[str, Any]:
+def _row(row: MisconceptionCount, of: int, language: str) -> dict[str, Any]:
     change = "grown" if row.after > row.before else "" if row.after == row.before else "fell" if row.after else "gone"
     return {
         "name": _name(row, language),
@@ -229,7 +229,7 @@ def _about_the_test(found: ClassGain, items: Sequence[Item], language: str) -> l
     if len(found.matched) < ENOUGH:
         return []
     sides = (
-        (TEXTS["out_of_reach"], map(str, out_of_reach(found.matched))),
+        (TEXTS["out_of_reach"], map(str, uninformative_items(found.matched))),
         (TEXTS["unused"], unused_options(items, found.matched)),
     )
     return [text.say(language, which=", ".join(which)) for text, names in sides if (which := list(names))]

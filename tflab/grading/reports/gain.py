@@ -24,14 +24,14 @@ from ..submissions.remarks import Remark
 
 __all__ = [
     "BY_GUESSING",
-    "Believed",
     "ClassGain",
-    "Matched",
+    "MisconceptionCount",
+    "PairedAnswers",
     "band",
-    "believed",
     "class_gain",
+    "misconception_counts",
     "normalised_gain",
-    "out_of_reach",
+    "uninformative_items",
     "unused_options",
 ]
 
@@ -43,7 +43,7 @@ HARDEST, EASIEST, FEWEST_CHOOSE = 0.2, 0.8, 0.05  # of a class, before: else an 
 MOST_NAMES = 12
 
 
-class Matched(NamedTuple):
+class PairedAnswers(NamedTuple):
     """A learner who answered both forms, and what they said to each item."""
 
     learner: str
@@ -54,7 +54,7 @@ class Matched(NamedTuple):
 class ClassGain(NamedTuple):
     """Who is matched, and a line for everything else."""
 
-    matched: tuple[Matched, ...]
+    matched: tuple[PairedAnswers, ...]
     lines: tuple[Text, ...]
 
     def right(self) -> tuple[list[int], list[int]]:
@@ -69,7 +69,7 @@ class ClassGain(NamedTuple):
         return mean(before), mean(after)
 
 
-class Believed(NamedTuple):
+class MisconceptionCount(NamedTuple):
     """How many learners chose an option that shows a misconception, before and after; and how many were sure."""
 
     misconception: str
@@ -85,7 +85,7 @@ def class_gain(records: Sequence[Mapping[str, Any]], items: Sequence[Item]) -> C
         return None
     answers = {record["learner"]: {form: _answers(record, form) for form in FORMS} for record in records}
     matched = [
-        Matched(learner, replies_to(items, "A", both["A"]), replies_to(items, "B", both["B"]))
+        PairedAnswers(learner, replies_to(items, "A", both["A"]), replies_to(items, "B", both["B"]))
         for learner, both in answers.items()
         if all(both.values())
     ]
@@ -102,7 +102,7 @@ def band(gain: float) -> Text:
     return TEXTS["low" if round(gain, 6) < LOW else "medium" if round(gain, 6) <= HIGH else "high"]
 
 
-def believed(items: Sequence[Item], matched: Sequence[Matched]) -> list[Believed]:
+def misconception_counts(items: Sequence[Item], matched: Sequence[PairedAnswers]) -> list[MisconceptionCount]:
     """Return every misconception; those that grew first, at most three, then the others in their order."""
     rows = [_believed(name, _chances(items, name), matched) for name in MISCONCEPTIONS]
     grew = sorted((row for row in rows if row.after > row.before), key=lambda row: row.before - row.after)[:3]
@@ -118,24 +118,24 @@ def _chances(items: Sequence[Item], misconception: str) -> list[int]:
     ]
 
 
-def _believed(misconception: str, places: Sequence[int], matched: Sequence[Matched]) -> Believed:
+def _believed(misconception: str, places: Sequence[int], matched: Sequence[PairedAnswers]) -> MisconceptionCount:
     counts = []
     for when in ("before", "after"):
         chose = [[getattr(one, when)[place] for place in places] for one in matched]
         shown = [[reply for reply in replies if reply.shows == misconception] for replies in chose]
         counts.append((sum(map(bool, shown)), sum(any(reply.is_sure for reply in replies) for replies in shown)))
     (before, sure_before), (after, sure_after) = counts
-    return Believed(misconception, before, after, sure_before, sure_after)
+    return MisconceptionCount(misconception, before, after, sure_before, sure_after)
 
 
-def out_of_reach(matched: Sequence[Matched]) -> list[int]:
+def uninformative_items(matched: Sequence[PairedAnswers]) -> list[int]:
     """Return the numbers of the items that hardly anybody or nearly everybody had right before (facility)."""
     columns = zip(*(one.before for one in matched), strict=True)
     shares = [mean(reply.is_right for reply in column) for column in columns]
     return [number for number, share in enumerate(shares, start=1) if not HARDEST <= share <= EASIEST]
 
 
-def unused_options(items: Sequence[Item], matched: Sequence[Matched]) -> list[str]:
+def unused_options(items: Sequence[Item], matched: Sequence[PairedAnswers]) -> list[str]:
     """Return the wrong options that next to nobody chose before, as "3b": idle distractors."""
     found = []
     for number, (item, column) in enumerate(

@@ -22,7 +22,7 @@ from markupsafe import Markup, escape
 from tflab.text import Text
 from tflab.views.picture import Picture
 from tflab.views.report_page import report_page, template_environment
-from tflab.workbook.replies import points
+from tflab.workbook.phrases import points
 
 __all__ = ["TEMPLATES", "environment", "page", "points", "prose", "render", "text"]
 

@@ -24,7 +24,7 @@ from typing import NamedTuple
 from .archives import Member
 from .listing import MAX_NOTEBOOKS, few_of_each, is_notebook, largest, listed
 from .remarks import Remark
-from .roster import IsGenuine, Learner, StampsIn, group_of, is_of_a_system, owner_of, read_stamps, stamped_for
+from .roster import IsGenuine, Learner, StampsIn, group_of, is_lms_name, owner_of, read_stamps, stamped_for
 
 __all__ = ["Collection", "Submission", "collect"]
 
@@ -254,7 +254,7 @@ def _is_everybody_known(members: Sequence[Member], roster: Mapping[str, Learner]
 
 
 def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
-    return is_of_a_system(folder) or bool(roster and owner_of(folder, roster))
+    return is_lms_name(folder) or bool(roster and owner_of(folder, roster))
 
 
 def _is_a_chapters(

@@ -43,7 +43,7 @@ __all__ = [
     "StampsIn",
     "group_of",
     "is_learner_id",
-    "is_of_a_system",
+    "is_lms_name",
     "owner_of",
     "read_roster",
     "read_stamps",
@@ -180,7 +180,7 @@ BLACKBOARD = re.compile(r".+?_(?P<name>[^_]+)_attempt_\d{4}-.*")
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<user>\d+)_(?P<file>\d+)_(?P<rest>.+)")
 
 
-def is_of_a_system(name: str) -> bool:
+def is_lms_name(name: str) -> bool:
     """Return whether a folder or a file has a name that a learning system gives."""
     return bool(CANVAS.fullmatch(name) or MOODLE.match(name) or BRIGHTSPACE.fullmatch(name))
 

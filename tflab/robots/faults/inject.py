@@ -14,14 +14,14 @@ from collections.abc import Callable, Iterable, Sequence
 
 from tflab.core.transforms import TransformRecord
 
-from ..chance import chance
+from ..seeded_rng import seeded_rng
 from . import broken_samples, broken_tree
 from .catalogue import Diagnosis, Fault
-from .streams import CannotInject, Injection, Patient, Stream, edges_of
+from .streams import CannotInject, Injection, InjectionTarget, Stream, edges_of
 
 __all__ = ["INJECTORS", "CannotInject", "Injection", "inject", "inject_all", "possible_faults"]
 
-INJECTORS: dict[Fault, Callable[[Patient], Injection]] = {
+INJECTORS: dict[Fault, Callable[[InjectionTarget], Injection]] = {
     Fault.REPARENTED: broken_tree.reparent,
     Fault.SECOND_OWNER: broken_tree.second_owner,
     Fault.DUPLICATE_STAMPS: broken_samples.duplicate_stamps,
@@ -58,8 +58,8 @@ def inject(records: Sequence[TransformRecord], fault: Fault | str, seed: int = 0
     fault = Fault(fault)
     if aim and aim not in edges_of(records):
         raise ValueError(f"nobody sends {aim!r} as a child; there is {', '.join(edges_of(records))}")
-    patient = Patient(list(records), edges_of(records), chance(seed, fault), aim)
-    return INJECTORS[fault](patient)
+    target = InjectionTarget(list(records), edges_of(records), seeded_rng(seed, fault), aim)
+    return INJECTORS[fault](target)
 
 
 def inject_all(

@@ -28,7 +28,7 @@ from tflab.core.transforms import TransformRecord
 
 from .catalogue import Diagnosis, Fault
 
-__all__ = ["CannotInject", "Injection", "Patient", "Stream", "StreamEdge", "edges_of", "in_order", "restamped"]
+__all__ = ["CannotInject", "Injection", "InjectionTarget", "Stream", "StreamEdge", "edges_of", "in_order", "restamped"]
 
 
 Stream = list[TransformRecord]
@@ -121,7 +121,7 @@ class Injection(NamedTuple):
     diagnosis: Diagnosis
 
 
-class Patient(NamedTuple):
+class InjectionTarget(NamedTuple):
     """What an injector works with: the stream, its edges, and chance."""
 
     records: Stream

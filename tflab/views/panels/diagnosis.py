@@ -11,7 +11,7 @@ from ..diagnosis_log import VisitPicture, VisitStep
 from ..fault_tables import SIGNS, Suitabilities, ToolOutput, ToolPicture
 from ..libraries import ipywidgets as widgets
 from .panel import Panel, menu
-from .prefetch import At
+from .prefetch import Controls
 
 TEXTS = Texts(__file__)
 
@@ -46,7 +46,7 @@ def tools_panel(
     why = widgets.HTML()
     picture = ToolPicture(tuple(verdicts))
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         picture.show(at(tool), at(question), verdicts)
 
     def explain(_change: object = None) -> None:

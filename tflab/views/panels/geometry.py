@@ -17,7 +17,7 @@ from ..coordinates import RulersPicture, readings_of
 from ..transform_chain import JointsPicture, Step
 from ..wrong_frames import LASER_AT, MountPicture
 from .panel import STEP_RAD, Panel, menu, slider
-from .prefetch import At
+from .prefetch import Controls
 
 TEXTS = Texts(__file__)
 
@@ -84,7 +84,7 @@ def rulers_panel(
     def thing(poses: dict[str, Transform], on: str, on_the_floor: tuple[float, float]) -> Vector3:
         return poses["base_link"].apply(ON_THE_TRAY) if on == "tray" else (*on_the_floor, 0.0)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         first, poses = _three_frames(robot_x_m, yaw_rad), _three_frames(at(robot_x), at(yaw))
         before = readings_of(first, thing(first, at(rests_on), thing_m))
         picture.show(poses, thing(poses, at(rests_on), (at(thing_x), at(thing_y))), before)
@@ -133,7 +133,7 @@ def joints_panel(
         control.style.description_width = "160px"
     picture = JointsPicture(chain({t.joint: t.start for t in travels}))
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         touched = next(name for name, control in sliders.items() if control is at.moved)
         picture.show(chain({name: at(control) for name, control in sliders.items()}), touched)
 

@@ -13,7 +13,7 @@ from ..libraries import ipywidgets as widgets
 from ..sentence import SentencePicture, sentence
 from ..tree_path import TreeWalkPicture, snapshot_of_parents
 from .panel import Panel, menu
-from .prefetch import At
+from .prefetch import Controls
 
 TEXTS = Texts(__file__)
 
@@ -28,7 +28,7 @@ class SentencePanel(Panel):
     """A lookup that can be chosen in any of its forms; the other forms follow."""
 
     def __init__(self, poses: Mapping[str, Transform], target: str, source: str, language: str) -> None:
-        self._answers = {pair: between(poses, *pair) for pair in permutations(poses, 2)}
+        self._answers = {pair: transform_between(poses, *pair) for pair in permutations(poses, 2)}
         forms = {pair: sentence(answer) for pair, answer in self._answers.items()}
         self._pair: Pair = (target, source)
         self._is_following = False
@@ -69,7 +69,7 @@ class SentencePanel(Panel):
         self._is_following = False
         self._show(change.owner)
 
-    def _pair_at(self, at: At) -> Pair:
+    def _pair_at(self, at: Controls) -> Pair:
         """Return the pair when one menu has been set, and the others have not followed yet."""
         if at.moved in self._lines:
             return at(at.moved)
@@ -97,7 +97,7 @@ def sentence_panel(
     return SentencePanel(poses, target_frame, source_frame, language)
 
 
-def between(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> StampedTransform:
+def transform_between(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> StampedTransform:
     """Return `target_T_source` of two frames whose poses are known, as a buffer of static transforms would."""
     target_T_source = poses[target_frame].inverse() @ poses[source_frame]
     return StampedTransform(
@@ -146,7 +146,7 @@ def tree_panel(
     menus = [menu(name, names, language, value, follows, "90px", "330px") for name, names, value in rows]
     picture = TreeWalkPicture(len(frames) + 1, len(frames) + LINES)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         child, parent, source, target = map(at, menus)
         sent = [(above, below) for below, above in parent_of.items()]
         sent += [(parent, child)] if parent_of[child] != parent else []

@@ -24,7 +24,7 @@ from tflab.text import LANGUAGES, Text, Texts
 from ..libraries import ipywidgets as widgets
 from ..picture import Picture
 from ..slider_frames import Film
-from .prefetch import At, Drawing, DrawnAhead, place_of
+from .prefetch import Controls, Drawing, DrawnAhead, place_of
 
 TEXTS = Texts(__file__)
 
@@ -49,7 +49,7 @@ class Panel:
         title: str,
         picture: Picture,
         controls: Sequence[widgets.ValueWidget],
-        move: Callable[[At], object],
+        move: Callable[[Controls], object],
         layout: Sequence[widgets.Widget] | None = None,
         language: str = "en",
     ) -> None:
@@ -125,7 +125,7 @@ class Panel:
         self.picture.redraw_all()
         self._move = _nothing
 
-    def _draw(self, at: At) -> Drawing:
+    def _draw(self, at: Controls) -> Drawing:
         self._move(at)
         return Drawing(self.picture.live_png(), self.picture.text)
 
@@ -226,5 +226,5 @@ def _close_all(widget: widgets.DOMWidget) -> None:
     widget.close()
 
 
-def _nothing(at: At) -> None:
+def _nothing(at: Controls) -> None:
     """Do nothing: a closed panel has nothing to move."""

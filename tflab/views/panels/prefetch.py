@@ -34,7 +34,7 @@ class Drawing(NamedTuple):
     words: str
 
 
-class At:
+class Controls:
     """Where the controls are, or could be: `at(slider)` is its value.
 
     Attributes:
@@ -80,7 +80,7 @@ class DrawnAhead(anywidget.AnyWidget):
     height = traitlets.Int().tag(sync=True)
 
     def __init__(
-        self, controls: Sequence[widgets.ValueWidget], size_px: tuple[int, int], draw: Callable[[At], Drawing]
+        self, controls: Sequence[widgets.ValueWidget], size_px: tuple[int, int], draw: Callable[[Controls], Drawing]
     ) -> None:
         """Make it; `draw` is given where the controls are, and `show` draws for the first time."""
         self._draw = draw
@@ -110,7 +110,7 @@ class DrawnAhead(anywidget.AnyWidget):
         key = (moved, *(round(place, DIGITS) for place in places))
         with ONE_AT_A_TIME:
             if key not in self._drawn:
-                self._drawn[key] = self._draw(At(self.controls, places, moved))
+                self._drawn[key] = self._draw(Controls(self.controls, places, moved))
             self._drawn.move_to_end(key)
             if len(self._drawn) > KEPT:
                 self._drawn.popitem(last=False)
@@ -148,6 +148,6 @@ class DrawnAhead(anywidget.AnyWidget):
         asyncio.get_running_loop().call_later(PAUSE_S, self._draw_next)
 
 
-def _nothing(at: At) -> Drawing:
+def _nothing(at: Controls) -> Drawing:
     """Draw nothing: a closed panel has nothing to move."""
     return Drawing(b"", "")

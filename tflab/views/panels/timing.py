@@ -11,10 +11,10 @@ from tflab.text import Texts
 from ..clocks import PASSES, ClocksPicture, Play
 from ..late_joiner import JoinsPicture, Sender
 from ..libraries import ipywidgets as widgets
-from ..motion_error import Bend, BendPicture, LatencyPicture, Sight, deepest
+from ..motion_error import Bend, BendPicture, LatencyPicture, Sight, largest_chord_gap
 from ..timeline import Ask, Lane, Timeline, TimelinePicture
 from .panel import Panel, slider
-from .prefetch import At
+from .prefetch import Controls
 
 TEXTS = Texts(__file__)
 
@@ -30,10 +30,10 @@ def rate_panel(bend: Bend | None = None, language: str = "en") -> Panel:
     speed = slider(TEXTS["speed"], start.speed_mps, 0.0, 2.0, 0.05, "m/s", language)
     fastest = FASTEST_RADPS
     yaw_rate = slider(TEXTS["yaw rate"], start.yaw_rate_radps, -fastest, fastest, 0.05, "rad/s", language)
-    height = deepest(FASTEST_RADPS / SLOWEST_HZ)
+    height = largest_chord_gap(FASTEST_RADPS / SLOWEST_HZ)
     picture = BendPicture(-height, height)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         picture.show(Bend(at(speed), at(yaw_rate), at(rate)))
 
     title = "The arc that a robot drives and the chord that TF draws"
@@ -49,7 +49,7 @@ def latency_panel(sight: Sight | None = None, language: str = "en") -> Panel:
     delay = slider(TEXTS["delay"], start.delay_s, 0.0, 0.5, 0.01, "s", language)
     picture = LatencyPicture()
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         picture.show(Sight(at(speed), at(yaw_rate), at(range_), seconds(at(delay))))
 
     title = "An object drawn with the pose at the stamp and now"
@@ -87,7 +87,7 @@ def timeline_panel(
     latest.observe(lambda change: setattr(query, "disabled", change.new), names="value")
     picture = TimelinePicture(timeline, ask)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         picture.show(LATEST if at(latest) else seconds(at(query)))
 
     title = f"What the buffer knows between {target_frame} and {source_frame}"
@@ -112,7 +112,7 @@ def clocks_panel(play: Play | None = None, played_s: float = 9.0, language: str 
     loop, clock = _box("--loop", start.loops), _box("--clock", start.publishes_clock)
     picture = ClocksPicture(NODES)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         how = replace(start, rate=at(rate), loops=at(loop), publishes_clock=at(clock))
         picture.show(dict(zip(NODES, map(at, follows), strict=True)), how, at(played), language)
 
@@ -149,7 +149,7 @@ def joins_panel(
     )
     picture = JoinsPicture(senders, until_s, start_s)
 
-    def move(at: At) -> None:
+    def move(at: Controls) -> None:
         picture.show(at(join), at(durability))
 
     return Panel("What a listener knows that joins", picture, (join, durability), move, language=language)

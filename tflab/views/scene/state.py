@@ -30,7 +30,7 @@ ID_KEYS = ("uuid", "geometry", "material", "map", "image")
 LASTING = ("frame", "labels", "words")  # properties that nothing but their own word changes
 
 
-class Word(NamedTuple):
+class StoredCommand(NamedTuple):
     """The last word on one subject: as it was said, and as bytes."""
 
     command: Mapping[str, Any]
@@ -46,7 +46,7 @@ class SceneState:
 
     def __init__(self) -> None:
         self.count = 0
-        self._words: dict[tuple[str, str, str], Word] = {}
+        self._words: dict[tuple[str, str, str], StoredCommand] = {}
 
     def apply(self, command: Mapping[str, Any], packed: bytes) -> None:
         """Hear one command, of plain values, together with its packed form."""
@@ -58,9 +58,9 @@ class SceneState:
                 return  # it was ours, so not to mention it is enough; lights and the like are the viewer's
         subject = (kind, path, command.get("property", ""))
         self._words.pop(subject, None)  # so that it goes to the end
-        self._words[subject] = Word(command, packed)
+        self._words[subject] = StoredCommand(command, packed)
 
-    def is_said(self, command: Mapping[str, Any]) -> bool:
+    def is_redundant(self, command: Mapping[str, Any]) -> bool:
         """Return whether saying an object or a label once more would change nothing.
 
         A colour is no part of an object but was painted on it, so a painted object

@@ -215,7 +215,7 @@ class Scene(anywidget.AnyWidget):
             if self._recording is not None:
                 self._recording.append(command)
                 return
-            if self._state.is_said(command):
+            if self._state.is_redundant(command):
                 return
             packed = pack(command)
             self._state.apply(command, packed)

@@ -8,8 +8,8 @@ members        pairs, sets and trees
 command_lines  what one would type
 urdf_text      a robot, as its file has it
 proof          the checks of a diagnosis
-telling        a check that tells two suspects apart
+discriminating_check  a check that tells two suspects apart
 forms          all of them together
-alike          which of many answers are the same
+equal_answers  which of many answers are the same
 showing        an answer in words
 """

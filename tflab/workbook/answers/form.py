@@ -47,7 +47,7 @@ class Mark(NamedTuple):
     value: float | str
     tolerance: float = 0.0
 
-    def fits(self, other: Mark) -> bool:
+    def same(self, other: Mark) -> bool:
         """Return whether two marks are the same, within the larger tolerance."""
         if isinstance(self.value, str) or isinstance(other.value, str):
             return type(self.value) is type(other.value) and self.value == other.value
@@ -307,7 +307,7 @@ def is_given(given: Probe, wanted: Probe) -> bool:
 
 
 def _fits(row: Row, other: Row) -> bool:
-    return len(row) == len(other) and all(map(Mark.fits, row, other))
+    return len(row) == len(other) and all(map(Mark.same, row, other))
 
 
 def _plain_field(value: object) -> object:

@@ -7,18 +7,19 @@ from __future__ import annotations
 
 from typing import Any
 
+from .discriminating_check import DiscriminatingCheck
 from .form import Form
 from .members import Pair, Set, Tree
 from .numeric import Angle, Number, Pose, Quaternion, Vector
 from .proof import Proof
 from .structures import Choice, Command, Message, Name, Parts, Sequence
-from .telling import Telling
 from .urdf_text import Urdf
 
 __all__ = [
     "Angle",
     "Choice",
     "Command",
+    "DiscriminatingCheck",
     "Form",
     "Message",
     "Name",
@@ -30,7 +31,6 @@ __all__ = [
     "Quaternion",
     "Sequence",
     "Set",
-    "Telling",
     "Tree",
     "Urdf",
     "Vector",
@@ -53,7 +53,7 @@ _CLASSES = {
         Quaternion,
         Sequence,
         Set,
-        Telling,
+        DiscriminatingCheck,
         Tree,
         Urdf,
         Vector,

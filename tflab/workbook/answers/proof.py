@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from tflab.clinic.proof import NOTHING_IS_WRONG, Flaw, flaw_of
-from tflab.clinic.table import SUSPECTS, kind_expected
-from tflab.clinic.trolley import BUDGET_MIN, TROLLEY, check_named
+from tflab.clinic.checks import BUDGET_MIN, CHECKS, find_check
+from tflab.clinic.proof import NOTHING_IS_WRONG, Flaw, find_flaw
+from tflab.clinic.table import SUSPECTS, expected_kind
 
 from ...text import Text, Texts
 from .form import Form, Mark, Probe, inside
@@ -34,7 +34,7 @@ NOBODY = "nobody"  # who is proved by a list beside which no suspect is named
 
 @dataclass(frozen=True)
 class Proof(Form):
-    """The checks of a diagnosis, in their order, by their names on the trolley.
+    """The checks of a diagnosis, in their order, by their keys in `CHECKS`.
 
     Attributes:
         whole: whether all eighteen are suspects, and not the three of one complaint.
@@ -80,13 +80,13 @@ class Proof(Form):
         flaw = (self._flaw(read[1], cause) or Flaw("contradicted")) if read[1] else Flaw("none")
         names = {**flaw._asdict(), "cause": cause, "budget": self.budget_min}
         is_healthy = cause != NOTHING_IS_WRONG and all(
-            kind_expected(cause, check) == TROLLEY[check].usual for check in read[1]
+            expected_kind(cause, check) == CHECKS[check].usual for check in read[1]
         )
         is_both = flaw.kind == "unproved" and is_healthy
         return TEXTS["unproved, all healthy" if is_both else flaw.kind].filled(**names)
 
     def _flaw(self, checks: list[str], suspect: str) -> Flaw | None:
-        return flaw_of(checks, suspect, self.whole, self.budget_min)
+        return find_flaw(checks, suspect, self.whole, self.budget_min)
 
 
 def _read(plain: Plain) -> tuple[str | None, list[str]] | None:
@@ -100,7 +100,7 @@ def _read(plain: Plain) -> tuple[str | None, list[str]] | None:
     if not all(isinstance(member, str) for member in members):
         return None
     try:
-        return claimed, [check_named(member).key for member in members]
+        return claimed, [find_check(member).key for member in members]
     except ValueError:
         return None
 

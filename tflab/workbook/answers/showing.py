@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tflab.clinic.patient import SickRobot
+from tflab.clinic.patient import FaultyRobot
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.ros.messages.base import Message
 from tflab.ros.messages.text import message_to_yaml
@@ -47,7 +47,7 @@ def show(value: Any) -> str:
         return value if "\n" in value else f'"{value}"'
     if isinstance(value, Transform):
         return f"translation {show(value.translation)}, rotation xyzw {show(value.rotation)}"
-    if isinstance(value, SickRobot):
+    if isinstance(value, FaultyRobot):
         return repr(value)
     if isinstance(value, StampedTransform):
         head = f"{value.frame_id} -> {value.child_frame_id} at {_seconds(value.stamp_ns)}"

@@ -297,15 +297,15 @@ class Command(Form):
             return None
         row, right = given[0][0], wanted[0][0]
         if right[0].value != "static":
-            same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.fits(*pair)), 0)
+            same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.same(*pair)), 0)
             return Text(f"right up to word {same}", f"{same}번째 단어까지는 맞습니다") if same else None
         if row[0].value != "static":
             return Text(
                 "this line publishes no static transform: wrong program, missing word or unknown option",
                 "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램을 썼거나, 단어를 빠뜨렸거나, 없는 옵션을 썼습니다",
             )
-        wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.fits(*pair)]
-        if not any(all(map(Mark.fits, row[6:], other[6:])) for other in wanted[0]):
+        wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.same(*pair)]
+        if not any(all(map(Mark.same, row[6:], other[6:])) for other in wanted[0]):
             wrong.append("rotation")
         right_ones = [name for name in (*STATIC_FIELDS, "rotation") if name not in wrong]
         names, others = ", ".join(wrong), ", ".join(right_ones)
@@ -324,8 +324,8 @@ def as_one(probes: list[Probe] | None) -> Probe:
     """Return several probes as one that wants them all; what could not be read fits nothing."""
     if probes is None:
         return []
-    ways = islice(product(*probes), MOST_WAYS)
-    return [tuple(mark for row in rows for mark in row) for rows in ways]
+    combinations = islice(product(*probes), MOST_WAYS)
+    return [tuple(mark for row in rows for mark in row) for rows in combinations]
 
 
 NO_NAME = {"none", "nobody", "nothing"}  # words among names, and read as words

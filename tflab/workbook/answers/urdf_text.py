@@ -88,8 +88,8 @@ class Urdf(Form):
         positions = self.settings if joint.name == self.joint else (0.0,) * len(self.settings)
         if joint.type == "fixed":
             positions = (None,) * len(self.settings)
-        ways = [self._pose(joint_transform(joint, position)) for position in positions]
-        return [head + tuple(mark for row in rows for mark in row) for rows in product(*ways)]
+        poses = [self._pose(joint_transform(joint, position)) for position in positions]
+        return [head + tuple(mark for row in rows for mark in row) for rows in product(*poses)]
 
     def _pose(self, pose: Transform) -> list[Row]:
         place = tuple(Mark(number, self.tolerance_m) for number in pose.translation)

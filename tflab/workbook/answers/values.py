@@ -32,7 +32,7 @@ from typing import Any
 
 import numpy as np
 
-from tflab.clinic.patient import SickRobot
+from tflab.clinic.patient import FaultyRobot
 from tflab.core import BufferCore, StampedTransform, Transform, errors
 from tflab.ros.messages.base import Message, type_named
 from tflab.ros.tf2 import buffer as tf2_buffer
@@ -192,7 +192,7 @@ class _Writer:
             return {"Time": [value.nanoseconds, int(value.clock_type.value)]}
         if isinstance(value, Duration):
             return {"Duration": value.nanoseconds}
-        if isinstance(value, SickRobot):
+        if isinstance(value, FaultyRobot):
             return {"Patient": value.packed()}
         if isinstance(value, BufferCore):
             return {"BufferCore": _plain_buffer(value)}
@@ -276,7 +276,7 @@ _READERS: dict[str, Callable[[Any], Any]] = {
     "message": _message,
     "Time": lambda pair: Time(nanoseconds=pair[0], clock_type=ClockType(pair[1])),
     "Duration": lambda nanoseconds: Duration(nanoseconds=nanoseconds),
-    "Patient": SickRobot.unpacked,
+    "Patient": FaultyRobot.unpacked,
     "BufferCore": _buffer_core,
     "Buffer": _buffer,
 }

@@ -31,10 +31,8 @@ from ..course.course import read_course
 from ..paths import exercise_file
 from .search_index import Section
 
-__all__ = [
-    "STATIC", "TEXTS", "BookPage", "ShownFigure", "conventions_text", "door", "framed", "front_page", "gallery_page",
-    "last_line", "pictures_of", "shell",
-]  # fmt: skip
+__all__ = ["STATIC", "TEXTS", "BookPage", "ShownFigure", "conventions_text", "framed", "front_page", "gallery_page",
+           "language_choice_page", "last_line", "pictures_of", "shell"]  # fmt: skip
 
 TEXTS = Texts(__file__)
 STATIC = Path(__file__).parent / "static"
@@ -122,7 +120,7 @@ def conventions_text(language: str) -> str:
     return (STATIC / f"conventions.{language}.md").read_text(encoding="utf-8")
 
 
-def door() -> str:
+def language_choice_page() -> str:
     """Return the page above the languages: it leads to the browser's own, and lists both without a script."""
     return fill("door.jinja", names=NAMES)
 

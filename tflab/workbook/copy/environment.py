@@ -23,7 +23,7 @@ from ..paths import MARK, language_here, workbook_root
 __all__ = ["check_environment", "missing"]
 
 
-class Need(NamedTuple):
+class Requirement(NamedTuple):
     """What the pages need: what it is for, and what of tflab brings which modules."""
 
     what: Text
@@ -32,10 +32,10 @@ class Need(NamedTuple):
 
 
 NEEDED = (
-    Need(Text("numbers and figures", "숫자와 그림"), "tflab[views]", ("numpy", "matplotlib", "PIL", "yaml")),
-    Need(Text("widgets and 3D", "위젯과 3D"), "tflab[views]", ("ipywidgets", "anywidget", "meshcat")),
-    Need(Text("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
-    Need(Text("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
+    Requirement(Text("numbers and figures", "숫자와 그림"), "tflab[views]", ("numpy", "matplotlib", "PIL", "yaml")),
+    Requirement(Text("widgets and 3D", "위젯과 3D"), "tflab[views]", ("ipywidgets", "anywidget", "meshcat")),
+    Requirement(Text("notebooks", "노트북"), "tflab[lab]", ("jupyterlab", "ipykernel")),
+    Requirement(Text("recordings", "bag 파일"), "tflab[bags]", ("rosbags",)),
 )
 LEAST_PYTHON = (3, 10)
 LEAST = ".".join(map(str, LEAST_PYTHON))

@@ -24,7 +24,7 @@ from typing import NamedTuple
 from tflab.views.report_page import render
 
 from ...text import Text, Texts
-from ..inventory.participation import Opened, opened, waiting
+from ..inventory.participation import RevealedForms, pending_notice, revealed_forms
 from ..paths import (
     COPY,
     MARK,
@@ -165,7 +165,7 @@ class ProgressPage:
         forms: the inventory's results, or a line about it.
     """
 
-    def __init__(self, shown: CourseProgress, kept: bool = True, forms: Opened | str = "") -> None:
+    def __init__(self, shown: CourseProgress, kept: bool = True, forms: RevealedForms | str = "") -> None:
         self._shown, self._kept, self._forms = shown, kept, forms
         self._language = shown.language
 
@@ -305,7 +305,7 @@ def progress(words: Sequence[str]) -> int:
 
 def _page(root: Path) -> ProgressPage:
     shown = course_progress(root)
-    forms = opened(root, shown.language) or waiting(root, shown.language)
+    forms = revealed_forms(root, shown.language) or pending_notice(root, shown.language)
     return ProgressPage(shown, kept=(root / MARK).is_file(), forms=forms)
 
 

@@ -9,8 +9,8 @@ from ..answers.forms import Choice
 from ..answers.values import Plain, is_raised
 from .explanation import Explanation
 from .matching import ANY_BUG, all_alike
-from .python_errors import tip_for
-from .question import Question, Rest
+from .python_errors import python_error_hint
+from .question import PartialExplanation, Question
 
 __all__ = [
     "explain_changed_arguments",
@@ -27,16 +27,16 @@ def return_value(outcome: Plain) -> Plain:
     return outcome["gave"] if isinstance(outcome, dict) and "gave" in outcome else outcome
 
 
-def explain_changed_arguments(question: Question) -> Rest | None:
+def explain_changed_arguments(question: Question) -> PartialExplanation | None:
     """Return that an argument was changed, and the results to explain; None if these are right."""
     number = next(outcome["changed"] for outcome in question.outcomes if return_value(outcome) is not outcome)
     rest = question.with_outcomes([return_value(outcome) for outcome in question.outcomes])
     if all_alike(rest.form, rest.outcomes, rest.expected):
         return None
-    return Rest(Explanation.of("input changed", TEXTS["changed"].filled(number=number)), rest)
+    return PartialExplanation(Explanation.of("input changed", TEXTS["changed"].filled(number=number)), rest)
 
 
-def explain_swallowed_exceptions(question: Question) -> Rest | None:
+def explain_swallowed_exceptions(question: Question) -> PartialExplanation | None:
     """Return what became of the exceptions that a function has to raise, and the other calls to explain."""
     raises = question.calls_that_raise()
     refused, rest = question.calls(raises), question.calls(not each for each in raises)
@@ -45,9 +45,9 @@ def explain_swallowed_exceptions(question: Question) -> Rest | None:
         return None
     found = _another(refused.outcomes) if is_another else _swallowed(refused.outcomes)
     if not all(rest.is_right):
-        return Rest(found, rest)
+        return PartialExplanation(found, rest)
     is_said_by_the_verdict = is_another or found.said is TEXTS["something"]
-    return None if is_said_by_the_verdict else Rest(found, None, is_enough=True)
+    return None if is_said_by_the_verdict else PartialExplanation(found, None, is_enough=True)
 
 
 def _swallowed(refused: Sequence[Plain]) -> Explanation:
@@ -70,7 +70,7 @@ BUGS = ANY_BUG | {"AssertionError", "ZeroDivisionError"}
 FEWEST = 3  # calls that have to go on, for what is wrong in them to be no chance
 
 
-def explain_raises(question: Question) -> Rest | None:
+def explain_raises(question: Question) -> PartialExplanation | None:
     """Return that some calls raise where an answer is expected, and the other calls to explain."""
     pairs = list(zip(question.outcomes, question.calls_that_raise(), strict=True))
     goes_on = [not is_raised(outcome) or is_expected for outcome, is_expected in pairs]
@@ -79,13 +79,13 @@ def explain_raises(question: Question) -> Rest | None:
         return None
     left = None if all(rest.is_right) else rest  # any mistake fits that shows in none of them
     if (uncaught := _uncaught(question, stopped.outcomes)) is not None:
-        return Rest(uncaught, left, is_enough=True)
+        return PartialExplanation(uncaught, left, is_enough=True)
     error, text = stopped.outcomes[0]["raises"], stopped.outcomes[0].get("text", "")
     if left is None or len(rest.cases) < FEWEST or error not in BUGS:
         return None
     counts = {"stopped": len(stopped.cases), "of": len(question.cases), "error": error}
-    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**counts, tip=tip_for(error, text))))
-    return Rest(Explanation.of(f"stops: {error}", said), left)
+    said = Text(*map(str.rstrip, TEXTS["stops"].filled(**counts, tip=python_error_hint(error, text))))
+    return PartialExplanation(Explanation.of(f"stops: {error}", said), left)
 
 
 def _uncaught(question: Question, stopped: Sequence[Plain]) -> Explanation | None:

@@ -14,12 +14,12 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Literal, NamedTuple
 
-from ...text import Text, Texts, begun, load_yaml
+from ...text import Text, Texts, capitalized, load_yaml
 from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
-from ..tasks.credit import habit
+from ..tasks.credit import trivial_pattern
 from .calls import (
     explain_changed_arguments,
     explain_raises,
@@ -27,7 +27,7 @@ from .calls import (
     return_value,
 )
 from .coding_patterns import find_coding_pattern, find_input
-from .explanation import Explanation, and_then, describe
+from .explanation import Explanation, combine_explanations, describe
 from .generic import TOLD, describe_names
 from .links import explain_links
 from .matching import (
@@ -43,7 +43,7 @@ from .matching import (
 )
 from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
-from .question import Question, Rest
+from .question import PartialExplanation, Question
 from .wrong_types import explain_other_types
 
 __all__ = ["TABLE", "Explainer", "explain", "list_asked", "read_conditions"]
@@ -65,7 +65,7 @@ class Explainer(NamedTuple):
     """
 
     name: str
-    explain: Callable[[Question], Explanation | Rest | None]
+    explain: Callable[[Question], Explanation | PartialExplanation | None]
     of: Literal["value", "function", "any"] = "any"
     forms: tuple[type[Form], ...] = ()
     is_measured: bool = False
@@ -104,16 +104,16 @@ def _answers(question: Question) -> Iterator[tuple[Explainer, Explanation | None
     for row in TABLE:
         if row.applies(question):
             found = row.explain(question)
-            yield row, _with_the_rest(found) if isinstance(found, Rest) else found
+            yield row, _with_the_rest(found) if isinstance(found, PartialExplanation) else found
             if row.is_last:
                 return
 
 
-def _with_the_rest(found: Rest) -> Explanation | None:
+def _with_the_rest(found: PartialExplanation) -> Explanation | None:
     first = explain(found.question) if found.question else None
     if first is None:
         return found.then if found.is_enough else None
-    return and_then(first, found.then)
+    return combine_explanations(first, found.then)
 
 
 # -- one mistake, or two ---------------------------------------------------------------------
@@ -228,7 +228,7 @@ def _changes_an_argument(question: Question) -> bool:
 
 
 def _is_constant_or_input(question: Question) -> bool:
-    return bool(habit(question.form, question.cases, question.outcomes))
+    return bool(trivial_pattern(question.form, question.cases, question.outcomes))
 
 
 def _is_split(question: Question) -> bool:
@@ -278,8 +278,8 @@ TABLE: tuple[Explainer, ...] = (
 # -- matching --------------------------------------------------------------------------------
 
 
-def _explained_by_first(question: Question, ways: Iterator[tuple[str, ...]]) -> Explanation | None:
-    names = next(ways, None)
+def _explained_by_first(question: Question, combinations: Iterator[tuple[str, ...]]) -> Explanation | None:
+    names = next(combinations, None)
     return _explained_by(question, *names) if names else None
 
 
@@ -287,7 +287,7 @@ def _explained_by(question: Question, *names: str) -> Explanation:
     """Return what is said of mistakes that give an answer."""
     said = describe(question.task, names)
     if len(names) == 1 and _is_only_near(question, names[0]):
-        said = TEXTS["only_near"].filled(said=Text(begun(said.en), said.ko))
+        said = TEXTS["only_near"].filled(said=Text(capitalized(said.en), said.ko))
     return Explanation({name.partition(TOLD)[0]: feedback_of(question.task, name) for name in names}, said)
 
 
@@ -313,7 +313,7 @@ def _pairs(question: Question, share: float) -> Iterator[tuple[str, ...]]:
     """Yield the pairs of mistakes that give just these outcomes; they are searched for."""
     if question.task.pairs is None:
         return
-    found = question.task.pairs.fitting(
+    found = question.task.pairs.matching(
         question.cases,
         sorted(range(len(question.cases)), key=question.is_right.__getitem__),
         lambda number, value: ["whole"] * matches_closely(question.form, [question.outcomes[number]], [value], share),

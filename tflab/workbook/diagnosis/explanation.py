@@ -6,11 +6,11 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from ...text import Text, Texts, begun
+from ...text import Text, Texts, capitalized
 from ..tasks.case_types import Feedback, TaskCases
 from .matching import feedback_of
 
-__all__ = ["Explanation", "Found", "and_then", "describe", "each_part_once", "together"]
+__all__ = ["Explanation", "PartFound", "combine_explanations", "describe", "merge_found", "without_overlaps"]
 
 TEXTS = Texts(__file__)
 
@@ -36,7 +36,7 @@ class Explanation(NamedTuple):
         return cls({name: Feedback(said, "")}, said)
 
 
-def and_then(first: Explanation, then: Explanation) -> Explanation:
+def combine_explanations(first: Explanation, then: Explanation) -> Explanation:
     """Return both as one: what comes first, and what is wrong besides."""
     besides = TEXTS["sign_too"] if set(then.mistakes) == {"sign"} else then.said  # the size is not right any more
     said = (
@@ -59,13 +59,13 @@ def describe(task: TaskCases, names: Sequence[str]) -> Text:
 
 
 def _in_a_row(first: Text, then: Text) -> Text:
-    return Text(f"{first.en} {begun(then.en)}", f"{first.ko} {then.ko}")
+    return Text(f"{first.en} {capitalized(then.en)}", f"{first.ko} {then.ko}")
 
 
 MOST_TOLD = 4  # causes; who reads more than that at once corrects none
 
 
-class Found(NamedTuple):
+class PartFound(NamedTuple):
     """What explains some parts: the mistakes by name, what to say, whether the rest of it shows, and whether it is only
     a fact about words.
     """
@@ -77,12 +77,12 @@ class Found(NamedTuple):
     is_of_words: bool = False
 
     @classmethod
-    def of(cls, name: str, said: Text, *parts: str) -> Found:
+    def of(cls, name: str, said: Text, *parts: str) -> PartFound:
         """Return that of one mistake which no task has to know."""
         return cls({name: Feedback(said, "")}, said, set(parts))
 
 
-def each_part_once(causes: Sequence[Found], wrong: set[str]) -> list[Found]:
+def without_overlaps(causes: Sequence[PartFound], wrong: set[str]) -> list[PartFound]:
     """Return the causes that explain parts which none before them explains."""
     left, found = set(wrong), []
     for cause in causes:
@@ -92,7 +92,7 @@ def each_part_once(causes: Sequence[Found], wrong: set[str]) -> list[Found]:
     return found
 
 
-def together(found: Sequence[Found], left: Mapping[str, Text | None], names: Sequence[str]) -> Explanation:
+def merge_found(found: Sequence[PartFound], left: Mapping[str, Text | None], names: Sequence[str]) -> Explanation:
     """Return one explanation of what was found in several parts.
 
     Args:
@@ -118,9 +118,9 @@ def _looks(left: Mapping[str, Text | None]) -> dict[Text, set[str]]:
     return looks
 
 
-def _merged(found: Sequence[Found]) -> list[Found]:
+def _merged(found: Sequence[PartFound]) -> list[PartFound]:
     """Return what was found with each reply once, for all parts that it is given to."""
-    merged: dict[Text, Found] = {}
+    merged: dict[Text, PartFound] = {}
     for cause in found:
         held = merged.get(cause.said)
         both = (
@@ -132,7 +132,7 @@ def _merged(found: Sequence[Found]) -> list[Found]:
     return list(merged.values())
 
 
-def _follows(found: Found) -> set[str]:
+def _follows(found: PartFound) -> set[str]:
     """Return the parts that are wrong only because of a mistake in another part."""
     made_in = {words.part for words in found.mistakes.values()}
     is_placed = "" not in made_in  # a mistake of no certain part is made in each of them
@@ -153,4 +153,4 @@ def _where(words: Text, parts: set[str], names: Sequence[str]) -> Text:
 def _without_its_name(text: str, name: str) -> str:
     """Return what is said of one part without its name, which stands before all of it."""
     first, *others = re.split(rf"(?<=[.?!] ){re.escape(name)}: ", text.removeprefix(f"{name}: "))
-    return first + "".join(map(begun, others))
+    return first + "".join(map(capitalized, others))

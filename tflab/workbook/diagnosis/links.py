@@ -43,7 +43,7 @@ def explain_links(question: Question) -> Explanation | None:
 
 
 def _fits(row: Row, right: Row) -> bool:
-    return len(row) == len(right) and all(mark.fits(other) for mark, other in zip(row, right, strict=True))
+    return len(row) == len(right) and all(mark.same(other) for mark, other in zip(row, right, strict=True))
 
 
 def _explain_link(task: TaskCases, robot: Urdf, row: Row, right: Row) -> Iterator[tuple[str, Text]]:

@@ -122,9 +122,9 @@ def _only_printed(node: ast.Try, _names: Mapping[str, Any]) -> Found:
 def _printed_in_an_if(node: ast.If, _names: Mapping[str, Any]) -> Found:
     """Yield a way of an `if` that prints a word where another way returns its own."""
     chain = _chain(node)
-    ways = [*(one.body for one in chain), chain[-1].orelse]
-    if any(isinstance(way[-1], ast.Return) for way in ways if way):
-        for held, call in _prints_alone(ways):
+    branches = [*(one.body for one in chain), chain[-1].orelse]
+    if any(isinstance(branch[-1], ast.Return) for branch in branches if branch):
+        for held, call in _prints_alone(branches):
             if all(isinstance(one, ast.Constant) for one in call.args):
                 yield held, TEXTS["only_printed"]
 

@@ -118,8 +118,8 @@ def matching_corrections(
 
 def _undoing(form: Form, name: str, wrong: Plain, values: Sequence[tuple[Plain, Plain]]) -> Iterator[str]:
     """Yield a mistake, and what is told of it, without which all of these answers would be what is wanted."""
-    ways = dict.fromkeys(told for told, _ in RECOGNISERS[name].undo(form, wrong))
-    yield from (name + told for told in ways if all(_fits(form, RECOGNISERS[name], told, *pair) for pair in values))
+    found = dict.fromkeys(told for told, _ in RECOGNISERS[name].undo(form, wrong))
+    yield from (name + told for told in found if all(_undoes(form, RECOGNISERS[name], told, *pair) for pair in values))
 
 
 def _values(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> list[tuple[Plain, Plain]]:
@@ -144,11 +144,11 @@ def in_some(form: Form, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> I
         yield from (IN_SOME + name for name in names if len(wrong) > 1 or name != "rounded")  # one is round by chance
 
 
-def _fits(form: Form, one: Recogniser, told: str, given: Plain, wanted: Plain) -> bool:
+def _undoes(form: Form, one: Recogniser, told: str, given: Plain, wanted: Plain) -> bool:
     """Return whether an answer without this mistake is what is wanted; what cannot have it has to be right."""
-    ways = [left for way, left in one.undo(form, given) if way == told]
-    fits = all_alike if one.is_exact and not form.is_short(given) else matches_closely  # in another unit it would pass
-    return any(fits(form, [left], [wanted]) for left in ways) if ways else alike(form, given, wanted)
+    corrected = [left for detail, left in one.undo(form, given) if detail == told]
+    same = all_alike if one.is_exact and not form.is_short(given) else matches_closely  # in another unit it would pass
+    return any(same(form, [left], [wanted]) for left in corrected) if corrected else alike(form, given, wanted)
 
 
 def feedback_of(task: TaskCases, name: str) -> Feedback:

@@ -11,14 +11,14 @@ from ..answers.form import Form, inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from .explanation import Found
+from .explanation import PartFound
 
 __all__ = [
     "confused",
     "confused_in_lists",
     "explain_orders",
-    "never_said",
     "seen_of",
+    "word_never_returned",
     "word_of",
 ]
 
@@ -118,7 +118,7 @@ def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequenc
     )
 
 
-def never_said(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
+def word_never_returned(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
     """Return the only word for which a function returns nothing, if it does so wherever that one is asked for."""
     pairs = {(word_of(form, want), outcome is None) for want, outcome in zip(wanted, outcomes, strict=True)}
     words = {word for word, is_nothing in pairs if is_nothing}
@@ -147,7 +147,7 @@ def explain_orders(
     given: Mapping[str, Sequence[Plain]],
     wanted: Mapping[str, Sequence[Plain]],
     means: Mapping[str, Text] | None = None,
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what is wrong with places that are filled from the same words, all of them together.
 
     Args:
@@ -163,7 +163,7 @@ def explain_orders(
         is_order = len(names) >= FEWEST_OF_ORDERS and len(set(want)) == len(want) and ORDINALS.issuperset(names)
         order = _explain_an_order(have, want, means or {}) if wrong and is_order else None
         if order is not None:
-            found.append(Found.of(*order, *wrong))
+            found.append(PartFound.of(*order, *wrong))
     return found
 
 

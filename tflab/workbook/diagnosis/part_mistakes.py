@@ -12,10 +12,10 @@ from ..answers.form import Form, numbers_of
 from ..answers.forms import Angle, Message, Number, Parts
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Case, Feedback, TaskCases
-from .explanation import Found, describe, each_part_once
+from .explanation import PartFound, describe, without_overlaps
 from .matching import ONE, TWO, alike, feedback_of, matches_closely, matching_corrections
 
-__all__ = ["Table", "after_a_mistake", "followers", "is_something", "mistakes_in_parts", "only_follows"]
+__all__ = ["Table", "consequence_of", "followers", "is_something", "mistakes_in_parts", "only_follows"]
 
 TEXTS = Texts(__file__)
 
@@ -33,7 +33,7 @@ class Table(NamedTuple):
 
 def mistakes_in_parts(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what mistakes explain, most parts and fewest mistakes first; pairs, unless one or two explain all."""
     single = {name: [case.wrong[name] for case in cases] for name in cases[0].wrong}
     found = _in_order(_causes(task, table, cases, wrong, single))
@@ -43,7 +43,7 @@ def mistakes_in_parts(
     return _in_order(found + [cause for cause in (_without_others(cause, found) for cause in both) if cause.parts])
 
 
-def _without_others(cause: Found, found: Sequence[Found]) -> Found:
+def _without_others(cause: PartFound, found: Sequence[PartFound]) -> PartFound:
     """Return a mistake that several pairs share without the parts that another one explains alone."""
     if len(cause.mistakes) > 1:
         return cause
@@ -53,13 +53,13 @@ def _without_others(cause: Found, found: Sequence[Found]) -> Found:
     return cause._replace(parts=cause.parts.difference(*others))
 
 
-def _in_order(found: list[Found]) -> list[Found]:
+def _in_order(found: list[PartFound]) -> list[PartFound]:
     return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.mistakes), not cause.is_whole))
 
 
-def _is_explained(found: list[Found], wrong: set[str]) -> bool:
+def _is_explained(found: list[PartFound], wrong: set[str]) -> bool:
     """Return whether one or two mistakes explain all wrong parts."""
-    causes = each_part_once(found, wrong)
+    causes = without_overlaps(found, wrong)
     return wrong <= set().union(*(cause.parts for cause in causes)) and len(causes) <= 2
 
 
@@ -70,7 +70,7 @@ def _pairs(
     assert task.pairs is not None
     parts = [name for name in table.forms if name in wrong]
 
-    def fits(case: int, value: Plain) -> list[str]:
+    def reproduced_by(case: int, value: Plain) -> list[str]:
         if is_raised(value):
             return []
         return [
@@ -83,12 +83,12 @@ def _pairs(
     def is_right(case: int) -> bool:
         return all(alike(table.forms[name], table.given[name][case], table.wanted[name][case]) for name in parts)
 
-    return task.pairs.fitting(cases, sorted(range(len(cases)), key=is_right), fits, given)
+    return task.pairs.matching(cases, sorted(range(len(cases)), key=is_right), reproduced_by, given)
 
 
 def _causes(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], rows: dict[str, list[Plain]]
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what each mistake, or each two, explain of the wrong parts."""
     found = []
     for key, answers in rows.items():
@@ -96,11 +96,11 @@ def _causes(
         changed, same = _shown(task.form, table, answers, TWO if AND in key else ONE)
         same = _explain_whole_lists(same, changed)
         if changed and changed <= same & wrong:
-            found.append(Found(mistakes, describe(task, list(mistakes)), changed, is_whole=True))
+            found.append(PartFound(mistakes, describe(task, list(mistakes)), changed, is_whole=True))
         elif same & changed & wrong and all(_is_partly(task.form, table, cases, *row) for row in mistakes.items()):
-            found.append(Found(mistakes, describe(task, list(mistakes)), same & changed & wrong))
+            found.append(PartFound(mistakes, describe(task, list(mistakes)), same & changed & wrong))
         elif len(mistakes) == 1 and (made_in := mistakes[key].part) in same & changed & wrong:
-            found.append(Found(mistakes, describe(task, list(mistakes)), {made_in}))
+            found.append(PartFound(mistakes, describe(task, list(mistakes)), {made_in}))
         elif len(mistakes) == 1:
             found += _explain_one_mistake(task.form, table, key, mistakes[key], changed, same & wrong, wrong)
     return found
@@ -119,7 +119,7 @@ def _is_partly(form: Form, table: Table, cases: Sequence[Case], name: str, words
     )
 
 
-def _held_together(found: list[Found]) -> list[Found]:
+def _held_together(found: list[PartFound]) -> list[PartFound]:
     return [cause for cause in found if len(cause.mistakes) == 1 or not _falls_apart(cause, found)]
 
 
@@ -131,19 +131,19 @@ def _explain_one_mistake(
     changed: set[str],
     same: set[str],
     wrong: set[str],
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what a mistake explains whose labels were corrected by hand, or that was made in another part."""
     values = {part for part in changed if not part.startswith(LABELS)}
     same = _more_than_zero(table, same)
     if isinstance(form, Message) and values and values <= same:
-        return [Found({name: words}, words.reply, values)]
+        return [PartFound({name: words}, words.reply, values)]
     made_in, follow = words.part, {part for part in changed & same if table.forms[part].is_measured}
     if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
         return []
-    return [Found({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
+    return [PartFound({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
 
 
-def _falls_apart(both: Found, found: Sequence[Found]) -> bool:
+def _falls_apart(both: PartFound, found: Sequence[PartFound]) -> bool:
     """Return whether each of two mistakes, and no other, explains parts of its own: then each is said of those."""
     single = [cause for cause in found if len(cause.mistakes) == 1]
     alone = [cause.parts for cause in single if cause.mistakes.keys() <= both.mistakes.keys()]
@@ -190,9 +190,9 @@ JOINED: tuple[Callable[[float, float], float], ...] = (
 )
 
 
-def after_a_mistake(
+def consequence_of(
     task: TaskCases, name: str, form: Form, outcomes: Sequence[Plain], made_in: str, row: Sequence[Plain]
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what a part is beside a mistake that another part shows; nothing if it is none of it.
 
     Args:
@@ -204,13 +204,13 @@ def after_a_mistake(
         return []
     if matches_closely(form, outcomes, row):
         return [only_follows(name, made_in)]
-    way = next(matching_corrections(form, outcomes, row, only_plain_to_see=True), None)
-    return [Found({way: feedback_of(task, way)}, feedback_of(task, way).reply, {name})] if way else []
+    fix = next(matching_corrections(form, outcomes, row, only_plain_to_see=True), None)
+    return [PartFound({fix: feedback_of(task, fix)}, feedback_of(task, fix).reply, {name})] if fix else []
 
 
-def only_follows(name: str, made_in: str) -> Found:
+def only_follows(name: str, made_in: str) -> PartFound:
     """Return that a part is wrong only because of another; a cause comes first."""
-    return Found.of(f"{name} follows", TEXTS["only_follows"].filled(part=made_in), name)._replace(is_of_words=True)
+    return PartFound.of(f"{name} follows", TEXTS["only_follows"].filled(part=made_in), name)._replace(is_of_words=True)
 
 
 def followers(

@@ -21,7 +21,7 @@ from ..answers.structures import named_beside
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, Feedback, TaskCases
 from .coding_patterns import constant_of, find_coding_pattern, find_input
-from .explanation import Explanation, Found, describe, each_part_once, together
+from .explanation import Explanation, PartFound, describe, merge_found, without_overlaps
 from .generic import TOLD
 from .matching import (
     alike,
@@ -33,7 +33,7 @@ from .matching import (
     matching_corrections,
 )
 from .options import confused, explain_orders, seen_of, word_of
-from .part_mistakes import Table, after_a_mistake, followers, is_something, mistakes_in_parts, only_follows
+from .part_mistakes import Table, consequence_of, followers, is_something, mistakes_in_parts, only_follows
 from .precision import stamp_of, time_of
 from .question import Question
 from .wrong_types import describe_types
@@ -75,7 +75,7 @@ def _explain_table(
     names, wrong = list(table.forms), set(_wrong_in(table))
     several, follow = _explain_several_and_what_follows(task, table, cases, wrong, given)
     wrong -= follow.keys()
-    found = each_part_once(several, wrong)
+    found = without_overlaps(several, wrong)
     left = wrong.difference(*(cause.parts for cause in found))
     for name in names:
         if name in left:
@@ -87,12 +87,12 @@ def _explain_table(
             )
     left -= {name for cause in found for name in cause.parts}
     found += [only_follows(*pair) for pair in follow.items()] if found else []
-    return together(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
+    return merge_found(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
 
 
 def _explain_several_and_what_follows(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
-) -> tuple[list[Found], dict[str, str]]:
+) -> tuple[list[PartFound], dict[str, str]]:
     """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
     several = _explain_several(task, table, cases, wrong, given)
     is_of_all = any(wrong <= cause.parts for cause in several)
@@ -102,7 +102,7 @@ def _explain_several_and_what_follows(
 
 def _explain_several(
     task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what explains parts together: two that changed places, mistakes, an order."""
     mistakes = mistakes_in_parts(task, table, cases, wrong, given)
     pairs = [
@@ -122,7 +122,7 @@ def explain_exchanged_parts(question: Question) -> Explanation | None:
     names = list(table.forms)
     wrong = set(_wrong_in(table))
     found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
-    return together([found], {}, names) if found else None
+    return merge_found([found], {}, names) if found else None
 
 
 def explain_obvious_part(question: Question) -> Explanation | None:
@@ -137,14 +137,14 @@ def explain_obvious_part(question: Question) -> Explanation | None:
     if len(wrong) != 1:
         return None
     (name,) = wrong
-    way = next(
+    fix = next(
         matching_corrections(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None
     )
-    if way is None:
+    if fix is None:
         return None
-    words = feedback_of(task, way)
-    found = Found({way: words}, _shown_too(task, name, words.reply), {name})
-    return together([found], {}, list(table.forms))
+    words = feedback_of(task, fix)
+    found = PartFound({fix: words}, _shown_too(task, name, words.reply), {name})
+    return merge_found([found], {}, list(table.forms))
 
 
 def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
@@ -161,14 +161,14 @@ def _wrong_in(table: Table) -> list[str]:
 # -- what explains a part ------------------------------------------------------------------
 
 
-def _changed_places(table: Table, wrong: set[str]) -> Iterator[Found]:
+def _changed_places(table: Table, wrong: set[str]) -> Iterator[PartFound]:
     """Yield two parts of which each holds the other's answer."""
     names = [name for name in table.forms if name in wrong and not isinstance(table.forms[name], Choice | ListForm)]
     for one, other in combinations(names, 2):
         is_alike = type(table.forms[one]) is type(table.forms[other])
         if is_alike and _holds(table, one, other) and _holds(table, other, one):
             key = f"{one} and {other} changed places"
-            yield Found({key: Feedback(TEXTS["changed_places"], "")}, TEXTS["changed_places"], {one, other})
+            yield PartFound({key: Feedback(TEXTS["changed_places"], "")}, TEXTS["changed_places"], {one, other})
 
 
 def _holds(table: Table, one: str, other: str) -> bool:
@@ -182,13 +182,13 @@ def _by_itself(
     given: dict[str, Plain] | None,
     wrong_answers: dict[str, Plain],
     known: set[str],
-) -> list[Found]:
+) -> list[PartFound]:
     """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
     hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
     if hint is not None and isinstance(form, Choice):
         hint = Text.joined(hint, form.remark(outcomes[0], {}))
-        return [Found({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
+        return [PartFound({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
     if found := _explain_kinds(table, name) or _remarked(table, name) or _explain_any(task, table, name):
         return found
     if len(outcomes) > 1:
@@ -196,78 +196,78 @@ def _by_itself(
     found = _explain_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
         task, table, name, wrong_answers, known
     )
-    return found or ([Found.of(f"{name}: another", hint, name)] if hint else [])
+    return found or ([PartFound.of(f"{name}: another", hint, name)] if hint else [])
 
 
-def _explain_kinds(table: Table, name: str) -> list[Found]:
+def _explain_kinds(table: Table, name: str) -> list[PartFound]:
     """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
     said = describe_types(table.forms[name], table.given[name])[:2]
     texts = (". ".join(row) + "." for row in zip(*said, strict=True))
-    return [Found.of(f"{name}: no word", Text(*texts), name)] if said else []
+    return [PartFound.of(f"{name}: no word", Text(*texts), name)] if said else []
 
 
 def _after_a_mistake(
-    task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[Found]
-) -> list[Found]:
+    task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[PartFound]
+) -> list[PartFound]:
     """Return what a part is beside the mistakes of the task that were found in others."""
     known = {part for cause in found for part in cause.parts} - {name}
     for mistake, part in ((mistake, words.part) for mistake, words in task.feedback.items() if words.part in known):
         rows = {one: [task.form.part_of(case.wrong[mistake], one) for case in cases] for one in (part, name)}
-        more = after_a_mistake(task, name, table.forms[name], table.given[name], part, rows[name])
+        more = consequence_of(task, name, table.forms[name], table.given[name], part, rows[name])
         if more and matches_closely(table.forms[part], table.given[part], rows[part]):
             return more
     return []
 
 
-def _mistake_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+def _mistake_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[PartFound]:
     """Return a mistake of the task and what is plain to see on top of it, if both give one part."""
     form = table.forms[name]
     for mistake in task.feedback if form.is_measured else ():
         row = [task.form.part_of(twin, name) for twin in (case.wrong.get(mistake) for case in cases)]
         if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
             continue
-        for way in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
+        for fix in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
             return [
-                Found(
-                    {each: feedback_of(task, each) for each in (mistake, way)}, describe(task, [mistake, way]), {name}
+                PartFound(
+                    {each: feedback_of(task, each) for each in (mistake, fix)}, describe(task, [mistake, fix]), {name}
                 )
             ]
     return []
 
 
-def _remarked(table: Table, name: str) -> list[Found]:
+def _remarked(table: Table, name: str) -> list[PartFound]:
     """Return what a form itself says of a wrong answer, beside the other parts that speak of the same one."""
     form, outcomes = table.forms[name], table.given[name]
     beside = named_beside(name, table.given)
     wrong = [n for n, pair in enumerate(zip(outcomes, table.wanted[name], strict=True)) if not alike(form, *pair)]
     remarks = (form.remark(outcomes[n], {part: table.given[part][n] for part in beside}) for n in wrong)
     words = next(filter(None, remarks), None)
-    return [Found.of(f"{name}: no proof", words, name)] if words else []
+    return [PartFound.of(f"{name}: no proof", words, name)] if words else []
 
 
-def _explain_any(task: TaskCases, table: Table, name: str) -> list[Found]:
+def _explain_any(task: TaskCases, table: Table, name: str) -> list[PartFound]:
     """Return what any answer can have: a habit, something universal, another part's answer."""
     form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    if len(outcomes) > 1 and (habit := find_coding_pattern(form, table.args, outcomes, wanted)):
-        return [Found.of(f"{name}: {habit[0]}", habit[1], name)]
+    if len(outcomes) > 1 and (pattern := find_coding_pattern(form, table.args, outcomes, wanted)):
+        return [PartFound.of(f"{name}: {pattern[0]}", pattern[1], name)]
     if same := constant_of(form, outcomes, wanted):
-        return [Found.of(f"{name}: {same[0]}", same[1], name)]
-    for way in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        words = feedback_of(task, way)
-        return [Found({way.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
+        return [PartFound.of(f"{name}: {same[0]}", same[1], name)]
+    for fix in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
+        words = feedback_of(task, fix)
+        return [PartFound({fix.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
     if (other := _anothers(table, name)) is not None:
-        return [Found.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
+        return [PartFound.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
     return []
 
 
-def _explain_words(task: TaskCases, table: Table, name: str) -> list[Found]:
+def _explain_words(task: TaskCases, table: Table, name: str) -> list[PartFound]:
     """Return which words a function confuses in one part of what it gives, and in which calls."""
     form = table.forms[name]
     confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
     if confusion is None:
         return []
     said = Text.joined(confusion.said, seen_of(confusion, task.seen))
-    return [Found.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
+    return [PartFound.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
 
 
 def _anothers(table: Table, name: str) -> str | None:
@@ -284,17 +284,17 @@ def _anothers(table: Table, name: str) -> str | None:
 
 def _explain_the_given(
     task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
-) -> list[Found]:
+) -> list[PartFound]:
     """Return that a part is what was given, or has a factor reversed."""
-    way = find_input(form, outcome, wanted, given)
-    if not way:
+    fix = find_input(form, outcome, wanted, given)
+    if not fix:
         return []
-    return [Found({way: feedback_of(task, way)}, _shown_too(task, name, feedback_of(task, way).reply), {name})]
+    return [PartFound({fix: feedback_of(task, fix)}, _shown_too(task, name, feedback_of(task, fix).reply), {name})]
 
 
 def _as_another_is(
     task: TaskCases, table: Table, name: str, wrong_answers: dict[str, Plain], known: set[str]
-) -> list[Found]:
+) -> list[PartFound]:
     """Return the mistake that writes another part's right answer here, where that one, wrong as is `known`, stands."""
     form = table.forms[name]
     for other, part in table.forms.items():
@@ -305,20 +305,20 @@ def _as_another_is(
         for key, answer in wrong_answers.items():
             is_made_here = feedback_of(task, key).part == name
             if is_made_here and alike(form, task.form.part_of(answer, name), table.wanted[other][0]):
-                return [Found({key: feedback_of(task, key)}, feedback_of(task, key).reply, {name})]
+                return [PartFound({key: feedback_of(task, key)}, feedback_of(task, key).reply, {name})]
     return []
 
 
-def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[Found]:
+def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[PartFound]:
     """Return whether a part of what a function gives is that part of an argument, in every case."""
     for place in range(len(cases[0].args or ())):
         came = [form.part_of(case.args[place], name) for case in cases]
         if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
-            return [Found({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
+            return [PartFound({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
         times = [time_of(case.args[place]) for case in cases]
         if None not in times and times == [stamp_of(value) for value in table.given[name]]:
             said = TEXTS["time_of"].filled(number=place + 1)
-            return [Found({f"{name}: a time": Feedback(said, "")}, said, {name})]
+            return [PartFound({f"{name}: a time": Feedback(said, "")}, said, {name})]
     return []
 
 

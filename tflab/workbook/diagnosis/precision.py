@@ -46,7 +46,7 @@ def describe_loss(name: str) -> Text | None:
     return None
 
 
-def _told(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
+def _with_details(rows: Iterator[tuple[str, str]]) -> Iterator[str]:
     yield from (kind + TOLD + told if told else kind for kind, told in rows)
 
 
@@ -172,9 +172,9 @@ def _compare_lists(form: Sequence, answers: list[Plain], wanted: list[Plain]) ->
 def _too_many(answer: Plain, given: list[str], want: list[str]) -> str:
     """Return the members of a list that nobody asked for, or not so often, as they are written; nothing of others."""
     lacking, found = Counter(want), []
-    for plain, way in zip(inside(answer), given, strict=True):
-        lacking[way] -= 1
-        if lacking[way] < 0:
+    for plain, text in zip(inside(answer), given, strict=True):
+        lacking[text] -= 1
+        if lacking[text] < 0:
             found.append(_written(plain))
     return TOLD + ", ".join(list(dict.fromkeys(found))[:MOST_TOLD]) if found and all(found) else ""
 
@@ -242,7 +242,7 @@ def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> 
     if given and right and len(answers) == 1:
         lines = ([mark.value for mark in probes[0][0]] for probes in (given, right))
         typed = {word.removeprefix("/"): word for word in str(answers[0]).split()}  # a topic is read without its slash
-        yield from _told((kind, re.sub(r"(?<=`)[^`,]+(?=`)", lambda word: typed.get(word[0], word[0]), told))
+        yield from _with_details((kind, re.sub(r"(?<=`)[^`,]+(?=`)", lambda word: typed.get(word[0], word[0]), told))
                          for kind, told in command_lines.wrong_in(*lines))  # fmt: skip
 
 
@@ -312,7 +312,7 @@ LOST = {
     "rounded": Recogniser(find=_rows(_all_rounded)),
     "list": Recogniser(find=_compare_lists),
     "members twice": Recogniser(find=_held_twice),
-    "tree": Recogniser(find=lambda _, answers, wanted: _told(trees.compare_trees(answers, wanted))),
+    "tree": Recogniser(find=lambda _, answers, wanted: _with_details(trees.compare_trees(answers, wanted))),
     "line": Recogniser(find=_compare_lines),
     "stamp": Recogniser(find=_compare_stamps),
 }

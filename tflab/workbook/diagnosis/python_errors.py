@@ -13,14 +13,14 @@ from collections.abc import Mapping
 
 from ...text import Text, Texts
 
-__all__ = ["TIPS", "tip_for"]
+__all__ = ["TIPS", "python_error_hint"]
 
 TIPS: Mapping[str, Text] = Texts(__file__)  # by regular expression; the first that matches counts
 NO_TIP = Text("", "")
 LONGEST = 500  # characters of an error that are compared
 
 
-def tip_for(error: str, text: str) -> Text:
+def python_error_hint(error: str, text: str) -> Text:
     """Return what one of Python's errors means, or an empty text.
 
     Args:

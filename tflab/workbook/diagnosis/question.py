@@ -12,7 +12,7 @@ from ..tasks.case_types import Case, TaskCases
 from .explanation import Explanation
 from .matching import alike
 
-__all__ = ["Question", "Rest"]
+__all__ = ["PartialExplanation", "Question"]
 
 
 @dataclass(frozen=True)
@@ -66,7 +66,7 @@ class Question:
         return [is_raised(case.expected) for case in self.cases]
 
 
-class Rest(NamedTuple):
+class PartialExplanation(NamedTuple):
     """One thing that is wrong, and what is left to explain without it.
 
     Attributes:

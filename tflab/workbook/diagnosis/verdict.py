@@ -28,16 +28,16 @@ from .explain import explain
 from .explanation import Explanation
 from .matching import ANY_BUG
 from .mistake import Mistake
-from .options import never_said
-from .python_errors import tip_for
+from .options import word_never_returned
+from .python_errors import python_error_hint
 from .question import Question
 from .wrong_types import (
     describe_type,
+    invalid_parts,
     near_an_option,
-    no_options_either,
-    one_part_alone,
     option_of_another,
     raised_option,
+    single_part_given,
 )
 
 __all__ = ["Verdict", "judge_outcomes", "kind_of"]
@@ -203,8 +203,8 @@ def _unexplained(
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
-    if task.is_function and (habit := credit.habit(form, cases, outcomes)):
-        return Mistake(habit), {}
+    if task.is_function and (pattern := credit.trivial_pattern(form, cases, outcomes)):
+        return Mistake(pattern), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
     if form.names():
         return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
@@ -233,7 +233,7 @@ def _describe_nothing(
     """Return for which option a function gives nothing, if all other calls are right."""
     if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
         return {}
-    if isinstance(form, Choice) and (said := never_said(form, outcomes, [case.expected for case in cases])):
+    if isinstance(form, Choice) and (said := word_never_returned(form, outcomes, [case.expected for case in cases])):
         return {"certain": said}
     return {}
 
@@ -265,7 +265,7 @@ def _ending(
 
 def _raising(form: Form, error: str, text: str, expected: Plain) -> tuple[Mistake, dict[str, Any]]:
     """Return what is wrong with an exception that was raised."""
-    tip = raised_option(form, text) or tip_for(error, text)
+    tip = raised_option(form, text) or python_error_hint(error, text)
     detail = {"error": error, "text": text.rstrip(". "), "tip": tip}
     if not is_raised(expected) or error in ANY_BUG - {"ValueError"}:
         return Mistake.RAISES, detail
@@ -363,7 +363,7 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
 
 
 def _describe_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
-    tip = one_part_alone(form, outcome)
+    tip = single_part_given(form, outcome)
     return {"tip": tip} if tip else {}
 
 
@@ -375,7 +375,7 @@ def _with_tip(
     """
     if fault[0] is not Mistake.OPTION:
         return fault[1]
-    said = [option_of_another(form, name, answers[name]) or fault[1].get("tip"), no_options_either(form, name, answers)]
+    said = [option_of_another(form, name, answers[name]) or fault[1].get("tip"), invalid_parts(form, name, answers)]
     return fault[1] | ({"tip": Text.joined(*said, between=". ")} if any(said) else {})
 
 

@@ -14,18 +14,18 @@ from ..answers.members import dict_of, members_of, pairs_of
 from ..answers.values import Plain
 from .explanation import Explanation
 from .matching import all_alike
-from .question import Question, Rest
+from .question import PartialExplanation, Question
 
 __all__ = [
     "TYPES",
     "describe_type",
     "describe_types",
     "explain_other_types",
+    "invalid_parts",
     "near_an_option",
-    "no_options_either",
-    "one_part_alone",
     "option_of_another",
     "raised_option",
+    "single_part_given",
 ]
 
 TEXTS = Texts(__file__)
@@ -125,7 +125,7 @@ def seconds_of(form: Form, outcome: Plain) -> float | None:
     return length / 1e9 if isinstance(length, int) else None
 
 
-def explain_other_types(question: Question) -> Rest | None:
+def explain_other_types(question: Question) -> PartialExplanation | None:
     """Return that a time was given for seconds, or pairs for a dict, and what these hold; None if that is right."""
     form = question.form
     if isinstance(form, Number):
@@ -133,13 +133,13 @@ def explain_other_types(question: Question) -> Rest | None:
     elif not all(map(pairs_of, question.outcomes)):
         return None
     else:
-        ways = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
-        values = max(ways, key=lambda way: sum(map(sum, map(form.judge, way, question.expected))))
+        rows = [[dict_of(outcome, is_child_first) for outcome in question.outcomes] for is_child_first in (False, True)]
+        values = max(rows, key=lambda row: sum(map(sum, map(form.judge, row, question.expected))))
     if None in values or all_alike(question.form, values, question.expected):
         return None
     said = describe_type(question.form, question.outcomes[0])
     then = Explanation.of("other type", Text(f"{said.en}.", f"{said.ko}.")) if said else None
-    return Rest(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree)) if then else None
+    return then and PartialExplanation(then, question.with_outcomes(values), is_enough=isinstance(question.form, Tree))
 
 
 NEAR = 0.8  # share of letters that two words have in common
@@ -160,7 +160,7 @@ def raised_option(form: Form, text: str) -> Text | None:
     return None if option is None else TEXTS["raised"].filled(option=option)
 
 
-def one_part_alone(form: Parts, outcome: Plain) -> Text | None:
+def single_part_given(form: Parts, outcome: Plain) -> Text | None:
     """Return which part a word is for that was given where all parts are asked for; None if it is for none."""
     if not isinstance(outcome, str):
         return None
@@ -177,7 +177,7 @@ def option_of_another(form: Parts, name: str, answer: Plain) -> Text | None:
     return None
 
 
-def no_options_either(form: Parts, name: str, answers: Mapping[str, Plain]) -> Text | None:
+def invalid_parts(form: Parts, name: str, answers: Mapping[str, Plain]) -> Text | None:
     """Return which other parts hold words that are none to choose from; None if no other does."""
     bad = [
         f'"{other}": "{answers[other]}"'

@@ -33,15 +33,15 @@ from ..diagnosis.mistake import Mistake
 from ..diagnosis.verdict import Verdict
 from ..paths import chapters, workbook_data
 from ..progress import read_progress
-from ..reply import show_page, show_reply
+from ..reply_card import show_page, show_reply
 from ..tasks.task import chapter_of
 from .items import DO_NOT_KNOW, FORMS, Item, read_inventory
-from .replies import Reply, changes, chosen, relearnt, replies_to
+from .replies import Reply, changes, chosen, fixed_items, replies_to
 
 if TYPE_CHECKING:
     from tflab.views.picture import Picture
 
-__all__ = ["NO_HELP", "Opened", "opened", "say_taken_part", "waiting"]
+__all__ = ["NO_HELP", "RevealedForms", "pending_notice", "report_participation", "revealed_forms"]
 
 TEXTS = Texts(__file__)
 SIGNS = {"cured": "▲", "held": "●", "stuck": "○", "lost": "▽"}
@@ -51,7 +51,7 @@ NO_HELP = Text(
 )
 
 
-def say_taken_part(task_id: str, root: Path, language: str, form: Form, verdict: Verdict, outcome: Plain) -> None:
+def report_participation(task_id: str, root: Path, language: str, form: Form, verdict: Verdict, outcome: Plain) -> None:
     """Say how many questions are answered, keep the first complete answer, and show both forms when they are open."""
     said = TEXTS["answered"].say(language, passed=verdict.passed, of=verdict.of)
     score = f"{verdict.passed}/{verdict.of}"
@@ -64,7 +64,7 @@ def say_taken_part(task_id: str, root: Path, language: str, form: Form, verdict:
     answers = chosen(form, outcome)
     kept = progress.record_answers(root, task_id, answers)
     said += " " + (TEXTS["kept"] if kept == answers else TEXTS["first_kept"]).say(language) if kept else ""
-    page = opened(root, language)
+    page = revealed_forms(root, language)
     show_reply(f"{task_id} ✓ {score}", said, [] if page else [TEXTS["opens_later"].say(language)], "passed")
     if page is not None:
         show_page(page)
@@ -78,15 +78,15 @@ def _what_is_left(verdict: Verdict, language: str) -> str:
     return TEXTS["wrong_kind"].say(language)
 
 
-def opened(root: Path, language: str) -> Opened | None:
+def revealed_forms(root: Path, language: str) -> RevealedForms | None:
     """Return what is open in the copy at `root`; None before form B is in."""
     kept = read_progress(root)
     before, after = (kept[task].answers if task in kept else {} for task in FORMS.values())
     items = read_inventory()
-    return Opened(items, before, after, language) if after and items else None
+    return RevealedForms(items, before, after, language) if after and items else None
 
 
-def waiting(root: Path, language: str) -> str:
+def pending_notice(root: Path, language: str) -> str:
     """Return a line where form B is not in: what to do, or what is kept; "" else, and where the forms are not."""
     kept = read_progress(root)
     before, after = (bool(task in kept and kept[task].answers) for task in FORMS.values())
@@ -95,7 +95,7 @@ def waiting(root: Path, language: str) -> str:
     return (TEXTS["waiting"] if before else TEXTS["to_do"]).say(language)
 
 
-class Opened:
+class RevealedForms:
     """Both forms and what changed between them: as HTML in a notebook, as text in a terminal."""
 
     def __init__(
@@ -168,7 +168,7 @@ class Opened:
 
     def _sections(self) -> Iterator[tuple[str, list[str]]]:
         """Yield what was learnt against the learner's own certainty, then where to go for what is wrong now."""
-        learnt = [f"{change.number} · {change.item.about.say(self._language)}" for change in relearnt(self._changes)]
+        learnt = [f"{change.number} · {change.item.about.say(self._language)}" for change in fixed_items(self._changes)]
         if learnt:
             yield self._say("relearnt"), learnt
         wrong = [number for number, reply in enumerate(self._replies["B"], start=1) if not reply.is_right]

@@ -20,7 +20,7 @@ from ..answers.forms import Choice, Form, Parts
 from ..answers.values import Plain
 from .items import LETTERS, Item
 
-__all__ = ["FORM", "ItemChange", "Reply", "changes", "chosen", "relearnt", "replies_to"]
+__all__ = ["FORM", "ItemChange", "Reply", "changes", "chosen", "fixed_items", "replies_to"]
 
 FORM = Parts({str(number): Choice(("a", "b", "c", "d", "e", "a?", "b?", "c?", "d?", "e?")) for number in range(1, 16)})
 
@@ -80,6 +80,6 @@ def changes(items: Sequence[Item], before: Mapping[str, str], after: Mapping[str
     return [ItemChange(number, *row) for number, row in enumerate(rows, start=1)]
 
 
-def relearnt(all_of_them: Sequence[ItemChange]) -> list[ItemChange]:
+def fixed_items(all_of_them: Sequence[ItemChange]) -> list[ItemChange]:
     """Return the items that somebody was sure of and had wrong before, and has right now."""
     return [change for change in all_of_them if change.before.kind == "wrong" and change.after.is_right]

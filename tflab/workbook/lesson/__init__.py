@@ -19,7 +19,8 @@ from __future__ import annotations
 from tflab.bags.info import example_bag
 from tflab.bags.reader import read_bag
 from tflab.clinic.causes import BaseLocalizer
-from tflab.clinic.practice import answer_of, night_shift, practice_patient, worked_patient
+from tflab.clinic.practice import answer_of, practice_patient, worked_patient
+from tflab.clinic.practice import two_fault_patient as night_shift
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, seconds
 from tflab.core.quaternions import angle, xyzw_from_wxyz
 from tflab.robots.model import link_poses
@@ -47,7 +48,8 @@ from tflab.views.clocks import Play, draw_clocks
 from tflab.views.coordinates import draw_moments, draw_rulers, readings_of
 from tflab.views.fault_tables import draw_owners
 from tflab.views.frames import draw_scene
-from tflab.views.late_joiner import Letter, Sender, draw_joins
+from tflab.views.late_joiner import Sender, draw_joins
+from tflab.views.late_joiner import SentMessage as Letter
 from tflab.views.map_error import draw_placed, draw_tracks
 from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, drive, latency_error
 from tflab.views.projection import FROM_ABOVE

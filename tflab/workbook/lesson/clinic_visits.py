@@ -18,13 +18,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 from tflab.clinic import practice
-from tflab.clinic.examples import findings_as_text, suspects_as_text, trolley_as_text
+from tflab.clinic.checks import BUDGET_MIN, unknown_name_error
+from tflab.clinic.examples import checks_as_text, findings_as_text, suspects_as_text
 from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
 from tflab.clinic.panel import clinic_panel as panel_of
-from tflab.clinic.patient import SickRobot
-from tflab.clinic.proof import best_check, left_after, minutes_of, order_of, rivals_of
-from tflab.clinic.table import COMPLAINTS, SUSPECTS, kind_expected
-from tflab.clinic.trolley import BUDGET_MIN, no_such
+from tflab.clinic.patient import FaultyRobot
+from tflab.clinic.proof import best_check, check_steps, minutes_of, rivals_left, rivals_of
+from tflab.clinic.table import COMPLAINTS, SUSPECTS, expected_kind
 from tflab.clinic.visit import Visit, steps_of
 from tflab.clinic.visit import admit as admitted
 from tflab.views import panels
@@ -68,12 +68,12 @@ LECTURES_ORDER = (
 )  # fmt: skip
 
 
-def admit(patient: SickRobot, helped: bool = False) -> Visit:
+def admit(patient: FaultyRobot, helped: bool = False) -> Visit:
     """Let a patient in, in the language of this copy; where the table helps, it strikes whom a reading does not fit."""
     return admitted(patient, _language(), helped)
 
 
-def clinic_panel(patient: SickRobot, helped: bool = True) -> ClinicPanel:
+def clinic_panel(patient: FaultyRobot, helped: bool = True) -> ClinicPanel:
     """Return a visit with controls, in the language of this copy."""
     return panel_of(patient, _language(), helped)
 
@@ -104,7 +104,7 @@ def show_suspects() -> None:
 
 def show_trolley() -> None:
     """Print each check by its short name, what it costs, and what is typed."""
-    print(trolley_as_text(_language()))
+    print(checks_as_text(_language()))
 
 
 def show_findings(complaint: str = "") -> None:
@@ -123,14 +123,14 @@ def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPictu
         ValueError: there is no such complaint.
     """
     if complaint and complaint not in COMPLAINTS:
-        raise no_such(complaint, "no complaint", COMPLAINTS)
+        raise unknown_name_error(complaint, "no complaint", COMPLAINTS)
     suspects = COMPLAINTS[complaint].suspects if complaint else SUSPECTS
     return draw_suspects(suspects_table(suspects, columns_for(suspects)), asked)
 
 
 def draw_questions(cause: str, checks: Sequence[str], whole: bool = False) -> Picture:
     """Draw what each check would cost, and who would be left after it, were it this cause."""
-    return draw_order(order_of(cause, checks, whole))
+    return draw_order(check_steps(cause, checks, whole))
 
 
 def best_questions(cause: str) -> list[str]:
@@ -140,21 +140,21 @@ def best_questions(cause: str) -> list[str]:
     while len(left) > 1:
         check = best_check(left)  # what was asked splits nobody any more
         asked.append(check)
-        left = tuple(other for other in left if kind_expected(other, check) == kind_expected(cause, check))
+        left = tuple(other for other in left if expected_kind(other, check) == expected_kind(cause, check))
     return asked
 
 
 def draw_both_ways() -> Picture:
     """Draw the minutes that both ways take until one suspect is left, no complaint told, for each of eighteen."""
-    ways = {
+    orders = {
         "six steps": {cause: minutes_of(_until_clear(cause, LECTURES_ORDER)) for cause in SUSPECTS},
         "best next": {cause: minutes_of(best_questions(cause)) for cause in SUSPECTS},
     }
-    return draw_minutes(ways, BUDGET_MIN)
+    return draw_minutes(orders, BUDGET_MIN)
 
 
 def _until_clear(cause: str, checks: Sequence[str]) -> Sequence[str]:
-    rows = left_after(cause, rivals_of(cause, whole=True), checks)
+    rows = rivals_left(cause, rivals_of(cause, whole=True), checks)
     return checks[: next((number for number, left in enumerate(rows, start=1) if not left), len(checks))]
 
 

@@ -153,10 +153,10 @@ def root_of_most(buffer: BufferCore) -> str:
     parents = {edge.name: edge.parent for edge in buffer.snapshot().frames}
     below: dict[str, int] = {}
     for frame in parents:
-        way = [frame]
-        while (parent := parents.get(way[-1])) is not None and parent not in way:
-            way.append(parent)
-        below[way[-1]] = below.get(way[-1], 0) + 1
+        path = [frame]
+        while (parent := parents.get(path[-1])) is not None and parent not in path:
+            path.append(parent)
+        below[path[-1]] = below.get(path[-1], 0) + 1
     return max(below, key=lambda root: (below[root], root)) if below else "map"
 
 

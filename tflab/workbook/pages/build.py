@@ -44,17 +44,17 @@ from .site import write_book
 from .source import Page, PageError, PageFault, read_page
 from .stale import stale
 
-__all__ = ["Built", "Made", "build", "build_pages", "make_page", "sources", "write_files"]
+__all__ = ["BuildResult", "PageFiles", "build", "build_pages", "make_page", "sources", "write_files"]
 
 
-class Made(NamedTuple):
+class PageFiles(NamedTuple):
     """What comes of a source: the text of each file by its path, and what is wrong."""
 
     files: dict[str, str]
     faults: list[PageFault]
 
 
-async def make_page(path: Path) -> Made:
+async def make_page(path: Path) -> PageFiles:
     """Make everything that comes of the source at `path`; a faulty one as far as it goes."""
     try:
         page = read_page(path)
@@ -63,9 +63,9 @@ async def make_page(path: Path) -> Made:
             return await _solution(page, faults)
         outputs, more = await run_page(page, f"notebooks/{LANGUAGES[0]}")
         translated, wrong = await _translated(page, outputs)
-        return Made(_in_each_language(page, "notebooks", outputs, translated=translated), faults + more + wrong)
+        return PageFiles(_in_each_language(page, "notebooks", outputs, translated=translated), faults + more + wrong)
     except PageError as error:
-        return Made({}, list(error.faults))
+        return PageFiles({}, list(error.faults))
 
 
 async def _translated(page: Page, outputs: Outputs) -> tuple[Outputs, list[PageFault]]:
@@ -85,13 +85,13 @@ async def _translated(page: Page, outputs: Outputs) -> tuple[Outputs, list[PageF
     return {name: theirs[name] for name in marked}, faults
 
 
-async def _solution(page: Page, faults: list[PageFault]) -> Made:
+async def _solution(page: Page, faults: list[PageFault]) -> PageFiles:
     folder = page.path.parents[1] / "tasks" / page.stem
     try:
         with in_process_ros():
             tasks = read_tasks(folder)
     except TaskError as error:
-        return Made({}, [*faults, page.fault(None, str(error), "fix the chapter's tasks")])
+        return PageFiles({}, [*faults, page.fault(None, str(error), "fix the chapter's tasks")])
     faults += exercise_faults(page, tasks) + form_faults(page, tasks)
     outlines = {task.id: outline_of(task) for task in tasks}
     files_of_tasks = (path for path in sorted(folder.glob("*")) if path.is_file())
@@ -109,7 +109,7 @@ async def _solution(page: Page, faults: list[PageFault]) -> Made:
             files[f"exercises/{language}/{exercise_file(page.stem)}"] = exercise
         except BlankError:  # which is a fault already
             assert faults
-    return Made(files, faults)
+    return PageFiles(files, faults)
 
 
 def _in_each_language(
@@ -132,7 +132,7 @@ Progress = Callable[[str], None]
 
 
 @dataclass
-class Built:
+class BuildResult:
     """What came of a build.
 
     Attributes:
@@ -168,7 +168,7 @@ def build(words: Sequence[str]) -> int:
     return _write_what_was_built(root, built, options.draft)
 
 
-def _say_what_is_stale(root: Path, built: Built, all_of_them: bool) -> int:
+def _say_what_is_stale(root: Path, built: BuildResult, all_of_them: bool) -> int:
     lines = [*stale(root, built.files), *(_without_source(root) if all_of_them else ())]
     for line in lines:
         print(line)
@@ -182,7 +182,7 @@ def _say_what_is_stale(root: Path, built: Built, all_of_them: bool) -> int:
     return 1 if lines or built.faults else 0
 
 
-def _write_what_was_built(root: Path, built: Built, is_draft: bool) -> int:
+def _write_what_was_built(root: Path, built: BuildResult, is_draft: bool) -> int:
     files = built.files | (built.faulty if is_draft else {})
     written = write_files(root, files)
     print(f"{_count(len(written), 'file', 'files')} written, {len(files) - len(written)} as they were")
@@ -214,7 +214,7 @@ def sources(root: Path, wanted: Iterable[str] = ()) -> list[Path]:
     return [path for stem in called for path in there if path.stem == stem] or there
 
 
-def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> Built:
+def build_pages(chosen: Sequence[Path], *, jobs: int = 2, progress: Progress = lambda line: None) -> BuildResult:
     """Build these sources in memory, `jobs` kernels at a time; nothing is written."""
     return wait_for(_build_all(chosen, jobs, progress))
 
@@ -232,10 +232,10 @@ def write_files(root: Path, files: dict[str, str]) -> list[str]:
     return written
 
 
-async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> Built:
+async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> BuildResult:
     turn = asyncio.Semaphore(max(1, jobs))
 
-    async def build_one(path: Path) -> Made:
+    async def build_one(path: Path) -> PageFiles:
         async with turn:
             made = await make_page(path)
         name = f"{path.parents[1].name}/{path.stem}"
@@ -244,7 +244,7 @@ async def _build_all(chosen: Sequence[Path], jobs: int, progress: Progress) -> B
 
     longest_first = sorted(chosen, key=lambda path: path.parents[1].name != "solutions")
     pages = dict(zip(longest_first, await asyncio.gather(*map(build_one, longest_first)), strict=True))
-    built = Built()
+    built = BuildResult()
     for path in chosen:
         made = pages[path]
         (built.faulty if made.faults else built.files).update(made.files)

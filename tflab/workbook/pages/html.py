@@ -21,7 +21,7 @@ from typing import Any
 from ..paths import Workbook, stems_called, workbook_data, write_workbook
 from .execute import merged_streams, running_kernel, wait_for
 
-__all__ = ["PageFailed", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
+__all__ = ["PageRunError", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
 LINK = re.compile(r'<a href="(?:[\w.-]+/)*(?P<page>[\w-]+)\.ipynb(?P<place>#[^"]*)?"[^>]*>(?P<said>.*?)</a>', re.DOTALL)
@@ -47,7 +47,7 @@ def write_html(names: Sequence[str], out_dir: Path, language: str = "en") -> int
         print(f"[{number}/{len(notebooks)}] {notebook.name}", end=" ", flush=True)
         try:
             print(html_from_notebook(notebook, out_dir, {other.stem for other in notebooks}))
-        except PageFailed as failure:
+        except PageRunError as failure:
             print(f"failed\n{failure}", file=sys.stderr)
             failed += 1
     return 1 if failed else 0
@@ -67,7 +67,7 @@ def notebooks_called(words: Sequence[str], folder: Path) -> list[Path]:
     return called
 
 
-class PageFailed(Exception):
+class PageRunError(Exception):
     """A file is no notebook, or one of its cells raised an error; the text says which, and what."""
 
 
@@ -77,7 +77,7 @@ def html_from_notebook(notebook: Path, out_dir: Path, beside: Set[str] = frozens
     Its links to notebooks lead to those `beside` it, by their stems, and to pages that are there; others are words.
 
     Raises:
-        PageFailed: it is no notebook, or a cell raised an error.
+        PageRunError: it is no notebook, or a cell raised an error.
     """
     from tflab.views.export import export_html
 
@@ -109,7 +109,7 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     """Run a copy of `notebook` in `folder`, with its sliders filmed; return the copy's path.
 
     Raises:
-        PageFailed: it is no notebook, or a cell raised an error.
+        PageRunError: it is no notebook, or a cell raised an error.
     """
     import nbformat
     from nbclient import NotebookClient
@@ -120,13 +120,13 @@ def run_with_films(notebook: Path, folder: Path) -> Path:
     try:
         page = read_notebook(notebook)
     except NotANotebook as fault:
-        raise PageFailed(f"{fault}") from None
+        raise PageRunError(f"{fault}") from None
     _as_a_copy(folder, page_language(page))
     client = NotebookClient(page, timeout=SECONDS_FOR_A_CELL, resources={"metadata": {"path": str(folder)}})
     try:
         wait_for(_run(client, {**os.environ, "TFLAB_FILMS": "1"}))
     except (CellExecutionError, CellTimeoutError, DeadKernelError) as error:
-        raise PageFailed(f"{notebook.name}: {error}") from None
+        raise PageRunError(f"{notebook.name}: {error}") from None
     for cell in page.cells:
         if cell.cell_type == "code":  # a stream comes in pieces, cut somewhere else every time
             cell.outputs = [nbformat.from_dict(output) for output in merged_streams(cell.outputs)]

@@ -29,10 +29,10 @@ from ..book.pages import (
     BookPage,
     ShownFigure,
     conventions_text,
-    door,
     framed,
     front_page,
     gallery_page,
+    language_choice_page,
     pictures_of,
     shell,
 )
@@ -41,7 +41,7 @@ from ..book.search_index import search_index, sections_of
 from ..course.course import read_course
 from ..paths import chapter_of, workbook_data
 from .editions import live_and_static
-from .html import PageFailed, run_with_films
+from .html import PageRunError, run_with_films
 
 __all__ = ["write_book"]
 
@@ -69,7 +69,7 @@ def write_book(out_dir: Path, languages: Sequence[str], *, reference: bool = Fal
     assets.mkdir(parents=True, exist_ok=True)
     for name in ("book.css", "book.js"):
         shutil.copyfile(STATIC / name, assets / name)
-    (out_dir / "index.html").write_text(door(), encoding="utf-8")
+    (out_dir / "index.html").write_text(language_choice_page(), encoding="utf-8")
     failed = 0
     for language in languages:
         made, faults = _ran_pages(language, assets)
@@ -108,16 +108,16 @@ def _ran_pages(language: str, assets: Path) -> tuple[list[_Ran], int]:
     wanted = sorted([*notebooks, *exercises], key=lambda path: (chapter_of(path), path in exercises))
     made, failed = [], 0
 
-    def make(path: Path) -> _Ran | PageFailed:
+    def make(path: Path) -> _Ran | PageRunError:
         try:
             return _exercise(path, language, assets) if path in exercises else _lecture(path, language, assets)
-        except PageFailed as failure:
+        except PageRunError as failure:
             return failure
 
     with ThreadPoolExecutor(KERNELS) as threads:
         for number, (path, one) in enumerate(zip(wanted, threads.map(make, wanted), strict=True), start=1):
             print(f"[{number}/{len(wanted)}] {language}/{path.name}", flush=True)
-            if isinstance(one, PageFailed):
+            if isinstance(one, PageRunError):
                 print(f"failed\n{one}", file=sys.stderr)
                 failed += 1
             else:

@@ -30,7 +30,7 @@ from typing import Any
 from ...text import LANGUAGES, Texts
 from ..paths import WorkbookError, read_workbook, workbook_root
 from .editions import static_figures
-from .html import PageFailed, notebooks_called, run_with_films
+from .html import PageRunError, notebooks_called, run_with_films
 
 __all__ = ["Slide", "deck_from_notebook", "main", "slides_of"]
 
@@ -89,7 +89,7 @@ def main(words: Sequence[str]) -> int:
             print(
                 deck_from_notebook(page, Path(options.out), notes=not options.no_notes, single_file=options.single_file)
             )
-        except PageFailed as failure:
+        except PageRunError as failure:
             print(failure, file=sys.stderr)
             failed += 1
     return 1 if failed else 0
@@ -99,7 +99,7 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
     """Run a copy of `notebook` and write it as a deck into `out_dir`; return the deck's path.
 
     Raises:
-        PageFailed: it is no notebook, a cell raised an error, or there is nothing on it to show.
+        PageRunError: it is no notebook, a cell raised an error, or there is nothing on it to show.
     """
     from tflab.views.export import export_html, page_language
 
@@ -108,7 +108,7 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
         ran = json.loads(executed.read_text(encoding="utf-8"))
         language, slides = page_language(ran), slides_of(ran, notes=notes)
         if not slides:
-            raise PageFailed(f"{notebook.name}: no cell of it is shown on a slide")
+            raise PageRunError(f"{notebook.name}: no cell of it is shown on a slide")
         page = export_html(executed, Path(folder) / "deck", single_file=single_file)
         page.write_text(_as_deck(page.read_text(encoding="utf-8"), slides, language), encoding="utf-8")
         shutil.copytree(page.parent, out_dir, dirs_exist_ok=True)

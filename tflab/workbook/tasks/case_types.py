@@ -21,7 +21,7 @@ __all__ = [
     "AND",
     "Case",
     "Feedback",
-    "FindsPairs",
+    "PairFinder",
     "TaskCases",
     "Variant",
     "as_kept",
@@ -84,14 +84,14 @@ class Feedback(NamedTuple):
         return cls(Text(**plain["reply"]), plain["misconception"], plain["part"], plain["partly"])
 
 
-class FindsPairs(Protocol):
+class PairFinder(Protocol):
     """What searches two mistakes that together give an answer: `pairs.PairSearch`."""
 
-    def fitting(
+    def matching(
         self,
         cases: Sequence[Case],
         order: Sequence[int],
-        fits: Callable[[int, Plain], Collection[str]],
+        reproduced_by: Callable[[int, Plain], Collection[str]],
         given: dict[str, Plain] | None,
     ) -> dict[str, list[Plain]]:
         """Return what each pair gives, case by case, of those that fit the answer."""
@@ -114,7 +114,7 @@ class TaskCases(NamedTuple):
     shows: dict[str, Text] = {}  # noqa: RUF012  what each part shows instead
     seen: dict[str, Text] = {}  # noqa: RUF012  what there is to see where an option is right
     counts: str = ""  # as of a Task
-    pairs: FindsPairs | None = None  # not part of the JSON
+    pairs: PairFinder | None = None  # not part of the JSON
 
     def plain(self) -> dict[str, Plain]:
         """Return the task as JSON has it, `counts` and `seen` only if they are not empty."""

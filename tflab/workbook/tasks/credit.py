@@ -35,7 +35,7 @@ from .case_types import Case
 
 __all__ = [
     "asked_alike", "beyond_guessing", "beyond_one_word", "beyond_the_given", "beyond_the_usual", "credited",
-    "habit", "negated", "usual_among",
+    "negated", "trivial_pattern", "usual_among",
 ]  # fmt: skip
 
 FEWEST_ALIKE = 3  # choices between the same words: of two, one word is as likely a mistake as a guess
@@ -54,7 +54,7 @@ def credited(
     """
     if len(cases) < 2 or all(map(all, rights)):
         return [list(row) for row in rights]
-    if habit(form, cases, outcomes):
+    if trivial_pattern(form, cases, outcomes):
         return [[False] * len(row) for row in rights]
     by_luck = _right_by_luck(form, cases, rights)
     return [
@@ -137,7 +137,7 @@ def _right_by_luck(form: Form, cases: Sequence[Case], rights: Sequence[list[bool
     return by_luck
 
 
-def habit(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> str:
+def trivial_pattern(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> str:
     """Return what a function does whatever it is asked: "constant", "echo", or "" if neither."""
     expected = [case.expected for case in cases]
     if len(cases) < 2 or all(form.alike(value, expected[0]) for value in expected[1:]):

@@ -18,7 +18,7 @@ from contextlib import suppress
 from functools import partial
 from typing import Any
 
-from ..answers.alike import Likeness
+from ..answers.equal_answers import EqualAnswers
 from ..answers.values import Plain, from_plain, is_raised, outcome_of, to_plain
 from .case_types import Case, Feedback, TaskCases, Variant, as_kept, rounded, values_of
 from .draws import Draws
@@ -38,7 +38,7 @@ class CasesError(TaskError):
     """A task in whose cases a mistake gives the right answer, or the same as another mistake."""
 
 
-class LookAlikes(CasesError):
+class EqualAnswersError(CasesError):
     """With the values of this draw, two mistakes give the same answer."""
 
 
@@ -85,7 +85,7 @@ def make_variant(task: Task, seed: str | bytes, number: int, solution: Solution,
     """
     for draw in range(MOST_DRAWS):
         rng = draws_for(seed, task.id, number, *([draw] if draw else []))
-        with suppress(LookAlikes):
+        with suppress(EqualAnswersError):
             return _drawn(task, rng, number, solution, fewest_inputs)
     return _drawn(task, draws_for(seed, task.id, number), number, solution, fewest_inputs)  # raises, and says why
 
@@ -148,13 +148,13 @@ def _refuse_look_alikes(task: Task, variant: int, cases: Sequence[Case]) -> None
     if task.model and not all(task.form.alike(case.wrong[NO_MISTAKE], case.expected) for case in cases):
         raise CasesError(f"{task.id}, variant {variant}: the model without a mistake is not the solution")
     names = ["", *(mistake.name for mistake in task.mistakes)]  # "" is the right answer
-    likeness = Likeness(task.form, [[_of(case, name) for case in cases] for name in names])
+    equal_answers = EqualAnswers(task.form, [[_of(case, name) for case in cases] for name in names])
     for number, name in enumerate(names):
         for other in range(number + 1, len(names)):
-            if likeness.any_of([number], other):
+            if equal_answers.has_equal([number], other):
                 said = f'the mistakes "{name}" and "{names[other]}" give the same answer'
                 said = said if name else f'the mistake "{names[other]}" gives the right answer'
-                raise LookAlikes(
+                raise EqualAnswersError(
                     f"{task.id}, variant {variant}: {said}; draw from inputs that tell them apart, or delete one"
                 )
 

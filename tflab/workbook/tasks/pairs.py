@@ -14,16 +14,16 @@ from functools import cached_property, partial
 from itertools import combinations
 from typing import Any
 
-from ..answers.alike import Likeness
+from ..answers.equal_answers import EqualAnswers
 from ..answers.forms import Form
 from ..answers.values import Plain, from_plain
 from .case_types import AND, Case, values_of
 from .reference import in_process_ros
 from .task import Task, WrongStep
 
-__all__ = ["Fits", "PairSearch", "combinable"]
+__all__ = ["PairSearch", "ReproducedBy", "combinable"]
 
-Fits = Callable[[int, Plain], Collection[str]]  # the number of a case, a value -> the parts that it reproduces
+ReproducedBy = Callable[[int, Plain], Collection[str]]  # the number of a case, a value -> its parts
 
 
 def combinable(task: Task) -> list[tuple[WrongStep, WrongStep]]:
@@ -57,8 +57,8 @@ class PairSearch:
         pairs = combinable(self._task)
         return {first.name + AND + then.name: partial(model, **first.at, **then.at) for first, then in pairs}
 
-    def fitting(
-        self, cases: Sequence[Case], order: Sequence[int], fits: Fits, given: dict[str, Plain] | None
+    def matching(
+        self, cases: Sequence[Case], order: Sequence[int], reproduced_by: ReproducedBy, given: dict[str, Plain] | None
     ) -> dict[str, list[Plain]]:
         """Return the pairs that reproduce the answer or a part of it in every case, and what each gives case by case.
 
@@ -67,7 +67,7 @@ class PairSearch:
 
         Args:
             order: the numbers of all cases, the wrong ones first.
-            fits: for the number of a case and a value, the parts of the answer that this value reproduces.
+            reproduced_by: for the number of a case and a value, the parts of the answer that this value reproduces.
             given: what the learner was shown.
         """
         if not self._answers:
@@ -80,7 +80,7 @@ class PairSearch:
             for number in order:
                 for name, value in values_of(alive, cases[number], shown).items():
                     rows[name][number] = value
-                    has = set(fits(number, value))
+                    has = set(reproduced_by(number, value))
                     common[name] = common[name] & has if name in common else has
                 alive = {name: answer for name, answer in alive.items() if common[name]}
                 if not alive:
@@ -94,11 +94,11 @@ def _distinct(form: Form, cases: Sequence[Case], rows: dict[str, list[Plain]]) -
     Of pairs that look alike nobody knows which it was: only the mistake that they have in common is kept.
     """
     simple = [[case.expected for case in cases], *([case.wrong[name] for case in cases] for name in cases[0].wrong)]
-    likeness = Likeness(form, [*simple, *rows.values()])
+    equal_answers = EqualAnswers(form, [*simple, *rows.values()])
     groups: dict[int, list[str]] = {}  # the number of the first of some pairs that look alike: all their names
     for number, name in enumerate(rows, start=len(simple)):
-        if not likeness.any_of(range(len(simple)), number):
-            first = next((first for first in groups if likeness.any_of([first], number)), number)
+        if not equal_answers.has_equal(range(len(simple)), number):
+            first = next((first for first in groups if equal_answers.has_equal([first], number)), number)
             groups.setdefault(first, []).append(name)
     certain = {names[0]: _in_common(names) for names in groups.values()}
     return {AND.join(known): rows[name] for name, known in certain.items() if known}

@@ -1,8 +1,8 @@
 """Call a learner's answer inside the sandbox and send its results; the only tflab module in that process.
 
-    prepare(givens)                 task("E3.2") returns what the pack gives; check and hint are silent
-    probe("7f3a", lambda: answer, "null")           one message {"id": "7f3a", "v": [the answer as plain JSON]}
-    probe("7f3b", lambda: f, "[[args], [args]]")    the same for what f gives for fresh copies of each case's arguments
+    prepare(givens)                                        task("E3.2") returns the pack's inputs; check is silent
+    probe_answer("7f3a", lambda: answer, "null")           one message {"id": "7f3a", "v": [the answer as plain JSON]}
+    probe_answer("7f3b", lambda: f, "[[args], [args]]")    the same for f's result for copies of each case's arguments
 
 Whoever owns this process can change every line of it.  That is why no expected
 value ever comes here: forging a message, a learner can say only what they could
@@ -16,7 +16,7 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-__all__ = ["PROBE_TYPE", "prepare", "probe"]
+__all__ = ["PROBE_TYPE", "prepare", "probe_answer"]
 
 PROBE_TYPE = "application/vnd.tflab.probe+json"
 
@@ -36,7 +36,7 @@ def prepare(givens_json: str) -> None:
     workbook.call = workbook.check = workbook.hint = workbook.solution = _nothing
 
 
-def probe(identity: str, answer: Callable[[], Any], args_json: str) -> None:
+def probe_answer(identity: str, answer: Callable[[], Any], args_json: str) -> None:
     """Send one outcome for each case, as plain JSON; what a function raises is an outcome, too."""
     from tflab.workbook.answers.values import outcome_of
 

@@ -6,7 +6,7 @@ from itertools import permutations
 
 import pytest
 
-from tflab.workbook.answers.alike import Likeness
+from tflab.workbook.answers.equal_answers import EqualAnswers
 from tflab.workbook.answers.form import Form
 from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import Plain, raised
@@ -42,7 +42,7 @@ ODD: list[Plain] = [
 )
 def test_many_are_compared_as_each_two_are(form: Form, answers: list[Plain]) -> None:
     rows = [[answer, other] for answer in (*answers, *ODD) for other in (answers[0], answer)]
-    likeness = Likeness(form, rows)
+    equal_answers = EqualAnswers(form, rows)
     for one, other in permutations(range(len(rows)), 2):
         is_alike = all(map(form.comparing(), rows[one], rows[other]))
-        assert likeness.any_of([other], one) == is_alike, (rows[one], rows[other])
+        assert equal_answers.has_equal([other], one) == is_alike, (rows[one], rows[other])

@@ -5,13 +5,13 @@ from __future__ import annotations
 from IPython.core.interactiveshell import InteractiveShell
 
 from tflab.text import Text
-from tflab.workbook import reply
-from tflab.workbook.reply import as_html, show_reply
+from tflab.workbook import reply_card
+from tflab.workbook.reply_card import as_html, show_reply
 
 
 def test_in_a_notebook_it_is_a_card_that_has_the_same_text_beside_it(monkeypatch):
     shown = []
-    monkeypatch.setattr(reply, "in_notebook", lambda: True)
+    monkeypatch.setattr(reply_card, "in_notebook", lambda: True)
     monkeypatch.setattr("IPython.display.display", lambda data, raw: shown.append(data))
     show_reply("E3.2 ✓ 1/1", more=["well done"], kind="passed")
     assert shown[0]["text/plain"] == "E3.2 ✓ 1/1\nwell done"
@@ -42,7 +42,7 @@ def test_what_is_said_of_each_part_has_a_line_of_its_own(capsys):
 def test_a_shell_without_a_kernel_gets_text():
     InteractiveShell.instance()
     try:
-        assert not reply.in_notebook()
+        assert not reply_card.in_notebook()
     finally:
         InteractiveShell.clear_instance()
 

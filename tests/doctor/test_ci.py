@@ -10,8 +10,7 @@ from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import Transform
-from tflab.doctor.diagnose import diagnose_recording
-from tflab.doctor.gate.expectations import (
+from tflab.doctor.ci.expectations import (
     ExpectationError,
     changes_between,
     deviations_from,
@@ -19,8 +18,9 @@ from tflab.doctor.gate.expectations import (
     read_expectations,
     toml_from,
 )
-from tflab.doctor.gate.filters import baseline_from, let_pass
-from tflab.doctor.gate.formats import annotations_from_reports, junit_from_reports, sarif_from_reports
+from tflab.doctor.ci.filters import baseline_from, filter_findings
+from tflab.doctor.ci.formats import annotations_from_reports, junit_from_reports, sarif_from_reports
+from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.profile import profile_of, text_from_profile
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
@@ -176,8 +176,8 @@ def test_findings_are_ignored_by_code_and_place(pattern, left):
     report = diagnose_recording(recording_from_records(inject(RECORDS, "zero-quaternion", seed=1).records))
     (finding,) = report.findings
     topic_pattern = pattern if finding.topic == "/tf" else pattern.replace(":/tf", f":{finding.topic}")
-    kept = let_pass(report, [topic_pattern])
-    assert (len(kept.findings), kept.let_pass) == (left, 1 - left)
+    kept = filter_findings(report, [topic_pattern])
+    assert (len(kept.findings), kept.ignored) == (left, 1 - left)
 
 
 def test_a_baseline_lets_what_is_known_pass_and_nothing_else(broken, late, tmp_path, capsys):
@@ -299,7 +299,7 @@ def test_of_several_robots_each_edge_is_expected_of_its_own(tmp_path):
     assert codes(missing) == {"expected-edge"} and {finding.namespace for finding in missing} == {"/r2"}
 
 
-def test_a_deviation_that_a_finding_explains_stands_under_it_and_alone_if_that_is_let_pass(clean, tmp_path, capsys):
+def test_a_deviation_that_a_finding_explains_stands_under_it_and_alone_if_that_is_ignored(clean, tmp_path, capsys):
     late = write(tmp_path / "late", inject(RECORDS, "late-stamps", seed=1).records)
     rules = str(tmp_path / "robot.toml")
     assert main(["doctor", clean, "--write-expectations", rules]) == 0
@@ -317,6 +317,6 @@ def test_the_effects_of_a_cause_that_is_ignored_are_findings_and_those_in_a_base
     report = diagnose_recording(recording_from_records(inject(RECORDS, "wrong-name", seed=1).records))
     (cause,) = report.of_severity("error")
     effects = {effect.code for effect in cause.effects}
-    assert effects and codes(let_pass(report, [cause.code]).findings) == effects
-    known = json.loads(baseline_from([report]))["known"]
-    assert let_pass(report, baseline=known).findings == () and let_pass(report, baseline=known).let_pass > len(effects)
+    assert effects and codes(filter_findings(report, [cause.code]).findings) == effects
+    kept = filter_findings(report, baseline=json.loads(baseline_from([report]))["known"])
+    assert kept.findings == () and kept.ignored > len(effects)

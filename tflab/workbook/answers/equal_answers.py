@@ -20,13 +20,13 @@ import numpy as np
 from .form import Form, Mark, Probe
 from .values import Plain
 
-__all__ = ["Likeness"]
+__all__ = ["EqualAnswers"]
 
 Place = tuple[int, int, int, str]  # of a mark: in which case, probe and column, and what of it
-NO_SECOND = 1e-11  # of a number: `Mark.fits` forgives less
+NO_SECOND = 1e-11  # of a number: `Mark.same` forgives less
 
 
-class Likeness:
+class EqualAnswers:
     """Answers that are compared with one another, each by what it gives in every case.
 
     Args:
@@ -40,7 +40,7 @@ class Likeness:
         marks = [{} if form.in_any_order else dict(_marks_of(map(read, row))) for row in rows]
         self._numbers, self._tolerances = _columns(marks)
 
-    def any_of(self, others: Sequence[int], one: int) -> bool:
+    def has_equal(self, others: Sequence[int], one: int) -> bool:
         """Return whether one of `others` is the same as `one`, all by their places among the rows."""
         return any(all(map(self._is_alike, self._rows[one], self._rows[other])) for other in self._near(others, one))
 
@@ -56,22 +56,22 @@ def _marks_of(cases: Iterator[list[Probe] | None]) -> Iterator[tuple[Place, Mark
     """Yield what all ways of writing an answer share, each mark with its place."""
     for case, probes in enumerate(cases):
         for number, probe in enumerate(probes or ()):
-            for column, ways in enumerate(zip(*probe, strict=False)):
-                for what, mark in _shared(ways):
+            for column, alternatives in enumerate(zip(*probe, strict=False)):
+                for what, mark in _shared(alternatives):
                     yield (case, number, column, what), mark
 
 
-def _shared(ways: Sequence[Mark]) -> Iterator[tuple[str, Mark]]:
-    values = {mark.value for mark in ways}
+def _shared(alternatives: Sequence[Mark]) -> Iterator[tuple[str, Mark]]:
+    values = {mark.value for mark in alternatives}
     if any(isinstance(value, str) for value in values):
         if len(values) == 1:
-            yield "text", ways[0]
+            yield "text", alternatives[0]
         return
     sizes = set(map(abs, values))
     if len(values) == 1:
-        yield "number", ways[0]
+        yield "number", alternatives[0]
     if len(sizes) == 1:
-        yield "size", Mark(sizes.pop(), max(mark.tolerance for mark in ways))
+        yield "size", Mark(sizes.pop(), max(mark.tolerance for mark in alternatives))
 
 
 def _columns(marks: Sequence[dict[Place, Mark]]) -> tuple[np.ndarray, np.ndarray]:

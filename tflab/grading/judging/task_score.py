@@ -28,7 +28,7 @@ from tflab.workbook.tasks.credit import beyond_guessing, beyond_the_usual
 from ..submissions.remarks import Remark
 from .draw import asks_of
 
-__all__ = ["MISSING", "TaskMark", "by_case", "judged", "members", "most_members", "of_bounded_size", "safe_error_name"]
+__all__ = ["MISSING", "TaskScore", "by_case", "limit_size", "members", "most_members", "safe_error_name", "score_task"]
 
 MISSING = {"object": "nothing"}  # an outcome that never came, or that nobody can read; it is of no form
 TOO_LARGE = {"object": "something very large"}
@@ -46,7 +46,7 @@ DIGITS = 3  # of points
 
 
 @dataclass(frozen=True)
-class TaskMark:
+class TaskScore:
     """What one task got.
 
     Attributes:
@@ -79,9 +79,9 @@ class TaskMark:
         }
 
 
-def judged(
+def score_task(
     task_id: str, task: Mapping[str, Any], outcomes: Mapping[int, Any], trouble: Sequence[Remark] = ()
-) -> TaskMark:
+) -> TaskScore:
     """Return the mark of a task.
 
     Args:
@@ -103,7 +103,7 @@ def judged(
     if not remarks and status != "right" and not found.mistakes:
         remarks += _what_went_wrong(task_id, held, got, found)
     answers = chosen(held.form, got[0]) if held.counts else {}
-    return TaskMark(
+    return TaskScore(
         task_id, status, found.passed, found.of, points, float(held.points), found.mistakes, found.said, tuple(remarks),
         answers,
     )  # fmt: skip
@@ -151,7 +151,7 @@ def by_case(task: TaskCases, asks: Sequence[int], outcomes: Mapping[int, Any]) -
 
 def _readable(form: Form, answer: Any, most: int) -> Any:
     """Return an outcome, or MISSING where it is no JSON of ours: a forged message may hold anything, of any size."""
-    answer = of_bounded_size(answer, most)
+    answer = limit_size(answer, most)
     try:
         form.probes(answer)
     except UNREADABLE:
@@ -167,7 +167,7 @@ def most_members(expected: Iterable[Any]) -> int:
     return MOST_MEMBERS + MORE_THAN_WANTED * max(members(value, MOST_MEMBERS) for value in expected)
 
 
-def of_bounded_size(answer: Any, most: int) -> Any:
+def limit_size(answer: Any, most: int) -> Any:
     """Return an answer, or what says that it is too large to be looked at."""
     return TOO_LARGE if members(answer, most) >= most else answer
 

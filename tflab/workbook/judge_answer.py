@@ -16,23 +16,23 @@ from typing import Any
 from ..text import Text
 from .answers.forms import Sequence as SequenceForm
 from .answers.values import Plain, is_raised, is_unanswered, outcome_of
-from .assigned import AssignedTask
+from .assigned_task import AssignedTask
 from .call_limits import CALL_S, TimeLimitError, call_limits
 from .diagnosis.error_line import error_line, hidden_error
 from .diagnosis.lint import describe_function_text
 from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
+from .phrases import PHRASES
 from .replay import describe_call, remember_call, show_call
-from .replies import PHRASES
-from .reply import shell, show_caption, show_reply
+from .reply_card import shell, show_caption, show_reply
 
-__all__ = ["say_verdict", "show_hint", "tried_on"]
+__all__ = ["judge_answer", "show_hint", "show_verdict"]
 
 DRAWN = {Mistake.KNOWN, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
 END = (".", "?", "!")
 
 
-def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
+def judge_answer(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
     """Return the verdict, and what came out of each case."""
     cases = assigned.variant.cases
     if not assigned.cases.is_function:
@@ -42,10 +42,10 @@ def tried_on(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]
         mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
         verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
         return verdict, []
-    return _called(assigned, answer)
+    return _judge_function(assigned, answer)
 
 
-def _called(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
+def _judge_function(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Plain]]:
     """Return the verdict on a function, and what it gave in each case."""
     cases, outcomes, lines = assigned.variant.cases, [], 0
     for number, case in enumerate(cases):
@@ -124,7 +124,7 @@ def show_hint(assigned: AssignedTask, number: int) -> None:
     show_reply(f"{assigned.id} · {head}", hints[0] if of == 1 else "\n".join(lines))
 
 
-def say_verdict(
+def show_verdict(
     assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain], more: Sequence[str] = (), draws: bool = True
 ) -> None:
     """Show the reply to an answer.

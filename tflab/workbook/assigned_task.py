@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..text import Text
 from .paths import Workbook
-from .replies import PHRASES, show_points
+from .phrases import PHRASES, show_points
 from .tasks.case_types import TaskCases, Variant
 
 __all__ = ["AssignedTask"]

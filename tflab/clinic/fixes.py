@@ -11,10 +11,10 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-__all__ = ["CURES", "DIAGNOSES", "PLASTERS", "Remedy"]
+__all__ = ["DIAGNOSES", "EFFECTIVE_FIXES", "WORKAROUNDS", "RepairPlan"]
 
 
-class Remedy(NamedTuple):
+class RepairPlan(NamedTuple):
     """Whose place is not right, who has to change, and how."""
 
     frame: str
@@ -22,7 +22,7 @@ class Remedy(NamedTuple):
     fix: str
 
 
-CURES = {
+EFFECTIVE_FIXES = {
     "start localization": ("localizer not running",),
     "localization: use_sim_time false": ("localizer waits for /clock",),
     "RViz: Fixed Frame map": ("Fixed Frame misspelt",),
@@ -42,7 +42,7 @@ CURES = {
 }
 
 # What the asker of transforms does instead, by the field of `ward.Places` that tells where the points are then.
-PLASTERS = {
+WORKAROUNDS = {
     "timeout of 1 s": "waited",
     "ask with Time()": "newest",
     "stamp on arrival": "arrived",
@@ -50,7 +50,7 @@ PLASTERS = {
     "new sensor": "waited",
 }
 
-_FIX_OF = {cause: fix for fix, causes in CURES.items() for cause in causes}
+_FIX_OF = {cause: fix for fix, causes in EFFECTIVE_FIXES.items() for cause in causes}
 _WHERE = {
     "localizer not running": ("odom", "localization"),
     "localizer waits for /clock": ("odom", "localization"),
@@ -71,4 +71,4 @@ _WHERE = {
     "header says another frame": ("laser_frame", "laser_driver"),
     "mount volatile": ("laser_frame", "laser_mount"),
 }
-DIAGNOSES = {cause: Remedy(*where, _FIX_OF[cause]) for cause, where in _WHERE.items()}
+DIAGNOSES = {cause: RepairPlan(*where, _FIX_OF[cause]) for cause, where in _WHERE.items()}

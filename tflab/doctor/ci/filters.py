@@ -19,7 +19,7 @@ from pathlib import Path
 
 from ..findings import Finding, Report
 
-__all__ = ["BaselineError", "baseline_from", "fingerprint", "let_pass", "read_baseline"]
+__all__ = ["BaselineError", "baseline_from", "filter_findings", "fingerprint", "read_baseline"]
 
 
 class BaselineError(ValueError):
@@ -32,10 +32,10 @@ def fingerprint(finding: Finding) -> str:
     return "|".join((*words, finding.namespace) if finding.namespace else words)
 
 
-def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> Report:
+def filter_findings(report: Report, patterns: Iterable[str] = (), baseline: Iterable[str] = ()) -> Report:
     """Return a report without the findings that are let pass; the effects of these are findings of their own again."""
     patterns, known = list(patterns), set(baseline)
-    rest, kept, passed = list(report.findings), [], report.let_pass
+    rest, kept, passed = list(report.findings), [], report.ignored
     while rest:
         finding = rest.pop(0)
         if fingerprint(finding) in known or _is_ignored(finding, patterns):
@@ -43,7 +43,7 @@ def let_pass(report: Report, patterns: Iterable[str] = (), baseline: Iterable[st
             rest[:0] = [replace(e, namespace=finding.namespace, is_ros1=finding.is_ros1) for e in finding.effects]
         else:
             kept.append(finding)
-    return replace(report, findings=tuple(kept), let_pass=passed)
+    return replace(report, findings=tuple(kept), ignored=passed)
 
 
 def baseline_from(reports: Iterable[Report]) -> str:

@@ -14,15 +14,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from tflab.clinic.table import kind_expected
-from tflab.clinic.trolley import TROLLEY
+from tflab.clinic.checks import CHECKS
+from tflab.clinic.table import expected_kind
 
 from ...text import Text
 from .form import Mark, Probe
 from .structures import Choice
 from .values import Plain
 
-__all__ = ["Telling"]
+__all__ = ["DiscriminatingCheck"]
 
 TOO_DEAR = Text(
     en="It would distinguish these two, but it takes {minutes:g} minutes, and {most:g} are allowed.",
@@ -35,7 +35,7 @@ THE_SAME = Text(
 
 
 @dataclass(frozen=True)
-class Telling(Choice):
+class DiscriminatingCheck(Choice):
     """One of `options` that tells two suspects apart: all that do are the same answer.
 
     Attributes:
@@ -55,15 +55,15 @@ class Telling(Choice):
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:
         """Return why a check does not do: it tells nothing, or it would and costs too much; None if it is none."""
         word = self.option(answer)
-        if word not in TROLLEY or self._tells(word):
+        if word not in CHECKS or self._tells(word):
             return None
         if self._differs(word):
-            return TOO_DEAR.filled(minutes=TROLLEY[word].minutes, most=self.most_min)
-        return THE_SAME if TROLLEY[word].minutes <= self.most_min else None
+            return TOO_DEAR.filled(minutes=CHECKS[word].minutes, most=self.most_min)
+        return THE_SAME if CHECKS[word].minutes <= self.most_min else None
 
     def _tells(self, word: str) -> bool:
-        return self._differs(word) and TROLLEY[word].minutes <= self.most_min
+        return self._differs(word) and CHECKS[word].minutes <= self.most_min
 
     def _differs(self, word: str) -> bool:
         """Return whether the suspects would answer a check differently."""
-        return word in TROLLEY and len({kind_expected(suspect, word) for suspect in self.suspects}) > 1
+        return word in CHECKS and len({expected_kind(suspect, word) for suspect in self.suspects}) > 1

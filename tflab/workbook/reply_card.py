@@ -19,7 +19,7 @@ import sys
 from collections.abc import Sequence
 from typing import Any
 
-from ..text import begun
+from ..text import capitalized
 
 __all__ = ["as_html", "in_notebook", "shell", "show_caption", "show_page", "show_reply"]
 
@@ -80,7 +80,7 @@ def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
     """Return the card; whatever an answer held is text in it, and nothing else."""
     lines = [f"<strong>{html.escape(head)}</strong>"]
     if said:
-        lines += [_with_code(begun(part)) for part in PART.split(said)]
+        lines += [_with_code(capitalized(part)) for part in PART.split(said)]
     lines += [f"<small>{_with_code(CALL.sub(_in_backticks, line))}</small>" for line in more]
     return f'<div class="tflab-reply" style="{CARD.format(colour=COLOURS[kind])}">{"<br>".join(lines)}</div>'
 
