@@ -9,6 +9,9 @@
     longest_silence_s = 0.5
     owners = ["/wheel_odometry"]   only where the recording has them
 
+    [lookups]
+    "/scan -> map" = [0.1, 0.99]   after 0.1 s, at least 99 % of the messages can be looked up in map
+
 What is not in the file is not checked. Each deviation is a finding like the others. Two recordings are compared by
 the same means: the first one is the expectation of the second.
 """
@@ -25,8 +28,10 @@ import numpy as np
 
 from tflab.text import Text
 
+from ..checks.lookups import text_of_shares
 from ..checks.motion import distances
 from ..findings import Finding, Severity
+from ..lookups import WAITS_S
 from ..profile import EdgeProfile, RecordingProfile, name_of
 
 __all__ = ["ExpectationError", "Expectations", "ExpectedEdge", "changes_between", "deviations_from",
@@ -44,6 +49,8 @@ LEAST_DELAY_S = 0.05  # ... but not less
 SILENCE_SLACK = 2.0
 LEAST_SILENCE_S = 0.25
 MOUNT_TOLERANCE_M = 0.001
+LOOKUP_SLACK = 0.1  # of the share
+LEAST_SHARE = 0.5  # of the messages, from which on lookups are expected to work
 
 HEAD = """\
 # What a good recording of this robot looks like, for `tflab doctor --expect`.
@@ -92,6 +99,7 @@ class Expectations:
 
     Attributes:
         frames_of: the frames that the messages of a topic may be in.
+        lookups: wait [s] and least share of "topic -> fixed frame".
         other_edges: whether edges may be there that are not named.
         ignore: findings that are let pass.
     """
@@ -100,6 +108,7 @@ class Expectations:
     frames_of: dict[str, tuple[str, ...]] = field(default_factory=dict)
     other_edges: bool = True
     ignore: tuple[str, ...] = ()
+    lookups: dict[str, tuple[float, float]] = field(default_factory=dict)
 
 
 def expectations_from(profile: RecordingProfile, other_edges: bool = True) -> Expectations:
@@ -115,7 +124,13 @@ def expectations_from(profile: RecordingProfile, other_edges: bool = True) -> Ex
         delay_s = max(DELAY_SLACK * edge.delay_s[1], LEAST_DELAY_S)
         silence_s = max(SILENCE_SLACK * edge.silence_s, LEAST_SILENCE_S)
         edges.append(ExpectedEdge(edge.parent, edge.child, False, rate_hz, delay_s, silence_s, **who))
-    return Expectations(tuple(edges), dict(profile.frames_of), other_edges)
+    lookups = {}
+    for row in profile.lookups:
+        most = row.shares[-1]
+        if most >= LEAST_SHARE:
+            wait_s = next(wait_s for wait_s, share in zip(WAITS_S, row.shares, strict=True) if share > most - 0.02)
+            lookups[f"{row.topic} -> {row.fixed}"] = (wait_s, round(most - LOOKUP_SLACK, 2))
+    return Expectations(tuple(edges), dict(profile.frames_of), other_edges, lookups=lookups)
 
 
 def toml_from(expectations: Expectations) -> str:
@@ -141,6 +156,15 @@ def toml_from(expectations: Expectations) -> str:
         for topic, frames in sorted(expectations.frames_of.items()):
             lines.append(f"{json.dumps(topic, ensure_ascii=False)} = {json.dumps(list(frames), ensure_ascii=False)}")
         lines.append("")
+    if expectations.lookups:
+        lines += [
+            "[lookups]  # wait [s], least share",
+            *(
+                f"{json.dumps(name, ensure_ascii=False)} = {list(asked)}"
+                for name, asked in expectations.lookups.items()
+            ),
+            "",
+        ]
     return "\n".join(lines)
 
 
@@ -156,18 +180,29 @@ def read_expectations(path: str | Path) -> Expectations:
         raise ExpectationError(f"{path}: cannot be read ({error.strerror})") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ExpectationError(f"{path}: not TOML ({error})") from None
-    unknown = set(data) - {"edges", "frames", "other_edges", "ignore"}
+    unknown = set(data) - {"edges", "frames", "lookups", "other_edges", "ignore"}
     if unknown:
         raise ExpectationError(
-            f"{path}: unknown: {', '.join(sorted(unknown))}; known: edges, frames, other_edges, ignore"
+            f"{path}: unknown: {', '.join(sorted(unknown))}; known: edges, frames, lookups, other_edges, ignore"
         )
     edges = tuple(_edge_of(path, name, asked) for name, asked in _table(path, data, "edges").items())
     frames = _table(path, data, "frames")
     wrong = [topic for topic, names in frames.items() if not _is_words(names)]
     if wrong or not _is_words(data.get("ignore", [])):
         raise ExpectationError(f'{path}: {wrong[0] if wrong else "ignore"}: expected a list of words, as ["a", "b"]')
+    lookups = {name: _lookup_of(path, name, asked) for name, asked in _table(path, data, "lookups").items()}
     frames_of = {topic: tuple(names) for topic, names in frames.items()}
-    return Expectations(edges, frames_of, data.get("other_edges", True) is True, tuple(data.get("ignore", ())))
+    return Expectations(edges, frames_of, data.get("other_edges", True) is True, tuple(data.get("ignore", ())), lookups)
+
+
+def _lookup_of(path: str | Path, name: str, asked: object) -> tuple[float, float]:
+    is_pair = isinstance(asked, list) and len(asked) == 2 and all(map(_is_number, asked))
+    if not is_pair or asked[0] not in WAITS_S or not 0.0 <= asked[1] <= 1.0 or " -> " not in name:
+        waits = ", ".join(f"{wait_s:g}" for wait_s in WAITS_S)
+        raise ExpectationError(
+            f'{path}: lookups."{name}": expected "topic -> frame" = [wait, share]; wait: {waits}; share: 0 to 1'
+        )
+    return float(asked[0]), float(asked[1])
 
 
 def _edge_of(path: str | Path, name: str, asked: object) -> ExpectedEdge:
@@ -237,7 +272,7 @@ def deviations_from(expectations: Expectations, profile: RecordingProfile) -> li
             for edge in profile.edges
             if (edge.namespace, edge.parent, edge.child) not in named
         ]
-    return [*findings, *_of_topics(expectations, profile)]
+    return [*findings, *_of_topics(expectations, profile), *_of_lookups(expectations, profile)]
 
 
 def changes_between(before: RecordingProfile, after: RecordingProfile) -> list[Finding]:
@@ -303,6 +338,21 @@ def _of_topics(expectations: Expectations, profile: RecordingProfile) -> Iterato
         elif not set(frames) <= set(expected):
             facts = {"expected": ", ".join(expected), "instead": ", ".join(frames)}
             yield Finding("expected-frame", "error", topic=topic, facts=facts)
+
+
+def _of_lookups(expectations: Expectations, profile: RecordingProfile) -> Iterator[Finding]:
+    rows = {f"{row.topic} -> {row.fixed}": row for row in profile.lookups}
+    for name, (wait_s, least) in expectations.lookups.items():
+        topic, _, fixed = name.partition(" -> ")
+        row = rows.get(name)
+        share = row.shares[WAITS_S.index(wait_s)] if row else 0.0
+        if share < least and (row or topic in profile.frames_of):
+            asked = f"{100.0 * least:.0f} %"
+            expected = Text(f"{asked} or more after {wait_s:g} s", f"{wait_s:g} s 뒤 {asked} 이상")
+            instead = text_of_shares(row) if row else Text("no lookup", "조회할 수 없음")
+            facts = {"fixed": fixed, "expected": expected, "instead": instead}
+            edge = (row.parent, row.child) if row else ("", "")
+            yield Finding("expected-lookup", "warning", *edge, topic, facts=facts)
 
 
 def _at_most(limit: str) -> Text:

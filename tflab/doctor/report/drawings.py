@@ -20,7 +20,7 @@ from tflab.core import NSEC_PER_SEC, Transform
 from ..evidence import Edge, Evidence
 from ..findings import Finding
 
-__all__ = ["draw_distribution", "draw_frames_at", "draw_moment", "draw_timeline", "poses_at"]
+__all__ = ["draw_distribution", "draw_frames_at", "draw_moment", "draw_shares", "draw_timeline", "poses_at"]
 
 MOST_LANES = 40
 MOST_LANES_OF_A_MOMENT = 8
@@ -80,6 +80,21 @@ def draw_distribution(values: np.ndarray) -> str:
         if n
     )
     return f'<svg class="strip" viewBox="0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}" aria-hidden="true">{bars}</svg>'
+
+
+def draw_shares(shares: Sequence[float]) -> str:
+    """Return a bar of what works at once, dark, and after each longer wait, paler, as a small strip of SVG."""
+    starts = (0.0, *shares[:-1])
+    bars = "".join(
+        f'<rect x="{STRIP_WIDTH * start:.1f}" y="4" width="{STRIP_WIDTH * (share - start):.1f}" height="12"'
+        f' opacity="{1.0 - 0.8 * i / len(shares):.2f}"/>'
+        for i, (start, share) in enumerate(zip(starts, shares, strict=True))
+        if share > start
+    )
+    frame = f'<rect x="0" y="4" width="{STRIP_WIDTH:.0f}" height="12" fill="none" stroke="currentColor"/>'
+    return (
+        f'<svg class="strip" viewBox="0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}" aria-hidden="true">{frame}{bars}</svg>'
+    )
 
 
 def _sheet(edges: list[Edge], drawn: list[str], first_s: float, last_s: float, kind: str) -> str:
