@@ -294,15 +294,9 @@ def _weight(evidence: Evidence, name: str) -> tuple:
                 links += 1
                 samples += int((edge.parent == number).sum())
     neat = name == name.lower()
-    return (
-        name in evidence.joint_kinds or name in evidence.named_by_messages,
-        name.rpartition("/")[2] in STANDARD,
-        links,
-        neat,
-        "/" not in name,
-        samples,
-        [-ord(letter) for letter in name],
-    )
+    is_named = name in evidence.joint_kinds or name in evidence.named_by_messages
+    is_standard, is_bare = name.rpartition("/")[2] in STANDARD, "/" not in name
+    return (is_named, is_standard, links, neat, is_bare, samples, [-ord(letter) for letter in name])
 
 
 def _is_a_robot(evidence: Evidence, name: str) -> bool:

@@ -24,15 +24,8 @@ from ..evidence import Edge, Evidence
 from ..findings import Finding, first_of
 from .motion import LEAST_DIFFERENCE_M, distances, is_constant, steps_and_turns, unit
 
-__all__ = [
-    "constant_on_tf",
-    "empty_topics",
-    "missing_statics",
-    "moving_on_static",
-    "odometry_on_static",
-    "replaced_latched_messages",
-    "volatile_statics",
-]
+__all__ = ["constant_on_tf", "empty_topics", "missing_statics", "moving_on_static", "odometry_on_static",
+           "replaced_latched_messages", "volatile_statics"]  # fmt: skip
 
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0

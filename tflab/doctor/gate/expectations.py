@@ -20,7 +20,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -62,15 +62,15 @@ other_edges = true
 # Findings that are let pass, as for --ignore: "CODE" or "CODE:WHERE".
 ignore = []
 """
-KEYS = {
-    "static": bool,
-    "rate_hz": list,
-    "largest_delay_s": float,
-    "longest_silence_s": float,
-    "owners": list,
-    "mount": list,
-    "mount_tolerance_m": float,
+FORMS: dict[str, Callable] = {  # how a file holds what is asked of an edge
+    "static": lambda value: str(value).lower(),
+    "rate_hz": lambda value: f"[{value[0]:.1f}, {value[1]:.1f}]",
+    "largest_delay_s": "{:.3f}".format,
+    "longest_silence_s": "{:.2f}".format,
+    "owners": lambda value: json.dumps(list(value), ensure_ascii=False),
+    "mount": lambda value: f"[{', '.join(f'{number + 0.0:.6f}' for number in value)}]",
 }
+KEYS = (*FORMS, "mount_tolerance_m")
 
 
 class ExpectationError(ValueError):
@@ -138,33 +138,16 @@ def toml_from(expectations: Expectations) -> str:
     lines = [HEAD]
     for edge in expectations.edges:
         lines.append(f"[edges.{json.dumps(name_of(edge.namespace, edge.parent, edge.child), ensure_ascii=False)}]")
-        if edge.static is not None:
-            lines.append(f"static = {str(edge.static).lower()}")
-        if edge.rate_hz is not None:
-            lines.append(f"rate_hz = [{edge.rate_hz[0]:.1f}, {edge.rate_hz[1]:.1f}]")
-        if edge.largest_delay_s is not None:
-            lines.append(f"largest_delay_s = {edge.largest_delay_s:.3f}")
-        if edge.longest_silence_s is not None:
-            lines.append(f"longest_silence_s = {edge.longest_silence_s:.2f}")
-        if edge.owners is not None:
-            lines.append(f"owners = {json.dumps(list(edge.owners), ensure_ascii=False)}")
-        if edge.mount is not None:
-            lines.append(f"mount = [{', '.join(f'{value + 0.0:.6f}' for value in edge.mount)}]")
+        for key, form in FORMS.items():
+            value = getattr(edge, key)
+            lines += [f"{key} = {form(value)}"] if value is not None else []
         lines.append("")
-    if expectations.frames_of:
-        lines.append("[frames]")
-        for topic, frames in sorted(expectations.frames_of.items()):
-            lines.append(f"{json.dumps(topic, ensure_ascii=False)} = {json.dumps(list(frames), ensure_ascii=False)}")
-        lines.append("")
-    if expectations.lookups:
-        lines += [
-            "[lookups]  # wait [s], least share",
-            *(
-                f"{json.dumps(name, ensure_ascii=False)} = {list(asked)}"
-                for name, asked in expectations.lookups.items()
-            ),
-            "",
-        ]
+    frames = {topic: list(names) for topic, names in sorted(expectations.frames_of.items())}
+    lookups = {name: list(asked) for name, asked in expectations.lookups.items()}
+    for head, table in (("[frames]", frames), ("[lookups]  # wait [s], least share", lookups)):
+        rows = [f"{json.dumps(key, ensure_ascii=False)} = {json.dumps(values, ensure_ascii=False)}"
+                for key, values in table.items()]  # fmt: skip
+        lines += [head, *rows, ""] if rows else []
     return "\n".join(lines)
 
 
@@ -229,7 +212,7 @@ def _is_of_kind(key: str, value: object) -> bool:
     if key in ("rate_hz", "mount"):
         length = 2 if key == "rate_hz" else 7
         return isinstance(value, list) and len(value) == length and all(map(_is_number, value))
-    return isinstance(value, bool) if KEYS[key] is bool else _is_number(value)
+    return isinstance(value, bool) if key == "static" else _is_number(value)
 
 
 def _is_number(value: object) -> bool:
@@ -258,20 +241,12 @@ def deviations_from(expectations: Expectations, profile: RecordingProfile) -> li
         for finding in _of_edge(expected, by_child.get((expected.namespace, expected.child), []))
     ]
     if not expectations.other_edges:
-        named = {(edge.namespace, edge.parent, edge.child) for edge in expectations.edges}
-        findings += [
-            Finding(
-                "unexpected-edge",
-                "warning",
-                edge.parent,
-                edge.child,
-                edge.topic,
-                facts={"count": edge.count},
-                namespace=edge.namespace,
-            )
-            for edge in profile.edges
-            if (edge.namespace, edge.parent, edge.child) not in named
-        ]
+        named = {name_of(edge.namespace, edge.parent, edge.child) for edge in expectations.edges}
+        for edge in profile.edges:
+            place = (edge.parent, edge.child, edge.topic)
+            if edge.name not in named:
+                facts: dict[str, object] = {"count": edge.count}
+                findings.append(Finding("unexpected-edge", "warning", *place, facts=facts, namespace=edge.namespace))
     return [*findings, *_of_topics(expectations, profile), *_of_lookups(expectations, profile)]
 
 
@@ -314,13 +289,8 @@ def _of_figures(expected: ExpectedEdge, edge: EdgeProfile) -> Iterator[Finding]:
         return
     if expected.rate_hz is not None and not expected.rate_hz[0] <= edge.rate_hz <= expected.rate_hz[1]:
         least, most = expected.rate_hz
-        yield _deviation(
-            "expected-rate",
-            "warning",
-            edge,
-            Text(f"{least:.1f} to {most:.1f} Hz", f"{least:.1f}~{most:.1f} Hz"),
-            f"{edge.rate_hz:.1f} Hz",
-        )
+        asked = Text(f"{least:.1f} to {most:.1f} Hz", f"{least:.1f}~{most:.1f} Hz")
+        yield _deviation("expected-rate", "warning", edge, asked, f"{edge.rate_hz:.1f} Hz")
     if expected.largest_delay_s is not None and edge.delay_s[1] > expected.largest_delay_s:
         late = f"{edge.delay_s[1]:.3f} s"
         is_now = Text(f"{late} (95 % of the samples are less late)", f"{late} (표본의 95 %는 이보다 작음)")

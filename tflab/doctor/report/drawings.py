@@ -84,17 +84,11 @@ def draw_distribution(values: np.ndarray) -> str:
 
 def draw_shares(shares: Sequence[float]) -> str:
     """Return a bar of what works at once, dark, and after each longer wait, paler, as a small strip of SVG."""
-    starts = (0.0, *shares[:-1])
-    bars = "".join(
-        f'<rect x="{STRIP_WIDTH * start:.1f}" y="4" width="{STRIP_WIDTH * (share - start):.1f}" height="12"'
-        f' opacity="{1.0 - 0.8 * i / len(shares):.2f}"/>'
-        for i, (start, share) in enumerate(zip(starts, shares, strict=True))
-        if share > start
-    )
-    frame = f'<rect x="0" y="4" width="{STRIP_WIDTH:.0f}" height="12" fill="none" stroke="currentColor"/>'
-    return (
-        f'<svg class="strip" viewBox="0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}" aria-hidden="true">{frame}{bars}</svg>'
-    )
+    bars = [f'<rect y="4" width="{STRIP_WIDTH:.0f}" height="12" fill="none" stroke="currentColor"/>']
+    for i, share in reversed(list(enumerate(shares))):  # the longest first: where bars cover each other, it is darker
+        bars.append(f'<rect y="4" width="{STRIP_WIDTH * share:.1f}" height="12" opacity="{0.3 if i else 1.0}"/>')
+    size = f"0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}"
+    return f'<svg class="strip" viewBox="{size}" aria-hidden="true">{"".join(bars)}</svg>'
 
 
 def _sheet(edges: list[Edge], drawn: list[str], first_s: float, last_s: float, kind: str) -> str:

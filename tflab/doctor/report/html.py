@@ -88,28 +88,18 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
 
 def _card(report: Report, finding: Finding, language: str) -> dict[str, object]:
     """Return what the card of a finding shows, without its pictures."""
-    return {
-        "severity": finding.severity,
-        "sign": SIGNS[finding.severity],
-        "when": moments_text(report, finding, language),
-        "said": describe(finding, language),
-        "effects": effects_text(finding, language) if finding.effects else "",
-        "certainty": certainty_text(finding, language),
-        "moment": "",
-        "figure": "",
-    }
+    effects = effects_text(finding, language) if finding.effects else ""
+    return {"severity": finding.severity, "sign": SIGNS[finding.severity], "effects": effects,
+            "when": moments_text(report, finding, language), "said": describe(finding, language),
+            "certainty": certainty_text(finding, language), "moment": "", "figure": ""}  # fmt: skip
 
 
 def _namespace(report: Report, evidence: Evidence, language: str) -> dict[str, object]:
     """Return the timeline, the edges and the tree of one namespace."""
     of = TEXTS["of"].say(language, namespace=evidence.namespace) if evidence.namespace else ""
     timeline = draw_timeline(evidence, [f for f in report.findings if f.namespace == evidence.namespace])
-    return {
-        "of": of,
-        "timeline": timeline,
-        "rows": _rows(evidence),
-        "tree": draw_tree(_tree_of(evidence), title="").svg,
-    }
+    tree = draw_tree(_tree_of(evidence), title="").svg
+    return {"of": of, "timeline": timeline, "rows": _rows(evidence), "tree": tree}
 
 
 def _lookup(row: LookupRow, language: str) -> tuple:

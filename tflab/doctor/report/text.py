@@ -109,12 +109,7 @@ def _data_from_finding(finding: Finding) -> dict:
         "severity": finding.severity,
         "certainty": certainty_of(finding.code),
         "settled_by": what_settles(finding.code),
-        "namespace": finding.namespace,
-        "parent": finding.parent,
-        "child": finding.child,
-        "topic": finding.topic,
-        "begin_ns": finding.begin_ns,
-        "end_ns": finding.end_ns,
+        **{name: getattr(finding, name) for name in ("namespace", "parent", "child", "topic", "begin_ns", "end_ns")},
         "facts": english(finding.facts),
         **describe(finding)._asdict(),
         "effects": [
