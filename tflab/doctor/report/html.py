@@ -39,11 +39,6 @@ from .text import certainty_text, effects_text, headline, moments_text, waits_te
 __all__ = ["html_from_report"]
 
 TEXTS = Texts(__file__)
-LABELS = (
-    "severity_error", "severity_warning", "severity_info", "also", "how_sure", "moment", "frames_then", "frames",
-    "timeline", "edges", "nothing_moves", "tree", "checks", "made", "not_made", "needs", "elsewhere", "foxglove",
-    "plotjuggler", "lookups", "lookups_told",
-)  # fmt: skip
 SIGNS = {"error": "✕", "warning": "!", "info": "i"}
 MOST_MOMENTS = 12
 
@@ -73,7 +68,7 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
         __file__,
         report=report,
         language=language,
-        label={name: TEXTS[name].say(language) for name in LABELS},
+        label={name: text.say(language) for name, text in TEXTS.items()},
         outcome=headline(report, language),
         cards=cards,
         frames=frames,

@@ -35,6 +35,7 @@ MOST_EFFECTS = 4  # that are named
 COUNTS = {"error": ("error", "errors"), "warning": ("warning", "warnings"), "info": ("note", "notes")}
 LABELS = {"error": "severity_error", "warning": "severity_warning", "info": "severity_info"}
 INDENT = " " * 9
+PLACE = ("parent", "child", "topic", "begin_ns", "end_ns")  # of a finding, as it is in JSON
 
 
 def text_from_report(report: Report, language: str = "en") -> str:
@@ -80,9 +81,8 @@ def data_from_report(report: Report) -> dict:
 
 def _lookup_lines(report: Report, language: str) -> list[str]:
     """Return the table of the lookups that do not always work at once, the worst first, and how many others do."""
-    late = sorted(
-        (row for row in report.lookups if round(100.0 * row.shares[0]) < 100), key=lambda row: row.shares[::-1]
-    )
+    late = [row for row in report.lookups if round(100.0 * row.shares[0]) < 100]
+    late.sort(key=lambda row: row.shares[::-1])
     rows = [("", *(f"{wait_s:g} s" for wait_s in WAITS_S), "")]
     for row in late[:MOST_LOOKUPS]:
         shares = [f"{100.0 * share:.0f} %" for share in row.shares]
@@ -104,18 +104,13 @@ def waits_text(row: LookupRow, language: str) -> str:
 
 def _data_from_finding(finding: Finding) -> dict:
     return {
-        "code": finding.code,
+        **{name: getattr(finding, name) for name in ("code", "severity", "namespace", *PLACE)},
         "faults": [str(fault) for fault in faults_of_code(finding.code)],
-        "severity": finding.severity,
         "certainty": certainty_of(finding.code),
         "settled_by": what_settles(finding.code),
-        **{name: getattr(finding, name) for name in ("namespace", "parent", "child", "topic", "begin_ns", "end_ns")},
         "facts": english(finding.facts),
         **describe(finding)._asdict(),
-        "effects": [
-            {name: getattr(effect, name) for name in ("code", "severity", "parent", "child", "topic")}
-            for effect in finding.effects
-        ],
+        "effects": [{name: getattr(e, name) for name in ("code", "severity", *PLACE[:3])} for e in finding.effects],
     }
 
 
