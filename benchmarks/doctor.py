@@ -17,19 +17,23 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 from collections import Counter
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
+import numpy as np
 from planted import CODES_OF_PLANT, PLANTS, with_records, with_transforms_of_odometry
 from tqdm import tqdm
 
 from tflab.bags.reader import read_bag
-from tflab.bags.recording import Recording, recording_from_records
+from tflab.bags.recording import Headers, Recording, recording_from_records
 from tflab.core.transforms import TransformRecord
+from tflab.doctor.collect_evidence import evidence_from_recording
 from tflab.doctor.diagnose import diagnose_recording
+from tflab.doctor.lookups import lookups_of
 from tflab.doctor.report.sentences import faults_of_code
 from tflab.robots.faults.catalogue import Fault
 from tflab.robots.faults.inject import CannotInject, inject
@@ -186,12 +190,28 @@ def run_speed(transforms: int) -> int:
         write_large_bag(path, transforms)
         size_mb = sum(file.stat().st_size for file in path.iterdir()) / 1e6
         subprocess.run([sys.executable, "-m", "tflab", "doctor", path, "--edges"], check=False)
+        lookups_s = seconds_for_lookups(read_bag(path), 15, transforms // 50)
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     seconds, memory_mb = used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
     print(f"{transforms} transforms, {size_mb:.0f} MB")
     print(f"file to report  {seconds:6.1f} s of one core, {transforms / seconds:8.0f} transforms a second")
     print(f"memory          {memory_mb:6.0f} MB")
+    print(f"lookups         {lookups_s:6.2f} s of one core, of {15 * (transforms // 50)} messages of 15 topics")
     return 0 if seconds < SECONDS_FOR_A_MILLION * max(transforms / 1e6, 1.0) and memory_mb < 1024 else 1
+
+
+def seconds_for_lookups(recording: Recording, topics: int, messages: int) -> float:
+    """Return how long the table of lookups takes for messages in the frames of the joints [s of CPU]."""
+    span = (recording.begin_ns, recording.end_ns, messages)
+    stamp_ns, frame = np.linspace(*span).astype(np.int64), np.zeros(messages, dtype=int)
+    headers = tuple(
+        Headers(f"/scan_{i}", "sensor_msgs/msg/LaserScan", stamp_ns + 5_000_000, stamp_ns, frame, (f"joint_{i % 8}",))
+        for i in range(topics)
+    )
+    evidence = evidence_from_recording(replace(recording, headers=headers))
+    begin = time.process_time()
+    lookups_of(evidence)
+    return time.process_time() - begin
 
 
 def write_large_bag(path: Path, transforms: int) -> None:

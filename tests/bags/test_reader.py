@@ -11,6 +11,8 @@ from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
 
 from tflab.bags.errors import BagError
+from tflab.bags.info import bag_facts
+from tflab.bags.play import PlayOptions, events
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import TransformLabel
 
@@ -121,6 +123,8 @@ def test_whole_files_that_rosbags_does_not_read_are_read(tmp_path):
     foreign = foreign_mcap(write_rosbag2(tmp_path / "m", circle(9)) / "m.mcap", b"")
     for path in (drive, tmp_path / "drive.db3.zstd", foreign):
         assert len(read_bag(path, salvage=True).transforms) == 10 and read_bag(path).unfinished is None
+    assert bag_facts(foreign).count == 10 and bag_facts(foreign).storage == "mcap"
+    assert len(list(events(foreign, PlayOptions(), ["/tf"]))) == 9
     assert "encoded as jsn" in refusal(foreign_mcap(foreign, b"jsn"))
 
 

@@ -247,7 +247,7 @@ def test_messages_in_a_frame_that_nobody_publishes_are_named_beside_the_frame_th
 
 @pytest.mark.parametrize(("delay_ms", "codes"), [(105, set()), (-500, {"messages-early"}), (5000, {"messages-late"})])
 def test_a_sensor_on_another_clock_is_named(delay_ms, codes):
-    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + 6 * SECOND
+    stamps = np.arange(1, 30, dtype=np.int64) * 100 * MS + SECOND
     frames = ("laser_frame",)
     scan = Headers("/scan", "LaserScan", stamps + delay_ms * MS, stamps, np.zeros(29, dtype=np.int64), frames)
     assert alarming(replace(recording(*HEALTHY), headers=(scan,))) == codes

@@ -52,7 +52,7 @@ def test_a_clean_bag_exits_with_0_and_says_so(clean, capsys):
     assert main(["doctor", str(clean)]) == 0
     out = capsys.readouterr().out
     assert out.startswith("clean: nothing is wrong\n")
-    assert "40 checks made: 15 frames, " in out and " in 5.0 s.\n" in out and "With --edges: the rate" in out
+    assert "43 checks made: 15 frames, " in out and " in 5.0 s.\n" in out and "With --edges: the rate" in out
 
 
 def test_an_error_exits_with_1_and_names_edge_cause_and_next_command(broken, capsys):

@@ -54,11 +54,11 @@ def bag_facts(path: str | Path) -> BagFacts:
     """
     path = Path(path).expanduser()
     files = [path]
-    with open_bag(path) as (reader, is_ros1):
+    with open_bag(path) as (reader, _):
         if path.is_dir():
             files = sorted(file for file in path.iterdir() if file.suffix != ".yaml")
         has_messages = bool(reader.message_count)
-        metadata = None if is_ros1 else reader.storage.metadata
+        storage = getattr(reader, "storage", None)  # of a rosbag2
         topics: dict[tuple[str, str, str], int] = {}
         for connection in reader.connections:
             key = (connection.topic, connection.msgtype, getattr(connection.ext, "serialization_format", "ros1"))
@@ -66,8 +66,8 @@ def bag_facts(path: str | Path) -> BagFacts:
         return BagFacts(
             files=tuple(file.name for file in files),
             size=sum(file.stat().st_size for file in files),
-            storage="rosbag_v2" if is_ros1 else "mcap" if files[0].suffix == ".mcap" else "sqlite3",
-            ros_distro=(metadata.ros_distro if metadata else None) or "unknown",
+            storage={".bag": "rosbag_v2", ".mcap": "mcap"}.get(files[0].suffix, "sqlite3"),
+            ros_distro=(storage.metadata.ros_distro if storage and storage.metadata else None) or "unknown",
             begin_ns=reader.start_time if has_messages else 0,
             duration_ns=reader.end_time - 1 - reader.start_time if has_messages else 0,
             count=reader.message_count,

@@ -84,10 +84,6 @@ def _opened(path: Path, salvage: bool) -> Iterator[tuple]:
     """Open a file or a directory: (the reader, whether it is ROS 1, what it lacks if it is unfinished)."""
     kind = _kind_of(path)
     log = Path(f"{path}-wal")
-    if kind == ".mcap" and has_other_profile(path) and not is_without_end(path, kind):
-        reader = Salvage(path)
-        yield reader, reader.is_ros1, None
-        return
     kind = kind if salvage else ""
     if kind in (".mcap", ".bag") and is_without_end(path, kind):
         try:
@@ -188,6 +184,10 @@ def open_bag(path: str | Path) -> Iterator[tuple]:
                 unpack(path, Path(folder) / path.stem)
                 with open_bag(Path(folder) / path.stem) as opened:
                     yield opened
+            return
+        if kind == ".mcap" and has_other_profile(path) and not is_without_end(path, kind):
+            foreign = Salvage(path)
+            yield foreign, foreign.is_ros1
             return
         with (Reader1 if kind == ".bag" else Reader2)(_InUtf8(path)) as reader:
             yield reader, kind == ".bag"

@@ -60,10 +60,11 @@ class FoundMessage(NamedTuple):
 
 
 class Salvage:
-    """A file without its end, with the face of a reader of rosbags.
+    """A file without its end, or an .mcap that rosbags does not read, with the interface of a reader of rosbags.
 
     Attributes:
         connections: with as many messages as are left.
+        message_count: of all of them.
         start_time, end_time: of the messages [ns], the end exclusive.
     """
 
@@ -86,13 +87,14 @@ class Salvage:
         if encodings and not encodings & {"", "cdr", "ros1"}:
             raise BagError(f"{path}: not supported, the messages are encoded as {', '.join(sorted(encodings))}; "
                            f"those of ROS are cdr or ros1")  # fmt: skip
+        self.message_count = counts.total()
         self.connections = [_connection(topic, counts[number], self.is_ros1) for number, topic in topics.items()]
 
-    def messages(self, connections: Sequence) -> Iterator[tuple]:
-        """Yield (connection, time of receipt [ns], bytes) of each message, in the order of the file."""
+    def messages(self, connections: Sequence, start: int = 0) -> Iterator[tuple]:
+        """Yield (connection, time of receipt [ns], bytes) of each message from `start` on, in the order of the file."""
         wanted = {connection.id: connection for connection in connections}
         for record in self._records():
-            if isinstance(record, FoundMessage) and record.number in wanted:
+            if isinstance(record, FoundMessage) and record.number in wanted and record.receive_ns >= start:
                 yield wanted[record.number], record.receive_ns, record.data
 
     def _records(self) -> Iterator[FoundTopic | FoundMessage]:

@@ -3,6 +3,7 @@
 findings          findings and reports
 evidence          what the checks examine
 collect_evidence  evidence of a recording or a buffer
+lookups           which lookups at the stamps of messages work, and when
 checks/           the checks, by their subject
 diagnose          all checks, and causes separated from effects
 report/           the report as text and as a page

@@ -14,6 +14,7 @@ not made.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import compress
 
 import numpy as np
 
@@ -44,26 +45,13 @@ def evidence_from_recording(recording: Recording, namespace: str = "") -> Eviden
     clock = clock_relation(moving, headers, recording.clock)
     in_other_time: list[OtherSamples] = []
     moving, headers = list(_separated(moving, clock, in_other_time)), tuple(_separated(headers, clock, in_other_time))
+    subject = recording.name + (f" ({namespace})" if namespace else "")
+    statics = [edge for edge in edges if edge.is_static]
+    raw_names = [(label.parent, label.child, label.topic) for label in compress(table.labels, mine)]
     return Evidence(
-        subject=recording.name + (f" ({namespace})" if namespace else ""),
-        namespace=namespace,
-        moving=moving,
-        statics=[edge for edge in edges if edge.is_static],
-        raw_names=[
-            (label.parent, label.child, label.topic)
-            for label, is_mine in zip(table.labels, mine, strict=True)
-            if is_mine
-        ],
-        has_arrival=True,
-        begin_ns=recording.begin_ns,
-        end_ns=recording.end_ns,
-        headers=headers,
-        in_other_time=tuple(in_other_time),
-        joint_states=recording.joint_states,
-        connections=recording.connections,
-        robot_description=recording.robot_description,
-        clock=clock,
-    )
+        subject, namespace, moving, statics, raw_names, True, recording.begin_ns, recording.end_ns, headers,
+        tuple(in_other_time), recording.joint_states, recording.connections, recording.robot_description, clock,
+    )  # fmt: skip
 
 
 def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidence:
@@ -85,16 +73,9 @@ def evidence_from_buffer(buffer: BufferCore, subject: str = "buffer") -> Evidenc
         )  # fmt: skip
         raw_names.extend((name, frame, topic) for name in parents)
     moving = [edge for edge in edges if not edge.is_static]
-    return Evidence(
-        subject=subject,
-        namespace="",
-        moving=moving,
-        statics=[edge for edge in edges if edge.is_static],
-        raw_names=raw_names,
-        has_arrival=False,
-        begin_ns=min((int(edge.stamp_ns[0]) for edge in moving), default=0),
-        end_ns=max((int(edge.stamp_ns[-1]) for edge in moving), default=0),
-    )
+    begin_ns = min((int(edge.stamp_ns[0]) for edge in moving), default=0)
+    end_ns = max((int(edge.stamp_ns[-1]) for edge in moving), default=0)
+    return Evidence(subject, "", moving, [edge for edge in edges if edge.is_static], raw_names, False, begin_ns, end_ns)
 
 
 def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Clock) -> ClockRelation:
@@ -157,20 +138,10 @@ def _edge(table, child: str, is_static: bool, parts: list[tuple[int, np.ndarray]
     publishers, publisher_of_label = _indices([table.labels[number].publisher for number, _ in parts])
     place = np.zeros(len(table.labels), dtype=np.int64)
     place[[number for number, _ in parts]] = np.arange(len(parts))
-    return Edge(
-        child=child,
-        is_static=is_static,
-        topic=table.labels[parts[0][0]].topic,
-        parents=parents,
-        publishers=publishers,
-        parent=parent_of_label.astype(np.int32)[place[labels]],
-        publisher=publisher_of_label.astype(np.int32)[place[labels]],
-        receive_ns=table.receive_ns[rows],
-        stamp_ns=table.stamp_ns[rows],
-        message=table.message[rows],
-        source=table.numbers,
-        rows=rows,
-    )
+    parent, publisher = (column.astype(np.int32)[place[labels]] for column in (parent_of_label, publisher_of_label))
+    columns = (column[rows] for column in (table.receive_ns, table.stamp_ns, table.message))
+    topic = table.labels[parts[0][0]].topic
+    return Edge(child, is_static, topic, parents, publishers, parent, publisher, *columns, table.numbers, rows)
 
 
 def _indices(names) -> tuple[tuple[str, ...], np.ndarray]:

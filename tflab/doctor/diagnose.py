@@ -16,10 +16,11 @@ from tflab.bags.recording import Recording, namespace_of
 from tflab.core import NSEC_PER_SEC, BufferCore
 from tflab.text import Text, load_yaml
 
-from .checks import clocks, names, owners, silence, stamps, statics, time_bases, tree, values
+from .checks import clocks, lookups, names, owners, silence, stamps, statics, time_bases, tree, values
 from .collect_evidence import evidence_from_buffer, evidence_from_recording
-from .evidence import Evidence
+from .evidence import Evidence, LookupRow
 from .findings import SEVERITIES, Coverage, Finding, Report, SkippedCheck
+from .lookups import lookups_of
 
 __all__ = ["CHECKS", "Check", "diagnose_buffer", "diagnose_recording"]
 
@@ -38,6 +39,7 @@ CHECKS = (
     Check("misspelt names", names.misspelt_names),
     Check("slashes in messages", names.slashes_in_messages, "recording"),
     Check("frames that messages name", names.unknown_frames_in_messages, "recording"),
+    Check("messages without a frame", names.messages_without_a_frame, "recording"),
     Check("frames that are their own parent", tree.self_transforms, "raw"),
     Check("loops", tree.loops),
     Check("one parent for each child", tree.several_parents),
@@ -60,6 +62,7 @@ CHECKS = (
     Check("drift of clocks", time_bases.drifting_clocks, "arrival"),
     Check("delays", stamps.odd_delays, "arrival"),
     Check("delays of other messages", stamps.odd_message_delays, "recording"),
+    Check("lookups at the stamps of messages", lookups.failing_lookups, "recording"),
     Check("jumps of a clock", clocks.jumping_clocks, "arrival"),
     Check("source of time", clocks.other_time_source, "recording"),
     Check("agreement of clocks", clocks.clock_offset, "arrival"),
@@ -69,6 +72,7 @@ CHECKS = (
     Check("static transforms are there", statics.missing_statics, "recording"),
     Check("mounts repeated on /tf", statics.constant_on_tf),
     Check("motions on /tf_static", statics.moving_on_static, "arrival"),
+    Check("odometry on /tf_static", statics.odometry_on_static, "recording"),
     Check("latched messages", statics.replaced_latched_messages, "recording"),
     Check("topics without messages", statics.empty_topics, "recording"),
     Check("one owner for each joint", owners.several_joint_publishers, "recording"),
@@ -101,14 +105,16 @@ def diagnose_recording(recording: Recording) -> Report:
     if not recording.namespaces():
         return _report_without_transforms(recording, unreadable)
     findings = list(unreadable)
+    rows: list[LookupRow] = []
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
+        evidence.lookups = lookups_of(evidence)
+        rows += evidence.lookups
         grouped = group_by_cause([finding for check in CHECKS for finding in check.run(evidence)])
         findings += [replace(_with_publishers(finding, evidence), namespace=namespace) for finding in grouped]
-    made = tuple(check.name for check in CHECKS)
-    return Report(
-        recording.name, recording.begin_ns, worst_first(_of_ros(findings, recording)), made, seen=_seen(recording)
-    )
+    made, seen = tuple(check.name for check in CHECKS), _seen(recording)
+    findings = list(worst_first(_of_ros(findings, recording)))
+    return Report(recording.name, recording.begin_ns, tuple(findings), made, seen=seen, lookups=tuple(rows))
 
 
 def _with_publishers(finding: Finding, evidence: Evidence) -> Finding:
@@ -182,6 +188,9 @@ def _explains(cause: Finding, effect: Finding) -> bool:
         return False
     if cause.code == "time-wall" and effect.code == "late-start":  # a localiser waits for a pose that it can use
         return any("initialpose" in subject for subject in _subjects(cause))
+    of_lookups = effects_of()["of_anything_on_the_same_edge_or_topic"]
+    if effect.code in of_lookups and cause.code not in of_lookups and _subjects(cause) & {effect.child, effect.topic}:
+        return True
     on_child = _subjects(cause) & _subjects(effect) and effect.code in effects_of()["on_the_same_edge_or_topic"].get(
         cause.code, ()
     )

@@ -29,8 +29,8 @@ from tflab.bags.recording import Connection, Headers, JointStates
 from tflab.core import NSEC_PER_SEC
 from tflab.robots.urdf import UrdfError, parse_urdf
 
-__all__ = ["SAME_CLOCK_NS", "YEAR_NS", "ClockRelation", "Edge", "Evidence", "Jump", "OtherSamples", "find_jumps",
-           "is_stamped", "part_of"]  # fmt: skip
+__all__ = ["SAME_CLOCK_NS", "YEAR_NS", "ClockRelation", "Edge", "Evidence", "Jump", "LookupRow", "OtherSamples",
+           "find_jumps", "is_stamped", "part_of"]  # fmt: skip
 
 LEAST_JUMP_S = 0.05
 LEAST_PERIODS = 3.0  # less can be a message or two that took another way
@@ -180,6 +180,27 @@ class OtherSamples(NamedTuple):
     total: int
 
 
+class LookupRow(NamedTuple):
+    """How many messages of one topic and frame can be looked up in a fixed frame at their stamps.
+
+    Attributes:
+        shares: at once, and after 0.1 s, 0.5 s and 1 s, from 0 to 1.
+        parent, child: the edge that is waited for, "" if none is, or if the frames are not connected.
+        wait_ns: nine of ten messages wait at least so long [ns].
+        period_ns: usual time between two messages [ns], 0 if there is only one.
+    """
+
+    topic: str
+    frame: str
+    fixed: str
+    count: int
+    shares: tuple[float, ...]
+    parent: str
+    child: str
+    wait_ns: int
+    period_ns: int
+
+
 @dataclass(frozen=True)
 class ClockRelation:
     """What "received minus stamp" is on the whole: (time of receipt, difference) pairs to interpolate between.
@@ -211,6 +232,7 @@ class Evidence:
         has_arrival: whether times of receipt and the order of arrival are known.
         raw_names: every (parent, child, topic), as sent, in the order of first mention.
         in_other_time: samples in another time base, which are not among those of `moving` and `headers`.
+        lookups: see lookups.py; empty until they are calculated.
     """
 
     subject: str
@@ -227,6 +249,7 @@ class Evidence:
     connections: tuple[Connection, ...] = ()
     robot_description: str = ""
     clock: ClockRelation = field(default_factory=lambda: ClockRelation("same", np.zeros(0), np.zeros(0)))
+    lookups: tuple[LookupRow, ...] = ()
 
     def edges(self) -> Iterator[Edge]:
         """Yield every edge, the moving ones first."""

@@ -11,6 +11,8 @@ from typing import Literal, NamedTuple
 
 from tflab.text import Text
 
+from .evidence import LookupRow
+
 __all__ = ["SEVERITIES", "Coverage", "Finding", "Report", "Severity", "SkippedCheck", "english", "first_of", "times_of"]
 
 Severity = Literal["error", "warning", "info"]
@@ -95,6 +97,7 @@ class Report:
         checks_not_made: the others, and what each would need.
         seen: what was looked at; None of a buffer, which has forgotten.
         ignored: how many findings somebody has chosen to ignore.
+        lookups: of every topic, frame and fixed frame.
     """
 
     subject: str
@@ -104,6 +107,7 @@ class Report:
     checks_not_made: tuple[SkippedCheck, ...] = ()
     seen: Coverage | None = None
     ignored: int = 0
+    lookups: tuple[LookupRow, ...] = ()
 
     def of_severity(self, *severities: Severity) -> tuple[Finding, ...]:
         """Return the findings of these severities, in order."""

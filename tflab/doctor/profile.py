@@ -18,9 +18,10 @@ from tflab.core import NSEC_PER_SEC
 from .checks.clocks import settled_delays_s
 from .checks.motion import unit
 from .collect_evidence import evidence_from_recording
-from .evidence import Edge, Evidence
+from .evidence import Edge, Evidence, LookupRow
+from .lookups import lookups_of
 
-__all__ = ["EdgeProfile", "RecordingProfile", "name_of", "profile_of", "text_from_profile"]
+__all__ = ["EdgeProfile", "RecordingProfile", "lines_of_table", "name_of", "profile_of", "text_from_profile"]
 
 NO_FIGURE = 0.0
 
@@ -64,21 +65,26 @@ def name_of(namespace: str, parent: str, child: str) -> str:
 
 
 class RecordingProfile(NamedTuple):
-    """Every edge in figures, and the frames of each topic of stamped messages."""
+    """Every edge in figures, the frames of each topic of stamped messages, and how often their lookups work."""
 
     edges: tuple[EdgeProfile, ...]
     frames_of: dict[str, tuple[str, ...]]
+    lookups: tuple[LookupRow, ...] = ()
 
 
 def profile_of(recording: Recording) -> RecordingProfile:
     """Return a recording in figures."""
     edges: list[EdgeProfile] = []
+    lookups: list[LookupRow] = []
     for namespace in recording.namespaces():
         evidence = evidence_from_recording(recording, namespace)
         edges += _moving(evidence)
+        lookups += lookups_of(evidence)
         edges += [_static(edge) for edge in evidence.statics if edge.usual_parent]
     frames_of = {header.topic: tuple(sorted(filter(None, header.frames))) for header in recording.headers}
-    return RecordingProfile(tuple(edges), {topic: frames for topic, frames in frames_of.items() if frames})
+    return RecordingProfile(
+        tuple(edges), {topic: frames for topic, frames in frames_of.items() if frames}, tuple(lookups)
+    )
 
 
 def text_from_profile(profile: RecordingProfile) -> str:
@@ -91,6 +97,11 @@ def text_from_profile(profile: RecordingProfile) -> str:
             continue
         delays = [f"{1e3 * delay_s + 0.0:.0f}" for delay_s in edge.delay_s]
         rows.append((edge.name, str(edge.count), f"{edge.rate_hz:.1f}", *delays, f"{edge.silence_s:.2f}", owners))
+    return "\n".join(lines_of_table(rows))
+
+
+def lines_of_table(rows: list[tuple[str, ...]]) -> list[str]:
+    """Return rows for a terminal, the first and the last column to the left, and the others to the right."""
     widths = [max(len(row[column]) for row in rows) for column in range(len(rows[0]))]
     lines = []
     for row in rows:
@@ -99,7 +110,7 @@ def text_from_profile(profile: RecordingProfile) -> str:
             *(cell.rjust(width) for cell, width in zip(row[1:-1], widths[1:-1], strict=True)),
         ]
         lines.append("  ".join([*cells, row[-1]]).rstrip())
-    return "\n".join(lines)
+    return lines
 
 
 def _moving(evidence: Evidence) -> list[EdgeProfile]:

@@ -8,6 +8,7 @@
     silence      gaps, late starts and rates
     clocks    5  do the clocks agree?
     time_bases   whose clock stamped what?
+    lookups      do lookups at the stamps of messages work?
     owners    6  has each transform one owner?
     statics   7  is what is fixed published as fixed?
 

@@ -15,6 +15,8 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 
+import numpy as np
+
 from tflab.bags.recording import Headers
 from tflab.text import Text
 
@@ -22,8 +24,8 @@ from ..evidence import Evidence
 from ..findings import Finding, first_of
 
 __all__ = ["are_confusable", "differ_in_side", "empty_names", "endings_of", "is_misspelling", "leading_slashes",
-           "letters_of", "misspelt_names", "name_similarity", "prefix_of", "slashes_in_messages",
-           "unknown_frames_in_messages"]  # fmt: skip
+           "letters_of", "messages_without_a_frame", "misspelt_names", "name_similarity", "prefix_of",
+           "slashes_in_messages", "unknown_frames_in_messages"]  # fmt: skip
 
 LONG_NAME = 12  # letters, from which on two slips are one misspelling
 SIDES = {"left", "right", "front", "rear", "back", "upper", "lower", "top", "bottom", "inner", "outer",
@@ -112,6 +114,7 @@ def _digits(name: str) -> list[str]:
 SPATIAL = re.compile(
     r"LaserScan|PointCloud|Image|CameraInfo|Imu|Range|Odometry|Path|Grid|geometry_msgs|Detection|Marker"
 )
+NO_PLACE = re.compile(r"Twist|Wrench|Accel")  # drivers and controllers leave their frame_id empty as a rule
 OF_THE_WORLD = re.compile(r"Odometry|Path|Grid|PoseWithCovariance|PoseArray")
 STANDARD = ("earth", "map", "odom", "base_link", "base_footprint", "world")  # REP-105, and what is usual beside it
 ROBOT_FRAMES = 3  # a prefix that so many frames share, in a tree of their own, is a robot
@@ -201,6 +204,15 @@ def unknown_frames_in_messages(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(code, "error" if spatial else "info", topic=topic, facts=facts)
 
 
+def messages_without_a_frame(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each topic of sensors whose messages name no frame."""
+    for header in evidence.headers:
+        count = int(np.isin(header.frame, [n for n, frame in enumerate(header.frames) if not frame.strip("/")]).sum())
+        if count and SPATIAL.search(header.msgtype) and not NO_PLACE.search(header.msgtype):
+            facts = {"count": count, "total": len(header.frame)}
+            yield Finding("empty-frame-id", "error", topic=header.topic, facts=facts)
+
+
 def _alike_text(frame: str, known: set[str]) -> Text | str:
     """Return a sentence with the names of the tree that a name may be meant for, "" if there are none."""
     alike = sorted(name for name in known if are_confusable(name, frame))
@@ -282,15 +294,9 @@ def _weight(evidence: Evidence, name: str) -> tuple:
                 links += 1
                 samples += int((edge.parent == number).sum())
     neat = name == name.lower()
-    return (
-        name in evidence.joint_kinds or name in evidence.named_by_messages,
-        name.rpartition("/")[2] in STANDARD,
-        links,
-        neat,
-        "/" not in name,
-        samples,
-        [-ord(letter) for letter in name],
-    )
+    is_named = name in evidence.joint_kinds or name in evidence.named_by_messages
+    is_standard, is_bare = name.rpartition("/")[2] in STANDARD, "/" not in name
+    return (is_named, is_standard, links, neat, is_bare, samples, [-ord(letter) for letter in name])
 
 
 def _is_a_robot(evidence: Evidence, name: str) -> bool:

@@ -212,13 +212,10 @@ def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) 
     facts = {
         "times": _times_of(events, start_ns),
         "edges": ", ".join(dict.fromkeys(f"{edge.usual_parent} -> {edge.child}" for edge in edges)),
-        "longest": f"{length_s:.3f}",
-        "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
-        "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}",
-        "moved": f"{moved_m:.3f}",
-        "turned": f"{turned_rad:.3f}",
-        "frame": longest.edge.child,
-    }
+        "longest": f"{length_s:.3f}", "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
+        "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}", "frame": longest.edge.child,
+        "moved": f"{moved_m:.3f}", "turned": f"{turned_rad:.3f}",
+    }  # fmt: skip
     edge = edges[0]
     is_one = len(edges) == 1 and code not in ("stall", "tf-silent")
     parent, child = (edge.usual_parent, edge.child) if is_one else ("", "")

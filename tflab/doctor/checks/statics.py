@@ -24,19 +24,14 @@ from ..evidence import Edge, Evidence
 from ..findings import Finding, first_of
 from .motion import LEAST_DIFFERENCE_M, distances, is_constant, steps_and_turns, unit
 
-__all__ = [
-    "constant_on_tf",
-    "empty_topics",
-    "missing_statics",
-    "moving_on_static",
-    "replaced_latched_messages",
-    "volatile_statics",
-]
+__all__ = ["constant_on_tf", "empty_topics", "missing_statics", "moving_on_static", "odometry_on_static",
+           "replaced_latched_messages", "volatile_statics"]  # fmt: skip
 
 FEWEST_SAMPLES = 8
 LEAST_TIME_S = 1.0
 LEAST_CHANGE_M = 1e-4
 WORLD_FRAMES = ("map", "world", "earth", "odom")
+ODOM = re.compile(r"(^|[/_])odom$")
 ROBOT_BODY = re.compile(r"(^|[/_])base_(link|footprint)$")
 FEWEST_MOVING = 20  # samples on /tf_static: so often nobody says what is fixed
 TOGETHER_NS = NSEC_PER_SEC
@@ -103,6 +98,24 @@ def moving_on_static(evidence: Evidence) -> Iterator[Finding]:
         yield Finding(code, "error", edge.usual_parent, edge.child, edge.topic, *span, facts)
     for changed in changed_at.values():
         yield _finding_of_changes(changed)
+
+
+def odometry_on_static(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for each body of a robot that is fixed in odom by /tf_static alone."""
+    moving = {edge.child for edge in evidence.moving}
+    for edge in evidence.statics:
+        parent = edge.usual_parent
+        if (
+            not ODOM.search(parent)
+            or not ROBOT_BODY.search(edge.child)
+            or edge.child in moving
+            or not is_constant(edge)
+        ):
+            continue
+        topics = [h.topic for h in evidence.headers if "Odometry" in h.msgtype and parent in h.frames]
+        facts = {"topics": ", ".join(topics) or Text("none", "없음")}
+        severity = "error" if topics else "warning"
+        yield Finding("odometry-on-static", severity, parent, edge.child, edge.topic, facts=facts)
 
 
 def _finding_of_changes(changed: list[tuple[Edge, float]]) -> Finding:

@@ -9,6 +9,9 @@
     longest_silence_s = 0.5
     owners = ["/wheel_odometry"]   only where the recording has them
 
+    [lookups]
+    "/scan -> map" = [0.1, 0.99]   after 0.1 s, at least 99 % of the messages can be looked up in map
+
 What is not in the file is not checked. Each deviation is a finding like the others. Two recordings are compared by
 the same means: the first one is the expectation of the second.
 """
@@ -17,7 +20,7 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -25,8 +28,10 @@ import numpy as np
 
 from tflab.text import Text
 
+from ..checks.lookups import text_of_shares
 from ..checks.motion import distances
 from ..findings import Finding, Severity
+from ..lookups import WAITS_S
 from ..profile import EdgeProfile, RecordingProfile, name_of
 
 __all__ = ["ExpectationError", "Expectations", "ExpectedEdge", "changes_between", "deviations_from",
@@ -44,6 +49,8 @@ LEAST_DELAY_S = 0.05  # ... but not less
 SILENCE_SLACK = 2.0
 LEAST_SILENCE_S = 0.25
 MOUNT_TOLERANCE_M = 0.001
+LOOKUP_SLACK = 0.1  # of the share
+LEAST_SHARE = 0.5  # of the messages, from which on lookups are expected to work
 
 HEAD = """\
 # What a good recording of this robot looks like, for `tflab doctor --expect`.
@@ -55,15 +62,15 @@ other_edges = true
 # Findings that are let pass, as for --ignore: "CODE" or "CODE:WHERE".
 ignore = []
 """
-KEYS = {
-    "static": bool,
-    "rate_hz": list,
-    "largest_delay_s": float,
-    "longest_silence_s": float,
-    "owners": list,
-    "mount": list,
-    "mount_tolerance_m": float,
+FORMS: dict[str, Callable] = {  # how a file holds what is asked of an edge
+    "static": lambda value: str(value).lower(),
+    "rate_hz": lambda value: f"[{value[0]:.1f}, {value[1]:.1f}]",
+    "largest_delay_s": "{:.3f}".format,
+    "longest_silence_s": "{:.2f}".format,
+    "owners": lambda value: json.dumps(list(value), ensure_ascii=False),
+    "mount": lambda value: f"[{', '.join(f'{number + 0.0:.6f}' for number in value)}]",
 }
+KEYS = (*FORMS, "mount_tolerance_m")
 
 
 class ExpectationError(ValueError):
@@ -92,6 +99,7 @@ class Expectations:
 
     Attributes:
         frames_of: the frames that the messages of a topic may be in.
+        lookups: wait [s] and least share of "topic -> fixed frame".
         other_edges: whether edges may be there that are not named.
         ignore: findings that are let pass.
     """
@@ -100,6 +108,7 @@ class Expectations:
     frames_of: dict[str, tuple[str, ...]] = field(default_factory=dict)
     other_edges: bool = True
     ignore: tuple[str, ...] = ()
+    lookups: dict[str, tuple[float, float]] = field(default_factory=dict)
 
 
 def expectations_from(profile: RecordingProfile, other_edges: bool = True) -> Expectations:
@@ -115,7 +124,13 @@ def expectations_from(profile: RecordingProfile, other_edges: bool = True) -> Ex
         delay_s = max(DELAY_SLACK * edge.delay_s[1], LEAST_DELAY_S)
         silence_s = max(SILENCE_SLACK * edge.silence_s, LEAST_SILENCE_S)
         edges.append(ExpectedEdge(edge.parent, edge.child, False, rate_hz, delay_s, silence_s, **who))
-    return Expectations(tuple(edges), dict(profile.frames_of), other_edges)
+    lookups = {}
+    for row in profile.lookups:
+        most = row.shares[-1]
+        if most >= LEAST_SHARE:
+            wait_s = next(wait_s for wait_s, share in zip(WAITS_S, row.shares, strict=True) if share > most - 0.02)
+            lookups[f"{row.topic} -> {row.fixed}"] = (wait_s, round(most - LOOKUP_SLACK, 2))
+    return Expectations(tuple(edges), dict(profile.frames_of), other_edges, lookups=lookups)
 
 
 def toml_from(expectations: Expectations) -> str:
@@ -123,24 +138,16 @@ def toml_from(expectations: Expectations) -> str:
     lines = [HEAD]
     for edge in expectations.edges:
         lines.append(f"[edges.{json.dumps(name_of(edge.namespace, edge.parent, edge.child), ensure_ascii=False)}]")
-        if edge.static is not None:
-            lines.append(f"static = {str(edge.static).lower()}")
-        if edge.rate_hz is not None:
-            lines.append(f"rate_hz = [{edge.rate_hz[0]:.1f}, {edge.rate_hz[1]:.1f}]")
-        if edge.largest_delay_s is not None:
-            lines.append(f"largest_delay_s = {edge.largest_delay_s:.3f}")
-        if edge.longest_silence_s is not None:
-            lines.append(f"longest_silence_s = {edge.longest_silence_s:.2f}")
-        if edge.owners is not None:
-            lines.append(f"owners = {json.dumps(list(edge.owners), ensure_ascii=False)}")
-        if edge.mount is not None:
-            lines.append(f"mount = [{', '.join(f'{value + 0.0:.6f}' for value in edge.mount)}]")
+        for key, form in FORMS.items():
+            value = getattr(edge, key)
+            lines += [f"{key} = {form(value)}"] if value is not None else []
         lines.append("")
-    if expectations.frames_of:
-        lines.append("[frames]")
-        for topic, frames in sorted(expectations.frames_of.items()):
-            lines.append(f"{json.dumps(topic, ensure_ascii=False)} = {json.dumps(list(frames), ensure_ascii=False)}")
-        lines.append("")
+    frames = {topic: list(names) for topic, names in sorted(expectations.frames_of.items())}
+    lookups = {name: list(asked) for name, asked in expectations.lookups.items()}
+    for head, table in (("[frames]", frames), ("[lookups]  # wait [s], least share", lookups)):
+        rows = [f"{json.dumps(key, ensure_ascii=False)} = {json.dumps(values, ensure_ascii=False)}"
+                for key, values in table.items()]  # fmt: skip
+        lines += [head, *rows, ""] if rows else []
     return "\n".join(lines)
 
 
@@ -156,18 +163,29 @@ def read_expectations(path: str | Path) -> Expectations:
         raise ExpectationError(f"{path}: cannot be read ({error.strerror})") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
         raise ExpectationError(f"{path}: not TOML ({error})") from None
-    unknown = set(data) - {"edges", "frames", "other_edges", "ignore"}
+    unknown = set(data) - {"edges", "frames", "lookups", "other_edges", "ignore"}
     if unknown:
         raise ExpectationError(
-            f"{path}: unknown: {', '.join(sorted(unknown))}; known: edges, frames, other_edges, ignore"
+            f"{path}: unknown: {', '.join(sorted(unknown))}; known: edges, frames, lookups, other_edges, ignore"
         )
     edges = tuple(_edge_of(path, name, asked) for name, asked in _table(path, data, "edges").items())
     frames = _table(path, data, "frames")
     wrong = [topic for topic, names in frames.items() if not _is_words(names)]
     if wrong or not _is_words(data.get("ignore", [])):
         raise ExpectationError(f'{path}: {wrong[0] if wrong else "ignore"}: expected a list of words, as ["a", "b"]')
+    lookups = {name: _lookup_of(path, name, asked) for name, asked in _table(path, data, "lookups").items()}
     frames_of = {topic: tuple(names) for topic, names in frames.items()}
-    return Expectations(edges, frames_of, data.get("other_edges", True) is True, tuple(data.get("ignore", ())))
+    return Expectations(edges, frames_of, data.get("other_edges", True) is True, tuple(data.get("ignore", ())), lookups)
+
+
+def _lookup_of(path: str | Path, name: str, asked: object) -> tuple[float, float]:
+    is_pair = isinstance(asked, list) and len(asked) == 2 and all(map(_is_number, asked))
+    if not is_pair or asked[0] not in WAITS_S or not 0.0 <= asked[1] <= 1.0 or " -> " not in name:
+        waits = ", ".join(f"{wait_s:g}" for wait_s in WAITS_S)
+        raise ExpectationError(
+            f'{path}: lookups."{name}": expected "topic -> frame" = [wait, share]; wait: {waits}; share: 0 to 1'
+        )
+    return float(asked[0]), float(asked[1])
 
 
 def _edge_of(path: str | Path, name: str, asked: object) -> ExpectedEdge:
@@ -194,7 +212,7 @@ def _is_of_kind(key: str, value: object) -> bool:
     if key in ("rate_hz", "mount"):
         length = 2 if key == "rate_hz" else 7
         return isinstance(value, list) and len(value) == length and all(map(_is_number, value))
-    return isinstance(value, bool) if KEYS[key] is bool else _is_number(value)
+    return isinstance(value, bool) if key == "static" else _is_number(value)
 
 
 def _is_number(value: object) -> bool:
@@ -223,21 +241,13 @@ def deviations_from(expectations: Expectations, profile: RecordingProfile) -> li
         for finding in _of_edge(expected, by_child.get((expected.namespace, expected.child), []))
     ]
     if not expectations.other_edges:
-        named = {(edge.namespace, edge.parent, edge.child) for edge in expectations.edges}
-        findings += [
-            Finding(
-                "unexpected-edge",
-                "warning",
-                edge.parent,
-                edge.child,
-                edge.topic,
-                facts={"count": edge.count},
-                namespace=edge.namespace,
-            )
-            for edge in profile.edges
-            if (edge.namespace, edge.parent, edge.child) not in named
-        ]
-    return [*findings, *_of_topics(expectations, profile)]
+        named = {name_of(edge.namespace, edge.parent, edge.child) for edge in expectations.edges}
+        for edge in profile.edges:
+            place = (edge.parent, edge.child, edge.topic)
+            if edge.name not in named:
+                facts: dict[str, object] = {"count": edge.count}
+                findings.append(Finding("unexpected-edge", "warning", *place, facts=facts, namespace=edge.namespace))
+    return [*findings, *_of_topics(expectations, profile), *_of_lookups(expectations, profile)]
 
 
 def changes_between(before: RecordingProfile, after: RecordingProfile) -> list[Finding]:
@@ -279,13 +289,8 @@ def _of_figures(expected: ExpectedEdge, edge: EdgeProfile) -> Iterator[Finding]:
         return
     if expected.rate_hz is not None and not expected.rate_hz[0] <= edge.rate_hz <= expected.rate_hz[1]:
         least, most = expected.rate_hz
-        yield _deviation(
-            "expected-rate",
-            "warning",
-            edge,
-            Text(f"{least:.1f} to {most:.1f} Hz", f"{least:.1f}~{most:.1f} Hz"),
-            f"{edge.rate_hz:.1f} Hz",
-        )
+        asked = Text(f"{least:.1f} to {most:.1f} Hz", f"{least:.1f}~{most:.1f} Hz")
+        yield _deviation("expected-rate", "warning", edge, asked, f"{edge.rate_hz:.1f} Hz")
     if expected.largest_delay_s is not None and edge.delay_s[1] > expected.largest_delay_s:
         late = f"{edge.delay_s[1]:.3f} s"
         is_now = Text(f"{late} (95 % of the samples are less late)", f"{late} (표본의 95 %는 이보다 작음)")
@@ -303,6 +308,21 @@ def _of_topics(expectations: Expectations, profile: RecordingProfile) -> Iterato
         elif not set(frames) <= set(expected):
             facts = {"expected": ", ".join(expected), "instead": ", ".join(frames)}
             yield Finding("expected-frame", "error", topic=topic, facts=facts)
+
+
+def _of_lookups(expectations: Expectations, profile: RecordingProfile) -> Iterator[Finding]:
+    rows = {f"{row.topic} -> {row.fixed}": row for row in profile.lookups}
+    for name, (wait_s, least) in expectations.lookups.items():
+        topic, _, fixed = name.partition(" -> ")
+        row = rows.get(name)
+        share = row.shares[WAITS_S.index(wait_s)] if row else 0.0
+        if share < least and (row or topic in profile.frames_of):
+            asked = f"{100.0 * least:.0f} %"
+            expected = Text(f"{asked} or more after {wait_s:g} s", f"{wait_s:g} s 뒤 {asked} 이상")
+            instead = text_of_shares(row) if row else Text("no lookup", "조회할 수 없음")
+            facts = {"fixed": fixed, "expected": expected, "instead": instead}
+            edge = (row.parent, row.child) if row else ("", "")
+            yield Finding("expected-lookup", "warning", *edge, topic, facts=facts)
 
 
 def _at_most(limit: str) -> Text:

@@ -73,13 +73,8 @@ def read_baseline(path: str | Path) -> tuple[str, ...]:
 
 
 def _is_ignored(finding: Finding, patterns: list[str]) -> bool:
-    places = (
-        finding.topic,
-        finding.namespace,
-        finding.child,
-        f"{finding.parent} -> {finding.child}",
-        *_frames_of(finding),
-    )
+    edge = f"{finding.parent} -> {finding.child}"
+    places = (finding.topic, finding.namespace, finding.child, edge, *_frames_of(finding))
     for pattern in patterns:
         code, colon, where = pattern.partition(":")
         if fnmatchcase(finding.code, code) and (not colon or any(fnmatchcase(place, where) for place in places)):

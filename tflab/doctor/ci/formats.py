@@ -18,6 +18,7 @@ from xml.sax.saxutils import escape, quoteattr
 from tflab import __version__
 
 from ..findings import SEVERITIES, Finding, Report
+from ..profile import lines_of_table
 from ..report.sentences import certainty_of, describe, descriptions
 from ..report.text import finding_text
 from .filters import fingerprint
@@ -89,7 +90,6 @@ def sarif_from_reports(reports: Sequence[Report], paths: Sequence[str]) -> str:
 
 
 def _rule(code: str) -> dict:
-
     return {
         "id": code,
         "shortDescription": {"text": code.replace("-", " ")},
@@ -101,12 +101,8 @@ def _rule(code: str) -> dict:
 def _result(finding: Finding, path: str, rule: int) -> dict:
     said = describe(finding)
     where = f"{finding.parent} -> {finding.child}" if finding.child else finding.topic
-    place: dict[str, object] = {
-        "physicalLocation": {
-            "artifactLocation": {"uri": quote(path.replace("\\", "/"), safe="/:")},
-            "region": {"startLine": 1},
-        }
-    }
+    uri = quote(path.replace("\\", "/"), safe="/:")
+    place: dict[str, object] = {"physicalLocation": {"artifactLocation": {"uri": uri}, "region": {"startLine": 1}}}
     if where:
         place["logicalLocations"] = [{"fullyQualifiedName": where}]
     return {
@@ -154,9 +150,4 @@ def text_from_reports(names: Sequence[str], reports: Sequence[Report | str], lan
         counts = (str(len(report.of_severity(severity))) for severity in SEVERITIES)
         worst = describe(report.findings[0], language).title if report.findings else ""
         rows.append((name, *counts, worst))
-    widths = [max(len(row[column]) for row in rows) for column in range(4)]
-    lines = []
-    for first, *counts, worst in rows:
-        cells = [first.ljust(widths[0]), *(cell.rjust(width) for cell, width in zip(counts, widths[1:], strict=True))]
-        lines.append("  ".join([*cells, worst]).rstrip())
-    return "\n".join(lines)
+    return "\n".join(lines_of_table(rows))

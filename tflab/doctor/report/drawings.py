@@ -20,7 +20,7 @@ from tflab.core import NSEC_PER_SEC, Transform
 from ..evidence import Edge, Evidence
 from ..findings import Finding
 
-__all__ = ["draw_distribution", "draw_frames_at", "draw_moment", "draw_timeline", "poses_at"]
+__all__ = ["draw_distribution", "draw_frames_at", "draw_moment", "draw_shares", "draw_timeline", "poses_at"]
 
 MOST_LANES = 40
 MOST_LANES_OF_A_MOMENT = 8
@@ -80,6 +80,15 @@ def draw_distribution(values: np.ndarray) -> str:
         if n
     )
     return f'<svg class="strip" viewBox="0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}" aria-hidden="true">{bars}</svg>'
+
+
+def draw_shares(shares: Sequence[float]) -> str:
+    """Return a bar of what works at once, dark, and after each longer wait, paler, as a small strip of SVG."""
+    bars = [f'<rect y="4" width="{STRIP_WIDTH:.0f}" height="12" fill="none" stroke="currentColor"/>']
+    for i, share in reversed(list(enumerate(shares))):  # the longest first: where bars cover each other, it is darker
+        bars.append(f'<rect y="4" width="{STRIP_WIDTH * share:.1f}" height="12" opacity="{0.3 if i else 1.0}"/>')
+    size = f"0 0 {STRIP_WIDTH:.0f} {STRIP_HEIGHT:.0f}"
+    return f'<svg class="strip" viewBox="{size}" aria-hidden="true">{"".join(bars)}</svg>'
 
 
 def _sheet(edges: list[Edge], drawn: list[str], first_s: float, last_s: float, kind: str) -> str:

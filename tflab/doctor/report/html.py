@@ -4,6 +4,7 @@
     findings      a card each, worst first: what, evidence, why, what to type next, the moment
     frames in 3D  at the time of each finding
     timeline      when each edge was received
+    lookups       which messages can be looked up at their stamp, at once and after a wait
     edges         rate and delay of each edge, as figures and as distributions
     tree          who is whose child, and who publishes it
     checks        made, and not made
@@ -28,20 +29,16 @@ from tflab.views.tree import draw_tree
 
 from ..checks.clocks import settled_delays_s
 from ..collect_evidence import evidence_from_recording
-from ..evidence import Edge, Evidence
+from ..evidence import Edge, Evidence, LookupRow
 from ..findings import Finding, Report
-from .drawings import draw_distribution, draw_frames_at, draw_moment, draw_timeline
+from ..lookups import WAITS_S
+from .drawings import draw_distribution, draw_frames_at, draw_moment, draw_shares, draw_timeline
 from .sentences import describe
-from .text import certainty_text, effects_text, headline, moments_text
+from .text import certainty_text, effects_text, headline, moments_text, waits_text
 
 __all__ = ["html_from_report"]
 
 TEXTS = Texts(__file__)
-LABELS = (
-    "severity_error", "severity_warning", "severity_info", "also", "how_sure", "moment", "frames_then", "frames",
-    "timeline", "edges", "nothing_moves", "tree", "checks", "made", "not_made", "needs", "elsewhere", "foxglove",
-    "plotjuggler",
-)  # fmt: skip
 SIGNS = {"error": "✕", "warning": "!", "info": "i"}
 MOST_MOMENTS = 12
 
@@ -71,12 +68,14 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
         __file__,
         report=report,
         language=language,
-        label={name: TEXTS[name].say(language) for name in LABELS},
+        label={name: text.say(language) for name, text in TEXTS.items()},
         outcome=headline(report, language),
         cards=cards,
         frames=frames,
         namespaces=[_namespace(report, evidence, language) for evidence in evidences],
         columns=columns,
+        lookups=[_lookup(row, language) for row in report.lookups],
+        lookup_columns=[TEXTS["topic"].say(language), "", *(f"{wait_s:g} s" for wait_s in WAITS_S), ""],
     )
     title = TEXTS["title"].say(language, subject=report.subject)
     return report_page(title, language, [body], Path(__file__).with_suffix(".css").read_text(encoding="utf-8"))
@@ -84,28 +83,25 @@ def html_from_report(report: Report, recording: Recording, language: str = "en")
 
 def _card(report: Report, finding: Finding, language: str) -> dict[str, object]:
     """Return what the card of a finding shows, without its pictures."""
-    return {
-        "severity": finding.severity,
-        "sign": SIGNS[finding.severity],
-        "when": moments_text(report, finding, language),
-        "said": describe(finding, language),
-        "effects": effects_text(finding, language) if finding.effects else "",
-        "certainty": certainty_text(finding, language),
-        "moment": "",
-        "figure": "",
-    }
+    effects = effects_text(finding, language) if finding.effects else ""
+    return {"severity": finding.severity, "sign": SIGNS[finding.severity], "effects": effects,
+            "when": moments_text(report, finding, language), "said": describe(finding, language),
+            "certainty": certainty_text(finding, language), "moment": "", "figure": ""}  # fmt: skip
 
 
 def _namespace(report: Report, evidence: Evidence, language: str) -> dict[str, object]:
     """Return the timeline, the edges and the tree of one namespace."""
     of = TEXTS["of"].say(language, namespace=evidence.namespace) if evidence.namespace else ""
     timeline = draw_timeline(evidence, [f for f in report.findings if f.namespace == evidence.namespace])
-    return {
-        "of": of,
-        "timeline": timeline,
-        "rows": _rows(evidence),
-        "tree": draw_tree(_tree_of(evidence), title="").svg,
-    }
+    tree = draw_tree(_tree_of(evidence), title="").svg
+    return {"of": of, "timeline": timeline, "rows": _rows(evidence), "tree": tree}
+
+
+def _lookup(row: LookupRow, language: str) -> tuple:
+    """Return a row of the table of lookups: as a bar, in figures, and what is waited for."""
+    shares = [f"{100.0 * share:.0f} %" for share in row.shares]
+    name = f"{row.topic} ({row.frame}) -> {row.fixed}"
+    return (name, Markup(draw_shares(row.shares)), *shares, waits_text(row, language))
 
 
 def _rows(evidence: Evidence) -> list[tuple]:

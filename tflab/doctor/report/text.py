@@ -19,18 +19,23 @@ from unicodedata import east_asian_width
 from tflab.core import NSEC_PER_SEC
 from tflab.text import Texts
 
+from ..evidence import LookupRow
 from ..findings import SEVERITIES, Finding, Report, english, first_of
+from ..lookups import NEVER, WAITS_S
+from ..profile import lines_of_table
 from .sentences import certainty_of, describe, evidence_needed, faults_of_code
 
 __all__ = ["certainty_text", "data_from_report", "effects_text", "finding_text", "headline",
-           "moments_text", "text_from_report"]  # fmt: skip
+           "moments_text", "text_from_report", "waits_text"]  # fmt: skip
 
 TEXTS = Texts(__file__)
 WIDTHS = {"en": 100, "ko": 64}  # letters of a line; a Korean one is two columns wide
+MOST_LOOKUPS = 20  # that are listed
 MOST_EFFECTS = 4  # that are named
 COUNTS = {"error": ("error", "errors"), "warning": ("warning", "warnings"), "info": ("note", "notes")}
 LABELS = {"error": "severity_error", "warning": "severity_warning", "info": "severity_info"}
 INDENT = " " * 9
+PLACE = ("parent", "child", "topic", "begin_ns", "end_ns")  # of a finding, as it is in JSON
 
 
 def text_from_report(report: Report, language: str = "en") -> str:
@@ -38,6 +43,7 @@ def text_from_report(report: Report, language: str = "en") -> str:
     lines = [f"{report.subject}: {headline(report, language)}", ""]
     for finding in report.findings:
         lines += [finding_text(report, finding, language), ""]
+    lines += _lookup_lines(report, language)
     made = TEXTS["checks_made"].say(language, n=len(report.checks_made))
     if report.seen:
         seen = report.seen._asdict()
@@ -66,28 +72,45 @@ def data_from_report(report: Report) -> dict:
         "checks_not_made": [{"check": check.check, "needs": check.needs.en} for check in report.checks_not_made],
         "seen": report.seen._asdict() if report.seen else None,
         "let_pass": report.ignored,
+        "lookups": [
+            {**row._asdict(), "waits_s": WAITS_S, "wait_ns": row.wait_ns if row.wait_ns < NEVER else None}
+            for row in report.lookups
+        ],
     }
+
+
+def _lookup_lines(report: Report, language: str) -> list[str]:
+    """Return the table of the lookups that do not always work at once, the worst first, and how many others do."""
+    late = [row for row in report.lookups if round(100.0 * row.shares[0]) < 100]
+    late.sort(key=lambda row: row.shares[::-1])
+    rows = [("", *(f"{wait_s:g} s" for wait_s in WAITS_S), "")]
+    for row in late[:MOST_LOOKUPS]:
+        shares = [f"{100.0 * share:.0f} %" for share in row.shares]
+        rows.append((f"{row.topic} -> {row.fixed}", *shares, waits_text(row, language)))
+    lines = [TEXTS["lookups"].say(language), *lines_of_table(rows)] if late else []
+    if len(late) > MOST_LOOKUPS:
+        lines.append(TEXTS["lookups_more"].say(language, n=len(late) - MOST_LOOKUPS))
+    if len(report.lookups) > len(late):
+        lines.append(TEXTS["lookups_fine"].say(language, n=len(report.lookups) - len(late)))
+    return [*lines, ""] if lines else []
+
+
+def waits_text(row: LookupRow, language: str) -> str:
+    """Return the edge that is waited for, and the period of the topic."""
+    period = f"{row.period_ns / NSEC_PER_SEC:.3f}"
+    key = "waits_for" if row.child else "no_path" if not row.shares[-1] else "waits_for_nothing"
+    return TEXTS[key].say(language, edge=f"{row.parent} -> {row.child}", period=period)
 
 
 def _data_from_finding(finding: Finding) -> dict:
     return {
-        "code": finding.code,
+        **{name: getattr(finding, name) for name in ("code", "severity", "namespace", *PLACE)},
         "faults": [str(fault) for fault in faults_of_code(finding.code)],
-        "severity": finding.severity,
         "certainty": certainty_of(finding.code),
         "settled_by": evidence_needed(finding.code),
-        "namespace": finding.namespace,
-        "parent": finding.parent,
-        "child": finding.child,
-        "topic": finding.topic,
-        "begin_ns": finding.begin_ns,
-        "end_ns": finding.end_ns,
         "facts": english(finding.facts),
         **describe(finding)._asdict(),
-        "effects": [
-            {name: getattr(effect, name) for name in ("code", "severity", "parent", "child", "topic")}
-            for effect in finding.effects
-        ],
+        "effects": [{name: getattr(e, name) for name in ("code", "severity", *PLACE[:3])} for e in finding.effects],
     }
 
 
