@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from tflab.doctor.gate.expectations import (
+from tflab.doctor.ci.expectations import (
     ExpectationError,
     deviations_from,
     expectations_from,
