@@ -5,8 +5,10 @@ The lines are the lecture's own, `\\` at their ends joined, in its order.
 
 import re
 import time
+from pathlib import Path
 
 import pytest
+import yaml
 from tools_robot import fixed, moving, transform
 
 from tflab.ros import client_library as rclpy
@@ -19,39 +21,7 @@ from tflab.tools.trees import frame_tree
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
 UNKNOWN_MAP = 'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist'
 
-ODOM_TO_BASE = """\
-At time 2.950000000
-- Translation: [1.950, 0.000, 0.000]
-- Rotation: in Quaternion [0.000, 0.000, 0.000, 1.000]
-- Rotation: in RPY (radian) [0.000, -0.000, 0.000]
-- Rotation: in RPY (degree) [0.000, -0.000, 0.000]
-- Matrix:
-  1.000  0.000  0.000  1.950
-  0.000  1.000  0.000  0.000
-  0.000  0.000  1.000  0.000
-  0.000  0.000  0.000  1.000
-"""
-
-LASER_MESSAGE = """\
-transforms:
-- header:
-    stamp:
-      sec: 1
-      nanosec: 0
-    frame_id: base_link
-  child_frame_id: laser_frame
-  transform:
-    translation:
-      x: 0.2
-      y: 0.0
-      z: 0.15
-    rotation:
-      x: 0.0
-      y: 0.0
-      z: 0.0
-      w: 1.0
----
-"""
+ODOM_TO_BASE, LASER_MESSAGE = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
 
 
 @pytest.fixture

@@ -108,7 +108,10 @@ def test_an_exercise_has_its_regions_taken_out_and_nothing_run(workbook: Path) -
     assert "".join(page["e3-2-answer"]["source"]).endswith('    raise NotImplementedError("your turn")')
     code_cells = [cell for cell in page.values() if cell["cell_type"] == "code"]
     assert all(cell["outputs"] == [] and cell["execution_count"] is None for cell in code_cells)
-    assert "".join(cells_of(workbook, "solutions/en/03_x.ipynb")["e3-1-check"]["outputs"][0]["text"]) == "E3.1 ✓ 1/1\n"
+    assert (
+        "".join(cells_of(workbook, "solutions/en/03_x.ipynb")["e3-1-check"]["outputs"][0]["text"])
+        == "E3.1 ✓ 2/2 points\n"
+    )
 
 
 def test_an_exercise_says_to_nbgrader_and_to_us_which_cells_are_a_task(workbook: Path) -> None:
