@@ -185,12 +185,7 @@ def posed(yaw, z=0.0):
         (Pose(), posed(0.8), posed(0.8 + math.pi / 2), "translation: x, y, z: right. Rotation: off by at most 90°"),
         (Pose(), posed(0.8), posed(2.372), "translation: x, y, z: right. Rotation: off by more than 90°"),
         (Angle(), 0.5, 0.1, "rotated too far to the right, by at most 45°"),
-        (
-            Tree(),
-            FIVE,
-            FIVE | {"odom": "laser"},
-            'wrong as a child, or below the wrong parent: "odom"',
-        ),
+        (Tree(), FIVE, FIVE | {"odom": "laser"}, 'wrong as a child, or below the wrong parent: "odom"'),
         (Tree(), FIVE, LAMP, 'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2'),
         (Set(Name()), {"map", "odom"}, set(), "members that are missing: 2"),
         (Set(Name()), {"map", "odom"}, {"odom", "lamp"}, "members that do not belong: 1; members that are missing: 1"),
