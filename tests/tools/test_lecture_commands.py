@@ -11,10 +11,15 @@ import pytest
 import yaml
 from tools_robot import fixed, moving, transform
 
+from tflab.core import seconds
 from tflab.ros import client_library as rclpy
+from tflab.ros import snapshot
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.messages.tf2_msgs import TFMessage
-from tflab.ros.tf2.topics import TransformBroadcaster
+from tflab.ros.node import Node
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.topics import TransformBroadcaster, TransformListener
+from tflab.ros.time import Time
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
 
@@ -433,6 +438,22 @@ def test_experiment_c_two_publishers_of_one_frame(terminal):
     assert [line for line in info.splitlines() if line.startswith("Node name:")] == [
         "Node name: ekf", "Node name: wheel_odometry",
     ]  # fmt: skip
+
+
+def test_experiment_c_samples_of_two_publishers_are_interpolated(terminal):
+    terminal.graph.start(moving(name="owner_1", speed=0.0, rate_hz=10.0))  # y = 0 at 1.1, 1.2, 1.3 ... s
+    terminal.graph.start(moving(name="owner_3", speed=0.0, y=2.0, rate_hz=8.0))  # y = 2 at 1.125, 1.25, 1.375 ... s
+    rclpy.init()
+    node, buffer = Node("listener"), Buffer()
+    node.listener = TransformListener(buffer, node)
+    while terminal.graph.now_ns < seconds(2.0):
+        rclpy.spin_once(node, timeout_sec=2.0 - terminal.graph.now_ns / 1e9)
+    stamps = [Time(nanoseconds=seconds(at_s)) for at_s in (1.2, 1.25, 1.3, 1.225, 1.2625)]
+    found = [buffer.lookup_transform("odom", "base_link", stamp).transform.translation.y for stamp in stamps]
+    rclpy.shutdown()
+    assert found == pytest.approx([0.0, 2.0, 0.0, 1.0, 1.5])  # nobody published the last two
+    owners = [edge.node for edge in snapshot(terminal.graph).edges if edge.child == "base_link"]
+    assert owners == ["/owner_1", "/owner_3"]
 
 
 def test_experiment_c_with_static_publishers_the_one_heard_last_counts(terminal):
