@@ -80,7 +80,7 @@ class Lab:
         page.evaluate("void window.jupyterapp.commands.execute('notebook:run-all-cells')")
         page.wait_for_function(
             "[...document.querySelectorAll('.jp-CodeCell .jp-InputPrompt')]"
-            ".every((p) => /\\[\\d+\\]/.test(p.innerText))",
+            ".every((p) => /\\[\\d+\\]/.test(p.innerText))"
         )
 
     def set_theme(self, page, theme: str) -> None:

@@ -11,42 +11,10 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 ROOT = Path(__file__).parents[1]
-FILES = {
-    "constraints.txt": "numpy==2.0\n",
-    "tflab/__init__.py": "",
-    "tflab/ran.py": """
-from pathlib import Path
-from .limits import MOST
-
-TEMPLATE = Path(__file__).with_name("page.jinja")
-
-def ran():
-    exec(compile("(lambda: 1)()", TEMPLATE, "exec"))  # as Jinja compiles a template
-    return MOST
-""",
-    "tflab/page.jinja": "{{ not Python }\n",
-    "tflab/limits.py": "MOST = 3\n",
-    "tflab/child.py": "def child():\n    return 1\n",
-    "tflab/loaded.py": "LEAST = 1\n\ndef not_called():\n    return 1\n",
-    "data/one.txt": "1",
-    "data/two.txt": "2",
-    "tests/test_all.py": """
-import os, subprocess, sys
-import pytest
-import tflab.loaded
-from tflab.ran import ran
-
-@pytest.mark.proof(reads=["data/{name}.txt"])
-@pytest.mark.parametrize("name", ["one", "two"])
-def test_all(name, sample):
-    assert ran() == 3
-    own = {key: value for key, value in os.environ.items() if not key.startswith("TFLAB_")}  # as a page is run
-    subprocess.run([sys.executable, "-c", "from tflab.child import child; child()"], check=True, env=own)
-    print(f"{name} looked at {len(sample(range(50), 20))}")
-""",
-}
+FILES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["files"]
 
 
 @pytest.fixture

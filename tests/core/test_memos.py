@@ -10,12 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tflab.core import (
-    BufferCore,
-    StampedTransform,
-    Transform,
-    TransformException,
-)
+from tflab.core import BufferCore, StampedTransform, Transform, TransformException
 from tflab.core.plain import PlainBuffer
 
 CACHE_TIME_NS = 10

@@ -537,14 +537,7 @@ WHOSE_CLOCK = {
     "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
     "that stand still": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2, 0.0), "time-frozen", "error"),
     "in TAI": (ON_THE_WALL, lidars(-36_998, WALL_MS + 37_000), "time-tai", "error"),
-    "of the wall": (
-        SIMULATED,
-        [
-            *lidars(5, WALL_MS + 1000),
-        ],
-        "time-wall",
-        "error",
-    ),
+    "of the wall": (SIMULATED, [*lidars(5, WALL_MS + 1000)], "time-wall", "error"),
     "ahead by half a second": (ON_THE_WALL, lidars(-500), "messages-early", "warning"),
     "of a clock that loses 2 ms a second": (LONG, lidars(0, WALL_MS, 0.998, 1000), "clock-slow", "warning"),
     "of a clock that gains 2 ms a second": (LONG, lidars(300, WALL_MS, 1.002, 1000), "clock-fast", "warning"),

@@ -6,6 +6,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+
+from tflab.bags.recording import Headers, recording_from_records
+from tflab.core import BufferCore, StampedTransform, Transform
+from tflab.core.transforms import TransformRecord
 from tflab.doctor.ci.expectations import (
     ExpectationError,
     deviations_from,
@@ -13,10 +17,6 @@ from tflab.doctor.ci.expectations import (
     read_expectations,
     toml_from,
 )
-
-from tflab.bags.recording import Headers, recording_from_records
-from tflab.core import BufferCore, StampedTransform, Transform
-from tflab.core.transforms import TransformRecord
 from tflab.doctor.collect_evidence import evidence_from_recording
 from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.lookups import WAITS_S, lookups_of

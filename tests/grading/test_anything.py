@@ -62,7 +62,7 @@ def pack(course: tiny.Course) -> Pack:
     return read_pack(course.pack)
 
 
-@pytest.mark.proof(reads=["tests/grading/tiny.py"])
+@pytest.mark.proof(reads=["tests/grading/tiny.*"])
 def test_whatever_is_handed_in_and_whatever_comes_out_there_is_a_record(
     course: tiny.Course, pack: Pack, sample: Callable
 ) -> None:

@@ -145,11 +145,7 @@ def test_tried_alone_each_task_has_three_times_the_time_and_what_is_left_then_is
         pieces(e1_2="def f(x):\n    hang()"), TASKS, run, wanted=["E1.2", "E1.3"], cell_s=1.0, notebook_s=6.0,
         closely=True,
     )  # fmt: skip
-    assert heard == [
-        (True, {"E1.2": 1.0, "E1.3": 1.0}),
-        (True, {"E1.2": BRIEFLY, "E1.3": 1.0}),
-        (True, {"E1.3": 1.0}),
-    ]
+    assert heard == [(True, {"E1.2": 1.0, "E1.3": 1.0}), (True, {"E1.2": BRIEFLY, "E1.3": 1.0}), (True, {"E1.3": 1.0})]
 
 
 def test_every_answer_may_hang_and_it_ends() -> None:

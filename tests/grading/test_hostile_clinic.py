@@ -17,7 +17,7 @@ PROGRAM, PATIENTS = "E12.7", "E12.4"
 SAMPLE = 5  # recipes
 SEED = "c0de"  # of a class in which no patient has what the recipes name: by chance one in six would
 pytestmark = pytest.mark.proof(
-    reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]
+    reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.*", "*/*/*12_*.ipynb", "solutions/tasks/12_*/*"]
 )
 
 

@@ -38,7 +38,7 @@ SAID = {"limits": {"a pool of processes"}}  # what a wall says itself that it co
 SAMPLE = {"limits": 10, "bubblewrap": 3}  # recipes; else one of each kind
 SECONDS = "1"  # of a cell: what does not end is tried once more with three times as long
 pytestmark = pytest.mark.proof(
-    reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.py", "*/*/*03_*.ipynb", "solutions/tasks/03_*/*"]
+    reads=["tflab/grading/**/*.py", "tests/grading/hostile/*.*", "*/*/*03_*.ipynb", "solutions/tasks/03_*/*"]
 )
 
 

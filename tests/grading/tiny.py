@@ -9,6 +9,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+import yaml
+
 from tflab.workbook.pages.editions import exercise_notebook, lecture_notebook, text_of
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.paths import read_workbook
@@ -19,104 +21,8 @@ from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_tiny"
 
-SOURCE = """\
-# %% [markdown] lang="en" name="title"
-# # Tiny
+SOURCE, TASKS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
 
-# %% [markdown] lang="ko" name="title"
-# # 작은 장
-
-# %% name="load"
-# %load_ext tflab
-from tflab.workbook import check, hint, task
-
-# %% name="imports"
-import math
-
-# %% [markdown] lang="en" name="e3-1"
-# ## E3.1 · Sum
-
-# %% [markdown] lang="ko" name="e3-1"
-# ## E3.1 · 합
-
-# %% name="e3-1-given"
-e3_1 = task("E3.1")
-
-# %% name="e3-1-answer" tags=["answer"]
-# BEGIN SOLUTION
-total = e3_1.a + e3_1.b
-# END SOLUTION
-
-# %% name="e3-1-check" tags=["check"]
-check("E3.1", total)
-
-# %% [markdown] lang="en" name="e3-2"
-# ## E3.2 · Length
-
-# %% [markdown] lang="ko" name="e3-2"
-# ## E3.2 · 길이
-
-# %% name="e3-2-answer" tags=["answer"]
-def length(x, y):
-    # BEGIN SOLUTION
-    return math.hypot(x, y)
-    # END SOLUTION
-
-# %% name="e3-2-check" tags=["check"]
-check("E3.2", length)
-
-# %% [markdown] lang="en" name="e3-3"
-# ## E3.3 · Which frames
-
-# %% [markdown] lang="ko" name="e3-3"
-# ## E3.3 · 어느 좌표계
-
-# %% name="e3-3-answer" tags=["answer"]
-frames = {
-    # BEGIN SOLUTION
-    "target": "map",
-    "source": "laser_frame",
-    # END SOLUTION
-}
-
-# %% name="e3-3-check" tags=["check"]
-check("E3.3", frames)
-"""
-
-TASKS = """
-# -- draws.py
-import math
-
-from tflab.workbook.tasks import Choice, Number, Parts, Task, WrongAnswer, Text
-
-HINTS = (Text("a", "가"), Text("b", "나"), Text("c", "다"))
-FRAMES = Choice(options=("map", "laser_frame"))
-
-
-def two_numbers(rng):
-    return {"a": float(rng.uniform(1, 5)), "b": float(rng.uniform(6, 9))}
-
-
-def legs(rng):
-    return [tuple(float(leg) for leg in rng.uniform(1, 5, 2)) for _ in range(4)]
-# -- e3_1.py
-from .draws import *
-
-TASK = Task("E3.1", "N", 2, Text("Sum", "합"), "total", Number(unit="m"), HINTS, given=two_numbers, variants=5,
-         mistakes=(WrongAnswer("subtracted", lambda given: given.a - given.b,
-                            Text("You subtracted.", "뺐습니다."), "M3"),))
-# -- e3_2.py
-from .draws import *
-
-TASK = Task("E3.2", "F", 4, Text("Length", "길이"), "length", Number(), HINTS, inputs=legs, variants=3,
-         mistakes=(WrongAnswer("added", lambda x, y: x + y, Text("You added the legs.", "두 변을 더했습니다."), "M1"),))
-# -- e3_3.py
-from .draws import *
-
-TASK = Task("E3.3", "M", 2, Text("Frames", "좌표계"), "frames", Parts({"target": FRAMES, "source": FRAMES}), HINTS,
-         mistakes=(WrongAnswer("swapped", {"target": "laser_frame", "source": "map"},
-                     Text("Swapped.", "바뀜."), "M1", partly=True),))
-"""
 
 RIGHT = {
     "e3-1-answer": "total = e3_1.a + e3_1.b",

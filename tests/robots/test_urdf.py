@@ -1,45 +1,15 @@
 """A URDF becomes a model, or an error with line and remedy."""
 
 import math
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.robots.model import Box, Capsule, Cylinder, Limit, Material, Mesh, Mimic, Sphere
 from tflab.robots.urdf import UrdfError, parse_urdf, read_urdf
 
-ARM = """<?xml version="1.0"?>
-<robot name="arm">
-  <material name="grey"><color rgba="0.5 0.5 0.5 1"/></material>
-  <link name="base"/>
-  <link name="upper">
-    <inertial><mass value="1"/></inertial>
-    <visual name="tube">
-      <origin xyz="0 0 0.1" rpy="0 1.5707963267948966 0"/>
-      <geometry><cylinder radius="0.05" length="0.4"/></geometry>
-      <material name="grey"/>
-    </visual>
-    <collision><geometry><box size="0.1 0.2 0.3"/></geometry></collision>
-  </link>
-  <link name="hand">
-    <visual><geometry><mesh filename="package://arm/hand.dae" scale="0.001 0.001 0.001"/></geometry></visual>
-    <visual>
-      <geometry><sphere radius=".02"/></geometry>
-      <material name=""><color rgba="1 0 0 0.5"/></material>
-    </visual>
-  </link>
-  <joint name="slide" type="prismatic">
-    <parent link="upper"/><child link="hand"/>
-    <mimic joint="shoulder" multiplier="-2" offset="0.5"/>
-    <limit lower="0" upper="0.3" effort="10" velocity="1"/>
-  </joint>
-  <joint name="shoulder" type="revolute">
-    <origin xyz="1 2 3" rpy="0 0 1.5707963267948966"/>
-    <parent link="base"/><child link="upper"/>
-    <axis xyz="0 3 4"/>
-    <limit lower="-1.5" upper="1.5" effort="30" velocity="2"/>
-  </joint>
-</robot>
-"""
+ARM = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["arm"]
 
 
 def robot_text(body: str) -> str:

@@ -4,13 +4,7 @@ from enum import Enum
 
 import pytest
 
-from tflab.core import (
-    ConnectivityException,
-    ExtrapolationException,
-    LookupException,
-    TransformException,
-    seconds,
-)
+from tflab.core import ConnectivityException, ExtrapolationException, LookupException, TransformException, seconds
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages.geometry_msgs import Point, Quaternion, TransformStamped, Vector3
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage

@@ -138,10 +138,7 @@ async def think_forever(handle):
     ("main", "text"),
     [
         (None, "The BufferServer is not ready."),
-        (
-            server(think_forever),
-            "did not come back in the specified time. Something is likely wrong with the server.",
-        ),
+        (server(think_forever), "did not come back in the specified time. Something is likely wrong with the server."),
         (server(goal_callback=lambda goal: GoalResponse.REJECT), "did not come back with accepted status"),
     ],
     ids=["none", "slow", "rejects"],

@@ -219,10 +219,7 @@ def test_unchecked_a_wrong_type_is_stored_and_unknown_keywords_are_ignored():
         (lambda: Vector3(x=1), "The 'x' field must be of type 'float'"),
         (lambda: Vector3(x="1"), "The 'x' field must be of type 'float'"),
         (lambda: builtin_interfaces.Time(sec=1.0), "The 'sec' field must be of type 'int'"),
-        (
-            lambda: builtin_interfaces.Time(sec=2**31),
-            "The 'sec' field must be an integer in [-2147483648, 2147483647]",
-        ),
+        (lambda: builtin_interfaces.Time(sec=2**31), "The 'sec' field must be an integer in [-2147483648, 2147483647]"),
         (
             lambda: builtin_interfaces.Time(nanosec=-1),
             "The 'nanosec' field must be an unsigned integer in [0, 4294967295]",
@@ -243,10 +240,7 @@ def test_unchecked_a_wrong_type_is_stored_and_unknown_keywords_are_ignored():
             lambda: TFMessage(transforms=[Pose()]),
             "The 'transforms' field must be a set or sequence and each value of type 'TransformStamped'",
         ),
-        (
-            lambda: JointState(name="arm"),
-            "The 'name' field must be a set or sequence and each value of type 'str'",
-        ),
+        (lambda: JointState(name="arm"), "The 'name' field must be a set or sequence and each value of type 'str'"),
         (
             lambda: Image(data=[256]),
             "The 'data' field must be a set or sequence and each value of type 'int' "
@@ -257,14 +251,8 @@ def test_unchecked_a_wrong_type_is_stored_and_unknown_keywords_are_ignored():
             "The 'ranges' field must be a set or sequence and each value of type 'float' and each float in "
             "[-340282346600000016151267322115014000640.000000, 340282346600000016151267322115014000640.000000]",
         ),
-        (
-            lambda: LaserScan(ranges=array("d", [1.0])),
-            "The 'ranges' array.array() must have the type code of 'f'",
-        ),
-        (
-            lambda: PoseWithCovariance(covariance=np.zeros(9)),
-            "The 'covariance' numpy.ndarray() must have a size of 36",
-        ),
+        (lambda: LaserScan(ranges=array("d", [1.0])), "The 'ranges' array.array() must have the type code of 'f'"),
+        (lambda: PoseWithCovariance(covariance=np.zeros(9)), "The 'covariance' numpy.ndarray() must have a size of 36"),
         (
             lambda: PoseWithCovariance(covariance=np.zeros(36, dtype=np.float32)),
             "The 'covariance' numpy.ndarray() must have the dtype of 'numpy.float64'",

@@ -163,11 +163,7 @@ def test_with_clock_a_node_and_its_timers_follow_it(graph):
     graph.start(clock_player([103.0, 105.0, 110.0, 115.0, 120.0]))
     graph.run(seconds=1)
     # The first message is a jump from 0 to 103 s, past the first call; what was missed is skipped.
-    assert calls == [
-        (seconds(1.1), seconds(103)),
-        (seconds(1.3), seconds(110)),
-        (seconds(1.5), seconds(120)),
-    ]
+    assert calls == [(seconds(1.1), seconds(103)), (seconds(1.3), seconds(110)), (seconds(1.5), seconds(120))]
 
 
 def listening_to_a_jump(graph, with_node, buffers, back_to_s):

@@ -1,50 +1,15 @@
 """`ros2 launch` starts the nodes of a launch file with their arguments, and names what it cannot do."""
 
 import sys
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab import ros
 from tflab.ros import workspace
 
-NODE = """
-import rclpy, sys
-def main():
-    rclpy.init()
-    node = rclpy.create_node("rabbit", automatically_declare_parameters_from_overrides=True)
-    values = {name: each.value for name, each in node.get_parameters_by_prefix("").items() if name != "use_sim_time"}
-    print(node.get_clock().now().nanoseconds / 1e9, node.resolve_topic_name("hops"), sys.argv[1], values)
-    rclpy.spin(node)
-"""
-LAUNCH = """
-from ament_index_python.packages import get_package_share_directory
-from launch import LaunchDescription
-from launch.actions import DeclareLaunchArgument, ExecuteProcess, GroupAction, IncludeLaunchDescription, LogInfo
-from launch.actions import TimerAction
-from launch.conditions import IfCondition, UnlessCondition
-from launch.launch_description_sources import PythonLaunchDescriptionSource
-from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
-from launch_ros.actions import Node, PushRosNamespace
-from launch_ros.parameter_descriptions import ParameterValue
-from launch_ros.substitutions import FindPackageShare
-pace, late = LaunchConfiguration("pace", default="9"), LaunchConfiguration("late")
-def rabbit(**options):
-    return Node(package="hop", executable="rabbit", **options)
-def generate_launch_description():
-    return LaunchDescription([{}])
-"""
-ALL = """
-    DeclareLaunchArgument("late", default_value="true", choices=["true", "false"]),
-    GroupAction([DeclareLaunchArgument("pace", default_value="2.5", description="How fast."),
-        PushRosNamespace("left"), rabbit(parameters=[
-        {"pace": pace, "legs": {"ids": (1, 2)}, "text": ParameterValue(pace, value_type=str)}])]),
-    rabbit(namespace="right", remappings=[("hops", "/leaps")], condition=UnlessCondition(late)),
-    TimerAction(period=2.0, actions=[rabbit(name="hare", remappings=[("hops", "~/leaps")], arguments=["fast"],
-        parameters=[PathJoinSubstitution([FindPackageShare("hop"), "pace.yaml"])])], condition=IfCondition(late)),
-    Node(package="rviz2", executable="rviz2"), Node(package="hop", executable="fox"),
-    IncludeLaunchDescription(PythonLaunchDescriptionSource(get_package_share_directory("hop") + "/inner.launch.py"),
-        launch_arguments={"who": pace}.items())
-"""
+NODE, LAUNCH, ALL = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
 
 
 @pytest.fixture(autouse=True)

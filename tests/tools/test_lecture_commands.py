@@ -5,53 +5,28 @@ The lines are the lecture's own, `\\` at their ends joined, in its order.
 
 import re
 import time
+from pathlib import Path
 
 import pytest
+import yaml
 from tools_robot import fixed, moving, transform
 
+from tflab.core import seconds
 from tflab.ros import client_library as rclpy
+from tflab.ros import snapshot
 from tflab.ros.messages.std_msgs import String
 from tflab.ros.messages.tf2_msgs import TFMessage
-from tflab.ros.tf2.topics import TransformBroadcaster
+from tflab.ros.node import Node
+from tflab.ros.tf2.buffer import Buffer
+from tflab.ros.tf2.topics import TransformBroadcaster, TransformListener
+from tflab.ros.time import Time
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
 
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
 UNKNOWN_MAP = 'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist'
 
-ODOM_TO_BASE = """\
-At time 2.950000000
-- Translation: [1.950, 0.000, 0.000]
-- Rotation: in Quaternion [0.000, 0.000, 0.000, 1.000]
-- Rotation: in RPY (radian) [0.000, -0.000, 0.000]
-- Rotation: in RPY (degree) [0.000, -0.000, 0.000]
-- Matrix:
-  1.000  0.000  0.000  1.950
-  0.000  1.000  0.000  0.000
-  0.000  0.000  1.000  0.000
-  0.000  0.000  0.000  1.000
-"""
-
-LASER_MESSAGE = """\
-transforms:
-- header:
-    stamp:
-      sec: 1
-      nanosec: 0
-    frame_id: base_link
-  child_frame_id: laser_frame
-  transform:
-    translation:
-      x: 0.2
-      y: 0.0
-      z: 0.15
-    rotation:
-      x: 0.0
-      y: 0.0
-      z: 0.0
-      w: 1.0
----
-"""
+ODOM_TO_BASE, LASER_MESSAGE = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
 
 
 @pytest.fixture
@@ -463,6 +438,22 @@ def test_experiment_c_two_publishers_of_one_frame(terminal):
     assert [line for line in info.splitlines() if line.startswith("Node name:")] == [
         "Node name: ekf", "Node name: wheel_odometry",
     ]  # fmt: skip
+
+
+def test_experiment_c_samples_of_two_publishers_are_interpolated(terminal):
+    terminal.graph.start(moving(name="owner_1", speed=0.0, rate_hz=10.0))  # y = 0 at 1.1, 1.2, 1.3 ... s
+    terminal.graph.start(moving(name="owner_3", speed=0.0, y=2.0, rate_hz=8.0))  # y = 2 at 1.125, 1.25, 1.375 ... s
+    rclpy.init()
+    node, buffer = Node("listener"), Buffer()
+    node.listener = TransformListener(buffer, node)
+    while terminal.graph.now_ns < seconds(2.0):
+        rclpy.spin_once(node, timeout_sec=2.0 - terminal.graph.now_ns / 1e9)
+    stamps = [Time(nanoseconds=seconds(at_s)) for at_s in (1.2, 1.25, 1.3, 1.225, 1.2625)]
+    found = [buffer.lookup_transform("odom", "base_link", stamp).transform.translation.y for stamp in stamps]
+    rclpy.shutdown()
+    assert found == pytest.approx([0.0, 2.0, 0.0, 1.0, 1.5])  # nobody published the last two
+    owners = [edge.node for edge in snapshot(terminal.graph).edges if edge.child == "base_link"]
+    assert owners == ["/owner_1", "/owner_3"]
 
 
 def test_experiment_c_with_static_publishers_the_one_heard_last_counts(terminal):

@@ -6,42 +6,17 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
+import yaml
 from tools_robot import fixed, moving
 
 from tflab import __version__
 from tflab.cli import main
 from tflab.tools.ros2 import plan
 
-TALKER = """\
-import rclpy
-from geometry_msgs.msg import TransformStamped
-from rclpy.node import Node
-from tf2_ros import TransformBroadcaster
-
-
-def main():
-    rclpy.init()
-    node = Node("talker")
-    broadcaster = TransformBroadcaster(node)
-
-    def tick():
-        transform = TransformStamped(child_frame_id="base_link")
-        transform.header.frame_id = "odom"
-        transform.header.stamp = node.get_clock().now().to_msg()
-        broadcaster.sendTransform(transform)
-
-    node.create_timer(0.05, tick)
-    try:
-        rclpy.spin(node)
-    except KeyboardInterrupt:
-        pass
-
-
-if __name__ == "__main__":
-    main()
-"""
+TALKER = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["talker"]
 
 
 def tflab(*words, **options):

@@ -1,8 +1,10 @@
 """What the browser shows of a panel whose pictures are drawn ahead, without a kernel that would hurry it."""
 
 from itertools import pairwise
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.views.slider_frames import javascript
 
@@ -10,47 +12,7 @@ pytestmark = pytest.mark.browser
 
 # A model as anywidget gives it, with a slider from 0 to 10 in steps of 0.01, and a box that the kernel ticks
 # when the slider has moved; what it sends is kept.
-PANEL = """async (source) => {
-  class Source {
-    constructor(values) { this.values = values; this.heard = {}; }
-    get(name) { return this.values[name]; }
-    on(events, action) { for (const event of events.split(" ")) (this.heard[event] ??= []).push(action); }
-    off() {}
-    set(name, value) { this.values[name] = value; this.tell(`change:${name}`); }
-    tell(event, ...what) { for (const action of this.heard[event] ?? []) action(...what); }
-  }
-  const slider = new Source({ min: 0, max: 10, step: 0.01, value: 5, description: "delay" });
-  const box = new Source({ value: false, description: "moved" });
-  const model = new Source({
-    controls: ["IPY_MODEL_slider", "IPY_MODEL_box"], png: new Uint8Array(), description: "at 5",
-    at: { places: [5, false], moved: 0 }, width: 76, height: 38,
-  });
-  model.widget_manager = { get_model: async (name) => ({ slider, box })[name] };
-  model.sent = [];
-  model.send = (message) => model.sent.push(message);
-  const { default: panel } = await import(URL.createObjectURL(new Blob([source], { type: "text/javascript" })));
-  document.body.innerHTML = "<div id=panel></div>";
-  panel.render({ model, el: document.getElementById("panel") });
-  await new Promise((done) => setTimeout(done));
-  window.move = (value) => slider.set("value", value);
-  window.follow = () => { // as ipywidgets does when the kernel says so
-    box._state_lock = { value: true };
-    box.set("value", true);
-    box._state_lock = null;
-  };
-  window.drawn = (place) => model.tell(
-    "msg:custom", { type: "drawn", places: [place, false], moved: 0, words: `at ${place}` }, [new Uint8Array()]);
-  window.sent = async () => {
-    while (!model.sent.length) await new Promise((done) => setTimeout(done, 10));
-    return model.sent.shift();
-  };
-  window.asked = async () => (await sent()).missing;
-  window.seen = async () => {
-    await new Promise((done) => setTimeout(done, 20));
-    const shown = document.getElementById("panel");
-    return [shown.querySelector("img").alt, shown.ariaBusy];
-  };
-}"""
+PANEL = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["panel"]
 
 
 @pytest.fixture(name="panel")

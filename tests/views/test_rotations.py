@@ -4,12 +4,7 @@ import math
 
 import pytest
 
-from tflab.views.rotations import (
-    describe_drives,
-    describe_orders,
-    describe_turns,
-    turn,
-)
+from tflab.views.rotations import describe_drives, describe_orders, describe_turns, turn
 
 QUARTER = math.pi / 2
 

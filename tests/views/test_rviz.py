@@ -64,11 +64,7 @@ def world(without: tuple = (), mounts: dict = MOUNTS, stamp_shift_ns: int = 0, f
     scans = tuple(
         scan_of_wall(0.5 * (at_s - 1.0), seconds(at_s) + stamp_shift_ns, frame_id) for at_s in (1.0, 2.0, 3.0)
     )
-    displays = (
-        Display("Map", (WALL,), "/map"),
-        Display("RobotModel", ROBOT),
-        Display("LaserScan", scans, "/scan"),
-    )
+    displays = (Display("Map", (WALL,), "/map"), Display("RobotModel", ROBOT), Display("LaserScan", scans, "/scan"))
     names = buffer.frame_names()
     parents = {name: "" if name in without else PARENTS[name] for name in names}
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+import yaml
 
 pytestmark = pytest.mark.browser
 
@@ -13,54 +14,11 @@ ORANGE, BLUE = (0xD5, 0x5E, 0x00), (0x00, 0x72, 0xB2)
 # Where a box stands in the view's width: a metre is 61 pixels of some 850 to 1000.
 IN_THE_MIDDLE, AT_1_M, AT_MINUS_1_M = (0.49, 0.51), (0.55, 0.58), (0.42, 0.45)
 
-SETUP = """
-import ipywidgets
-from meshcat.animation import Animation
-from meshcat.geometry import Box, MeshBasicMaterial, Sphere
-from meshcat.transformations import translation_matrix
-from tflab.core import Transform
-from tflab.views.scene import Scene, draw_frame
-
-def box_scene(colour=0xD55E00, height_px=240):
-    scene = Scene(height_px=height_px)
-    scene.look((0.0, -5.0, 2.0))
-    scene["robot/box"].set_object(Box([0.5, 0.5, 0.5]), MeshBasicMaterial(color=colour))
-    return scene
-
-def at(x_m):
-    return translation_matrix([float(x_m), 0.0, 0.0])
-"""
-SLIDER = """
-scene = box_scene()
-slider = ipywidgets.FloatSlider(min=-1.5, max=1.5, description="x")
-slider.observe(lambda change: scene["robot"].set_transform(at(change["new"])), "value")
-ipywidgets.VBox([slider, scene])
-"""
+SETUP, SLIDER, FIND, COUNT_CONTEXTS, ANIMATION, SWEEP, FILM, MENU, PICK, BY_KEYS, CROWD = yaml.safe_load(
+    Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")
+).values()
 
 # Where a colour is in the n-th view's canvas: how many pixels, and their middle as a part of its width and height.
-FIND = """([n, [red, green, blue]]) => {
-  const canvas = document.querySelectorAll(".tflab-scene canvas")[n];
-  if (!canvas) return [0, 0, 0];
-  const { data, width, height } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-  let count = 0, x = 0, y = 0;
-  for (let i = 0; i < data.length; i += 4) {
-    const off = Math.abs(data[i] - red) + Math.abs(data[i + 1] - green) + Math.abs(data[i + 2] - blue);
-    if (off < 12 && data[i + 3] > 250) { count++; x += i / 4 % width; y += Math.floor(i / 4 / width); }
-  }
-  return count ? [count, x / count / width, y / count / height] : [0, 0, 0];
-}"""
-COUNT_CONTEXTS = """
-  window.contexts = new Set();
-  window.lost = 0;
-  const getContext = HTMLCanvasElement.prototype.getContext;
-  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
-    if (/webgl/.test(kind) && !contexts.has(this)) {
-      contexts.add(this);
-      this.addEventListener("webglcontextlost", () => { lost++; });
-    }
-    return getContext.call(this, kind, ...rest);
-  };
-"""
 
 
 def find(page, colour, view: int = 0) -> tuple[int, float, float]:
@@ -197,34 +155,6 @@ def test_scenes_start_no_process_and_open_no_port_and_follow_the_dark_theme(lab,
     lab.set_theme(page, "JupyterLab Light")
 
 
-ANIMATION = """
-moving = box_scene(0x0072B2)
-animation = Animation(default_framerate=10)
-for frame, x_m in ((0, -1.0), (10, 1.0)):
-    with animation.at_frame(moving, frame) as now:
-        now["robot"].set_transform(at(x_m))
-moving.set_animation(animation, play=False)
-ipywidgets.VBox([moving, ipywidgets.Button(description="Go"), ipywidgets.Dropdown(options=["map", "odom"])])
-"""
-SWEEP = """
-swept = box_scene()
-swept.sweep("x", [-1.0, 0.0, 1.0], lambda x_m: swept["robot"].set_transform(at(x_m)), "m", start=1)
-swept
-"""
-FILM = """
-from io import BytesIO
-from PIL import Image
-from tflab.views.slider_frames import Film
-
-def picture(colour):
-    png = BytesIO()
-    Image.new("RGB", (40, 20), colour).save(png, "png")
-    return png.getvalue()
-
-Film([picture("red"), picture("blue")], ["speed: 0", "speed: 1"], ["it stands", "it moves"], (40, 20))
-"""
-
-
 @pytest.fixture(scope="module")
 def executed(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A notebook with a slider, an animation, a sweep and a film, run by nbclient."""
@@ -291,41 +221,6 @@ def test_an_exported_page_works_from_the_disk(executed, tmp_path, page, single_f
     assert page.locator(".tflab-value").all_inner_texts() == ["x: 0.00", "map"]
 
 
-MENU = """
-import time
-scene, seen, drawn = box_scene(), ipywidgets.Label("-"), ipywidgets.Label("-")
-menu = ipywidgets.Dropdown(options=[("left", -1.0), ("middle", 0.0), ("right", 1.0)], value=0.0, description="where")
-
-def draw(i):
-    scene["robot"].set_transform(at(i - 1))
-    seen.value = str(i)
-
-def slowly(change):
-    time.sleep(4)
-    scene["robot"].set_transform(at(change["new"]))
-    drawn.value = str(change["new"])
-
-menu.observe(slowly, "value")
-scene.follow(menu, draw)
-ipywidgets.VBox([menu, scene, seen, drawn])
-"""
-
-
-PICK = """
-scene = Scene(height_px=240)
-scene.look((0.0, -5.0, 2.0))
-draw_frame(scene, "base_link", Transform())
-heard = ipywidgets.Label("nothing")
-scene.on_pick(lambda name: setattr(heard, "value", f"picked: {name}"))
-ipywidgets.VBox([scene, heard])
-"""
-BY_KEYS = """
-scene = box_scene()
-scene.sweep("x", [0.0, 1.0, 2.0], lambda x: scene["robot"].set_transform(at(x)))
-scene
-"""
-
-
 def test_a_click_picks_a_frame_and_the_arrow_keys_move_a_sweep(lab, page):
     lab.write_notebook("pick.ipynb", [SETUP, PICK, BY_KEYS])
     lab.open(page, "pick.ipynb")
@@ -366,14 +261,6 @@ def test_what_is_chosen_from_a_menu_is_seen_before_the_kernel_has_drawn_it(lab, 
         wait_for_colour(page, ORANGE, *AT_1_M)
 
 
-CROWD = """
-scene = Scene()
-draw_frame(scene, "map", Transform())
-draw_frame(scene, "base_link", Transform(translation=(9.0, 0.0, 0.0)), "map", 0.1)
-for i in range(6):
-    draw_frame(scene, f"part_{i}", Transform(translation=(9.0, 0.05 * i, 0.1)), "base_link", 0.1)
-scene
-"""
 WRITTEN = "[...globalThis.tflabViews][0].names.map((name) => name.frame).sort().join(' ')"
 
 

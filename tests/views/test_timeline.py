@@ -123,10 +123,7 @@ def test_stamps_since_1970_are_counted_from_a_whole_second():
 
 @pytest.mark.parametrize(
     ("last_s", "labels"),
-    [
-        (4.75, ["1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0", "4.5", "5.0"]),
-        (1.62, ["1.50", "1.55", "1.60", "1.65"]),
-    ],
+    [(4.75, ["1.0", "1.5", "2.0", "2.5", "3.0", "3.5", "4.0", "4.5", "5.0"]), (1.62, ["1.50", "1.55", "1.60", "1.65"])],
 )
 def test_stamps_stand_at_numbers_that_people_count_in(last_s, labels):
     ax = draw_timeline("a", "b", [lane(1.52, last_s)], _at_rest, seconds(1.52)).ax

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import yaml
+
 from tflab.workbook.pages.source import Page, read_page
 
 TITLE = (
@@ -39,39 +41,7 @@ def page(root: Path, *parts: str, **where: str) -> Page:
     return read_page(written(root, *parts, **where))
 
 
-TASKS = """
-# -- e3_1.py
-from tflab.workbook.tasks import Number, Task, WrongAnswer, Text
-
-LOOK = Text(en="Look.", ko="보십시오.")
-TASK = Task(
-    id="E3.1",
-    kind="N",
-    points=2,
-    title=Text(en="Half", ko="절반"),
-    answer="half",
-    form=Number(unit="m", tolerance=1e-6),
-    hints=(LOOK, LOOK, LOOK),
-    given=lambda rng: {"length": float(rng.uniform(1.0, 9.0))},
-    variants=3,
-    mistakes=(WrongAnswer("double", lambda given: given.length * 2, LOOK),),
-)
-# -- e3_2.py
-from tflab.workbook.tasks import Number, Task, WrongAnswer, Text
-
-LOOK = Text(en="Look.", ko="보십시오.")
-TASK = Task(
-    id="E3.2",
-    kind="F",
-    points=3,
-    title=Text(en="Third", ko="삼분의 일"),
-    answer="third",
-    form=Number(unit="m", tolerance=1e-6),
-    hints=(LOOK, LOOK, LOOK),
-    inputs=lambda rng: [(float(x),) for x in rng.uniform(1.0, 9.0, 3)],
-    variants=3,
-)
-"""
+TASKS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["tasks"]
 
 LOAD = code("load-checks", "from tflab.workbook import check, hint, task")
 HALF = (

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
+import yaml
 from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
@@ -18,68 +19,7 @@ from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
 
 STEM = "03_small"
-TASKS = """
-# -- draws.py
-import math
-from tflab.core import Transform
-from tflab.workbook.tasks import Choice, Number, Parts, Pose, Task, WrongAnswer, Vector, Text, define_task
-
-HINTS = tuple(Text(en=f"hint {n}", ko=f"힌트 {n}") for n in (1, 2, 3))
-
-
-def mount(rng):
-    mounted = Transform.from_rpy(yaw=round(float(rng.uniform(0.5, 2.6)), 2), translation=(0.2, 0.0, 0.15))
-    return {"base_T_laser": mounted, "laser_p_corner": (2.0, 0.5, 0.0)}
-
-
-def transforms(rng):
-    return [(Transform.from_rpy(*rng.uniform(0.3, 1.2, 3), translation=rng.uniform(1, 2, 3)),) for _ in range(4)]
-
-
-def swapped(given):
-    return given.base_T_laser.inverse().apply(given.laser_p_corner)
-
-
-def minus(T):
-    return Transform([-x for x in T.translation], T.rotation)
-
-
-def both(en):
-    return Text(en=en, ko="한국어: " + en)
-
-
-FRAME = Choice(("map", "laser"))
-# -- e3_1.py
-from .draws import *
-
-TASK = Task("E3.1", "N", 3, both("corner"), "base_p_corner", Vector(3, "m", "base_link", 0.005), HINTS,
-         given=mount, variants=3, mistakes=(WrongAnswer("swapped", swapped, both("that is the inverse"), "M1"),))
-# -- e3_2.py
-from .draws import *
-
-TASK = Task("E3.2", "F", 2, both("invert"), "invert", Pose(), HINTS,
-         inputs=transforms, mistakes=(WrongAnswer("minus", minus, both("only the sign"), "M3"),))
-# -- e3_3.py
-from .draws import *
-
-TASK = define_task(
-    __file__, kind="M", points=2, answer="roles", form=Parts({"target": FRAME, "source": FRAME})
-)
-# -- e3_3.yaml
-title: {en: roles, ko: "한국어: roles"}
-hints: [{en: hint 1, ko: 힌트 1}, {en: hint 2, ko: 힌트 2}, {en: hint 3, ko: 힌트 3}]
-mistakes:
-  - name: swapped
-    answer: {target: laser, source: map}
-    misconception: M1
-    partly: true
-    en: turned round
-    ko: "한국어: turned round"
-# -- e3_4.py
-from .draws import *
-
-TASK = Task("E3.4", "N", 1, both("angle"), "angle_rad", Number("rad", 0.01), HINTS)
-"""
+TASKS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["tasks"]
 CELLS = {
     "load": "%load_ext tflab\nfrom tflab.workbook import check, hint, task",
     "imports": "import math",

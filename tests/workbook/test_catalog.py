@@ -19,14 +19,7 @@ from tflab.workbook import check
 from tflab.workbook.answers.values import from_plain
 from tflab.workbook.paths import Workbook, workbook_data
 from tflab.workbook.tasks import catalog
-from tflab.workbook.tasks.catalog import (
-    assigned_cases,
-    outlines,
-    question_digest,
-    solution_of,
-    task_ids,
-    tasks_of,
-)
+from tflab.workbook.tasks.catalog import assigned_cases, outlines, question_digest, solution_of, task_ids, tasks_of
 from tflab.workbook.tasks.reference import in_process_ros
 from tflab.workbook.tasks.task import read_tasks
 

@@ -141,12 +141,13 @@ def test_an_option_says_what_it_would_mean_and_then_what_there_is_to_see():
             assert verdict.said.en == '"a": It would stay. It goes.'
 
 
-def test_a_mistake_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
-    def point(frame, x):
-        message = geometry_msgs.PointStamped()
-        message.header.frame_id, message.point.x = frame, x
-        return message
+def point(frame, x):
+    message = geometry_msgs.PointStamped()
+    message.header.frame_id, message.point.x = frame, x
+    return message
 
+
+def test_a_mistake_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
     form = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
     asked = [(point("map", x), point("map", 7.3 * x)) for x in (1.0, 2.0)]
     twins = {"left": [point("odom", 7.3 * x) for x in (1.0, 2.0)]}
@@ -185,12 +186,7 @@ def posed(yaw, z=0.0):
         (Pose(), posed(0.8), posed(0.8 + math.pi / 2), "translation: x, y, z: right. Rotation: off by at most 90°"),
         (Pose(), posed(0.8), posed(2.372), "translation: x, y, z: right. Rotation: off by more than 90°"),
         (Angle(), 0.5, 0.1, "rotated too far to the right, by at most 45°"),
-        (
-            Tree(),
-            FIVE,
-            FIVE | {"odom": "laser"},
-            'wrong as a child, or below the wrong parent: "odom"',
-        ),
+        (Tree(), FIVE, FIVE | {"odom": "laser"}, 'wrong as a child, or below the wrong parent: "odom"'),
         (Tree(), FIVE, LAMP, 'wrong as a child, or below the wrong parent: "lamp"; children that are missing: 2'),
         (Set(Name()), {"map", "odom"}, set(), "members that are missing: 2"),
         (Set(Name()), {"map", "odom"}, {"odom", "lamp"}, "members that do not belong: 1; members that are missing: 1"),
@@ -448,14 +444,9 @@ def test_an_error_that_was_swallowed_is_called_so(instead, name):
 
 
 def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
-    def sent(frame, x):
-        message = geometry_msgs.PointStamped()
-        message.header.frame_id, message.point.x = frame, x
-        return message
-
     form = Sequence(Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point")))
-    asked = [([sent("map", 1.0), sent("odom", 2.0)], [sent("/map", 1.0), sent("/odom", 2.0)])]
-    asked += [([sent("map", 3.0)], [sent("/map", 3.0)])]
+    asked = [([point("map", 1.0), point("odom", 2.0)], [point("/map", 1.0), point("/odom", 2.0)])]
+    asked += [([point("map", 3.0)], [point("/map", 3.0)])]
     verdict = judged_function(form, asked)
     assert list(verdict.mistakes) == ["slash in front"]
     assert verdict.said.en.startswith('"header.frame_id": ')

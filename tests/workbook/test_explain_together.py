@@ -25,10 +25,7 @@ def placed(*cards):
 
 @pytest.mark.parametrize(
     ("given", "name"),
-    [
-        (("rates", "mount", "tree", "names"), "order reversed"),
-        (("tree", "names", "rates", "mount"), None),
-    ],
+    [(("rates", "mount", "tree", "names"), "order reversed"), (("tree", "names", "rates", "mount"), None)],
 )
 def test_a_whole_order_is_recognised_and_another_one_is_not(given, name):
     verdict = judged(IN_ORDER, placed(*CARDS[:4]), {}, placed(*given))

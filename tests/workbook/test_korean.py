@@ -6,39 +6,12 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.paths import workbook_data
 
-NEVER = {
-    "the wanted side is the source, to a Korean ear": r"쪽이 먼저|쪽을 먼저|보고 싶은 쪽|보려는 쪽",
-    "asked at that second: when the asking happens": r"초에 [^.]{0,40}(묻|물)",
-    "in front or behind is space; time is earlier or later": r"표본보다 (앞|뒤)|시각보다 (앞|뒤)",
-    "a stamp ahead is earlier in Korean": r"(시각|변환|측정)(이|은|보다)? [^.]{0,12}앞[서선섰섬]",
-    "in, as inside of": r"안 어디|(\b[ab]|_link`?|map`?|odom`?) 안에서",
-    "a lane of traffic": r"차선",
-    "an edge of a graph on paper": r"간선",
-    "a clock on a wall": r"벽시계",
-    "no Korean word": r"오류문",
-    "beside the target frame, another target": r"목표점",
-    "a visible space before a particle": r"\*\* (은|는|이|가|을|를|의|입니다)\b",
-    "things do not complain": r"불평|항의합",
-    "data are moved to a frame, not put there": r"(?<!내)놓을 수 (있습|있을|없습)",
-    "a fixed frame that jumps": r"(odom|map).{0,30}고정 좌표계",
-    "one word for a chain, and one for a costmap": r"체인|비용지도",
-    "one form for minutes": r"\d분쯤 걸",
-    "the particle after map": r"map`로 ",
-}
-OF_ANSWERS = [
-    "습관",
-    "오류 문구",
-    "대기 한도",
-    "물어본 시각",
-    "물은 것",
-    "부른 (쪽|곳)",
-    "네 숫자",
-    "숫자 (셋|넷)[은이을]",
-]
+NEVER, OF_ANSWERS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
 SECTIONS = r"^## (확인 문제|나가기 전에|풀이 예제|기억할 것|이것만은|해 보기|예측하기|망가뜨리기)"
 THREADS = r"(?i)\bissue \d+|\w #\d+|이슈 \d+(?!\d|\]\()"
 PAGES = sorted(path.stem for path in (workbook_data() / "notebooks" / "src").glob("*.py"))

@@ -71,12 +71,7 @@ def test_a_good_page_has_no_faults(tmp_path: Path) -> None:
     good = page(
         tmp_path,
         TITLE,
-        text(
-            "why",
-            "## Why\n[[frame]] ![alt](data:,)",
-            "## 왜\n[[frame|그 좌표계]] ![설명](data:,)",
-            ' slide="slide"',
-        ),
+        text("why", "## Why\n[[frame]] ![alt](data:,)", "## 왜\n[[frame|그 좌표계]] ![설명](data:,)", ' slide="slide"'),
         text("why-notes", "Wait.", "기다립니다.", ' slide="notes"'),
         text("code", "```bash\n# no heading\n[[ -f x ]]\n```\n`[[x]]`", "```bash\n# no heading\n```", ""),
         code("long", "\n".join(["x = 1"] * 15)),

@@ -52,7 +52,3 @@ def verdict_on(task_id: str, answer: str | Callable[..., Any], variant: int = 0)
             for case in drawn.cases
         ]
     return judge_outcomes(task, drawn, outcomes)
-
-
-def mistakes_of(task_id: str, answer: str | Callable[..., Any], variant: int = 0) -> list[str]:
-    return list(verdict_on(task_id, answer, variant).mistakes)

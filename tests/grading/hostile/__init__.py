@@ -19,6 +19,7 @@
     hedges       one answer or none by the moment, names that only look right, an engine that agrees
     clinic       patients named without being examined; these are for chapter 12
 
+Code that stands in an answer or in a cell of its own is in `<name>.yaml`; what edits a notebook is in `<name>.py`.
 Each entry is a recipe: an honest notebook, of chapter 03 but for the clinic, goes in, what is handed in
 comes out.  `spoils` names the task whose answer the recipe replaces by an attack
 ("function", "value", or "" for none): it must get nothing; a "mistake" may get a part.  `keeps` says which
@@ -30,28 +31,17 @@ from .clinic import CLINIC
 from .counting import COUNTING
 from .exhaustion import EXHAUSTION
 from .files import FILES
-from .forging import FORGING
 from .guessing import GUESSING, SLIPS
-from .habits import HABITS
-from .harm import HARM
-from .hedges import HEDGES
 from .helpers import HELPERS
-from .late import LATE
 from .made import MADE
-from .objects import OBJECTS
-from .odd import ODD
-from .peeking import PEEKING
-from .recipe import Honest, Recipe, honest_notebook
-from .settings import SETTINGS
-from .shell import NOTEBOOKS, SHELL
-from .stealing import STEALING
-from .survival import SURVIVAL
+from .recipe import Honest, Recipe, honest_notebook, recipes
+from .shell import NOTEBOOKS
 from .tampering import TAMPERING
-from .unseen import UNSEEN
 
 __all__ = ["CLINIC", "KINDS", "Honest", "Recipe", "honest_notebook"]
 
+PAGES = ("forging", "peeking", "survival", "odd", "objects", "shell", "stealing", "harm", "late", "settings", "unseen",
+         "habits", "hedges")  # fmt: skip
 KINDS = [
-    FORGING, PEEKING, EXHAUSTION, SURVIVAL, TAMPERING, FILES, HELPERS, ODD, GUESSING, SLIPS, COUNTING, OBJECTS,
-    SHELL, NOTEBOOKS, STEALING, HARM, LATE, SETTINGS, UNSEEN, MADE, HABITS, HEDGES,
+    *map(recipes, PAGES), EXHAUSTION, TAMPERING, FILES, HELPERS, GUESSING, SLIPS, COUNTING, NOTEBOOKS, MADE,
 ]  # fmt: skip

@@ -67,6 +67,13 @@ def _split(notebook: Notebook, honest: Honest) -> None:
     notebook["cells"][place:place] = [own_cell("print(x, y, z)"), rest]
 
 
+def _breaks_of_every_kind(notebook: Notebook, honest: Honest) -> None:
+    cell = honest.cell(notebook, honest.function_task)
+    cell["source"] = "# a page\x0c# a line\u2028# a paragraph\u2029# the next\x85\n" + cell["source"].replace(
+        "    ", "\t"
+    )
+
+
 HELPERS = [
     Recipe("a helper in a cell of its own", _own_helper),
     Recipe("the answer in the next cell", _answer_in_the_next_cell),
@@ -95,6 +102,8 @@ HELPERS = [
     Recipe("calls without brackets", lambda h: h.with_cell("%autocall 2", "E3.1")),
     Recipe("a debugger at every error", lambda h: h.with_cell("%pdb on\n1 / 0", "E3.1")),
     Recipe("undone at the end", lambda h: h.with_cell("del calls, corner, F, compose", "E3.7", "check")),
+    edited("a magic above every answer", lambda n, h: [c.update(source="%%time\n" + "".join(c["source"])) for c in n["cells"] if c["id"].endswith("-answer")]),
+    edited("line breaks of every kind, and tabs", _breaks_of_every_kind),
     edited("all answers in one cell at the end", _last_cell),
     edited("nothing but answers", lambda n, h: n.update(cells=[c for c in n["cells"] if c["id"].endswith("-answer")])),
     edited("the other way round", lambda n, h: n["cells"].reverse()),

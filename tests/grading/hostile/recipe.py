@@ -10,6 +10,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import yaml
+
 from tflab.workbook.paths import workbook_data
 
 Notebook = dict[str, Any]
@@ -178,6 +180,47 @@ def answered(name: str, task: str, body: str) -> Recipe:
         return notebook
 
     return Recipe(name, make)
+
+
+def cell(name: str, body: str, before: str) -> Recipe:
+    """Return honest work with a cell of the learner's own before a task's answer."""
+    return Recipe(name, lambda honest: honest.with_cell(body, before))
+
+
+MAKERS = {"function": function, "value": value, "right": right, "answered": answered, "cell": cell}
+PIECES = {"WRONG": WRONG, "CASES": CASES, "WIRE": WIRE}
+
+
+def page(name: str) -> dict[str, Any]:
+    """Return a page of the library: recipes, and tables of code that they are made from."""
+    return yaml.safe_load(Path(__file__).with_name(f"{name}.yaml").read_text(encoding="utf-8"))
+
+
+def recipes(name: str) -> list[Recipe]:
+    """Return the recipes of a page; `each` makes one of every row of a table."""
+    held = page(name)
+    pieces = PIECES | held.get("pieces", {})
+    return [
+        _made(row, pieces, {"name": entry, "code": code} if isinstance(code, str) else {"name": entry, **code})
+        for row in held["recipes"]
+        for entry, code in (held[row["each"]].items() if "each" in row else [("", "")])
+        if entry in row.get("only", [entry])
+    ]
+
+
+def _made(row: dict[str, Any], pieces: dict[str, str], entry: dict[str, str]) -> Recipe:
+    """Return the recipe of a row, with what a table has in place of <name>, <code> and the like."""
+
+    def filled(text: str) -> str:
+        return re.sub(r"<(\w+)>", lambda mark: repr(entry["code"]) if mark[1] == "repr" else entry[mark[1]], text)
+
+    (kind,) = row.keys() & MAKERS.keys()
+    code = filled(row["code"]) if "each" in row else row["code"]
+    body = "".join([*(pieces[one] for one in row.get("begin", ())), code, *(pieces[one] for one in row.get("end", ()))])
+    options = {key: row[key] for key in ("keeps", "before") if key in row}
+    if kind == "answered":
+        return answered(row[kind], row["task"], body)
+    return MAKERS[kind](filled(row[kind]) if "each" in row else row[kind], body, **options)
 
 
 def is_code(cell: dict[str, Any]) -> bool:
