@@ -74,6 +74,6 @@ def test_a_word_that_is_right_and_counts_nothing_is_explained_where_it_is_chosen
 def test_a_list_on_which_all_is_healthy_is_reported_beside_what_it_does_not_distinguish():
     form = task_of("E12.4").form.parts["a checks"]
     said = form.remark(["node list"], {"a cause": "localizer waits for /clock"})
-    assert "each of them would be as on the card" in said.en
+    assert "differ from the card" in said.en
     assert "Fixed Frame misspelt" in said.en
     assert "as on the card" not in form.remark(["rviz"], {"a cause": "localizer waits for /clock"}).en
