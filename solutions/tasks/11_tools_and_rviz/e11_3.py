@@ -39,10 +39,10 @@ def report_of(late_s, travel_s, static_s):
     net, delays = NetDelay(), Delays()
     for _ in range(LOOKS):
         net.add(late_s)
-    delays.hear(static_s, [("laser_frame", 0.0)])
+    delays.add_message(static_s, [("laser_frame", 0.0)])
     for number in range(100):
-        delays.hear(static_s + 0.1 * number, [("base_footprint", static_s + 0.1 * number - travel_s)])
-        delays.hear(static_s + 0.1 * number, [("odom", static_s + 0.1 * number - 0.01)])
+        delays.add_message(static_s + 0.1 * number, [("base_footprint", static_s + 0.1 * number - travel_s)])
+        delays.add_message(static_s + 0.1 * number, [("odom", static_s + 0.1 * number - 0.01)])
     chain = ("map", "odom", "base_footprint", "laser_frame")
     rows = [results_heading(chain, net).strip("\n"), "", "Frames:", *frame_lines(delays, chain)]
     return "\n".join([*rows, "", "All Broadcasters:", broadcaster_line(delays)])

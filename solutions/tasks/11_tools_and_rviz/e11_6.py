@@ -55,14 +55,14 @@ def make_report(
     delays, net = Delays(), NetDelay()
     for frame, delay_s in zip(moving, delays_s, strict=True):
         for number in range(10):
-            delays.hear(50.0 + number, [(frame, 50.0 + number - delay_s)])
+            delays.add_message(50.0 + number, [(frame, 50.0 + number - delay_s)])
     if spike:  # the second is late on average, the first was once later
         delays.of_frame[moving[0]].extend([0.001] * 40)
     if once_s is not None:
         delays.of_frame[moving[-1]].append(once_s)
     static_s = round(float(rng.uniform(8.0, 60.0)), 1) if static_s is None else static_s
     for frame in statics:
-        delays.hear(50.0, [(frame, 50.0 - static_s)])
+        delays.add_message(50.0, [(frame, 50.0 - static_s)])
     for _ in range(looks):
         net.add(late_s + 0.01)
     chain = ["map", *rng.permutation(moving).tolist(), *statics]
