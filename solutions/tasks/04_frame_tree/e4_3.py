@@ -16,7 +16,9 @@ def draw_queries(rng):
         tree |= {"imu_link": "base_link", "laser_frame": "base_link", "lens": "camera_optical_frame"}
         twins = tree | {"left/eye": "lens", "left/lamp": "left/eye", "right/lamp": "left/eye", "map": "earth"}
         deep = tree | {"mast": "lens", "pan": "mast", "tilt": "pan", "eye": "tilt"}
+        long = tree | {f"link_{n}": f"link_{n - 1}" if n else "base_link" for n in range(12)}
         rows += [
+            (long, "imu_link", "link_11"),
             (deep, "eye", "imu_link"),
             (twins, "left/lamp", "right/lamp"),
             (twins, "earth", "left/lamp"),

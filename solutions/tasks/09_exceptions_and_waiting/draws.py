@@ -32,6 +32,7 @@ def make_buffer(t: float, *, is_localized: bool = True, wheels_s: float = 4.5) -
         edge("base_link", "gripper_link", t + 1.0, t + 2.5, t + 3.6),
         edge("base_lnk", "camera_link"),
         edge("base_link", "left/future_lamp"),
+        edge("base_link", "right/past_lamp"),
     )
 
 

@@ -34,6 +34,7 @@ def draw_queries(rng: Draws) -> list[tuple]:
         ("tool0", "laser_frame", at(2.2, 3.9)),
         ("map", "left/future_lamp", at(1.1, 3.9)),
         ("map", "left/future_lamp", at(0.1, 0.9)),  # into the past, whatever the name says
+        ("map", "right/past_lamp", at(4.05, 4.45)),  # into the future
     ]
     another = make_buffer(t + 100.0), "map", "laser_frame", at(101.1, 103.9)
     return [*((make_buffer(t), *question) for question in drawn), another]
