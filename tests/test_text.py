@@ -43,9 +43,11 @@ def test_a_faulty_file_is_refused_with_its_line(tmp_path, content, message):
 
 @pytest.mark.parametrize("module", MODULES, ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_texts_of_a_module_are_all_used_and_name_the_same_in_both_languages(module):
-    readers = [module, *module.parent.glob("templates/*.html")]
+    template = module.with_suffix(".jinja")
+    readers = [module, *module.parent.glob("templates/*.html"), *([template] if template.exists() else [])]
     source = "".join(reader.read_text(encoding="utf-8") for reader in readers)
     for key, text in Texts(str(module)).items():
-        assert "TEXTS = " not in source or f'"{key}"' in source, f"{key} is never read"
+        ways = f'"{key}"', f"label.{key}", f'"{key.rpartition("_")[0]}_"'  # the last with a word that is put behind it
+        assert "TEXTS = " not in source or any(way in source for way in ways), f"{key} is never read"
         named = [{name for _, name, _, _ in string.Formatter().parse(part) if name} for part in text]
         assert named[0] == named[1], key
