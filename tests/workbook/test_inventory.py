@@ -301,7 +301,7 @@ def test_the_progress_page_waits_and_then_says_what_was_learnt(copy, capsys):
     progress([str(copy)])
     out = capsys.readouterr().out.rpartition("Your progress")[2]
     assert "▲ cured 1 · ● held 13 · ○ stuck 0 · ▽ lost 1" in out
-    assert "2 · what an arrow between two parts says (lost) → chapter 03, task E3.1" in out
+    assert "2 · what an arrow between two parts means (lost) → chapter 03, task E3.1" in out
     assert ITEMS[0].forms["A"].options["a"].why.en not in out  # the forms themselves stand on the page
     assert ITEMS[0].forms["A"].options["a"].why.en in html.unescape(show_progress().html)
 

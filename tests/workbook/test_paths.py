@@ -48,6 +48,6 @@ def test_what_is_missing_is_named_with_what_to_type(tmp_path: Path, monkeypatch,
     monkeypatch.chdir(tmp_path)
     environment.check_environment()
     said = capsys.readouterr().out
-    assert "새 Python을 설치하고" in said
+    assert "더 새로운 파이썬을 설치하고" in said
     assert "위젯과 3D" in said and '없음: no_such_package. 이렇게 설치하십시오: pip install "tflab[lab]"' in said
     assert "missing" not in said
