@@ -282,7 +282,7 @@ def _axes(length_m: float, is_ghost: bool) -> shapes.Triangles:
 @lru_cache(256)
 def _arrow_along_x(length_m: float, radius_m: float, colour: str) -> shapes.Triangles:
     """Return an arrow in a frame of its own, so that one that only moves need not be sent again."""
-    return shapes.arrow((0.0, 0.0, 0.0), (length_m, 0.0, 0.0), radius_m, colour)
+    return shapes.arrow((length_m, 0.0, 0.0), radius_m, colour)
 
 
 def _x_along(start: np.ndarray, end: np.ndarray) -> np.ndarray:
