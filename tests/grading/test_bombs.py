@@ -19,12 +19,7 @@ from tflab.grading.submissions.reader import Unreadable, read_notebook
 from tflab.grading.submissions.roster import Learner
 
 MIB = 1 << 20
-WAYS = {
-    "stored": zipfile.ZIP_STORED,
-    "deflate": zipfile.ZIP_DEFLATED,
-    "bzip2": zipfile.ZIP_BZIP2,
-    "lzma": zipfile.ZIP_LZMA,
-}
+WAYS = {"stored": zipfile.ZIP_STORED, "deflate": zipfile.ZIP_DEFLATED}
 NAME = "03_tiny.ipynb"
 LIST_ENTRY = struct.pack("<4sHHHHHHIIIHHHHHII", b"PK\1\2", 46, 46, 0, 0, 0, 0x21, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)
 
@@ -49,9 +44,7 @@ def only_file(held: bytes, tmp_path: Path) -> bytes:
 
 
 @pytest.mark.parametrize("way", WAYS.values(), ids=list(WAYS))
-def test_what_is_packed_in_any_way_that_zips_have_is_read_and_what_was_changed_is_damaged(
-    way: int, tmp_path: Path
-) -> None:
+def test_what_is_packed_as_usual_is_read_and_what_was_changed_is_damaged(way: int, tmp_path: Path) -> None:
     assert only_file(packed(b"{} " * 5000, way), tmp_path) == b"{} " * 5000
     held = bytearray(packed(bytes(range(256)) * 40, way))
     held[len(held) // 3] ^= 0xFF
@@ -64,11 +57,10 @@ def test_what_is_packed_in_any_way_that_zips_have_is_read_and_what_was_changed_i
 
 
 @pytest.mark.parametrize("claimed", [1000, 32 * MIB])
-@pytest.mark.parametrize("way", list(WAYS.values())[1:], ids=list(WAYS)[1:])
 def test_no_more_is_unpacked_than_may_be_read_whatever_the_zip_says(
-    way: int, claimed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    claimed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    bomb = claiming(packed(bytes(32 * MIB), way), claimed)
+    bomb = claiming(packed(bytes(32 * MIB), zipfile.ZIP_DEFLATED), claimed)
     monkeypatch.setattr(archives, "MAX_BYTES", MIB)
     tracemalloc.start()
     try:
@@ -77,16 +69,13 @@ def test_no_more_is_unpacked_than_may_be_read_whatever_the_zip_says(
         _, most = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    assert most < 16 * MIB  # the dictionary of LZMA is in it
+    assert most < 16 * MIB
 
 
-@pytest.mark.parametrize("dictionary", [1 << 30, 0xFFFFFFFF])
-def test_lzma_gets_no_more_memory_than_a_zip_needs(dictionary: int, tmp_path: Path) -> None:
-    held = bytearray(packed(b"{}", zipfile.ZIP_LZMA))
-    at = 30 + len(NAME) + 5
-    held[at : at + 4] = struct.pack("<I", dictionary)
+@pytest.mark.parametrize("way", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_what_is_packed_in_a_way_that_cannot_be_unpacked_in_part_is_refused(way: int, tmp_path: Path) -> None:
     with pytest.raises(Unreadable, match="damaged"):
-        only_file(bytes(held), tmp_path)
+        only_file(packed(b"{}", way), tmp_path)
 
 
 def list_of(count: int, *, length: int | None = None, wide: bool = False, said: int | None = None) -> bytes:

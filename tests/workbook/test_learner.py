@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from tflab.workbook.copy.lay_out import OLD_PRISTINE, PRISTINE, Change, lay_out, read_pristine, update
+from tflab.workbook.copy.lay_out import PRISTINE, Change, lay_out, read_pristine, update
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, workbook_root
 
 from .conftest import HandedOut
@@ -70,36 +70,6 @@ def test_the_same_files_are_kept_as_the_same_bytes(handed_out: HandedOut, tmp_pa
     one, other = (lay_out(tmp_path / name, "en") for name in ("one", "other"))
     assert (one / PRISTINE).read_bytes() == (other / PRISTINE).read_bytes()
     assert read_pristine(one) == {name: (handed_out.root / name).read_bytes() for name in (PAGE, START)}
-
-
-def first_version(copy: Path) -> None:
-    """Make a copy look as the first version of tflab laid it out: with cases, and a folder of what was handed out."""
-    kept = read_pristine(copy) | {"exercises/cases/03_small.json": b'{"format": 1}'}
-    (copy / PRISTINE).unlink()
-    for name, content in kept.items():
-        for path in (copy / OLD_PRISTINE / name, copy / name):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            if not path.exists():
-                path.write_bytes(content)
-    mark = json.loads((copy / "workbook.json").read_text())
-    for name in ("seed", "questions"):
-        del mark[name]
-    (copy / "workbook.json").write_text(json.dumps(mark))
-
-
-def test_a_copy_of_the_first_version_is_updated_around_what_was_written(handed_out: HandedOut, copy: Path) -> None:
-    write_into(copy / PAGE, "answer", "x = 42")
-    first_version(copy)
-    (copy / START).unlink()
-    lay_out(copy, "en")  # brings the page back, and keeps the record of the others
-    handed_out.write(PAGE, title="# E3, better", answer="x = ...", check="check('E3.1', x)")
-    handed_out.write(START, title="# Start, better")
-    assert update(copy) == [Change(START, "replaced"), Change(PAGE, "merged", kept=1)]
-    assert cells(copy / PAGE) == {"title": "# E3, better", "answer": "x = 42", "check": "check('E3.1', x)"}
-    assert read_pristine(copy) == {name: (handed_out.root / name).read_bytes() for name in (PAGE, START)}
-    handed_out.write(PAGE, title="# E3, best", answer="x = ...", check="check('E3.1', x)")
-    assert update(copy) == [Change(PAGE, "merged", kept=1)]
-    assert update(copy) == []
 
 
 def test_what_was_deleted_comes_back_and_what_was_written_stays(handed_out: HandedOut, copy: Path) -> None:

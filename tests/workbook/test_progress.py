@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -54,16 +53,6 @@ def test_an_answer_that_was_checked_before_is_no_new_try_and_may_be_right_by_now
     assert attempts(copy, "E3.2").twins == {"swapped": 2}
     record_try(copy, "E3.2", 6, 6, None, [1.0, "a"])
     assert attempts(copy, "E3.2").passed and attempts(copy, "E3.2").tries == 2
-
-
-def test_a_file_that_knows_the_last_answer_alone_is_read(copy):
-    record_try(copy, "E3.2", 0, 1, None, [1.0])
-    file = copy / progress.FILE
-    plain = json.loads(file.read_text())
-    plain["tasks"]["E3.2"]["last"] = plain["tasks"]["E3.2"].pop("seen")[0]
-    file.write_text(json.dumps(plain))
-    record_try(copy, "E3.2", 0, 1, None, [1.0])
-    assert attempts(copy, "E3.2").tries == 1
 
 
 def test_nothing_is_kept_where_there_is_no_copy(tmp_path: Path) -> None:

@@ -5,8 +5,7 @@ the verdict is made outside of it, and one submission can harm neither the grade
 
 In reading order:
 
-    release         `tflab release`: folders for learners, and a pack for the instructor
-    update_release  keep the released tasks when a newer version's exercises are taken over
+    release         `tflab release`: folders for learners, and a pack for the instructor; its update
     grade           `tflab grade`: submissions in, results out
     batch           grade many submissions, on one core or on many
     submissions/    find notebooks, tell whose they are, and read them as strings

@@ -135,18 +135,6 @@ def _write_reports(
     before = _learners_in(out / "results.json")
     write_whole(out / "grades.csv", grades_csv(records, options.lms, options.assignment))
     write_whole(out / "results.json", results_json(records, about))
-    _write_pages(records, collection, pack, out, options, wall, before)
-
-
-def _write_pages(
-    records: list[dict[str, Any]],
-    collection: Collection,
-    pack: Pack,
-    out: Path,
-    options: argparse.Namespace,
-    wall: tuple[Text, ...],
-    before: list[str],
-) -> None:
     pages = out / "feedback"
     for name in file_names(before).values():  # of an earlier run, perhaps on another level
         (pages / f"{name}.html").unlink(missing_ok=True)

@@ -9,13 +9,23 @@
 Each learner on the roster gets variants of their own.  Nothing under learners/ says
 what is graded.  A pack is never overwritten: `--add` brings in more learners and
 chapters, with the seed it has, and finishes what was interrupted; `--update` brings in
-what was fixed since (see `update_release.py`).
+what a newer tflab has fixed, with every learner's answers kept:
+
+    as released                   this version                     after --update
+    E3.2  asks about a = 2.31     asks about a = 2.31, new text    the new text, replies, right answers
+    E3.4  asks about b = 1.07     asks about b = 2.4               nothing is changed: grade with the old version
+    -                             E3.8                             not in this release: nobody's points change
+
+Seed, roster, stamps and points stay, so what was handed in before is graded as well as
+what comes after.  Each exercise as it was is kept in the pack.  The learners' copies are
+brought up to date cell by cell (a three-way merge, see `merge.py` of the workbook).
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import re
 import secrets
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -31,7 +41,7 @@ from tflab.workbook import paths
 from tflab.workbook.copy.lay_out import lay_out, read_pristine, update
 from tflab.workbook.pages.editions import text_of
 from tflab.workbook.paths import WorkbookError
-from tflab.workbook.tasks.task import TaskError
+from tflab.workbook.tasks.task import TaskError, slug
 
 from .guide.command import write_guide
 from .guide.teaching import TeachingError
@@ -50,11 +60,12 @@ from .judging.pack import (
 )
 from .submissions.reader import Unreadable, read_bytes
 from .submissions.roster import Learner, Roster, read_roster
-from .update_release import update_exercise
 
 __all__ = ["main", "release", "update_release"]
 
 INSTRUCTOR, LEARNERS, GUIDE = "instructor", "learners", "guide"
+TASK_CELL = re.compile(r"e\d+-\d+(?=-|$)")
+TITLE = "title"  # says how many tasks there are, and how many points
 
 
 def main(words: Sequence[str]) -> int:
@@ -160,7 +171,7 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
         if added := [task for task in now[stem] if task not in asked]:
             lines.append(f"{stem}: {', '.join(added)} is new, and no part of this release")
         old = json.loads((folder / INSTRUCTOR / "masters" / f"{stem}.ipynb").read_text(encoding="utf-8"))
-        new = update_exercise(old, json.loads(_master(stem)), asked)
+        new = _update_exercise(old, json.loads(_master(stem)), asked)
         if new != old:
             keep_chapter(folder / INSTRUCTOR, stem)
             write_master(folder / INSTRUCTOR, stem, text_of(new).encode())
@@ -173,6 +184,30 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
             bar.update()
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return pack, lines
+
+
+def _update_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks: Iterable[str]) -> dict[str, Any]:
+    """Return an exercise: new, with the tasks of the release and no others.
+
+    Args:
+        tasks: those of the release.
+    """
+    names = {slug(task) for task in tasks}
+    cells = [cell for cell in new["cells"] if _task_of(cell) in names | {""}]
+    if {_task_of(cell) for cell in new["cells"]} - {""} != names:
+        cells = [_titled(cell, released) for cell in cells]
+    return {**new, "cells": cells}
+
+
+def _titled(cell: Any, released: Mapping[str, Any]) -> Any:
+    """Return a cell; of the title the released one, which counts the released tasks."""
+    return next((old for old in released["cells"] if old["id"] == cell["id"] == TITLE), cell)
+
+
+def _task_of(cell: Mapping[str, Any]) -> str:
+    """Return the task that a cell belongs to, as cells are named after it; "" if none."""
+    found = TASK_CELL.match(cell["id"])
+    return found[0] if found else ""
 
 
 def _update_for(place: Path, learner: Learner | None, pack: Pack) -> list[str]:
@@ -196,7 +231,7 @@ def _exercises_for(
         name = f"exercises/{language}/{paths.exercise_file(stem)}"
         new = json.loads((paths.workbook_data() / name).read_bytes())
         old = json.loads(handed_out[name]) if name in handed_out else new
-        files[name] = _stamped(update_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
+        files[name] = _stamped(_update_exercise(old, new, asked), _stamp_of(pack, stem, language, learner))
     return files
 
 

@@ -115,7 +115,7 @@ def describe_rotation(roll_rad: float, pitch_rad: float, yaw_rad: float) -> str:
         f"quaternion (x, y, z, w) {style.fmt_all(turn.rotation, '')}",
         "matrix",
     ]
-    return "\n".join((*lines, *_matrix_rows(turn.matrix()[:3, :3])))
+    return "\n".join((*lines, *_matrix_rows(turn)))
 
 
 class RotationPicture(Picture):
@@ -162,12 +162,12 @@ def _number_lines(roll_rad: float, pitch_rad: float, yaw_rad: float) -> list[str
         *(f"  {name}  {style.fmt(part, ''):>7}" for name, part in parts),
         "",
         "matrix",
-        *_matrix_rows(turn.matrix()[:3, :3]),
+        *_matrix_rows(turn),
     ]
 
 
-def _matrix_rows(matrix: np.ndarray) -> list[str]:
-    return ["  " + " ".join(f"{style.fmt(cell, ''):>7}" for cell in row) for row in matrix]
+def _matrix_rows(turn: Transform) -> list[str]:
+    return ["  " + " ".join(f"{style.fmt(cell, ''):>7}" for cell in row) for row in turn.matrix()[:3, :3]]
 
 
 def describe_cameras(body_p: Sequence[float]) -> str:

@@ -88,7 +88,8 @@ def live_view(name: str, model: Model) -> LiveView:
     own = {
         key: value
         for key, value in model["state"].items()
-        if not key.startswith("_") and not _is_reference(value) and key not in ("layout", "tabbable", "tooltip")
+        if not key.startswith("_") and key not in ("layout", "tabbable", "tooltip")
+        if not (isinstance(value, str) and value.startswith(REFERENCE))
     }
     esm, css = model["state"]["_esm"], model["state"].get("_css", "")
     return LiveView(name, own, model.get("buffers", []), esm, css)
@@ -128,7 +129,3 @@ def _image(model: Model) -> dict:
 
 def _html(text: str) -> dict:
     return {"output_type": "display_data", "data": {"text/html": text}, "metadata": {}}
-
-
-def _is_reference(value: Any) -> bool:
-    return isinstance(value, str) and value.startswith(REFERENCE)

@@ -137,7 +137,8 @@ class RViz(ipywidgets.VBox):
     def _draw_from(self, frame: str) -> None:
         """Draw what another Fixed Frame shows, whatever stood there before."""
         shown = look_through(frame, self._parents, self._displays, self._ask)
-        draw_in_scene(self.scene, self._parents, shown, _everywhere(self._parents, self._displays), self._axis_m)
+        anywhere = look_through(next(iter(self._parents), ""), self._parents, self._displays, lambda *_: Transform())
+        draw_in_scene(self.scene, self._parents, shown, _paths(anywhere), self._axis_m)
 
     def _redraw(self) -> None:
         self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)
@@ -212,11 +213,6 @@ def _paths(shown: Sequence[Shown]) -> set[str]:
             paths.add(_place(entry, i, 0))
         paths |= {_place(entry, i, j) for j in range(len(entry.placed))}
     return paths
-
-
-def _everywhere(parents: Mapping[str, str], displays: Sequence[Display]) -> set[str]:
-    """Return where `draw_in_scene` might draw, whichever frame is fixed."""
-    return _paths(look_through(next(iter(parents), ""), parents, displays, lambda *_: Transform()))
 
 
 def _list_as_html(shown: Sequence[Shown]) -> str:

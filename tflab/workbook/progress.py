@@ -150,9 +150,7 @@ def _tasks(found: dict) -> dict[str, Attempts]:
 
 
 def _attempts(line: dict) -> Attempts:
-    line = dict(line)
-    last = line.pop("last", "")  # of a file that knew no more than the last answer
-    read = Attempts(**{"seen": [last] if last else [], **line})
+    read = Attempts(**line)
     for name, value in asdict(Attempts()).items():
         if type(getattr(read, name)) is not type(value):
             raise ValueError(f'"{name}" is {getattr(read, name)!r}')

@@ -48,10 +48,10 @@ class Kernel:
     leash: socket.socket
     hung_up: bool = False
 
-    def await_ready(self, timeout: float = START_S) -> None:
+    def await_ready(self) -> None:
         """Return when it serves; raise KernelError with the reason if it never will."""
         try:
-            hello = self.wire.receive(timeout)
+            hello = self.wire.receive(START_S)
         except (WireClosed, WireFault) as fault:
             raise KernelError(self.close() or f"the kernel did not start: {fault}") from None
         if hello is None or hello.get("ready") is not True:

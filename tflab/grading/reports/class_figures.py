@@ -20,15 +20,7 @@ BINS = 10
 ROW_INCH = 0.3
 
 
-def bars(
-    rows: Sequence[tuple[Text, float]],
-    unit: Text,
-    *,
-    most: float,
-    title: Text,
-    digits: int = 0,
-    language: str = "en",
-) -> Picture:
+def bars(rows: Sequence[tuple[Text, float]], unit: Text, *, most: float, title: Text, language: str = "en") -> Picture:
     """Draw a bar for each named number, the first at the top; the text says the same."""
     width, _ = style.WIDE
     picture = Picture((width, 0.95 + ROW_INCH * len(rows)))
@@ -39,17 +31,15 @@ def bars(
         values = [value for _, value in rows]
         ax.barh(range(len(rows)), values, height=0.62, color=style.SHADE, edgecolor=style.INK, linewidth=0.8)
         for place, value in enumerate(values):
-            ax.text(value + 0.01 * most, place, f"{value:.{digits}f}", va="center", fontsize=style.SMALL_PT)
+            ax.text(value + 0.01 * most, place, f"{value:.0f}", va="center", fontsize=style.SMALL_PT)
         ax.set_yticks(range(len(rows)), [name.en for name, _ in rows])
         ax.set_xlim(0, most * 1.08)
         ax.set_ylim(len(rows) - 0.5, -0.5)
         ax.set_xlabel(unit.en)
-        if digits == 0:  # what is counted comes in ones
-            ax.xaxis.get_major_locator().set_params(integer=True)
+        ax.xaxis.get_major_locator().set_params(integer=True)
         ax.tick_params(length=0)
-        for side in ("top", "right"):
-            ax.spines[side].set_visible(False)
-    named = (f"  {name.say(language)}: {value:.{digits}f}" for name, value in rows)
+        style.hide_spines(ax, "top", "right")
+    named = (f"  {name.say(language)}: {value:.0f}" for name, value in rows)
     picture.text = "\n".join([f"{title.say(language)}, {unit.say(language)}:", *named])
     return picture
 
@@ -74,8 +64,7 @@ def histogram(values: Sequence[float], language: str = "en") -> Picture:
         ax.yaxis.get_major_locator().set_params(integer=True)
         ax.set_xlabel("points [%]")
         ax.set_ylabel("learners")
-        for side in ("top", "right"):
-            ax.spines[side].set_visible(False)
+        style.hide_spines(ax, "top", "right")
     mean, middle = (statistics.mean(values), statistics.median(values)) if values else (0.0, 0.0)
     picture.text = "\n".join(
         [
@@ -104,8 +93,7 @@ def scores(before: Sequence[int], after: Sequence[int], of: int, by_guessing: fl
         ax.set_xlabel(f"right, of {of}")
         ax.set_ylabel("learners")
         ax.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), ncols=3, frameon=False, fontsize=style.SMALL_PT)
-        for side in ("top", "right"):
-            ax.spines[side].set_visible(False)
+        style.hide_spines(ax, "top", "right")
     had, has = Counter(before), Counter(after)
     mean_before, mean_after = (f"{statistics.mean(values):.1f}" for values in (before, after))
     picture.text = "\n".join(

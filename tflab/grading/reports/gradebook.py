@@ -89,7 +89,8 @@ def _plain_rows(records: Sequence[Record]) -> list[list[Any]]:
         verdicts = verdicts_of(record)
         points = [_number(verdicts[task]["points"]) if task in verdicts else "" for task in tasks]
         remarks = " | ".join(remark.say("en") for remark in _all_remarks(record))
-        sums = [_number(record["points"]), _number(record["most"]), _number(_percent(record))]
+        percent = round(100 * record["points"] / record["most"], 1) if record["most"] else 0.0
+        sums = [_number(record["points"]), _number(record["most"]), _number(percent)]
         rows.append([record["learner"], record["name"], *sums, *points, remarks])
     return rows
 
@@ -129,10 +130,6 @@ def _all_remarks(record: Record) -> list[Remark]:
     of_tasks = [Remark.from_plain(remark) for row in verdicts_of(record).values() for remark in row["remarks"]]
     heard = [*remarks_of(record), *(remark for remark in of_tasks if remark.kind != "unanswered")]
     return list({remark.say("en"): remark for remark in heard}.values())
-
-
-def _percent(record: Record) -> float:
-    return round(100 * record["points"] / record["most"], 1) if record["most"] else 0.0
 
 
 def _number(value: float) -> str:

@@ -6,22 +6,17 @@
     zeros.ipynb  42 kB -> 4 GB    refused when it is read: too large, however it was packed
 
 Nothing is ever unpacked to a disk, and of nothing more than the limit to memory: of a list of
-names as long as no learner's work has, whatever number stands beside it; of bzip2 and LZMA,
-which `zipfile` unpacks whole, in steps of ours.  Names that Windows wrote in Korean are read
-as it meant them.
+names as long as no learner's work has, whatever number stands beside it; of files that are
+packed by bzip2 or LZMA, which `zipfile` unpacks whole and no learning system writes, nothing.
+Names that Windows wrote in Korean are read as it meant them.
 """
 
 from __future__ import annotations
 
-import bz2
-import copy
 import io
-import lzma
 import stat
-import struct
 import weakref
 import zipfile
-import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -37,7 +32,6 @@ MAX_ARCHIVE = 64 * 1024 * 1024  # of a zip inside a zip, which is held in memory
 UTF8_NAME, ENCRYPTED = 0x800, 0x1
 LONGEST_ENTRY = 400  # of a zip's list, in the mean [bytes]
 LONGEST_END = 1 << 17  # what stands behind that list [bytes]
-MOST_OF_A_DICTIONARY = 64 << 20  # that LZMA asks for before it has unpacked anything
 
 
 @dataclass(frozen=True)
@@ -190,38 +184,10 @@ def _reader(source: Path | Callable[[], bytes], entry: zipfile.ZipInfo) -> Calla
 
 def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo, limit: int) -> bytes:
     """Return what a file in a zip holds, and no more of it than a byte above the limit."""
-    if entry.compress_type in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
-        with archive.open(entry) as file:
-            return file.read(limit + 1)
-    if entry.compress_type not in UNPACKERS:
-        raise NotImplementedError("a way of packing that Python has not had for long")
-    packed = copy.copy(entry)  # what is packed, as it stands there
-    packed.compress_type, packed.file_size = zipfile.ZIP_STORED, entry.compress_size
-    del packed.CRC  # this is of what it was before it was packed
-    with archive.open(packed) as file:
-        data = UNPACKERS[entry.compress_type](file.read(MAX_BYTES), limit + 1)
-    if len(data) <= limit and (len(data) != entry.file_size or zlib.crc32(data) != entry.CRC):
-        raise zipfile.BadZipFile("not what was packed")
-    return data
-
-
-def _of_bzip2(packed: bytes, most: int) -> bytes:
-    return bz2.BZ2Decompressor().decompress(packed, max_length=most)
-
-
-def _of_lzma(packed: bytes, most: int) -> bytes:
-    """Return the first bytes of what LZMA has packed; before that stand two numbers and its properties."""
-    (length,) = struct.unpack_from("<H", packed, 2)
-    properties, dictionary = struct.unpack_from("<BI", packed, 4)
-    if length != 5 or dictionary > MOST_OF_A_DICTIONARY:
-        raise ValueError("properties of LZMA that no zip has")
-    lc, lp, pb = properties % 9, properties // 9 % 5, properties // 45
-    how = {"id": lzma.FILTER_LZMA1, "dict_size": max(dictionary, 4096), "lc": lc, "lp": lp, "pb": pb}
-    unpacker = lzma.LZMADecompressor(lzma.FORMAT_RAW, filters=[how])
-    return unpacker.decompress(packed[4 + length :], max_length=most)
-
-
-UNPACKERS = {zipfile.ZIP_BZIP2: _of_bzip2, zipfile.ZIP_LZMA: _of_lzma}
+    if entry.compress_type not in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
+        raise NotImplementedError("a way of packing that `zipfile` unpacks whole, or not at all")
+    with archive.open(entry) as file:
+        return file.read(limit + 1)
 
 
 def _name(entry: zipfile.ZipInfo) -> str:

@@ -72,17 +72,15 @@ def draw_frames(
     poses: Mapping[str, Transform],
     parents: Mapping[str, str] | None = None,
     length_m: float = 0.4,
-    to_parent: bool = False,
 ) -> None:
-    """Draw frames and, between each parent and child, an arrow; `to_parent` turns the arrows round, as in RViz."""
+    """Draw frames and, between each parent and child, an arrow."""
     parents = parents or {}
     with scene.redraw():
         for name, scene_T_frame in poses.items():
             parent = parents.get(name, "")
             draw_frame(scene, name, scene_T_frame, parent, length_m)
             if parent in poses:
-                ends = (poses[parent].translation, scene_T_frame.translation)
-                start, end = reversed(ends) if to_parent else ends
+                start, end = poses[parent].translation, scene_T_frame.translation
                 draw_arrow(scene, edge_path(name), start, end, radius_m=0.014 * length_m)
 
 
@@ -282,7 +280,7 @@ def _axes(length_m: float, is_ghost: bool) -> shapes.Triangles:
 @lru_cache(256)
 def _arrow_along_x(length_m: float, radius_m: float, colour: str) -> shapes.Triangles:
     """Return an arrow in a frame of its own, so that one that only moves need not be sent again."""
-    return shapes.arrow((0.0, 0.0, 0.0), (length_m, 0.0, 0.0), radius_m, colour)
+    return shapes.arrow((length_m, 0.0, 0.0), radius_m, colour)
 
 
 def _x_along(start: np.ndarray, end: np.ndarray) -> np.ndarray:

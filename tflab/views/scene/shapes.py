@@ -81,15 +81,13 @@ def line(
     return joined([bar(start + a * (end - start), start + b * (end - start), radius_m, colour) for a, b in steps])
 
 
-def arrow(
-    start: Sequence[float], end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid"
-) -> Triangles:
-    """Return a line that ends in a cone."""
-    start, end = np.asarray(start, dtype=float), np.asarray(end, dtype=float)
-    length_m = float(np.linalg.norm(end - start))
+def arrow(end: Sequence[float], radius_m: float, colour: str, style_name: str = "solid") -> Triangles:
+    """Return a line from the origin that ends in a cone."""
+    end = np.asarray(end, dtype=float)
+    length_m = float(np.linalg.norm(end))
     head_m = min(7.0 * radius_m, 0.5 * length_m)
-    neck = end - (head_m / length_m if length_m else 0.0) * (end - start)
-    return joined([line(start, neck, radius_m, colour, style_name), bar(neck, end, 2.6 * radius_m, colour, 0.0)])
+    neck = end - (head_m / length_m if length_m else 0.0) * end
+    return joined([line(np.zeros(3), neck, radius_m, colour, style_name), bar(neck, end, 2.6 * radius_m, colour, 0.0)])
 
 
 def axes(length_m: float, is_ghost: bool = False) -> Triangles:
@@ -97,7 +95,7 @@ def axes(length_m: float, is_ghost: bool = False) -> Triangles:
     radius_m = 0.026 * length_m
     ends = {"x": (length_m, 0.0, 0.0), "y": (0.0, length_m, 0.0), "z": (0.0, 0.0, length_m)}
     colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
-    return joined([arrow((0.0, 0.0, 0.0), ends[a], radius_m, colours[a], LINES[a]) for a in style.AXES])
+    return joined([arrow(ends[a], radius_m, colours[a], LINES[a]) for a in style.AXES])
 
 
 def polyline(points: np.ndarray, radius_m: float, colour: str, dashed: bool = False) -> Triangles:

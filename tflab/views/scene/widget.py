@@ -174,10 +174,6 @@ class Scene(anywidget.AnyWidget):
             self.controls, self._draw_choice = [menu], draw
             self.send({"type": "ahead"}, [])  # what the browser may have is of before
 
-    def on_pick(self, function: Callable[[str], object]) -> None:
-        """Have `function(name)` called when a frame is clicked on, with "" when the click hits none."""
-        self.observe(lambda change: function(change["new"]), "picked")
-
     def describe(self) -> str:
         """Return the scene in words: what a screen reader or a terminal gets."""
         return describe(self._state)

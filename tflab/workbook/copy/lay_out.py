@@ -46,7 +46,6 @@ __all__ = [
 
 HIDDEN = Path(".tflab")
 PRISTINE = HIDDEN / "pristine.zip"
-OLD_PRISTINE = HIDDEN / "pristine"  # a folder in copies of the first version
 # whichever bytes of an archive are wrong
 UNREADABLE_ZIP = (OSError, EOFError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error)
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same bytes for the same files
@@ -184,9 +183,7 @@ def read_pristine(root: Path) -> dict[str, bytes]:
         with zipfile.ZipFile(root / PRISTINE) as archive:
             return {name: archive.read(name) for name in archive.namelist()}
     except UNREADABLE_ZIP:
-        kept = root / OLD_PRISTINE
-        files = (path for path in sorted(kept.rglob("*")) if path.is_file() and "cases" not in path.parts)
-        return {path.relative_to(kept).as_posix(): path.read_bytes() for path in files}
+        return {}
 
 
 def _write_pristine(root: Path, files: Mapping[str, bytes]) -> None:
