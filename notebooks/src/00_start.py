@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # tflab: where is it, and when?
 #
-# A number without a frame is a rumour.
+# A number without a frame is not yet information.
 # `(2.0, 0.0, 0.0)` may be two metres ahead of the laser, two metres ahead of the robot, or two metres from the origin of the map.
 # And a point that was two metres ahead a moment ago is somewhere else once the robot has moved.
 #
@@ -144,7 +144,7 @@ graph.run(seconds=2.0)
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-read" slide="-"
-# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the same rotation in four notations (the last column of the matrix is the translation); chapter 02 explains them.
+# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways (the last column of the matrix is the translation); chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
 # 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며(행렬의 마지막 열은 이동입니다), 02장에서 읽습니다.
@@ -210,7 +210,7 @@ graph.stop()
 #
 # Each chapter begins with a fault that somebody reported.
 # For a first evening, read 01, 03 and 08. Reading them takes about three hours, and their exercises take another two and a half hours.
-# The minutes are for reading, predicting and running. The exercise of a chapter takes about the same time again.
+# The minutes are for reading, predicting and running. All exercises together take about as long as the pages. Each states its own time.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
@@ -267,7 +267,7 @@ graph.stop()
 #
 # The reply to a wrong answer names the mistake, as above. You may try as often as you like, in any order.
 # `check` tries your answer on a few inputs. In a class, grading also uses other inputs.
-# To start a page over, delete its file and type `tflab lab` in a terminal. It restores missing files and changes nothing else.
+# To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab (File → New → Terminal). It restores missing files and changes nothing else.
 
 # %% [markdown] lang="ko" name="checks" slide="slide"
 # ## 답을 확인하는 방법
@@ -321,7 +321,7 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# Run the cell to show its picture. An arrow means *builds on*. The numbers are those of the table of chapters.
+# Run the cell to show its picture. An arrow means *builds on*. An arrow that follows from two others is left out. The numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?

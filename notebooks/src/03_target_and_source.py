@@ -451,7 +451,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # </details>
 
 # %% [markdown] lang="en" name="the-sentence-panel-why" slide="skip"
-# When you change one menu, the others change with it.
+# You can choose the two frames in any of the forms below; the other forms show the same choice.
 # On the right is the same transform as a matrix: the first three columns are the rotation, the last one is the translation.
 # Find a pair for which the matrix and its inverse (target and source swapped) differ in only one sign.
 
@@ -1208,7 +1208,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>Answers</summary>
 #
-# 1. No: a value without a frame is a rumour. Reject it, and log a warning.
+# 1. No: without a frame you do not know where the point is. Reject it, and log a warning.
 # 2. Negative: z points up, and by the right-hand rule a positive yaw rate turns left.
 # 3. (0, 0, 0, 1). Four zeros are not a valid rotation: each listener rejects the transform, and the frame never appears.
 #
@@ -1277,7 +1277,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>Compare</summary>
 #
-# The call is `lookup_transform('base_link', 'map', Time())`. The product is `base_T_map = base_T_odom @ odom_T_map`, with the inverses of two published transforms.
+# The call is `lookup_transform('base_link', 'map', Time())`. The product is `base_T_map = base_T_odom @ odom_T_map`. Both factors are inverses of transforms along the tree: `odom_T_base` and `map_T_odom`.
 #
 # </details>
 

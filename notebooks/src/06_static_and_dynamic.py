@@ -33,11 +33,11 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
-# ## Four cameras, and one that was left
+# ## Four cameras, and only one remains
 #
 # A program calibrates the mounts of four cameras in a room, one after the other, and publishes each when it is done. RViz shows them all.
 # Then somebody closes RViz and opens it again: **one** camera is left (Ikerlan-KER/extrinsic_calibrator, 2025).
-# A hundred frames that were sent in a loop had the same problem, and the library itself was changed because of it (ros2/geometry2, 2023).
+# Somebody sent a hundred frames in a loop and had the same problem, and the library was changed because of it (ros2/geometry2, 2023).
 #
 # Another driver did the opposite. It published its laser's mount about 110 times a second, so that RViz would not report it as old (ouster-ros, 2023).
 # The first published too little, the second too much. This chapter shows what is right.
@@ -263,7 +263,7 @@ print(later.all_frames_as_string())
 # %% [markdown] lang="en" name="who-holds-it" slide="slide"
 # ## The board belongs to its publisher
 #
-# Now the program is stopped, as by Ctrl-C. `later` has received the cameras. `newcomer` joins after the end.
+# Now the program is stopped, as if with Ctrl-C. `later` has received the cameras. `newcomer` joins after the end.
 
 # %% [markdown] lang="ko" name="who-holds-it" slide="slide"
 # ## 게시판은 발행자에게 달려 있습니다
@@ -285,7 +285,7 @@ print('newcomer knows:', newcomer.all_frames_as_string().splitlines())
 # Nothing "in ROS" stores a static transform. The board is in the publisher's process and ends with it: `Publisher count: 0`.
 # A listener that received the message keeps it, for all times, even for 1000 s. A listener that joins later receives nothing.
 #
-# So a static publisher has to stay alive. That is why the lecture's node only calls `spin` after it has sent its one message. "Late listeners receive it" is true while the publisher lives.
+# So a static publisher has to stay alive. That is why the lecture's node (shown below) sends its one message and then calls `spin`, which keeps it alive. "Late listeners receive it" is true while the publisher lives.
 #
 # And this is what `newcomer` raises if you look up a camera:
 
@@ -443,7 +443,7 @@ graph = lesson.new_graph()
 
 # %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
 # - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The command without an error is the harmful one.
-# - `--x=0.2` is right in any other program. Here an option and its value are two words.
+# - `--x=0.2` is right in many other programs. Here an option and its value are two words.
 # - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
 #
 # <details><summary>Deeper: the old order</summary>
@@ -600,7 +600,7 @@ graph = lesson.new_graph()
 # %% [markdown] lang="en" name="radio" slide="slide"
 # ## The radio
 #
-# A transform that changes is published on `/tf`, again and again, each time with the stamp for which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at 20 Hz at most 0.05 s.
+# A transform that changes is published on `/tf`, again and again, each time stamped with the time at which it is true: a [[dynamic transform]]. Think of a radio: there is no board. A listener that joins late waits for the next message, at 20 Hz at most 0.05 s.
 # Here is the lecture's robot on its circle, 20 times a second. (The complete file is below, folded.)
 
 # %% [markdown] lang="ko" name="radio" slide="slide"
@@ -768,7 +768,7 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # The answer for the camera is up to a second old, and for the laser at most a twentieth. The odometry is as fast as before. But "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data only once a second.
 # So the camera, which is screwed to the robot, jumps by half a metre each second, and nine of ten lookups for a tenth of a second ago raise an exception.
 #
-# A mount on `/tf` costs more than bandwidth: it makes every lookup through it old. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
+# A mount on `/tf` costs more than bandwidth: every lookup of *the latest* through it is up to a period old, and a lookup for a time just past raises an exception. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
 
 # %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
 # *그림 읽기:* age of the answer = 조회한 값의 나이, time = 조회한 시각.
@@ -860,7 +860,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
            arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
 
 # %% [markdown] lang="en" name="crab-seen" tags=["predicted"]
-# Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and faces outwards all the time. A robot on wheels cannot do that.
+# Two centimetres backward and twenty to the left: it slides **sideways**, like a crab, and faces outwards all the time. A robot with ordinary wheels cannot do that.
 # The code sets `yaw = θ`. But θ is the angle of the *position* on the circle, seen from its centre. On a circle, forward is at right angles to that: `θ + π/2`.
 #
 # No tool reports an error, since each message is a valid pose. Only one question finds it: in which direction does the robot move *along its own axes*?
@@ -931,7 +931,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # 한 사람에게 원을 따라 걷게 합니다. 한 번은 바깥을 보면서, 한 번은 가는 쪽을 보면서 걷습니다.
 
 # %% [markdown] lang="en" name="dynamic-node" slide="skip"
-# <details><summary>The lecture's moving node, whole, to the letter: save it as <code>moving_robot_broadcaster.py</code></summary>
+# <details><summary>The lecture's moving node, complete and unchanged: save it as <code>moving_robot_broadcaster.py</code></summary>
 #
 # ```python
 # # tf_lab_py/moving_robot_broadcaster.py
@@ -1261,7 +1261,7 @@ rclpy.try_shutdown()
 # - [ ] Static: never changes, `/tf_static`, sent once; durability TRANSIENT_LOCAL, so that late listeners receive it while the publisher lives.
 # - [ ] Dynamic: changes, `/tf`, sent again and again, each with the stamp of its measurement.
 # - [ ] A mount on `/tf` costs bandwidth and, worse, holds back the latest common time of its path.
-# - [ ] A moving frame on `/tf_static` has one value for all times, or stays where it was first.
+# - [ ] A moving frame on `/tf_static` has one value for all times: the last one sent, or the first if it was sent only once.
 # - [ ] A lookup for a time after the last message of a dynamic transform raises an exception; the frame is not assumed to stand still.
 #
 # </details>
@@ -1284,7 +1284,7 @@ rclpy.try_shutdown()
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
-# > A friend starts RViz after the robot and misses one sensor. Which three causes from this chapter fit, and which command do you run first to tell them apart?
+# > A friend starts RViz after the robot, and one sensor is missing. Which three causes from this chapter fit, and which command do you run first to tell them apart?
 #
 # <details><summary>Compare</summary>
 #

@@ -37,7 +37,7 @@
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
 #
-# This page uses the following from earlier chapters. Skip the lines of those that you have read.
+# This page uses the following from earlier chapters. Skip the lines of the chapters that you have read.
 #
 # - **A point** (01) needs three things: a value, a frame, and the time of its measurement. In ROS 2 the last two are `header.frame_id` and `header.stamp`.
 # - **A lookup** (03) has a fixed order: `lookup_transform(target, source, time)`. Data is expressed in the source, and wanted in the target.
@@ -161,7 +161,7 @@ class Finder(Node):
 # %% name="twelve-seconds"
 rclpy.init()
 finder = Finder()
-end_ns = graph.now_ns + seconds(12.0)  # after that, the robot has arrived: to see it drive again, start it again, too
+end_ns = graph.now_ns + seconds(12.0)  # then the robot has arrived. To repeat the drive, run the cell that starts the robot first
 while graph.now_ns < end_ns:
     rclpy.spin_once(finder)
 print(len(finder.balls), "sightings")
@@ -250,7 +250,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # Many texts give only the first component, `speed × delay`. On a robot that turns, it is the smaller one.
 # The second grows with the range: distant objects are far off.
-# (On our map the error is only about half of what this formula gives for 0.2 s, because `Time()` returned a pose that was itself 0.1 s old.)
+# (On our map the error is only about half of what this formula gives for 0.2 s, because `Time()` did not return the current pose, but one from about 0.1 s earlier, halfway back to the stamp.)
 #
 # <details><summary>If you predicted something else</summary>
 #
@@ -320,9 +320,9 @@ lesson.draw_latency(turning)
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
 # ### Play with it
 #
-# There are four sliders. Find out, and say it aloud before you move one:
+# There are four sliders. Say your answers aloud first; then move the sliders and check them:
 #
-# - Which one of speed, yaw rate, range and delay makes the error zero if it alone is zero?
+# - You set one of speed, yaw rate, range and delay to zero. For which one does the error vanish?
 # - Your robot turns at 0.5 rad/s, and at a range of 5 m you accept an error of 0.1 m. How old may a detection be?
 
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
@@ -690,7 +690,7 @@ late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
-# Read the last line. The lookup was for 13.000 s. The transform named in the message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
+# Read the last line. The lookup was for 13.000 s. The transform named in the error message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
 # So 110 ms are missing. A "fix" suggests itself: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
@@ -707,7 +707,7 @@ for name, sight in (("overwritten", late), ("as measured", measured)):
     print(f"{name}: ({point.x:.2f}, {point.y:.2f}), off by {off_m:.2f} m")
 
 # %% [markdown] lang="en" name="the-cure-read" slide="subslide"
-# The exception is gone, but the ball's position is wrong. From now on no message shows it.
+# The exception is gone, but the ball's position is wrong. From now on no error tells you so.
 # **The stamp is the time of the measurement, not of the arrival.** If you overwrite it, the error does not go away. It becomes invisible.
 #
 # What does that look like for a laser? Here a filter holds each scan for 0.3 s. The walls are drawn twice: once with the laser's stamp, once with a new one.
@@ -1044,7 +1044,7 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is a node as you would run it on a robot. It is our finder with three additions: it rejects a point without a frame, uses the point's own stamp, and logs a warning if TF has no transform.
+# This is a node as you would run it on a robot. It is our finder with four changes: it rejects a point without a frame, uses the point's own stamp, waits up to 0.2 s for a transform (`timeout=`), and logs a warning if TF has none.
 # Read it first, then run its main part below. The corrected file is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
@@ -1213,7 +1213,7 @@ graph.run(seconds=1.3)
 node.stop()
 
 # %% [markdown] lang="en" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
-# Every point is rejected, and look at the two times of each line: the gap *grows*.
+# Every point is rejected. Each line names two times, the requested one and that of the newest transform: the gap between them grows.
 # The robot publishes as before. It is the node that has stopped receiving.
 #
 # A node that spins on one thread does one thing at a time.
@@ -1271,7 +1271,7 @@ node.stop()
 # - Leave out `timeout=` in a callback. While the callback waits, `rclpy.spin` receives no transforms. Chapter 09 shows how to wait.
 # - Since ROS 2 Humble, Ctrl-C shuts the context down by itself, and the last `rclpy.shutdown()` then raises `RCLError`. Catch `ExternalShutdownException` as well, and call `rclpy.try_shutdown()`.
 #
-# If you need the transform itself, look it up by hand. This call has a `timeout`, so do not use it in a callback of a single thread:
+# If you need the transform itself, look it up by hand. This call has a `timeout`, so do not use it in a callback of a node that spins on one thread:
 #
 # ```python
 # measurement_time = Time.from_msg(message.header.stamp)
@@ -1510,7 +1510,7 @@ node.stop()
 # 1. The message contains what the sensor measured at its stamp. Processing and the network make it older before it is used.
 # 2. Meanwhile the robot moves, so the newest pose is not the pose of the sensor at the measurement.
 # 3. The error has a size: about speed × delay, and range × yaw rate × delay when the robot turns.
-# 4. No exception warns you: there is always a newest transform. Walls smear, obstacles trail.
+# 4. No exception warns you: there is always a newest transform. Walls are smeared, and obstacles leave a trail.
 # 5. The buffer keeps the past for this purpose: look up at `header.stamp`, or use `transform()`; do not overwrite the stamp.
 #
 # 4 or 5: you have it. 2 or 3: read "How far off, with a pencil" again. Less: play with the sliders first.

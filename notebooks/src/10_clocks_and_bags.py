@@ -33,7 +33,7 @@
 #
 # - **Static transforms** (06) are sent once, on `/tf_static`. Their publisher keeps the message for listeners that join later.
 # - **The stamp** (08) is the time of the measurement. The [[buffer]] answers between its oldest and its newest sample; `Time()` means the latest.
-# - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). With a single sample in the buffer there is a third text about times.
+# - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). If the buffer holds a single sample, the error has a third text.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
@@ -243,7 +243,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
     print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
 
 # %% [markdown] lang="en" name="place-all-read" tags=["predicted"]
-# The three bags have almost the same size, but they place 149, 0 and 0 scans. The two errors name different frames: without `/tf_static` the sensor's frame is unknown, without `/tf` the map is.
+# The three bags have almost the same size, but they place 149, 0 and 0 scans. The two errors name different frames: without `/tf_static` the sensor's frame is unknown; without `/tf`, `map` is unknown.
 # So the frame in the error shows which topic is missing. The sensor is not broken.
 #
 # So what is the smallest recording? It depends on what you want to do with it tomorrow:
@@ -276,7 +276,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # ## Two clocks
 #
 # It is the next day. The bag's stamps are from yesterday; the computer's clock is 86 400 s ahead of them.
-# A node's parameter `use_sim_time` decides which of the two it uses: `false`, the machine's time; `true`, the time on `/clock`. And a player publishes `/clock` only with `--clock`.
+# A node's parameter `use_sim_time` decides which of the two it uses: `false`, the machine's time; `true`, the time on `/clock`. This bag has no `/clock`, so the player publishes one only with `--clock`.
 #
 # ### Predict
 #
@@ -287,7 +287,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # ## 두 시계
 #
 # 다음 날이 되었습니다. bag의 측정 시각은 어제의 것이고, 시스템 시간은 그보다 86,400초 미래입니다.
-# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 시스템 시간, `true`면 `/clock`의 시간입니다. 그리고 재생기는 `--clock`을 주어야만 `/clock`을 발행합니다.
+# 노드의 파라미터 `use_sim_time`은 둘 가운데 어느 시간을 따를지 정합니다. `false`면 시스템 시간, `true`면 `/clock`의 시간입니다. 이 bag에는 `/clock`이 없으므로 재생기는 `--clock`을 주어야 `/clock`을 발행합니다.
 #
 # ### 예측해 봅시다
 #
@@ -326,7 +326,7 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="en" name="stopped" slide="subslide"
 # ### The stopped clock
 #
-# A node with `use_sim_time` that receives no `/clock` has a clock that stays at **0**. Nothing that waits for a time ever happens.
+# A node with `use_sim_time` that receives no `/clock` has a clock that stays at **0**. A timer or a sleep that waits on this clock never ends.
 # And tf2 reads the time 0 as *the latest*. So a node that looks up *now* gets the latest transform, without an error, while its clock stands still. The broken set-up is the one that looks best.
 #
 # A user once reported that a transform library failed with `use_sim_time`, and withdrew the report the same day: `--clock` had been forgotten ([swri-robotics/marti_common, issue 495](https://github.com/swri-robotics/marti_common/issues/495)).
@@ -374,7 +374,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="en" name="by-hand-intro" slide="subslide"
 # ### By hand
 #
-# These are the lecture's two checks. The `&` keeps the player running, as a second terminal would. `param set` works on a running node, too. Read what it costs.
+# These are the lecture's two checks. The `&` keeps the player running, as a second terminal would. `param set` works on a running node, too. Its output shows what the change costs.
 
 # %% [markdown] lang="ko" name="by-hand-intro" slide="subslide"
 # ### 직접 확인하기
@@ -501,7 +501,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 # ## Back in time
 #
 # `ros2 bag play lap --clock --loop`: fifteen seconds, again and again. At the end of each pass the clock goes back from 16 to 1.
-# The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. It is in the second pass, its clock is at 11.9 s.
+# The lecture's node has `Buffer(cache_time=Duration(seconds=20.0))`. The node listens to the second pass, and its clock shows 11.9 s.
 #
 # **Predict:** where does a lookup at `Time()` place the robot?
 
@@ -571,7 +571,7 @@ print(warnings[0])
 
 # %% [markdown] lang="en" name="ten-seconds-read"
 # Fifty scans are lost. The new stamps are more than ten seconds older than the newest sample, so the buffer rejects the new pass until its stamps are within those ten seconds.
-# A `Buffer()` without a node has no clock, so it cannot notice that time went back. Give it one:
+# A `Buffer()` without a node watches the machine's clock, not `/clock`, so it does not notice that time went back. Give it one:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
 # 스캔 쉰 개를 잃었습니다. 다시 재생한 변환은 처음 5초 동안 버퍼의 최신 표본보다 10초 넘게 과거의 것입니다. 보관 시간이 10초인 버퍼는 이런 변환을 거절합니다.
@@ -588,8 +588,8 @@ sound = lesson.replay(lambda: Looped(lambda node: Buffer(node=node)), bags / "la
 show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
-# One line for each pass, and everything is right: the buffer deletes the dynamic edges, keeps the mounts, and stores the transforms of the new pass.
-# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the argument `node=` exists, and you have to pass it. On Humble a Python buffer does not watch the clock. Call `buffer.clear()` there yourself.
+# There is one line in the log for each pass (*Clearing tf buffer*), and every position is right: the buffer deletes the dynamic edges, keeps the mounts, and stores the transforms of the new pass.
+# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the buffer watches the clock of the node that you pass as `node=`. On Humble a Python buffer does not watch the clock. Call `buffer.clear()` there yourself.
 #
 # How old is the newest transform, for each of the three?
 
@@ -864,8 +864,8 @@ rclpy.try_shutdown()
 # - A message in a [[bag]] has two times: the time of its arrival, by which it is played, and its stamp, which TF uses.
 # - `/tf_static` is sent once, at the beginning. If you skip that message, no sensor can be placed.
 # - *Can the transforms in the bag place its own messages?* One number, without playing it.
-# - `use_sim_time` on every node, `--clock` at the player: both, or neither. With only one of them there is a stopped clock, or a node whose clock shows another day ([[simulation time]]).
-# - With a clock at 0, a lookup at *now* returns the latest transform, so the broken set-up looks best. A lookup at the stamp is always right.
+# - `use_sim_time` on every node, `--clock` at the player: use both. Without them a node's clock shows another day; with `use_sim_time` alone it stands still ([[simulation time]]).
+# - With a clock at 0, a lookup at *now* returns the latest transform, so the broken set-up looks best. A lookup at the stamp does not depend on the node's clock.
 # - The node that reports an error about times is often not the one at fault.
 # - Use `Buffer(node=self)`. Without it, a bag in a loop leads to wrong transforms.
 
@@ -875,8 +875,8 @@ rclpy.try_shutdown()
 # - [[bag]]의 메시지에는 시각이 둘 있습니다. 재생은 수신 시각을 따르고, TF는 측정 시각을 따릅니다.
 # - `/tf_static`은 첫 순간에 한 번 나옵니다. 그 순간을 빼면 센서의 좌표계가 트리에 없습니다.
 # - *bag은 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있을까요?* 재생하지 않고도 숫자 하나로 압니다.
-# - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 켜거나 둘 다 끕니다. 하나만 켜면 시계가 멈추거나 노드가 다른 날짜의 시각을 씁니다([[simulation time|시뮬레이션 시간]]).
-# - 시계가 0에 멈추면 현재 시각의 조회가 최신 조회가 되므로, 고장 났을 때 가장 정상으로 보입니다. 측정 시각의 변환을 조회하면 언제나 맞습니다.
+# - 모든 노드에 `use_sim_time`, 재생기에 `--clock`. 둘 다 씁니다. 둘 다 없으면 노드의 시계가 다른 날짜를 가리키고, `use_sim_time`만 켜면 멈춥니다([[simulation time|시뮬레이션 시간]]).
+# - 시계가 0에 멈추면 현재 시각의 조회가 최신 조회가 되므로, 고장 났을 때 가장 정상으로 보입니다. 측정 시각의 조회는 노드의 시계와 상관없습니다.
 # - 시각 오류를 내는 노드가 원인이 아닌 경우가 많습니다.
 # - 반복 재생에는 `Buffer(node=self)`를 써야 합니다. 쓰지 않으면 앞선 재생의 변환이 최신으로 나옵니다.
 
@@ -929,7 +929,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>What a full answer contains</summary>
 #
-# - [ ] Stamps in a bag or a simulation are of its own time, not of the machine's. A node with `use_sim_time` takes its now from `/clock`.
+# - [ ] Stamps in a bag or a simulation come from its own clock, not from the machine's. A node with `use_sim_time` reads the current time from `/clock`.
 # - [ ] All nodes must agree: if one uses the machine's time, its stamps and lookups are a day off, and other nodes get the errors.
 # - [ ] With `use_sim_time` and without `/clock` the time stays at 0: timers never run, ages are wrong, and a lookup at the current time gives the latest without an error.
 # - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.

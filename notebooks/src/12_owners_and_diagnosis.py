@@ -38,7 +38,7 @@ from tflab.workbook import lesson
 # A robot with two cameras jumped back and forth while it was mapping. Its owner changed cameras, frames and settings. In the end he counted the publishers of the tree: the mapper with its visual odometry (odometry from images), a filter, and the recording that was being played, which contained the old `/tf` (introlab/rtabmap_ros, 2021).
 # His fix: no `/tf` from the bag, `publish_tf: false` in the filter, and one of the three was left.
 #
-# None of the three was broken. None of them raised an error. And the tree looked complete: a frame has only its newest parent, so the drawing shows one, however many publishers there are.
+# None of the three was broken. None of them raised an error. And the tree looked complete: tf2 keeps only the newest parent of a frame, so the drawing shows one parent, however many nodes publish the frame.
 
 # %% [markdown] lang="ko" name="story" slide="slide"
 # ## 하나의 트리를 셋이 발행했습니다
@@ -101,7 +101,7 @@ graph.run(seconds=20.0)
 # %ros2 topic info /tf
 
 # %% [markdown] lang="en" name="count-seen" tags=["predicted"]
-# Four before, four after. `topic info` counts the nodes that **may** publish on `/tf`, over all edges together. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
+# Four before, four after. `topic info` counts publishers on `/tf`, whether they send or not., over all edges together. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
 # The edge itself proves it: its rate, and whether it changes smoothly.
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
@@ -389,7 +389,7 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line counts: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
+# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
@@ -434,7 +434,7 @@ graph = lesson.new_graph()
 lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 
 # %% [markdown] lang="en" name="columns-seen"
-# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, the one row that is left is proved. A result that all suspects share is no [[evidence]].
+# Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
 # *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
@@ -455,7 +455,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen are found too late; if you always choose the best check, it takes 2.3 on average, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
+# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen take longer than the time that you have; if you always choose the best check, it takes 2.3 on average, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
@@ -502,7 +502,7 @@ visit = lesson.admit(lesson.worked_patient("laser clock ahead"), helped=True)
 visit.say(cause="laser clock ahead", fix="set the laser's clock")
 
 # %% [markdown] lang="en" name="worked-think"
-# The fix is refused: no fix without a diagnosis. The reply names a check with different results for all three suspects. But if it were the clock, `hz /odom` would be as on the card, and a proof needs a result that is not normal. Which check would give one?
+# The fix is refused: no fix without a diagnosis. The reply proposes a check with different results for all three suspects. But if the clock is the cause, the result of `hz /odom` is the normal one of the card, and a normal result proves nothing. Which check would give an abnormal result?
 #
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
@@ -514,7 +514,7 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
-# A negative delay: it arrived before it was measured. A late transform or a slow odometry cannot cause that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a clock that is behind, or a slow network. Then look at the walls: a late scan with a true stamp is on them, one with a wrong stamp is beside them.)
+# A negative delay: by its stamp, the scan arrived before it was measured. A late transform or a slow odometry cannot cause that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a clock that is behind, or a slow network. Then look at the walls: a late scan with a true stamp is on them, one with a wrong stamp is beside them.)
 # Now comes the fix. First the one that everybody tries, a workaround that hides the symptom.
 
 # %% [markdown] lang="ko" name="worked-say"
@@ -530,7 +530,7 @@ visit.say(cause="laser clock ahead", frame="laser_frame", owner="laser_driver", 
 visit.try_fix()
 
 # %% [markdown] lang="en" name="cure-seen"
-# Both times RViz is all Ok. But with the longer timeout the points are up to half a metre off the walls, and the delay that found the fault is as before. **A fix is proved by the check that found the fault**, not by the missing symptom.
+# Both times RViz reports Ok everywhere. But with the longer timeout the points are up to half a metre off the walls, and the delay that found the fault is as before. **A fix is proved by the check that found the fault**, not by the missing symptom.
 
 # %% [markdown] lang="ko" name="cure-seen"
 # 두 번 다 RViz는 모두 Ok입니다. 하지만 timeout을 늘렸을 때는 점이 벽에서 0.5미터 가까이 어긋나고, 고장을 찾아낸 지연도 그대로입니다. **고쳤다는 증거는 고장을 찾아낸 검사에 있습니다.** 증상이 사라졌다고 고친 것은 아닙니다.
@@ -548,7 +548,7 @@ lesson.visit_panel(visit)
 lesson.draw_visit(visit)
 
 # %% [markdown] lang="en" name="film-seen"
-# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are all Ok, and only one has the result of the card.
+# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are Ok everywhere, and only one has the result of the card.
 
 # %% [markdown] lang="ko" name="film-seen"
 # *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
@@ -679,7 +679,7 @@ night.try_fix()
 # 첫 원인은 사라지고 RViz는 모두 Ok인데, 스캔은 벽에서 어긋나 있습니다. 두 번째 원인은 처음부터 있었지만 보이지 않았습니다. 하나를 고치면 처음부터 다시 진찰하십시오.
 
 # %% [markdown] lang="en" name="doctor" slide="subslide"
-# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a real frame. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.
+# A program helps, but it does not know what you intended. Of the eighteen robots the doctor reports a finding on fourteen, correctly reports none on one, and misses three: a mistyped Fixed Frame, a mount at another position, a header that names a wrong frame that exists. Such a robot looks as if it had been built that way on purpose. Only the card shows the difference.
 
 # %% [markdown] lang="ko" name="doctor" slide="subslide"
 # 자동 진단으로는 로봇이 원래 어떠해야 하는지 알 수 없습니다. 열여덟 대를 모두 `tflab doctor`로 진단하면 열네 대에서는 문제를 찾아내고, 한 대는 이상이 없다고 바르게 판정하며, 세 대에서는 아무것도 찾지 못합니다. 사람이 틀리게 입력한 고정 좌표계(Fixed Frame), 값이 다른 장착 변환, 다른 (실제로 있는) 좌표계 이름이 적힌 헤더입니다. 누군가 일부러 그렇게 설정한 로봇처럼 보이기 때문입니다. 정상일 때의 카드와 비교해야만 알 수 있습니다.
@@ -767,7 +767,7 @@ night.try_fix()
 # ros2 run tf2_ros tf2_echo map base_link
 # ros2 run tf2_ros tf2_monitor map base_link
 # ros2 topic info /tf --verbose                # which nodes may publish
-# ros2 topic info /tf_static --verbose         # and VOLATILE?
+# ros2 topic info /tf_static --verbose         # which nodes; is one of them VOLATILE?
 # ros2 topic echo /tf_static --once            # of two publishers only one
 # ros2 param get /problem_node use_sim_time    # whatever its name
 # ```
@@ -827,7 +827,7 @@ night.try_fix()
 # | no Fixed Frame | misspelt, or no node publishes it | RViz's own list, `view_frames` | 11 |
 # | two frames not connected | an edge in between is missing | `view_frames`: the two roots | 04, 09 |
 # | the robot trembles | two owners | the edge's rate and `tf2_echo … 20`, then `topic info /tf --verbose` | 12 |
-# | the sensor is off the body | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
+# | the sensor is drawn beside the robot | the mount's value | `tf2_echo base_link laser_frame`, the URDF's origin | 07, 11 |
 # | the scan smears along walls | stamps, late odometry | `topic delay /scan`, then `tf2_monitor` (which does not see the scan) | 11 |
 # | future extrapolation | late transforms, or a clock ahead | `topic delay`: its sign; `/clock` | 09, 12 |
 # | past extrapolation | slow processing, or a short buffer | the message's age compared with the cache time | 08, 09 |
@@ -867,7 +867,7 @@ night.try_fix()
 # | a mount published on /tf for ever | chapter 06, and E12.5 | `/tf_static`, once |
 # | a moving frame published as static, or too seldom | odometry slow | `/tf`, at the rate of its motion |
 # | one child published by several nodes | two owners of one edge; localizer owns the base | one owner, switch the others off |
-# | a longer timeout hides a clock | laser clock ahead, with the workaround “timeout of 1 s” | set the clock |
+# | a longer timeout hides a wrong clock | laser clock ahead, with the workaround “timeout of 1 s” | set the clock |
 # | the pose in map used for control | nothing is wrong: it corrects | `odom` for control |
 # | a bag with sensors only | chapter 10, and E12.5 | record `/tf` and `/tf_static` |
 # | prefix and namespace mixed up | parent misspelt, and E12.5 | set both, and check the tree |

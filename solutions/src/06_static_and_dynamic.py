@@ -260,7 +260,7 @@ check("E6.6", worst_error_m)
 
 # %% name="e6-7-answer" tags=["answer"]
 def known(letters, ends, join_s, now_s):
-    """Return the child frames that a listener knows at now_s which joined at join_s."""
+    """Return the child frames that a listener which joined at join_s knows at now_s."""
     # BEGIN SOLUTION
     heard, boards = set(), {}
     for each in letters:

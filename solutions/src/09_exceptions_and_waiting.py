@@ -288,7 +288,7 @@ check("E9.6", outcomes)
 # %% [markdown] lang="en" name="e9-7"
 # ## E9.7 · The smallest wait that always succeeds (2 points)
 #
-# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter, which adds up to `jitter_s` to the delay.
+# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter: each message takes between 0 and `jitter_s` longer than the delay.
 # A scan arrives `scan_delay_s` after its stamp. All clocks are right, no message is lost.
 #
 # How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? Answer in seconds; 0.5 ms more or less is accepted.
@@ -319,7 +319,7 @@ check("E9.7", wait_s)
 # %% [markdown] lang="en" name="after"
 # ## Done?
 #
-# On a robot, do C10 of the lab checklist: cause each of the three errors once more, on purpose.
+# On a robot, do line C10 of the checklist that `tflab progress` shows: cause each of the three errors once more, on purpose.
 # **Next:** [10 Clocks and bags](../../notebooks/en/10_clocks_and_bags.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"

@@ -149,9 +149,9 @@ check("E10.3", findings)
 #
 # `params` is a YAML parameter file as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
-# - `/**` applies to all nodes. A node's own entry, written with or without its slash, replaces what it names, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
+# - `/**` applies to all nodes. A node's own entry, with or without the leading slash, overrides the values that it sets, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
 # - `True` is `"sim"`, and `False` is `"wall"`. A node without a value is `"wall"`, too.
-# - Anything else than `True` or `False` is `"refused"`: rclpy logs an error.
+# - Anything other than `True` or `False` is `"refused"`: rclpy logs an error.
 #
 # Return a list with one word for each node, in the order of `nodes`.
 
@@ -247,7 +247,7 @@ check("E10.6", placeable)
 # %% [markdown] lang="en" name="e10-7"
 # ## E10.7 · When must a buffer be cleared? (3 points)
 #
-# `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; less is disorder on the network.
+# `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; a smaller step back only means that messages arrived out of order..
 # Return the values at which it must be cleared: for each jump back, the first value after the jump.
 
 # %% [markdown] lang="ko" name="e10-7"
