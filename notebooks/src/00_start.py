@@ -144,7 +144,7 @@ graph.run(seconds=2.0)
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
 
 # %% [markdown] lang="en" name="echo-read" slide="-"
-# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the same rotation in four notations (the last column of the matrix is the translation); chapter 02 explains them.
+# The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways. (The last column of the matrix is the translation.) Chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
 # 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며(행렬의 마지막 열은 이동입니다), 02장에서 읽습니다.
@@ -210,7 +210,7 @@ graph.stop()
 #
 # Each chapter begins with a fault that somebody reported.
 # For a first evening, read 01, 03 and 08. Reading them takes about three hours, and their exercises take another two and a half hours.
-# The minutes are for reading, predicting and running. The exercise of a chapter takes about the same time again.
+# The minutes are for reading, predicting and running. All exercises together take about as long as the pages. Each exercise states its own time.
 
 # %% [markdown] lang="ko" name="chapters" slide="slide"
 # ## 장 목록
@@ -218,7 +218,7 @@ graph.stop()
 # 각 장은 누군가 실제로 겪고 보고한 실패로 시작합니다.
 # 어느 장에서든 시작할 수 있습니다. 먼저 볼 장은 표와 각 장의 첫머리에 적혀 있습니다.
 # 하루 저녁만 있다면 01, 03, 08장을 보십시오. 세 시간쯤 걸리고, 연습 문제에 두 시간 반쯤이 더 듭니다.
-# 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 푸는 데 다시 그만큼 걸립니다.
+# 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 모두 푸는 데 전체로 다시 그만큼 걸립니다. 장마다 걸리는 시간은 연습 문제의 첫머리에 적혀 있습니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | no. | chapter | its question | minutes | builds on | exercise |
@@ -267,7 +267,7 @@ graph.stop()
 #
 # The reply to a wrong answer names the mistake, as above. You may try as often as you like, in any order.
 # `check` tries your answer on a few inputs. In a class, grading also uses other inputs.
-# To start a page over, delete its file and type `tflab lab` in a terminal. It restores missing files and changes nothing else.
+# To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab (File → New → Terminal). It restores missing files and changes nothing else.
 
 # %% [markdown] lang="ko" name="checks" slide="slide"
 # ## 답을 확인하는 방법
@@ -284,7 +284,7 @@ graph.stop()
 #
 # 틀린 답을 내면 앞에서 본 것처럼 어떤 실수인지 알려 줍니다. 순서에 상관없이 몇 번이든 다시 해 볼 수 있습니다.
 # `check`는 몇 가지 입력으로 확인하고, 수업에서는 공개하지 않은 입력으로 채점합니다.
-# 어떤 페이지를 처음부터 다시 하려면 그 파일을 지우고 터미널에서 `tflab lab`을 입력해 보세요. 없는 파일만 새로 만들고 나머지는 건드리지 않습니다.
+# 어떤 페이지를 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널(File → New → Terminal)에서 `tflab lab --copy-only`를 입력해 보세요. 없는 파일만 새로 만들고 나머지는 건드리지 않습니다.
 
 # %% [markdown] lang="en" name="environment-why" slide="skip"
 # ## If something did not work
@@ -321,7 +321,7 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# Run the cell to show its picture. An arrow means *builds on*. The numbers are those of the table of chapters.
+# Run the cell to show its picture. An arrow means *builds on*. An arrow that follows from two others is left out. The numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?

@@ -331,7 +331,7 @@ rclpy.shutdown()
 # %% [markdown] lang="en" name="who-moved" slide="slide"
 # ## Which coordinates change?
 #
-# Now the robot drives straight on, along the map's x, at half a metre per second.
+# Now a new scene. The robot faces along the map's x again, and drives straight ahead at half a metre per second.
 # A ball lies on the floor ahead of it. A cup stands on the robot's own tray.
 #
 # **Predict:** while the robot drives, whose coordinates change, the ball's or the cup's? In `map`? In `base_link`?
@@ -377,7 +377,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # ### Try it
 #
 # Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
-# *same* and *changed* compare the coordinates with those at the start, before you moved anything. If you put the object on the tray, the start is its first position on the tray. Can you change the coordinates in `laser_frame`, and in no other frame?
+# *same* and *changed* compare the coordinates with those at the start, before you moved anything. When you put the object on the tray, its position there becomes the new start. Can you change the coordinates in `laser_frame`, and in no other frame?
 
 # %% [markdown] lang="ko" name="rulers-try" slide="subslide"
 # ### 직접 해 보세요
@@ -685,10 +685,10 @@ misspelt.header.frame_id = 'lazer_frame'
 buffer.transform(misspelt, 'map')
 
 # %% [markdown] lang="en" name="shouts"
-# Both raise an exception, and both messages name the faulty argument, `source_frame`.
+# Both raise an exception, and both error texts name the faulty argument, `source_frame`.
 # Now forget the stamp: TF2 takes a stamp of 0 as "the latest available".
 #
-# **Predict:** since the image was taken, the robot has driven another 1.25 m. At which x does TF2 place the ball in `map`, and what does it report?
+# **Predict:** since the image was taken, the robot has driven 1.25 m. At which x does TF2 place the ball in `map`, and what does it report?
 
 # %% [markdown] lang="ko" name="shouts"
 # 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.

@@ -81,7 +81,7 @@ from tflab.workbook import lesson
 # It found the parts, and their positions were wrong.
 #
 # The mathematics was right. The detector was right. The camera was right.
-# The images were stamped with the frame of the camera's **body**, and the detector's numbers were in the camera's **optical** frame.
+# The header of the images named the frame of the camera's **body**, and the detector's numbers were in the camera's **optical** frame.
 # The team wrote down what it had cost them: about half a day, during the competition.
 # ([usnistgov/ARIAC, issue 345](https://github.com/usnistgov/ARIAC/issues/345). The organisers added the missing frame.)
 #
@@ -218,7 +218,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="en" name="body-axes" slide="slide"
 # ## The body: x forward, y left, z up
 #
-# Every ROS robot uses these axes. The convention is called [[rep-103]].
+# By convention, ROS robots use these axes. The convention is called [[rep-103]].
 # Lengths are in metres, angles in radians.
 #
 # Hold up your **right** hand like a pistol: index finger forward (x), thumb up (z), and the middle finger, stretched out from the palm, points left (y).
@@ -227,7 +227,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
 # ## 본체: x는 앞, y는 왼쪽, z는 위
 #
-# 모든 ROS 로봇이 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
+# ROS 로봇은 보통 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
 #
 # **오른손**을 권총 모양으로 들어 보세요. 검지는 앞(x), 엄지는 위(z), 가운뎃손가락을 손바닥과 직각으로 펴면 왼쪽(y)을 가리킵니다.
@@ -278,7 +278,7 @@ lesson.draw_right_hand()
 # %% [markdown] lang="en" name="signs-after" tags=["predicted"] slide="fragment"
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
-# Positive pitch puts the **nose down**. Pilots learn the opposite: in an aeroplane's frame z points down, so plus is up.
+# Positive pitch puts the **nose down**. Pilots learn the opposite: in an aeroplane's frame y points right and z down, so a positive pitch lifts the nose.
 # Neither is wrong. They are two conventions, and a drone uses both.
 #
 # Positive roll lifts the left side.
@@ -364,7 +364,7 @@ lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 #
 # Take your phone. Screen up, top edge forward.
 # Rotate it by a 90° roll (left side up), then by a 90° yaw (to the left). Remember in which direction the top edge points.
-# Start again, and do it in the other order. Note that the second rotation is also about a fixed direction of the *room*: the roll is about the line that pointed forward at the beginning, not about the phone's own edge.
+# Start again, and do it in the other order. Both rotations are about directions of the *room*. So the second one, the roll, is about the line that pointed forward at the beginning. It is not about an edge of the phone.
 #
 # **Predict:** is the result the same?
 
@@ -758,7 +758,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, depth clouds.
 #
 # Both have the same origin. They differ only by a rotation.
-# The driver stamps its data with the **optical** one. Then no node has to convert anything: TF does.
+# The driver writes the **optical** frame into the header. Then no node has to convert anything: TF does.
 #
 # Here are all three frames; the two of the camera have the same origin. The arrow is the ray to the mug. The pyramid is the camera's field of view; *u* counts its pixels to the right, *v* counts them down.
 
@@ -807,7 +807,7 @@ lesson.draw_scene(
 #
 # <details><summary>Solution</summary>
 #
-# You look for (x, y, z) = (z, −x, −y): y = −x and z = x and z = −y, so every (a, −a, a) will do. All of them are on one line, the axis of the rotation.
+# You look for (x, y, z) = (z, −x, −y): y = −x and z = x and z = −y, so every (a, −a, a) is a solution. All of them are on one line, the axis of the rotation.
 # For (1, 1, 1) in the body: right is −1, down is −1, forward is 1.
 #
 # </details>
@@ -1099,7 +1099,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # </details>
 #
-# The fix is always the same: keep two frames, and stamp the data with the optical one.
+# The fix is always the same: keep two frames, and write the optical one into the header.
 
 # %% [markdown] lang="ko" name="cloud-others" slide="fragment"
 # 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
@@ -1219,7 +1219,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # </joint>
 # ```
 #
-# Write π/2 with all its digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`, and so do the many robots that copied from it. At 10 m you can measure the difference. You calculate it in the exercise.
+# Write π/2 with 16 digits (in xacro, a URDF that can compute: `${pi/2}`). TurtleBot3's URDF uses `-1.57`, and so do the many robots that copied from it. At 10 m you can measure the difference. You calculate it in the exercise.
 #
 # <details><summary>Deeper: six bare numbers, and a yaw without a library</summary>
 #
@@ -1276,8 +1276,8 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # | what you see | likely cause | first look |
 # |---|---|---|
-# | a depth cloud above the robot like a ceiling | optical data stamped with the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
-# | what is ahead appears at the robot's right | the optical rotation applied twice, or to the body as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
+# | a depth cloud above the robot like a ceiling | optical data whose header names the body frame | `ros2 topic echo /camera/points --field header.frame_id --once` |
+# | what is ahead appears at the robot's right | the optical rotation applied twice, for example in the mount of `camera_link` as well | `ros2 run tf2_ros tf2_echo base_link camera_link`, URDF `rpy` |
 # | the robot on its back | quaternion written w first | print the quaternion where your program reads it |
 # | "frame does not exist", but its publisher runs | all zeros, or NaN | the **listener's** log |
 # | a sensor rotated by an unexpected angle | degrees written where radians belong | URDF `rpy`: is any number larger than 3.2? |
@@ -1320,7 +1320,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
 # - rpy rotates about fixed axes, roll first. The order matters.
 # - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) means no rotation, (0, 0, 0, 0) is not a rotation, q and −q are the same rotation.
-# - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
+# - Body to optical: rpy (−π/2, 0, −π/2). The header of the data names the optical frame.
 # - If data is rotated by 90°, change the frame name or the mount, never the data.
 #
 # Save the card (Shift and a right click on the picture), print it, and put it on your workbench.

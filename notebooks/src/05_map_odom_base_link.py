@@ -38,10 +38,10 @@ from tflab.workbook import lesson
 #
 # A new program matches laser scans to a map, and finds the robot on it. So it publishes what it found: *base_link is here in map*.
 # The wheel odometry has always published: *base_link is there in odom*.
-# In the video the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
+# In a video of the author, the robot flickers between two positions, many times a second (rsasaki0109/lidar_slam_ros2, 2024).
 #
 # Both were right. But a [[frame]] has one parent, and they gave it two. The last message decided, until the next one came.
-# The author was not the first. Others had proposed to publish the robot's pose in `map` in two widely used packages (2014, 2021), and both were fixed in the same way.
+# The author was not the first. Others had proposed the same for two widely used packages (2014, 2021). Both packages publish `map → odom` instead.
 # The fix is the one edge of this chapter, `map → odom`.
 
 # %% [markdown] lang="ko" name="story" slide="slide"

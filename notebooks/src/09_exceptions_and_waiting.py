@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message or a timer event arrives. An *executor* calls them. `rclpy.spin(node)` is an executor with one thread: one callback at a time.
+# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message or a timer event arrives. An *executor* calls them. `rclpy.spin(node)` runs the node in an executor. Unless you pass another executor, it has one thread and runs one callback at a time.
 #
 # <details><summary>What the page uses of 04, 05 and 06, if you have forgotten it</summary>
 #
@@ -48,7 +48,7 @@
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 노드를 실행기에 넣어 실행합니다. 다른 실행기를 넘기지 않으면 스레드(thread)가 하나라서 콜백을 한 번에 하나만 실행합니다.
 #
 # <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
 #
@@ -155,7 +155,7 @@ for parent, child, step in (
 lesson.draw_history(buffer, 'map', 'laser_frame', seconds(12.3))
 
 # %% [markdown] lang="en" name="predict-question" slide="fragment"
-# At 12.3 s there is an answer; it is even between two samples.
+# At 12.3 s there is an answer, although no sample has exactly this time: tf2 interpolates.
 #
 # **Write down before you go on.** (`map ← laser_frame` means: wanted in map, expressed in laser_frame. The arrow shows the direction of the data.)
 # You look up the transform `map ← laser_frame` **at 14.3 s**, and then **at 10.6 s**.
@@ -524,7 +524,7 @@ for when in (Time(seconds=99), Time()):
 # %% [markdown] lang="en" name="handler" slide="slide"
 # ## Four exceptions, four actions
 #
-# An exception is more than a log line. Each class needs another action, so your code must distinguish them.
+# An exception is more than a log line. Each class needs a different action, so your code must distinguish them.
 
 # %% [markdown] lang="ko" name="handler" slide="slide"
 # ## 네 가지 예외, 네 가지 행동
@@ -582,7 +582,7 @@ for target, source, second in (
 #        [--------------]   x    extrapolation into the future
 # ```
 #
-# | x: the requested time | ordinary causes | causes for which waiting is no fix |
+# | x: the requested time | ordinary causes | faults to repair |
 # | --- | --- | --- |
 # | **future**: newer than the newest sample | the transform is on its way; its publisher is slow (10 Hz means up to 100 ms) | the sensor's clock is ahead; the publisher's clock is behind; the publisher has died |
 # | **past**: older than the oldest sample | the message is from before the start of TF; processing took longer than the cache time | the sensor's clock is behind; a bag's old stamps with today's TF |
@@ -699,7 +699,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # 처음 1초만 보여 주고 토론하게 합니다. 아직 정답이 없다는 것이 요점입니다.
 
 # %% [markdown] lang="en" name="whole-story" slide="subslide"
-# For a second they look alike: both look up a time about 0.3 s newer than the data in TF. Now the whole recording.
+# For a second they look alike: both look up a time a quarter to a third of a second newer than the data in TF. Now the whole recording.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
 # 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 약 0.3초 미래인 시각의 변환을 조회합니다. 이제 전체를 봅시다.
@@ -782,7 +782,7 @@ lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)],
 # %% [markdown] lang="en" name="plaster" slide="slide"
 # ## Break it: the workaround
 #
-# Robot B again, with a clock 0.3 s ahead. Somebody sets `timeout=Duration(seconds=1)`, as the forum suggested.
+# Robot B again, with a clock 0.3 s ahead. Somebody sets `timeout=Duration(seconds=1)`, as the users of the story did.
 # (The node also spins with several threads, so that waiting works at all. The reason follows below.)
 # The robot drives its first curve, at half a metre per second.
 #
@@ -817,7 +817,7 @@ placer = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)  # 6 s straight
 print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
-# Not one warning. The log is green, and the forum seems to be right.
+# The log shows no warning, and the users of the story seem to be right.
 # Now draw the points of the curve, beside their true positions.
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
@@ -825,7 +825,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리와 나란히 그려 봅시다.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
-# Before the picture, take a vote: is the map right or wrong? The log is green, so most will say right.
+# Before the picture, take a vote: is the map right or wrong? The log shows no warning, so most will say right.
 # After it, come back to the hands of the beginning.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
@@ -929,7 +929,7 @@ print(*patient.answers, sep='\n')
 # None. Not one.
 #
 # It begins with bad luck: the first scan is 51 ms older than the first transform, so there can be no answer, and the callback waits its half second for nothing.
-# But why does it not recover? Look at the numbers: at the end it looks up 2.595 s, and the newest transform that it has is from 1.146 s, although twenty a second have been sent.
+# But why does it not recover? Look at the numbers: at the end it looks up 2.595 s, and the newest transform that it has is from 1.146 s, although the odometry alone has sent twenty a second.
 # The longer it waits, the older its data is. Here is why.
 
 # %% [markdown] lang="ko" name="lanes-read" tags=["predicted"] slide="-"
@@ -1016,7 +1016,7 @@ class Called(lesson.WaitingNode):
         future = self.buffer.wait_for_transform_async('map', 'laser_frame', stamp)
         future.add_done_callback(self.on_answer)
         promises.append(future)
-        if len(promises) > 3:  # at most three promises: the oldest is let go
+        if len(promises) > 3:  # at most three: the oldest is cancelled
             promises.popleft().cancel()
 
     def on_answer(self, future):
@@ -1037,7 +1037,7 @@ lesson.draw_lanes(called)
 # | --- | --- |
 # | nowhere: look up, and drop on failure | fast sensors: the next scan comes in 0.1 s anyway |
 # | in the callback, *with* a `MultiThreadedExecutor` | a few messages a second, a short timeout |
-# | `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
+# | in `main()`, with `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
 # | a future (`wait_for_transform_async`) | many messages, one thread; keep the number of futures bounded |
 # | in a plain callback with one thread | **never** |
 #
@@ -1137,7 +1137,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
 # - The scan itself took some time to arrive: that time has already passed.
 #
-# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
+# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s. The edge's own delay is 0.010 s, and the scan's delay is 0.105 s.
 # If only a longer wait helps, check the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"
@@ -1219,7 +1219,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## The same on a real robot
 #
-# A handler and an asynchronous wait, in one node. This file runs unchanged on ROS 2. On a robot you add the usual `main()`.
+# A handler and an asynchronous wait, in one node. These classes run unchanged on ROS 2. Around them you write the usual `main()`.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
@@ -1444,9 +1444,9 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, one of which the buffer returns. Subtract their `.nanoseconds`, because rclpy cannot subtract Times of different clock types.
-# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about the time that counts when a recording is played.
+# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about which clock a node must use while a recording is played.
 #
-# On your checklist this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
+# On the checklist that `tflab progress` shows, this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며

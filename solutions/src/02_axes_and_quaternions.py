@@ -116,7 +116,7 @@ check("E2.3", quaternion_from_yaw)
 # %% [markdown] lang="en" name="e2-4"
 # ## E2.4 · Check a quaternion (4 points)
 #
-# A listener rejects a bad quaternion, but it may be two programs away from the source. Your function checks the quaternion where it enters your program.
+# A listener rejects only zeros and NaN. It accepts a wrong length, and it accepts w first. And the listener may be two programs away from the source. Your function checks the quaternion where it enters your program.
 # The robot drives on a flat floor, so a good quaternion rotates only about z.
 # Return the first verdict that fits, in this order:
 #
@@ -125,13 +125,13 @@ check("E2.3", quaternion_from_yaw)
 # | `"nan"` | one of the four is not finite (NaN or infinite) |
 # | `"zero"` | the length is zero (below 0.000001) |
 # | `"not unit"` | the length differs from 1 by more than 0.01 |
-# | `"w first"` | the absolute value of x or y is larger than 0.1: on a flat floor, w was written first |
+# | `"w first"` | the absolute value of x or y is larger than 0.1: the robot drives on a flat floor, so this means that w was written first |
 # | `"ok"` | none of these |
 
 # %% [markdown] lang="ko" name="e2-4"
 # ## E2.4 · 쿼터니언 검문소 (4점)
 #
-# 잘못된 쿼터니언은 그것을 만든 프로그램이 아니라 TF의 수신기에서 거절됩니다. 여러분은 데이터가 들어오는 곳에서 바로 가려내십시오.
+# TF의 수신기는 모두 0이거나 NaN이 든 쿼터니언만 거절합니다. 길이가 틀리거나 w를 먼저 쓴 쿼터니언은 그대로 받습니다. 여러분은 데이터가 들어오는 곳에서 바로 가려내십시오.
 # 로봇은 평평한 바닥을 달리므로 올바른 쿼터니언은 z축을 중심으로만 회전합니다.
 # 표의 순서대로 확인하고, 처음 해당하는 판정을 반환하십시오.
 #
@@ -233,7 +233,7 @@ check("E2.6", diagnosis)
 # ## E2.7 · Too few digits (2 points)
 #
 # A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote the number with too few digits.
-# By how many millimetres does this shift a point at this range sideways? Give a number without a sign, to the nearest millimetre or finer.
+# A point is `range_m` metres ahead. By how many millimetres does the error move it sideways? Give a number without a sign, to the nearest millimetre or finer.
 
 # %% [markdown] lang="ko" name="e2-7"
 # ## E2.7 · 모자란 숫자 몇 자리 (2점)

@@ -6,7 +6,7 @@
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
 #
-# The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's: in E9.7 answer with an expression.
+# The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's. So in E9.7 write a formula with `e9_7.…`, not a number.
 #
 # What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
 # After a pass, or three tries, `solution("E9.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
@@ -245,7 +245,7 @@ check("E9.5", keep)
 #
 # Transforms arrive 0.1 s late, unless the line states otherwise. For each line: `"works"`, `"waits in vain"` (and gives up), or `"waits for ever"`.
 #
-# - a: in a subscription's callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
+# - a: in the callback of `/scan`, a lookup at the scan's stamp with `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - b: the same, but `rclpy.spin(node, executor=MultiThreadedExecutor())`.
 # - c: in a *timer's* callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - d: in a subscription's callback, `wait_for_transform_async`; the node runs in `rclpy.spin(node)`.
@@ -288,7 +288,7 @@ check("E9.6", outcomes)
 # %% [markdown] lang="en" name="e9-7"
 # ## E9.7 · The smallest wait that always succeeds (2 points)
 #
-# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter, which adds up to `jitter_s` to the delay.
+# `map → odom` comes from `localization`, `odom → base_footprint` from `wheel_odometry`. Each has a rate, a delay, and a jitter: each message takes between 0 and `jitter_s` longer than the delay.
 # A scan arrives `scan_delay_s` after its stamp. All clocks are right, no message is lost.
 #
 # How long must you wait at most, counted from the scan's *arrival*, so that the lookup at its stamp always succeeds? Answer in seconds; 0.5 ms more or less is accepted.
@@ -319,7 +319,7 @@ check("E9.7", wait_s)
 # %% [markdown] lang="en" name="after"
 # ## Done?
 #
-# On a robot, do C10 of the lab checklist: cause each of the three errors once more, on purpose.
+# On a robot, do line C10 of the checklist that `tflab progress` shows: cause each of the three errors once more, on purpose.
 # **Next:** [10 Clocks and bags](../../notebooks/en/10_clocks_and_bags.ipynb). [The start page](../../notebooks/en/00_start.ipynb) shows what you have passed, and what is left.
 
 # %% [markdown] lang="ko" name="after"
