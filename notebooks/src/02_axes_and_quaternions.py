@@ -758,7 +758,7 @@ print("base_link:  ", lesson.fmt_all(base_p_mug))
 # - `camera_optical_frame` is the frame in which its **data** is expressed: images, detections, depth clouds.
 #
 # Both have the same origin. They differ only by a rotation.
-# The driver stamps its data with the **optical** one. Then no node has to convert anything: TF does.
+# The driver writes the **optical** frame into the header. Then no node has to convert anything: TF does.
 #
 # Here are all three frames; the two of the camera have the same origin. The arrow is the ray to the mug. The pyramid is the camera's field of view; *u* counts its pixels to the right, *v* counts them down.
 
@@ -1099,7 +1099,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 #
 # </details>
 #
-# The fix is always the same: keep two frames, and stamp the data with the optical one.
+# The fix is always the same: keep two frames, and write the optical one into the header.
 
 # %% [markdown] lang="ko" name="cloud-others" slide="fragment"
 # 위의 RViz 셀을 다시 실행해 보세요. 벽이 제자리에 서 있습니다.
@@ -1320,7 +1320,7 @@ print("stamped camera_link:         ", obstacles_ahead("camera_link"), "points i
 # - Positive yaw turns left, positive pitch puts the nose down, positive roll lifts the left side.
 # - rpy rotates about fixed axes, roll first. The order matters.
 # - A quaternion (x, y, z, w) uses half the angle and has length one. (0, 0, 0, 1) means no rotation, (0, 0, 0, 0) is not a rotation, q and −q are the same rotation.
-# - Body to optical: rpy (−π/2, 0, −π/2). Data is stamped with the optical frame.
+# - Body to optical: rpy (−π/2, 0, −π/2). The header of the data names the optical frame.
 # - If data is rotated by 90°, change the frame name or the mount, never the data.
 #
 # Save the card (Shift and a right click on the picture), print it, and put it on your workbench.

@@ -48,7 +48,7 @@
 # %% [markdown] lang="ko" name="what-you-need" slide="subslide"
 # ## 시작하기 전에 알아 둘 것
 #
-# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 스레드(thread)가 하나인 실행기라서 콜백을 한 번에 하나만 실행합니다.
+# - **노드(ROS 2 입문).** 노드에는 메시지가 오거나 타이머가 울릴 때 실행되는 *콜백*(callback)이 있습니다. 콜백을 호출하는 것은 *실행기*(executor)입니다. `rclpy.spin(node)`는 노드를 실행기에 넣어 실행합니다. 다른 실행기를 넘기지 않으면 스레드(thread)가 하나라서 콜백을 한 번에 하나만 실행합니다.
 #
 # <details><summary>04, 05, 06장에서 쓰는 것(오래전에 보았다면)</summary>
 #
@@ -1016,7 +1016,7 @@ class Called(lesson.WaitingNode):
         future = self.buffer.wait_for_transform_async('map', 'laser_frame', stamp)
         future.add_done_callback(self.on_answer)
         promises.append(future)
-        if len(promises) > 3:  # at most three promises: the oldest is let go
+        if len(promises) > 3:  # at most three: the oldest is cancelled
             promises.popleft().cancel()
 
     def on_answer(self, future):
@@ -1037,7 +1037,7 @@ lesson.draw_lanes(called)
 # | --- | --- |
 # | nowhere: look up, and drop on failure | fast sensors: the next scan comes in 0.1 s anyway |
 # | in the callback, *with* a `MultiThreadedExecutor` | a few messages a second, a short timeout |
-# | `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
+# | in `main()`, with `TransformListener(buffer, node, spin_thread=True)` | you spin nothing else: its thread runs the callbacks of the *whole* node |
 # | a future (`wait_for_transform_async`) | many messages, one thread; keep the number of futures bounded |
 # | in a plain callback with one thread | **never** |
 #
@@ -1137,7 +1137,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
 # - The scan itself took some time to arrive: that time has already passed.
 #
-# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s.
+# `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s. The edge's own delay is 0.010 s, and the scan's delay is 0.105 s.
 # If only a longer wait helps, check the clocks.
 
 # %% [markdown] lang="ko" name="how-long" slide="subslide"

@@ -6,7 +6,7 @@
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # `check` tells you which mistake it was; `hint("E9.2")` helps, one step at a time.
 #
-# The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's: in E9.7 answer with an expression.
+# The numbers of E9.4 and E9.7 come from `task(...)` and may differ from your neighbour's. So in E9.7 write a formula with `e9_7.…`, not a number.
 #
 # What you write in E9.2, E9.3 and E9.5 runs unchanged on a robot.
 # After a pass, or three tries, `solution("E9.1")` shows a solution. To start over, delete this file and type `tflab lab` in a terminal.
@@ -245,7 +245,7 @@ check("E9.5", keep)
 #
 # Transforms arrive 0.1 s late, unless the line states otherwise. For each line: `"works"`, `"waits in vain"` (and gives up), or `"waits for ever"`.
 #
-# - a: in a subscription's callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
+# - a: in the callback of `/scan`, a lookup at the scan's stamp with `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - b: the same, but `rclpy.spin(node, executor=MultiThreadedExecutor())`.
 # - c: in a *timer's* callback, `timeout=0.3 s`; the node runs in `rclpy.spin(node)`.
 # - d: in a subscription's callback, `wait_for_transform_async`; the node runs in `rclpy.spin(node)`.
