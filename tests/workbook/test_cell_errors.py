@@ -74,7 +74,7 @@ ODD = "class Odd(Exception):\n    def __eq__(self, other):\n        raise TypeEr
     ("cell", "tip"),
     [
         ("[1.0] - [2.0]", "the members one by one"),
-        ("'1' - 2", "`float(text)` makes a number of a text"),
+        ("'1' - 2", "`float(text)` converts a text to a number"),
         ("raise RuntimeError('Context.init() must only be called once')", "with `rclpy.try_shutdown()`, then"),
         ("len(3)", "TypeError: "),
         ("def f():\n    x += 1\nf()", "UnboundLocalError: "),
