@@ -59,7 +59,7 @@ def test_what_a_function_prints_is_counted_and_not_shown(capsys: pytest.CaptureF
     reply = capsys.readouterr().out
     assert "found it" not in reply
     assert "Did you forget `return`?" in reply
-    assert "also printed 28 lines" in reply
+    assert "also printed 30 lines" in reply
 
 
 def test_no_alarm_comes_after_a_call_was_stopped():
