@@ -11,7 +11,8 @@ named on the command line always runs. A test in a browser is such a test, too, 
 notebook under nbval.
 
 The digest covers what a change can reach: the files of the functions that ran, of the constants
-that these files import, data files beside them, and `constraints.txt`. Code in a
+that these files import, data files beside them, and `constraints.txt`. Comments, docstrings and the
+sentences of a YAML file (`en:`, `ko:`) are left out, unless a marker says `texts=True`. Code in a
 sandbox or a browser cannot be traced, so `reads` has to name it. What stays unseen is found by
 the nightly run of everything. All files of a test module are kept together, because its tests
 share fixtures.
@@ -25,6 +26,7 @@ import importlib.util
 import json
 import os
 import random
+import re
 import tempfile
 import time
 from collections import defaultdict
@@ -42,6 +44,7 @@ ALWAYS = ("constraints.txt",)
 CODE = ("tflab/", "tests/")  # what `ran` keeps; a task or a notebook belongs to one test, and `reads` names it
 DATA = ("[!_]*.[!p]*", "static/**/*.*", "data/**/*.*")  # beside a module
 TRACER = "tests/tracing/sitecustomize.py"
+SENTENCE = re.compile(r" *(?:- )?(?=(?:en|ko):)")
 EVERY_CELL = "every cell"
 NO_TESTS = 5  # pytest's exit code
 
@@ -56,14 +59,47 @@ _spec.loader.exec_module(tracing)
 # -- what a proof depends on ----------------------------------------------
 
 
+def code_in(text: str) -> str:
+    """Return Python without lines of comment, docstrings and blank lines."""
+    lines = text.splitlines()
+    for node in ast.walk(ast.parse(text)):
+        match getattr(node, "body", None):
+            case [ast.Expr(value=ast.Constant(value=str())) as docstring, *_]:
+                lines[docstring.lineno - 1 : docstring.end_lineno] = [""] * (
+                    docstring.end_lineno - docstring.lineno + 1
+                )
+    return "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("#"))
+
+
+def data_in(text: str) -> str:
+    """Return YAML without its sentences: the lines of `en:` and `ko:`, and those that go on below them."""
+    kept, column = [], None
+    for line in text.splitlines():
+        if column is not None and (not line.strip() or len(line) - len(line.lstrip()) > column):
+            continue
+        begin = SENTENCE.match(line)
+        column = begin.end() if begin else None
+        if begin is None:
+            kept.append(line)
+    return "\n".join(kept)
+
+
+WITHOUT_TEXTS = {".py": code_in, ".yaml": data_in}
+
+
 @cache
-def hash_of(name: str) -> str:
+def hash_of(name: str, texts: bool = False) -> str:
     path = ROOT / name
-    return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else "missing"
+    if not path.is_file():
+        return "missing"
+    content = path.read_bytes()
+    if path.suffix in WITHOUT_TEXTS and not texts:
+        content = WITHOUT_TEXTS[path.suffix](content.decode()).encode()
+    return hashlib.sha256(content).hexdigest()
 
 
-def digest_of(names: Iterable[str]) -> str:
-    text = "\n".join(f"{name} {hash_of(name)}" for name in sorted({*names, *ALWAYS}))
+def digest_of(names: Iterable[str], texts: bool = False) -> str:
+    text = "\n".join(f"{name} {hash_of(name, texts)}" for name in sorted({*names, *ALWAYS}))
     return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
@@ -80,6 +116,10 @@ def files_read_by(item: pytest.Item) -> set[str]:
     parameters = item.callspec.params if hasattr(item, "callspec") else {}
     patterns = (pattern for marker in item.iter_markers("proof") for pattern in marker.kwargs.get("reads", ()))
     return {name for pattern in patterns for name in files_matching(pattern.format(**parameters))}
+
+
+def digest_of_reads(item: pytest.Item) -> str:
+    return digest_of(files_read_by(item), any(marker.kwargs.get("texts") for marker in item.iter_markers("proof")))
 
 
 @cache
@@ -221,7 +261,7 @@ class Remembered:
     def is_unchanged(self, item: pytest.Item) -> bool:
         module, name, parameters = key_of(item)
         proved = self.store[module].proved.get(name, {}) if module in self.store else {}
-        return parameters in proved and proved[parameters] == digest_of(files_read_by(item))
+        return parameters in proved and proved[parameters] == digest_of_reads(item)
 
     @pytest.hookimpl(trylast=True)
     def pytest_collection_modifyitems(self, config: pytest.Config, items: list[pytest.Item]) -> None:
@@ -255,7 +295,7 @@ class Recorder:
         self.sizes: dict[Key, int] = defaultdict(int)  # items of a proof: one, or the cells of a notebook
         self.passed: dict[Key, int] = defaultdict(int)
         self.failed: set[str] = set()
-        self.reads: dict[Key, list[str]] = {}
+        self.reads: dict[Key, tuple[list[str], str]] = {}  # files, and their digest
         self.ran: dict[str, set[str]] = defaultdict(set)
         self.children = Path(tempfile.mkdtemp(prefix="tflab-ran-")) / "files"  # that ran in child processes
         self.children.touch()
@@ -292,7 +332,7 @@ class Recorder:
             tracing.ran.clear()
             names = sorted(name.removeprefix(tracing.ROOT) for name in ran if name.startswith(tracing.ROOT))
             key = key_of(item)
-            reads = sorted(files_read_by(item)) if is_proof(item) else None
+            reads = [sorted(files_read_by(item)), digest_of_reads(item)] if is_proof(item) else None
             report.user_properties.append(("proof", [key, self.sizes.get(key, 0), names, reads]))
         return report
 
@@ -325,8 +365,9 @@ class Recorder:
         for key in self.reads:
             if key[0] == module:
                 proved.setdefault(key[1], {}).pop(key[2], None)
-                if self.passed[key] == self.sizes[key] and not self.is_edited({*names, *self.reads[key]}):
-                    proved[key[1]][key[2]] = digest_of(self.reads[key])
+                reads, digest = self.reads[key]
+                if self.passed[key] == self.sizes[key] and not self.is_edited({*names, *reads}):
+                    proved[key[1]][key[2]] = digest
         return Proofs(names, digest_of(names), {function: held for function, held in proved.items() if held})
 
     def is_edited(self, names: set[str]) -> bool:

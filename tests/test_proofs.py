@@ -41,9 +41,9 @@ def run(project: Path, *words: str) -> list[str]:
     return [line for line in lines if "looked at" in line or "proved before" in line]
 
 
-def edit(project: Path, name: str) -> None:
+def edit(project: Path, name: str, line: str = "EDITED = 1") -> None:
     path = project / name
-    path.write_text(path.read_text(encoding="utf-8") + "\n# edited\n", encoding="utf-8")
+    path.write_text(path.read_text(encoding="utf-8") + f"\n{line}\n", encoding="utf-8")
 
 
 def test_a_proof_is_left_out_until_something_that_it_depends_on_is_edited(project: Path) -> None:
@@ -52,6 +52,19 @@ def test_a_proof_is_left_out_until_something_that_it_depends_on_is_edited(projec
     assert run(project) == ["2 proved before and unchanged"]
     edit(project, "data/two.txt")  # one of the two reads it
     assert run(project) == ["two looked at 20", "1 proved before and unchanged"]
+
+
+def test_comments_docstrings_and_sentences_count_only_where_a_test_reads_texts(project: Path) -> None:
+    edit(project, "tflab/ran.py", "# comment")
+    path = project / "tflab" / "ran.py"
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("def ran():", 'def ran():\n    """New."""'), encoding="utf-8")
+    edit(project, "tflab/said.yaml", "- en: >-\n    One more\n\n    sentence.\n  ko: 문장")
+    assert run(project) == ["2 proved before and unchanged"]
+    edit(project, "data/said.yaml", "- en: A sentence")  # `two` reads its texts
+    assert run(project) == ["two looked at 20", "1 proved before and unchanged"]
+    edit(project, "tflab/said.yaml", "- at: 4")
+    assert run(project) == ["one looked at 20", "two looked at 20"]
 
 
 def test_code_that_ran_a_constant_a_child_process_and_a_dependency_count(project: Path) -> None:

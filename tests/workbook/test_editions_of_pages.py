@@ -109,10 +109,11 @@ BUILT = (
     "exercises/*/E{stem}.ipynb",
     "solutions/tasks/{stem}/*",
     "solutions/inventory.yaml",
+    "tflab/**/*.yaml",
 )
 
 
-@pytest.mark.proof(reads=BUILT)
+@pytest.mark.proof(reads=BUILT, texts=True)
 @pytest.mark.parametrize("stem", STEMS)
 def test_what_is_committed_is_what_the_sources_make(stem: str) -> None:
     built = build_pages(sources(ROOT, [stem]))
