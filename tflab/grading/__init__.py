@@ -14,7 +14,7 @@ In reading order:
     reports/        write grades, feedback and the page of the class
     guide/          write an instructor's guide, decks and course plans: `tflab guide`
     check_command   `tflab check`: the same path for a learner, with the public cases
-    plugin          tasks as items of pytest: `pytest --tflab-grade PACK NOTEBOOK`
+    plugin          `pytest --nbval` fails where an answer is missing or wrong
 
 `docs/grading.md` is the instructor's documentation.
 """

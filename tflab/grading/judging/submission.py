@@ -7,8 +7,8 @@ Nothing that a submission does ends a job: every fault becomes a line in the rec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from tflab.text import LANGUAGES
@@ -25,7 +25,7 @@ from .repeatability import reverse_order
 from .select_submission import Candidate
 from .task_score import TaskScore
 
-__all__ = ["grade_with_retry", "graded", "merge_records"]
+__all__ = ["graded", "merge_records"]
 
 ODD = {  # more than a wrong number
     "raised", "no result", Mistake.RAISES, Mistake.OTHER_EXCEPTION, Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
@@ -64,14 +64,6 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
         **_sums(plain),
         **_not_run(plain),
     }
-
-
-def grade_with_retry(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
-    """Return a job's record by `grade`; what does not end has its second chance, alone, right behind the first."""
-    record = grade(job)
-    if not record["set_aside"]:
-        return record
-    return merge_records(record, grade(replace(job, only=record["set_aside"])))
 
 
 def merge_records(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:
