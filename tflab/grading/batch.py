@@ -1,6 +1,6 @@
 """Grade many submissions on one or more processes, and keep each record on disk at once.
 
-    collection --jobs, made one by one-->  processes of this machine, or a Dask cluster
+    collection --jobs, made one by one-->  threads or processes
                                              |
     results/submissions/s101-7f3a....json  <-+   a record for each, under a name that its content determines
                                              |
@@ -53,7 +53,6 @@ class GradingOptions:
     limits: Limits
     sandbox: Sandbox
     jobs: int = 1
-    scheduler: str | None = None
     quiet: bool = True
     several: str = SEVERAL[0]
 
@@ -199,16 +198,10 @@ def _on_processes(
     jobs: Iterator[Job], do: Callable[[Job], dict[str, Any]], how: GradingOptions
 ) -> Iterator[dict[str, Any]]:
     """Do jobs as they come, and yield records as they are done; only as many jobs wait as there are processes."""
-    from joblib import Parallel, delayed, parallel_config
+    from joblib import Parallel, delayed
 
-    if how.scheduler is None and how.jobs == 1:
+    if how.jobs == 1:
         yield from map(do, jobs)
-        return
-    if how.scheduler is not None:
-        with _dask_client(how.scheduler) as client, parallel_config(backend="dask", wait_for_workers_timeout=60):
-            workers = max(1, sum(client.nthreads().values()))
-            work = Parallel(n_jobs=workers, return_as="generator_unordered", pre_dispatch=2 * workers, batch_size=1)
-            yield from work(delayed(do)(job) for job in jobs)
         return
     # The kernels are processes anyway: a few threads keep them busy, and have nothing to import.
     kind = "threads" if how.jobs <= MOST_THREADS else "processes"
@@ -223,14 +216,6 @@ def _on_processes(
 
             get_reusable_executor().shutdown(wait=True, kill_workers=True)
         raise
-
-
-def _dask_client(scheduler: str) -> Any:
-    try:
-        from dask.distributed import Client
-    except ModuleNotFoundError as missing:
-        raise ImportError("--scheduler needs Dask: pip install tflab[cluster]") from missing
-    return Client(scheduler, set_as_default=True)
 
 
 def _key(job: Job, pack: Pack, how: GradingOptions) -> str:

@@ -12,7 +12,6 @@ import argparse
 import contextlib
 import json
 import os
-import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -100,7 +99,7 @@ def _graded(
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
-    how = GradingOptions(limits, sandbox, jobs, options.scheduler, options.quiet, options.several)
+    how = GradingOptions(limits, sandbox, jobs, options.quiet, options.several)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, how), wall
 
@@ -179,21 +178,12 @@ def _seconds(word: str) -> float:
     raise argparse.ArgumentTypeError(f"{word!r} is no number of seconds above 0")
 
 
-def _address(word: str) -> str:
-    if not re.fullmatch(r"[a-z]+://\S+:\d+", word):
-        raise argparse.ArgumentTypeError(f"{word!r} is no address; a scheduler has one like tcp://10.0.0.7:8786")
-    return word
-
-
 def _options(words: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tflab grade", description="Grade what a class handed in.")
     parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of notebooks or of folders, or a zip")
     parser.add_argument("--pack", required=True, metavar="DIR", help="the instructor's folder of the release")
     parser.add_argument("--out", default="results", metavar="DIR", help="where the results go; %(default)s if left out")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once; 0: one for each processor")
-    parser.add_argument(
-        "--scheduler", type=_address, metavar="tcp://...", help="of Dask workers that may see hidden cases"
-    )
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")
