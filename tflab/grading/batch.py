@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from concurrent.futures import BrokenExecutor
 from dataclasses import dataclass, replace
 from functools import partial
@@ -26,11 +26,10 @@ from tqdm import tqdm
 from tflab import __version__
 from tflab.workbook.atomic_files import write_whole
 
-from .judging.job import SEVERAL, HandedIn, Job, NotRun, Run, RunCell, RunCells
+from .judging.job import SEVERAL, HandedIn, Job
 from .judging.nbval_run import run_cells
 from .judging.pack import Pack
-from .judging.submission import graded, merge_records
-from .kernels.kernel_pool import KernelError
+from .judging.submission import grade_submission, merge_records
 from .kernels.limits import Limits
 from .kernels.sandbox import Sandbox
 from .reports.gradebook import file_name
@@ -39,7 +38,7 @@ from .submissions.reader import Unreadable
 from .submissions.remarks import Remark, printable
 from .submissions.roster import MOST_BYTES
 
-__all__ = ["RECORDS", "GradingOptions", "grade_batch", "grade_job", "job_of", "run_behind"]
+__all__ = ["RECORDS", "GradingOptions", "grade_batch", "grade_job", "job_of"]
 
 RECORDS = "submissions"
 RECORD_FORMAT = 3
@@ -170,28 +169,13 @@ def job_of(submission: Submission, pack: Pack, limits: Limits, several: str = SE
 
 def grade_job(job: Job, *, sandbox: Sandbox) -> dict[str, Any]:
     """Do one job, in whichever process this is; whatever happens, there is a record of it."""
+    run = partial(run_cells, sandbox=sandbox)
     try:
-        return graded(job, run_behind(sandbox)) | {"sandbox": sandbox.level}
+        return grade_submission(job, run) | {"sandbox": sandbox.level}
     except Exception as error:  # a fault of ours; it must not cost the others
         said = Remark("failed", error=f"{type(error).__name__}: {str(error)[:200]}")
-        record = graded(replace(job, files=(), remarks=(*job.remarks, said)), _nothing_runs)
+        record = grade_submission(replace(job, files=(), remarks=(*job.remarks, said)), run)
         return record | {"sandbox": sandbox.level, "not_run": True}
-
-
-def _nothing_runs(cells: Sequence[RunCell], limits: Limits) -> Run:
-    raise NotRun("nothing runs here")
-
-
-def run_behind(sandbox: Sandbox) -> RunCells:
-    """Return what runs planned cells behind a wall."""
-    return partial(_run, sandbox=sandbox)
-
-
-def _run(cells: Sequence[RunCell], limits: Limits, sandbox: Sandbox) -> Run:
-    try:
-        return run_cells(cells, limits=limits, sandbox=sandbox)
-    except (KernelError, OSError) as error:
-        raise NotRun(str(error)[:200]) from None
 
 
 def _on_processes(

@@ -15,7 +15,6 @@ import os
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -66,7 +65,7 @@ def main(words: Sequence[str]) -> int:
         if not collection.submissions:
             return _refuse(f"there is no submission in {options.submissions}")
         (out / "submissions").mkdir(parents=True, exist_ok=True)
-        records, wall = _graded(collection, pack, out, options)
+        records, wall = _grade(collection, pack, out, options)
         _write_reports(records, collection, pack, out, options, wall)
     except (PackError, TaskError, Unreadable, KernelError, ImportError) as error:
         return _refuse(str(error))
@@ -81,12 +80,12 @@ def main(words: Sequence[str]) -> int:
 
 
 def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
-    from .judging.isolated import stamps
+    from .judging.isolated import stamps_safely
 
-    return stamps(files)
+    return stamps_safely(files)
 
 
-def _graded(
+def _grade(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Text, ...]]:
     from .kernels.kernel_pool import choose_sandbox
@@ -94,7 +93,7 @@ def _graded(
 
     pack.compute_cases(pack.chapters, quiet=options.quiet)
     hidden = (Path(options.pack), Path(options.submissions), out)
-    sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
+    sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden))
     from .batch import GradingOptions, grade_batch
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
@@ -102,17 +101,6 @@ def _graded(
     how = GradingOptions(limits, sandbox, jobs, options.quiet, options.several)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, how), wall
-
-
-def _load_the_rest() -> None:
-    """Import what running and drawing need: a second's work, while another process imports for the kernels."""
-    from tflab.views import style
-
-    from .judging.nbval_run import nbval_session
-
-    import_module(".batch", __package__)
-    nbval_session()
-    style.figure()
 
 
 def _write_reports(
