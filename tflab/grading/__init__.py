@@ -7,7 +7,7 @@ In reading order:
 
     release         `tflab release`: folders for learners, and a pack for the instructor; its update
     grade           `tflab grade`: submissions in, results out
-    batch           grade many submissions, on one core or on many
+    batch           grade many submissions, several at a time
     submissions/    find notebooks, tell whose they are, and read them as strings
     kernels/        run cells in sandboxed kernels
     judging/        run a submission's answers and mark them
