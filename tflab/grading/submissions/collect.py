@@ -233,7 +233,7 @@ def _unwrapped(members: list[Member], roster: Mapping[str, Learner]) -> list[Mem
 def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> list[Member]:
     """Return the members without the folders above the learners', one for each chapter or each assignment."""
     folders = {member.parts[0] for member in members if len(member.parts) > 1}
-    strange = {folder for folder in folders if not _is_somebodys(folder, roster)}
+    strange = {folder for folder in folders if not (is_lms_name(folder) or owner_of(folder, roster))}
     if roster and strange == folders and _is_everybody_known(members, roster, chapters):
         strip = folders  # nobody's folders, and somebody's in each
     else:
@@ -251,10 +251,6 @@ def _without_top(member: Member) -> Member:
 def _is_everybody_known(members: Sequence[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> bool:
     below = {member.parts[1] for member in members if len(member.parts) > 1}
     return all(owner_of(group_of((name,), chapters)[0], roster) for name in below)
-
-
-def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
-    return is_lms_name(folder) or bool(roster and owner_of(folder, roster))
 
 
 def _is_a_chapters(
