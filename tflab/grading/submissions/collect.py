@@ -233,7 +233,7 @@ def _unwrapped(members: list[Member], roster: Mapping[str, Learner]) -> list[Mem
 def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> list[Member]:
     """Return the members without the folders above the learners', one for each chapter or each assignment."""
     folders = {member.parts[0] for member in members if len(member.parts) > 1}
-    strange = {folder for folder in folders if not (is_lms_name(folder) or owner_of(folder, roster))}
+    strange = {folder for folder in folders if not _is_somebodys(folder, roster)}
     if roster and strange == folders and _is_everybody_known(members, roster, chapters):
         strip = folders  # nobody's folders, and somebody's in each
     else:
@@ -246,6 +246,10 @@ def _by_learner(members: list[Member], roster: Mapping[str, Learner], chapters: 
 
 def _without_top(member: Member) -> Member:
     return replace(member, parts=member.parts[1:], outside=max(0, member.outside - 1))
+
+
+def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
+    return is_lms_name(folder) or bool(owner_of(folder, roster))
 
 
 def _is_everybody_known(members: Sequence[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> bool:
