@@ -142,21 +142,18 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         release=stamp.get("release", ""),
         version=__version__,
         files=(HandedIn(path.name, data),),
-        chapters={stem: _chapter(root, workbook, stem) for stem in called},
+        chapters={},
         limits=limits,
         has_roster=workbook.learner is not None,
     )
-    record = grade_submission(job, run_cells)  # grading gives what does not end a second, longer run
-    found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
-    if not found:  # renamed, or of another chapter than its name tells
-        job = replace(job, chapters={stem: _chapter(root, workbook, stem) for stem in there})
-        record = grade_submission(job, run_cells)
+    for stems in (called, there):  # all, if it was renamed, or is of another chapter than its name tells
+        chapters = {stem: _chapter(root, workbook, stem) for stem in stems}
+        record = grade_submission(replace(job, chapters=chapters), run_cells)  # without a second, longer run
         found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
-    if not found:
-        raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
-    return Checked(
-        record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note, workbook.edition == "class"
-    )
+        if found:
+            tasks = chapters[found[0]]["tasks"]
+            return Checked(record, found[0], tasks, workbook.language, note, workbook.edition == "class")
+    raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
 
 
 def report(checked: Checked) -> tuple[list[str], bool]:

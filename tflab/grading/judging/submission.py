@@ -161,15 +161,12 @@ class ChapterGrader:
         function). What is right in part runs with them, in a fresh kernel. A slow notebook is not run again for each
         of its tasks.
         """
-        left = [score for score in scores if self._is_worth_a_second_look(score, first)]
+        ended = set(self.merged.answered) - set(first.set_aside)
+        left = [score for score in scores if score.task in ended and score.points < score.most]
         odd = [score for score in left if ODD & {remark.kind for remark in score.remarks}]
         partly = [score for score in left if score not in odd and score.points]
         yield from self._in_a_fresh_kernel([score for score in partly if self.tasks[score.task]["is_function"]], first)
         yield from self._apart(odd, first)
-
-    def _is_worth_a_second_look(self, score: TaskScore, first: Execution) -> bool:
-        is_there = score.task in self.merged.answered and score.task not in first.set_aside
-        return is_there and score.points < score.most
 
     def _in_a_fresh_kernel(self, partly: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         second = self.execute([score.task for score in partly], again=True) if partly else Execution()
