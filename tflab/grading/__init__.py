@@ -2,6 +2,10 @@
 
 Only answers are taken from a submission. Expected values never enter the learner's process,
 the verdict is made outside of it, and one submission can harm neither the grader nor another.
+How a notebook becomes a row of `grades.csv`:
+
+    collect  ->  grade_batch  ->  grade_job  ->  grade_submission  ->  grades_csv
+                                                   select_safely, merge_submission, execute, score_safely
 
 In reading order:
 
@@ -10,7 +14,7 @@ In reading order:
     batch           grade many submissions, several at a time
     submissions/    find notebooks, tell whose they are, and read them as strings
     kernels/        run cells in sandboxed kernels
-    judging/        run a submission's answers and mark them
+    judging/        run a submission's answers and score them
     reports/        write grades, feedback and the page of the class
     guide/          write an instructor's guide, decks and course plans: `tflab guide`
     check_command   `tflab check`: the same path for a learner, with the public cases

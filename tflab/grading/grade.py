@@ -13,7 +13,7 @@ import contextlib
 import json
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -24,6 +24,7 @@ from tflab.text import Text
 from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.tasks.task import TaskError
 
+from .judging.isolated import stamps_safely
 from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack
 from .reports.class_page import class_page
@@ -57,7 +58,7 @@ def main(words: Sequence[str]) -> int:
         elsewhere = (out, Path(options.pack))
         collection = collect(
             Path(options.submissions), pack.roster, pack.chapters, elsewhere,
-            is_genuine=pack.sealed_this, stamps_in=_stamps_in,
+            is_genuine=pack.sealed_this, stamps_in=stamps_safely,
         )  # fmt: skip
         if pack.version != __version__:
             other = Remark("other tflab", stamp=pack.version, ours=__version__)
@@ -79,19 +80,13 @@ def main(words: Sequence[str]) -> int:
     return 0
 
 
-def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
-    from .judging.isolated import stamps_safely
-
-    return stamps_safely(files)
-
-
 def _grade(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Text, ...]]:
     from .kernels.kernel_pool import choose_sandbox
     from .kernels.limits import Limits
 
-    pack.compute_cases(pack.chapters, quiet=options.quiet)
+    pack.compute_cases(quiet=options.quiet)
     hidden = (Path(options.pack), Path(options.submissions), out)
     sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden))
     from .batch import GradingOptions, grade_batch

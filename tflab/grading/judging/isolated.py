@@ -2,7 +2,7 @@
 
     a few numbers, a notebook as people write it     here, in a millisecond
     ninety thousand numbers, a file of 80 MB         server --fork--> child: so many seconds of processor and
-                                                     so much memory; what came of it, or Ended
+                                                     so much memory; what came of it, or OverLimit
 
 Processor time decides, not the clock on the wall, so that a busy machine costs nobody
 a point.
@@ -131,7 +131,7 @@ def run_isolated(work: str, *arguments: Any) -> Any:
     """Return what one of WORK gives, in a process of its own.
 
     Raises:
-        Ended: it took too long, or too much memory.
+        OverLimit: it took too long, or too much memory.
     """
     with _lock:
         for _ in range(2):  # the server may have been killed meanwhile
