@@ -194,13 +194,9 @@ def _update_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks:
     names = {slug(task) for task in tasks}
     cells = [cell for cell in new["cells"] if _task_of(cell) in names | {""}]
     if {_task_of(cell) for cell in new["cells"]} - {""} != names:
-        cells = [_titled(cell, released) for cell in cells]
+        titles = [cell for cell in released["cells"] if cell["id"] == TITLE]  # it counts the released tasks
+        cells = [titles[0] if titles and cell["id"] == TITLE else cell for cell in cells]
     return {**new, "cells": cells}
-
-
-def _titled(cell: Any, released: Mapping[str, Any]) -> Any:
-    """Return a cell; of the title the released one, which counts the released tasks."""
-    return next((old for old in released["cells"] if old["id"] == cell["id"] == TITLE), cell)
 
 
 def _task_of(cell: Mapping[str, Any]) -> str:
