@@ -17,7 +17,7 @@ EXTRA_OF = {
     "latex2mathml": "lab", "nbclient": "lab", "nbconvert": "lab", "nbformat": "lab",
     "jinja2": "bags", "rosbags": "bags", "tqdm": "bags",
     "joblib": "grade", "nbval": "grade", "pytest": "grade",
-    "pdoc": "site", "dask": "cluster", "distributed": "cluster",
+    "pdoc": "site",
 }  # fmt: skip
 
 

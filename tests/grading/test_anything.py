@@ -14,7 +14,7 @@ import tiny
 
 from tflab.grading.judging.job import CellOutcome, HandedIn, Job, Run, RunCell
 from tflab.grading.judging.pack import Pack, read_pack
-from tflab.grading.judging.submission import graded, merge_records
+from tflab.grading.judging.submission import grade_submission, merge_records
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
@@ -87,9 +87,9 @@ def try_anything(course: tiny.Course, pack: Pack, seed: int) -> None:
         "s102", "Ada", dice.choice(("en", "ko")), pack.release, pack.version, (HandedIn("a.ipynb", data),),
         pack.for_learner("s102"), Limits(), has_roster=True,
     )  # fmt: skip
-    record = graded(job, run)
+    record = grade_submission(job, run)
     if record["set_aside"]:
-        record = merge_records(record, graded(replace(job, only=record["set_aside"]), run))
+        record = merge_records(record, grade_submission(replace(job, only=record["set_aside"]), run))
     assert (record["most"], record["points"]) == (8.0, 0.0), seed
     json.dumps(record, allow_nan=False).encode("utf-8")
     for level in ("score", "named", "full"):
@@ -109,5 +109,6 @@ def test_a_slow_notebook_is_not_run_again_for_each_of_its_tasks(course: tiny.Cou
 
     data = json.dumps(tiny.answered(course.exercise())).encode()
     file = HandedIn("a.ipynb", data)
-    graded(Job("s102", "", "en", pack.release, pack.version, (file,), pack.for_learner("s102"), Limits()), run)
+    job = Job("s102", "", "en", pack.release, pack.version, (file,), pack.for_learner("s102"), Limits())
+    grade_submission(job, run)
     assert len(runs) == 3

@@ -11,14 +11,15 @@ from typing import Any
 import pytest
 
 from tflab.grading.judging.execute import SHORTLY, Execution, execute
-from tflab.grading.judging.job import CellOutcome, HandedIn, Job, NotRun, Run, RunCell
+from tflab.grading.judging.job import CellOutcome, HandedIn, Job, NotRun, Run, RunCell, RunCells
 from tflab.grading.judging.plan import BRIEFLY, MergedNotebook, plan
-from tflab.grading.judging.submission import graded, merge_records
+from tflab.grading.judging.submission import grade_submission, merge_records
 from tflab.grading.kernels import probe_answer as inside
 from tflab.grading.kernels.limits import Limits
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import raised, to_plain
 
+SHORT = Limits(cell_s=1.0, notebook_s=6.0)
 TASKS = {
     "E1.1": {"answer": "a", "is_function": False, "given": {"b": 2}, "cases": [{"args": None}]},
     "E1.2": {"answer": "f", "is_function": True, "given": None, "cases": [{"args": [1]}, {"args": [2]}, {"args": [3]}]},
@@ -51,7 +52,7 @@ class Here:
     def __init__(self) -> None:
         self.runs: list[list[str]] = []
 
-    def __call__(self, cells: Sequence[RunCell], patiently: bool = False) -> Run:
+    def __call__(self, cells: Sequence[RunCell], limits: Limits) -> Run:
         self.runs.append([cell.name for cell in cells])
         space: dict[str, Any] = {"hang": self._stop("timed out"), "die": self._stop("kernel died")}
         space["shout"] = self._stop("output limit")
@@ -94,9 +95,8 @@ def quiet_prepare(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(inside, "prepare", lambda givens_json: json.loads(givens_json))
 
 
-def tried(here: Here, done: MergedNotebook, **options: Any) -> Execution:
-    options = {"wanted": list(TASKS), "cell_s": 1.0, "notebook_s": 6.0} | options
-    return execute(done, TASKS, here, **options)
+def tried(here: RunCells, done: MergedNotebook, **options: Any) -> Execution:
+    return execute(done, TASKS, here, SHORT, **{"wanted": list(TASKS)} | options)
 
 
 def kinds(made: Execution, task: str) -> list[str]:
@@ -135,17 +135,14 @@ def test_looked_at_closely_only_the_case_that_hangs_is_lost() -> None:
 def test_tried_alone_each_task_has_three_times_the_time_and_what_is_left_then_is_asked_briefly() -> None:
     here, heard = Here(), []
 
-    def run(cells: Sequence[RunCell], patiently: bool) -> Run:
+    def run(cells: Sequence[RunCell], limits: Limits) -> Run:
         asked = [(cell.task, cell.part, cell.shared) for cell in cells if cell.probe]
-        heard.append((patiently, {task: part for task, part, _ in asked}))
+        heard.append((limits.cell_s, {task: part for task, part, _ in asked}))
         assert len({shared for _, _, shared in asked}) == len({task for task, _, _ in asked})
-        return here(cells)
+        return here(cells, limits)
 
-    execute(
-        pieces(e1_2="def f(x):\n    hang()"), TASKS, run, wanted=["E1.2", "E1.3"], cell_s=1.0, notebook_s=6.0,
-        closely=True,
-    )  # fmt: skip
-    assert heard == [(True, {"E1.2": 1.0, "E1.3": 1.0}), (True, {"E1.2": BRIEFLY, "E1.3": 1.0}), (True, {"E1.3": 1.0})]
+    execute(pieces(e1_2="def f(x):\n    hang()"), TASKS, run, SHORT, wanted=["E1.2", "E1.3"], closely=True)
+    assert heard == [(3.0, {"E1.2": 1.0, "E1.3": 1.0}), (3.0, {"E1.2": BRIEFLY, "E1.3": 1.0}), (3.0, {"E1.3": 1.0})]
 
 
 def test_every_answer_may_hang_and_it_ends() -> None:
@@ -179,19 +176,13 @@ def test_an_answer_behind_the_check_is_heard_there_if_there_was_none_before() ->
 
 def test_our_own_cells_failing_is_not_the_learners_fault() -> None:
     with pytest.raises(NotRun):
-        execute(
-            MergedNotebook((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)),
-            TASKS, Here(), wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
-        )  # fmt: skip
+        tried(Here(), MergedNotebook((RunCell("ours", "load", "die()"), *pieces().cells[1:]), tuple(TASKS)))
 
 
 def test_a_kernel_that_dies_in_our_cell_was_killed_by_what_ran_before_it() -> None:
     (load, *others), here = pieces(e1_1="a = 1\nspoilt = True").cells, Here()
     dies_late = RunCell("ours", "scene", "if 'spoilt' in globals(): die()")
-    made = execute(
-        MergedNotebook((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)),
-        TASKS, here, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0,
-    )  # fmt: skip
+    made = tried(here, MergedNotebook((load, *others[:2], dies_late, *others[2:]), tuple(TASKS)))
     assert kinds(made, "E1.1") == ["died"]
     assert made.set_aside == ["E1.1"]
     assert kinds(made, "E1.2") == kinds(made, "E1.3") == []
@@ -225,12 +216,12 @@ def test_a_machine_too_busy_even_for_our_cells_costs_nobody() -> None:
 
     def slow_at_first(cells: Sequence[RunCell], limits: Limits) -> Run:
         if limits.cell_s > 1:
-            return busy(cells)
+            return busy(cells, limits)
         return SimpleNamespace(outcomes=[SimpleNamespace(value=None, trouble=None)], seconds=1.0, stopped="timed out")
 
-    first = graded(job, slow_at_first)
+    first = grade_submission(job, slow_at_first)
     assert (first["points"], first["set_aside"]) == (0.0, {"01_x": ["E1.1"]})
-    both = merge_records(first, graded(replace(job, only=first["set_aside"]), slow_at_first))
+    both = merge_records(first, grade_submission(replace(job, only=first["set_aside"]), slow_at_first))
     assert both["points"] == 2.0
     assert "not_run" not in both
 
@@ -239,13 +230,13 @@ def test_own_cells_that_do_not_end_cost_little_after_the_second_and_no_answer() 
     here = Here()
     shares = []
 
-    def watched(cells: Sequence[RunCell], patiently: bool) -> Run:
+    def watched(cells: Sequence[RunCell], limits: Limits) -> Run:
         shares.extend({cell.part for cell in cells if cell.kind == "own"})
-        return here(cells, patiently)
+        return here(cells, limits)
 
     many = pieces()
     helpers = [RunCell("own", f"e1_1-given+{n}", "hang()", "E1.1") for n in range(15)]
     done = MergedNotebook((*many.cells[:1], *helpers, *many.cells[1:]), many.answered)
-    made = execute(done, TASKS, watched, wanted=list(TASKS), cell_s=1.0, notebook_s=6.0)
+    made = tried(watched, done)
     assert made.outcomes["E1.1"] == {0: 1} and made.outcomes["E1.3"] == {0: 1}
     assert shares[:2] == [1.0, 1.0] and set(shares[2:]) == {SHORTLY}

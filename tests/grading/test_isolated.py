@@ -49,10 +49,10 @@ def job(course: tiny.Course, *files: HandedIn) -> Job:
 
 
 def test_as_much_as_is_asked_for_is_judged_here_however_much_that_is(task: dict[str, Any]) -> None:
-    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
+    assert isolated.score_safely("E3.2", task, [outcomes(task)]).points == 4
     many = [0.0] * (isolated.LARGE_ANSWERS // 3)
     asking = task | {"cases": [case | {"expected": many} for case in task["cases"]]}
-    isolated.mark_task("E3.2", asking, [outcomes(asking)] * 2)
+    isolated.score_safely("E3.2", asking, [outcomes(asking)] * 2)
     assert isolated._servers == {}
     sizes = ((1.0, 1), ([1.0, 2.0], 5), ({"dict": {"a": [1.0]}}, 7), ("x" * 250, 3))  # values, hundreds of letters
     assert [members(plain, 1_000) for plain, _ in sizes] == [size for _, size in sizes]
@@ -60,7 +60,7 @@ def test_as_much_as_is_asked_for_is_judged_here_however_much_that_is(task: dict[
 
 def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, Any]) -> None:
     large = outcomes(task, [0.0] * 1_900)
-    mark = isolated.mark_task("E3.2", task, [large])
+    mark = isolated.score_safely("E3.2", task, [large])
     assert len(isolated._servers) == 1
     assert mark == score_task("E3.2", task, large)
     assert mark.status == "wrong"
@@ -69,7 +69,7 @@ def test_what_is_large_is_judged_apart_and_its_mark_is_the_same(task: dict[str, 
 def test_two_runs_are_large_together(task: dict[str, Any]) -> None:
     third = outcomes(task, [0.0] * (isolated.LARGE_ANSWERS // (3 * len(asks_of(task)))))
     for runs, servers in ((1, 0), (2, 1)):
-        isolated.mark_task("E3.2", task, [third] * runs)
+        isolated.score_safely("E3.2", task, [third] * runs)
         assert len(isolated._servers) == servers
 
 
@@ -77,9 +77,9 @@ def test_a_judging_that_does_not_end_is_ended_and_costs_its_own_task(
     task: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(isolated, "MEMORY", 1 << 20)
-    mark = isolated.mark_task("E3.2", task, [outcomes(task, "x" * 8_000_000)])
+    mark = isolated.score_safely("E3.2", task, [outcomes(task, "x" * 8_000_000)])
     assert (mark.points, mark.most, [remark.kind for remark in mark.remarks]) == (0.0, 4.0, ["endless to judge"])
-    assert isolated.mark_task("E3.2", task, [outcomes(task)]).points == 4
+    assert isolated.score_safely("E3.2", task, [outcomes(task)]).points == 4
 
 
 def test_a_notebook_that_cannot_be_read_in_time_is_left_out_and_another_counts(
@@ -87,7 +87,7 @@ def test_a_notebook_that_cannot_be_read_in_time_is_left_out_and_another_counts(
 ) -> None:
     monkeypatch.setattr(isolated, "CPU_S", 1)
     honest = HandedIn("03.ipynb", json.dumps(tiny.answered(tiny.exercise(course.release / "learners/s102"))).encode())
-    found, remarks = isolated.select_notebooks(job(course, HandedIn("hog.ipynb", hog(90)), honest))
+    found, remarks = isolated.select_safely(job(course, HandedIn("hog.ipynb", hog(90)), honest))
     assert {stem: candidate.file for stem, candidate in found.items()} == {tiny.STEM: "03.ipynb"}
     assert [remark.words["why"].kind for remark in remarks] == ["endless to read"]
 
@@ -96,7 +96,7 @@ def test_a_large_honest_notebook_is_read_apart_as_it_is_here(course: tiny.Course
     notebook = tiny.answered(tiny.exercise(course.release / "learners/s102"))
     notebook["cells"][-1]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * 2_000_000}]
     large = job(course, HandedIn("03.ipynb", json.dumps(notebook).encode()))
-    isolated_, here = isolated.select_notebooks(large), isolated.select_counting(large)
+    isolated_, here = isolated.select_safely(large), isolated.select_counting(large)
     assert len(isolated._servers) == 1
     assert {stem: one.merged for stem, one in isolated_[0].items()} == {
         stem: one.merged for stem, one in here[0].items()
@@ -109,15 +109,15 @@ def test_a_strangers_files_are_read_for_their_stamps_within_the_same_end(
     course: tiny.Course, count: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     stamped = json.dumps({"cells": [], "metadata": {"tflab": {"learner": "s102"}}}).encode()
-    assert isolated.stamps([stamped, b"no notebook"] * count) == [{"learner": "s102"}] * count
+    assert isolated.stamps_safely([stamped, b"no notebook"] * count) == [{"learner": "s102"}] * count
     monkeypatch.setattr(isolated, "MEMORY", 8 << 20)
-    assert isolated.stamps([stamped, b'{"cells": [' + b'"x", ' * 4_000_000 + b"0]}"]) == []
+    assert isolated.stamps_safely([stamped, b'{"cells": [' + b'"x", ' * 4_000_000 + b"0]}"]) == []
 
 
 def test_a_server_that_was_killed_is_started_anew(task: dict[str, Any]) -> None:
     large = [outcomes(task, [0.0] * 1_900)]
-    first = isolated.mark_task("E3.2", task, large)
+    first = isolated.score_safely("E3.2", task, large)
     process, _ = isolated._servers[os.getpid()]
     os.kill(process.pid, signal.SIGKILL)
     process.wait()
-    assert isolated.mark_task("E3.2", task, large) == first
+    assert isolated.score_safely("E3.2", task, large) == first

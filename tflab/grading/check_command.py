@@ -17,6 +17,7 @@ import re
 import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -32,7 +33,7 @@ from tflab.workbook.tasks.task import TaskError
 from .judging.cells import master_of
 from .judging.job import HandedIn, Job, RunCells
 from .judging.pack import MALFORMED
-from .judging.submission import graded
+from .judging.submission import grade_submission
 from .kernels.limits import Limits
 from .reports.feedback import SIGNS
 from .reports.feedback import TEXTS as FEEDBACK
@@ -141,21 +142,18 @@ def check_notebook(path: Path, *, plainly: bool = False) -> Checked:
         release=stamp.get("release", ""),
         version=__version__,
         files=(HandedIn(path.name, data),),
-        chapters={stem: _chapter(root, workbook, stem) for stem in called},
+        chapters={},
         limits=limits,
         has_roster=workbook.learner is not None,
     )
-    record = graded(job, run_cells=run_cells)  # grading gives what does not end a second, longer run
-    found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
-    if not found:  # renamed, or of another chapter than its name tells
-        job = replace(job, chapters={stem: _chapter(root, workbook, stem) for stem in there})
-        record = graded(job, run_cells=run_cells)
+    for stems in (called, there):  # all, if it was renamed, or is of another chapter than its name tells
+        chapters = {stem: _chapter(root, workbook, stem) for stem in stems}
+        record = grade_submission(replace(job, chapters=chapters), run_cells)  # without a second, longer run
         found = [stem for stem, chapter in record["chapters"].items() if chapter["file"]]
-    if not found:
-        raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
-    return Checked(
-        record, found[0], job.chapters[found[0]]["tasks"], workbook.language, note, workbook.edition == "class"
-    )
+        if found:
+            tasks = chapters[found[0]]["tasks"]
+            return Checked(record, found[0], tasks, workbook.language, note, workbook.edition == "class")
+    raise Unreadable("no chapter", root=root, there=", ".join(there) or "-")
 
 
 def report(checked: Checked) -> tuple[list[str], bool]:
@@ -217,12 +215,11 @@ def _runner(plainly: bool, language: str) -> tuple[RunCells, Limits, str]:
     """Return what runs cells here, its limits, and a line about it if it is not what grading uses."""
     why = "--plain" if plainly else TEXTS["not_linux"].say(language, platform=SYSTEMS.get(sys.platform, sys.platform))
     if not plainly and sys.platform == "linux":
-        from .batch import run_behind
+        from .judging.nbval_run import run_cells
         from .kernels.kernel_pool import KernelError, choose_sandbox
 
         try:
-            sandbox = choose_sandbox()
-            return run_behind(sandbox), Limits(), ""
+            return partial(run_cells, sandbox=choose_sandbox()), Limits(), ""
         except (KernelError, OSError) as error:
             why = str(error)
     from .judging.plain_kernel import run_plainly

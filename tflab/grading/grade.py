@@ -12,11 +12,9 @@ import argparse
 import contextlib
 import json
 import os
-import re
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -26,6 +24,7 @@ from tflab.text import Text
 from tflab.workbook.atomic_files import write_whole
 from tflab.workbook.tasks.task import TaskError
 
+from .judging.isolated import stamps_safely
 from .judging.job import SEVERAL
 from .judging.pack import Pack, PackError, read_pack
 from .reports.class_page import class_page
@@ -59,7 +58,7 @@ def main(words: Sequence[str]) -> int:
         elsewhere = (out, Path(options.pack))
         collection = collect(
             Path(options.submissions), pack.roster, pack.chapters, elsewhere,
-            is_genuine=pack.sealed_this, stamps_in=_stamps_in,
+            is_genuine=pack.sealed_this, stamps_in=stamps_safely,
         )  # fmt: skip
         if pack.version != __version__:
             other = Remark("other tflab", stamp=pack.version, ours=__version__)
@@ -67,7 +66,7 @@ def main(words: Sequence[str]) -> int:
         if not collection.submissions:
             return _refuse(f"there is no submission in {options.submissions}")
         (out / "submissions").mkdir(parents=True, exist_ok=True)
-        records, wall = _graded(collection, pack, out, options)
+        records, wall = _grade(collection, pack, out, options)
         _write_reports(records, collection, pack, out, options, wall)
     except (PackError, TaskError, Unreadable, KernelError, ImportError) as error:
         return _refuse(str(error))
@@ -81,39 +80,22 @@ def main(words: Sequence[str]) -> int:
     return 0
 
 
-def _stamps_in(files: Sequence[bytes]) -> Sequence[Mapping[str, str]]:
-    from .judging.isolated import stamps
-
-    return stamps(files)
-
-
-def _graded(
+def _grade(
     collection: Collection, pack: Pack, out: Path, options: argparse.Namespace
 ) -> tuple[list[dict], tuple[Text, ...]]:
     from .kernels.kernel_pool import choose_sandbox
     from .kernels.limits import Limits
 
-    pack.compute_cases(pack.chapters, quiet=options.quiet)
+    pack.compute_cases(quiet=options.quiet)
     hidden = (Path(options.pack), Path(options.submissions), out)
-    sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden), meanwhile=_load_the_rest)
+    sandbox = choose_sandbox(hide=tuple(str(path.resolve()) for path in hidden))
     from .batch import GradingOptions, grade_batch
 
     limits = Limits(cell_s=options.seconds, notebook_s=6 * options.seconds)
     jobs = options.jobs if options.jobs > 0 else os.cpu_count() or 1
-    how = GradingOptions(limits, sandbox, jobs, options.scheduler, options.quiet, options.several)
+    how = GradingOptions(limits, sandbox, jobs, options.quiet, options.several)
     wall = (sandbox.announce(), *sandbox.gaps)
     return grade_batch(collection, pack, out, how), wall
-
-
-def _load_the_rest() -> None:
-    """Import what running and drawing need: a second's work, while another process imports for the kernels."""
-    from tflab.views import style
-
-    from .judging.nbval_run import nbval_session
-
-    import_module(".batch", __package__)
-    nbval_session()
-    style.figure()
 
 
 def _write_reports(
@@ -179,21 +161,12 @@ def _seconds(word: str) -> float:
     raise argparse.ArgumentTypeError(f"{word!r} is no number of seconds above 0")
 
 
-def _address(word: str) -> str:
-    if not re.fullmatch(r"[a-z]+://\S+:\d+", word):
-        raise argparse.ArgumentTypeError(f"{word!r} is no address; a scheduler has one like tcp://10.0.0.7:8786")
-    return word
-
-
 def _options(words: Sequence[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="tflab grade", description="Grade what a class handed in.")
     parser.add_argument("submissions", metavar="SUBMISSIONS", help="a folder of notebooks or of folders, or a zip")
     parser.add_argument("--pack", required=True, metavar="DIR", help="the instructor's folder of the release")
     parser.add_argument("--out", default="results", metavar="DIR", help="where the results go; %(default)s if left out")
     parser.add_argument("--jobs", type=int, default=1, metavar="N", help="how many at once; 0: one for each processor")
-    parser.add_argument(
-        "--scheduler", type=_address, metavar="tcp://...", help="of Dask workers that may see hidden cases"
-    )
     parser.add_argument("--lms", choices=sorted(LMS), help="the columns of grades.csv")
     parser.add_argument("--assignment", default="tflab", metavar="NAME", help="its column in Canvas; %(default)s")
     parser.add_argument("--feedback", choices=LEVELS, default="named", help="what learners see; %(default)s")

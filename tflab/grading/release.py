@@ -133,14 +133,16 @@ def release(
     for stem in new:
         write_master(folder / INSTRUCTOR, stem, masters[stem])
     write_pack(folder / INSTRUCTOR, pack)
-    everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
-    with tqdm(desc="released", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
-        for learner in everybody:
-            _lay_out_for(folder / LEARNERS, learner, pack, language)
-            bar.update()
+    for learner in tqdm(_everybody(pack), desc="released", leave=False, disable=quiet or None):
+        _lay_out_for(folder / LEARNERS, learner, pack, language)
     if new or not (folder / INSTRUCTOR / GUIDE).is_dir():
         _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return read_pack(folder / INSTRUCTOR)
+
+
+def _everybody(pack: Pack) -> list[Learner | None]:
+    """Return who has a folder; None is everybody together."""
+    return [None] if pack.roster is None else list(pack.roster.values())
 
 
 def _master(stem: str) -> bytes:
@@ -177,11 +179,8 @@ def update_release(folder: Path, *, quiet: bool = True) -> tuple[Pack, list[str]
             write_master(folder / INSTRUCTOR, stem, text_of(new).encode())
     write_pack(folder / INSTRUCTOR, replace(pack, version=__version__))
     pack = read_pack(folder / INSTRUCTOR)
-    everybody: Iterable[Learner | None] = [None] if pack.roster is None else pack.roster.values()
-    with tqdm(desc="updated", total=len(list(everybody)), leave=False, disable=quiet or None) as bar:
-        for learner in everybody:
-            lines += _update_for(folder / LEARNERS, learner, pack)
-            bar.update()
+    for learner in tqdm(_everybody(pack), desc="updated", leave=False, disable=quiet or None):
+        lines += _update_for(folder / LEARNERS, learner, pack)
     _lay_out_guide(folder / INSTRUCTOR / GUIDE, pack)
     return pack, lines
 
@@ -195,13 +194,9 @@ def _update_exercise(released: Mapping[str, Any], new: Mapping[str, Any], tasks:
     names = {slug(task) for task in tasks}
     cells = [cell for cell in new["cells"] if _task_of(cell) in names | {""}]
     if {_task_of(cell) for cell in new["cells"]} - {""} != names:
-        cells = [_titled(cell, released) for cell in cells]
+        titles = [cell for cell in released["cells"] if cell["id"] == TITLE]  # it counts the released tasks
+        cells = [titles[0] if titles and cell["id"] == TITLE else cell for cell in cells]
     return {**new, "cells": cells}
-
-
-def _titled(cell: Any, released: Mapping[str, Any]) -> Any:
-    """Return a cell; of the title the released one, which counts the released tasks."""
-    return next((old for old in released["cells"] if old["id"] == cell["id"] == TITLE), cell)
 
 
 def _task_of(cell: Mapping[str, Any]) -> str:

@@ -105,14 +105,11 @@ def _plan_called(name: str) -> CoursePlan:
 
 
 def _options(words: Sequence[str]) -> argparse.Namespace:
+    there = ", ".join(stem[:2] for stem in stems_there())
     parser = argparse.ArgumentParser(prog="tflab guide", description="Write what an instructor lectures from.")
-    parser.add_argument("chapters", nargs="*", metavar="CHAPTER", help=f"such as 11; all of {_numbers()} if left out")
+    parser.add_argument("chapters", nargs="*", metavar="CHAPTER", help=f"such as 11; all of {there} if left out")
     parser.add_argument("--lang", choices=LANGUAGES, help="the workbook's language if left out")
     parser.add_argument("--out", default="guide", metavar="DIR", help="where to; %(default)s if left out")
     parser.add_argument("--plan", metavar="PLAN", help="talk, day or term: the plan, and decks of only its cells")
     parser.add_argument("--no-deck", action="store_true", help="nothing is run: only what is read and printed")
     return parser.parse_args(list(words))
-
-
-def _numbers() -> str:
-    return ", ".join(stem[:2] for stem in stems_there())

@@ -133,13 +133,10 @@ def _notes(vote: Vote, language: str) -> str:
     lines = []
     for option in vote.options:
         right = " ✓" if option.is_right else ""
-        lines.append(f"- **{option.label}** {option.text}{right} ({option.expected:g} %): {_flat(option.say)}")
+        say = " ".join(option.say.split())
+        lines.append(f"- **{option.label}** {option.text}{right} ({option.expected:g} %): {say}")
     rules = [f"- {rule.say(language)}" for rule in RULES]
     return "\n".join([*lines, "", *rules])
-
-
-def _flat(words: str) -> str:
-    return re.sub(r"\s+", " ", words)
 
 
 def _scripts(votes: Sequence[Vote], language: str) -> str:

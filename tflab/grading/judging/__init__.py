@@ -1,4 +1,4 @@
-"""Run the answers of a submission between tflab's own cells, and mark the results outside the learner's process.
+"""Run the answers of a submission between tflab's own cells, and score the results outside the learner's process.
 
 In reading order:
 

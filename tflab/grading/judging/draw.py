@@ -18,7 +18,7 @@ import random
 from collections.abc import Collection, Mapping, Sequence
 from typing import Any
 
-from tflab.workbook.answers.forms import Form, form_from_plain
+from tflab.workbook.answers.forms import form_from_plain
 from tflab.workbook.answers.values import Plain, is_raised
 
 __all__ = ["POOL", "asks_of", "digest_of", "drawn", "pool_of"]
@@ -43,11 +43,11 @@ def pool_of(task: Mapping[str, Any], cases: Sequence[Mapping[str, Any]], shown: 
     """
     form = form_from_plain(task["form"])
     once = {digest_of(case["args"]): case for case in cases}
-    return [dict(case) | {"tells": _mistakes_seen(form, case), "shown": name in shown} for name, case in once.items()]
-
-
-def _mistakes_seen(form: Form, case: Mapping[str, Any]) -> list[str]:
-    return sorted(name for name, wrong in case["wrong"].items() if not form.alike(wrong, case["expected"]))
+    pool = []
+    for name, case in once.items():
+        tells = sorted(mistake for mistake, wrong in case["wrong"].items() if not form.alike(wrong, case["expected"]))
+        pool.append(dict(case) | {"tells": tells, "shown": name in shown})
+    return pool
 
 
 def drawn(pool: Sequence[PooledCase], key: bytes) -> dict[str, Any]:

@@ -14,20 +14,21 @@ that are left are asked once more, briefly, for they may be right.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.workbook.answers.values import is_unanswered
 from tflab.workbook.tasks.task import slug
 
+from ..kernels.limits import Limits
 from ..submissions.remarks import Remark
 from .draw import asks_of
-from .job import NotRun, Run, RunCell
+from .job import NotRun, Run, RunCell, RunCells
 from .plan import Asked, MergedNotebook, RunPlan, plan
 from .task_score import safe_error_name
 
-__all__ = ["Execution", "Runner", "execute"]
+__all__ = ["Execution", "execute"]
 
 MOST_RUNS = 40
 SHORTLY = 0.05  # of the time of a cell, for each own cell of one who has had several that did not end
@@ -35,8 +36,6 @@ ENOUGH_TO_KNOW = 2  # cases of one task, or own cells, that do not end
 MOST_TIMES_THE_NOTEBOOK = 2.0
 OURS = ("ours", "stub")  # cells in which there is nothing of the learner's
 REMARK_OF = {"output limit": "flood", "unreadable output": "flood"}  # else it died
-
-Runner = Callable[[Sequence[RunCell], bool], Run]  # patiently, or with the usual limits
 
 
 @dataclass(frozen=True)
@@ -60,25 +59,25 @@ class Execution:
 def execute(
     merged: MergedNotebook,
     tasks: Mapping[str, Mapping[str, Any]],
-    run: Runner,
+    run_cells: RunCells,
+    limits: Limits,
     *,
     wanted: Sequence[str],
-    cell_s: float,
-    notebook_s: float,
     closely: bool = False,
     leave_out: Collection[str] = (),
 ) -> Execution:
     """Run a notebook until every task in `wanted` has an outcome, or a reason why not.
 
     Args:
-        cell_s: what a cell may take, for what is said.
-        notebook_s: what all cells together may take.
-        closely: patiently, and each case in a cell of its own.
+        limits: the usual ones.
+        closely: with three times the time, and each case in a cell of its own.
         leave_out: tasks whose answers do not run.
 
     Raises:
         NotRun: our own cells did not run.
     """
+    run_limits = limits.times(3) if closely else limits
+    notebook_s = run_limits.notebook_s
     tally = OutcomeCollector(merged, tasks, wanted, closely)
     for task in leave_out:
         tally.leave_out(task)
@@ -89,7 +88,7 @@ def execute(
             merged, tasks, tally.left, without=tally.without, closely=closely, places_left=tally.places_left,
             own_part=SHORTLY if len(tally.own_that_hang) >= ENOUGH_TO_KNOW else 1.0,
         )  # fmt: skip
-        tally.take(planned, run(planned.cells, closely), cell_s)
+        tally.take(planned, run_cells(planned.cells, run_limits), limits.cell_s)
     return tally.result(notebook_s)
 
 

@@ -2,7 +2,7 @@
 
     a few numbers, a notebook as people write it     here, in a millisecond
     ninety thousand numbers, a file of 80 MB         server --fork--> child: so many seconds of processor and
-                                                     so much memory; what came of it, or Ended
+                                                     so much memory; what came of it, or OverLimit
 
 Processor time decides, not the clock on the wall, so that a busy machine costs nobody
 a point.
@@ -30,7 +30,7 @@ from .repeatability import merge_runs
 from .select_submission import Candidate, select_counting
 from .task_score import TaskScore, members, score_task
 
-__all__ = ["CPU_S", "MEMORY", "WORK", "OverLimit", "mark_task", "run_isolated", "select_notebooks", "stamps"]
+__all__ = ["CPU_S", "MEMORY", "WORK", "OverLimit", "run_isolated", "score_safely", "select_safely", "stamps_safely"]
 
 CPU_S, MEMORY = 10, 1 << 30  # of one look; an honest one takes some milliseconds
 PATIENCE = 12  # times as long by the clock on the wall
@@ -47,17 +47,17 @@ class OverLimit(Exception):
     """The look at something took too long, or too much memory."""
 
 
-def mark_task(
+def score_safely(
     task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark] = ()
 ) -> TaskScore:
-    """Return the mark of a task that was run once, or twice.
+    """Return the score of a task that was run once, or twice.
 
     What fails here or has no end costs no other task anything, and says nothing of what is expected.
     """
     try:
         if IS_POSSIBLE and _are_large(task, runs):
-            return run_isolated("mark", task_id, task, runs, trouble)
-        return _mark(task_id, task, runs, trouble)
+            return run_isolated("score", task_id, task, runs, trouble)
+        return _score(task_id, task, runs, trouble)
     except OverLimit:
         said = Remark("endless to judge", task_id, seconds=CPU_S, most=MEMORY >> 20)
     except Exception as error:
@@ -65,7 +65,7 @@ def mark_task(
     return TaskScore(task_id, "trouble", 0, 0, 0.0, float(task["points"]), remarks=(said,))
 
 
-def select_notebooks(job: Job) -> Chosen:
+def select_safely(job: Job) -> Chosen:
     """Return for each chapter the notebook that counts; a large file whose reading has no end is left out."""
     if not IS_POSSIBLE or sum(len(file.data) for file in job.files) < LARGE_FILES:
         return select_counting(job)
@@ -85,7 +85,7 @@ def _readable(job: Job, file: HandedIn) -> HandedIn:
     return file
 
 
-def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
+def stamps_safely(files: Sequence[bytes]) -> list[dict[str, str]]:
     """Return the stamps in notebooks whose owner nothing else says; none if reading them has no end."""
     if not IS_POSSIBLE or sum(map(len, files)) < LARGE_FILES:
         return read_stamps(files)
@@ -94,7 +94,7 @@ def stamps(files: Sequence[bytes]) -> list[dict[str, str]]:
     return []
 
 
-def _mark(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskScore:
+def _score(task_id: str, task: Mapping[str, Any], runs: Sequence[Outcomes], trouble: Sequence[Remark]) -> TaskScore:
     if len(runs) == 1:
         return score_task(task_id, task, runs[0], trouble)
     asked, outcomes = merge_runs(task, *runs)
@@ -107,7 +107,7 @@ def _select(job: Job) -> Chosen:
     return {stem: candidate.without_data() for stem, candidate in found.items()}, remarks
 
 
-WORK = {"mark": _mark, "select": _select, "stamps": read_stamps}
+WORK = {"score": _score, "select": _select, "stamps": read_stamps}
 
 
 def _are_large(task: Mapping[str, Any], runs: Sequence[Outcomes]) -> bool:
@@ -131,7 +131,7 @@ def run_isolated(work: str, *arguments: Any) -> Any:
     """Return what one of WORK gives, in a process of its own.
 
     Raises:
-        Ended: it took too long, or too much memory.
+        OverLimit: it took too long, or too much memory.
     """
     with _lock:
         for _ in range(2):  # the server may have been killed meanwhile

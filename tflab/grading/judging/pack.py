@@ -100,14 +100,15 @@ class Pack:
         held = json.dumps([self.release, self.seed, self.version, self.questions], sort_keys=True)
         return hashlib.sha256(held.encode()).hexdigest()
 
-    def compute_cases(self, stems: Iterable[str], *, quiet: bool = True) -> None:
-        """Compute what these chapters are graded on, where that was not done yet.
+    def compute_cases(self, *, quiet: bool = True) -> None:
+        """Compute what is graded, unless that was done already.
 
         Raises:
             PackError: a task asks something else than when it was released.
         """
-        new = [stem for stem in stems if stem not in self._cases]
-        made = _on_all_cores(graded_cases, new, self.seed, "hidden cases", quiet) if new else {}
+        if self._cases:
+            return
+        made = _on_all_cores(graded_cases, self.chapters, self.seed, "hidden cases", quiet)
         self.refuse_other_questions({stem: questions for stem, (_, questions) in made.items()})
         for stem, (cases, _) in made.items():
             self._cases[stem] = {name: task for name, task in cases.items() if name in self.questions[stem]}
@@ -134,12 +135,11 @@ class Pack:
         """Return whether a stamp is as this release handed it out, not written by somebody else."""
         return hmac.compare_digest(stamp.get("seal", "").encode(), self.seal_of(stamp).encode())
 
-    def for_learner(self, learner: str, stems: Iterable[str] | None = None) -> dict[str, dict[str, Any]]:
+    def for_learner(self, learner: str) -> dict[str, dict[str, Any]]:
         """Return what one learner is graded on: the master cells and tasks of each chapter, plain data."""
-        stems = list(self.questions if stems is None else stems)
-        self.compute_cases(stems)
+        self.compute_cases()
         chapters = {}
-        for stem in stems:
+        for stem in self.chapters:
             cells = [
                 [cell.name, cell.source, cell.task, cell.role, list(cell.earlier)] for cell in self.masters[stem].cells
             ]

@@ -117,6 +117,7 @@ def _is_written_behind(cells: Sequence[RunCell], task: str, theirs: NotebookMatc
 
 
 BRIEFLY = 0.2  # of the time, for what is left of a task
+ALWAYS_RUN = ("ours", "own", "answer")  # kinds of cells; a stub runs for its own task only
 
 
 @dataclass(frozen=True, slots=True)
@@ -166,7 +167,7 @@ def plan(
                 source = _probe(identity, tasks[cell.task], places)
                 part = 1.0 if left is None else BRIEFLY
                 cells.append(replace(cell, source=source, probe=identity, shared=str(place), part=part))
-        elif cell.name not in without and _runs(cell, wanted):
+        elif cell.name not in without and (cell.kind in ALWAYS_RUN or (cell.kind == "stub" and cell.task in wanted)):
             cells.append(replace(cell, part=own_part) if cell.kind == "own" else cell)
     return RunPlan(tuple(_joined(cells)), asked)
 
@@ -181,10 +182,6 @@ def _up_to_the_last(cells: Sequence[RunCell], wanted: Collection[str]) -> Sequen
     """Return the cells up to the last that has to do with a task that is wanted."""
     last = max((number for number, cell in enumerate(cells) if cell.task in wanted), default=-1)
     return cells[: last + 1]
-
-
-def _runs(cell: RunCell, wanted: Collection[str]) -> bool:
-    return cell.kind in ("ours", "own", "answer") or (cell.kind == "stub" and cell.task in wanted)
 
 
 def _joined(cells: Sequence[RunCell]) -> list[RunCell]:

@@ -38,18 +38,13 @@ def merge_runs(
     outcomes = dict(first) | {len(asks) + place: outcome for place, outcome in second.items()}
     outcomes = {place: limit_size(outcome, most) for place, outcome in outcomes.items()}
     both = [*asks, *asks_again]
-    values = {(both[place], place < len(asks)) for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
-    kept = {
-        place: outcome
-        for place, outcome in outcomes.items()
-        if not _is_silent(both[place], place < len(asks), values) or _is_a_value(form, outcome)
-    }
+    of_run = {place: (both[place], place < len(asks)) for place in outcomes}  # its case, and whether in the first run
+    values = {of_run[place] for place, outcome in outcomes.items() if _is_a_value(form, outcome)}
+    kept = {}
+    for place, (case, is_first) in of_run.items():
+        if (case, is_first) in values or (case, not is_first) not in values:
+            kept[place] = outcomes[place]
     return dict(task) | {"asks": both}, kept
-
-
-def _is_silent(case: int, is_first: bool, values: set[tuple[int, bool]]) -> bool:
-    """Return whether one run gave no value at all for a case, and the other one did."""
-    return (case, is_first) not in values and (case, not is_first) in values
 
 
 def _is_a_value(form: Form, outcome: Any) -> bool:

@@ -1,14 +1,14 @@
 """Grade one submission: its files become notebooks, each chapter's answers run, and a record results.
 
-    Job(learner, files, chapters)  --select, merge_submission, execute, mark-->  {"points": 11.5, "chapters": {...}}
+    Job(learner, files, chapters)  --select, merge_submission, execute, score-->  {"points": 11.5, "chapters": {...}}
 
 Nothing that a submission does ends a job: every fault becomes a line in the record.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 from tflab.text import LANGUAGES
@@ -18,14 +18,14 @@ from ..submissions.remarks import Remark
 from .cells import VOID
 from .draw import asks_of
 from .execute import Execution, execute
-from .isolated import mark_task, select_notebooks
-from .job import Job, NotRun, Run, RunCell, RunCells
+from .isolated import score_safely, select_safely
+from .job import Job, NotRun, RunCells
 from .plan import MergedNotebook
 from .repeatability import reverse_order
 from .select_submission import Candidate
 from .task_score import TaskScore
 
-__all__ = ["grade_with_retry", "graded", "merge_records"]
+__all__ = ["grade_submission", "merge_records"]
 
 ODD = {  # more than a wrong number
     "raised", "no result", Mistake.RAISES, Mistake.OTHER_EXCEPTION, Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
@@ -34,7 +34,7 @@ ODD = {  # more than a wrong number
 
 
 @dataclass(frozen=True)
-class GradedChapter:
+class ChapterResult:
     """The result for one chapter: its part of the record, the tasks to be tried alone, and the time it took."""
 
     plain: Mapping[str, Any]
@@ -42,11 +42,11 @@ class GradedChapter:
     seconds: float = 0.0
 
 
-def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
+def grade_submission(job: Job, run_cells: RunCells) -> dict[str, Any]:
     """Return the record of a submission, as JSON has it."""
-    counting, on_files = select_notebooks(job)
+    counting, on_files = select_safely(job)
     chapters = {
-        stem: _graded_chapter(job, stem, counting[stem], run_cells) if stem in counting else _not_handed_in(job, stem)
+        stem: _grade_chapter(job, stem, counting[stem], run_cells) if stem in counting else _not_handed_in(job, stem)
         for stem in job.chapters
         if stem in counting or counting or not job.only
     }
@@ -66,16 +66,8 @@ def graded(job: Job, run_cells: RunCells) -> dict[str, Any]:
     }
 
 
-def grade_with_retry(job: Job, grade: Callable[[Job], dict[str, Any]]) -> dict[str, Any]:
-    """Return a job's record by `grade`; what does not end has its second chance, alone, right behind the first."""
-    record = grade(job)
-    if not record["set_aside"]:
-        return record
-    return merge_records(record, grade(replace(job, only=record["set_aside"])))
-
-
 def merge_records(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, Any]:
-    """Return a record in which the tasks that were tried alone have their new marks."""
+    """Return a record in which the tasks that were tried alone have their new scores."""
     chapters = {stem: dict(chapter) for stem, chapter in record["chapters"].items()}
     for stem, chapter in alone["chapters"].items():
         if stem in record["set_aside"]:
@@ -90,40 +82,40 @@ def merge_records(record: dict[str, Any], alone: dict[str, Any]) -> dict[str, An
 # -- one chapter ---------------------------------------------------------------------------
 
 
-def _graded_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCells) -> GradedChapter:
+def _grade_chapter(job: Job, stem: str, candidate: Candidate, run_cells: RunCells) -> ChapterResult:
     """Return the result of the notebook that counts for a chapter."""
     grader = ChapterGrader(job, job.chapters[stem]["tasks"], candidate.merged, run_cells)
     only = job.only.get(stem, ()) if job.only is not None else None
     wanted = [task for task in grader.answered if only is None or task in only]
     first = grader.execute(wanted, alone=job.only is not None)
-    before = grader.marks(first, only if job.only else None)
+    before = grader.scores(first, only if job.only else None)
     again = dict(grader.looked_at_again(before, first))
-    marks = [again[mark.task].mark if mark.task in again else mark for mark in before]
-    remarks = [*candidate.remarks, *_about_cells(candidate.merged, marks), *first.remarks]
+    scores = [again[score.task].score if score.task in again else score for score in before]
+    remarks = [*candidate.remarks, *_about_cells(candidate.merged, scores), *first.remarks]
     remarks += [Remark("apart", task) for task, second in again.items() if second.needed_to_be_apart]
     written_in = candidate.page.notebook.stamp.get("language", "")
     plain = {
         "file": candidate.file,
         "language": written_in if written_in in LANGUAGES else "",
-        "tasks": {mark.task: mark.plain() for mark in marks},
+        "tasks": {score.task: score.plain() for score in scores},
         "remarks": [remark.plain() for remark in remarks],
     }
     seconds = first.seconds + sum(second.seconds for second in again.values())
-    return GradedChapter(plain, first.set_aside if job.only is None else (), seconds)
+    return ChapterResult(plain, first.set_aside if job.only is None else (), seconds)
 
 
 @dataclass(frozen=True)
 class SecondLook:
     """What a task got after a second run, the time of that, and whether it only works without the other answers."""
 
-    mark: TaskScore
+    score: TaskScore
     seconds: float
     needed_to_be_apart: bool = False
 
 
 @dataclass(frozen=True)
 class ChapterGrader:
-    """Runs a chapter's answers, together or apart, and marks what comes out."""
+    """Runs a chapter's answers, together or apart, and scores what comes out."""
 
     job: Job
     tasks: Mapping[str, Any]
@@ -139,86 +131,71 @@ class ChapterGrader:
         self, wanted: Sequence[str], *, alone: bool = False, leave_out: Sequence[str] = (), again: bool = False
     ) -> Execution:
         """Run what it takes to hear of some tasks; if our own cells do not run, once more."""
-        usual = self.job.limits
-        patient = usual.times(3)
         tasks = {name: reverse_order(task) if again else task for name, task in self.tasks.items()}
+        for _ in range(2):
+            try:
+                return execute(
+                    self.merged, tasks, self.run_cells, self.job.limits,
+                    wanted=wanted, closely=alone, leave_out=leave_out,
+                )  # fmt: skip
+            except NotRun as error:
+                line = Remark("not run", why=error)
+        return Execution(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
 
-        def run(cells: Sequence[RunCell], patiently: bool) -> Run:
-            return self.run_cells(cells, patient if patiently else usual)
-
-        def once() -> Execution:
-            return execute(
-                self.merged, tasks, run, wanted=wanted, cell_s=usual.cell_s,
-                notebook_s=(patient if alone else usual).notebook_s, closely=alone, leave_out=leave_out,
-            )  # fmt: skip
-
-        try:
-            return once()
-        except NotRun:
-            pass
-        try:
-            return once()
-        except NotRun as error:
-            line = Remark("not run", why=error)
-            return Execution(trouble={task: [line] for task in wanted}, set_aside=list(wanted), remarks=[line])
-
-    def marks(self, made: Execution, only: Sequence[str] | None = None) -> list[TaskScore]:
+    def scores(self, made: Execution, only: Sequence[str] | None = None) -> list[TaskScore]:
         """Return what the tasks got."""
-        return [self._mark(task_id, made) for task_id in self.tasks if only is None or task_id in only]
+        return [self._score(task_id, made) for task_id in self.tasks if only is None or task_id in only]
 
-    def _mark(self, task_id: str, made: Execution) -> TaskScore:
+    def _score(self, task_id: str, made: Execution) -> TaskScore:
         task = self.tasks[task_id]
         void = [remark for remark in self.merged.remarks if remark.task == task_id and remark.kind in VOID]
         trouble = void or made.trouble.get(task_id, [])
         if task_id not in self.merged.answered and not trouble:
-            return mark_task(task_id, task, [_nothing(task)])
-        return mark_task(task_id, task, [made.outcomes.get(task_id, {})], trouble)
+            return score_safely(task_id, task, [_nothing(task)])
+        return score_safely(task_id, task, [made.outcomes.get(task_id, {})], trouble)
 
-    def looked_at_again(self, marks: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
+    def looked_at_again(self, scores: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         """Run what is not all right or all wrong once more, and take what both runs say.
 
         What failed oddly runs without the other answers: one of these may have got in its way (`math = 3`, a patched
         function). What is right in part runs with them, in a fresh kernel. A slow notebook is not run again for each
         of its tasks.
         """
-        left = [mark for mark in marks if self._is_worth_a_second_look(mark, first)]
-        odd = [mark for mark in left if ODD & {remark.kind for remark in mark.remarks}]
-        partly = [mark for mark in left if mark not in odd and mark.points]
-        yield from self._in_a_fresh_kernel([mark for mark in partly if self.tasks[mark.task]["is_function"]], first)
+        ended = set(self.merged.answered) - set(first.set_aside)
+        left = [score for score in scores if score.task in ended and score.points < score.most]
+        odd = [score for score in left if ODD & {remark.kind for remark in score.remarks}]
+        partly = [score for score in left if score not in odd and score.points]
+        yield from self._in_a_fresh_kernel([score for score in partly if self.tasks[score.task]["is_function"]], first)
         yield from self._apart(odd, first)
 
-    def _is_worth_a_second_look(self, mark: TaskScore, first: Execution) -> bool:
-        is_there = mark.task in self.merged.answered and mark.task not in first.set_aside
-        return is_there and mark.points < mark.most
-
     def _in_a_fresh_kernel(self, partly: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
-        second = self.execute([mark.task for mark in partly], again=True) if partly else Execution()
-        for mark in partly:
-            yield mark.task, SecondLook(self._agreed(mark, first, second), second.seconds / len(partly))
+        second = self.execute([score.task for score in partly], again=True) if partly else Execution()
+        for score in partly:
+            yield score.task, SecondLook(self._agreed(score, first, second), second.seconds / len(partly))
 
     def _apart(self, odd: Sequence[TaskScore], first: Execution) -> Iterator[tuple[str, SecondLook]]:
         seconds = 0.0
-        for mark in odd:
-            others = [task for task in self.merged.answered if task != mark.task]
+        for score in odd:
+            others = [task for task in self.merged.answered if task != score.task]
             if not others or seconds > self.job.limits.notebook_s:
                 continue
-            second = self.execute([mark.task], leave_out=others, again=True)
+            second = self.execute([score.task], leave_out=others, again=True)
             seconds += second.seconds
-            agreed = self._agreed(mark, first, second)
-            yield mark.task, SecondLook(agreed, second.seconds, agreed.points > mark.points)
+            agreed = self._agreed(score, first, second)
+            yield score.task, SecondLook(agreed, second.seconds, agreed.points > score.points)
 
-    def _agreed(self, mark: TaskScore, first: Execution, second: Execution) -> TaskScore:
+    def _agreed(self, score: TaskScore, first: Execution, second: Execution) -> TaskScore:
         """Return what a task gets for what both runs say of it."""
-        if mark.task in second.set_aside:
-            return mark
-        outcomes = [made.outcomes.get(mark.task, {}) for made in (first, second)]
-        ran_without = [made.trouble.get(mark.task, []) for made in (first, second)]
-        return mark_task(mark.task, self.tasks[mark.task], outcomes, min(ran_without, key=len))
+        if score.task in second.set_aside:
+            return score
+        outcomes = [made.outcomes.get(score.task, {}) for made in (first, second)]
+        ran_without = [made.trouble.get(score.task, []) for made in (first, second)]
+        return score_safely(score.task, self.tasks[score.task], outcomes, min(ran_without, key=len))
 
 
-def _about_cells(merged: MergedNotebook, marks: Sequence[TaskScore]) -> list[Remark]:
+def _about_cells(merged: MergedNotebook, scores: Sequence[TaskScore]) -> list[Remark]:
     """Return the remarks on cells; of a lost cell whose answer was found elsewhere, that it was."""
-    found = {mark.task for mark in marks if mark.points}
+    found = {score.task for score in scores if score.points}
     return [
         Remark("elsewhere", remark.task, **remark.words)
         if remark.kind == "missing" and remark.task in found
@@ -227,14 +204,14 @@ def _about_cells(merged: MergedNotebook, marks: Sequence[TaskScore]) -> list[Rem
     ]
 
 
-def _not_handed_in(job: Job, stem: str) -> GradedChapter:
+def _not_handed_in(job: Job, stem: str) -> ChapterResult:
     tasks = job.chapters[stem]["tasks"]
     rows = {
-        task_id: mark_task(task_id, task, [_nothing(task)]).plain() | {"status": "missing", "remarks": []}
+        task_id: score_safely(task_id, task, [_nothing(task)]).plain() | {"status": "missing", "remarks": []}
         for task_id, task in tasks.items()
     }
     remarks = [Remark("nothing", chapter=stem).plain()] if job.files else []
-    return GradedChapter({"file": "", "tasks": rows, "remarks": remarks})
+    return ChapterResult({"file": "", "tasks": rows, "remarks": remarks})
 
 
 def _nothing(task: Mapping[str, Any]) -> dict[int, Any]:

@@ -69,7 +69,7 @@ class TaskScore:
     answers: Mapping[str, str] = field(default_factory=dict)
 
     def plain(self) -> dict[str, Any]:
-        """Return the mark as JSON has it."""
+        """Return the score as JSON has it."""
         row = {"status": self.status, "passed": self.passed, "of": self.of, "points": self.points, "most": self.most}
         row |= {"answers": dict(self.answers)} if self.answers else {}
         return row | {
@@ -82,7 +82,7 @@ class TaskScore:
 def score_task(
     task_id: str, task: Mapping[str, Any], outcomes: Mapping[int, Any], trouble: Sequence[Remark] = ()
 ) -> TaskScore:
-    """Return the mark of a task.
+    """Return the score of a task.
 
     Args:
         task: with its "form", "points", "feedback" and "cases", and the order in which these were asked.

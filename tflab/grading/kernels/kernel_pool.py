@@ -18,9 +18,7 @@ import subprocess
 import sys
 import tempfile
 import threading
-from collections.abc import Callable
 from dataclasses import asdict, dataclass
-from typing import IO
 
 from . import landlock, namespaces
 from .bubblewrap import WITHOUT_THIS_FOLDER
@@ -94,7 +92,6 @@ class Kernels:
         if sandbox.level == "limits" and landlock.abi() < landlock.CONFINES:
             namespaces.libc.prctl(PR_SET_DUMPABLE, 0, 0, 0, 0)  # at least nobody reads this process's memory
         self._server: subprocess.Popen[bytes] | None = None
-        self._begun: tuple[socket.socket, IO[bytes]] | None = None  # its requests and its last words, until it is ready
         self._requests: socket.socket | None = None
 
     def take(self, limits: Limits) -> Kernel:
@@ -146,42 +143,32 @@ class Kernels:
             leash_end.close()
         return Kernel(Wire(wire, longest=limits.output_bytes), leash)
 
-    def begin(self) -> None:
-        """Start the forkserver if there is none, and do not wait for it: it takes a second."""
-        if self._requests is not None or self._begun is not None:
-            return
-        words = tempfile.TemporaryFile()  # noqa: SIM115  # it may have warnings; they matter only if it fails
-        ours, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with its:
-            self._server = subprocess.Popen(
-                [sys.executable, *WITHOUT_THIS_FOLDER, "-m", "tflab.grading.kernels.forkserver", str(its.fileno())],
-                pass_fds=[its.fileno()],
-                start_new_session=True,  # Ctrl-C is for the grader
-                stdin=subprocess.DEVNULL,
-                stdout=subprocess.DEVNULL,
-                stderr=words,
-                cwd="/",
-                env=environment_of_the_server(),
-            )
-        self._begun = ours, words
-
     def _server_socket(self) -> socket.socket:
-        if self._requests is None:
-            self.begin()
-            ours, words = self._begun
-            ours.settimeout(START_S)
-            if ours.recv(16) != b"ready":
+        """Return where the forkserver takes requests; start it if there is none."""
+        if self._requests is not None:
+            return self._requests
+        self._requests, its = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with tempfile.TemporaryFile() as words:  # it may have warnings; they matter only if it fails
+            with its:
+                self._server = subprocess.Popen(
+                    [sys.executable, *WITHOUT_THIS_FOLDER, "-m", "tflab.grading.kernels.forkserver", str(its.fileno())],
+                    pass_fds=[its.fileno()],
+                    start_new_session=True,  # Ctrl-C is for the grader
+                    stdin=subprocess.DEVNULL,
+                    stdout=subprocess.DEVNULL,
+                    stderr=words,
+                    cwd="/",
+                    env=environment_of_the_server(),
+                )
+            self._requests.settimeout(START_S)
+            if self._requests.recv(16) != b"ready":
                 self._stop_server()
                 words.seek(0)
                 last = words.read().decode(errors="replace").strip().splitlines()[-1:]
                 raise KernelError(f"the forkserver did not start: {' '.join(last)}")
-            self._requests, self._begun = ours, None
         return self._requests
 
     def _stop_server(self) -> None:
-        if self._begun is not None:
-            self._begun[0].close()
-            self._begun = None
         if self._requests is not None:
             self._requests.close()
             self._requests = None
@@ -218,17 +205,13 @@ def environment_of_the_server() -> dict[str, str]:
     return kept | one_thread | {"LANG": "C.UTF-8", "PATH": os.defpath, "PYTHONHASHSEED": "0", "MPLBACKEND": "agg"}
 
 
-def choose_sandbox(hide: tuple[str, ...] = (), meanwhile: Callable[[], None] = lambda: None) -> Sandbox:
-    """Return the best sandbox that works on this machine, tried out; `meanwhile` is done while the first one starts."""
+def choose_sandbox(hide: tuple[str, ...] = ()) -> Sandbox:
+    """Return the best sandbox that works on this machine, tried out."""
     reasons: list[str] = []
     for level in LEVELS:
         sandbox = Sandbox(level, hide, refused=tuple(reasons))
         try:
-            kernels = for_this_process(sandbox)
-            kernels.begin()
-            if not reasons:
-                meanwhile()
-            kernels.take(Limits()).close()
+            for_this_process(sandbox).take(Limits()).close()
             return sandbox
         except (KernelError, OSError) as fault:
             reasons.append(f"no {level}: {fault}")

@@ -16,49 +16,17 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import tflab
-from tflab.text import Text
+from tflab.text import Text, Texts
 from tflab.workbook import paths
 
 from . import landlock, seccomp
 
 __all__ = ["LEVELS", "Sandbox"]
 
-ONLY_FILES = (
-    Text(
-        en="Code in a submission can see which other processes run.",
-        ko="제출된 코드가 다른 프로세스의 목록을 볼 수 있습니다.",
-    ),
-    Text(
-        en="An answer that shares locks between processes (multiprocessing) fails: the memory for them is everybody's.",
-        ko="프로세스 사이에 잠금을 공유하는 답(multiprocessing)은 실패합니다. "
-        "잠금에 필요한 메모리를 모든 프로세스가 함께 쓰기 때문입니다.",
-    ),
-)
-NETWORK = Text(
-    en="Code in a submission can reach the network.",
-    ko="제출된 코드가 네트워크에 접속할 수 있습니다.",
-)
-GAPS = {
-    "namespaces": (),
-    "bubblewrap": (
-        Text(
-            en="Every kernel starts from nothing, so grading takes several times as long.",
-            ko="커널을 매번 처음부터 시작하므로 채점이 몇 배 오래 걸립니다.",
-        ),
-    ),
-    "limits": (
-        Text(
-            en="Code in a submission can read and change files that the instructor can, the pack and the other "
-            "submissions among them, so hidden answers are only advisory. Keep a copy of what was handed in.",
-            ko="제출된 코드가 강사의 파일을 읽고 바꿀 수 있습니다. instructor 폴더와 다른 제출물도 마찬가지입니다. "
-            "따라서 점수는 참고용일 뿐입니다. 제출물의 사본을 따로 보관하십시오.",
-        ),
-        Text(
-            en="Code in a submission can end the grader; the run has to be started again then.",
-            ko="제출된 코드가 채점 프로그램을 끝낼 수 있습니다. 그러면 채점을 다시 시작해야 합니다.",
-        ),
-    ),
-}
+TEXTS = Texts(__file__)
+# What each kind does not protect from, as keys of the YAML file; with Landlock, "limits" protects from more.
+GAPS = {"namespaces": (), "bubblewrap": ("slow",), "limits": ("files_change", "grader_ends")}
+WITH_LANDLOCK = ("processes_seen", "no_locks")
 LEVELS = tuple(GAPS)
 SYSTEM = ("/usr", "/bin", "/sbin", "/lib", "/lib32", "/lib64", "/libx32", "/nix/store", "/gnu/store")
 OF_ETC = (
@@ -82,15 +50,16 @@ class Sandbox:
     @property
     def gaps(self) -> tuple[Text, ...]:
         """Return what this wall does not protect from, one sentence each; nothing for the best one."""
-        if self.level != "limits":
-            return GAPS[self.level]
-        gaps = ONLY_FILES if landlock.abi() >= landlock.CONFINES else GAPS["limits"]
-        return gaps if seccomp.is_there() else (*gaps, NETWORK)
+        gaps: tuple[str, ...] = GAPS[self.level]
+        if self.level == "limits":
+            gaps = WITH_LANDLOCK if landlock.abi() >= landlock.CONFINES else gaps
+            gaps = gaps if seccomp.is_there() else (*gaps, "network")
+        return tuple(TEXTS[gap] for gap in gaps)
 
     def announce(self) -> Text:
         """Return one line for the report: which wall, and why no better one; `gaps` are the lines after it."""
         why = f" ({'; '.join(self.refused)})" if self.refused else ""
-        return Text(f"Sandbox: {self.level}{why}.", f"격리 방식: {self.level}{why}.")
+        return TEXTS["announce"].filled(level=f"{self.level}{why}")
 
     def shown(self) -> tuple[str, ...]:
         """Return the folders and files of this machine that a kernel may read: the system and Python, no home."""

@@ -194,14 +194,10 @@ def _named(table: Sequence[MisconceptionCount], language: str) -> list[str]:
     fell = sorted((row for row in table if row.after < row.before), key=lambda row: row.after - row.before)
     grew = sorted((row for row in table if row.after > row.before), key=lambda row: row.before - row.after)
     return [
-        text.say(language, which="; ".join(_in_short(row, language) for row in rows[:MOST_NAMED]))
-        for text, rows in ((TEXTS["cured"], fell), (TEXTS["grew"], grew))
+        text.say(language, which="; ".join(f"{_name(row, language)} {row.before} → {row.after}" for row in rows))
+        for text, rows in ((TEXTS["cured"], fell[:MOST_NAMED]), (TEXTS["grew"], grew[:MOST_NAMED]))
         if rows
     ]
-
-
-def _in_short(row: MisconceptionCount, language: str) -> str:
-    return f"{_name(row, language)} {row.before} → {row.after}"
 
 
 def _name(row: MisconceptionCount, language: str) -> str:

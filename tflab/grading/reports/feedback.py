@@ -12,7 +12,6 @@ learner's code made: what was run could have written a hidden input there.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
-from functools import lru_cache
 from typing import Any
 
 from markupsafe import Markup
@@ -48,7 +47,8 @@ def feedback_page(record: Mapping[str, Any], titles: Mapping[str, Mapping[str, T
 def _chapter(
     stem: str, chapter: Mapping[str, Any], titles: Mapping[str, Text], level: str, language: str
 ) -> dict[str, Any]:
-    rows, title = chapter["tasks"], _titles().get(stem)
+    rows = chapter["tasks"]
+    title = next((one.title for one in read_course().chapters if one.stem == stem), None)
     is_missing = all(row["status"] == "missing" for row in rows.values())
     return {
         "heading": f"{stem[:2]} · {title.say(language) if title else stem[3:].replace('_', ' ')}",
@@ -69,11 +69,6 @@ def _task(task_id: str, row: Mapping[str, Any], title: Text, level: str, languag
     if level == "full" and row["status"] in ("partly", "wrong", "right") and row["of"] > 1:
         lines.append(TEXTS["cases"].say(language, passed=row["passed"], of=row["of"]))
     return {**row, "id": task_id, "title": title.say(language), "sign": SIGNS[row["status"]], "lines": lines}
-
-
-@lru_cache(maxsize=1)
-def _titles() -> dict[str, Text]:
-    return {chapter.stem: chapter.title for chapter in read_course().chapters}
 
 
 def _lines(remarks: Iterable[Mapping[str, Any]], language: str) -> list[Markup]:

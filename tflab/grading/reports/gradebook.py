@@ -100,16 +100,8 @@ def _canvas_rows(records: Sequence[Record], assignment: str) -> list[list[Any]]:
     rows: list[list[Any]] = [["Student", "ID", "SIS User ID", "SIS Login ID", "Section", assignment]]
     rows.append(["    Points Possible", "", "", "", "", _number(most)])
     for record in records:
-        rows.append(
-            [
-                record["name"] or record["learner"],
-                "",
-                record["learner"],
-                record["learner"],
-                "",
-                _number(record["points"]),
-            ]
-        )
+        learner = record["learner"]
+        rows.append([record["name"] or learner, "", learner, learner, "", _number(record["points"])])
     return rows
 
 

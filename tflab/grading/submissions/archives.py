@@ -116,37 +116,26 @@ def _opened(source: Path | Callable[[], bytes], most: int = MAX_MEMBERS) -> zipf
     return _kept_open(source, most, (status.st_ino, status.st_mtime_ns, status.st_size))
 
 
-class _Held(io.BytesIO):
-    """A zip in memory, of which no more is read at once than `longest`, if that is set."""
-
-    longest: int | None = None
-
-    def read(self, size: int | None = -1, /) -> bytes:
-        if self.longest is not None and size is not None and size > self.longest:
-            raise _LongList
-        return super().read(size)
-
-
-class _OnDisk(io.BufferedReader):
-    """The same for a zip on the disk."""
-
-    longest: int | None = None
-
-    def read(self, size: int | None = -1, /) -> bytes:
-        if self.longest is not None and size is not None and size > self.longest:
-            raise _LongList
-        return super().read(size)
-
-
 class _LongList(Exception):
     """The list of a zip is longer than so many names can be."""
+
+
+class _BoundedZip(io.BufferedReader):
+    """A zip of which no more is read at once than `longest`, if that is set."""
+
+    longest: int | None = None
+
+    def read(self, size: int | None = -1, /) -> bytes:
+        if self.longest is not None and size is not None and size > self.longest:
+            raise _LongList
+        return super().read(size)
 
 
 @lru_cache(maxsize=2)
 def _kept_open(source: Path | Callable[[], bytes], most: int, _state: tuple[int, ...] = ()) -> zipfile.ZipFile:
     """Open an archive; its files are read one after the other, and its list, which is read at once, may be long."""
     try:
-        held = _OnDisk(io.FileIO(source)) if isinstance(source, Path) else _Held(source())
+        held = _BoundedZip(io.FileIO(source) if isinstance(source, Path) else io.BytesIO(source()))
     except OSError as error:
         raise Unreadable("closed", error=error.strerror) from None
     try:

@@ -248,13 +248,13 @@ def _without_top(member: Member) -> Member:
     return replace(member, parts=member.parts[1:], outside=max(0, member.outside - 1))
 
 
+def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
+    return is_lms_name(folder) or bool(owner_of(folder, roster))
+
+
 def _is_everybody_known(members: Sequence[Member], roster: Mapping[str, Learner], chapters: Sequence[str]) -> bool:
     below = {member.parts[1] for member in members if len(member.parts) > 1}
     return all(owner_of(group_of((name,), chapters)[0], roster) for name in below)
-
-
-def _is_somebodys(folder: str, roster: Mapping[str, Learner]) -> bool:
-    return is_lms_name(folder) or bool(roster and owner_of(folder, roster))
 
 
 def _is_a_chapters(

@@ -169,15 +169,11 @@ def _decoded(data: bytes) -> tuple[str, list[Remark]]:
 
 def _parsed(text: str) -> Any:
     try:
-        return bounded_json.read(text, parse_int=_short_int, strict=False)
+        return bounded_json.read(text, parse_int=lambda digits: int(digits[:LONGEST_INT]), strict=False)
     except bounded_json.TooDeep:
         raise Unreadable("too deep") from None
     except ValueError as error:
         raise Unreadable("no JSON", line=getattr(error, "lineno", 1)) from None
-
-
-def _short_int(digits: str) -> int:
-    return int(digits) if len(digits) <= LONGEST_INT else 0
 
 
 def _cells_of(page: dict) -> list:

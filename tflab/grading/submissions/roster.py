@@ -114,7 +114,9 @@ def read_roster(data: bytes, language: str = "en") -> Roster:
 def _rows(data: bytes) -> tuple[list[tuple[int, list[str]]], list[str]]:
     """Return the rows in which anything stands, with their numbers, and what is wrong with the file."""
     rows: list[tuple[int, list[str]]] = []
-    lines = csv.reader(io.StringIO(_decoded(data), newline=""), dialect=_dialect(data))
+    text = _decoded(data)
+    delimiter = max(",;\t", key=text.lstrip().split("\n")[0].count)
+    lines = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
     while True:
         number = lines.line_num + 1
         try:
@@ -135,13 +137,6 @@ def _decoded(data: bytes) -> str:
         except UnicodeDecodeError:
             continue
     return data.decode("utf-8", errors="replace").replace("\0", "")
-
-
-def _dialect(data: bytes) -> type[csv.Dialect]:
-    class Dialect(csv.excel):
-        delimiter = max(",;\t", key=_decoded(data).lstrip().split("\n")[0].count)
-
-    return Dialect
 
 
 def _columns(header: list[str]) -> dict[str, int]:
