@@ -882,7 +882,7 @@ lesson.draw_mount(math.pi / 2)
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
 # 첫 문장은 “어디에서 어디로”라고 적었습니다. 두 줄 아래에는 데이터가 그 반대로 바뀐다고 적었고, 이쪽이 맞습니다.
 # 10년 동안 계속된 질문은 바로 이 글에서 나왔습니다.
-# 도움말 대신 문장을 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
+# 도움말 대신 앞에서 배운 문장 “원본 기준 데이터를 목표 기준으로 보고 싶다”를 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"
 # Read the help aloud, slowly and with a straight face. Let the class find the contradiction before you name it.
@@ -1116,8 +1116,8 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 바뀌는 것이 없습니다.
-# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()` 호출을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
+# 코드는 그대로 씁니다.
+# ROS 2의 import, 클래스, `main`을 파일 하나에 복사하고, 맨 아래에 `main()` 호출을 넣습니다. 그러면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
 # 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 실제 노드에서는 “아직 없음”이라는 결과도 처리해야 합니다. 이것은 09장의 주제입니다.
 
 # %% name="on-the-robot-node" slide="subslide"

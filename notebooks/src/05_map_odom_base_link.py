@@ -51,7 +51,7 @@ from tflab.workbook import lesson
 # 바퀴 오도메트리 노드는 늘 이렇게 발행해 왔습니다. *base_link는 odom의 저기에 있다.*
 # 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
-# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
+# 둘 다 맞는 값이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 로봇의 포즈를 `map` 기준으로 바로 발행하자는 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
@@ -61,7 +61,7 @@ from tflab.workbook import lesson
 # The last is what happens in tf2.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 두 노드 모두 사실을 발행했습니다.
+# 두 노드 모두 맞는 값을 발행했습니다.
 # 이 점을 거듭 강조합니다.
 # 그다음 해결책을 묻고 모두 진지하게 받습니다.
 # 평균을 낸다, 더 나은 쪽을 따른다, 번갈아 쓴다.
@@ -422,7 +422,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # **Predict:** how often do *both* lookups succeed? Always, half the time, never?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 일부러 고장 내기: 사실을 그대로 발행하기
+# ## 일부러 고장 내기: 맞는 포즈를 그대로 발행하기
 #
 # 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 발행은 끄고, 다른 노드가 `map` 기준 로봇의 포즈를 1초에 열 번 발행합니다.
 # 또 다른 노드는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
@@ -485,7 +485,7 @@ print(answered)
 # A lookup in `map` while `odom` is the parent raises:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
-# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 맞는 두 포즈가 번갈아 나타날 뿐입니다.
 # 로봇이 `odom`에 연결되어 있을 때 `map` 기준으로 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
@@ -631,10 +631,10 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
+# - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 제어에는 `odom`을, 목적지와 지도에는 `map`을 씁니다.
 # - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리는 보정으로 바뀌지 않습니다.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 두 포즈는 같은 시각의 것입니다.
-# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
+# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 포즈가 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"

@@ -44,7 +44,7 @@ from tflab.workbook import lesson
 # ## 하나의 트리를 셋이 발행했습니다
 #
 # 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
-# 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
+# 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터의 `publish_tf`를 `false`로 바꾸어 셋 가운데 하나만 남겼습니다.
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리도 정상으로 보였습니다. 좌표계는 가장 최근의 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
 
@@ -392,7 +392,7 @@ graph = lesson.new_graph()
 # B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
+# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
 
 # %% name="experiment-b-rviz" slide="subslide"
 lesson.draw_rviz()
@@ -437,7 +437,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓이고, 한 행만 남으면 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
@@ -507,7 +507,7 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 답장에는 세 용의자의 결과가 모두 다를 검사인 `hz /odom`이 나옵니다. 그러나 원인이 시계라면 `hz /odom`은 카드와 같을 것입니다. 증명에는 카드와 다른 값이 필요합니다. 어느 검사에서 그런 값이 나올까요?
+# 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 거절하는 메시지는 `hz /odom`을 권합니다. 세 용의자에서 결과가 모두 다른 검사이기 때문입니다. 그러나 원인이 시계라면 `hz /odom`의 결과는 카드와 같습니다. 카드와 같은 결과로는 아무것도 증명할 수 없습니다. 어느 검사에서 카드와 다른 결과가 나올까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask" tags=["translated"]
@@ -551,7 +551,7 @@ lesson.draw_visit(visit)
 # On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are Ok everywhere, and only one has the result of the card.
 
 # %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 검사 결과가 그 용의자와 맞지 않는 지점에서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
 #
 # 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
 
@@ -800,7 +800,7 @@ night.try_fix()
 # ros2 param get /problem_node use_sim_time    # 문제가 되는 노드의 이름으로
 # ```
 #
-# 강의 27절의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
+# 강의 27절의 여덟 명령입니다. 이 여덟 개로 알 수 없는 것은 다음 다섯 명령으로 확인합니다.
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # 끊김 없이 변하는지
@@ -1001,7 +1001,7 @@ night.try_fix()
 #
 # - [ ] 오류는 나지 않습니다. TF2는 누가 발행하든 표본을 모두 저장합니다.
 # - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 발행한 적 없는 위치가 나옵니다.
-# - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
+# - [ ] 부모가 다르면 트리의 모양이 번갈아 바뀌고, 그때마다 한쪽이 떨어져 나갑니다.
 # - [ ] `view_frames`에는 부모가 하나만 보입니다. 두 번째 발행자는 연결의 발행률과 20 Hz로 조회한 값에서 드러납니다.
 #
 # </details>
