@@ -227,7 +227,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
 # ## 본체: x는 앞, y는 왼쪽, z는 위
 #
-# ROS 로봇은 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
+# ROS 로봇은 관례에 따라 이 축을 씁니다. 이 관례의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
 #
 # **오른손**을 권총 모양으로 들어 보세요. 검지는 앞(x), 엄지는 위(z), 가운뎃손가락을 손바닥과 직각으로 펴면 왼쪽(y)을 가리킵니다.
@@ -279,7 +279,7 @@ lesson.draw_right_hand()
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
 # Positive pitch puts the **nose down**. Pilots learn the opposite: in an aeroplane's frame y points right and z down, so a positive pitch lifts the nose.
-# Neither is wrong. They are two conventions, and a drone uses both.
+# Neither is wrong. They are two conventions, and some drones use both.
 #
 # Positive roll lifts the left side.
 

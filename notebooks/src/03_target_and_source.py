@@ -170,15 +170,15 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # ## Run it
 #
 # The first cell publishes the mount with ROS 2's own tool. The second creates a node with a buffer, exactly as on a robot.
-# With `spin_thread=True` the listener receives transforms in a thread of its own while you type.
-# Time is simulated. It advances only while `graph.run(…)` is running. `graph` was created by `%load_ext tflab`.
+# With `spin_thread=True` the listener has a thread of its own, so you need not call `spin`.
+# Time is simulated. It advances, and messages arrive, only while `graph.run(…)` is running. `%load_ext tflab` created `graph`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
 # 먼저 ROS 2 도구로 레이저의 장착 변환을 발행하고, 이어서 버퍼가 있는 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
-# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 별도의 스레드에서 수신합니다.
-# 여기서 시간은 가상이며, `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
+# `spin_thread=True`를 주면 수신기가 별도의 스레드에서 수신하므로 `spin`을 호출하지 않아도 됩니다.
+# 여기서 시간은 가상입니다. `graph.run(…)`을 실행할 때만 시간이 흐르고 메시지가 도착합니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 \
@@ -302,9 +302,9 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
 
-print('where the laser sits    ', lesson.fmt_all(base_T_laser.translation))
-print('its own origin, moved   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
-print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
+print('where the laser is mounted ', lesson.fmt_all(base_T_laser.translation))
+print('its origin, in base_link   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
+print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
 # (The next section explains the order of the two names in the call.)

@@ -526,7 +526,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # %% [markdown] lang="ko" name="cure"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
 #
-# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
+# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 그런데 그 노드는 1초에 10번, 바퀴 오도메트리 노드는 20번 보냅니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
 #
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴 오도메트리 노드에 맡기십시오.
 

@@ -72,7 +72,7 @@ from tflab.workbook import lesson
 #
 # A mapping node looked up the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
 # The newest transform was from 3.235 s.
-# The node used the computer's clock, in 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# The node used system time, in 2019, and TF used the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # That mistake is easy to find. Nothing works, and the error message shows why.
 #
@@ -90,7 +90,7 @@ from tflab.workbook import lesson
 #
 # 어느 지도 작성 노드가 1574652168.59초의 로봇 포즈를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 지난 시간을 초로 나타냅니다.)
 # 그때 TF에 있는 시각은 3.235초였습니다.
-# 노드는 2019년의 시각을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# 노드는 2019년의 시스템 시간을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # 이 고장은 찾기 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
 #
@@ -320,7 +320,7 @@ lesson.draw_latency(turning)
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
 # ### Play with it
 #
-# There are four sliders. Say your answers aloud first; then move the sliders and check them:
+# There are four sliders. Say your answers aloud first. Then move the sliders and check your answers.
 #
 # - You set one of speed, yaw rate, range and delay to zero. For which one does the error vanish?
 # - Your robot turns at 0.5 rad/s, and at a range of 5 m you accept an error of 0.1 m. How old may a detection be?
@@ -862,7 +862,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
 #
-# Now the story from the beginning, with its own numbers: TF in simulation time, and a node that uses the computer's clock (wall time):
+# Now the story from the beginning, with its own numbers: TF in simulation time, and a node in system time (wall time):
 
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
@@ -1044,14 +1044,14 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is a node as you would run it on a robot. It is our finder with four changes: it rejects a point without a frame, uses the point's own stamp, waits up to 0.2 s for a transform (`timeout=`), and logs a warning if TF has none.
-# Read it first, then run its main part below. The corrected file is at the end of this section.
+# This is the node of the lecture. It has a fault, which you find by running it. It is our finder with four changes: it rejects a point without a frame, uses the point's own stamp, waits up to 0.2 s for a transform (`timeout=`), and logs a warning if TF has none.
+# Read it first, then run its main part below. The corrected file, for a robot, is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 강의의 실습용 노드입니다. 앞의 `Finder`에 세 가지를 더했습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, TF에 변환이 없으면 경고를 남깁니다.
-# 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 고친 파일은 이 절의 끝에 있습니다.
+# 강의의 실습용 노드입니다. 이 노드에는 결함이 하나 있고, 실행해 보면 드러납니다. 앞의 `Finder`에서 네 가지를 바꾸었습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, 변환을 최대 0.2초 기다리고(`timeout=`), TF에 변환이 없으면 경고를 남깁니다.
+# 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 로봇에서 쓸 고친 파일은 이 절의 끝에 있습니다.
 
 # %% [markdown] lang="en" name="the-file" slide="skip"
 # <details><summary><code>tf_lab_py/point_to_map.py</code>, as the lecture has it</summary>
