@@ -47,11 +47,11 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. Every name that begins with `lesson.` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
+# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. What you import from `tflab` belongs to the workbook, such as every name that begins with `lesson.`, and so does the simulation, `graph`. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
-# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 도구이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
+# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -137,7 +137,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
 #
-# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 기준이 될 좌표계(목표)를 먼저 씁니다.
+# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 명령에는 결과의 기준이 될 좌표계(목표)를 먼저 씁니다.
 # `%ros2`는 터미널에서 입력하는 `ros2`와 같습니다.
 
 # %% name="echo"
@@ -147,7 +147,7 @@ graph.run(seconds=2.0)
 # The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways (the last column of the matrix is the translation); chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
-# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며(행렬의 마지막 열은 이동입니다), 02장에서 읽습니다.
+# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 회전을 네 가지 방식으로 적은 것입니다(행렬의 마지막 열은 이동입니다). 02장에서 다룹니다.
 # (첫 줄은 도구가 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문에 나옵니다. 실제 로봇에서도 똑같습니다.)
 
 # %% [markdown] lang="en" name="fail-why" slide="-"
@@ -158,7 +158,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="ko" name="fail-why" slide="-"
 # ## 이번에는 실패해 봅시다
 #
-# 한 글자가 빠진 이름을 조회합니다. 로봇에서도 정확히 이 두 줄을 보게 됩니다. 첫 줄은 도구가 아직 변환을 하나도 받지 못해 `map`도 없던 때의 것이고, 둘째 줄이 잘못된 이름을 알려 줍니다.
+# 한 글자가 빠진 이름을 조회합니다. 로봇에서도 정확히 이 두 줄을 보게 됩니다. 첫 줄은 도구가 변환을 받기 전에 출력한 것이라 `map`이 없다고 나옵니다. 둘째 줄이 잘못된 이름을 알려 줍니다.
 
 # %% name="fail"
 # %ros2 --for 1 run tf2_ros tf2_echo map laser_fame
@@ -311,7 +311,7 @@ lesson.check_environment()
 # ## 나의 학습 현황
 #
 # 언제든지 다음 셀을 실행하거나, 터미널에서 `tflab progress`를 입력해 보세요.
-# 과제는 check를 통과해야 통과한 것으로 표시됩니다. 결과는 내 워크북의 `progress.json`에만 저장됩니다.
+# `check`를 통과한 과제만 통과한 것으로 표시됩니다. 결과는 내 워크북의 `progress.json`에만 저장됩니다.
 # 한 장을 마쳤다면 [끝없는 연습](91_practice.ipynb)에서 같은 과제를 다른 숫자로 다시 풀어 보세요. 틀렸던 것이 먼저 나옵니다.
 # tflab의 새 버전을 설치한 뒤 `tflab lab --update`를 실행하면 새 내용이 더해집니다. 직접 쓴 내용은 그대로 남습니다.
 
@@ -326,7 +326,7 @@ lesson.show_progress()
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리키고, 번호는 장 목록의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 두 화살표로 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

@@ -1446,7 +1446,7 @@ lesson.draw_card()
 # 3. What is still unclear? Write it down, and look at it again after chapter 03.
 #
 # **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
-# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
 # ## 마무리하며
@@ -1458,7 +1458,7 @@ lesson.draw_card()
 # 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
 # **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞았는지뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"
 # The last cell stops the robot's programs, as Ctrl-C would.

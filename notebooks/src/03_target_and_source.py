@@ -726,8 +726,8 @@ if ... not in (wanted_in, expressed_in):
 # %% [markdown] lang="en" name="inverse" slide="slide"
 # ## The inverse
 #
-# Stand up. You are the laser: face left. The robot's centre is 20 cm away from you.
-# Where is the robot's centre, **measured from you**? Point at it before you read on.
+# Stand up. You are the laser, and you face the same way as the robot. The robot's centre is 20 cm behind you. Now turn left by 90°.
+# Where is the robot's centre now, **measured from you**? Point at it before you read on.
 #
 # <details><summary>Sit down again</summary>
 #
@@ -1109,7 +1109,7 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# Nothing changes.
+# The code stays the same.
 # Copy the imports of ROS 2, the class and `main` into a file, and call `main()` at its end. Then `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
 # Directly after its start a listener has received nothing, so a real node must handle "not available yet". Chapter 09 shows how.
 
@@ -1291,7 +1291,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 변환을 모두 역변환한 것입니다.
+# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 두 변환은 각각 `odom_T_base`와 `map_T_odom`의 역변환입니다.
 #
 # </details>
 
@@ -1303,10 +1303,10 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that tf2 does not check this.
-# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 이 장을 마치면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

@@ -752,8 +752,8 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
-# In the exercises, `solution("E5.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E5.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다. 어느 변환을 한 번만 발행하고, 어느 변환을 계속 발행할지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

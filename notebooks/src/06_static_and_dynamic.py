@@ -1314,8 +1314,8 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts.
-# In the exercises, `solution("E6.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E6.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

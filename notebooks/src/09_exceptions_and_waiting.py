@@ -1444,7 +1444,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, one of which the buffer returns. Subtract their `.nanoseconds`, because rclpy cannot subtract Times of different clock types.
-# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about which clock a node must use while a recording is played.
+# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about which clock a node must use while a recording is played.
 #
 # On the checklist that `tflab progress` shows, this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
@@ -1462,5 +1462,5 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 반환한 것입니다. rclpy는 종류가 다른 시계의 시각을 서로 빼지 못하므로 둘의 `.nanoseconds`를 뺍니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
 # `tflab progress`에 나오는 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.

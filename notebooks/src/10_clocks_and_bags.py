@@ -988,10 +988,10 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
-# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀고 [11 도구와 RViz](11_tools_and_rviz.ipynb)로 갑니다. 어떤 질문에 어떤 도구를 쓰는지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

@@ -1075,10 +1075,10 @@ night.try_fix()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
-# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분의 로봇 세 대를 진단합니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

@@ -150,7 +150,7 @@ check("E10.3", findings)
 # `params` is a YAML parameter file as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
 # - `/**` applies to all nodes. A node's own entry, with or without the leading slash, overrides the values that it sets, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
-# - `True` is `"sim"`, and `False` is `"wall"`. A node without a value is `"wall"`, too.
+# - `True` is `"sim"`, and `False` is `"wall"` (system time, also called wall time). A node without a value is `"wall"`, too.
 # - Anything other than `True` or `False` is `"refused"`: rclpy logs an error.
 #
 # Return a list with one word for each node, in the order of `nodes`.
@@ -161,7 +161,7 @@ check("E10.3", findings)
 # `params`는 YAML 파라미터 파일을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
 #
 # - `/**`는 모든 노드에 적용됩니다. 노드 자신의 항목은 이름 앞에 슬래시가 있든 없든, 파일의 어디에 있든 `/**`보다 우선합니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
-# - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.
+# - `True`면 `"sim"`, `False`면 `"wall"`(시스템 시간, wall time)입니다. 설정되지 않은 노드도 `"wall"`입니다.
 # - `True`도 `False`도 아니면 `"refused"`입니다. rclpy가 오류를 기록합니다.
 #
 # `nodes`의 순서대로 노드마다 단어 하나가 든 리스트를 반환하십시오.
