@@ -173,7 +173,7 @@ check("E6.4", on_circle)
 #
 # What to do:
 #
-# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"keep sending while it stands still"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
+# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"keep sending at rest"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
 #
 # The answer cell gives each of these words a name, so that you need not type it: `"a": no_board`.
 
@@ -195,7 +195,7 @@ check("E6.4", on_circle)
 # - `"send one list"` 리스트 하나로 보내기
 # - `"keep it running"` 계속 실행하기
 # - `"offer TRANSIENT_LOCAL"` TRANSIENT_LOCAL 제공하기
-# - `"keep sending while it stands still"` 멈춰 있는 동안에도 보내기
+# - `"keep sending at rest"` 멈춰 있는 동안에도 보내기
 # - `"send it on /tf_static"`, `"send it on /tf"` 그 토픽으로 보내기
 # - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"correct the name"` 이름 고치기
 #
@@ -205,12 +205,10 @@ check("E6.4", on_circle)
 e6_5 = task("E6.5")
 
 # %% name="e6-5-answer" tags=["answer"]
-several_messages, publisher_gone, no_board = "several messages", "publisher gone", "no board"
-mount_on_tf, moving_frame_on_tf_static = "mount on /tf", "moving frame on /tf_static"
-moving_frame_not_sent, misspelt_name = "moving frame not sent", "misspelt name"
+several_messages, publisher_gone, no_board, misspelt_name = "several messages", "publisher gone", "no board", "misspelt name"
+mount_on_tf, moving_frame_on_tf_static, moving_frame_not_sent = "mount on /tf", "moving frame on /tf_static", "moving frame not sent"
 send_one_list, keep_it_running, offer_transient_local = "send one list", "keep it running", "offer TRANSIENT_LOCAL"
-keep_sending_while_it_stands_still = "keep sending while it stands still"
-send_it_on_tf_static, send_it_on_tf = "send it on /tf_static", "send it on /tf"
+keep_sending_at_rest, send_it_on_tf_static, send_it_on_tf = "keep sending at rest", "send it on /tf_static", "send it on /tf"
 wait_longer, send_it_faster, correct_the_name = "wait longer", "send it faster", "correct the name"
 diagnosis = {
     # BEGIN SOLUTION
@@ -218,7 +216,7 @@ diagnosis = {
     "b": no_board, "b do": offer_transient_local,
     "c": moving_frame_on_tf_static, "c do": send_it_on_tf,
     "d": several_messages, "d do": send_one_list,
-    "e": moving_frame_not_sent, "e do": keep_sending_while_it_stands_still,
+    "e": moving_frame_not_sent, "e do": keep_sending_at_rest,
     "f": publisher_gone, "f do": keep_it_running,
     # END SOLUTION
 }

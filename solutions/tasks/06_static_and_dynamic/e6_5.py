@@ -9,7 +9,7 @@ CAUSES = (
     "moving frame on /tf_static", "misspelt name",
 )  # fmt: skip
 REMEDIES = (
-    "send one list", "keep it running", "offer TRANSIENT_LOCAL", "keep sending while it stands still",
+    "send one list", "keep it running", "offer TRANSIENT_LOCAL", "keep sending at rest",
     "send it on /tf_static", "send it on /tf", "wait longer", "send it faster", "correct the name",
 )  # fmt: skip
 
@@ -23,7 +23,7 @@ RIGHT = {
     "d": "several messages",
     "d do": "send one list",
     "e": "moving frame not sent",
-    "e do": "keep sending while it stands still",
+    "e do": "keep sending at rest",
     "f": "publisher gone",
     "f do": "keep it running",
 }
