@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - record a [[bag]] that contains the transforms for its own messages, and check it with one number,
-# - say which time a node uses: the machine's, the bag's, or a clock that stays at 0 ([[simulation time]]),
+# - say which time a node uses: system time, the bag's time, or a clock that stays at 0 ([[simulation time]]),
 # - recognise a forgotten `--clock`, a node whose clock shows another day, and a bag that plays in a loop,
 # - examine a bag of your own.
 
