@@ -94,7 +94,7 @@ def of_chapter(stem: str, *, pack: Pack | None, learners: int, seeds: int = 1) -
     packs = [pack] if pack else [pack_of([stem]) for _ in range(seeds)]
     names = [f"s{number}" for number in range(learners)]
     packs = [replace(one, roster={name: Learner(name) for name in names}) for one in packs]
-    asked = [one.for_learner(name, [stem])[stem]["tasks"] for one in packs for name in names]
+    asked = [one.for_learner(name)[stem]["tasks"] for one in packs for name in names]
     rows = []
     for task_id, task in asked[0].items():
         who = [tasks[task_id] for tasks in asked]

@@ -47,11 +47,11 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. Every name that begins with `lesson.` belongs to the workbook. Everything else is Python or ROS 2, as on a robot.
+# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. What you import from `tflab` belongs to the workbook, such as every name that begins with `lesson.`, and so does the simulation, `graph`. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
-# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`으로 부르는 것은 이 워크북의 도구이고, 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
+# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -137,7 +137,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
 #
-# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 기준이 될 좌표계(목표)를 먼저 씁니다.
+# 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 명령에는 결과의 기준이 될 좌표계(목표)를 먼저 씁니다.
 # `%ros2`는 터미널에서 입력하는 `ros2`와 같습니다.
 
 # %% name="echo"
@@ -147,7 +147,7 @@ graph.run(seconds=2.0)
 # The answer is the line *Translation*: x, y and z in metres, in `map`, once a second. The lines below it give the rotation, written in four ways (the last column of the matrix is the translation); chapter 02 explains them.
 
 # %% [markdown] lang="ko" name="echo-read" slide="-"
-# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 같은 회전을 네 가지로 적은 것이며(행렬의 마지막 열은 이동입니다), 02장에서 읽습니다.
+# 답은 *Translation* 줄입니다. 지도 기준의 x, y, z를 1초에 한 번씩 미터로 보여 줍니다. 그 아래 줄들은 회전을 네 가지 방식으로 적은 것입니다(행렬의 마지막 열은 이동입니다). 02장에서 다룹니다.
 # (첫 줄은 도구가 변환을 하나도 받지 못한 상태에서 조회부터 하기 때문에 나옵니다. 실제 로봇에서도 똑같습니다.)
 
 # %% [markdown] lang="en" name="fail-why" slide="-"
@@ -158,7 +158,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="ko" name="fail-why" slide="-"
 # ## 이번에는 실패해 봅시다
 #
-# 한 글자가 빠진 이름을 조회합니다. 로봇에서도 정확히 이 두 줄을 보게 됩니다. 첫 줄은 도구가 아직 변환을 하나도 받지 못해 `map`도 없던 때의 것이고, 둘째 줄이 잘못된 이름을 알려 줍니다.
+# 한 글자가 빠진 이름을 조회합니다. 로봇에서도 정확히 이 두 줄을 보게 됩니다. 첫 줄은 도구가 변환을 받기 전에 출력한 것이라 `map`이 없다고 나옵니다. 둘째 줄이 잘못된 이름을 알려 줍니다.
 
 # %% name="fail"
 # %ros2 --for 1 run tf2_ros tf2_echo map laser_fame
@@ -217,38 +217,38 @@ graph.stop()
 #
 # 각 장은 누군가 실제로 겪고 보고한 실패로 시작합니다.
 # 어느 장에서든 시작할 수 있습니다. 먼저 볼 장은 표와 각 장의 첫머리에 적혀 있습니다.
-# 하루 저녁만 있다면 01, 03, 08장을 보십시오. 세 시간쯤 걸리고, 연습 문제에 두 시간 반쯤이 더 듭니다.
+# 시간이 적다면 01, 03, 08장만 보십시오. 세 시간쯤 걸리고, 그 연습 문제를 푸는 데 두 시간 반쯤 더 걸립니다.
 # 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 모두 푸는 데 전체로 다시 그만큼 걸립니다. 장마다 걸리는 시간은 연습 문제의 첫머리에 적혀 있습니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | no. | chapter | its question | minutes | builds on | exercise |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | When are three numbers a position? | 45 |  | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
+# | 1 | **[Value, frame and stamp](01_value_frame_stamp.ipynb)** | When are three numbers a position? | 45 | 0 | [E1](../../exercises/en/E01_value_frame_stamp.ipynb) |
 # | 2 | **[Axes and quaternions](02_axes_and_quaternions.ipynb)** | Which way is forward? | 75 | 1 | [E2](../../exercises/en/E02_axes_and_quaternions.ipynb) |
 # | 3 | **[Target and source](03_target_and_source.ipynb)** | In which frame is the data, and in which do you want it? | 60 | 1, 2 | [E3](../../exercises/en/E03_target_and_source.ipynb) |
 # | 4 | **[The tree of frames](04_frame_tree.ipynb)** | How are two frames connected? | 50 | 3 | [E4](../../exercises/en/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | Why are there two fixed frames? | 50 | 3, 4 | [E5](../../exercises/en/E05_map_odom_base_link.ipynb) |
 # | 6 | **[Static and dynamic](06_static_and_dynamic.ipynb)** | Which node publishes a transform, and how often? | 60 | 3, 4 | [E6](../../exercises/en/E06_static_and_dynamic.ipynb) |
 # | 7 | **[URDF and sensors](07_urdf_and_sensors.ipynb)** | Where are the robot's parts mounted? | 60 | 2, 6 | [E7](../../exercises/en/E07_urdf_and_sensors.ipynb) |
-# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 75 | 3, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
+# | 8 | **[Buffer and measurement time](08_buffer_and_measurement_time.ipynb)** | Where was the robot when it measured? | 75 | 1, 3, 4, 5, 6 | [E8](../../exercises/en/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[Exceptions and waiting](09_exceptions_and_waiting.ipynb)** | Why is there no answer, and does waiting help? | 90 | 4, 8 | [E9](../../exercises/en/E09_exceptions_and_waiting.ipynb) |
-# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 55 | 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
+# | 10 | **[Clocks and bags](10_clocks_and_bags.ipynb)** | Which clock do the stamps come from? | 55 | 6, 8, 9 | [E10](../../exercises/en/E10_clocks_and_bags.ipynb) |
 # | 11 | **[Tools and RViz](11_tools_and_rviz.ipynb)** | Which tool answers which question? | 60 | 4, 5, 8 | [E11](../../exercises/en/E11_tools_and_rviz.ipynb) |
 # | 12 | **[Owners and diagnosis](12_owners_and_diagnosis.ipynb)** | Which node owns each edge, and what is broken? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/en/E12_owners_and_diagnosis.ipynb) |
 
 # %% [markdown] lang="ko" name="chapters-table" slide="-"
 # | 번호 | 장 | 장의 질문 | 분 | 먼저 볼 장 | 연습 |
 # |--:|:--|:--|--:|:--|:--|
-# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개가 위치가 되려면 무엇이 더 필요할까요? | 45 |  | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
+# | 1 | **[값, 좌표계, 측정 시각](01_value_frame_stamp.ipynb)** | 숫자 세 개가 위치가 되려면 무엇이 더 필요할까요? | 45 | 0 | [E1](../../exercises/ko/E01_value_frame_stamp.ipynb) |
 # | 2 | **[좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)** | 어느 축이 앞이고, 회전은 어떻게 적을까요? | 75 | 1 | [E2](../../exercises/ko/E02_axes_and_quaternions.ipynb) |
 # | 3 | **[목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)** | 데이터는 어느 좌표계 기준이고, 어느 좌표계 기준으로 바꿀까요? | 60 | 1, 2 | [E3](../../exercises/ko/E03_target_and_source.ipynb) |
 # | 4 | **[좌표계 트리](04_frame_tree.ipynb)** | 두 좌표계는 어떻게 연결될까요? | 50 | 3 | [E4](../../exercises/ko/E04_frame_tree.ipynb) |
 # | 5 | **[map, odom, base_link](05_map_odom_base_link.ipynb)** | 세계에 고정된 기준 좌표계는 왜 둘이나 필요할까요? | 50 | 3, 4 | [E5](../../exercises/ko/E05_map_odom_base_link.ipynb) |
 # | 6 | **[정적 변환과 동적 변환](06_static_and_dynamic.ipynb)** | 어느 노드가 변환을 발행하고, 얼마나 자주 발행할까요? | 60 | 3, 4 | [E6](../../exercises/ko/E06_static_and_dynamic.ipynb) |
 # | 7 | **[URDF와 센서](07_urdf_and_sensors.ipynb)** | 로봇의 부품은 어디에 붙어 있을까요? | 60 | 2, 6 | [E7](../../exercises/ko/E07_urdf_and_sensors.ipynb) |
-# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 75 | 3, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
+# | 8 | **[버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)** | 측정한 순간, 로봇은 어디에 있었을까요? | 75 | 1, 3, 4, 5, 6 | [E8](../../exercises/ko/E08_buffer_and_measurement_time.ipynb) |
 # | 9 | **[예외와 기다림](09_exceptions_and_waiting.ipynb)** | 왜 조회가 실패할까요? 기다리면 될까요? | 90 | 4, 8 | [E9](../../exercises/ko/E09_exceptions_and_waiting.ipynb) |
-# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 55 | 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
+# | 10 | **[시계와 bag](10_clocks_and_bags.ipynb)** | 측정 시각은 어느 시계의 시각일까요? | 55 | 6, 8, 9 | [E10](../../exercises/ko/E10_clocks_and_bags.ipynb) |
 # | 11 | **[도구와 RViz](11_tools_and_rviz.ipynb)** | 어떤 질문에 어떤 도구를 쓸까요? | 60 | 4, 5, 8 | [E11](../../exercises/ko/E11_tools_and_rviz.ipynb) |
 # | 12 | **[발행 책임과 진단](12_owners_and_diagnosis.ipynb)** | 각 연결은 어느 노드의 책임이고, 무엇이 고장 났을까요? | 60 | 5, 6, 7, 9, 10, 11 | [E12](../../exercises/ko/E12_owners_and_diagnosis.ipynb) |
 
@@ -311,7 +311,7 @@ lesson.check_environment()
 # ## 나의 학습 현황
 #
 # 언제든지 다음 셀을 실행하거나, 터미널에서 `tflab progress`를 입력해 보세요.
-# 과제는 check를 통과해야 통과한 것으로 표시됩니다. 결과는 내 워크북의 `progress.json`에만 저장됩니다.
+# `check`를 통과한 과제만 통과한 것으로 표시됩니다. 결과는 내 워크북의 `progress.json`에만 저장됩니다.
 # 한 장을 마쳤다면 [끝없는 연습](91_practice.ipynb)에서 같은 과제를 다른 숫자로 다시 풀어 보세요. 틀렸던 것이 먼저 나옵니다.
 # tflab의 새 버전을 설치한 뒤 `tflab lab --update`를 실행하면 새 내용이 더해집니다. 직접 쓴 내용은 그대로 남습니다.
 
@@ -326,7 +326,7 @@ lesson.show_progress()
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리키고, 번호는 장 목록의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 두 화살표로 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

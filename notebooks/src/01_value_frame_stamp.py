@@ -186,7 +186,7 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>I said (8.2, −1.7, 0.10) in map</summary>
 #
-# You left out the mount. You treated the laser as if it were at the robot's centre.
+# The mount is left out: this would be right if the laser were at the robot's centre.
 #
 # </details>
 # <details><summary>I attended the lecture, and there z was 0.3 in both</summary>
@@ -226,7 +226,7 @@ print('you guessed ', my_guess)
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
 # 칠판의 숫자와 비교합니다.
-# 펼칠 답 가운데 처음 셋이 세 가지 실수입니다.
+# 펼쳐 볼 답 네 개 가운데 처음 세 개가 흔한 실수입니다.
 # 첫째 것은 소리 내어 읽습니다.
 # 앞의 이야기와 같은 실수입니다.
 # 맞힌 사람은 옆 사람에게 한 문장으로 설명합니다.
@@ -287,7 +287,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # **Predict:** which of the three sets of coordinates stay the same?
 
 # %% [markdown] lang="ko" name="while-nobody-turns" slide="subslide"
-# 회전이 없으면 2 + 0.20 + 6.2처럼 그냥 더하면 됩니다.
+# 회전한 좌표계가 없으면 2 + 0.20 + 6.2처럼 그냥 더하면 됩니다.
 # 이제 로봇이 제자리에서 왼쪽으로 90° 돌고, 레이저 정면에서 다른 공을 봅니다.
 #
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
@@ -339,7 +339,7 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="who-moved" slide="slide"
 # ## 어느 숫자가 바뀔까요?
 #
-# 이제 로봇이 지도의 x 방향으로 곧장, 1초에 0.5미터씩 달립니다.
+# 장면을 바꿉니다. 로봇은 다시 지도의 x 방향을 보고, 1초에 0.5미터씩 곧장 달립니다.
 # 앞쪽 바닥에 공이 있고, 로봇의 쟁반 위에 컵이 있습니다.
 #
 # **예측해 봅시다.** 로봇이 달리는 동안 공과 컵 가운데 어느 쪽의 숫자가 바뀔까요? `map` 기준으로는? `base_link` 기준으로는?
@@ -347,7 +347,7 @@ rclpy.shutdown()
 # %% name="start-the-robot" slide="skip"
 graph = lesson.new_graph()
 drive = lesson.Drive([lesson.Leg(20.0, 0.5)], lesson.PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
-robot = lesson.TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: today is about labels
+robot = lesson.TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: this page is about frames and stamps
 parts = ['robot_state_publisher', 'wheel_odometry', 'localization', 'object_detector', 'imu_driver']
 nodes = lesson.launch(graph, robot, only=parts)
 
@@ -576,7 +576,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # 그러니 측정값은 받는 대로, 시간이 지나도 값이 그대로인 좌표계 기준으로 바꾸십시오. 이때 **측정 시각의 [[pose|포즈(pose)]]를** 쓰십시오.
 
 # %% name="keeps" slide="fragment"
-point = buffer.transform(seen, 'map').point  # with the pose of the stamp: the message says which
+point = buffer.transform(seen, 'map').point  # with the robot's pose at the stamp of the message
 print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 
 # %% [markdown] lang="en" name="contract" slide="slide"
@@ -591,7 +591,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
 # ## 약속
 #
 # > **측정값은 값, 좌표계, 측정 시각입니다.**
-# 보내는 쪽은 측정하는 순간에 좌표계와 측정 시각을 모두 채웁니다. 받는 쪽은 둘 다 읽고, 읽을 수 없으면 거절하고 이유를 남깁니다.
+# > 보내는 쪽은 측정하는 순간에 좌표계와 측정 시각을 모두 채웁니다. 받는 쪽은 둘 다 확인합니다. 하나라도 없으면 거절하고 이유를 로그에 남깁니다.
 #
 # 받는 쪽의 약속을 지키는 함수입니다.
 
@@ -694,7 +694,7 @@ buffer.transform(misspelt, 'map')
 # 둘 다 오류를 내며, 어느 이름이 문제인지 알려 줍니다.
 # 이번에는 측정 시각을 빠뜨려 봅시다. TF2에서 측정 시각 0은 “가장 최근 것이면 된다”는 뜻입니다.
 #
-# **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 더 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 무엇을 출력할까요?
+# **예측해 봅시다.** 촬영한 다음 로봇은 1.25 m를 달렸습니다. 공은 `map`의 어디에 놓이고, TF2는 무엇을 출력할까요?
 
 # %% name="no-stamp" tags=["predicted"]
 from builtin_interfaces.msg import Time as Stamp

@@ -21,7 +21,7 @@
 # - 눈을 감고도 로봇의 x, y, z축을 손으로 가리키고, 로봇이 회전하기 전에 회전각의 부호를 말할 수 있습니다.
 # - roll, pitch, yaw를 읽고, 순서가 왜 중요한지 설명할 수 있습니다.
 # - 회전을 쿼터니언으로 쓰고, 올바른 쿼터니언과 네 가지 잘못된 쿼터니언을 구별할 수 있습니다.
-# - 카메라 영상 기준의 점을 카메라 본체 기준으로 바꾸고, 거꾸로도 바꿀 수 있습니다.
+# - 카메라 광학 좌표계(optical frame) 기준의 점을 카메라 본체 기준으로 바꾸고, 거꾸로도 바꿀 수 있습니다.
 # - 90° 누워 있는 포인트 클라우드를 보고, 고쳐야 할 단 한 줄을 짚어낼 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
@@ -29,7 +29,7 @@
 # Half the class will not move their hands. This chapter is for that half.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라 영상이라고 생각하고 그 x, y, z를 가리키게 합니다.
+# 모두 일어나서 앞, 왼쪽, 위를 차례로 가리키게 합니다. 각각 x, y, z입니다. 이번에는 자신이 카메라라고 생각하고 카메라 광학 좌표계의 x, y, z를 가리키게 합니다.
 # 절반은 손을 움직이지 않을 것입니다. 이 장은 그 절반을 위한 것입니다.
 
 # %% [markdown] lang="en" name="needed" slide="skip"
@@ -57,7 +57,7 @@
 # - [[frame|좌표계(frame)]]는 원점과 세 방향에 이름을 붙인 것입니다. `base_link`, `camera_link`처럼 씁니다.
 # - 값, 좌표계, 시각이 모두 있어야 비로소 점의 위치를 알 수 있습니다. `(2, 0, 0)`만으로는 아무 뜻이 없습니다.
 # - 메시지는 자신의 좌표계를 `header.frame_id`에 적습니다.
-# - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
+# - [[transform|좌표 변환(transform)]]은 한 좌표계([[child frame|자식]])가 다른 좌표계([[parent frame|부모]])를 기준으로 어디에 있고 어느 방향을 향하는지 나타냅니다. 이동(미터)과 회전, 두 부분으로 이루어집니다. **이 장에서는 회전을 다룹니다.**
 # - [[tf2|TF2]](줄여서 TF)는 변환을 모두 모아 두고 이런 계산을 대신해 주는 ROS 2의 라이브러리입니다. RViz는 변환을 그림으로 보여 주는 ROS의 시각화 도구입니다.
 # - [[urdf]]는 로봇의 부품이 어디에 달려 있는지 적은 파일입니다.
 # - 우리 로봇에는 카메라가 달려 있습니다. `camera_link`는 `base_link` 기준 (0.10, 0, 0.30), 즉 로봇 중심에서 앞으로 10 cm, 위로 30 cm인 곳에 있습니다.
@@ -227,7 +227,7 @@ print("in camera_optical_frame ", lesson.fmt_all(lesson.optical_from_body(mug)))
 # %% [markdown] lang="ko" name="body-axes" slide="slide"
 # ## 본체: x는 앞, y는 왼쪽, z는 위
 #
-# ROS 로봇은 이 약속을 따릅니다. 규칙의 이름은 [[rep-103]]입니다.
+# ROS 로봇은 관례에 따라 이 축을 씁니다. 이 관례의 이름은 [[rep-103]]입니다.
 # 길이는 미터, 각도는 라디안을 씁니다.
 #
 # **오른손**을 권총 모양으로 들어 보세요. 검지는 앞(x), 엄지는 위(z), 가운뎃손가락을 손바닥과 직각으로 펴면 왼쪽(y)을 가리킵니다.
@@ -279,7 +279,7 @@ lesson.draw_right_hand()
 # Positive yaw turns **left**: from x towards y. So −0.5 goes right.
 #
 # Positive pitch puts the **nose down**. Pilots learn the opposite: in an aeroplane's frame y points right and z down, so a positive pitch lifts the nose.
-# Neither is wrong. They are two conventions, and a drone uses both.
+# Neither is wrong. They are two conventions, and some drones use both.
 #
 # Positive roll lifts the left side.
 
@@ -1446,7 +1446,7 @@ lesson.draw_card()
 # 3. What is still unclear? Write it down, and look at it again after chapter 03.
 #
 # **Next:** the exercises, [E2 Axes and quaternions](../../exercises/en/E02_axes_and_quaternions.ipynb), and then [03 Target and source](03_target_and_source.ipynb). `check` tells you not only that an answer is wrong, but *which* mistake you made.
-# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E2.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="exit" slide="slide"
 # ## 마무리하며
@@ -1458,7 +1458,7 @@ lesson.draw_card()
 # 3. 아직 잘 모르겠는 것을 적어 두었다가, 03장을 읽은 뒤 다시 보세요.
 #
 # **다음:** 연습 문제 [E2 좌표축과 쿼터니언](../../exercises/ko/E02_axes_and_quaternions.ipynb)을 풀고 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다. `check`를 실행하면 맞았는지뿐 아니라 *어떤* 실수인지도 알 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E2.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 
 # %% [markdown] lang="en" name="stop-why" slide="skip"
 # The last cell stops the robot's programs, as Ctrl-C would.

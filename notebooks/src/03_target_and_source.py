@@ -170,15 +170,15 @@ my_guess = (0.0, 0.0, 0.0)  # your guess: (x, y, z) in base_link [m]
 # ## Run it
 #
 # The first cell publishes the mount with ROS 2's own tool. The second creates a node with a buffer, exactly as on a robot.
-# With `spin_thread=True` the listener receives transforms in a thread of its own while you type.
-# Time is simulated. It advances only while `graph.run(…)` is running. `graph` was created by `%load_ext tflab`.
+# With `spin_thread=True` the listener has a thread of its own, so you need not call `spin`.
+# Time is simulated. It advances, and messages arrive, only while `graph.run(…)` is running. `%load_ext tflab` created `graph`.
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
 # 먼저 ROS 2 도구로 레이저의 장착 변환을 발행하고, 이어서 버퍼가 있는 노드를 만듭니다. 로봇에서도 똑같이 씁니다.
-# `spin_thread=True`를 주면, 여러분이 입력하는 동안에도 수신기가 별도의 스레드에서 수신합니다.
-# 여기서 시간은 가상이며, `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
+# `spin_thread=True`를 주면 수신기가 별도의 스레드에서 수신하므로 `spin`을 호출하지 않아도 됩니다.
+# 여기서 시간은 가상입니다. `graph.run(…)`을 실행할 때만 시간이 흐르고 메시지가 도착합니다. `graph`는 `%load_ext tflab`이 만들어 둔 것입니다.
 
 # %% name="mount-the-laser"
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --yaw 1.5707963 \
@@ -302,9 +302,9 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 # %% name="one-transform-in-numbers" slide="subslide"
 base_T_laser = buffer.core.lookup_transform('base_link', 'laser_frame', LATEST).transform
 
-print('where the laser sits    ', lesson.fmt_all(base_T_laser.translation))
-print('its own origin, moved   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
-print('the corner, moved       ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
+print('where the laser is mounted ', lesson.fmt_all(base_T_laser.translation))
+print('its origin, in base_link   ', lesson.fmt_all(base_T_laser.apply((0.0, 0.0, 0.0))))
+print('the corner, in base_link   ', lesson.fmt_all(base_T_laser.apply((2.0, 0.0, 0.0))))
 
 # %% [markdown] lang="en" name="one-transform-numbers-seen"
 # (The next section explains the order of the two names in the call.)
@@ -726,8 +726,8 @@ if ... not in (wanted_in, expressed_in):
 # %% [markdown] lang="en" name="inverse" slide="slide"
 # ## The inverse
 #
-# Stand up. You are the laser: face left. The robot's centre is 20 cm away from you.
-# Where is the robot's centre, **measured from you**? Point at it before you read on.
+# Stand up. You are the laser, and you face the same way as the robot. The robot's centre is 20 cm behind you. Now turn left by 90°.
+# Where is the robot's centre now, **measured from you**? Point at it before you read on.
 #
 # <details><summary>Sit down again</summary>
 #
@@ -882,7 +882,7 @@ lesson.draw_mount(math.pi / 2)
 # 첫 인자는 조회의 *목표*인데, 도움말은 그것을 `source_frame`이라고 부릅니다.
 # 첫 문장은 “어디에서 어디로”라고 적었습니다. 두 줄 아래에는 데이터가 그 반대로 바뀐다고 적었고, 이쪽이 맞습니다.
 # 10년 동안 계속된 질문은 바로 이 글에서 나왔습니다.
-# 도움말 대신 문장을 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
+# 도움말 대신 앞에서 배운 문장 “원본 기준 데이터를 목표 기준으로 보고 싶다”를 따르십시오. **`tf2_echo 목표 원본`** 순서입니다.
 
 # %% [markdown] lang="en" name="echo-help-notes" slide="notes"
 # Read the help aloud, slowly and with a straight face. Let the class find the contradiction before you name it.
@@ -1109,15 +1109,15 @@ buffer.lookup_transform('/base_link', 'laser_frame', Time())
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# Nothing changes.
+# The code stays the same.
 # Copy the imports of ROS 2, the class and `main` into a file, and call `main()` at its end. Then `python3` runs it on a robot. The buffer, the listener and the lookup are those that you used above.
 # Directly after its start a listener has received nothing, so a real node must handle "not available yet". Chapter 09 shows how.
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 바뀌는 것이 없습니다.
-# 파일 맨 위에 ROS 2의 import를, 맨 아래에 `main()` 호출을 넣으면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
+# 코드는 그대로 씁니다.
+# ROS 2의 import, 클래스, `main`을 파일 하나에 복사하고, 맨 아래에 `main()` 호출을 넣습니다. 그러면 로봇에서 `python3`로 실행됩니다. 버퍼도 수신기도 조회도 위에서 쓴 그대로입니다.
 # 막 시작한 수신기는 아직 받은 변환이 없습니다. 그래서 실제 노드에서는 “아직 없음”이라는 결과도 처리해야 합니다. 이것은 09장의 주제입니다.
 
 # %% name="on-the-robot-node" slide="subslide"
@@ -1291,7 +1291,7 @@ rclpy.try_shutdown()
 #
 # <details><summary>맞춰 보기</summary>
 #
-# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 발행된 두 변환을 모두 역변환한 것입니다.
+# `lookup_transform('base_link', 'map', Time())`이고, `base_T_map = base_T_odom @ odom_T_map`입니다. 두 변환은 각각 `odom_T_base`와 `map_T_odom`의 역변환입니다.
 #
 # </details>
 
@@ -1303,10 +1303,10 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E3 Target and source](../../exercises/en/E03_target_and_source.ipynb), and after them [04 The tree of frames](04_frame_tree.ipynb), which shows how the edges form a tree, and that tf2 does not check this.
-# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E3.2")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # `tflab progress` shows a checklist of what to do on a robot. Tasks E3.1 and E3.5 tick one line of it: *I ran `tf2_echo` with target and source in the right order.*
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E3 목표 좌표계와 원본 좌표계](../../exercises/ko/E03_target_and_source.ipynb)를 풀고 [04 좌표계 트리](04_frame_tree.ipynb)로 갑니다. 연결들이 어떻게 트리를 이루는지 봅니다. 트리가 되도록 보장하는 프로그램은 없습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E3.2")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 이 장을 마치면 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 2번을 채울 수 있습니다. *목표와 원본의 순서를 지켜 tf2_echo를 실행했습니다.*

@@ -899,10 +899,10 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E4 The tree of frames](../../exercises/en/E04_frame_tree.ipynb), and after them [05 map, odom, base_link](05_map_odom_base_link.ipynb), where "one parent each" decides which node may publish the robot's pose.
-# In the exercises, `solution("E4.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E4.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # Tasks E4.2 and E4.6 count for two lines of the checklist that `tflab progress` shows: *I have drawn the tree with view_frames*, and *I have found a second broadcaster of one child*.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 이 장부터 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다) 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*

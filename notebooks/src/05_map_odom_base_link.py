@@ -51,7 +51,7 @@ from tflab.workbook import lesson
 # 바퀴 오도메트리 노드는 늘 이렇게 발행해 왔습니다. *base_link는 odom의 저기에 있다.*
 # 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
-# 둘 다 사실이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
+# 둘 다 맞는 값이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 로봇의 포즈를 `map` 기준으로 바로 발행하자는 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
 # 그 방법이 이 장의 연결 하나, `map → odom`입니다.
 
@@ -61,7 +61,7 @@ from tflab.workbook import lesson
 # The last is what happens in tf2.
 
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
-# 두 노드 모두 사실을 발행했습니다.
+# 두 노드 모두 맞는 값을 발행했습니다.
 # 이 점을 거듭 강조합니다.
 # 그다음 해결책을 묻고 모두 진지하게 받습니다.
 # 평균을 낸다, 더 나은 쪽을 따른다, 번갈아 쓴다.
@@ -422,7 +422,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 # **Predict:** how often do *both* lookups succeed? Always, half the time, never?
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
-# ## 일부러 고장 내기: 사실을 그대로 발행하기
+# ## 일부러 고장 내기: 맞는 포즈를 그대로 발행하기
 #
 # 이야기 속 프로그램이 한 일을 해 봅시다. 위치 추정 노드의 발행은 끄고, 다른 노드가 `map` 기준 로봇의 포즈를 1초에 열 번 발행합니다.
 # 또 다른 노드는 10초 동안 천 번, `map` 기준과 `odom` 기준의 로봇을 조회합니다.
@@ -485,7 +485,7 @@ print(answered)
 # A lookup in `map` while `odom` is the parent raises:
 
 # %% [markdown] lang="ko" name="counted" tags=["predicted"]
-# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 두 사실이 번갈아 나타날 뿐입니다.
+# 로봇은 시간의 절반은 `map`에, 절반은 `odom`에 연결되어 있고, 둘 다에 연결된 때는 한 번도 없습니다. 두 노드가 발행할 때는 오류가 나지 않습니다. 맞는 두 포즈가 번갈아 나타날 뿐입니다.
 # 로봇이 `odom`에 연결되어 있을 때 `map` 기준으로 조회하면 이런 오류가 나옵니다.
 
 # %% [markdown] lang="en" name="counted-notes" slide="notes"
@@ -526,7 +526,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # %% [markdown] lang="ko" name="cure"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
 #
-# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
+# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 그런데 그 노드는 1초에 10번, 바퀴 오도메트리 노드는 20번 보냅니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
 #
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴 오도메트리 노드에 맡기십시오.
 
@@ -631,10 +631,10 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
 #
-# - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 저마다 알맞은 일에 씁니다.
+# - [[odom|`odom`]]은 연속이고 드리프트합니다. [[map|`map`]]은 드리프트하지 않고 튑니다. 제어에는 `odom`을, 목적지와 지도에는 `map`을 씁니다.
 # - 보정하면 `map` 기준의 `odom`이 이동하고 회전합니다. 오도메트리는 보정으로 바뀌지 않습니다.
 # - `map_T_odom = map_T_base @ odom_T_base.inverse()`이고, 두 포즈는 같은 시각의 것입니다.
-# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 사실이 번갈아 나타납니다.
+# - 좌표계의 부모는 하나입니다. 바퀴 오도메트리 노드가 이미 로봇의 포즈를 발행하는데 다른 노드가 `map → base_link`까지 발행하면, 오류 없이 두 포즈가 번갈아 나타납니다.
 # - [[base_footprint|`base_footprint`]]는 로봇을 바닥에 투영한 좌표계입니다. x, y, yaw만 있습니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -752,8 +752,8 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E5 map, odom, base_link](../../exercises/en/E05_map_odom_base_link.ipynb), and after them [06 Static and dynamic](06_static_and_dynamic.ipynb), about which node publishes which transform, and how often.
-# In the exercises, `solution("E5.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E5.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E5 map, odom, base_link](../../exercises/ko/E05_map_odom_base_link.ipynb)를 풀고 [06 정적 변환과 동적 변환](06_static_and_dynamic.ipynb)으로 갑니다. 어느 변환을 한 번만 발행하고, 어느 변환을 계속 발행할지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E5.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

@@ -454,7 +454,7 @@ graph = lesson.new_graph()
 
 # %% [markdown] lang="ko" name="break-command-seen" tags=["predicted"]
 # - `--yaw 30`은 오류 없이 받아들여집니다. 30 **라디안**, 곧 네 번 회전하고도 279°를 더 회전합니다. tf2_echo에는 −81°로 나옵니다. 오류가 나지 않는 쪽이 더 위험합니다.
-# - `--x=0.2`는 다른 프로그램에서라면 맞는 표기입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
+# - `--x=0.2`는 다른 프로그램에서는 대개 맞는 표기입니다. 여기서는 옵션과 값을 띄어 써야 합니다.
 # - 회전은 각도와 쿼터니언 가운데 하나로만 적습니다. `--yaw`와 `--qz`를 함께 쓰면 `Cannot specify both quaternion and Euler rotations`라고 나옵니다.
 #
 # <details><summary>더 깊이: 예전의 순서</summary>
@@ -776,7 +776,7 @@ lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items(
 # 최악의 경우 1초 전의 값이 나옵니다. 레이저는 길어야 0.05초입니다. 바퀴 오도메트리는 여전히 자주 발행되지만, “최신”은 경로의 **모든** 연결에 값이 있는 가장 최근 시각이고, 장착 변환은 1초에 한 번만 발행됩니다.
 # 그래서 로봇에 나사로 고정한 카메라가 1초마다 0.5 m씩 튑니다. 0.1초 전의 포즈를 조회하면 열 번 가운데 아홉 번은 거절됩니다.
 #
-# 고정 부품을 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 연결을 지나는 모든 조회가 그만큼 오래된 값을 반환합니다. 1초에 110번 보내면 문제가 드러나지 않지만 그만큼 통신량이 듭니다. 게시판의 메시지 하나면 됩니다.
+# 고정 부품을 `/tf`로 보내면 통신량만 낭비하는 것이 아닙니다. 그 연결을 지나는 *최신* 조회의 값은 최대 한 주기만큼 오래된 것이고, 조금 전의 시각을 조회하면 예외가 발생합니다. 1초에 110번 보내면 문제가 드러나지 않지만 그만큼 통신량이 듭니다. 게시판의 메시지 하나면 됩니다.
 
 # %% name="bolt-history" tags=["predicted"] slide="subslide"
 graph.run(seconds=0.6)
@@ -805,7 +805,7 @@ for t in (1.0, 3.0, 6.0):
 #
 # | the link | on the board `/tf_static` | on the radio `/tf` |
 # |---|---|---|
-# | is fixed | **right** | each lookup through it is up to one period old |
+# | is fixed | **right** | *the latest* through it is up to one period old |
 # | moves | one pose for all times | **right**, if it never stops publishing |
 
 # %% [markdown] lang="ko" name="static-lift-seen" tags=["predicted"]
@@ -814,8 +814,8 @@ for t in (1.0, 3.0, 6.0):
 #
 # | 연결 | 게시판 `/tf_static` | 라디오 `/tf` |
 # |---|---|---|
-# | 고정된 것 | **맞습니다** | 그 연결을 지나는 모든 조회의 값이 오래된 것이 됩니다 |
-# | 움직이는 것 | 과거가 없거나 처음 위치에 고정됩니다 | 멈춰도 계속 보내면 **맞습니다** |
+# | 고정된 것 | **맞습니다** | 그 연결을 지나는 *최신* 조회의 값이 최대 한 주기만큼 오래된 것입니다 |
+# | 움직이는 것 | 모든 시각에 같은 포즈가 나옵니다 | 멈춰도 계속 보내면 **맞습니다** |
 
 # %% [markdown] lang="en" name="static-lift-notes" slide="notes"
 # Fill the two-by-two table with the class, one cell at a time, each with the picture that showed it.
@@ -869,7 +869,7 @@ lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later':
 # %% [markdown] lang="ko" name="crab-seen" tags=["predicted"]
 # *그림 읽기:* goes = 1초 동안 가는 방향, 1 s later = 1초 뒤의 로봇. 실선이 x(앞), 파선이 y(왼쪽)입니다.
 #
-# 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 두 바퀴로 달리는 로봇은 이렇게 움직일 수 없습니다.
+# 뒤로 2센티미터, 왼쪽으로 20센티미터입니다. 로봇은 줄곧 바깥을 보면서 게처럼 **옆으로** 미끄러집니다. 보통의 바퀴로 달리는 로봇은 이렇게 움직일 수 없습니다.
 #
 # 코드에는 `yaw = θ`라고 적혀 있습니다. 그런데 θ는 원의 중심을 기준으로 한 *위치*의 각도입니다. 원 위에서 앞은 그 방향과 직각, 곧 `θ + π/2`입니다.
 # 메시지 하나하나는 올바른 포즈이므로 어떤 도구에서도 오류가 나지 않습니다. 로봇이 *자기 축으로* 어디로 가는지 따져 보아야만 드러납니다.
@@ -1209,7 +1209,7 @@ rclpy.try_shutdown()
 # - [[static transform|Static]]: a fixed mount, one message on `/tf_static`. [[dynamic transform|Dynamic]]: it can move, so it is published on `/tf` again and again, each time with its stamp.
 # - A board keeps the **last message** of its publisher (`depth` 1, [[transient local|TRANSIENT_LOCAL]]), and ends with the publisher. So: one list, one call, and stay alive.
 # - Sender and listener both need the board. A `DURABILITY` warning means: not connected at all.
-# - No message does not mean no motion. A mount on `/tf` makes every lookup through it old. A moving frame on `/tf_static` has one pose for all times.
+# - No message does not mean no motion. With a mount on `/tf`, *the latest* through it is up to one period old. A moving frame on `/tf_static` has one pose for all times.
 # - Each message can be right and the motion wrong. Check in which direction the robot moves along its own axes.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
@@ -1218,7 +1218,7 @@ rclpy.try_shutdown()
 # - 고정된 것은 [[static transform|정적 변환]]으로 `/tf_static`에 메시지 하나를 보냅니다. 움직일 수 있는 것은 [[dynamic transform|동적 변환]]으로 `/tf`에 측정 시각과 함께 계속 보냅니다.
 # - 게시판에는 발행자의 **마지막 메시지**만 남고(`depth` 1, [[transient local|TRANSIENT_LOCAL]]), 발행자가 멈추면 사라집니다. 그러니 리스트 하나를 한 번에 보내고 발행자를 계속 실행해 두어야 합니다.
 # - 발행자와 수신기 모두 게시판을 설정해야 합니다. `DURABILITY` 경고가 나오면 통신이 아예 성립하지 않은 것입니다.
-# - 메시지가 없다고 멈춰 있는 것은 아닙니다. 고정된 것을 `/tf`로 보내면 조회한 값이 오래된 것이 되고, 움직이는 것을 게시판에 붙이면 과거가 없습니다.
+# - 메시지가 없다고 멈춰 있는 것은 아닙니다. 고정된 것을 `/tf`로 보내면 *최신* 조회의 값이 최대 한 주기만큼 오래된 것이 됩니다. 움직이는 것을 게시판에 붙이면 모든 시각의 포즈가 같아집니다.
 # - 메시지 하나하나가 맞아도 움직임은 틀릴 수 있습니다. 로봇이 자기 축으로 어디로 가는지 확인해 보세요.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"
@@ -1314,8 +1314,8 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E6 Static and dynamic](../../exercises/en/E06_static_and_dynamic.ipynb), and after them [07 URDF and sensors](07_urdf_and_sensors.ipynb), about the robot's own parts.
-# In the exercises, `solution("E6.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E6.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E6 정적 변환과 동적 변환](../../exercises/ko/E06_static_and_dynamic.ipynb)을 풀고 [07 URDF와 센서](07_urdf_and_sensors.ipynb)로 갑니다. 로봇의 부품이 어디에 붙어 있는지 알아봅니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E6.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

@@ -818,8 +818,8 @@ for what, text in broken.items():
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E7 URDF and sensors](../../exercises/en/E07_urdf_and_sensors.ipynb), and after them [08 Buffer and measurement time](08_buffer_and_measurement_time.ipynb), about the time of a transform.
-# In the exercises, `solution("E7.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E7.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E7 URDF와 센서](../../exercises/ko/E07_urdf_and_sensors.ipynb)를 풀고 [08 버퍼와 측정 시각](08_buffer_and_measurement_time.ipynb)으로 갑니다. 어느 시각의 변환을 조회할지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E7.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

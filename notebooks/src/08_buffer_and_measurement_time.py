@@ -72,7 +72,7 @@ from tflab.workbook import lesson
 #
 # A mapping node looked up the robot's pose at 1574652168.59 s. (Computers count the seconds since 1 January 1970.)
 # The newest transform was from 3.235 s.
-# The node used the computer's clock, in 2019, and TF the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# The node used system time, in 2019, and TF used the clock of a simulation that had just started. They were almost fifty years apart ([ANYbotics/elevation_mapping, issue 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # That mistake is easy to find. Nothing works, and the error message shows why.
 #
@@ -89,8 +89,8 @@ from tflab.workbook import lesson
 # ## 오십 년, 그리고 20센티미터
 #
 # 어느 지도 작성 노드가 1574652168.59초의 로봇 포즈를 조회했습니다. (컴퓨터의 시계는 1970년 1월 1일부터 지난 시간을 초로 나타냅니다.)
-# 그때 TF에 있는 시각은 3.235초였습니다.
-# 노드는 2019년의 시각을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
+# 그때 TF의 최신 변환은 3.235초의 변환이었습니다.
+# 노드는 2019년의 시스템 시간을, TF는 방금 켜진 시뮬레이션의 시각을 썼으니 둘은 거의 오십 년 떨어져 있었습니다([ANYbotics/elevation_mapping, 이슈 122](https://github.com/ANYbotics/elevation_mapping/issues/122)).
 #
 # 이 고장은 찾기 쉽습니다. 아무것도 동작하지 않고, 오류 메시지에 이유가 나옵니다.
 #
@@ -271,7 +271,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 #
 # 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그것이 작은 성분입니다.
 # 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
-# (우리 지도의 공은 이 식에 0.2초를 넣은 값의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 포즈도 이미 0.1초 전의 것이었기 때문입니다.)
+# (우리 지도의 공은 이 식에 0.2초를 넣은 값의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 것은 지금의 포즈가 아니라 약 0.1초 전의 포즈, 곧 측정 시각과 지금의 중간쯤의 포즈였기 때문입니다.)
 #
 # <details><summary>다르게 예측했다면</summary>
 #
@@ -320,7 +320,7 @@ lesson.draw_latency(turning)
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
 # ### Play with it
 #
-# There are four sliders. Say your answers aloud first; then move the sliders and check them:
+# There are four sliders. Say your answers aloud first. Then move the sliders and check your answers.
 #
 # - You set one of speed, yaw rate, range and delay to zero. For which one does the error vanish?
 # - Your robot turns at 0.5 rad/s, and at a range of 5 m you accept an error of 0.1 m. How old may a detection be?
@@ -328,9 +328,9 @@ lesson.draw_latency(turning)
 # %% [markdown] lang="ko" name="slider-intro" slide="slide"
 # ### 직접 해 보세요
 #
-# 슬라이더가 네 개 있습니다. 움직이기 전에 먼저 소리 내어 답해 보세요.
+# 슬라이더가 네 개 있습니다. 먼저 소리 내어 답하고, 그다음 슬라이더를 움직여 확인해 보세요.
 #
-# - 속도, yaw 각속도, 거리, 지연 가운데 혼자서 오차를 0으로 만들 수 있는 것은 무엇일까요?
+# - 속도, yaw 각속도, 거리, 지연 가운데 하나만 0으로 놓습니다. 어느 것을 0으로 놓으면 오차가 사라질까요?
 # - 5 m 앞에서 오차가 0.1 m까지 허용되고 로봇은 0.5 rad/s로 회전합니다. 관측은 몇 초 전의 것까지 써도 될까요?
 
 # %% name="slider" tags=["interactive"] slide="subslide"
@@ -354,9 +354,9 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # <details><summary>답</summary>
 #
 # 지연뿐입니다. 그래서 이 장은 시간에 관한 장입니다.
-# 속도가 0이어도 회전이 남고, 각속도가 0이어도 주행이 남습니다.
+# 속도가 0이어도 회전 때문에 오차가 남고, 각속도가 0이어도 이동 때문에 오차가 남습니다.
 #
-# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초까지입니다. 30 Hz 카메라로 영상 한 장 남짓입니다.
+# 0.1 m = 5 m × 0.5 rad/s × 지연이므로, 제자리에서 회전하는 로봇이라도 0.04초까지입니다. 30 Hz 카메라의 한 주기보다 조금 깁니다.
 # 그렇게 빠른 검출기는 드물고, 카메라와 네트워크의 지연도 더해집니다. 계산을 더 빠르게 하는 것만으로는 부족합니다. 올바른 시각의 변환을 조회해야 합니다.
 #
 # </details>
@@ -377,7 +377,7 @@ lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0,
 # %% [markdown] lang="ko" name="the-lanes" slide="slide"
 # ## 버퍼가 기억하는 것
 #
-# *그때*의 변환을 알려면 누군가 그것을 보관하고 있어야 합니다.
+# 과거의 포즈는 저장되어 있어야 조회할 수 있습니다.
 # 버퍼가 하는 일이 바로 그것입니다.
 #
 # 트리의 연결마다 시간줄이 하나씩 있습니다. 그림에서는 가로로 한 줄입니다.
@@ -404,7 +404,7 @@ lesson.draw_history(small, "map", "laser_frame", seconds(3.4))
 # ### Between two samples
 #
 # No sample has the stamp 3.4 s, and still there is an answer: x = 2.1 m.
-# The neighbours on `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m). 3.4 s is 0.6 of the way between them, so 1.90 m, and 0.20 m more to the laser.
+# The neighbours on `odom → base_link` are 3.25 s (1.75 m) and 3.5 s (2.00 m). 3.4 s is 0.6 of the way between them, so the robot is at 1.90 m. The laser is 0.20 m further ahead.
 # That is [[interpolation]]: positions along a straight line, rotations along the shortest arc.
 #
 # Within a timeline the buffer interpolates. Outside it, it never guesses.
@@ -477,7 +477,7 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # - 1.00 s is the stamp of the static edge, which is valid at all times and limits nothing.
 # - 4.80 s is now, and nothing in the buffer is that new.
 #
-# The path from `odom` does not contain the slow timeline, so its latest common time is 4.75 s.
+# The path between `odom` and `laser_frame` does not contain the slow timeline, so its latest common time is 4.75 s.
 # A path of static edges only has no latest time; tf2 returns 0.
 # (On a robot: `buffer.get_latest_common_time("map", "laser_frame")`.)
 #
@@ -486,15 +486,15 @@ print(small.latest_common_time_ns("base_link", "laser_frame") / 1e9, "s  base_li
 # %% [markdown] lang="ko" name="latest-common-read" tags=["predicted"] slide="subslide"
 # 4.00초, 즉 **마지막 시각들 가운데 가장 이른 것**입니다. 가장 먼저 끝나는 시간줄이 전체를 제한합니다.
 #
-# - 4.75초라면 `map → odom`의 값이 아직 없는 시각입니다.
-# - 1.00초는 정적 연결까지 센 것입니다. 정적 연결은 언제나 유효하므로 제한하지 않습니다.
-# - 4.80초는 지금이고, 버퍼에 그만큼 최근의 표본은 없습니다.
+# - 4.75초에는 `map → odom`의 값이 아직 없습니다.
+# - 1.00초는 정적 연결의 측정 시각입니다. 정적 연결은 언제나 유효하므로 제한하지 않습니다.
+# - 4.80초는 현재 시각이고, 버퍼에 그만큼 최근의 표본은 없습니다.
 #
 # 목표가 `odom`이면 `map → odom`을 지나지 않으므로 4.75초입니다.
 # 정적 연결만으로 된 경로에는 최신 시각이 없고, tf2는 0을 반환합니다.
 # (로봇에서는 `buffer.get_latest_common_time("map", "laser_frame")`입니다.)
 #
-# 마지막으로 공을 본 직후의 우리 로봇입니다.
+# 다음은 마지막으로 공을 본 직후의 우리 로봇입니다.
 
 # %% name="latest-live"
 newest = finder.buffer.lookup_transform("map", "camera_optical_frame", Time())
@@ -609,7 +609,7 @@ lesson.draw_placed(ways, things=[lesson.BALL], shown_m=(5.8, -2.0, 7.2, -1.0))
 # %% name="faded-example"
 message = finder.messages[20]
 source_frame = ...  # which frame are the numbers expressed in?
-moment = ...  # which moment are they from? Time.from_msg(...) makes a Time of a stamp
+moment = ...  # at which time were they measured? Time.from_msg(...) converts a stamp to a Time
 if ... in (source_frame, moment):
     print("2 blanks")
 else:
@@ -691,11 +691,11 @@ finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
 # Read the last line. The lookup was for 13.000 s. The transform named in the error message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
-# So 110 ms are missing. A "fix" suggests itself: let 0.2 s pass and try again.
+# So only 110 ms are missing. That looks easy to fix: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
-# 110 ms가 모자랄 뿐이니 쉽게 해결될 것 같습니다. 0.2초 기다렸다 다시 조회하면 됩니다.
+# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 오류 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
+# 110 ms가 모자랄 뿐이니 쉽게 해결될 것 같습니다. 0.2초가 지난 다음 다시 조회해 봅시다.
 
 # %% name="the-cure" slide="fragment"
 end_ns = graph.now_ns + seconds(0.2)
@@ -862,7 +862,7 @@ except TransformException as error:
 # %% [markdown] lang="en" name="break-years" slide="slide"
 # ### Four: fifty years
 #
-# Now the story from the beginning, with its own numbers: TF in simulation time, and a node that uses the computer's clock (wall time):
+# Now the story from the beginning, with its own numbers: TF in simulation time, and a node in system time (wall time):
 
 # %% [markdown] lang="ko" name="break-years" slide="slide"
 # ### 넷: 오십 년
@@ -898,7 +898,7 @@ forgetful = robot.buffer(until_s=13.0, cache_time_s=1.0)
 forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 
 # %% [markdown] lang="en" name="short-memory-read"
-# A detection is used one *delay* after its stamp. To interpolate there, the timeline must still hold the sample *before* the stamp, which can be a whole period older.
+# A detection is used one *delay* after its stamp. To interpolate at the stamp, the timeline must still hold the sample *before* the stamp, which can be a whole period older.
 # So, for the slowest timeline of the path:
 #
 # > cache time ≥ delay + one period
@@ -906,7 +906,7 @@ forgetful.lookup_transform("map", "camera_optical_frame", seconds(11.0))
 # A detector that needs 2 s, on a path with an edge of 4 Hz: 2.25 s. Choose more; memory is cheap.
 
 # %% [markdown] lang="ko" name="short-memory-read"
-# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 거기서 보간하려면 측정 시각 *바로 이전*의 표본이 시간줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
+# 관측을 쓸 때 그 측정 시각은 *지연*만큼 과거에 있습니다. 측정 시각에서 보간하려면 *바로 이전*의 표본이 시간줄에 남아 있어야 하고, 그 표본은 한 주기만큼 더 오래된 것일 수 있습니다.
 # 따라서 경로에서 발행률이 가장 낮은 연결에 대해 다음이 성립해야 합니다.
 #
 # > 보관 시간 ≥ 지연 + 한 주기
@@ -1044,14 +1044,14 @@ lesson.draw_moments(poses_then, (ball.x, ball.y, ball.z), "ball")
 # %% [markdown] lang="en" name="on-a-robot" slide="slide"
 # ## The same on a real robot
 #
-# This is a node as you would run it on a robot. It is our finder with four changes: it rejects a point without a frame, uses the point's own stamp, waits up to 0.2 s for a transform (`timeout=`), and logs a warning if TF has none.
-# Read it first, then run its main part below. The corrected file is at the end of this section.
+# This is the node of the lecture. It has a fault, which you find by running it. It is our finder with four changes: it rejects a point without a frame, uses the point's own stamp, waits up to 0.2 s for a transform (`timeout=`), and logs a warning if TF has none.
+# Read it first, then run its main part below. The corrected file, for a robot, is at the end of this section.
 
 # %% [markdown] lang="ko" name="on-a-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 강의의 실습용 노드입니다. 앞의 `Finder`에 세 가지를 더했습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, TF에 변환이 없으면 경고를 남깁니다.
-# 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 고친 파일은 이 절의 끝에 있습니다.
+# 강의의 실습용 노드입니다. 이 노드에는 결함이 하나 있고, 실행해 보면 드러납니다. 앞의 `Finder`에서 네 가지를 바꾸었습니다. 좌표계 없는 점은 거절하고, 점의 측정 시각을 쓰고, 변환을 최대 0.2초 기다리고(`timeout=`), TF에 변환이 없으면 경고를 남깁니다.
+# 먼저 코드를 읽고, 핵심 부분을 아래에서 실행해 봅시다. 로봇에서 쓸 고친 파일은 이 절의 끝에 있습니다.
 
 # %% [markdown] lang="en" name="the-file" slide="skip"
 # <details><summary><code>tf_lab_py/point_to_map.py</code>, as the lecture has it</summary>
@@ -1546,7 +1546,7 @@ node.stop()
 # </details>
 #
 # **Next:** the exercises, [E8 Buffer and measurement time](../../exercises/en/E08_buffer_and_measurement_time.ipynb), and then [09 Exceptions and waiting](09_exceptions_and_waiting.ipynb).
-# In the exercises, `solution("E8.3")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E8.3")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 
 # %% [markdown] lang="ko" name="exit-ticket" slide="slide"
 # ## 마무리하며
@@ -1560,4 +1560,4 @@ node.stop()
 # </details>
 #
 # **다음:** 연습 문제 [E8 버퍼와 측정 시각](../../exercises/ko/E08_buffer_and_measurement_time.ipynb)을 풀고 [09 예외와 기다림](09_exceptions_and_waiting.ipynb)으로 갑니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E8.3")`으로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.

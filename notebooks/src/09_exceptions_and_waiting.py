@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 09 · Exceptions and waiting
 #
-# **Four ways to not get an answer** · about 90 minutes, in two sittings of 45 with a rest between them · builds on 03 and 08
+# **Four ways to not get an answer** · about 90 minutes, in two sittings of 45 with a rest between them · builds on 04 and 08
 #
 # After this chapter you can
 #
@@ -14,7 +14,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 09 · 예외와 기다림
 #
-# **조회가 실패하는 네 가지 경우** · 약 90분(45분씩 두 번, 사이에 쉬는 시간) · 03, 08장을 바탕으로 합니다
+# **조회가 실패하는 네 가지 경우** · 약 90분(45분씩 두 번, 사이에 쉬는 시간) · 04, 08장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -35,7 +35,7 @@
 # %% [markdown] lang="en" name="what-you-need" slide="subslide"
 # ## What you need to begin
 #
-# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message or a timer event arrives. An *executor* calls them. `rclpy.spin(node)` runs the node in an executor with one thread, unless you give it another one: one callback at a time.
+# - **A node (any ROS 2 introduction).** A node has *callbacks*: functions that run when a message or a timer event arrives. An *executor* calls them. `rclpy.spin(node)` runs the node in an executor. Unless you give it another one, that executor has one thread and runs one callback at a time.
 #
 # <details><summary>What the page uses of 04, 05 and 06, if you have forgotten it</summary>
 #
@@ -603,7 +603,7 @@ for target, source, second in (
 #        [--------------]   x    미래 외삽
 # ```
 #
-# | x: 요청 시각 | 흔한 원인 | 기다려도 해결되지 않는 원인 |
+# | x: 요청 시각 | 흔한 원인 | 고쳐야 할 결함 |
 # | --- | --- | --- |
 # | **미래**: 최신 표본보다 나중의 시각 | 변환이 오는 중입니다. 발행률이 낮습니다(10 Hz면 최대 100 ms) | 센서 시계가 앞서 있습니다. 발행자 시계가 뒤처져 있습니다. 발행자가 종료되었습니다 |
 # | **과거**: 가장 오래된 표본보다 이른 시각 | TF가 시작되기 전의 메시지입니다. 처리 시간이 버퍼의 보관 시간보다 깁니다 | 센서 시계가 뒤처져 있습니다. bag 파일에 기록된 옛 시각으로 오늘의 TF를 조회했습니다 |
@@ -702,7 +702,7 @@ lesson.draw_ages([robot_a.curve('robot A', 4.0), robot_b.curve('robot B', 4.0)],
 # For a second they look alike: both look up a time a quarter to a third of a second newer than the data in TF. Now the whole recording.
 
 # %% [markdown] lang="ko" name="whole-story" slide="subslide"
-# 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 약 0.3초 미래인 시각의 변환을 조회합니다. 이제 전체를 봅시다.
+# 처음 1초 동안은 똑같아 보입니다. 둘 다 최신 변환보다 0.25~0.3초 미래인 시각의 변환을 조회합니다. 이제 전체를 봅시다.
 
 # %% name="two-gaps" tags=["predicted"] slide="-"
 lesson.draw_ages([robot_a.curve('robot A', 7.0), robot_b.curve('robot B', 7.0)], 'gap', limit_s=0.1)
@@ -817,11 +817,11 @@ placer = lesson.run_node(ScanPlacer, 9.0, MultiThreadedExecutor)  # 6 s straight
 print(len(placer.answers), 'placed,', placer.failures, 'failed')
 
 # %% [markdown] lang="en" name="plaster-green" tags=["predicted"] slide="subslide"
-# Not one warning. The log shows no warning, and the forum seems to be right.
+# There is not one warning. The users of the story seem to be right.
 # Now draw the points of the curve, beside their true positions.
 
 # %% [markdown] lang="ko" name="plaster-green" tags=["predicted"] slide="subslide"
-# 경고가 하나도 없습니다. 로그는 초록색이고, 인터넷 게시글의 말이 맞았습니다.
+# 경고가 하나도 없습니다. 인터넷 게시글의 말이 맞는 것처럼 보입니다.
 # 이제 굽이에서 얻은 점들이 어디에 찍혔는지, 원래 있어야 할 자리와 나란히 그려 봅시다.
 
 # %% [markdown] lang="en" name="plaster-notes" slide="notes"
@@ -829,7 +829,7 @@ print(len(placer.answers), 'placed,', placer.failures, 'failed')
 # After it, come back to the hands of the beginning.
 
 # %% [markdown] lang="ko" name="plaster-notes" slide="notes"
-# 그림을 보여 주기 전에 손을 들게 합니다. 지도는 맞습니까, 틀립니까? 로그가 초록색이라 대부분 맞다고 합니다.
+# 그림을 보여 주기 전에 손을 들게 합니다. 지도는 맞습니까, 틀립니까? 로그에 경고가 없어서 대부분 맞다고 합니다.
 # 그림을 본 다음, 처음에 손을 들었던 사람들에게 다시 묻습니다.
 
 # %% name="plaster-picture" tags=["predicted"] slide="subslide"
@@ -904,7 +904,7 @@ lesson.draw_placed({
 # %% [markdown] lang="ko" name="lanes" slide="slide"
 # ## 어디서 기다려도 될까요?
 #
-# 그러니 늦은 데이터는 잠깐 기다릴 만합니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
+# 앞에서 보았듯이, 데이터가 늦은 것이라면 잠깐 기다리면 됩니다. 로봇 C는 시계도 정확하고 네트워크도 빠릅니다. 잘못된 것이 하나도 없습니다.
 # 그래도 조심스러운 프로그래머는 혹시 몰라 조회의 timeout을 0.5초로 정했습니다.
 #
 # 노드는 `/tf` 메시지가 언제 저장되는지, 콜백이 언제부터 언제까지 바쁜지를 적어 둡니다. *그림 읽기:* time = 시각, sent = 보냄, stored = 저장됨.
@@ -936,7 +936,7 @@ print(*patient.answers, sep='\n')
 # 하나도 얻지 못했습니다.
 #
 # 처음에는 운이 나빴습니다. 첫 스캔의 측정 시각은 첫 변환보다 51 ms 과거여서 값이 있을 수 없었고, 콜백은 0.5초를 헛되이 기다렸습니다.
-# 그런데 왜 회복되지 않을까요? 숫자를 보십시오. 마지막에는 2.595초의 변환을 조회하는데, 변환이 1초에 스무 개씩 도착했는데도 버퍼의 최신 변환은 1.146초의 변환입니다.
+# 그런데 왜 회복되지 않을까요? 숫자를 보십시오. 마지막에는 2.595초의 변환을 조회하는데, 바퀴 오도메트리의 변환만 해도 1초에 스무 개씩 도착했는데 버퍼의 최신 변환은 1.146초의 변환입니다.
 # 기다릴수록 버퍼가 더 뒤처집니다. 이유는 이렇습니다.
 
 # %% name="lanes-picture" tags=["predicted"] slide="subslide"
@@ -953,12 +953,12 @@ lesson.draw_lanes(patient)
 # </details>
 
 # %% [markdown] lang="ko" name="lanes-why" slide="-"
-# `rclpy.spin(node)`에는 스레드가 하나뿐이고, 두 콜백 사이에 겨우 메시지 하나를 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안에는 수신기를 호출하는 스레드가 없고, 변환은 읽히지 않은 채 큐에 쌓입니다.
+# `rclpy.spin(node)`에는 스레드가 하나뿐입니다. `on_scan`이 끝나고 다음 `on_scan`이 시작될 때까지 `/tf` 메시지를 겨우 하나 처리합니다. `on_scan`이 그 *안에서* 기다리는 동안에는 수신기를 호출하는 스레드가 없고, 변환은 읽히지 않은 채 큐에 쌓입니다.
 # 편지를 기다리는 사람이 바로 집배원인 셈입니다.
 #
 # <details><summary>더 깊이: C++에서는</summary>
 #
-# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++에서는 수신자(listener)가 기본으로 전용 스레드를 가지므로 이런 기다림이 통합니다. 그 스레드가 없으면(`spin_thread=false`) C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 곧바로 거절합니다. 파이썬에서는 기본으로 그 스레드가 없고, 그대로 기다립니다.
+# 바로 이 문제가 [ros2/geometry2, 이슈 327](https://github.com/ros2/geometry2/issues/327)에 올라와 있습니다. C++에서는 수신기(listener)가 기본으로 전용 스레드를 가지므로 이런 기다림이 통합니다. 그 스레드가 없으면(`spin_thread=false`) C++의 tf2는 전용 스레드를 두라는 긴 문장(`setUsingDedicatedThread`)과 함께 곧바로 거절합니다. 파이썬에서는 기본으로 그 스레드가 없고, 그대로 기다립니다.
 #
 # </details>
 
@@ -986,10 +986,10 @@ print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="cure-threads-read" slide="-"
-# 27 of 28. Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
+# 27 of 28. (Of the 30 scans in these three seconds, one is still on its way, and one still waits for its transform.) Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
 
 # %% [markdown] lang="ko" name="cure-threads-read" slide="-"
-# 28개 가운데 27개입니다. 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 변환을 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
+# 28개 가운데 27개입니다. (3초 동안의 스캔 30개 가운데 하나는 아직 도착하지 않았고, 하나는 아직 변환을 기다리고 있습니다.) 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 변환을 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
 
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
 # ### Fix two: do not wait, be called
@@ -1118,7 +1118,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 두 개만 두면 스캔의 3분의 1을 버리는 대신, 0.3초보다 오래된 데이터로 내리는 결정은 하나도 없습니다.
 # **로봇을 움직일 때는 빠짐없는 것보다 최근 것이 낫습니다.** (나중에 지도를 만들 때는 반대일 수 있습니다.)
 #
-# 이런 로봇의 정책을 적으면 이렇습니다. 최대 0.2초 기다립니다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버립니다. 두 개만 두고, 넘치면 가장 오래된 것을 버립니다. 0.5초보다 오래된 데이터로는 로봇을 움직이지 않습니다.
+# 위의 네 질문에 대한 이 로봇의 답은 다음과 같습니다. 최대 0.2초 기다립니다(이런 숫자를 어떻게 구하는지는 바로 다음에 나옵니다). 그다음에는 버립니다. 두 개만 두고, 넘치면 가장 오래된 것을 버립니다. 0.5초보다 오래된 데이터로는 로봇을 움직이지 않습니다.
 
 # %% [markdown] lang="en" name="policy-notes" slide="notes"
 # Let them say a number before you run it; most say 0.15 s or 0.3 s.
@@ -1149,7 +1149,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # - 그것이 도착하는 데 **지연**만큼, 최악의 경우 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
 # - 스캔도 오는 데 시간이 걸렸습니다. 그 시간은 이미 지나갔습니다.
 #
-# 경로에서 이 시간이 가장 긴 연결로 계산합니다. `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다.
+# 경로에서 이 시간이 가장 긴 연결로 계산합니다. `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다. 그 연결 자체의 지연이 0.010초이고, 스캔의 지연이 0.105초입니다.
 # 이보다 오래 기다려야 통한다면 시계를 확인하십시오.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
@@ -1224,7 +1224,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 예외 처리와 비동기 기다림을 한 노드에 담았습니다. ROS 2에서 그대로 실행됩니다. 로봇에서는 늘 쓰는 `main()`만 덧붙이면 됩니다.
+# 예외 처리와 비동기 기다림을 한 노드에 담았습니다. 두 클래스는 ROS 2에서 그대로 실행됩니다. 여기에 늘 쓰는 `main()`을 덧붙이십시오.
 
 # %% name="robot-imports" slide="skip"
 from rclpy.node import Node
@@ -1444,7 +1444,7 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **Next:** the exercises, [E9, seven tasks](../../exercises/en/E09_exceptions_and_waiting.ipynb). In E9.3 you subtract two times, one of which the buffer returns. Subtract their `.nanoseconds`, because rclpy cannot subtract Times of different clock types.
-# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about which clock a node must use while a recording is played.
+# In the exercises, `solution("E9.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab. After them comes [10 Clocks and bags](10_clocks_and_bags.ipynb), about which clock a node must use while a recording is played.
 #
 # On the checklist that `tflab progress` shows, this chapter is **C10**: you have now reproduced the lookup, the connectivity and the extrapolation error. Here it was simulated; do it once on the robot.
 
@@ -1462,5 +1462,5 @@ careful = lesson.run_node(OnRobot, 4.0)
 # </details>
 #
 # **다음:** 연습 문제 [E9, 과제 일곱 개](../../exercises/ko/E09_exceptions_and_waiting.ipynb)를 풀어 보세요. E9.3에서는 두 시각을 빼는데, 하나는 버퍼가 반환한 것입니다. rclpy는 종류가 다른 시계의 시각을 서로 빼지 못하므로 둘의 `.nanoseconds`를 뺍니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
-# 실습 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E9.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요. 그다음은 [10 시계와 bag](10_clocks_and_bags.ipynb)입니다. 기록을 재생할 때 시간은 누구의 것일까요?
+# `tflab progress`에 나오는 체크리스트에서 이 장은 **C10**입니다. 이제 조회·연결·외삽 오류를 모두 직접 만들어 보았습니다. 여기서는 시뮬레이션이었으니, 실제 로봇에서도 한 번 해 보세요.

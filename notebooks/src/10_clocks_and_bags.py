@@ -6,7 +6,7 @@
 # After this chapter you can
 #
 # - record a [[bag]] that contains the transforms for its own messages, and check it with one number,
-# - say which time a node uses: the machine's, the bag's, or a clock that stays at 0 ([[simulation time]]),
+# - say which time a node uses: system time, the bag's time, or a clock that stays at 0 ([[simulation time]]),
 # - recognise a forgotten `--clock`, a node whose clock shows another day, and a bag that plays in a loop,
 # - examine a bag of your own.
 
@@ -252,7 +252,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | the sensor on the map, as the robot placed it | `/tf` `/tf_static` |
 # | to run the localisation again, with another algorithm | `/tf_static` and the odometry (`/tf` or `/odom`). When you play, filter `map → odom` out of `/tf` |
-# | the same from a simulation | the same, and `/clock`, which shows how fast the simulation ran; play that bag without `--clock`, because `ros2 bag play` of older releases would publish `/clock` twice |
+# | either of these, from a simulation | the topics above, and `/clock`, which shows how fast the simulation ran. Play that bag without `--clock`: the recorded `/clock` is played, and `ros2 bag play` of older releases would publish a second one |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 버퍼에 센서의 좌표계가, `/tf`가 없으면 지도의 좌표계가 없습니다.
@@ -275,8 +275,8 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # %% [markdown] lang="en" name="two-clocks" slide="slide"
 # ## Two clocks
 #
-# It is the next day. The bag's stamps are from yesterday; the computer's clock is 86 400 s ahead of them.
-# A node's parameter `use_sim_time` decides which of the two it uses: `false`, the machine's time; `true`, the time on `/clock`. This bag has no `/clock`, so the player publishes one only with `--clock`.
+# It is the next day. The bag's stamps are from yesterday. System time, the time of the machine's clock, is 86 400 s ahead of them.
+# A node's parameter `use_sim_time` decides which of the two it uses: `false`, system time; `true`, the time on `/clock`. This bag has no `/clock`, so the player publishes one only with `--clock`.
 #
 # ### Predict
 #
@@ -307,7 +307,7 @@ for use_sim_time in (False, True):
 
 # %% [markdown] lang="en" name="four-set-ups-read" tags=["predicted"]
 # - **At the stamp: 59 of 60, always.** Stamps and transforms come from the same bag, and they agree whatever a clock shows. That is another reason to look up at the stamp (08).
-# - **With the machine's time** everything else is a day off: now is 86 400 s in the future of all data, a scan appears to be a day old, and this node stamps its messages a day after the data.
+# - **With system time** everything else is a day off: now is 86 400 s in the future of all data, a scan appears to be a day old, and this node stamps its messages a day after the data.
 # - **With `use_sim_time` and `--clock`** the node uses the bag's time. A scan is 0.105 s old, as on the robot. A lookup at *now* fails because a hundredth of a second is missing: transforms take time to arrive, too.
 # - **And the third line?** `use_sim_time`, without `--clock`. The timer never runs, the age is minus seven seconds, and the lookup at *now* succeeds 59 times out of 60. It succeeds in no other set-up!
 
@@ -358,7 +358,7 @@ lesson.clocks_panel()
 lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), played_s=9.0)
 
 # %% [markdown] lang="en" name="clocks-read"
-# Below is the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis is the machine's time. The table shows the result of a lookup of *now* in each node.
+# Below is the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis is system time. The table shows the result of a lookup of *now* in each node.
 
 # %% [markdown] lang="ko" name="clocks-read"
 # *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
@@ -423,7 +423,7 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # 바꾸면서 무엇을 잃었는지 묻습니다. 동적 연결이 모두 비었고, 설정을 바꾸기 전에 측정한 것은 영영 지도 기준으로 바꿀 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
 # %% [markdown] lang="en" name="quotes" slide="subslide"
-# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, the machine's time, or no node at all?
+# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, system time, or no node at all?
 
 # %% [markdown] lang="ko" name="quotes" slide="subslide"
 # **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 시스템 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
@@ -438,13 +438,13 @@ print("follows /clock:", mapper.get_clock().ros_time_is_active)
 rclpy.shutdown()
 
 # %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
-# A string is not a boolean. There is one line in the log, and the node goes on with the machine's time. (A node in C++ is stricter: it does not start.)
+# A string is not a boolean. There is one line in the log, and the node goes on with system time. (A node in C++ is stricter: it does not start.)
 
 # %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
 # 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 시스템 시간을 따르며 그대로 실행됩니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
 
 # %% [markdown] lang="en" name="quotes-notes" slide="notes"
-# Hands: simulation time, the machine's time, or no node at all? Read the line of the log aloud; the node goes on.
+# Hands: simulation time, system time, or no node at all? Read the line of the log aloud; the node goes on.
 
 # %% [markdown] lang="ko" name="quotes-notes" slide="notes"
 # 손을 들게 합니다. 시뮬레이션 시간, 시스템 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 실행됩니다.
@@ -481,10 +481,10 @@ except TransformException as error:
 # Every node that looks up a transform gets the error; the one at fault has none. This localiser stamps its transforms with its own clock, a day later than the bag. (AMCL stamps with the time of the scan, plus a tolerance, and would not be affected here. Look into a node's manual to find out which stamp it uses.)
 #
 # *Requested time 5, the earliest data is at 86401.* `Time()` does not help either: on this path the two days have no common time.
-# Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep the machine's time: it only repeats what was recorded.)
+# Which node wrote those stamps? Use a tool that examines all nodes at once. (The player may keep system time: it only repeats what was recorded.)
 
 # %% [markdown] lang="ko" name="innocent-read" tags=["predicted"]
-# 조회하는 노드에서는 모두 오류가 나는데, 정작 잘못된 노드에서는 나지 않습니다. 위치 추정 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
+# 조회하는 노드에서는 모두 오류가 나는데, 정작 원인인 노드에서는 나지 않습니다. 위치 추정 노드는 변환에 자신의 현재 시각을 적으므로, bag의 시간으로는 내일의 변환을 발행합니다. (AMCL은 사용한 스캔의 측정 시각에 허용 시간을 더해 적으므로 여기서는 문제가 없습니다. 노드가 어떤 시각을 적는지는 설명서에서 확인하십시오.)
 # *요청 시각은 5초, 가장 오래된 데이터는 86401초.* `Time()`도 소용없습니다. 이 경로의 시간줄들에는 공통인 시각이 없습니다.
 # 누구의 측정 시각일까요? 모든 노드를 한꺼번에 보는 doctor에게 맡겨 봅시다. (재생기는 시스템 시간을 따라도 됩니다. 기록된 것을 다시 발행할 뿐입니다.)
 
@@ -571,11 +571,11 @@ print(warnings[0])
 
 # %% [markdown] lang="en" name="ten-seconds-read"
 # Fifty scans are lost. The new stamps are more than ten seconds older than the newest sample, so the buffer rejects the new pass until its stamps are within those ten seconds.
-# A `Buffer()` without a node watches the machine's clock, not `/clock`, so it does not notice that time went back. Give it one:
+# A `Buffer()` without a node watches the system clock, not `/clock`, so it does not notice that time went back. Pass your node to the buffer:
 
 # %% [markdown] lang="ko" name="ten-seconds-read"
 # 스캔 쉰 개를 잃었습니다. 다시 재생한 변환은 처음 5초 동안 버퍼의 최신 표본보다 10초 넘게 과거의 것입니다. 보관 시간이 10초인 버퍼는 이런 변환을 거절합니다.
-# 노드를 주지 않은 `Buffer()`에는 시계가 없어서 시각이 되돌아간 것을 알 수 없습니다. 시계를 주어 봅시다.
+# 노드를 넘기지 않은 `Buffer()`는 `/clock`이 아니라 시스템 시계를 살피므로, 시각이 되돌아간 것을 알 수 없습니다. 노드를 넘겨 봅시다.
 
 # %% [markdown] lang="en" name="ten-seconds-notes" slide="notes"
 # 643 warnings and fifty scans lost. Ask which is worse: this one with its warnings, or the one before without any.
@@ -589,13 +589,13 @@ show(sound)
 
 # %% [markdown] lang="en" name="with-a-node-read"
 # There is one line in the log for each pass (*Clearing tf buffer*), and every position is right: the buffer deletes the dynamic edges, keeps the mounts, and stores the transforms of the new pass.
-# In C++ the buffer always has a clock. In Python it was missing until somebody reported it ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then the buffer watches the clock of the node that you pass as `node=`. On Humble a Python buffer does not watch the clock. Call `buffer.clear()` there yourself.
+# In C++ the buffer always watches its clock. In Python no buffer did, until somebody reported this fault ([ros2/geometry2, issue 606](https://github.com/ros2/geometry2/issues/606)). Since then a Python buffer watches the clock of the node that you pass as `node=`. On Humble it still does not. Call `buffer.clear()` there yourself.
 #
 # How old is the newest transform, for each of the three?
 
 # %% [markdown] lang="ko" name="with-a-node-read"
 # 반복할 때마다 로그가 한 줄 나오고, 결과는 모두 맞습니다. 버퍼는 동적 연결을 비우고 장착 변환은 남겨 둔 채, 다시 재생한 변환을 받습니다.
-# C++의 버퍼에는 언제나 시계가 있습니다. 파이썬에는 없다가 바로 이 문제가 보고된 뒤에 `node=`가 생겼습니다([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)). 하지만 직접 적어야 합니다. Humble에서는 파이썬 버퍼가 시계를 살피지 않으므로 `buffer.clear()`를 직접 호출하십시오.
+# C++의 버퍼는 언제나 자기 시계를 살핍니다. 파이썬의 버퍼는 이 문제가 보고된 뒤에야([ros2/geometry2, 이슈 606](https://github.com/ros2/geometry2/issues/606)) `node=`로 넘긴 노드의 시계를 살피게 되었습니다. Humble에서는 파이썬 버퍼가 시계를 살피지 않으므로 `buffer.clear()`를 직접 호출하십시오.
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
 
@@ -863,7 +863,7 @@ rclpy.try_shutdown()
 #
 # - A message in a [[bag]] has two times: the time of its arrival, by which it is played, and its stamp, which TF uses.
 # - `/tf_static` is sent once, at the beginning. If you skip that message, no sensor can be placed.
-# - *Can the transforms in the bag place its own messages?* One number, without playing it.
+# - *Can the transforms in the bag place its own messages?* One number answers this, and you need not play the bag.
 # - `use_sim_time` on every node, `--clock` at the player: use both. Without them a node's clock shows another day; with `use_sim_time` alone it stands still ([[simulation time]]).
 # - With a clock at 0, a lookup at *now* returns the latest transform, so the broken set-up looks best. A lookup at the stamp does not depend on the node's clock.
 # - The node that reports an error about times is often not the one at fault.
@@ -929,8 +929,8 @@ rclpy.try_shutdown()
 #
 # <details><summary>What a full answer contains</summary>
 #
-# - [ ] Stamps in a bag or a simulation come from its own clock, not from the machine's. A node with `use_sim_time` reads the current time from `/clock`.
-# - [ ] All nodes must agree: if one uses the machine's time, its stamps and lookups are a day off, and other nodes get the errors.
+# - [ ] Stamps in a bag or a simulation come from its own clock and are not in system time. A node with `use_sim_time` reads the current time from `/clock`.
+# - [ ] All nodes must agree: if one uses system time, its stamps and lookups are a day off, and other nodes get the errors.
 # - [ ] With `use_sim_time` and without `/clock` the time stays at 0: timers never run, ages are wrong, and a lookup at the current time gives the latest without an error.
 # - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
 # - [ ] In a loop time goes back, and earlier data has to be deleted.
@@ -946,7 +946,7 @@ rclpy.try_shutdown()
 #
 # - [ ] bag과 시뮬레이션의 측정 시각은 시스템 시간이 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
 # - [ ] 모든 노드가 같아야 합니다. 하나라도 시스템 시간을 따르면 다른 날짜의 시각을 적고 조회하며, 오류는 다른 노드에서 납니다.
-# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 잴 수 없으며, 현재 시각을 조회하면 오류 없이 최신 변환이 나옵니다.
+# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 틀린 값이 되며, 현재 시각을 조회하면 오류 없이 최신 변환이 나옵니다.
 # - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 연결되지 않습니다.
 # - [ ] 반복 재생에서는 시각이 되돌아가므로, 전에 받은 것을 비워야 합니다.
 #
@@ -988,10 +988,10 @@ rclpy.try_shutdown()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
-# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀고 [11 도구와 RViz](11_tools_and_rviz.ipynb)로 갑니다. 어떤 질문에 어떤 도구를 쓰는지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

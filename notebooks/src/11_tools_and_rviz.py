@@ -62,7 +62,7 @@ print(f'avg / max = {3.10486e8 / 1.6318e9:.6f}')
 print(f'1 - 0.99 ** 21 = {1 - 0.99**21:.6f}')
 
 # %% [markdown] lang="en" name="half-a-century-seen"
-# It is not slow: it is **51.7 years**. That is the computer's time now, minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
+# It is not slow: it is **51.7 years**. That is the current system time minus a stamp of a simulation that began at 0. [[latency|Delay]] is *now minus stamp*. The rate is a different quantity, and this line does not contain it.
 # And the average is not an average yet: it begins at 0 and moves by one hundredth of the remaining difference with each sample. The tool had taken 21 samples.
 # It was the right tool, and its output was misread.
 
@@ -971,10 +971,10 @@ graph.stop()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E11 Tools and RViz](../../exercises/en/E11_tools_and_rviz.ipynb), and after them [12 Owners and diagnosis](12_owners_and_diagnosis.ipynb), about which node owns an edge, and what is broken.
-# In the exercises, `solution("E11.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E11.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # On your checklist this chapter is **C5** (`view_frames`), **C6** (`tf2_monitor`) and **C7** (RViz2), and **C2** (`tf2_echo`) once more. Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E11 도구와 RViz](../../exercises/ko/E11_tools_and_rviz.ipynb)를 풀고 [12 발행 책임과 진단](12_owners_and_diagnosis.ipynb)으로 갑니다. 누가 발행하고 무엇이 고장 났는지 찾습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E11.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C5**(`view_frames`), **C6**(`tf2_monitor`), **C7**(RViz2)이고, **C2**(`tf2_echo`)도 다시 나옵니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

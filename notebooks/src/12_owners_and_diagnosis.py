@@ -44,7 +44,7 @@ from tflab.workbook import lesson
 # ## 하나의 트리를 셋이 발행했습니다
 #
 # 카메라가 두 대인 로봇이 지도를 만들면서 앞뒤로 튀었습니다. 카메라도, 좌표계도, 설정도 바꾸어 보았습니다. 마지막에 누가 트리를 발행하는지 세어 보니 셋이었습니다. 비주얼 오도메트리(visual odometry, 영상으로 구하는 오도메트리)까지 맡은 지도 작성 노드, 필터, 그리고 … 재생하던 기록이었습니다. bag에 옛 `/tf`가 들어 있었습니다(introlab/rtabmap_ros, 2021년).
-# 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터를 `publish_tf: false`로 하여 셋 가운데 하나만 남겼습니다.
+# 고친 방법은 이렇습니다. bag에서 `/tf`를 빼고 필터의 `publish_tf`를 `false`로 바꾸어 셋 가운데 하나만 남겼습니다.
 #
 # 셋 가운데 고장 난 것은 없었습니다. 오류도 없었습니다. 트리도 정상으로 보였습니다. 좌표계는 가장 최근의 부모 아래에만 그려지므로, 발행하는 노드가 몇이든 그림에는 부모가 하나만 보입니다.
 
@@ -101,11 +101,11 @@ graph.run(seconds=20.0)
 # %ros2 topic info /tf
 
 # %% [markdown] lang="en" name="count-seen" tags=["predicted"]
-# Four before, four after. `topic info` counts publishers on `/tf`, whether they send or not., over all edges together. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
+# Four before, four after. `topic info` counts all publishers on `/tf`, whether they send or not. The filter keeps its publisher and sends nothing. So a count of four does not prove a second owner, and a count of four after the fix does not disprove the fix.
 # The edge itself proves it: its rate, and whether it changes smoothly.
 
 # %% [markdown] lang="ko" name="count-seen" tags=["predicted"]
-# 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 `/tf`로 보낼 **수 있는** 노드를 모든 연결에 걸쳐 함께 셉니다. 필터는 보낼 준비를 갖춘 채 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자의 증거도, 고쳤다는 증거도 아닙니다.
+# 끄기 전에도 넷, 끈 다음에도 넷입니다. `topic info`는 실제로 보내든 보내지 않든 `/tf`의 발행기를 모두 셉니다. 필터의 발행기는 남아 있고, 보내지 않을 뿐입니다. 그러니 넷이라는 숫자는 두 번째 발행자가 있다는 증거도, 고쳐지지 않았다는 증거도 아닙니다.
 # 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
@@ -201,7 +201,7 @@ lesson.draw_owners(
 # If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
-# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
+# *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
 # 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
@@ -392,7 +392,7 @@ graph = lesson.new_graph()
 # B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
-# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 아무도 일부러 쓰지 않은 이름입니다. RViz의 목록에 그 이름이 나옵니다.
+# B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
 
 # %% name="experiment-b-rviz" slide="subslide"
 lesson.draw_rviz()
@@ -437,7 +437,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 지운 행 하나하나가 근거이고, 남은 하나로 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓이고, 한 행만 남고 카드와 다른 결과가 하나라도 있으면 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
@@ -455,12 +455,22 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 lesson.draw_both_ways()
 
 # %% [markdown] lang="en" name="both-ways-seen" tags=["predicted"]
-# By the six steps it takes 6.1 minutes on average, 14 at worst, and three of the eighteen take longer than the time that you have; if you always choose the best check, it takes 2.3 on average, and 5 at worst. Both find the cause in the end, and both are faster than making every check: 72 minutes.
+# | | on average | at worst |
+# |:--|--:|--:|
+# | the six steps | 6.1 minutes | 14 minutes |
+# | always the best check | 2.3 minutes | 5 minutes |
+#
+# You have twelve minutes (the dashed line). With the six steps, three of the eighteen robots take longer. Both find the cause in the end. Making every check would take 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
 #
-# 여섯 단계로는 평균 6.1분, 가장 길 때 14분이고 열여덟 가운데 셋은 시간을 넘깁니다. 용의자를 가장 많이 지우는 검사부터 하면 평균 2.3분, 가장 길 때 5분입니다. 질문 없이 순서만 따르면 느리고, 1분짜리 검사를 잘 고르면 빠릅니다. 둘 다 끝내 맞히고, 모든 검사를 하는 사람보다 빠릅니다. 모든 검사를 하면 72분이 걸립니다.
+# | | 평균 | 가장 길 때 |
+# |:--|--:|--:|
+# | 여섯 단계 | 6.1분 | 14분 |
+# | 용의자를 가장 많이 지우는 검사부터 | 2.3분 | 5분 |
+#
+# 쓸 수 있는 시간은 12분입니다. 여섯 단계로는 열여덟 대 가운데 세 대가 이 시간을 넘깁니다. 두 방법 모두 결국 원인을 찾습니다. 모든 검사를 하면 72분이 걸립니다.
 
 # %% [markdown] lang="en" name="clinic" slide="slide"
 # ## The clinic: how it works
@@ -507,18 +517,18 @@ visit.say(cause="laser clock ahead", fix="set the laser's clock")
 # “Into the future”: the scan's stamp is newer than the newest transform. Either the stamp is too new, or the transforms are too old. Each takes one minute to check: `delay /scan` checks the stamp.
 
 # %% [markdown] lang="ko" name="worked-think"
-# 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 답장에는 세 용의자의 결과가 모두 다를 검사인 `hz /odom`이 나옵니다. 그러나 원인이 시계라면 `hz /odom`은 카드와 같을 것입니다. 증명에는 카드와 다른 값이 필요합니다. 어느 검사에서 그런 값이 나올까요?
+# 거절당했습니다. 진단하기 전에는 고칠 수 없습니다. 거절하는 메시지는 `hz /odom`을 권합니다. 세 용의자에서 결과가 모두 다른 검사이기 때문입니다. 그러나 원인이 시계라면 `hz /odom`의 결과는 카드와 같습니다. 카드와 같은 결과로는 아무것도 증명할 수 없습니다. 어느 검사에서 카드와 다른 결과가 나올까요?
 # “Into the future”는 스캔의 측정 시각이 최신 변환보다 미래라는 뜻입니다. 측정 시각이 미래로 틀렸거나, 변환이 아직 거기까지 오지 않았습니다. 어느 쪽이든 1분이면 알 수 있고, 측정 시각은 `delay /scan`으로 봅니다.
 
 # %% name="worked-ask" tags=["translated"]
 visit.ask("ros2 topic delay /scan", because="laser clock ahead")
 
 # %% [markdown] lang="en" name="worked-say"
-# A negative delay: by its stamp, the scan arrived before it was measured. A late transform or a slow odometry cannot cause that. One suspect is left, so the proof is complete after one minute. (The other sign proves less: too large a delay can be a clock that is behind, or a slow network. Then look at the walls: a late scan with a true stamp is on them, one with a wrong stamp is beside them.)
+# A negative delay: by its stamp, the scan arrived before it was measured. A late transform or a slow odometry cannot cause that. One suspect is left, so the proof is complete after one minute. (A positive delay that is too large proves less. The cause can be a clock that is behind, or a slow network. Then look at the walls: a late scan with a true stamp is on them, one with a wrong stamp is beside them.)
 # Now comes the fix. First the one that everybody tries, a workaround that hides the symptom.
 
 # %% [markdown] lang="ko" name="worked-say"
-# 지연이 음수입니다. 측정하기도 전에 받았다는 뜻입니다. 변환이 늦거나 오도메트리의 발행률이 낮아서는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 센서 시계가 뒤처졌을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 지연된 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
+# 지연이 음수입니다. 측정 시각대로라면 측정하기도 전에 받은 것입니다. 변환이 늦거나 오도메트리의 발행률이 낮아서는 이럴 수 없습니다. 용의자가 하나 남았으니 1분 만에 증명이 끝났습니다. (양수일 때는 증명이 약합니다. 지연이 너무 크면 센서 시계가 뒤처졌을 수도, 전송이 느릴 수도 있습니다. 그럴 때는 벽을 보십시오. 측정 시각이 맞으면 지연된 스캔도 벽에 놓이고, 측정 시각이 틀리면 벽에서 어긋납니다.)
 # 이제 고칠 차례입니다. 먼저 누구나 해 보는 임시방편, 곧 증상만 가리는 처치부터 봅시다.
 
 # %% name="plaster" tags=["translated"] slide="subslide"
@@ -548,12 +558,12 @@ lesson.visit_panel(visit)
 lesson.draw_visit(visit)
 
 # %% [markdown] lang="en" name="film-seen"
-# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows: both are Ok everywhere, and only one has the result of the card.
+# On the left is the time: a filled bar for a check, a hatched one for a fix, and the dashed line for your twelve minutes. On the right is each suspect, until a result rules it out. Compare the last two rows. RViz reports Ok everywhere in both, but `delay /scan` has the normal value of the card only in one.
 
 # %% [markdown] lang="ko" name="film-seen"
-# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 읽은 값이 맞지 않는 데서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
+# *그림 읽기:* 왼쪽은 걸린 시간입니다. 색칠한 막대는 검사, 빗금 친 막대는 처치, 세로 점선은 쓸 수 있는 12분(min)입니다. 오른쪽의 선은 용의자이고, 검사 결과가 그 용의자와 맞지 않는 지점에서 ×로 끝납니다. card = 카드의 값, std dev = 표준편차, all Ok = 모두 Ok, scan up to … off = 스캔이 벽에서 벗어난 최대 거리.
 #
-# 마지막 두 줄을 비교해 보세요. 둘 다 모두 Ok이지만, 카드와 같은 값은 한 줄에만 있습니다.
+# 마지막 두 줄을 비교해 보세요. RViz는 둘 다 모두 Ok이지만, `delay /scan`의 결과가 카드와 같은 것은 한 줄뿐입니다.
 
 # %% [markdown] lang="en" name="film-notes" slide="notes"
 # Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
@@ -594,7 +604,7 @@ if my_cause is not ...:
 # %% [markdown] lang="en" name="alone" slide="slide"
 # ## Alone
 #
-# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. The panel does what the calls do: choose a check, say which suspect you mean, ask; then choose a cause and a fix, and try. `lesson.answer_of(7)` returns the answer; look at it last.
+# `lesson.practice_patient(7)` makes a patient in a few seconds. Each number makes a different patient. In the panel you do the same as with the calls: choose a check, choose the suspect that it is about, and make the check. Then choose a cause and a fix, and try the fix. `lesson.answer_of(7)` returns the answer. Look at it last.
 
 # %% [markdown] lang="ko" name="alone" slide="slide"
 # ## 혼자서
@@ -766,13 +776,13 @@ night.try_fix()
 # ros2 run tf2_tools view_frames
 # ros2 run tf2_ros tf2_echo map base_link
 # ros2 run tf2_ros tf2_monitor map base_link
-# ros2 topic info /tf --verbose                # which nodes may publish
+# ros2 topic info /tf --verbose                # which nodes have a publisher
 # ros2 topic info /tf_static --verbose         # which nodes; is one of them VOLATILE?
 # ros2 topic echo /tf_static --once            # of two publishers only one
 # ros2 param get /problem_node use_sim_time    # whatever its name
 # ```
 #
-# These eight commands cannot show the following:
+# What these eight commands cannot show, the following five do:
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # smooth?
@@ -794,13 +804,13 @@ night.try_fix()
 # ros2 run tf2_tools view_frames
 # ros2 run tf2_ros tf2_echo map base_link
 # ros2 run tf2_ros tf2_monitor map base_link
-# ros2 topic info /tf --verbose                # 발행할 수 있는 노드
+# ros2 topic info /tf --verbose                # 발행기가 있는 노드
 # ros2 topic info /tf_static --verbose         # VOLATILE은 아닌지
 # ros2 topic echo /tf_static --once            # 발행자가 둘이면 하나만
 # ros2 param get /problem_node use_sim_time    # 문제가 되는 노드의 이름으로
 # ```
 #
-# 강의 27절의 여덟 명령입니다. 이 명령으로 보이지 않는 것은 다음으로 봅니다.
+# 강의 27절의 여덟 명령입니다. 이 여덟 개로 알 수 없는 것은 다음 다섯 명령으로 확인합니다.
 #
 # ```
 # ros2 run tf2_ros tf2_echo odom base_footprint 20   # 끊김 없이 변하는지
@@ -1001,7 +1011,7 @@ night.try_fix()
 #
 # - [ ] 오류는 나지 않습니다. TF2는 누가 발행하든 표본을 모두 저장합니다.
 # - [ ] 부모가 같으면 포즈가 오락가락하고, 그 사이를 조회하면 아무도 발행한 적 없는 위치가 나옵니다.
-# - [ ] 부모가 다르면 트리 자체가 바뀌고, 한 부분이 번갈아 끊어집니다.
+# - [ ] 부모가 다르면 트리의 모양이 번갈아 바뀌고, 그때마다 한쪽이 떨어져 나갑니다.
 # - [ ] `view_frames`에는 부모가 하나만 보입니다. 두 번째 발행자는 연결의 발행률과 20 Hz로 조회한 값에서 드러납니다.
 #
 # </details>
@@ -1065,10 +1075,10 @@ night.try_fix()
 
 # %% [markdown] lang="en" name="next" slide="skip"
 # **Next:** the exercises, [E12 Owners and diagnosis](../../exercises/en/E12_owners_and_diagnosis.ipynb), with three patients of your own. This was the last chapter; [the start page](00_start.ipynb) shows what you have passed, and what is left.
-# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab`.
+# In the exercises, `solution("E12.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
 # On your checklist this chapter is **C13** (a second broadcaster found and removed) and **C14** (the table of owners). Here it was simulated; do it once on the robot.
 
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E12 발행 책임과 진단](../../exercises/ko/E12_owners_and_diagnosis.ipynb)을 풀어 보세요. 여러분의 로봇 세 대를 진단합니다. 이것이 마지막 장입니다. [시작 페이지](00_start.ipynb)에서 통과한 것과 남은 것을 볼 수 있습니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 `tflab lab`을 입력해 보세요.
+# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E12.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
 # 실습 체크리스트에서 이 장은 **C13**(중복 발행자를 찾아 제거)과 **C14**(발행 책임표)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.

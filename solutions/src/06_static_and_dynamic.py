@@ -163,11 +163,17 @@ check("E6.4", on_circle)
 #
 # The next cell prints what was found on each of six robots, a to f. For each give the cause, and under `"a do"` to `"f do"` what to do. Causes:
 #
-# `"several letters"` sent one after the other by one node · `"publisher gone"` · `"no board"`: VOLATILE · `"silent mover"`: it can move and is no longer published · `"bolt on /tf"`: a fixed mount · `"mover on /tf_static"` · `"misspelt name"`
+# - `"several messages"`: one node sent them one after the other
+# - `"publisher gone"`: the node has ended
+# - `"no board"`: the publisher is VOLATILE
+# - `"moving frame not sent"`: the frame can move and is no longer published
+# - `"mount on /tf"`: a fixed mount is sent on `/tf`
+# - `"moving frame on /tf_static"`: a frame that moves is sent on `/tf_static`
+# - `"misspelt name"`
 #
 # What to do:
 #
-# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"send on while it stands"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
+# `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"keep sending at rest"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
 #
 # The answer cell gives each of these words a name, so that you need not type it: `"a": no_board`.
 
@@ -176,12 +182,12 @@ check("E6.4", on_circle)
 #
 # 로봇 여섯 대에서 알아낸 것을 다음 셀이 보여 줍니다. a부터 f까지 원인을, `"a do"`부터 `"f do"`까지 할 일을 고르십시오. 원인:
 #
-# - `"several letters"` 한 노드가 메시지를 하나씩 따로 보냄
+# - `"several messages"` 한 노드가 메시지를 하나씩 따로 보냄
 # - `"publisher gone"` 발행자가 끝남
 # - `"no board"` 게시판이 없음(VOLATILE)
-# - `"silent mover"` 움직이는 것의 발행이 멈춤
-# - `"bolt on /tf"` 고정된 것을 /tf로 보냄
-# - `"mover on /tf_static"` 움직이는 것을 /tf_static으로 보냄
+# - `"moving frame not sent"` 움직일 수 있는 것의 발행이 멈춤
+# - `"mount on /tf"` 고정된 것을 /tf로 보냄
+# - `"moving frame on /tf_static"` 움직이는 것을 /tf_static으로 보냄
 # - `"misspelt name"` 이름의 철자가 틀림
 #
 # 할 일:
@@ -189,7 +195,7 @@ check("E6.4", on_circle)
 # - `"send one list"` 리스트 하나로 보내기
 # - `"keep it running"` 계속 실행하기
 # - `"offer TRANSIENT_LOCAL"` TRANSIENT_LOCAL 제공하기
-# - `"send on while it stands"` 멈춰 있는 동안에도 보내기
+# - `"keep sending at rest"` 멈춰 있는 동안에도 보내기
 # - `"send it on /tf_static"`, `"send it on /tf"` 그 토픽으로 보내기
 # - `"wait longer"` 더 기다리기 · `"send it faster"` 더 자주 보내기 · `"correct the name"` 이름 고치기
 #
@@ -199,18 +205,18 @@ check("E6.4", on_circle)
 e6_5 = task("E6.5")
 
 # %% name="e6-5-answer" tags=["answer"]
-several_letters, publisher_gone, no_board, silent_mover = "several letters", "publisher gone", "no board", "silent mover"
-bolt_on_tf, mover_on_tf_static, misspelt_name = "bolt on /tf", "mover on /tf_static", "misspelt name"
+several_messages, publisher_gone, no_board, misspelt_name = "several messages", "publisher gone", "no board", "misspelt name"
+mount_on_tf, moving_frame_on_tf_static, moving_frame_not_sent = "mount on /tf", "moving frame on /tf_static", "moving frame not sent"
 send_one_list, keep_it_running, offer_transient_local = "send one list", "keep it running", "offer TRANSIENT_LOCAL"
-send_on_while_it_stands, send_it_on_tf_static, send_it_on_tf = "send on while it stands", "send it on /tf_static", "send it on /tf"
+keep_sending_at_rest, send_it_on_tf_static, send_it_on_tf = "keep sending at rest", "send it on /tf_static", "send it on /tf"
 wait_longer, send_it_faster, correct_the_name = "wait longer", "send it faster", "correct the name"
 diagnosis = {
     # BEGIN SOLUTION
-    "a": bolt_on_tf, "a do": send_it_on_tf_static,
+    "a": mount_on_tf, "a do": send_it_on_tf_static,
     "b": no_board, "b do": offer_transient_local,
-    "c": mover_on_tf_static, "c do": send_it_on_tf,
-    "d": several_letters, "d do": send_one_list,
-    "e": silent_mover, "e do": send_on_while_it_stands,
+    "c": moving_frame_on_tf_static, "c do": send_it_on_tf,
+    "d": several_messages, "d do": send_one_list,
+    "e": moving_frame_not_sent, "e do": keep_sending_at_rest,
     "f": publisher_gone, "f do": keep_it_running,
     # END SOLUTION
 }

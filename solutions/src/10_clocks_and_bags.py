@@ -32,13 +32,13 @@ from tf2_ros import TransformException
 # ## E10.1 · Four set-ups (4 points)
 #
 # A bag that was recorded last year is played, and a node looks up `map ← laser_frame` for each scan. `e10_1.setups` has four set-ups: the node's `use_sim_time`, and whether the bag is played with `--clock`.
-# For each, give a list of three, in this order, with the result of
+# For each, give a list of three results, in this order:
 #
-# 1. the lookup at the scan's stamp, 2. the lookup at `self.get_clock().now()`, 3. a timer of one second:
+# 1. the lookup at the scan's stamp, 2. the lookup at `self.get_clock().now()`, 3. a timer of one second.
 #
-# `"works"` · `"just short"` (an exception: less than a second is missing) · `"years off"` (an exception: the two times are years apart) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
+# Each result is one of these: `"works"` · `"just short"` (an exception: less than a second is missing) · `"years off"` (an exception: the two times are years apart) · `"silently latest"` (answered with the latest transform instead) · `"never"` (nothing ever happens)
 #
-# such as `["works", "works", "never"]`. The first scan, which is older than all transforms, does not count.
+# A list looks like `["works", "works", "never"]`. The first scan, which is older than all transforms, does not count.
 
 # %% [markdown] lang="ko" name="e10-1"
 # ## E10.1 · 네 가지 설정 (4점)
@@ -110,7 +110,7 @@ check("E10.2", recordings)
 #
 # `e10_3.failures` describes five failures. Each has the counts of `bag info`, the command that plays the bag, each node's `use_sim_time`, and the first line of the log. For each give its cause and what to do first:
 #
-# - causes: `"mounts not recorded"`, `"mounts skipped"`, `"nobody publishes /clock"`, `"one node in another time"`, `"time went back"`, `"sensor broken"`
+# - causes: `"mounts not recorded"`, `"mounts skipped"`, `"nobody publishes /clock"`, `"one node on another clock"`, `"time went back"`, `"sensor broken"`
 # - what to do: `"record again, with /tf_static"`, `"play from the start"`, `"play with --clock"`, `"set use_sim_time on that node"`, `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`, `"raise the timeout"`, `"replace the sensor"`
 
 # %% [markdown] lang="ko" name="e10-3"
@@ -118,7 +118,7 @@ check("E10.2", recordings)
 #
 # `e10_3.failures`에 다섯 가지 고장이 있습니다. `bag info`의 개수, 재생 명령, 노드마다의 `use_sim_time`, 로그의 첫 줄입니다. 각각 원인과 먼저 할 일을 답하십시오.
 #
-# - 원인: `"mounts not recorded"`(장착 변환을 기록하지 않음), `"mounts skipped"`(장착 변환을 건너뜀), `"nobody publishes /clock"`(/clock을 발행하는 노드가 없음), `"one node in another time"`(한 노드가 다른 시간을 따름), `"time went back"`(시각이 되돌아감), `"sensor broken"`(센서 고장)
+# - 원인: `"mounts not recorded"`(장착 변환을 기록하지 않음), `"mounts skipped"`(장착 변환을 건너뜀), `"nobody publishes /clock"`(/clock을 발행하는 노드가 없음), `"one node on another clock"`(한 노드가 다른 시계를 따름), `"time went back"`(시각이 되돌아감), `"sensor broken"`(센서 고장)
 # - 할 일: `"record again, with /tf_static"`(다시 기록), `"play from the start"`(처음부터 재생), `"play with --clock"`, `"set use_sim_time on that node"`(그 노드에 설정), `"Buffer(node=self)"`, `"set use_sim_time on all nodes"`(모든 노드에 설정), `"raise the timeout"`(timeout 늘리기), `"replace the sensor"`(센서 교체)
 
 # %% name="e10-3-given"
@@ -133,7 +133,7 @@ a_cause, a_do, b_cause, b_do, c_cause, c_do, d_cause, d_do, e_cause, e_do = (
         else ("mounts skipped", "play from the start") if "--start-offset" in one["play"]
         else ("nobody publishes /clock", "play with --clock") if "--clock" not in one["play"]
         else ("time went back", "Buffer(node=self)") if "--loop" in one["play"]
-        else ("one node in another time", "set use_sim_time on that node")
+        else ("one node on another clock", "set use_sim_time on that node")
     )
 )
 # fmt: on
@@ -150,7 +150,7 @@ check("E10.3", findings)
 # `params` is a YAML parameter file as Python reads it, such as `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`; `nodes` are full names, such as `["/mapper", "/front/mapper"]`, which are two nodes.
 #
 # - `/**` applies to all nodes. A node's own entry, with or without the leading slash, overrides the values that it sets, wherever it is in the file. A node has at most one entry of its own: never both `mapper` and `/mapper`.
-# - `True` is `"sim"`, and `False` is `"wall"`. A node without a value is `"wall"`, too.
+# - `True` is `"sim"`, and `False` is `"wall"` (system time, also called wall time). A node without a value is `"wall"`, too.
 # - Anything other than `True` or `False` is `"refused"`: rclpy logs an error.
 #
 # Return a list with one word for each node, in the order of `nodes`.
@@ -161,7 +161,7 @@ check("E10.3", findings)
 # `params`는 YAML 파라미터 파일을 파이썬이 읽은 것입니다. 예: `{"/**": {"ros__parameters": {"use_sim_time": True}}, "mapper": {"ros__parameters": {"rate": 5.0}}}`. `nodes`는 `["/mapper", "/front/mapper"]` 같은 전체 이름이며, 이 둘은 서로 다른 노드입니다.
 #
 # - `/**`는 모든 노드에 적용됩니다. 노드 자신의 항목은 이름 앞에 슬래시가 있든 없든, 파일의 어디에 있든 `/**`보다 우선합니다. 노드 자신의 항목은 많아야 하나입니다. `mapper`와 `/mapper`가 함께 있는 일은 없습니다.
-# - `True`면 `"sim"`, `False`면 `"wall"`입니다. 설정되지 않은 노드도 `"wall"`입니다.
+# - `True`면 `"sim"`, `False`면 `"wall"`(시스템 시간, wall time)입니다. 설정되지 않은 노드도 `"wall"`입니다.
 # - `True`도 `False`도 아니면 `"refused"`입니다. rclpy가 오류를 기록합니다.
 #
 # `nodes`의 순서대로 노드마다 단어 하나가 든 리스트를 반환하십시오.
@@ -212,16 +212,16 @@ check("E10.5", behind_s)
 # ## E10.6 · Can a bag's transforms place its own messages? (4 points)
 #
 # `buffer` contains a bag's transforms, `messages` its stamped messages (each has a `header`), `target` is the frame in which they are wanted.
-# Return `{"placed": how many have a transform at their own stamps, "last_x_m": the x [m] of the last of these in `target`, "first_no": the name of the first exception's class}`.
-# The x is that of the origin of the message's frame. It is `0.0` if no message has a transform. If all have one, `"first_no"` is `"none"`. For example `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
+# Return `{"placed": how many have a transform at their own stamps, "last_x_m": an x [m], "first_no": the name of the first exception's class}`.
+# Take the last message that has a transform. `"last_x_m"` is the x of the origin of its frame, in `target`. It is `0.0` if no message has a transform. If all have one, `"first_no"` is `"none"`. For example `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
 
 # %% [markdown] lang="ko" name="e10-6"
 # ## E10.6 · 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있습니까? (4점)
 #
 # `buffer`에는 bag의 변환이, `messages`에는 측정 시각이 있는 메시지(`header`가 있습니다)가 들어 있습니다. `target`은 기준이 될 좌표계입니다.
 #
-# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "last_x_m": 그 가운데 마지막 메시지의 `target` 기준 x [m], "first_no": 처음 발생한 예외의 클래스 이름}`을 반환하십시오.
-# x는 메시지의 좌표계 원점의 x이며, 변환이 있는 메시지가 없으면 `0.0`입니다. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
+# `{"placed": 자기 측정 시각의 변환이 있는 메시지의 수, "last_x_m": x [m], "first_no": 처음 발생한 예외의 클래스 이름}`을 반환하십시오.
+# 변환이 있는 마지막 메시지를 찾습니다. `"last_x_m"`은 그 메시지의 좌표계 원점의 x이고, `target`을 기준으로 합니다. 변환이 있는 메시지가 없으면 `0.0`입니다. 모두 변환이 있으면 `"first_no"`는 `"none"`입니다. 예: `{"placed": 4, "last_x_m": 2.5, "first_no": "LookupException"}`.
 
 
 # %% name="e10-6-answer" tags=["answer"]
@@ -247,13 +247,13 @@ check("E10.6", placeable)
 # %% [markdown] lang="en" name="e10-7"
 # ## E10.7 · When must a buffer be cleared? (3 points)
 #
-# `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; a smaller step back only means that messages arrived out of order..
+# `clock_s` are the values of `/clock` [s], in the order in which they arrived. A buffer must be cleared when the time goes back by 1 s or more from one value to the next; a smaller step back only means that messages arrived out of order.
 # Return the values at which it must be cleared: for each jump back, the first value after the jump.
 
 # %% [markdown] lang="ko" name="e10-7"
 # ## E10.7 · 버퍼는 언제 비워야 합니까? (3점)
 #
-# `clock_s`는 받은 순서대로 적은 `/clock`의 값입니다[s]. 시각이 한 값에서 다음 값으로 1초 이상 되돌아가면 버퍼를 비워야 합니다. 그보다 작은 것은 네트워크에서 순서가 바뀐 것입니다.
+# `clock_s`는 받은 순서대로 적은 `/clock`의 값입니다[s]. 시각이 한 값에서 다음 값으로 1초 이상 되돌아가면 버퍼를 비워야 합니다. 그보다 조금 되돌아간 것은 메시지의 순서가 바뀌었을 뿐입니다.
 #
 # 시각이 되돌아간 직후의 첫 값들을 리스트로 반환하십시오.
 

@@ -172,7 +172,7 @@ check("E12.3", first)
 #
 # - `"a checks"`: a list of checks that **would have been enough**, in their order and by their short names, such as `["hz /scan", "node list"]`. Together they take twelve minutes at most, rule out every other suspect of the complaint, and contain one result that is not normal. No check comes after that
 # - `"a cause"`: one of the eighteen suspects, as `lesson.show_suspects()` prints them, or `"sensor broken"`
-# - `"a frame"`: the frame whose pose is wrong: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`; for an edge, its child
+# - `"a frame"`: the frame that is missing or is not in its true position: `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"` or `"none"`. If an edge is wrong, its child. If the clock or the header of the laser is wrong, `"laser_frame"`
 # - `"a owner"`: which node has to change: `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"` or `"nobody"`
 # - `"a fix"`: one of those that `visit.fixes()` prints
 
@@ -183,9 +183,9 @@ check("E12.3", first)
 #
 # 로봇마다 `"a ..."`, `"b ..."`, `"c ..."`로 답합니다.
 #
-# - `"a checks"`: 원인을 증명하는 데 **충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 네 가지 조건이 있습니다. 걸리는 시간의 합이 12분을 넘지 않습니다. 그 증상의 다른 용의자를 모두 지웁니다. 카드와 다른 결과가 하나는 있습니다. 증명이 끝난 뒤의 검사는 쓰지 않습니다.
+# - `"a checks"`: 원인을 증명하는 데 **충분했을** 검사의 리스트. `["hz /scan", "node list"]`처럼 짧은 이름을 순서대로 씁니다. 네 가지 조건이 있습니다. 걸리는 시간의 합이 12분을 넘지 않습니다. 그 증상의 다른 용의자를 모두 지웁니다. 카드와 결과가 다른 검사가 적어도 하나 들어 있어야 합니다. 증명이 끝난 뒤의 검사는 쓰지 않습니다.
 # - `"a cause"`: `lesson.show_suspects()`가 출력하는 용의자 열여덟 가운데 하나, 또는 `"sensor broken"`
-# - `"a frame"`: 포즈가 틀린 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 틀린 것이 연결이면 그 연결의 자식을 씁니다.
+# - `"a frame"`: 없거나 제자리에 보이지 않는 좌표계. `"map"`, `"odom"`, `"base_footprint"`, `"laser_frame"`, `"all that move"`, `"none"` 가운데 하나. 연결이 틀렸으면 그 연결의 자식을 씁니다. 레이저의 시계나 헤더가 틀렸으면 `"laser_frame"`을 씁니다.
 # - `"a owner"`: 고쳐야 할 노드. `"localization"`, `"wheel_odometry"`, `"ekf_filter_node"`, `"laser_mount"`, `"laser_driver"`, `"rviz"`, `"network"`, `"nobody"` 가운데 하나
 # - `"a fix"`: `visit.fixes()`가 보여 주는 것 가운데 하나
 
@@ -212,7 +212,7 @@ check("E12.4", patients)
 # %% [markdown] lang="en" name="e12-5"
 # ## E12.5 · A robot from its specification (5 points)
 #
-# A second robot joins the first in one room, on one map: `e12_5.robot` is its name. It has wheels with odometry, an IMU that may be fused (`e12_5.fused`), and a sensor `e12_5.sensor` with a link (`…_link`) on `base_link` and an optical frame (`…_optical_frame`) below that. Its frames are `odom`, `base_footprint`, `base_link` and the two frames of the sensor. Put the robot's name and a slash before each of them. Both robots share `map`.
+# A second robot joins the first in one room, on one map. Its name is `e12_5.robot`. It has wheels with odometry. If `e12_5.fused` is `True`, a filter fuses the odometry with an IMU. The name of its sensor is `e12_5.sensor`. The sensor's link (`…_link`) is a child of `base_link`, and the optical frame (`…_optical_frame`) is a child of that link. Its frames are `odom`, `base_footprint`, `base_link` and the two frames of the sensor. Put the robot's name and a slash before each of them. Both robots share `map`.
 #
 # - `"tree"`: child → parent
 # - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of the frames that move and of the fixed mounts
@@ -225,7 +225,7 @@ check("E12.4", patients)
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
 #
-# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있고, imu를 융합할 수도 있으며(`e12_5.fused`), 센서 `e12_5.sensor`의 링크(`…_link`)가 `base_link`에, 광학 좌표계(`…_optical_frame`)가 그 아래에 있습니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 좌표계 둘입니다. 이 다섯 이름의 앞에는 로봇의 이름과 슬래시(/)를 붙입니다. `map`은 두 로봇이 함께 씁니다.
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있습니다. `e12_5.fused`가 `True`이면 필터가 바퀴 오도메트리와 IMU를 융합합니다. 센서의 이름은 `e12_5.sensor`입니다. 센서의 링크(`…_link`)는 `base_link`의 자식이고, 광학 좌표계(`…_optical_frame`)는 그 링크의 자식입니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 좌표계 둘입니다. 이 다섯 이름의 앞에는 로봇의 이름과 슬래시(/)를 붙입니다. `map`은 두 로봇이 함께 씁니다.
 #
 # - `"tree"`: 자식 → 부모
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`

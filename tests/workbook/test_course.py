@@ -52,6 +52,9 @@ def test_the_chapters_have_their_names_and_build_only_on_earlier_ones() -> None:
     for chapter in course.chapters[1:]:
         assert chapter.builds_on
         assert all(before < chapter.number for before in chapter.builds_on)
+        page = (workbook_data() / "notebooks" / "src" / f"{chapter.stem}.py").read_text(encoding="utf-8")
+        named = page.partition("builds on ")[2].partition("\n")[0]
+        assert tuple(int(number) for number in re.findall(r"\d\d", named)) == chapter.builds_on
         assert 45 <= chapter.minutes <= 90
 
 

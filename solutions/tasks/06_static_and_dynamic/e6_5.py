@@ -5,25 +5,25 @@ from __future__ import annotations
 from tflab.workbook.tasks import Choice, Parts, define_task
 
 CAUSES = (
-    "several letters", "publisher gone", "no board", "silent mover", "bolt on /tf", "mover on /tf_static",
-    "misspelt name",
+    "several messages", "publisher gone", "no board", "moving frame not sent", "mount on /tf",
+    "moving frame on /tf_static", "misspelt name",
 )  # fmt: skip
 REMEDIES = (
-    "send one list", "keep it running", "offer TRANSIENT_LOCAL", "send on while it stands", "send it on /tf_static",
-    "send it on /tf", "wait longer", "send it faster", "correct the name",
+    "send one list", "keep it running", "offer TRANSIENT_LOCAL", "keep sending at rest",
+    "send it on /tf_static", "send it on /tf", "wait longer", "send it faster", "correct the name",
 )  # fmt: skip
 
 RIGHT = {
-    "a": "bolt on /tf",
+    "a": "mount on /tf",
     "a do": "send it on /tf_static",
     "b": "no board",
     "b do": "offer TRANSIENT_LOCAL",
-    "c": "mover on /tf_static",
+    "c": "moving frame on /tf_static",
     "c do": "send it on /tf",
-    "d": "several letters",
+    "d": "several messages",
     "d do": "send one list",
-    "e": "silent mover",
-    "e do": "send on while it stands",
+    "e": "moving frame not sent",
+    "e do": "keep sending at rest",
     "f": "publisher gone",
     "f do": "keep it running",
 }

@@ -6,7 +6,7 @@ from tflab.workbook.tasks import Choice, Parts, define_task
 
 LETTERS = "abcde"
 CAUSES = (
-    "mounts not recorded", "mounts skipped", "nobody publishes /clock", "one node in another time", "time went back",
+    "mounts not recorded", "mounts skipped", "nobody publishes /clock", "one node on another clock", "time went back",
     "sensor broken",
 )  # fmt: skip
 CURES = (
@@ -56,7 +56,7 @@ def diagnose(
     gone=("mounts not recorded", "mounts skipped"),
     gone_do=("record again, with /tf_static", "play from the start"),
     silent=("nobody publishes /clock", "play with --clock"),
-    apart=("one node in another time", "set use_sim_time on that node"),
+    apart=("one node on another clock", "set use_sim_time on that node"),
     back=("time went back", "Buffer(node=self)"),
 ):
     """Return cause and fix of each, step by step; other arguments are mistakes."""

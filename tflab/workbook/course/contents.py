@@ -56,7 +56,7 @@ def chapter_table(language: str, root: Path) -> str:
         exercise = ""
         if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
             exercise = f"[E{chapter.number}](../../exercises/{language}/{exercise_file(chapter.stem)})"
-        before = ", ".join(str(number) for number in chapter.builds_on if number)
+        before = ", ".join(str(number) for number in chapter.builds_on)
         cells = (
             str(chapter.number),
             f"**[{title}]({chapter.stem}.ipynb)**",
