@@ -210,7 +210,7 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>map 기준 (8.2, −1.7, 0.10)이라고 했습니다</summary>
 #
-# 레이저의 장착 위치를 빠뜨렸습니다. 레이저가 로봇의 중심에 있는 것처럼 바로 지도 기준으로 바꾸었습니다.
+# 레이저의 장착 위치가 빠졌습니다. 레이저가 로봇의 중심에 있다면 맞는 값입니다.
 #
 # </details>
 # <details><summary>강의를 들었는데, 거기서는 둘 다 z = 0.3이었습니다</summary>
