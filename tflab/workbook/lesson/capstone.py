@@ -34,8 +34,7 @@ from tflab.tools.rviz import look
 from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text
 
-from ...text import Texts
-from ..paths import read_workbook, workbook_root
+from ...text import Texts, language_of_workbook
 from .scenes import wall_cloud
 
 __all__ = ["launch_answer"]
@@ -139,7 +138,7 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         raise TypeError(
             'the second argument is the specification, as in launch_answer(robot, e12_5): e12_5 = task("E12.5")'
         )
-    language = read_workbook(workbook_root()).language
+    language = language_of_workbook()
     words = {key: text.say(language) for key, text in TEXTS.items()}
     tree = _written(answer)
     if not tree:

@@ -1,8 +1,9 @@
-"""Make the panels of the pages in the language of the learner's copy.
+"""Make the panels that need a robot's model or a buffer.
 
 ```
 draw_joints({"elbow_joint": -0.6})     the arm at these positions, and its chain of transforms
 joints_panel()                         the same, with a slider for each joint
+tree_panel(parent_of, "map", "tip")    a tree whose frames can be moved, and tf2's answer
 ```
 
 A panel that looks something up does so in a fresh buffer each time.
@@ -19,95 +20,22 @@ from tflab.robots.model import JOINT_TYPES, Joint, joint_transform
 from tflab.robots.teaching import teaching_urdf
 from tflab.robots.urdf import parse_urdf
 from tflab.views import panels, transform_chain
-from tflab.views.clocks import Play
-from tflab.views.late_joiner import Sender
-from tflab.views.motion_error import Bend, Sight
-from tflab.views.panels import Panel, SentencePanel, Travel
+from tflab.views.panels import Panel, Travel
 from tflab.views.style import fmt_all
-from tflab.views.timeline import Ask, Lane
 from tflab.views.transform_chain import JointsPicture, Step
 
-from ..paths import read_workbook, workbook_root
-
 __all__ = [
-    "cameras_panel",
-    "clocks_panel",
     "draw_joints",
-    "joins_panel",
     "joint_in_file",
     "joints_panel",
-    "latency_panel",
-    "mount_panel",
-    "rate_panel",
-    "rotation_panel",
-    "rulers_panel",
-    "sentence_panel",
     "steps_of",
-    "timeline_panel",
     "tree_panel",
 ]
 
 
-def rulers_panel() -> Panel:
-    """Return a panel that moves a robot and a thing, and says in which frame the thing's numbers stay the same."""
-    return panels.rulers_panel(language=_language())
-
-
-def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0) -> Panel:
-    """Return a panel that turns a robot by roll, pitch and yaw [rad]."""
-    return panels.rotation_panel(roll_rad, pitch_rad, yaw_rad, _language())
-
-
-def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0) -> Panel:
-    """Return a panel that moves a point in front of a camera, in the body frame and in the optical one."""
-    return panels.cameras_panel(forward_m, left_m, up_m, _language())
-
-
-def mount_panel() -> Panel:
-    """Return a panel that turns a laser on its robot, and shows a corner and two wrong answers."""
-    return panels.mount_panel(language=_language())
-
-
-def sentence_panel(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> SentencePanel:
-    """Return a panel in which a question can be chosen in any of its forms."""
-    return panels.sentence_panel(poses, target_frame, source_frame, _language())
-
-
 def tree_panel(parent_of: Mapping[str, str], target_frame: str, source_frame: str) -> Panel:
     """Return a panel in which a frame can be given another parent, and tf2 be asked."""
-    return panels.tree_panel(parent_of, target_frame, source_frame, _answer, language=_language())
-
-
-def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float) -> Panel:
-    """Return a panel in which a listener can join earlier or later, and ask for what is stored or not."""
-    return panels.joins_panel(senders, join_s, until_s, language=_language())
-
-
-def latency_panel(sight: Sight | None = None) -> Panel:
-    """Return a panel in which a robot's motion and its delay can be changed."""
-    return panels.latency_panel(sight, _language())
-
-
-def timeline_panel(
-    target_frame: str, source_frame: str, lanes: Sequence[Lane], ask: Ask, stamp_ns: int | None = None
-) -> Panel:
-    """Return a panel whose query can be dragged past either end of the buffer."""
-    return panels.timeline_panel(target_frame, source_frame, lanes, ask, stamp_ns, _language())
-
-
-def clocks_panel(play: Play | None = None, played_s: float = 9.0) -> Panel:
-    """Return a panel of two nodes' clocks while a bag is played."""
-    return panels.clocks_panel(play, played_s, _language())
-
-
-def rate_panel(bend: Bend | None = None) -> Panel:
-    """Return a panel that shows what TF's straight line misses of a bend."""
-    return panels.rate_panel(bend, _language())
-
-
-def _language() -> str:
-    """Return the language of this copy."""
-    return read_workbook(workbook_root()).language
+    return panels.tree_panel(parent_of, target_frame, source_frame, _answer)
 
 
 def _answer(edges: Sequence[tuple[str, str]], target_frame: str, source_frame: str) -> tuple[bool, str]:
@@ -194,16 +122,12 @@ def draw_joints(
 def joints_panel(
     positions: Mapping[str, float] | None = None, tip: str = "tcp", base: str = "base_link", urdf: str | None = None
 ) -> Panel:
-    """Return a panel that moves each joint between `base` and `tip`, first standing at `positions` [rad or m].
-
-    It speaks the language of this copy.
-    """
+    """Return a panel that moves each joint between `base` and `tip`, first standing at `positions` [rad or m]."""
     urdf = teaching_urdf() if urdf is None else urdf
     robot = parse_urdf(urdf)
     moving = [step.joint for step in steps_of(positions, tip, base, urdf) if step.position is not None]
     travels = [_travel(robot.joint(name), (positions or {}).get(name, 0.0)) for name in moving]
-    language = read_workbook(workbook_root()).language
-    return panels.joints_panel(lambda at: steps_of(at, tip, base, urdf), travels, language)
+    return panels.joints_panel(lambda at: steps_of(at, tip, base, urdf), travels)
 
 
 def _step(joint: Joint, positions: Mapping[str, float], urdf: str) -> Step:
