@@ -173,6 +173,6 @@ def fmt_all(values: Sequence[float], unit: str = "m", digits: int = 3) -> str:
     return f"({', '.join(fmt(value, '', digits) for value in values)}) {unit}".rstrip()
 
 
-def fmt_stamp(stamp_ns: int, digits: int = 3) -> str:
+def fmt_stamp(stamp_ns: int) -> str:
     """Return a stamp or a duration [ns] for people: fmt_stamp(1_500_000_000) == "1.500 s"."""
-    return f"{format_stamp(stamp_ns, digits)} s"
+    return f"{format_stamp(stamp_ns, 3)} s"

@@ -15,13 +15,14 @@ from tflab.text import Texts
 from ..axes import CamerasPicture, RotationPicture
 from ..coordinates import RulersPicture, readings_of
 from ..transform_chain import JointsPicture, Step
-from ..wrong_frames import LASER_AT, MountPicture
+from ..wrong_frames import MountPicture
 from .panel import STEP_RAD, Panel, menu, say, slider
 from .prefetch import Controls
 
 TEXTS = Texts(__file__)
 
 BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
+ROBOT_X_M, THING_AT = 1.0, (6.5, -1.5)  # at first, in map [m]
 ON_THE_TRAY = (-0.10, 0.0, 0.20)  # in base_link [m]
 IN_SIGHT = np.array([(-0.5, -2.5), (8.0, 2.5)])  # of the map's ground [m]
 
@@ -45,31 +46,21 @@ def cameras_panel(forward_m: float = 2.0, left_m: float = 0.0, up_m: float = 0.0
     return Panel(title, picture, sliders, lambda at: picture.show(tuple(map(at, sliders))))
 
 
-def mount_panel(
-    yaw_rad: float = math.pi / 2,
-    laser_p: Sequence[float] = (2.0, 0.0, 0.0),
-    laser_at: Sequence[float] = LASER_AT,
-) -> Panel:
+def mount_panel() -> Panel:
     """Return a panel that turns a laser on its robot by yaw [rad], and shows a corner and two wrong answers."""
-    yaw = slider(TEXTS["mount yaw"], yaw_rad, -math.pi, math.pi, STEP_RAD, "rad")
-    picture = MountPicture(laser_p, laser_at)
+    yaw = slider(TEXTS["mount yaw"], math.pi / 2, -math.pi, math.pi, STEP_RAD, "rad")
+    picture = MountPicture()
     title = "A turned laser, the corner that it sees, and two wrong answers"
     return Panel(title, picture, (yaw,), lambda at: picture.show(at(yaw)))
 
 
-def rulers_panel(robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[float, float] = (6.5, -1.5)) -> Panel:
-    """Return a panel that moves a robot and a thing, and shows in which frame the thing's numbers stay the same.
-
-    Args:
-        robot_x_m: the robot's position at first, along map's x [m].
-        yaw_rad: how far it is turned at first [rad].
-        thing_m: where on the floor the thing lies at first, in map (x, y) [m].
-    """
+def rulers_panel() -> Panel:
+    """Return a panel that moves a robot and a thing, and shows in which frame the thing's numbers stay the same."""
     half_turn = round(math.pi, 2)
-    robot_x = slider(TEXTS["robot x"], robot_x_m, 0.0, 5.0, 0.05, "m")
-    yaw = slider(TEXTS["robot yaw"], yaw_rad, -half_turn, half_turn, 0.01, "rad")
-    thing_x = slider(TEXTS["thing x"], thing_m[0], 0.0, 7.5, 0.05, "m")
-    thing_y = slider(TEXTS["thing y"], thing_m[1], -2.0, 2.0, 0.05, "m")
+    robot_x = slider(TEXTS["robot x"], ROBOT_X_M, 0.0, 5.0, 0.05, "m")
+    yaw = slider(TEXTS["robot yaw"], 0.0, -half_turn, half_turn, 0.01, "rad")
+    thing_x = slider(TEXTS["thing x"], THING_AT[0], 0.0, 7.5, 0.05, "m")
+    thing_y = slider(TEXTS["thing y"], THING_AT[1], -2.0, 2.0, 0.05, "m")
     options = [(say(TEXTS["floor"]), "floor"), (say(TEXTS["tray"]), "tray")]
     rests_on = menu(TEXTS["rests on"], options)
     picture = RulersPicture(("map", "base_link", "laser_frame"), "thing", keep=IN_SIGHT)
@@ -78,8 +69,8 @@ def rulers_panel(robot_x_m: float = 1.0, yaw_rad: float = 0.0, thing_m: tuple[fl
         return poses["base_link"].apply(ON_THE_TRAY) if on == "tray" else (*on_the_floor, 0.0)
 
     def move(at: Controls) -> None:
-        first, poses = _three_frames(robot_x_m, yaw_rad), _three_frames(at(robot_x), at(yaw))
-        before = readings_of(first, thing(first, at(rests_on), thing_m))
+        first, poses = _three_frames(ROBOT_X_M, 0.0), _three_frames(at(robot_x), at(yaw))
+        before = readings_of(first, thing(first, at(rests_on), THING_AT))
         picture.show(poses, thing(poses, at(rests_on), (at(thing_x), at(thing_y))), before)
 
     def disable_thing(change: dict[str, object]) -> None:

@@ -21,6 +21,7 @@ Pair = tuple[str, str]  # target, source
 Edge = tuple[str, str]  # parent, child
 Ask = Callable[[list[Edge], str, str], tuple[bool, str]]  # edges as sent, target, source -> an answer at all? its text
 
+MISSPELT = "odm"  # a parent that no edge has otherwise
 LINES = 2  # for tf2's text, besides one for each frame: of a loop it names every edge
 
 
@@ -110,7 +111,6 @@ def tree_panel(
     target_frame: str,
     source_frame: str,
     ask: Ask,
-    misspelt: str = "odm",
 ) -> Panel:
     """Return a panel in which a frame can be given another parent, and a lookup shows tf2's text below the picture.
 
@@ -118,7 +118,6 @@ def tree_panel(
         parent_of: the tree to begin with, child -> parent.
         target_frame, source_frame: the lookup to begin with.
         ask: tf2's answer: for edges (parent, child) in the order they are sent, and a lookup.
-        misspelt: a parent that no edge has otherwise.
 
     Raises:
         ValueError: a frame is not in the tree.
@@ -130,7 +129,7 @@ def tree_panel(
     first = next(iter(parent_of))
     rows = (
         (TEXTS["move"], list(parent_of), first),
-        (TEXTS["under"], [*frames, misspelt], parent_of[first]),
+        (TEXTS["under"], [*frames, MISSPELT], parent_of[first]),
         (TEXTS["source"], frames, source_frame),
         (TEXTS["target"], frames, target_frame),
     )

@@ -117,22 +117,22 @@ def _box(description: str, value: bool) -> widgets.Checkbox:
     )
 
 
-def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float, start_s: float = 0.0) -> Panel:
+def joins_panel(senders: Sequence[Sender], join_s: float, until_s: float) -> Panel:
     """Return a panel in which a listener can join earlier or later, and request stored messages or not.
 
     Args:
         senders: who publishes.
         join_s: when the listener joins at first [s].
-        start_s, until_s: what is shown [s].
+        until_s: when the picture ends [s].
     """
-    join = slider(TEXTS["join"], join_s, start_s, until_s, 0.05, "s")
+    join = slider(TEXTS["join"], join_s, 0.0, until_s, 0.05, "s")
     durability = widgets.Dropdown(
         options=[("TRANSIENT_LOCAL", True), ("VOLATILE", False)],
         description="durability",
         tooltip="durability that the listener requests on /tf_static",
         style={"description_width": "110px"},
     )
-    picture = JoinsPicture(senders, until_s, start_s)
+    picture = JoinsPicture(senders, until_s)
 
     def move(at: Controls) -> None:
         picture.show(at(join), at(durability))

@@ -80,13 +80,13 @@ def visit_panel(seen: Visit) -> Panel:
     return panels.visit_panel(steps_of(seen), seen.patient.budget_min)
 
 
-def second_opinion(number: int, cause: str = "", complaint: str = "") -> None:
+def second_opinion(number: int, cause: str = "") -> None:
     """Print one's own diagnosis of a practice patient and what the doctor says of it; without the first, nothing."""
     words = OPINIONS[language_of_workbook()]
     if cause not in SUSPECTS:
         print(words["first"])
         return
-    print(f"{words['you']}: {cause}\n{words['doctor']}: {practice.second_opinion(number, complaint)}")
+    print(f"{words['you']}: {cause}\n{words['doctor']}: {practice.second_opinion(number)}")
 
 
 def show_suspects() -> None:
@@ -120,9 +120,9 @@ def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPictu
     return draw_suspects(suspects_table(suspects, columns_for(suspects)), asked)
 
 
-def draw_questions(cause: str, checks: Sequence[str], whole: bool = False) -> Picture:
+def draw_questions(cause: str, checks: Sequence[str]) -> Picture:
     """Draw what each check would cost, and who would be left after it, were it this cause."""
-    return draw_order(check_steps(cause, checks, whole))
+    return draw_order(check_steps(cause, checks))
 
 
 def best_questions(cause: str) -> list[str]:

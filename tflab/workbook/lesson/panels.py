@@ -83,51 +83,39 @@ def joint_in_file(urdf: str, name: str) -> str:
     return "\n".join(line[indent:] for line in lines[: end + 1])
 
 
-def steps_of(
-    positions: Mapping[str, float] | None = None, tip: str = "tcp", base: str = "base_link", urdf: str | None = None
-) -> list[Step]:
-    """Return the joints from `base` to `tip`, as they stand at these positions [rad or m]; who is not named, at zero.
+def steps_of(positions: Mapping[str, float] | None = None) -> list[Step]:
+    """Return the joints from base_link to the tip of the arm, at these positions [rad or m]; who is not named, at zero.
 
     Raises:
-        KeyError: the robot has no such link, or no such joint.
-        ValueError: `base` is not on the way from the root to `tip`.
+        KeyError: the robot has no such joint.
     """
-    urdf = teaching_urdf() if urdf is None else urdf
+    urdf = teaching_urdf()
     robot = parse_urdf(urdf)
     for name in positions or {}:
         robot.joint(name)
-    chain = robot.chain(tip)
+    chain = robot.chain("tcp")
     parents = [joint.parent for joint in chain]
-    if robot.link(base).name not in parents:
-        raise ValueError(f'"{base}" is not above "{tip}"; above it are {", ".join(parents)}')
-    return [_step(joint, positions or {}, urdf) for joint in chain[parents.index(base) :]]
+    return [_step(joint, positions or {}, urdf) for joint in chain[parents.index("base_link") :]]
 
 
 def draw_joints(
     positions: Mapping[str, float] | None = None,
     touched: str = "",
     ghosts: Mapping[str, Sequence[float]] | None = None,
-    tip: str = "tcp",
-    base: str = "base_link",
-    urdf: str | None = None,
 ) -> JointsPicture:
     """Draw the arm at these joint positions [rad or m], its dominoes, and the lines of the file of `touched`.
 
     Args:
         ghosts: wrong places of the tip in `base` (x, y, z) [m], by their name.
     """
-    return transform_chain.draw_joints(steps_of(positions, tip, base, urdf), touched, ghosts)
+    return transform_chain.draw_joints(steps_of(positions), touched, ghosts)
 
 
-def joints_panel(
-    positions: Mapping[str, float] | None = None, tip: str = "tcp", base: str = "base_link", urdf: str | None = None
-) -> Panel:
-    """Return a panel that moves each joint between `base` and `tip`, first standing at `positions` [rad or m]."""
-    urdf = teaching_urdf() if urdf is None else urdf
-    robot = parse_urdf(urdf)
-    moving = [step.joint for step in steps_of(positions, tip, base, urdf) if step.position is not None]
-    travels = [_travel(robot.joint(name), (positions or {}).get(name, 0.0)) for name in moving]
-    return panels.joints_panel(lambda at: steps_of(at, tip, base, urdf), travels)
+def joints_panel() -> Panel:
+    """Return a panel that moves each joint of the arm."""
+    robot = parse_urdf(teaching_urdf())
+    travels = [_travel(robot.joint(step.joint)) for step in steps_of() if step.position is not None]
+    return panels.joints_panel(steps_of, travels)
 
 
 def _step(joint: Joint, positions: Mapping[str, float], urdf: str) -> Step:
@@ -137,9 +125,9 @@ def _step(joint: Joint, positions: Mapping[str, float], urdf: str) -> Step:
     return Step(joint.name, joint.parent, joint.child, where, position, _unit(joint), joint_in_file(urdf, joint.name))
 
 
-def _travel(joint: Joint, start: float) -> Travel:
+def _travel(joint: Joint) -> Travel:
     low, high = (joint.limit.lower, joint.limit.upper) if joint.limit else (-math.pi, math.pi)
-    return Travel(joint.name, low, high, start, _unit(joint))
+    return Travel(joint.name, low, high, unit=_unit(joint))
 
 
 def _unit(joint: Joint) -> str:
