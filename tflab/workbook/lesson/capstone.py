@@ -37,8 +37,6 @@ from tflab.views.rviz_status import statuses_as_text
 from ...text import Texts, language_of_workbook
 from .scenes import wall_cloud
 
-__all__ = ["launch_answer"]
-
 RATE_HZ, CLOUD_HZ = 20.0, 5.0
 LAUNCHED_S, SETTLED_NS = 3.0, 300_000_000
 FIRST_ROBOT = ("robot_state_publisher", "joint_driver", "wheel_odometry", "localization", "map_server")

@@ -34,21 +34,6 @@ from tflab.views.picture import Picture
 
 from ...text import language_of_workbook
 
-__all__ = [
-    "LECTURES_ORDER",
-    "admit",
-    "best_questions",
-    "draw_both_ways",
-    "draw_columns",
-    "draw_questions",
-    "draw_visit",
-    "second_opinion",
-    "show_findings",
-    "show_suspects",
-    "show_trolley",
-    "visit_panel",
-]
-
 OPINIONS = {
     "en": {"first": "First your own diagnosis: name one of the suspects.", "you": "You", "doctor": "The doctor"},
     "ko": {"first": "먼저 직접 진단하고 용의자 하나를 고르십시오.", "you": "나", "doctor": "tflab doctor"},

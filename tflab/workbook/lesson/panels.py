@@ -24,14 +24,6 @@ from tflab.views.panels import Panel, Travel
 from tflab.views.style import fmt_all
 from tflab.views.transform_chain import JointsPicture, Step
 
-__all__ = [
-    "draw_joints",
-    "joint_in_file",
-    "joints_panel",
-    "steps_of",
-    "tree_panel",
-]
-
 
 def tree_panel(parent_of: Mapping[str, str], target_frame: str, source_frame: str) -> Panel:
     """Return a panel in which a frame can be given another parent, and tf2 be asked."""

@@ -45,21 +45,6 @@ from tflab.views.scene import Scene, draw_frame, draw_scan
 
 from .scenes import GRID_CELLS, draw_walls
 
-__all__ = [
-    "ROBOTS",
-    "GapWatcher",
-    "WaitingNode",
-    "ages_of_decisions",
-    "draw_lanes",
-    "draw_rviz",
-    "on_robot_c",
-    "run_node",
-    "show_clock_error",
-    "start_robot",
-    "stop_node",
-    "walls_seen",
-]
-
 BUILT = Transform((0.20, 0.0, 0.15))  # where the laser is bolted on
 DRAWN, WRONG = 'xyz="0.20 0.0 0.15"', 'xyz="-0.20 0.0 0.15"'
 

@@ -27,8 +27,6 @@ from tflab.views.rviz_status import look_through, statuses_as_text
 
 from ...text import Text, language_of_workbook, load_yaml
 
-__all__ = ["ASKED", "COMMANDS", "VERDICTS", "draw_toolbox", "say_tools", "tools_panel"]
-
 CHAIN = ("odom", "base_footprint", "base_link", "laser_frame")
 NAMES = Text(en="question / tool", ko="질문 / 도구")
 
