@@ -12,12 +12,11 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from html import escape
 from typing import Any
 
-import numpy as np
-
 from tflab.core import Transform
 
 from .libraries import ipywidgets
 from .rviz_status import (
+    SIGNS,
     Ask,
     Display,
     LaserScan,
@@ -26,12 +25,12 @@ from .rviz_status import (
     Path,
     Shown,
     look_through,
+    points_of,
     statuses_as_text,
 )
 from .scene import Scene
 from .scene.drawing import draw_arrow, draw_frame, draw_path, draw_points, draw_robot, draw_scan, edge_path, frame_path
 
-SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#009E73", "Warn": "#D08700", "Error": "#D55E00"}
 EDGE_M = 0.0056  # radius of the arrow from a frame to its parent
 LASER_COLOURS = ("#B5539B", "#D08700", "#3C8DC5", "#009E73")  # one for each topic, in turn
@@ -184,15 +183,11 @@ def _draw_message(scene: Scene, path: str, message: Message, fixed_T_message: Tr
         return
     scene[path].set_transform(fixed_T_message.matrix())
     if isinstance(message, MapCells):
-        cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
-        message_p = np.column_stack([cells, np.zeros(len(cells))])
-        draw_points(scene, path, message_p, "#808890", 1.4 * message.resolution_m, "map cells")
-        return
-    message_p = np.asarray(message.points, dtype=float).reshape(-1, 3)
-    if isinstance(message, Path):
-        draw_path(scene, path, message_p, colour)
+        draw_points(scene, path, points_of(message), "#808890", 1.4 * message.resolution_m, "map cells")
+    elif isinstance(message, Path):
+        draw_path(scene, path, points_of(message), colour)
     else:
-        draw_points(scene, path, message_p, colour)
+        draw_points(scene, path, points_of(message), colour)
 
 
 def _place(entry: Shown, number: int, message: int) -> str:
