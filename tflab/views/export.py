@@ -258,7 +258,9 @@ def _licences() -> str:
 
 def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> str:
     style = OUR_STYLE + "\n".join(sorted({view.css for view in views}))
-    scripts = sorted((name for name in assets if name.endswith(".js")), key=_live_last)
+    scripts = sorted(
+        (name for name in assets if name.endswith(".js")), key=lambda name: (name.startswith("live-"), name)
+    )
     if single_file:
         tags = [_inline_script(assets[name], wait=name.startswith("live-")) for name in scripts]
         if _has_viewer(assets):
@@ -280,10 +282,6 @@ def _inline_script(text: str, wait: bool) -> str:
     """Return a script as part of the page; `wait` runs it once the page is complete."""
     text = text.replace("</script", "<\\/script")
     return f"<script>addEventListener('load', () => {{{text}}});</script>\n" if wait else f"<script>{text}</script>\n"
-
-
-def _live_last(name: str) -> tuple[bool, str]:
-    return name.startswith("live-"), name
 
 
 def _script_text(value: Any) -> str:

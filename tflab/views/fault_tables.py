@@ -34,7 +34,7 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     lines = [f"{len(left)} of {len(findings)} suspects left"]
     for name, row in findings.items():
         struck = next((check for check, said in asked.items() if row[check] != said), None)
-        why = f"struck: {expected_result_text(struck, row[struck])}" if struck else "left"
+        why = f"struck: {struck} would be {row[struck]}" if struck else "left"
         lines.append(f"  {name:<{width}}  {why}")
     lines += [f"asked: {check}: {said}" for check, said in asked.items()]
     for check in next(iter(findings.values())):
@@ -44,11 +44,6 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
                 f"not asked: {check}: " + (f"would tell {len(groups)} apart" if len(groups) > 1 else "nothing")
             )
     return "\n".join(lines)
-
-
-def expected_result_text(check: str, kind: str) -> str:
-    """Return what a suspect would have said to a check."""
-    return f"{check} would be {kind}"
 
 
 class SuspectsPicture(Picture):

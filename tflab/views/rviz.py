@@ -120,16 +120,13 @@ class RViz(ipywidgets.VBox):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict | None:
         if os.environ.get("TFLAB_FILMS"):
-            self._sweep_fixed_frames()
+            frames = self._picker.options
+            self.scene.sweep("Fixed Frame", frames, self._draw_from, start=frames.index(self.fixed_frame))
             self.children = (self.scene, self._list)  # the scrubber takes the picker's place
         bundle = super()._repr_mimebundle_(**kwargs)
         if bundle is not None:
             (bundle[0] if isinstance(bundle, tuple) else bundle)["text/plain"] = self.text
         return bundle
-
-    def _sweep_fixed_frames(self) -> None:
-        frames = self._picker.options
-        self.scene.sweep("Fixed Frame", frames, self._draw_from, start=frames.index(self.fixed_frame))
 
     def _draw_from(self, frame: str) -> None:
         """Draw what another Fixed Frame shows, whatever stood there before."""

@@ -62,7 +62,8 @@ def draw_frame(
     path = scene[frame_path(name, is_ghost)]
     path.set_object(*triangles(_axes(length_m, is_ghost), GHOST_OPACITY * 2 if is_ghost else 1.0))
     path.set_transform(scene_T_frame.matrix())
-    path.set_property("labels", [*_axis_letters(length_m, is_ghost), _name_label(name, is_ghost)])
+    label = _label(name, (0.0, 0.0, 0.0), style.GREY if is_ghost else "", name=True, slanted=is_ghost)
+    path.set_property("labels", [*_axis_letters(length_m, is_ghost), label])
     path.set_property("frame", {"name": name, "parent": parent, "ghost": is_ghost})
 
 
@@ -270,11 +271,6 @@ def _axis_letters(length_m: float, is_ghost: bool) -> list[dict]:
     tips = {"x": (1.1, 0.0, 0.0), "y": (0.0, 1.1, 0.0), "z": (0.0, 0.0, 1.1)}
     colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
     return [_label(axis, np.array(tips[axis]) * length_m, colours[axis], small=True) for axis in style.AXES]
-
-
-def _name_label(text: str, is_ghost: bool) -> dict:
-    """Return a frame's name; a ghost's is grey and slanted."""
-    return _label(text, (0.0, 0.0, 0.0), style.GREY if is_ghost else "", name=True, slanted=is_ghost)
 
 
 def _label(
