@@ -14,6 +14,8 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Mapping, Sequence
+from logging.handlers import QueueHandler
+from queue import SimpleQueue
 
 from tflab.core import LATEST, BufferCore, StampedTransform, Transform, TransformException
 from tflab.robots.model import JOINT_TYPES, Joint, joint_transform
@@ -32,7 +34,8 @@ def tree_panel(parent_of: Mapping[str, str], target_frame: str, source_frame: st
 
 def _answer(edges: Sequence[tuple[str, str]], target_frame: str, source_frame: str) -> tuple[bool, str]:
     """Return what tf2 logs and says: of static edges (parent, child), each a step of 1 m along x, and a question."""
-    buffer, log = BufferCore(), _Lines()
+    buffer, logged = BufferCore(), SimpleQueue()
+    log = QueueHandler(logged)
     logger = logging.getLogger("tflab.tf2")
     was_propagated, logger.propagate = logger.propagate, False
     logger.addHandler(log)
@@ -43,23 +46,13 @@ def _answer(edges: Sequence[tuple[str, str]], target_frame: str, source_frame: s
     finally:
         logger.removeHandler(log)
         logger.propagate = was_propagated
+    lines = [logged.get().getMessage() for _ in range(logged.qsize())]
     call = f"lookup_transform('{target_frame}', '{source_frame}', Time())"
     try:
         found = buffer.lookup_transform(target_frame, source_frame, LATEST)
     except TransformException as error:
-        return False, "\n".join([*log.lines, call, f"{type(error).__name__}: {error}".rstrip()])
-    return not log.lines, "\n".join([*log.lines, call, f"translation {fmt_all(found.transform.translation, digits=1)}"])
-
-
-class _Lines(logging.Handler):
-    """Keeps what is logged."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.lines: list[str] = []
-
-    def emit(self, record: logging.LogRecord) -> None:
-        self.lines.append(record.getMessage())
+        return False, "\n".join([*lines, call, f"{type(error).__name__}: {error}".rstrip()])
+    return not lines, "\n".join([*lines, call, f"translation {fmt_all(found.transform.translation, digits=1)}"])
 
 
 def joint_in_file(urdf: str, name: str) -> str:
