@@ -34,6 +34,7 @@ __all__ = [
     "compose_yaml",
     "language_of_locale",
     "language_of_tools",
+    "language_of_workbook",
     "load_yaml",
     "text_of_node",
 ]
@@ -164,6 +165,11 @@ def capitalized(text: str) -> str:
 
 def language_of_tools() -> str:
     """Return the language in which a command prints: of the workbook around the current folder, else of the locale."""
+    return language_of_workbook("") or language_of_locale(os.environ)
+
+
+def language_of_workbook(otherwise: str = "en") -> str:
+    """Return the language of the learner's copy around the current folder, or `otherwise` outside a copy."""
     here = Path.cwd()
     for folder in (here, *here.parents):
         try:
@@ -172,7 +178,7 @@ def language_of_tools() -> str:
             continue
         if found in LANGUAGES:
             return found
-    return language_of_locale(os.environ)
+    return otherwise
 
 
 def language_of_locale(environment: Mapping[str, str]) -> str:

@@ -44,8 +44,10 @@ def test_a_panel_tries_a_fix_on_a_proof_and_not_on_a_suspicion(ahead):
     panel.close()
 
 
-def test_in_korean_only_names_and_what_is_typed_are_english(ahead):
-    panel = clinic_panel(ahead, "ko")
+def test_in_korean_only_names_and_what_is_typed_are_english(ahead, tmp_path, monkeypatch):
+    (tmp_path / "workbook.json").write_text('{"language": "ko"}', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    panel = clinic_panel(ahead)
     assert LABELS["ko"].keys() == LABELS["en"].keys() and panel.widget.children[-3].description == "글로 보기"
     done = [label for label, _ in panel._check.options if not label.startswith("ros2 ")]
     assert len(done) == 3 and not re.search(r"[A-Za-z]{5}", " ".join(done).replace("RViz", ""))

@@ -105,7 +105,7 @@ def test_a_panel_shows_what_the_tool_printed_and_says_whether_it_answers():
 def test_the_table_has_a_sign_for_each_pair_and_says_in_words_who_answers_what():
     picture = draw_tools(VERDICTS)
     assert picture.text == "value: answers echo; cannot hz\nrate: half hz; cannot echo"
-    texts = [text.get_text() for text in picture.figure.texts]
+    texts = [text.get_text() for text in picture.figure.axes[0].texts]
     assert texts[:8] == ["echo", "hz", "value", "✓", "✗", "rate", "✗", "~"]
 
 

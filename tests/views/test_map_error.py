@@ -38,7 +38,7 @@ def test_every_way_has_a_panel_at_the_same_scale_and_a_metre_is_a_metre():
     picture = draw_placed(ways, walls=[WALL], shown_m=(0.0, -1.0, 6.0, 3.0))
     left, right = picture.figure.axes
     assert left.get_xlim() == right.get_xlim()
-    assert left.get_xlim()[0] <= 0.0 and left.get_xlim()[1] >= 6.0
+    assert left.get_xlim()[0] <= 1e-9 and left.get_xlim()[1] >= 6.0 - 1e-9
     box = left.get_window_extent()
     across, up = np.ptp(left.get_xlim()) / box.width, np.ptp(left.get_ylim()) / box.height
     assert across == pytest.approx(up)

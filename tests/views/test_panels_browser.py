@@ -20,7 +20,7 @@ CELLS = [
     "motion_error.draw_latency(motion_error.Sight())",
     "panels.latency_panel()",
     "panels.timeline_panel('map', 'odom', lanes, lookup)",
-    "panels.sentence_panel(poses, 'map', 'base_link', language='ko')",
+    "panels.sentence_panel(poses, 'map', 'base_link')",
     "panels.rotation_panel()",
     "panels.cameras_panel()",
 ]

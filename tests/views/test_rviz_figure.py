@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tflab.core import LookupException, Transform
-from tflab.views.rviz_figure import describe_shown, draw_shown, points_of
-from tflab.views.rviz_status import Display, LaserScan, MapCells, PointCloud2, RobotModel, look_through
+from tflab.views.rviz_figure import describe_shown, draw_shown
+from tflab.views.rviz_status import Display, LaserScan, MapCells, PointCloud2, RobotModel, look_through, points_of
 from tflab.views.scene.drawing import Part
 
 #   map -(2 m along x)-> base_link, which sees a wall at x = 5: one ray straight ahead, 3 m long, and one into the void

@@ -21,7 +21,6 @@ from tflab.views.scene import (
     draw_ball,
     draw_camera,
     draw_frame,
-    draw_frames,
     draw_mug,
     draw_path,
     draw_points,
@@ -71,9 +70,8 @@ def test_the_same_scene_gives_the_same_bytes():
 
 
 def test_the_words_give_each_frame_in_its_parent(scene):
-    draw_frames(
-        scene, {"map": Transform(), "base_link": FORWARD, "laser": TURNED}, {"base_link": "map", "laser": "base_link"}
-    )
+    for name, pose, parent in (("map", Transform(), ""), ("base_link", FORWARD, "map"), ("laser", TURNED, "base_link")):
+        draw_frame(scene, name, pose, parent)
     assert scene.describe() == (
         "3D scene: 3 frames, 0 other things\n"
         "  map        frame\n"
@@ -83,7 +81,7 @@ def test_the_words_give_each_frame_in_its_parent(scene):
 
 
 def test_the_words_name_everything_else(scene):
-    draw_frame(scene, "laser", TURNED, is_ghost=True, label="laser (wrong)")
+    draw_frame(scene, "laser", TURNED, is_ghost=True)
     draw_scan(scene, "scan", Transform(), [1.0, math.inf, 2.0, math.nan], -0.1, 0.1)
     draw_points(scene, "cloud", np.zeros((7, 3)))
     draw_path(scene, "plan", np.array([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0)]))
@@ -107,7 +105,9 @@ def test_the_words_name_everything_else(scene):
 
 def test_a_redraw_is_one_message_and_moving_what_is_there_sends_only_where_it_is(scene):
     sent = sent_by(scene)
-    draw_frames(scene, {"map": Transform(), "base_link": FORWARD}, {"base_link": "map"})
+    with scene.redraw():
+        draw_frame(scene, "map", Transform())
+        draw_frame(scene, "base_link", FORWARD, "map")
     assert len(sent) == 1
     sent.clear()
     with scene.redraw():

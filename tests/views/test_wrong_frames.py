@@ -33,7 +33,7 @@ def test_a_mistake_can_hide_without_a_turn_the_forgotten_one_and_at_half_a_turn_
 
 
 def test_the_picture_in_words():
-    assert describe_mount(math.pi / 2, (2.0, 0.0, 0.0)) == (
+    assert describe_mount(math.pi / 2) == (
         "laser_frame at (0.200, 0.000, 0.150) m in base_link, yaw 1.57 rad\n"
         "the laser says    (2.000, 0.000, 0.000) m  in laser_frame\n"
         "the corner is at  (0.200, 2.000, 0.150) m  in base_link\n"

@@ -17,6 +17,7 @@ from contextlib import redirect_stdout
 from html import escape
 from io import StringIO
 
+from tflab.text import language_of_workbook
 from tflab.views.diagnosis_log import describe_order, draw_order
 from tflab.views.fault_tables import draw_suspects
 from tflab.views.libraries import ipywidgets as widgets
@@ -83,9 +84,7 @@ class ClinicPanel(Panel):
             side_by_side([self._cause, self._fix, self._button("try", self.try_fix)]),
         ]
         picture = draw_suspects(suspects_table(suspects, self._columns))
-        super().__init__(
-            self._labels["title"], picture, [], self._move, layout=[*rows, self._readings], language=visit.language
-        )
+        super().__init__(self._labels["title"], picture, [], self._move, layout=[*rows, self._readings])
         self.widget.children = (*self.widget.children, self._order)
 
     @property
@@ -157,6 +156,6 @@ class ClinicPanel(Panel):
         return button
 
 
-def clinic_panel(patient: FaultyRobot, language: str = "en", helped: bool = True) -> ClinicPanel:
+def clinic_panel(patient: FaultyRobot, helped: bool = True) -> ClinicPanel:
     """Return a visit to a patient, with controls; where the table helps, it strikes whom a reading does not fit."""
-    return ClinicPanel(Visit(FaultyRobot.unpacked(patient.packed()), language, helped))
+    return ClinicPanel(Visit(FaultyRobot.unpacked(patient.packed()), language_of_workbook(), helped))

@@ -67,9 +67,9 @@ def answer_of(number: int, complaint: str = "") -> str:
     return _drawn(number, complaint)[1][0]
 
 
-def second_opinion(number: int, complaint: str = "") -> str:
-    """Return what the doctor says of the robot of `practice_patient(number, complaint)`."""
-    rng, causes = _drawn(number, complaint)
+def second_opinion(number: int) -> str:
+    """Return what the doctor says of the robot of `practice_patient(number)`."""
+    rng, causes = _drawn(number, "")
     return doctor_report(causes, _clear(rng, causes)[1])
 
 

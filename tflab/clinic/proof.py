@@ -100,9 +100,9 @@ def consistent_suspects(found: dict[str, str], suspects: Iterable[str] = SUSPECT
     )
 
 
-def check_steps(cause: str, checks: Sequence[str], whole: bool = False) -> list[tuple[str, float, int]]:
+def check_steps(cause: str, checks: Sequence[str]) -> list[tuple[str, float, int]]:
     """Return a way of asking as `draw_order` takes it: of each check its minutes, and how many suspects were left."""
-    left = rivals_left(cause, rivals_of(cause, whole), checks)
+    left = rivals_left(cause, rivals_of(cause), checks)
     return [(check, CHECKS[check].minutes, 1 + len(rivals)) for check, rivals in zip(checks, left, strict=True)]
 
 

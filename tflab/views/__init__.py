@@ -9,7 +9,7 @@
     wrong_frames, transform_chain, coordinates    wrong frames, products, one point in many frames
     motion_error, map_error    what latency and a wrong pose cost
     timeline, clocks, ages, busy_chart, late_joiner    time: the buffer, clocks, delays, executors, durability
-    fault_tables, diagnosis_log, slope_chart    diagnosis and learning
+    fault_tables, diagnosis_log    diagnosis
     sheet, tree, tree_path, view_frames_tree    the frame tree as SVG, PDF and text
     rviz_status, rviz, rviz_figure    what RViz shows and reports
     turtles          the field of turtlesim

@@ -62,10 +62,7 @@ def draw_body_axes() -> Picture:
     with style.our_settings():
         ax = clear_paper(picture.figure.add_axes((0.03, 0.03, 0.94, 0.94)))
         draw_ground(ax, SLANTING, (-1.0, 1.5), (-1.0, 1.5), 0.5)
-        RobotArtists(ax, SLANTING, style.GREY, scale=1.3).move(Transform())
-        frame = draw_frames(ax, {"base_link": Transform()}, SLANTING, length_m=0.9)["base_link"]
-        frame.label.stand((0.0, -44.0))
-        _write_words(ax, frame, BODY_WORDS)
+        _draw_robot_axes(ax)
         ax.set_xlim(-1.75, 1.75)
         ax.set_ylim(-0.8, 1.5)
     picture.text = "base_link, body axes (REP-103): x forward, y left, z up"
@@ -76,13 +73,7 @@ def draw_right_hand() -> Picture:
     """Draw the positive turn about each axis: roll about x, pitch about y, yaw about z."""
     picture = Picture((style.WIDE[0], 2.6))
     with style.our_settings():
-        for column, (turn, axis) in enumerate(TURNS.items()):
-            ax = clear_paper(picture.figure.add_axes((0.02 + 0.325 * column, 0.03, 0.31, 0.91)))
-            draw_frames(ax, {"": Transform()}, FROM_FRONT, length_m=1.0)
-            draw_turn(ax, axis)
-            write_caption(ax, f"{turn}: about {axis}")
-            ax.set_xlim(-1.25, 1.25)
-            ax.set_ylim(-0.9, 1.6)
+        _draw_turns(picture, 0.325, (0.03, 0.91))
     picture.text = "\n".join(
         (
             "Right hand: thumb along the axis, and the fingers curl the positive way.",
@@ -92,6 +83,27 @@ def draw_right_hand() -> Picture:
         )
     )
     return picture
+
+
+def _draw_robot_axes(ax) -> None:
+    """Draw a robot and its axes, with what each of them means."""
+    RobotArtists(ax, SLANTING, style.GREY, scale=1.3).move(Transform())
+    frame = draw_frames(ax, {"base_link": Transform()}, SLANTING, length_m=0.9)["base_link"]
+    frame.label.stand((0.0, -44.0))
+    _write_words(ax, frame, BODY_WORDS)
+
+
+def _draw_turns(picture: Picture, column_width: float, bottom_and_height: tuple[float, float]) -> None:
+    """Draw a frame for each positive turn, side by side, in parts of the card's width and height."""
+    bottom, height = bottom_and_height
+    for column, (turn, axis) in enumerate(TURNS.items()):
+        box = (0.02 + column_width * column, bottom, 0.95 * column_width, height)
+        ax = clear_paper(picture.figure.add_axes(box))
+        draw_frames(ax, {"": Transform()}, FROM_FRONT, length_m=1.0)
+        draw_turn(ax, axis)
+        write_caption(ax, f"{turn}: about {axis}")
+        ax.set_xlim(-1.25, 1.25)
+        ax.set_ylim(-0.9, 1.6)
 
 
 def draw_turn(ax, axis: str) -> None:
@@ -269,9 +281,10 @@ def draw_frustum(ax) -> None:
 
 
 def _write_words(ax, frame: FrameArtists, words: dict[str, str]) -> None:
-    """Write beside each letter what its axis means."""
+    """Write above each letter, or below one that stands low, what its axis means."""
     for axis, word in words.items():
-        ax.annotate(word, frame.axes[axis].letter_place, (0, 13), textcoords="offset points", ha="center",
+        place = frame.axes[axis].letter_place
+        ax.annotate(word, place, (0, math.copysign(16, place[1])), textcoords="offset points", ha="center", va="center",
                     color=style.AXIS_COLOURS[axis])  # fmt: skip
 
 
@@ -300,38 +313,19 @@ SENTENCES = (
 def draw_card() -> Picture:
     """Draw the card: both conventions of axes, the positive turns, and what to know of a quaternion."""
     picture = Picture((style.WIDE[0], 4.3))
-    sides = {"base_link, camera_link": (Transform(), BODY_WORDS), "..._optical_frame": (BODY_T_OPTICAL, OPTICAL_WORDS)}
+    sides = {"base_link, camera_link": BODY_WORDS, "..._optical_frame": OPTICAL_WORDS}
     with style.our_settings():
-        for column, (caption, (pose, words)) in enumerate(sides.items()):
-            ax = clear_paper(picture.figure.add_axes((0.01 + 0.305 * column, 0.43, 0.30, 0.55)))
-            if column == 0:
-                RobotArtists(ax, SLANTING, style.GREY, scale=1.4).move(Transform())
-            _write_beyond(ax, draw_frames(ax, {"": pose}, SLANTING, length_m=1.0)[""], words)
-            _limits(ax, caption)
-        for column, (name, axis) in enumerate(TURNS.items()):
-            ax = clear_paper(picture.figure.add_axes((0.01 + 0.2 * column, 0.02, 0.19, 0.38)))
-            draw_frames(ax, {"": Transform()}, FROM_FRONT, length_m=1.0)
-            draw_turn(ax, axis)
-            _limits(ax, f"+ {name}")
+        body, optical = (
+            clear_paper(picture.figure.add_axes((0.02 + 0.305 * column, 0.43, 0.29, 0.54))) for column in range(2)
+        )
+        _draw_robot_axes(body)
+        _write_words(optical, draw_frames(optical, {"": BODY_T_OPTICAL}, SLANTING, length_m=0.9)[""], OPTICAL_WORDS)
+        for ax, caption in zip((body, optical), sides, strict=True):
+            ax.set(xlim=(-1.4, 1.4), ylim=(-1.15, 1.6))
+            write_caption(ax, caption)
+        _draw_turns(picture, 0.21, (0.02, 0.38))
         picture.figure.text(0.665, 0.94, "\n".join(SENTENCES), va="top", family="monospace",
                             fontsize=style.SMALL_PT - 0.5, linespacing=1.4)  # fmt: skip
-    axes = (f"{name}: {', '.join(' '.join(pair) for pair in words.items())}" for name, (_, words) in sides.items())
+    axes = (f"{name}: {', '.join(' '.join(pair) for pair in words.items())}" for name, words in sides.items())
     picture.text = "\n".join(("The card:", *axes, *SENTENCES))
     return picture
-
-
-def _write_beyond(ax, frame: FrameArtists, words: dict[str, str]) -> None:
-    """Write what each axis means beyond its letter."""
-    for axis, word in words.items():
-        x, y = frame.axes[axis].letter_place
-        far = math.hypot(x, y)
-        side = "center" if abs(x) < 0.4 * far else "left" if x > 0 else "right"
-        shift = (0.0, math.copysign(14.0, y)) if side == "center" else (math.copysign(8.0, x), 0.0)
-        ax.annotate(word, (x, y), shift, textcoords="offset points", ha=side, va="center",
-                    color=style.AXIS_COLOURS[axis])  # fmt: skip
-
-
-def _limits(ax, caption: str) -> None:
-    ax.set_xlim(-1.5, 1.5)
-    ax.set_ylim(-1.15, 1.6)
-    write_caption(ax, caption)

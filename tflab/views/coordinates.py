@@ -102,15 +102,10 @@ class RulersPicture(Picture):
             before: the readings of another moment, to say which are the same.
         """
         places = np.array([point, *(pose.translation for pose in poses.values())])[:, :2]
-        self._look_at(places if self._keep is None else self._keep)
         for frame, reading in readings_of(poses, point).items():
+            self._maps[frame].look_at(places if self._keep is None else self._keep)
             self._maps[frame].move(poses, point, reading, _change(reading, frame, before))
         self.text = describe_rulers(poses, point, self._name, before)
-
-    def _look_at(self, places: np.ndarray) -> None:
-        """Have all maps show the same piece of ground."""
-        for each in self._maps.values():
-            each.look_at(places)
 
 
 class _Map:

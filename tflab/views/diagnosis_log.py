@@ -68,9 +68,7 @@ class VisitPicture(Picture):
 
     def __init__(self, steps: Sequence[VisitStep], budget_min: float) -> None:
         self._steps, self._suspects, self._budget_min = tuple(steps), steps[0].left, budget_min
-        height_px = HEAD_PX + ROW_PX * len(steps) + FOOT_PX
-        super().__init__(style.wide(height_px))
-        self._width_px, self._height_px = style.WIDE[0] * style.SCREEN_DPI, height_px
+        super().__init__(style.wide(HEAD_PX + ROW_PX * len(steps) + FOOT_PX))
         with style.our_settings():
             self.ax = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.show(len(steps) - 1)
@@ -81,11 +79,8 @@ class VisitPicture(Picture):
 
         self.text = describe_visit(self._steps, at)
         with style.our_settings():
-            self.ax.clear()
-            self.ax.set_axis_off()
-            self.ax.set_xlim(0, self._width_px)
-            self.ax.set_ylim(self._height_px, 0)
-            band = Rectangle((4, HEAD_PX + at * ROW_PX), self._width_px - 8, ROW_PX, facecolor=style.SHADE, zorder=0)
+            style.pixel_paper(self.ax)
+            band = Rectangle((4, HEAD_PX + at * ROW_PX), self.size_px[0] - 8, ROW_PX, facecolor=style.SHADE, zorder=0)
             self.ax.add_patch(band)
             self._draw_clock(at)
             self._draw_lanes(at)
@@ -123,7 +118,7 @@ class VisitPicture(Picture):
         left = self._steps[at].left
         named = self._suspects if len(self._suspects) <= MOST_NAMES else left if len(left) <= MOST_NAMES else ()
         lane_px = min(LANE_PX, 150 / len(self._suspects))
-        first_px = self._width_px - SLANT_PX - lane_px * (len(self._suspects) - 0.5)
+        first_px = self.size_px[0] - SLANT_PX - lane_px * (len(self._suspects) - 0.5)
         for number, name in enumerate(self._suspects):
             x = first_px + number * lane_px
             until = next((row for row, step in enumerate(self._steps[: at + 1]) if name not in step.left), None)
@@ -133,9 +128,9 @@ class VisitPicture(Picture):
             if until is not None:
                 self.ax.plot([x], [end], marker="x", markersize=STROKE_PX, markeredgewidth=2.0, color=colour, zorder=3)
             if name in named:
-                self.ax.text(x, HEAD_PX - 8, name, rotation=32, ha="left", va="bottom", rotation_mode="anchor",
-                             fontsize=style.SMALL_PT, color=style.INK if until is None else style.GREY,
-                             weight="bold" if len(left) == 1 and until is None else "normal")  # fmt: skip
+                weight = "bold" if len(left) == 1 and until is None else "normal"
+                colour = style.INK if until is None else style.GREY
+                style.write_slanted(self.ax, x, HEAD_PX - 8, name, color=colour, weight=weight)
 
     def _write(self, x: float, y: float, text: str, ha: str, va: str) -> None:
         self.ax.text(x, y, text, ha=ha, va=va, fontsize=style.SMALL_PT, color=style.GREY)

@@ -31,48 +31,6 @@ VIEWER_LICENCES = "meshcat.LICENSE.txt"
 LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
 SMALLEST = 0.8  # a drawing shrinks with its column, but not its letters below what can be read: then it scrolls
 
-# nbconvert's page, without what it would fetch from elsewhere, and with pictures that say what they show.
-TEMPLATE = """{%- extends 'lab/index.html.j2' -%}
-{%- block html_head_js -%}{%- endblock -%}
-{%- block html_head_js_mathjax -%}{%- endblock -%}
-{%- block html_head_js_mermaidjs -%}{%- endblock -%}
-{%- block jupyter_widgets -%}{%- endblock -%}
-{% block data_png scoped %}
-{%- set size = output.metadata.get('image/png', {}) -%}
-<div class="jp-RenderedImage jp-OutputArea-output {{ extra_class }}">
-<img src="data:image/png;base64,{{ output.data['image/png'] | escape_html }}"
-{%- if size.width %} width="{{ size.width | escape_html }}"{% endif -%}
-{%- if size.width %} style="min-width: {{ (0.7 * size.width) | int }}px"{% endif -%}
-{%- if size.height %} height="{{ size.height | escape_html }}"{% endif -%}
-{%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
->
-</div>
-{%- endblock data_png %}
-{% block data_svg scoped %}
-<div class="jp-RenderedSVG jp-OutputArea-output {{ extra_class }}" data-mime-type="image/svg+xml">
-{%- set least = output.metadata.get('image/svg+xml', {}).get('least_width') -%}
-<img src="data:image/svg+xml;base64,{{ output.data['image/svg+xml'] | text_base64 | escape_html }}"
-{%- if least %} style="min-width: {{ least | escape_html }}px"{% endif -%}
-{%- if output.data['text/plain'] %} alt="{{ output.data['text/plain'] | escape_html }}"{% endif -%}
->
-</div>
-{%- endblock data_svg %}
-"""
-OUR_STYLE = """
-.tflab-live pre { white-space: pre-wrap; }
-.jp-RenderedSVG img { max-width: 100%; height: auto; }
-:is(.tflab-live, .jp-RenderedHTML) pre { font-family: var(--jp-code-font-family, monospace); }
-.tflab-value { margin: 2px 0; font-variant-numeric: tabular-nums; }
-body:not(.book) > main { max-width: 62rem; margin: 0 auto; }
-body:not(.book) .jp-RenderedMarkdown > *:not(table):not(pre):not(.highlight) { max-width: 75ch; }
-@media print {
-  .highlight pre { white-space: pre-wrap; overflow-wrap: anywhere; }
-  body:not(.book) details::details-content { content-visibility: visible; block-size: auto; }
-  :is(h1, h2, h3) { break-after: avoid; }
-  img { break-inside: avoid; }
-}
-"""
-
 
 class NotANotebook(ValueError):
     """A file that Jupyter could not open; the text names it."""
@@ -196,12 +154,11 @@ def _say_least_width(output: Any) -> None:
 
 
 def _page(notebook: Any, title: str, language: str) -> str:
-    from jinja2 import DictLoader
+    from jinja2 import FileSystemLoader
     from nbconvert import HTMLExporter
 
-    exporter = HTMLExporter(
-        extra_loaders=[DictLoader({"tflab.html.j2": TEMPLATE})], template_file="tflab.html.j2", language_code=language
-    )
+    loaders = [FileSystemLoader(STATIC.parent)]
+    exporter = HTMLExporter(extra_loaders=loaders, template_file="export.jinja", language_code=language)
     page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": title}})
     return page
 
@@ -257,8 +214,11 @@ def _licences() -> str:
 
 
 def _head(assets: dict[str, str], views: list[LiveView], single_file: bool) -> str:
-    style = OUR_STYLE + "\n".join(sorted({view.css for view in views}))
-    scripts = sorted((name for name in assets if name.endswith(".js")), key=_live_last)
+    own = (STATIC / "export.css").read_text(encoding="utf-8")
+    style = own + "\n".join(sorted({view.css for view in views}))
+    scripts = sorted(
+        (name for name in assets if name.endswith(".js")), key=lambda name: (name.startswith("live-"), name)
+    )
     if single_file:
         tags = [_inline_script(assets[name], wait=name.startswith("live-")) for name in scripts]
         if _has_viewer(assets):
@@ -280,10 +240,6 @@ def _inline_script(text: str, wait: bool) -> str:
     """Return a script as part of the page; `wait` runs it once the page is complete."""
     text = text.replace("</script", "<\\/script")
     return f"<script>addEventListener('load', () => {{{text}}});</script>\n" if wait else f"<script>{text}</script>\n"
-
-
-def _live_last(name: str) -> tuple[bool, str]:
-    return name.startswith("live-"), name
 
 
 def _script_text(value: Any) -> str:

@@ -9,10 +9,13 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from . import style
 from .picture import Picture
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 ROW_PX, HEAD_PX, BORDER_PX, SLANT_PX = 30, 112, 14, 96
 
@@ -31,7 +34,7 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     lines = [f"{len(left)} of {len(findings)} suspects left"]
     for name, row in findings.items():
         struck = next((check for check, said in asked.items() if row[check] != said), None)
-        why = f"struck: {expected_result_text(struck, row[struck])}" if struck else "left"
+        why = f"struck: {struck} would be {row[struck]}" if struck else "left"
         lines.append(f"  {name:<{width}}  {why}")
     lines += [f"asked: {check}: {said}" for check, said in asked.items()]
     for check in next(iter(findings.values())):
@@ -43,74 +46,55 @@ def describe_suspects(findings: Findings, asked: Mapping[str, str]) -> str:
     return "\n".join(lines)
 
 
-def expected_result_text(check: str, kind: str) -> str:
-    """Return what a suspect would have said to a check."""
-    return f"{check} would be {kind}"
-
-
 class SuspectsPicture(Picture):
     """The table; `tell(asked)` fills in what was asked by now."""
 
     def __init__(self, findings: Findings, asked: Mapping[str, str]) -> None:
         self._findings = findings
-        self._checks = list(next(iter(findings.values())))
-        self._names_px = style.names_width_px(findings) + BORDER_PX
-        height_px = HEAD_PX + ROW_PX * len(findings) + BORDER_PX
-        super().__init__(style.wide(height_px))
+        super().__init__(style.wide(HEAD_PX + ROW_PX * len(findings) + BORDER_PX))
         with style.our_settings():
             self.ax = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
-            self._height_px, self._width_px = height_px, style.WIDE[0] * style.SCREEN_DPI
         self.tell(asked)
 
     def tell(self, asked: Mapping[str, str]) -> None:
         """Show the table after these checks: of each what was said."""
         self.text = describe_suspects(self._findings, asked)
         with style.our_settings():
-            self.ax.clear()
-            self.ax.set_axis_off()
-            self.ax.set_xlim(0, self._width_px)
-            self.ax.set_ylim(self._height_px, 0)
-            self._draw(asked)
+            self._draw(style.pixel_paper(self.ax), asked)
         self.redraw_all()
 
-    def _draw(self, asked: Mapping[str, str]) -> None:
-        left, cell_px = remaining_suspects(self._findings, asked), self._cell_px
-        for column, check in enumerate(self._checks):
-            x = self._names_px + (column + 0.5) * cell_px
+    def _draw(self, ax: Axes, asked: Mapping[str, str]) -> None:
+        left, checks = remaining_suspects(self._findings, asked), list(next(iter(self._findings.values())))
+        names_px = style.names_width_px(self._findings) + BORDER_PX
+        cell_px = (self.size_px[0] - names_px - SLANT_PX) / len(checks)
+        for column, check in enumerate(checks):
             weight = "bold" if check in asked else "normal"
-            self.ax.text(x, HEAD_PX - 8, check, rotation=32, ha="left", va="bottom", rotation_mode="anchor",
-                         fontsize=style.SMALL_PT, color=style.INK, weight=weight)  # fmt: skip
+            style.write_slanted(ax, names_px + (column + 0.5) * cell_px, HEAD_PX - 8, check, weight=weight)
         for row, (name, kinds) in enumerate(self._findings.items()):
-            y, is_left = HEAD_PX + row * ROW_PX, name in left
-            colour = style.INK if is_left else style.GREY
-            self.ax.text(
-                BORDER_PX, y + ROW_PX / 2, name, va="center", color=colour, weight="bold" if is_left else "normal"
-            )
-            for column, check in enumerate(self._checks):
-                self._cell(self._names_px + column * cell_px, y, kinds[check], asked.get(check))
+            y, is_left = HEAD_PX + (row + 0.5) * ROW_PX, name in left
+            how = {"color": style.INK, "weight": "bold"} if is_left else {"color": style.GREY}
+            ax.text(BORDER_PX, y, name, va="center", **how)
+            for column, check in enumerate(checks):
+                _draw_cell(ax, names_px + column * cell_px, y, cell_px, kinds[check], asked.get(check))
             if not is_left:
-                self.ax.plot(
-                    [BORDER_PX - 4, self._width_px - SLANT_PX], [y + ROW_PX / 2] * 2, color=style.GREY, linewidth=1.4
-                )
+                ax.plot([BORDER_PX - 4, self.size_px[0] - SLANT_PX], [y, y], color=style.GREY, linewidth=1.4)
 
-    def _cell(self, x: float, y: float, kind: str, said: str | None) -> None:
-        from matplotlib.patches import Rectangle
 
-        box = Rectangle((x + 2, y + 2), self._cell_px - 4, ROW_PX - 4, facecolor=style.PAPER, edgecolor=style.FAINT)
-        self.ax.add_patch(box)
-        if said is None:
-            box.set_hatch("////")
-            return
-        fits = said == kind
-        box.set_edgecolor(style.ACCENT if fits else style.FAINT)
-        box.set_linewidth(1.8 if fits else 0.8)
-        text = "=" if fits else "≠"
-        self.ax.text(x + self._cell_px / 2, y + ROW_PX / 2, text, ha="center", va="center",
-                     color=style.ACCENT if fits else style.GREY, weight="bold")  # fmt: skip
+def _draw_cell(ax: Axes, x: float, y: float, width_px: float, kind: str, said: str | None) -> None:
+    """Draw whether a suspect would have said what was said; hatched where nothing was asked."""
+    from matplotlib.patches import Rectangle
 
-    @property
-    def _cell_px(self) -> float:
-        return (self._width_px - self._names_px - SLANT_PX) / len(self._checks)
+    fits = said == kind
+    ax.add_patch(
+        Rectangle(
+            (x + 2, y - ROW_PX / 2 + 2), width_px - 4, ROW_PX - 4, facecolor=style.PAPER,
+            edgecolor=style.ACCENT if fits else style.FAINT, hatch="////" if said is None else None,
+            linewidth=1.8 if fits else 0.8 if said else 1.0,
+        )
+    )  # fmt: skip
+    if said is not None:
+        ax.text(x + width_px / 2, y, "=" if fits else "≠", ha="center", va="center",
+                color=style.ACCENT if fits else style.GREY, weight="bold")  # fmt: skip
 
 
 def draw_suspects(findings: Findings, asked: Mapping[str, str] = {}) -> SuspectsPicture:
@@ -132,7 +116,7 @@ def draw_suspects(findings: Findings, asked: Mapping[str, str] = {}) -> Suspects
 
 
 OWNER_PX, HEADING_PX, RIM_PX = 30, 44, 16
-COLUMNS = (("edge", 0.0), ("owner", 0.29), ("source", 0.50), ("switch", 0.67), ("rate", 0.83))
+COLUMNS_PX = {"edge": 16, "owner": 227, "source": 380, "switch": 504, "rate": 620, "": 744}
 
 
 class Owner(NamedTuple):
@@ -155,8 +139,8 @@ class Owner(NamedTuple):
 
 def describe_owners(owners: Sequence[Owner]) -> str:
     """Return the table in words: a line for each owner, and what is wrong with it."""
-    rows = [[*_owner_cells(owner), _owner_fault(owner, owners)] for owner in owners]
-    widths = [max(len(row[column]) for row in rows) for column in range(6)]
+    rows = _owner_rows(owners)
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     return "\n".join(
         "  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths, strict=True)).rstrip() for row in rows
     )
@@ -176,38 +160,31 @@ def draw_owners(owners: Sequence[Owner | tuple[str, ...]]) -> Picture:
             "a table of owners needs a row, such as ('map -> odom', 'amcl', 'scan', 'tf_broadcast', '10 Hz')"
         )
     owners = [Owner(*owner) for owner in owners]
-    height_px = HEADING_PX + OWNER_PX * len(owners) + RIM_PX
-    picture = Picture(style.wide(height_px))
+    picture = Picture(style.wide(HEADING_PX + OWNER_PX * len(owners) + RIM_PX))
     picture.text = describe_owners(owners)
-    width_px = style.WIDE[0] * style.SCREEN_DPI
+    heading = (HEADING_PX / 2, tuple(COLUMNS_PX), {"color": style.GREY})
     with style.our_settings():
-        ax = picture.figure.add_axes((RIM_PX / width_px, 0.0, 1.0 - 2 * RIM_PX / width_px, 1.0))
-        ax.set_axis_off()
-        ax.set_xlim(0.0, 1.0)
-        ax.set_ylim(height_px, 0.0)
-        for name, x in COLUMNS:
-            ax.text(x, HEADING_PX / 2, name, va="center", color=style.GREY, fontsize=style.SMALL_PT)
-        for number, owner in enumerate(owners):
-            y, fault = HEADING_PX + (number + 0.5) * OWNER_PX, _owner_fault(owner, owners)
-            ax.plot([0.0, 1.0], [y - OWNER_PX / 2] * 2, color=style.HAIR, linewidth=0.8)
-            colour = style.ACCENT if fault else style.INK
-            for cell, (_, x) in zip(_owner_cells(owner), COLUMNS, strict=True):
-                ax.text(
-                    x, y, cell, va="center", color=colour, weight="bold" if fault else "normal", fontsize=style.SMALL_PT
-                )
-            ax.text(1.0, y, fault, va="center", ha="right", color=style.ACCENT, weight="bold", fontsize=style.SMALL_PT)
+        ax = style.pixel_paper(picture.figure.add_axes((0.0, 0.0, 1.0, 1.0)))
+        rows = [heading]
+        for number, cells in enumerate(_owner_rows(owners)):
+            y = HEADING_PX + (number + 0.5) * OWNER_PX
+            ax.plot([RIM_PX, COLUMNS_PX[""]], [y - OWNER_PX / 2] * 2, color=style.HAIR, linewidth=0.8)
+            rows.append((y, cells, {"color": style.ACCENT, "weight": "bold"} if cells[-1] else {}))
+        for y, cells, how in rows:
+            for cell, x in zip(cells, COLUMNS_PX.values(), strict=True):
+                side = "left" if x < COLUMNS_PX[""] else "right"
+                ax.text(x, y, cell, ha=side, va="center", fontsize=style.SMALL_PT, **how)
     return picture
 
 
-def _owner_cells(owner: Owner) -> tuple[str, ...]:
-    return (owner.edge, owner.node or "nobody", owner.source or "-", owner.switch or "-", owner.rate or "-")
-
-
-def _owner_fault(owner: Owner, owners: Sequence[Owner]) -> str:
-    if not owner.node:
-        return "! 0"
-    count = Counter(other.edge for other in owners)[owner.edge]
-    return f"! {count}" if count > 1 else ""
+def _owner_rows(owners: Sequence[Owner]) -> list[tuple[str, ...]]:
+    """Return the cells of each owner, and in the last one what is wrong: how many publish this edge."""
+    counts = Counter(owner.edge for owner in owners if owner.node)
+    rows = []
+    for edge, node, *others in owners:
+        fault = "" if node and counts[edge] == 1 else f"! {counts[edge] if node else 0}"
+        rows.append((edge, node or "nobody", *(each or "-" for each in others), fault))
+    return rows
 
 
 SIGNS = {"answers": "✓", "half": "~", "cannot": "✗"}
@@ -283,28 +260,23 @@ def describe_tools(verdicts: Suitabilities) -> str:
 def draw_tools(verdicts: Suitabilities) -> Picture:
     """Draw questions by tools: which answers which, in full, half or not at all."""
     tools = list(next(iter(verdicts.values())))
-    width_px = style.WIDE[0] * style.SCREEN_DPI
-    height_px = NAMES_PX + QUESTION_PX * len(verdicts) + 34
-    picture = Picture(style.wide(height_px))
+    picture = Picture(style.wide(NAMES_PX + QUESTION_PX * len(verdicts) + 34))
+    width_px, height_px = picture.size_px
     column_px = (width_px - FIRST_PX - 60) / len(tools)
+    places_px = {tool: FIRST_PX + (i + 0.5) * column_px for i, tool in enumerate(tools)}
     with style.our_settings():
-
-        def write(x_px: float, y_px: float, text: str, **how: object) -> None:
-            picture.figure.text(x_px / width_px, 1 - y_px / height_px, text, va="center", **how)
-
-        for i, tool in enumerate(tools):
-            write(FIRST_PX + (i + 0.5) * column_px, NAMES_PX - 22, tool, rotation=24, ha="left", rotation_mode="anchor")
-        for j, (term, row) in enumerate(verdicts.items()):
-            y_px = NAMES_PX + (j + 0.5) * QUESTION_PX
-            write(24, y_px, term)
-            for i, tool in enumerate(tools):
-                level = row[tool].level
-                write(
-                    FIRST_PX + (i + 0.5) * column_px, y_px, SIGNS[level], ha="center", color=COLOURS[level],
-                    fontsize=13, fontweight="normal" if level == "cannot" else "bold",
-                )  # fmt: skip
+        ax = style.pixel_paper(picture.figure.add_axes((0.0, 0.0, 1.0, 1.0)))
+        for tool, x in places_px.items():
+            style.write_slanted(ax, x, NAMES_PX - 14, tool)
+        for row, (term, answers) in enumerate(verdicts.items()):
+            y = NAMES_PX + (row + 0.5) * QUESTION_PX
+            ax.text(24, y, term, va="center")
+            for tool, x in places_px.items():
+                level = answers[tool].level
+                how = {"color": COLOURS[level], "fontweight": "normal" if level == "cannot" else "bold"}
+                ax.text(x, y, SIGNS[level], ha="center", va="center", fontsize=13, **how)
         legend = "     ".join(f"{sign} {level}" for level, sign in SIGNS.items())
-        write(24, height_px - 18, legend, color=style.GREY, fontsize=style.SMALL_PT)
+        ax.text(24, height_px - 18, legend, va="center", color=style.GREY, fontsize=style.SMALL_PT)
     picture.text = describe_tools(verdicts)
     return picture
 

@@ -281,6 +281,12 @@ def show_all(ax: Axes, on_paper: np.ndarray, margin_m: float) -> None:
     ax.set_ylim(middle[1] - half[1], middle[1] + half[1])
 
 
+def show_frames(ax: Axes, eye: Eye, places: np.ndarray, length_m: float, margin_m: float) -> None:
+    """Choose the limits of `ax` so that frames at `places`, shape (n, 3) [m], fit, however they are rotated."""
+    reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
+    show_all(ax, eye.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m)
+
+
 def draw_scene(
     poses: Mapping[str, Transform],
     points: Mapping[str, Sequence[float]] | None = None,
@@ -314,8 +320,7 @@ def draw_scene(
     picture = Picture(style.WIDE)
     with style.our_settings():
         ax = clear_paper(picture.figure.add_axes((0.02, 0.03, 0.96, 0.94)))
-        reach = length_m * np.array([(sx, sy, sz) for sx in (-1, 1) for sy in (-1, 1) for sz in (0, 1)])
-        show_all(ax, eye.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.3 * length_m)
+        show_frames(ax, eye, places, length_m, margin_m=0.3 * length_m)
         low, high = places.min(axis=0) - length_m, places.max(axis=0) + length_m
         draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), _round_step(span_m / 5))
         drawn = [

@@ -77,16 +77,14 @@ def frames_known(senders: Sequence[Sender], join_s: float, until_s: float, asks_
     return list(dict.fromkeys(frame for message in received for frame in message.frames))
 
 
-def describe_joins(
-    senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True, start_s: float = 0.0
-) -> str:
+def describe_joins(senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool) -> str:
     """Return the figure's text: `o` a message, `@` one received, `=` the stored one, `x` the end, `^` the join."""
     width = max(len("listener"), *(len(sender.name) for sender in senders))
 
     def column(at_s: float) -> int:
-        return min(max(int((at_s - start_s) * COLUMNS / (until_s - start_s)), 0), COLUMNS - 1)
+        return min(max(int(at_s * COLUMNS / until_s), 0), COLUMNS - 1)
 
-    lines = [f"from {style.fmt(start_s, 's', 1)} to {style.fmt(until_s, 's', 1)}"]
+    lines = [f"from 0.0 s to {style.fmt(until_s, 's', 1)}"]
     for sender in senders:
         cells = [" "] * COLUMNS
         for first_s, last_s, _ in _stored_spans(sender, until_s):
@@ -109,25 +107,20 @@ def describe_joins(
 class JoinsPicture(Picture):
     """A row for each sender, and the join; `show` moves the join and says what is known."""
 
-    def __init__(self, senders: Sequence[Sender], until_s: float, start_s: float = 0.0) -> None:
-        """Make the rows.
-
-        Args:
-            senders: one row each.
-            start_s, until_s: what is shown [s].
-        """
+    def __init__(self, senders: Sequence[Sender], until_s: float) -> None:
+        """Make a row for each sender, from 0 s to `until_s` [s]."""
         width_px = style.WIDE[0] * style.SCREEN_DPI
         height_px = TOP_PX + ROW_PX * len(senders) + BOTTOM_PX
         super().__init__(style.wide(height_px))
-        self._senders, self._start_s, self._until_s = tuple(senders), start_s, until_s
+        self._senders, self._until_s = tuple(senders), until_s
         name_px = style.names_width_px(max((sender.name, sender.topic), key=len) for sender in senders)
         axis_px = width_px - name_px - KNOWS_PX
         with style.our_settings():
             self.ax = self.add_axes_px(name_px, BOTTOM_PX, axis_px, ROW_PX * len(senders))
-            self._draw_rows(axis_px / (until_s - start_s))
+            self._draw_rows(axis_px / until_s)
             self._draw_moving(1 - (KNOWS_PX - 14) / width_px, height_px)
 
-    def show(self, join_s: float, asks_for_stored: bool = True) -> None:
+    def show(self, join_s: float, asks_for_stored: bool) -> None:
         """Show a listener that joins at `join_s` [s], asking for what is stored or not."""
         self._join.set_xdata([join_s] * len(self._join.get_ydata()))
         self._join_name.xy = (join_s, 1.0)
@@ -137,12 +130,12 @@ class JoinsPicture(Picture):
             marks.set_data([message.sent_s for message in received], [row] * len(received))
             known.set_text(_known_text(sender, received, asks_for_stored))
         self._durability.set_text(_durability(asks_for_stored))
-        self.text = describe_joins(self._senders, join_s, self._until_s, asks_for_stored, self._start_s)
+        self.text = describe_joins(self._senders, join_s, self._until_s, asks_for_stored)
 
     def _draw_rows(self, px_per_s: float) -> None:
         """Draw what stands still: when each message was sent, which one was stored, and the end."""
         ax = self.ax
-        ax.set_xlim(self._start_s, self._until_s)
+        ax.set_xlim(0.0, self._until_s)
         style.label_rows(ax, [f"{sender.name}\n{sender.topic}" for sender in self._senders], style.SMALL_PT)
         ax.set_xlabel("time [s]", loc="right")
         how = {"facecolor": style.SHADE, "edgecolor": style.FAINT, "linewidth": 1.0, "zorder": 1}
@@ -183,12 +176,10 @@ class JoinsPicture(Picture):
         self.moving = [self._join, self._join_name, *self._received, self._durability, *self._known]
 
 
-def draw_joins(
-    senders: Sequence[Sender], join_s: float, until_s: float, asks_for_stored: bool = True, start_s: float = 0.0
-) -> JoinsPicture:
+def draw_joins(senders: Sequence[Sender], join_s: float, until_s: float) -> JoinsPicture:
     """Draw what a listener knows at `until_s` [s] that joins at `join_s` [s]; see `messages_received`."""
-    picture = JoinsPicture(senders, until_s, start_s)
-    picture.show(join_s, asks_for_stored)
+    picture = JoinsPicture(senders, until_s)
+    picture.show(join_s, asks_for_stored=True)
     return picture
 
 

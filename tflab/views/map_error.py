@@ -19,6 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from . import style
+from .frames import show_all
 from .picture import Picture
 
 Point2 = tuple[float, float]
@@ -110,7 +111,7 @@ def draw_placed(
             left = EDGE_PX + i * (panel_px + GAP_PX)
             ax = picture.add_axes_px(left, CAPTION_PX, panel_px, tall_px)
             _draw_panel(ax, _seen(points), walls, things)
-            _show_box(ax, (x_low, y_low, x_high, y_high), panel_px / tall_px)
+            show_all(ax, np.array([(x_low, y_low), (x_high, y_high)]), margin_m=0.0)
             ax.set_title(name, loc="left", pad=7)
             _draw_scale(ax)
             err = point_errors(points, walls, things)
@@ -130,16 +131,6 @@ def _draw_panel(ax, points: np.ndarray, walls: Sequence[Wall], things: Sequence[
     ax.plot(*points.T, "o", color=style.ACCENT, markersize=size, markeredgewidth=0.0, alpha=0.75, zorder=2)
     for thing in things:
         ax.plot(*thing[:2], "o", color=style.INK, markersize=RING_PT, markerfacecolor="none", markeredgewidth=1.6)
-
-
-def _show_box(ax, shown_m: tuple[float, float, float, float], width_per_height: float) -> None:
-    """Choose the limits so that the box is in full sight and a metre is as long upwards as sideways."""
-    x_low, y_low, x_high, y_high = shown_m
-    half_y = max(y_high - y_low, (x_high - x_low) / width_per_height) / 2
-    half_x = half_y * width_per_height
-    middle_x, middle_y = (x_low + x_high) / 2, (y_low + y_high) / 2
-    ax.set_xlim(middle_x - half_x, middle_x + half_x)
-    ax.set_ylim(middle_y - half_y, middle_y + half_y)
 
 
 def _draw_scale(ax) -> None:

@@ -31,6 +31,7 @@ from .picture import Picture
 from .projection import FROM_ABOVE, OUTLINE, Eye, PostArtists, RobotArtists, eye_at
 
 DASHES = (0, (3.0, 2.0))
+TRANSFORM_TRAVELS_S, SCAN_TRAVELS_S = 0.004, 0.105
 ASIDE = eye_at(math.radians(-70.0), math.radians(30.0))  # from the robot's right-hand side
 ROBOT_SCALE = 1.6  # a little larger than life, to be seen from so far
 
@@ -295,9 +296,9 @@ def gap_m(bend: Bend) -> float:
     return abs(speed / turn) * (1.0 - math.cos(turn / (2.0 * rate)))
 
 
-def wait_s(bend: Bend, transform_travels_s: float = 0.004, scan_travels_s: float = 0.105) -> float:
+def wait_s(bend: Bend) -> float:
     """Return how long a scan that has arrived has to wait for the next transform, at worst [s]."""
-    return max(0.0, 1.0 / bend.rate_hz + transform_travels_s - scan_travels_s)
+    return max(0.0, 1.0 / bend.rate_hz + TRANSFORM_TRAVELS_S - SCAN_TRAVELS_S)
 
 
 def describe_bend(bend: Bend) -> str:

@@ -62,10 +62,10 @@ class Picture:
 
         return NumberTable(self.figure, x, y, colour)
 
-    def png(self, dpi: int = style.PRINT_DPI) -> bytes:
+    def png(self) -> bytes:
         """Return the picture as a PNG of at most 256 colours: small, and the same bytes every time."""
         self.redraw_all()
-        self.figure.set_dpi(dpi)
+        self.figure.set_dpi(style.PRINT_DPI)
         with style.our_settings():
             self.figure.canvas.draw()
         return self._encoded(compress_level=9)

@@ -28,7 +28,7 @@ def register(ipython: Any) -> None:
 
 
 def _forget(info: Any) -> None:
-    number = _shown.pop(_cell(info), None)
+    number = _shown.pop(cell_key(info), None)
     shell = _shell()
     if number is None or shell is None:
         return
@@ -54,10 +54,10 @@ def _sweep() -> None:
 
 def _remember(result: Any) -> None:
     if type(result.result).__module__.startswith(f"{PACKAGE}."):
-        _shown[_cell(result.info)] = result.execution_count
+        _shown[cell_key(result.info)] = result.execution_count
 
 
-def _cell(info: Any) -> str:
+def cell_key(info: Any) -> str:
     """Return what a cell is known by: its id, or where nothing gives one, its text."""
     return info.cell_id or info.raw_cell
 

@@ -12,12 +12,11 @@ from collections.abc import Callable, Mapping, Sequence, Set
 from html import escape
 from typing import Any
 
-import numpy as np
-
 from tflab.core import Transform
 
 from .libraries import ipywidgets
 from .rviz_status import (
+    SIGNS,
     Ask,
     Display,
     LaserScan,
@@ -26,13 +25,14 @@ from .rviz_status import (
     Path,
     Shown,
     look_through,
+    points_of,
     statuses_as_text,
 )
 from .scene import Scene
 from .scene.drawing import draw_arrow, draw_frame, draw_path, draw_points, draw_robot, draw_scan, edge_path, frame_path
 
-SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#009E73", "Warn": "#D08700", "Error": "#D55E00"}
+EDGE_M = 0.0056  # radius of the arrow from a frame to its parent
 LASER_COLOURS = ("#B5539B", "#D08700", "#3C8DC5", "#009E73")  # one for each topic, in turn
 
 
@@ -57,11 +57,8 @@ class RViz(ipywidgets.VBox):
         displays: Sequence[Display],
         ask: Ask,
         fixed_frame: str = "map",
-        height_px: int = 420,
-        axis_m: float = 0.4,
     ) -> None:
-        self.scene = Scene(height_px=height_px, looks_at_origin=True)
-        self._axis_m = axis_m
+        self.scene = Scene(looks_at_origin=True)
         self._drawn: set[str] = set()
         self._picker = ipywidgets.Dropdown(description="Fixed Frame", style={"description_width": "initial"})
         self._list = ipywidgets.HTML()
@@ -105,7 +102,7 @@ class RViz(ipywidgets.VBox):
 
         def draw(value: float) -> None:
             parents, shown = steps[value]
-            draw_in_scene(self.scene, parents, shown, everything, self._axis_m)
+            draw_in_scene(self.scene, parents, shown, everything)
 
         self.scene.sweep(name, values, draw, unit)
         self._drawn |= everything
@@ -123,26 +120,23 @@ class RViz(ipywidgets.VBox):
 
     def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict, dict] | dict | None:
         if os.environ.get("TFLAB_FILMS"):
-            self._sweep_fixed_frames()
+            frames = self._picker.options
+            self.scene.sweep("Fixed Frame", frames, self._draw_from, start=frames.index(self.fixed_frame))
             self.children = (self.scene, self._list)  # the scrubber takes the picker's place
         bundle = super()._repr_mimebundle_(**kwargs)
         if bundle is not None:
             (bundle[0] if isinstance(bundle, tuple) else bundle)["text/plain"] = self.text
         return bundle
 
-    def _sweep_fixed_frames(self) -> None:
-        frames = self._picker.options
-        self.scene.sweep("Fixed Frame", frames, self._draw_from, start=frames.index(self.fixed_frame))
-
     def _draw_from(self, frame: str) -> None:
         """Draw what another Fixed Frame shows, whatever stood there before."""
         shown = look_through(frame, self._parents, self._displays, self._ask)
         anywhere = look_through(next(iter(self._parents), ""), self._parents, self._displays, lambda *_: Transform())
-        draw_in_scene(self.scene, self._parents, shown, _paths(anywhere), self._axis_m)
+        draw_in_scene(self.scene, self._parents, shown, _paths(anywhere))
 
     def _redraw(self) -> None:
         self.shown = look_through(self.fixed_frame, self._parents, self._displays, self._ask)
-        self._drawn = draw_in_scene(self.scene, self._parents, self.shown, self._drawn, self._axis_m)
+        self._drawn = draw_in_scene(self.scene, self._parents, self.shown, self._drawn)
         self._list.value = _list_as_html(self.shown)
 
 
@@ -150,8 +144,7 @@ def draw_in_scene(
     scene: Scene,
     parents: Mapping[str, str],
     shown: Sequence[Shown],
-    before: Set[str] = frozenset(),
-    axis_m: float = 0.4,
+    before: Set[str],
 ) -> set[str]:
     """Draw what can be shown, take away what was drawn before and cannot; return where things were drawn."""
     with scene.redraw():
@@ -160,7 +153,7 @@ def draw_in_scene(
             scene[path].delete()
         for i, entry in enumerate(shown):
             if entry.name == "TF":
-                _draw_tf(scene, parents, entry.poses, axis_m)
+                _draw_tf(scene, parents, entry.poses)
             elif entry.poses:
                 draw_robot(scene, _place(entry, i, 0), entry.display.content.links, entry.poses)
             for j, (message, fixed_T_message) in enumerate(entry.placed):
@@ -170,13 +163,13 @@ def draw_in_scene(
         return drawn
 
 
-def _draw_tf(scene: Scene, parents: Mapping[str, str], poses: Mapping[str, Transform], axis_m: float) -> None:
+def _draw_tf(scene: Scene, parents: Mapping[str, str], poses: Mapping[str, Transform]) -> None:
     for frame, fixed_T_frame in poses.items():
         parent = parents[frame]
-        draw_frame(scene, frame, fixed_T_frame, parent, axis_m)
+        draw_frame(scene, frame, fixed_T_frame, parent)
         if parent in poses:  # RViz's arrows point to the parent
             start, end = fixed_T_frame.translation, poses[parent].translation
-            draw_arrow(scene, edge_path(frame), start, end, radius_m=0.014 * axis_m)
+            draw_arrow(scene, edge_path(frame), start, end, radius_m=EDGE_M)
 
 
 def _draw_message(scene: Scene, path: str, message: Message, fixed_T_message: Transform, colour: str) -> None:
@@ -187,15 +180,11 @@ def _draw_message(scene: Scene, path: str, message: Message, fixed_T_message: Tr
         return
     scene[path].set_transform(fixed_T_message.matrix())
     if isinstance(message, MapCells):
-        cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
-        message_p = np.column_stack([cells, np.zeros(len(cells))])
-        draw_points(scene, path, message_p, "#808890", 1.4 * message.resolution_m, "map cells")
-        return
-    message_p = np.asarray(message.points, dtype=float).reshape(-1, 3)
-    if isinstance(message, Path):
-        draw_path(scene, path, message_p, colour)
+        draw_points(scene, path, points_of(message), "#808890", 1.4 * message.resolution_m, "map cells")
+    elif isinstance(message, Path):
+        draw_path(scene, path, points_of(message), colour)
     else:
-        draw_points(scene, path, message_p, colour)
+        draw_points(scene, path, points_of(message), colour)
 
 
 def _place(entry: Shown, number: int, message: int) -> str:

@@ -19,10 +19,9 @@ from . import style
 from .labels import FloatingLabel, place_labels
 from .map_error import Wall, point_errors
 from .picture import Picture
-from .rviz_status import LaserScan, MapCells, Message, Path, RobotModel, Shown, statuses_as_text
+from .rviz_status import SIGNS, MapCells, Path, RobotModel, Shown, points_of, statuses_as_text
 from .scene.drawing import Part
 
-SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}
 COLOURS = {"Ok": "#00694E", "Warn": "#8A5A00", "Error": "#B34700"}
 SEEN_COLOURS = (style.ACCENT, style.AXIS_COLOURS["z"])
 AXIS_M = 0.35  # length of a frame's axes
@@ -31,20 +30,6 @@ LINE_PX, TOP_PX, LEAST_PX = 15, 34, 320
 LETTERS, SAME_SHOWN = 50, 2  # of a line of the list; how many lines of one kind are shown in full
 MANY = 1500  # points that are drawn smaller
 ROUND = np.linspace(0.0, 2.0 * np.pi, 24, endpoint=False)
-
-
-def points_of(message: Message) -> np.ndarray:
-    """Return what a message shows, in its own frame, shape (n, 3) [m]; rays that hit nothing are left out."""
-    if isinstance(message, LaserScan):
-        ranges = np.asarray(message.ranges_m, dtype=float)
-        angles = message.angle_min_rad + message.angle_increment_rad * np.arange(len(ranges))
-        hit = np.isfinite(ranges)
-        x, y = ranges[hit] * np.cos(angles[hit]), ranges[hit] * np.sin(angles[hit])
-        return np.column_stack([x, y, np.zeros(len(x))])
-    if isinstance(message, MapCells):
-        cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
-        return np.column_stack([cells, np.zeros(len(cells))])
-    return np.asarray(message.points, dtype=float).reshape(-1, 3)
 
 
 def describe_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> str:
@@ -91,8 +76,7 @@ def draw_shown(shown: Sequence[Shown], walls: Sequence[Wall] = ()) -> Picture:
 def _list_of(shown: Sequence[Shown]) -> Iterator[tuple[str, str, bool]]:
     """Yield the rows of the list: what stands there, how bad it is, and whether it is a display's own row."""
     for entry in shown:
-        topic = f" ({entry.display.topic})" if entry.display and entry.display.topic else ""
-        yield f"{SIGNS[entry.level]} {entry.name}{topic}: {entry.level}", entry.level, True
+        yield f"{SIGNS[entry.level]} {entry.title}: {entry.level}", entry.level, True
         kinds = Counter(status.level for status in entry.statuses)
         said: Counter[str] = Counter()
         for status in entry.statuses:

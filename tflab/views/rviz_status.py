@@ -10,7 +10,7 @@ transform it leaves out, and reports in the display's status. The texts are thos
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -21,7 +21,7 @@ from tflab.core import LATEST, Transform, TransformException
 from .scene.drawing import Part
 
 Ask = Callable[[str, str, int], Transform]  # (target_frame, source_frame, stamp_ns), or raises TransformException
-LEVELS = ("Ok", "Warn", "Error")
+SIGNS = {"Ok": "✓", "Warn": "!", "Error": "✗"}  # by level, the worst last
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,8 +114,13 @@ class Shown(NamedTuple):
     placed: tuple[tuple[Message, Transform], ...] = ()
 
     @property
+    def title(self) -> str:
+        """Its name, and the topic if it has one."""
+        return f"{self.name} ({self.display.topic})" if self.display and self.display.topic else self.name
+
+    @property
     def level(self) -> str:
-        return max((status.level for status in self.statuses), key=LEVELS.index, default="Ok")
+        return max((status.level for status in self.statuses), key=list(SIGNS).index, default="Ok")
 
 
 def look_through(
@@ -133,8 +138,7 @@ def statuses_as_text(shown: Sequence[Shown]) -> str:
     """Return RViz's list as lines of text."""
     lines = []
     for entry in shown:
-        topic = f" ({entry.display.topic})" if entry.display and entry.display.topic else ""
-        lines.append(f"{entry.name}{topic}: {entry.level}")
+        lines.append(f"{entry.title}: {entry.level}")
         lines += [f"  {status.name}: {status.text}" for status in entry.statuses]
     return "\n".join(lines)
 
@@ -170,16 +174,8 @@ def _global_status(view: _View) -> Shown:
 
 
 def _tf(view: _View) -> Shown:
-    poses, statuses = {}, []
-    for frame in sorted(view.parents):
-        pose = view.look_up(frame, LATEST) if view.knows(view.fixed_frame) else ""
-        if isinstance(pose, Transform):
-            poses[frame] = pose
-            statuses.append(Status("Ok", frame, "Transform OK"))
-        else:
-            text = f"No transform from [{frame}] to frame [{view.fixed_frame}]"
-            statuses.append(Status("Warn", frame, text))
-    return Shown("TF", tuple(statuses), poses=poses)
+    poses, statuses = _poses_of(view, sorted(view.parents), "Warn", f"frame [{view.fixed_frame}]")
+    return Shown("TF", statuses, poses=poses)
 
 
 def _shown(view: _View, display: Display) -> Shown:
@@ -189,16 +185,23 @@ def _shown(view: _View, display: Display) -> Shown:
 
 
 def _robot(view: _View, display: Display, robot: RobotModel) -> Shown:
-    poses, statuses = {}, [Status("Ok", "URDF", "URDF parsed OK")]
-    for link in robot.links:
-        pose = view.look_up(link, LATEST)
-        if isinstance(pose, Transform):
-            poses[link] = pose
-            statuses.append(Status("Ok", link, "Transform OK"))
-        else:
-            text = f"No transform from [{link}] to [{view.fixed_frame}]"
-            statuses.append(Status("Error", link, text))
-    return Shown(display.kind, tuple(statuses), display, poses)
+    poses, statuses = _poses_of(view, robot.links, "Error", f"[{view.fixed_frame}]")
+    return Shown(display.kind, (Status("Ok", "URDF", "URDF parsed OK"), *statuses), display, poses)
+
+
+def _poses_of(
+    view: _View, frames: Iterable[str], level: str, target: str
+) -> tuple[dict[str, Transform], tuple[Status, ...]]:
+    """Return the latest pose of each frame that has one, and a status of each; `level` where there is none."""
+    found = {frame: view.look_up(frame, LATEST) for frame in frames}
+    poses = {frame: pose for frame, pose in found.items() if isinstance(pose, Transform)}
+    statuses = (
+        Status("Ok", frame, "Transform OK")
+        if frame in poses
+        else Status(level, frame, f"No transform from [{frame}] to {target}")
+        for frame in found
+    )
+    return poses, tuple(statuses)
 
 
 def _messages(view: _View, display: Display, messages: tuple[Message, ...]) -> Shown:
@@ -209,7 +212,7 @@ def _messages(view: _View, display: Display, messages: tuple[Message, ...]) -> S
     refused = [(message, text) for message, text in answers if isinstance(text, str)]
     statuses = [Status("Ok", "Topic", f"{len(messages)} messages received")]
     if display.kind in ("LaserScan", "PointCloud2"):
-        points = sum(_points_in(message) for message, _ in placed)
+        points = sum(len(points_of(message)) for message, _ in placed)
         statuses.append(Status("Ok", "Points", f"Showing [{points}] points from [{len(placed)}] messages"))
     if refused:
         message, text = refused[-1]
@@ -229,7 +232,15 @@ def _why_not(view: _View, message: Message, tf_error: str) -> str:
     return f"No transform to fixed frame [{view.fixed_frame}]. TF error: [{tf_error}]"
 
 
-def _points_in(message: Message) -> int:
+def points_of(message: Message) -> np.ndarray:
+    """Return what a message shows, in its own frame, shape (n, 3) [m]; rays that hit nothing are left out."""
     if isinstance(message, LaserScan):
-        return int(np.isfinite(np.asarray(message.ranges_m, dtype=float)).sum())
-    return len(message.points)
+        ranges = np.asarray(message.ranges_m, dtype=float)
+        angles = message.angle_min_rad + message.angle_increment_rad * np.arange(len(ranges))
+        hit = np.isfinite(ranges)
+        x, y = ranges[hit] * np.cos(angles[hit]), ranges[hit] * np.sin(angles[hit])
+        return np.column_stack([x, y, np.zeros(len(x))])
+    if isinstance(message, MapCells):
+        cells = np.asarray(message.cells, dtype=float).reshape(-1, 2)
+        return np.column_stack([cells, np.zeros(len(cells))])
+    return np.asarray(message.points, dtype=float).reshape(-1, 3)

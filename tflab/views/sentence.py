@@ -23,7 +23,7 @@ import numpy as np
 from tflab.core import LATEST, NSEC_PER_SEC, StampedTransform, Transform
 
 from . import style
-from .frames import clear_paper, draw_arrow, draw_frames, draw_ground, show_all, write_caption
+from .frames import clear_paper, draw_arrow, draw_frames, draw_ground, show_frames, write_caption
 from .labels import place_labels
 from .picture import Picture
 from .projection import SLANTING
@@ -136,9 +136,7 @@ class SentencePicture(Picture):
         with style.our_settings():
             ax = self.figure.add_axes((0.02, 0.36, 0.62, 0.61))
             ax.set_axis_off()
-            reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
-            corners = (places[:, None] + reach).reshape(-1, 3)
-            show_all(ax, SLANTING.on_paper(corners), margin_m=0.4 * length_m)
+            show_frames(ax, SLANTING, places, length_m, margin_m=0.4 * length_m)
             low, high = places.min(axis=0) - 2 * length_m, places.max(axis=0) + 2 * length_m
             draw_ground(ax, SLANTING, (low[0], high[0]), (low[1], high[1]), 0.5 * span_m)
             self.frames = draw_frames(ax, self.poses, SLANTING, length_m)
@@ -201,8 +199,7 @@ def draw_readings(a: str, b: str, a_T_b: Transform) -> Picture:
         readings = zip(CAPTIONS, _names(a, b), (a_T_b, a_T_b.inverse()), (a, b), strict=True)
         for column, (caption, name, transform, axes_of) in enumerate(readings):
             ax = clear_paper(picture.figure.add_axes((0.015 + 0.495 * column, 0.15, 0.475, 0.81)))
-            reach = length_m * np.array([(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (0, 1)])
-            show_all(ax, SLANTING.on_paper((places[:, None] + reach).reshape(-1, 3)), margin_m=0.5 * length_m)
+            show_frames(ax, SLANTING, places, length_m, margin_m=0.5 * length_m)
             draw_ground(ax, SLANTING, (-span_m, 2 * span_m), (-span_m, span_m), 0.5 * span_m)
             draw_frames(ax, {a: Transform(), b: a_T_b}, SLANTING, length_m)
             draw_arrow(ax, *places, curve=0.0 if column == 0 else 0.18, line="solid" if column == 0 else DASHES)

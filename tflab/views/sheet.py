@@ -173,8 +173,9 @@ def _artists(mark: Mark) -> list:
     return artists
 
 
-def _arrowhead(line: LineMark, length: float = 7.0, half_width: float = 3.5) -> Sequence[tuple[float, float]]:
+def _arrowhead(line: LineMark) -> Sequence[tuple[float, float]]:
     """Return the corners of the head of a line whose last piece is horizontal or vertical."""
+    length, half_width = 7.0, 3.5
     (x0, y0), (x1, y1) = line.points[-2:]
     if y0 == y1:
         back = x1 - length if x1 > x0 else x1 + length

@@ -133,6 +133,20 @@ def wide(height_px: float) -> tuple[float, float]:
     return (WIDE[0], height_px / SCREEN_DPI)
 
 
+def pixel_paper(ax: Axes) -> Axes:
+    """Empty axes that fill a card, and let them count screen pixels from its upper left corner; return them."""
+    width, height = ax.figure.get_size_inches() * SCREEN_DPI
+    ax.clear()
+    ax.set_axis_off()
+    ax.set(xlim=(0.0, width), ylim=(height, 0.0))
+    return ax
+
+
+def write_slanted(ax: Axes, x: float, y: float, text: str, **how: object) -> None:
+    """Write the heading of a narrow column, slanted upwards from (x, y)."""
+    ax.text(x, y, text, rotation=32, ha="left", va="bottom", rotation_mode="anchor", fontsize=SMALL_PT, **how)
+
+
 def hide_spines(ax: Axes, *sides: str) -> None:
     """Hide the lines at these sides of a graph: "left", "right", "top", "bottom"."""
     for side in sides:
@@ -173,6 +187,6 @@ def fmt_all(values: Sequence[float], unit: str = "m", digits: int = 3) -> str:
     return f"({', '.join(fmt(value, '', digits) for value in values)}) {unit}".rstrip()
 
 
-def fmt_stamp(stamp_ns: int, digits: int = 3) -> str:
+def fmt_stamp(stamp_ns: int) -> str:
     """Return a stamp or a duration [ns] for people: fmt_stamp(1_500_000_000) == "1.500 s"."""
-    return f"{format_stamp(stamp_ns, digits)} s"
+    return f"{format_stamp(stamp_ns, 3)} s"

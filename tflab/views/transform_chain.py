@@ -19,7 +19,7 @@ import numpy as np
 from tflab.core import Transform
 
 from . import style
-from .frames import clear_paper
+from .frames import clear_paper, show_all
 from .labels import FloatingLabel, place_labels
 from .picture import Picture
 from .projection import FROM_ABOVE, Eye, eye_at
@@ -177,7 +177,7 @@ class JointsPicture(Picture):
                 left_px = EDGE_PX + i * (half_px + EDGE_PX)
                 box = (left_px / width_px, 1 - ARM_PX / height_px, half_px / width_px, (ARM_PX - 26) / height_px)
                 ax = clear_paper(self.figure.add_axes(box))
-                _show_reach(ax, eye, pivot, reach_m)
+                show_all(ax, eye.on_paper(pivot)[None], margin_m=REACH * reach_m)
                 self.figure.text(left_px / width_px, 1 - 10 / height_px, title, va="top", fontsize=style.TEXT_PT)
                 self._views.append(_ArmArtists(ax, eye, steps))
             self._tiles = _tiles(self, steps)
@@ -334,16 +334,6 @@ def _reach(steps: Sequence[Step]) -> tuple[np.ndarray, float]:
     lengths = [float(np.linalg.norm(step.parent_T_child.translation)) for step in steps]
     first = next((i for i, step in enumerate(steps) if step.position is not None), 0)
     return np.array(poses[steps[first].child].translation), sum(lengths[first + 1 :]) or sum(lengths) or 1.0
-
-
-def _show_reach(ax: Axes, eye: Eye, pivot: np.ndarray, reach_m: float) -> None:
-    """Choose limits that hold all that the tip can reach, and the base."""
-    x, y = eye.on_paper(pivot)
-    box = ax.get_window_extent()
-    half_y = REACH * reach_m
-    half_x = half_y * box.width / box.height
-    ax.set_xlim(x - half_x, x + half_x)
-    ax.set_ylim(y - half_y, y + half_y)
 
 
 def _position(step: Step) -> str:

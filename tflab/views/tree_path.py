@@ -134,7 +134,8 @@ class TreeWalkPicture(Picture):
         style.shorten_card(self.figure, min(_height_pt(len(rows), lines), self._height_pt) / 72.0)
         self.redraw_all()
         faults = [f"! {fault.text}" for fault in tree_faults(snapshot)]
-        self.text = "\n".join([_listing(rows), *faults, describe_walk(walk, parent_of), *([answer] if answer else [])])
+        tree = [f"{'   ' * depth}{row_name(row)}" for depth, row in zip(depths_of(rows), rows, strict=True)]
+        self.text = "\n".join([*tree, *faults, describe_walk(walk, parent_of), *([answer] if answer else [])])
 
     def _write_below(self, rows: int, answer: str, is_answer: bool) -> int:
         """Write the answer below so many rows; return how many lines it takes."""
@@ -233,8 +234,3 @@ def _climb(parent_of: Mapping[str, str], frame: str, until: set[str]) -> tuple[l
             return [*path, parent], True
         path.append(parent)
     return path, False
-
-
-def _listing(rows: Sequence[Row]) -> str:
-    """Return the tree as indented lines."""
-    return "\n".join(f"{'   ' * depth}{row_name(row)}" for depth, row in zip(depths_of(rows), rows, strict=True))

@@ -10,7 +10,6 @@ right frame and in a wrong one. No computation fails with a wrong frame.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -24,6 +23,7 @@ from .labels import place_labels
 from .picture import Picture
 from .projection import FROM_ABOVE, OUTLINE, Eye, RobotArtists, eye_at
 
+LASER_P: Vector3 = (2.0, 0.0, 0.0)  # the corner in laser_frame [m]
 LASER_AT: Vector3 = (0.20, 0.0, 0.15)  # of laser_frame in base_link [m]
 BODY_SCALE = 1.2
 READINGS = ("corner", "swapped", "turn forgotten")
@@ -40,13 +40,13 @@ def seen_from(base_T_laser: Transform, laser_p: Sequence[float]) -> dict[str, Ve
     }
 
 
-def describe_mount(yaw_rad: float, laser_p: Sequence[float], laser_at: Sequence[float] = LASER_AT) -> str:
+def describe_mount(yaw_rad: float) -> str:
     """Return the figure's text: what the laser said, and three places in base_link."""
-    places = seen_from(Transform.from_rpy(yaw=yaw_rad, translation=laser_at), laser_p)
+    places = seen_from(Transform.from_rpy(yaw=yaw_rad, translation=LASER_AT), LASER_P)
     truth = np.array(places["corner"])
     lines = [
-        f"laser_frame at {style.fmt_all(laser_at)} in base_link, yaw {style.fmt(yaw_rad, 'rad', 2)}",
-        f"the laser says    {style.fmt_all(laser_p)}  in laser_frame",
+        f"laser_frame at {style.fmt_all(LASER_AT)} in base_link, yaw {style.fmt(yaw_rad, 'rad', 2)}",
+        f"the laser says    {style.fmt_all(LASER_P)}  in laser_frame",
         f"the corner is at  {style.fmt_all(places['corner'])}  in base_link",
     ]
     for name, formula in (("swapped", "laser_T_base.apply(laser_p)"), ("turn forgotten", "laser_p + translation")):
@@ -58,10 +58,9 @@ def describe_mount(yaw_rad: float, laser_p: Sequence[float], laser_at: Sequence[
 class MountPicture(Picture):
     """The robot from above, its turned laser, the corner, and the ghosts of two mistakes."""
 
-    def __init__(self, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT) -> None:
+    def __init__(self) -> None:
         super().__init__((style.WIDE[0], 4.2))
-        self.laser_p, self.laser_at = tuple(laser_p), tuple(laser_at)
-        reach = float(np.linalg.norm(self.laser_p)) + float(np.linalg.norm(self.laser_at)) + 0.35
+        reach = float(np.linalg.norm(LASER_P)) + float(np.linalg.norm(LASER_AT)) + 0.35
         with style.our_settings():
             ax = clear_paper(self.figure.add_axes((0.01, 0.02, 0.53, 0.96)))
             draw_ground(ax, FROM_ABOVE, (-reach, reach), (-reach, reach), 0.5)
@@ -86,31 +85,29 @@ class MountPicture(Picture):
 
     def show(self, yaw_rad: float) -> MountPicture:
         """Turn the laser to this yaw [rad], and return the picture."""
-        base_T_laser = Transform.from_rpy(yaw=yaw_rad, translation=self.laser_at)
-        places = seen_from(base_T_laser, self.laser_p)
+        base_T_laser = Transform.from_rpy(yaw=yaw_rad, translation=LASER_AT)
+        places = seen_from(base_T_laser, LASER_P)
         with style.our_settings():
             self.laser.move(base_T_laser)
-            self.beam.set_data(*zip(self.laser_at[:2], places["corner"][:2], strict=True))
+            self.beam.set_data(*zip(LASER_AT[:2], places["corner"][:2], strict=True))
             for name, point in self.points.items():
                 point.move(places[name])
             labels = [*(point.label for point in self.points.values()), self.base.label, self.laser.label]
-            labels[0].keep_off = [(self.laser_at[:2], places["corner"][:2])]
+            labels[0].keep_off = [(LASER_AT[:2], places["corner"][:2])]
             place_labels(labels)
-            self.numbers.write(_numbers(yaw_rad, self.laser_p, places))
-        self.text = describe_mount(yaw_rad, self.laser_p, self.laser_at)
+            self.numbers.write(_numbers(yaw_rad, places))
+        self.text = describe_mount(yaw_rad)
         return self
 
 
-def draw_mount(
-    yaw_rad: float = math.pi / 2, laser_p: Sequence[float] = (2.0, 0.0, 0.0), laser_at: Sequence[float] = LASER_AT
-) -> MountPicture:
+def draw_mount(yaw_rad: float) -> MountPicture:
     """Draw where a laser turned by `yaw_rad` [rad] sees a point, and where two mistakes put it."""
-    return MountPicture(laser_p, laser_at).show(yaw_rad)
+    return MountPicture().show(yaw_rad)
 
 
-def _numbers(yaw_rad: float, laser_p: Sequence[float], places: dict[str, Vector3]) -> str:
+def _numbers(yaw_rad: float, places: dict[str, Vector3]) -> str:
     truth = np.array(places["corner"])
-    lines = [f"yaw of the mount {style.fmt(yaw_rad, 'rad', 2)}", "", "laser_p, as measured", _row(laser_p), ""]
+    lines = [f"yaw of the mount {style.fmt(yaw_rad, 'rad', 2)}", "", "laser_p, as measured", _row(LASER_P), ""]
     lines += ["base_p, the corner", _row(places["corner"]), ""]
     for name in READINGS[1:]:
         off = style.fmt(float(np.linalg.norm(np.array(places[name]) - truth)), digits=2)

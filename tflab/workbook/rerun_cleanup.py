@@ -19,6 +19,7 @@ from typing import Any, NamedTuple
 
 from tflab.ros import client_library
 from tflab.ros.process import process_here
+from tflab.views.rerun import cell_key
 
 __all__ = ["register"]
 
@@ -53,7 +54,7 @@ def register(ipython: Any) -> None:
 
 
 def _begin_anew(info: Any) -> None:
-    last, process = _began.pop(_cell(info), None), process_here()
+    last, process = _began.pop(cell_key(info), None), process_here()
     if last is not None and process is not None and last.graph() is process.graph:
         _end(last, process)
     _before[:] = [_there()]
@@ -75,7 +76,7 @@ def _remember(result: Any) -> None:
     before, now = (_before or [_there()])[0], _there()
     if now.graph is None or now.graph is not before.graph:
         return  # a new world: whoever makes one ends the old one
-    _began[_cell(result.info)] = _Began(
+    _began[cell_key(result.info)] = _Began(
         weakref.ref(now.graph),
         _new(now.contexts, before.contexts),
         _new(now.nodes, before.nodes, set(map(_name, before.nodes))),
@@ -105,8 +106,3 @@ def _name(each: Any) -> str:
 
 def _alive(references: list[weakref.ref]) -> list[Any]:
     return [each for reference in references if (each := reference()) is not None]
-
-
-def _cell(info: Any) -> str:
-    """Return what a cell is known by: its id, or where nothing gives one, its text."""
-    return info.cell_id or info.raw_cell

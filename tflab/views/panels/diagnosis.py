@@ -21,7 +21,6 @@ def tools_panel(
     tools: Sequence[ToolOutput],
     verdicts: Suitabilities,
     names: tuple[str, str],
-    language: str = "en",
 ) -> Panel:
     """Return a panel that shows what a tool prints for a question, and whether that is an answer.
 
@@ -30,7 +29,6 @@ def tools_panel(
         tools: what each printed.
         verdicts: by term and by the tool's name.
         names: of the two menus, in the reader's language.
-        language: of the button, "en" or "ko".
 
     Raises:
         ValueError: a verdict is missing.
@@ -41,7 +39,7 @@ def tools_panel(
                 raise ValueError(f"there is no verdict on {tool.name!r} for {term!r}")
     options = ([(text, term) for term, text in asked.items()], [(each.name, each) for each in tools])
     question, tool = (
-        menu(name, rows, language, label_width="60px", width="500px") for name, rows in zip(names, options, strict=True)
+        menu(name, rows, label_width="60px", width="500px") for name, rows in zip(names, options, strict=True)
     )
     why = widgets.HTML()
     picture = ToolPicture(tuple(verdicts))
@@ -56,17 +54,12 @@ def tools_panel(
     for control in (question, tool):
         control.observe(explain, names="value")
     explain()
-    return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why], language=language)
+    return Panel(" × ".join(names), picture, (question, tool), move, layout=[question, tool, why])
 
 
-def visit_panel(steps: Sequence[VisitStep], budget_min: float, language: str = "en") -> Panel:
-    """Return a panel that plays a visit step by step; on an exported page it becomes slider frames.
-
-    Raises:
-        ValueError: the language is unknown.
-    """
+def visit_panel(steps: Sequence[VisitStep], budget_min: float) -> Panel:
+    """Return a panel that plays a visit step by step; on an exported page it becomes slider frames."""
     picture = VisitPicture(steps, budget_min)
     options = [(f"{number + 1}. {step.name}", number) for number, step in enumerate(steps)]
-    step = menu(TEXTS["step"], options, language, 0, TEXTS["keys"], "60px", "420px")
-    title = TEXTS["a visit"].say(language)
-    return Panel(title, picture, (step,), lambda at: picture.show(at(step)), language=language)
+    step = menu(TEXTS["step"], options, 0, TEXTS["keys"], "60px", "420px")
+    return Panel(TEXTS["a visit"], picture, (step,), lambda at: picture.show(at(step)))

@@ -7,7 +7,7 @@ from itertools import permutations
 
 from tflab.core import StampedTransform, Transform
 from tflab.core.quaternions import canonical
-from tflab.text import Texts
+from tflab.text import Texts, language_of_workbook
 
 from ..libraries import ipywidgets as widgets
 from ..sentence import SentencePicture, sentence
@@ -21,28 +21,27 @@ Pair = tuple[str, str]  # target, source
 Edge = tuple[str, str]  # parent, child
 Ask = Callable[[list[Edge], str, str], tuple[bool, str]]  # edges as sent, target, source -> an answer at all? its text
 
+MISSPELT = "odm"  # a parent that no edge has otherwise
 LINES = 2  # for tf2's text, besides one for each frame: of a loop it names every edge
 
 
 class SentencePanel(Panel):
     """A lookup that can be chosen in any of its forms; the other forms follow."""
 
-    def __init__(self, poses: Mapping[str, Transform], target: str, source: str, language: str) -> None:
+    def __init__(self, poses: Mapping[str, Transform], target: str, source: str) -> None:
         self._answers = {pair: transform_between(poses, *pair) for pair in permutations(poses, 2)}
         forms = {pair: sentence(answer) for pair, answer in self._answers.items()}
         self._pair: Pair = (target, source)
         self._is_following = False
+        language = language_of_workbook()
         hint, frames = TEXTS["forms follow"], [(frame, frame) for frame in poses]
-        self._source = menu(TEXTS["source"], frames, language, source, hint, "60px", "250px")
-        self._target = menu(TEXTS["target"], frames, language, target, hint, "60px", "250px")
+        self._source = menu(TEXTS["source"], frames, source, hint, "60px", "250px")
+        self._target = menu(TEXTS["target"], frames, target, hint, "60px", "250px")
         lines = {"Python": "call", TEXTS["arrow"]: "arrow", TEXTS["shell"]: "echo_command"}
         self._lines = [
-            menu(
-                name, [(getattr(form, part), pair) for pair, form in forms.items()], language, self._pair, hint,
-                "60px", "560px",
-            )
+            menu(name, [(getattr(form, part), pair) for pair, form in forms.items()], self._pair, hint, "60px", "560px")
             for name, part in lines.items()
-        ]  # fmt: skip
+        ]
         pieces = TEXTS["question"].say(language, source="|", target="|").split("|")
         before, between_menus, after = map(widgets.Label, pieces)
         picture = SentencePicture(poses, language)
@@ -52,7 +51,6 @@ class SentencePanel(Panel):
             (self._source, self._target, *self._lines),
             lambda at: picture.show(self._answers[self._pair_at(at)]),
             layout=[widgets.HBox([before, self._source, between_menus, self._target, after]), *self._lines],
-            language=language,
         )
 
     def _on_change(self, change) -> None:
@@ -76,25 +74,22 @@ class SentencePanel(Panel):
         return _pair_without_repeat(self._pair, (at(self._target), at(self._source)))
 
 
-def sentence_panel(
-    poses: Mapping[str, Transform], target_frame: str, source_frame: str, language: str = "en"
-) -> SentencePanel:
+def sentence_panel(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> SentencePanel:
     """Return a panel in which a lookup can be chosen in any of its forms.
 
     Args:
         poses: the pose of each frame in the drawing's own frame, `fixed_T_name`; at least two.
         target_frame, source_frame: what to begin with.
-        language: of the sentence, "en" or "ko".
 
     Raises:
-        ValueError: `poses` lacks one of the frames, both are the same, or the language is unknown.
+        ValueError: `poses` lacks one of the frames, or both are the same.
     """
     for frame in (target_frame, source_frame):
         if frame not in poses:
             raise ValueError(f'no pose is given for "{frame}"; there are poses for {", ".join(poses)}')
     if target_frame == source_frame:
         raise ValueError(f'target and source are both "{target_frame}": choose two frames')
-    return SentencePanel(poses, target_frame, source_frame, language)
+    return SentencePanel(poses, target_frame, source_frame)
 
 
 def transform_between(poses: Mapping[str, Transform], target_frame: str, source_frame: str) -> StampedTransform:
@@ -116,8 +111,6 @@ def tree_panel(
     target_frame: str,
     source_frame: str,
     ask: Ask,
-    misspelt: str = "odm",
-    language: str = "en",
 ) -> Panel:
     """Return a panel in which a frame can be given another parent, and a lookup shows tf2's text below the picture.
 
@@ -125,11 +118,9 @@ def tree_panel(
         parent_of: the tree to begin with, child -> parent.
         target_frame, source_frame: the lookup to begin with.
         ask: tf2's answer: for edges (parent, child) in the order they are sent, and a lookup.
-        misspelt: a parent that no edge has otherwise.
-        language: of the menus, "en" or "ko".
 
     Raises:
-        ValueError: a frame is not in the tree, or the language is unknown.
+        ValueError: a frame is not in the tree.
     """
     frames = list(dict.fromkeys(name for child, parent in parent_of.items() for name in (parent, child)))
     for frame in (target_frame, source_frame):
@@ -138,12 +129,12 @@ def tree_panel(
     first = next(iter(parent_of))
     rows = (
         (TEXTS["move"], list(parent_of), first),
-        (TEXTS["under"], [*frames, misspelt], parent_of[first]),
+        (TEXTS["under"], [*frames, MISSPELT], parent_of[first]),
         (TEXTS["source"], frames, source_frame),
         (TEXTS["target"], frames, target_frame),
     )
     follows = TEXTS["tree follows"]
-    menus = [menu(name, names, language, value, follows, "90px", "330px") for name, names, value in rows]
+    menus = [menu(name, names, value, follows, "90px", "330px") for name, names, value in rows]
     picture = TreeWalkPicture(len(frames) + 1, len(frames) + LINES)
 
     def move(at: Controls) -> None:
@@ -156,4 +147,4 @@ def tree_panel(
         is_answer, text = ask(sent, target, source)
         picture.show(snapshot_of_parents(now, frames), target, source, text, is_answer)
 
-    return Panel("A tree whose frames can be moved", picture, menus, move, language=language)
+    return Panel("A tree whose frames can be moved", picture, menus, move)

@@ -6,8 +6,9 @@
     +-----------------------------+
 
 While a page is built for export (TFLAB_FILMS=1), a panel shows itself as slider frames: drawn for
-every position of its first slider. All controls can be reached and moved with the keyboard. Their
-texts are in `panel.yaml`; names of frames, joints and ROS 2 options are the same in both languages.
+every position of its first slider. All controls can be reached and moved with the keyboard. Texts
+are in the language of the learner's copy, and in English outside a copy. Names of frames, joints
+and ROS 2 options are the same in both languages.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from html import escape
 
 import numpy as np
 
-from tflab.text import LANGUAGES, Text, Texts
+from tflab.text import Text, Texts, language_of_workbook
 
 from ..libraries import ipywidgets as widgets
 from ..picture import Picture
@@ -46,12 +47,11 @@ class Panel:
 
     def __init__(
         self,
-        title: str,
+        title: Text | str,
         picture: Picture,
         controls: Sequence[widgets.ValueWidget],
         move: Callable[[Controls], object],
         layout: Sequence[widgets.Widget] | None = None,
-        language: str = "en",
     ) -> None:
         """Make a panel.
 
@@ -60,14 +60,13 @@ class Panel:
             controls: whatever changes the picture.
             move: moves the picture to where the controls are, or could be; it changes nothing else.
             layout: the controls as they should stand, if not side by side where there is room.
-            language: of the button that shows the words, "en" or "ko".
         """
         self.picture = picture
         self.controls = {control.description: control for control in controls}
         self._move = move
         self.shown = DrawnAhead(controls, picture.size_px, self._draw)
-        same = say(TEXTS["the same in words"], language)
-        self._as_text = widgets.ToggleButton(description=say(TEXTS["as text"], language), tooltip=f"{title}: {same}")
+        same = say(TEXTS["the same in words"])
+        self._as_text = widgets.ToggleButton(description=say(TEXTS["as text"]), tooltip=f"{say(title)}: {same}")
         self._words = widgets.HTML()
         self._words.layout.display = "none"
         self.widget = widgets.VBox([*(layout or [side_by_side(controls)]), self.shown, self._as_text, self._words])
@@ -158,10 +157,10 @@ def _stations(control: widgets.FloatSlider | widgets.Dropdown, steps: int) -> li
 
 
 def slider(
-    description: Text | str, value: float, low: float, high: float, step: float, unit: str, language: str = "en"
+    description: Text | str, value: float, low: float, high: float, step: float, unit: str
 ) -> widgets.FloatSlider:
     """Return a slider from `low` to `high` that says what it is, in which unit, and follows while dragged."""
-    description = say(description, language)
+    description = say(description)
     digits = 2 if step >= 0.01 else 3
     return widgets.FloatSlider(
         value=value,
@@ -180,18 +179,17 @@ def slider(
 def menu(
     description: Text | str,
     options: Sequence,
-    language: str,
     value: object = None,
     hint: Text | str = "",
     label_width: str = "110px",
     width: str = SLIDER_WIDTH,
 ) -> widgets.Dropdown:
     """Return a menu that names what is chosen; its tooltip adds the `hint`. Without a `value`, the first is chosen."""
-    name = say(description, language)
+    name = say(description)
     control = widgets.Dropdown(
         options=options,
         description=name,
-        tooltip=f"{name}: {say(hint, language)}" if hint else name,
+        tooltip=f"{name}: {say(hint)}" if hint else name,
         style={"description_width": label_width},
         layout={"width": width, "max_width": "100%"},
     )
@@ -200,15 +198,9 @@ def menu(
     return control
 
 
-def say(text: Text | str, language: str) -> str:
-    """Return a text in a language; a name, which is the same in all, stays as it is.
-
-    Raises:
-        ValueError: the language is unknown.
-    """
-    if language not in LANGUAGES:
-        raise ValueError(f'there are no words in "{language}"; languages are {", ".join(LANGUAGES)}')
-    return text.say(language) if isinstance(text, Text) else text
+def say(text: Text | str) -> str:
+    """Return a text in the reader's language; a name, which is the same in all, stays as it is."""
+    return text.say(language_of_workbook()) if isinstance(text, Text) else text
 
 
 def side_by_side(controls: Sequence[widgets.Widget]) -> widgets.Box:

@@ -1,12 +1,11 @@
 """Draw frames, scans, cameras and robots into a 3D scene.
 
     draw_frame(scene, "base_link", map_T_base)           three axes and a name
-    draw_frames(scene, poses, parents)                   many, with arrows between them
     draw_scan, draw_points, draw_path, draw_arrow        what sensors and planners publish
     draw_camera                                          what a camera sees, and its image plane
     draw_ball, draw_mug                                  something to be seen
     draw_robot                                           links, from boxes, cylinders, spheres
-    ... is_ghost=True                                    the wrong answer: grey, translucent, hatched
+    draw_frame, draw_path with is_ghost=True             the wrong answer: grey, translucent
 
 All poses and points are in the scene's own frame. Drawing the same path again moves what is there.
 """
@@ -28,8 +27,9 @@ from .shapes import triangles
 from .widget import Scene
 
 IDENTITY = Transform()
+IMAGE_PX, FOCAL_PX = (640, 480), 525.0  # of a camera
 GHOST_OPACITY = 0.28
-BALL_OPACITY = 0.5
+BALL_M, BALL_OPACITY = 0.3, 0.5
 ACCENT = "#B5539B"  # style.ACCENT, in a shade that stands out on a light and on a dark page
 
 
@@ -57,31 +57,14 @@ def draw_frame(
     parent: str = "",
     length_m: float = 0.4,
     is_ghost: bool = False,
-    label: str | None = None,
 ) -> None:
-    """Draw a frame: its axes, their letters, and its name (or `label`, if that says more)."""
+    """Draw a frame: its axes, their letters, and its name."""
     path = scene[frame_path(name, is_ghost)]
     path.set_object(*triangles(_axes(length_m, is_ghost), GHOST_OPACITY * 2 if is_ghost else 1.0))
     path.set_transform(scene_T_frame.matrix())
-    path.set_property("labels", [*_axis_letters(length_m, is_ghost), _name_label(label or name, is_ghost)])
+    label = _label(name, (0.0, 0.0, 0.0), style.GREY if is_ghost else "", name=True, slanted=is_ghost)
+    path.set_property("labels", [*_axis_letters(length_m, is_ghost), label])
     path.set_property("frame", {"name": name, "parent": parent, "ghost": is_ghost})
-
-
-def draw_frames(
-    scene: Scene,
-    poses: Mapping[str, Transform],
-    parents: Mapping[str, str] | None = None,
-    length_m: float = 0.4,
-) -> None:
-    """Draw frames and, between each parent and child, an arrow."""
-    parents = parents or {}
-    with scene.redraw():
-        for name, scene_T_frame in poses.items():
-            parent = parents.get(name, "")
-            draw_frame(scene, name, scene_T_frame, parent, length_m)
-            if parent in poses:
-                start, end = poses[parent].translation, scene_T_frame.translation
-                draw_arrow(scene, edge_path(name), start, end, radius_m=0.014 * length_m)
 
 
 def draw_arrow(
@@ -107,12 +90,10 @@ def draw_arrow(
         scene[path].set_property("words", f"arrow from {style.fmt_all(start)} to {style.fmt_all(end)}")
 
 
-def draw_ball(
-    scene: Scene, path: str, at: Sequence[float], name: str = "ball", radius_m: float = 0.3, colour: str = ACCENT
-) -> None:
+def draw_ball(scene: Scene, path: str, at: Sequence[float], colour: str = ACCENT) -> None:
     """Draw a ball around a point (x, y, z) [m], through which one sees what ends there, and its name above it."""
-    scene[path].set_object(*triangles(shapes.ball(radius_m, colour), BALL_OPACITY))
-    _place_thing(scene, path, at, _label(name, (0.0, 0.0, 1.6 * radius_m), colour))
+    scene[path].set_object(*triangles(shapes.ball(BALL_M, colour), BALL_OPACITY))
+    _place_thing(scene, path, at, _label("ball", (0.0, 0.0, 1.6 * BALL_M), colour))
 
 
 def draw_mug(scene: Scene, path: str, at: Sequence[float], name: str = "mug", height_m: float = 0.2) -> None:
@@ -164,7 +145,6 @@ def draw_scan(
     angle_increment_rad: float,
     colour: str = ACCENT,
     size_m: float = 0.06,
-    is_ghost: bool = False,
 ) -> None:
     """Draw a laser scan: its points, and faintly what it has swept; rays that hit nothing (inf, nan) are left out."""
     ranges_m = np.asarray(ranges_m, dtype=float)
@@ -172,54 +152,38 @@ def draw_scan(
     hit = np.isfinite(ranges_m)
     reach_m = np.where(hit, ranges_m, 0.0)
     scan_p_hits = np.column_stack([reach_m * np.cos(angles), reach_m * np.sin(angles), np.zeros(len(reach_m))])
-    colour = style.GREY if is_ghost else colour
     with scene.redraw():
         scene[path].set_transform(scene_T_scan.matrix())
-        draw_points(
-            scene, f"{path}/points", scan_p_hits[hit], colour, size_m, "ghost scan" if is_ghost else "laser scan"
-        )
+        draw_points(scene, f"{path}/points", scan_p_hits[hit], colour, size_m, "laser scan")
         scene[f"{path}/swept"].set_object(*triangles(_fan(scan_p_hits, hit, colour), 0.10))
 
 
 def draw_camera(
-    scene: Scene,
-    path: str,
-    scene_T_optical: Transform,
-    image_px: tuple[int, int] = (640, 480),
-    focal_px: float = 525.0,
-    depth_m: float = 0.6,
-    colour: str = ACCENT,
-    pixels: np.ndarray | None = None,
+    scene: Scene, path: str, scene_T_optical: Transform, depth_m: float = 0.6, pixels: np.ndarray | None = None
 ) -> None:
     """Draw what a camera sees, down to an image plane at `depth_m`, and on it `pixels` (u, v), shape (n, 2).
 
     `scene_T_optical` is the pose of its *optical* frame: z forward, x right, y down.
     """
-    width_px, height_px = image_px
-    half_w, half_h = depth_m * width_px / focal_px / 2.0, depth_m * height_px / focal_px / 2.0
+    width_px, height_px = IMAGE_PX
+    half_w, half_h = depth_m * width_px / FOCAL_PX / 2.0, depth_m * height_px / FOCAL_PX / 2.0
     camera = scene[path]
     with scene.redraw():
         camera.set_transform(scene_T_optical.matrix())
-        camera["rim"].set_object(*triangles(shapes.frustum(half_w, half_h, depth_m, 0.008 * depth_m, colour)))
-        camera["image"].set_object(*triangles(_image_plane(half_w, half_h, depth_m, colour), 0.16))
+        camera["rim"].set_object(*triangles(shapes.frustum(half_w, half_h, depth_m, 0.008 * depth_m, ACCENT)))
+        camera["image"].set_object(*triangles(_image_plane(half_w, half_h, depth_m, ACCENT), 0.16))
         camera["image"].set_property("labels", [
-            _label("u", (half_w * 0.1, -half_h * 1.18, depth_m), colour, small=True),
-            _label("v", (-half_w * 1.18, half_h * 0.1, depth_m), colour, small=True),
+            _label("u", (half_w * 0.1, -half_h * 1.18, depth_m), ACCENT, small=True),
+            _label("v", (-half_w * 1.18, half_h * 0.1, depth_m), ACCENT, small=True),
         ])  # fmt: skip
         camera.set_property("words", f"camera, {width_px} x {height_px} pixels, image plane at {depth_m:.2f} m")
         if pixels is not None:
-            centred = (np.asarray(pixels, dtype=float).reshape(-1, 2) - (width_px / 2.0, height_px / 2.0)) / focal_px
+            centred = (np.asarray(pixels, dtype=float).reshape(-1, 2) - (width_px / 2.0, height_px / 2.0)) / FOCAL_PX
             points = np.column_stack([centred * depth_m, np.full(len(centred), depth_m)])
-            draw_points(scene, f"{path}/pixels", points, colour, 0.05 * depth_m, "pixels")
+            draw_points(scene, f"{path}/pixels", points, ACCENT, 0.05 * depth_m, "pixels")
 
 
-def draw_robot(
-    scene: Scene,
-    path: str,
-    links: Mapping[str, Sequence[Part]],
-    poses: Mapping[str, Transform],
-    is_ghost: bool = False,
-) -> None:
+def draw_robot(scene: Scene, path: str, links: Mapping[str, Sequence[Part]], poses: Mapping[str, Transform]) -> None:
     """Draw each link that has a pose, from its parts, and take away each that has none."""
     with scene.redraw():
         for name, parts in links.items():
@@ -229,9 +193,9 @@ def draw_robot(
                 continue
             link.set_transform(poses[name].matrix())
             for i, part in enumerate(parts):
-                _draw_part(link[f"part{i}"], part, is_ghost)
+                _draw_part(link[f"part{i}"], part)
         drawn = sum(name in poses for name in links)
-        scene[path].set_property("words", f"{'ghost robot' if is_ghost else 'robot'}, {drawn} of {len(links)} links")
+        scene[path].set_property("words", f"robot, {drawn} of {len(links)} links")
 
 
 def frame_path(name: str, is_ghost: bool = False) -> str:
@@ -244,17 +208,14 @@ def edge_path(child: str) -> str:
     return f"edges/{_bare(child)}"
 
 
-def _draw_part(place: Any, part: Part, is_ghost: bool) -> None:
-    from meshcat.geometry import MeshBasicMaterial, MeshLambertMaterial
+def _draw_part(place: Any, part: Part) -> None:
+    from meshcat.geometry import MeshLambertMaterial
 
     geometry, part_T_geometry = _geometry(part)
     place.set_transform(part.link_T_part.matrix() @ part_T_geometry)
-    red, green, blue, alpha = (0.5, 0.5, 0.5, GHOST_OPACITY) if is_ghost else part.rgba
+    red, green, blue, alpha = part.rgba
     colour = (round(255 * red) << 16) + (round(255 * green) << 8) + round(255 * blue)
     place["fill"].set_object(geometry, MeshLambertMaterial(color=colour, opacity=alpha, depthWrite=alpha == 1.0))
-    if is_ghost:
-        hatch = MeshBasicMaterial(color=0x808080, wireframe=True, opacity=0.5, depthWrite=False)
-        place["hatch"].set_object(geometry, hatch)
 
 
 def _geometry(part: Part) -> tuple[Any, np.ndarray]:
@@ -310,11 +271,6 @@ def _axis_letters(length_m: float, is_ghost: bool) -> list[dict]:
     tips = {"x": (1.1, 0.0, 0.0), "y": (0.0, 1.1, 0.0), "z": (0.0, 0.0, 1.1)}
     colours = {axis: style.GREY if is_ghost else style.AXIS_COLOURS[axis] for axis in style.AXES}
     return [_label(axis, np.array(tips[axis]) * length_m, colours[axis], small=True) for axis in style.AXES]
-
-
-def _name_label(text: str, is_ghost: bool) -> dict:
-    """Return a frame's name; a ghost's is grey and slanted."""
-    return _label(text, (0.0, 0.0, 0.0), style.GREY if is_ghost else "", name=True, slanted=is_ghost)
 
 
 def _label(

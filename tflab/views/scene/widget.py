@@ -149,7 +149,6 @@ class Scene(anywidget.AnyWidget):
         draw: Callable[[Any], object],
         unit: str = "",
         start: int = 0,
-        digits: int = 2,
     ) -> None:
         """Draw the scene for each of `values` now, and give its view a scrubber to go through them.
 
@@ -159,7 +158,7 @@ class Scene(anywidget.AnyWidget):
         with self.redraw():
             steps = _without_repeats([self._recorded(draw, value) for value in values])
             draw(values[start])
-            texts = [f"{name} = {_in_words(value, digits)} {unit}".strip() for value in values]
+            texts = [f"{name} = {_in_words(value)} {unit}".strip() for value in values]
             self._tell({"type": "sweep", "path": "", "texts": texts, "steps": steps, "start": start})
 
     def follow(self, menu: Dropdown, draw: Callable[[int], object]) -> None:
@@ -260,8 +259,8 @@ class _Window:
         return "ok"
 
 
-def _in_words(value: float | str, digits: int) -> str:
-    return value if isinstance(value, str) else style.fmt(value, "", digits)
+def _in_words(value: float | str) -> str:
+    return value if isinstance(value, str) else style.fmt(value, "", 2)
 
 
 def _without_repeats(steps: list[list[dict]]) -> list[list[dict]]:

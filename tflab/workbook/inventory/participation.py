@@ -15,15 +15,11 @@ There is no score: fifteen items are too few to measure one person.
 
 from __future__ import annotations
 
-from base64 import b64encode
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from tflab.views.report_page import render
-from tflab.views.slope_chart import draw_gain
 
 from ...text import Text, Texts
 from .. import progress
@@ -37,9 +33,6 @@ from ..reply_card import show_page, show_reply
 from ..tasks.task import chapter_of
 from .items import DO_NOT_KNOW, FORMS, Item, read_inventory
 from .replies import Reply, changes, chosen, fixed_items, replies_to
-
-if TYPE_CHECKING:
-    from tflab.views.picture import Picture
 
 __all__ = ["NO_HELP", "RevealedForms", "pending_notice", "report_participation", "revealed_forms"]
 
@@ -108,14 +101,6 @@ class RevealedForms:
     def _repr_mimebundle_(self, include=None, exclude=None) -> dict[str, str]:
         return {"text/html": self.html, "text/plain": self.text}
 
-    @cached_property
-    def picture(self) -> Picture | None:
-        """The replies before and after, where there is a before."""
-        if not self._changes:
-            return None
-        before = {str(change.number): change.before.kind for change in self._changes}
-        return draw_gain(before, {str(change.number): change.after.kind for change in self._changes})
-
     @property
     def summary(self) -> str:
         """What was learnt and where to go, as text, without the forms."""
@@ -144,9 +129,6 @@ class RevealedForms:
             title=self._say("title"),
             counts=list(self._counts()),
             sections=list(self._sections()),
-            picture=self.picture,
-            png=b64encode(self.picture.png()).decode() if self.picture else "",
-            caption=self._say("caption"),
             forms=list(self._forms()),
             limits=self._say("limits"),
         )

@@ -14,14 +14,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
-from tflab.views.slope_chart import state_of
-
 from ..answers.forms import Choice, Form, Parts
 from ..answers.values import Plain
 from .items import LETTERS, Item
 
 __all__ = ["FORM", "ItemChange", "Reply", "changes", "chosen", "fixed_items", "replies_to"]
 
+STATES = {(False, True): "cured", (True, True): "held", (False, False): "stuck", (True, False): "lost"}
 FORM = Parts({str(number): Choice(("a", "b", "c", "d", "e", "a?", "b?", "c?", "d?", "e?")) for number in range(1, 16)})
 
 
@@ -71,7 +70,7 @@ class ItemChange(NamedTuple):
     @property
     def state(self) -> str:
         """Return "cured", "held", "stuck" or "lost"."""
-        return state_of(self.before.kind, self.after.kind)
+        return STATES[self.before.is_right, self.after.is_right]
 
 
 def changes(items: Sequence[Item], before: Mapping[str, str], after: Mapping[str, str]) -> list[ItemChange]:

@@ -6,7 +6,7 @@ What a page calls as `lesson.…` is this workbook's.  Everything else on it is 
 on a robot.
 
     scenes          the teaching robot in its room, and the point clouds of its camera
-    panels          panels in the language of the copy, and the joints of the arm
+    panels          panels of a tree and of the joints of the arm
     robots          robots with faults, and nodes that record what happens to them
     toolbox         which of seven tools answers which of seven questions
     recordings      what a bag holds, and what it can place
@@ -19,6 +19,7 @@ from __future__ import annotations
 from tflab.bags.info import example_bag
 from tflab.bags.reader import read_bag
 from tflab.clinic.causes import BaseLocalizer
+from tflab.clinic.panel import clinic_panel
 from tflab.clinic.practice import answer_of, practice_patient, worked_patient
 from tflab.clinic.practice import two_fault_patient as night_shift
 from tflab.core import LATEST
@@ -52,6 +53,18 @@ from tflab.views.late_joiner import Sender, draw_joins
 from tflab.views.late_joiner import SentMessage as Letter
 from tflab.views.map_error import draw_placed, draw_tracks
 from tflab.views.motion_error import Bend, Sight, draw_bend, draw_latency, latency_error
+from tflab.views.panels import (
+    cameras_panel,
+    clocks_panel,
+    joins_panel,
+    latency_panel,
+    mount_panel,
+    rate_panel,
+    rotation_panel,
+    rulers_panel,
+    sentence_panel,
+    timeline_panel,
+)
 from tflab.views.projection import FROM_ABOVE
 from tflab.views.rotations import draw_drives, draw_orders, draw_turns
 from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_camera, draw_frame, draw_mug, draw_path, draw_scan
@@ -69,7 +82,6 @@ from ..warm_up import ask_first
 from .capstone import launch_answer
 from .clinic_visits import (
     admit,
-    clinic_panel,
     draw_both_ways,
     draw_columns,
     draw_questions,
@@ -80,21 +92,7 @@ from .clinic_visits import (
     show_trolley,
     visit_panel,
 )
-from .panels import (
-    cameras_panel,
-    clocks_panel,
-    draw_joints,
-    joins_panel,
-    joints_panel,
-    latency_panel,
-    mount_panel,
-    rate_panel,
-    rotation_panel,
-    rulers_panel,
-    sentence_panel,
-    timeline_panel,
-    tree_panel,
-)
+from .panels import draw_joints, joints_panel, tree_panel
 from .recordings import doctor, draw_heard, fresh_folder, place_messages, replay
 from .robots import (
     GapWatcher,

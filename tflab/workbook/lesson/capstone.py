@@ -14,7 +14,7 @@ import math
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
 from contextlib import redirect_stderr, redirect_stdout
-from typing import Any, NamedTuple
+from typing import Any
 
 from tflab.core import BufferCore, StampedTransform, Transform, TransformException
 from tflab.robots.motion import Drive
@@ -34,11 +34,8 @@ from tflab.tools.rviz import look
 from tflab.views.rviz import RViz
 from tflab.views.rviz_status import statuses_as_text
 
-from ...text import Texts
-from ..paths import read_workbook, workbook_root
+from ...text import Texts, language_of_workbook
 from .scenes import wall_cloud
-
-__all__ = ["launch_answer"]
 
 RATE_HZ, CLOUD_HZ = 20.0, 5.0
 LAUNCHED_S, SETTLED_NS = 3.0, 300_000_000
@@ -139,7 +136,7 @@ def launch_answer(answer: Any, specification: Any) -> RViz | None:
         raise TypeError(
             'the second argument is the specification, as in launch_answer(robot, e12_5): e12_5 = task("E12.5")'
         )
-    language = read_workbook(workbook_root()).language
+    language = language_of_workbook()
     words = {key: text.say(language) for key, text in TEXTS.items()}
     tree = _written(answer)
     if not tree:
@@ -170,40 +167,31 @@ def _written(answer: Any) -> dict[str, str]:
     return {child: parent for child, parent in edges if isinstance(child, str) and isinstance(parent, str)}
 
 
-class _Shares(NamedTuple):
-    """The edges of a tree, child -> parent, by who has to send them."""
+def _shares(tree: Mapping[str, str], sensor: str) -> tuple[dict[str, str], ...]:
+    """Divide the edges of a tree: below map, the footprint's, what is bolted on, and of that the camera's.
 
-    below_map: dict[str, str]
-    footprint: dict[str, str]
-    bolted: dict[str, str]
-    camera: dict[str, str]
-
-
-def _shares(tree: Mapping[str, str], sensor: str) -> _Shares:
-    """Divide a tree: a footprint below map is the localiser's, and the wheels go on with theirs below odom."""
+    A footprint below map is the localiser's, and the wheels go on with theirs below odom.
+    """
     feet = [child for child in tree if _is(child, "base_footprint")]
     below_map = {child: parent for child, parent in tree.items() if parent == "map" or _is(child, "odom")}
     odoms = [child for child in below_map if _is(child, "odom")]
+    footprint = {child: (*odoms, "map")[0] if tree[child] == "map" else tree[child] for child in feet}
     bolted = {child: parent for child, parent in tree.items() if child not in below_map and child not in feet}
-    return _Shares(
-        below_map,
-        {child: (*odoms, "map")[0] if tree[child] == "map" else tree[child] for child in feet},
-        bolted,
-        dict(edge for edge in bolted.items() if edge[0].rpartition("/")[2].startswith(f"{sensor}_")),
-    )
+    camera = {child: parent for child, parent in bolted.items() if child.rpartition("/")[2].startswith(f"{sensor}_")}
+    return below_map, footprint, bolted, camera
 
 
 def _owners(answer: Mapping[str, Any], tree: Mapping[str, str], name: str, sensor: str) -> list[Callable[[], Node]]:
     """Return a maker of each node that the answer has, with the edges that it sends."""
-    shares, moving, mounts = _shares(tree, sensor), str(answer.get("moving")), str(answer.get("mounts"))
+    below_map, footprint, bolted, camera = _shares(tree, sensor)
+    moving, mounts, owner = str(answer.get("moving")), str(answer.get("mounts")), answer.get("mounts owner")
     is_on = {switch: str(answer.get(switch)) == "True" for switch in SWITCHES}
-    owner = answer.get("mounts owner")
     sent = [
-        ("localization", shares.below_map, moving, 0.0),
-        ("wheel_odometry", shares.footprint if is_on[WHEELS] else {}, moving, 0.0),
-        ("ekf_filter_node", shares.footprint if is_on[EKF] else {}, moving, 0.3),
-        (str(owner), shares.bolted if isinstance(owner, str) else {}, mounts, 0.0),
-        ("camera_driver", shares.camera if is_on[CAMERA] else {}, mounts, 0.0),
+        ("localization", below_map, moving, 0.0),
+        ("wheel_odometry", footprint if is_on[WHEELS] else {}, moving, 0.0),
+        ("ekf_filter_node", footprint if is_on[EKF] else {}, moving, 0.3),
+        (str(owner), bolted if isinstance(owner, str) else {}, mounts, 0.0),
+        ("camera_driver", camera if is_on[CAMERA] else {}, mounts, 0.0),
     ]
     return [lambda one=one: EdgeOwner(one[0], name, *one[1:]) for one in sent if one[1] and one[2] in TOPICS]
 

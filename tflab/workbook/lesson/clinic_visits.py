@@ -2,7 +2,6 @@
 
 ```
 admit(patient)            the complaint, the card, twelve minutes
-clinic_panel(patient)     the same with controls
 draw_visit(visit)         how a visit went, step by step; visit_panel(visit) plays it
 second_opinion(7, cause)  what the doctor says of a practice patient, beside one's own diagnosis
 draw_columns("flickers")  the table of a complaint: who would answer what
@@ -20,8 +19,7 @@ from collections.abc import Mapping, Sequence
 from tflab.clinic import practice
 from tflab.clinic.checks import BUDGET_MIN, unknown_name_error
 from tflab.clinic.examples import checks_as_text, findings_as_text, suspects_as_text
-from tflab.clinic.panel import ClinicPanel, columns_for, suspects_table
-from tflab.clinic.panel import clinic_panel as panel_of
+from tflab.clinic.panel import columns_for, suspects_table
 from tflab.clinic.patient import FaultyRobot
 from tflab.clinic.proof import best_check, check_steps, minutes_of, rivals_left, rivals_of
 from tflab.clinic.table import COMPLAINTS, SUSPECTS, expected_kind
@@ -34,23 +32,7 @@ from tflab.views.fault_tables import SuspectsPicture, draw_suspects
 from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 
-from ..paths import read_workbook, workbook_root
-
-__all__ = [
-    "LECTURES_ORDER",
-    "admit",
-    "best_questions",
-    "clinic_panel",
-    "draw_both_ways",
-    "draw_columns",
-    "draw_questions",
-    "draw_visit",
-    "second_opinion",
-    "show_findings",
-    "show_suspects",
-    "show_trolley",
-    "visit_panel",
-]
+from ...text import language_of_workbook
 
 OPINIONS = {
     "en": {"first": "First your own diagnosis: name one of the suspects.", "you": "You", "doctor": "The doctor"},
@@ -70,12 +52,7 @@ LECTURES_ORDER = (
 
 def admit(patient: FaultyRobot, helped: bool = False) -> Visit:
     """Let a patient in, in the language of this copy; where the table helps, it strikes whom a reading does not fit."""
-    return admitted(patient, _language(), helped)
-
-
-def clinic_panel(patient: FaultyRobot, helped: bool = True) -> ClinicPanel:
-    """Return a visit with controls, in the language of this copy."""
-    return panel_of(patient, _language(), helped)
+    return admitted(patient, language_of_workbook(), helped)
 
 
 def draw_visit(seen: Visit) -> Picture:
@@ -85,26 +62,26 @@ def draw_visit(seen: Visit) -> Picture:
 
 def visit_panel(seen: Visit) -> Panel:
     """Return the same step by step, in the language of this copy."""
-    return panels.visit_panel(steps_of(seen), seen.patient.budget_min, _language())
+    return panels.visit_panel(steps_of(seen), seen.patient.budget_min)
 
 
-def second_opinion(number: int, cause: str = "", complaint: str = "") -> None:
+def second_opinion(number: int, cause: str = "") -> None:
     """Print one's own diagnosis of a practice patient and what the doctor says of it; without the first, nothing."""
-    words = OPINIONS[_language()]
+    words = OPINIONS[language_of_workbook()]
     if cause not in SUSPECTS:
         print(words["first"])
         return
-    print(f"{words['you']}: {cause}\n{words['doctor']}: {practice.second_opinion(number, complaint)}")
+    print(f"{words['you']}: {cause}\n{words['doctor']}: {practice.second_opinion(number)}")
 
 
 def show_suspects() -> None:
     """Print each complaint and its suspects, in the language of this copy."""
-    print(suspects_as_text(_language()))
+    print(suspects_as_text(language_of_workbook()))
 
 
 def show_trolley() -> None:
     """Print each check by its short name, what it costs, and what is typed."""
-    print(checks_as_text(_language()))
+    print(checks_as_text(language_of_workbook()))
 
 
 def show_findings(complaint: str = "") -> None:
@@ -113,7 +90,7 @@ def show_findings(complaint: str = "") -> None:
     Raises:
         ValueError: there is no such complaint.
     """
-    print(findings_as_text(complaint, _language()))
+    print(findings_as_text(complaint, language_of_workbook()))
 
 
 def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPicture:
@@ -128,9 +105,9 @@ def draw_columns(complaint: str, asked: Mapping[str, str] = {}) -> SuspectsPictu
     return draw_suspects(suspects_table(suspects, columns_for(suspects)), asked)
 
 
-def draw_questions(cause: str, checks: Sequence[str], whole: bool = False) -> Picture:
+def draw_questions(cause: str, checks: Sequence[str]) -> Picture:
     """Draw what each check would cost, and who would be left after it, were it this cause."""
-    return draw_order(check_steps(cause, checks, whole))
+    return draw_order(check_steps(cause, checks))
 
 
 def best_questions(cause: str) -> list[str]:
@@ -156,7 +133,3 @@ def draw_both_ways() -> Picture:
 def _until_clear(cause: str, checks: Sequence[str]) -> Sequence[str]:
     rows = rivals_left(cause, rivals_of(cause, whole=True), checks)
     return checks[: next((number for number, left in enumerate(rows, start=1) if not left), len(checks))]
-
-
-def _language() -> str:
-    return read_workbook(workbook_root()).language

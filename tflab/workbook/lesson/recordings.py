@@ -37,8 +37,6 @@ from tflab.views.picture import Picture
 
 from .robots import run_node
 
-__all__ = ["PlacedTopic", "doctor", "draw_heard", "fresh_folder", "place_messages", "replay"]
-
 DAY_S = 86400.0
 EDGE = 40.0  # of the time that is drawn, left of the first message: its mark should be whole
 QUIETLY = ("--ros-args", "--log-level", "rosbag2_player:=warn")

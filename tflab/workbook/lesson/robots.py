@@ -45,52 +45,18 @@ from tflab.views.scene import Scene, draw_frame, draw_scan
 
 from .scenes import GRID_CELLS, draw_walls
 
-__all__ = [
-    "ROBOTS",
-    "GapWatcher",
-    "WaitingNode",
-    "ages_of_decisions",
-    "draw_lanes",
-    "draw_rviz",
-    "on_robot_c",
-    "run_node",
-    "show_clock_error",
-    "start_robot",
-    "stop_node",
-    "walls_seen",
-]
-
 BUILT = Transform((0.20, 0.0, 0.15))  # where the laser is bolted on
 DRAWN, WRONG = 'xyz="0.20 0.0 0.15"', 'xyz="-0.20 0.0 0.15"'
 
 
-def _healthy(drive: Drive) -> TeachingRobot:
-    return TeachingRobot(drive)
-
-
-def _mount(drive: Drive) -> TeachingRobot:
-    return TeachingRobot(drive, urdf=teaching_urdf().replace(DRAWN, WRONG), screws={"laser_frame": BUILT})
-
-
-def _header(drive: Drive) -> TeachingRobot:
-    robot = TeachingRobot(drive)
-    robot.laser = replace(robot.laser, frame_id="base_link")
-    return robot
-
-
-ROBOTS: dict[str, Callable[[Drive], TeachingRobot]] = {
-    "healthy": _healthy,
-    "mount": _mount,
-    "header": _header,
-    "clock": _healthy,
-}
+ROBOTS = ("healthy", "mount", "header", "clock")
 
 
 def start_robot(name: str = "healthy", also: Iterable[str] = ()) -> Graph:
     """Start a robot in a new graph, a map server beside it; its clock stands at 1 s.
 
     Args:
-        name: which, by the keys of ROBOTS.
+        name: which of ROBOTS.
         also: further nodes, by the keys of NODES.
 
     Raises:
@@ -99,7 +65,13 @@ def start_robot(name: str = "healthy", also: Iterable[str] = ()) -> Graph:
     if name not in ROBOTS:
         raise ValueError(f"there is no robot {name!r}; there is {', '.join(ROBOTS)}")
     graph = new_graph()
-    launch(graph, ROBOTS[name](Drive(start_ns=graph.now_ns)), only=(*USUAL_NODES, "map_server", *also))
+    drive = Drive(start_ns=graph.now_ns)
+    robot = TeachingRobot(drive)
+    if name == "mount":
+        robot = TeachingRobot(drive, urdf=teaching_urdf().replace(DRAWN, WRONG), screws={"laser_frame": BUILT})
+    if name == "header":
+        robot.laser = replace(robot.laser, frame_id="base_link")
+    launch(graph, robot, only=(*USUAL_NODES, "map_server", *also))
     if name == "clock":
         graph.set_clock_offset("laser_driver", -0.3)
     return graph

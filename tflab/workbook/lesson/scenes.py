@@ -29,18 +29,6 @@ from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_pat
 from tflab.views.scene.drawing import ACCENT
 from tflab.views.style import GREY
 
-__all__ = [
-    "draw_body",
-    "draw_now",
-    "draw_room",
-    "draw_walls",
-    "floor_cloud",
-    "scan_on_map",
-    "show_drive",
-    "show_latency",
-    "wall_cloud",
-]
-
 NOW_AXIS_M = 0.3  # of each frame of a whole robot: its parts stand a hand apart
 GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
 DOT_M = 0.14  # where a ray ends: as wide as a wall is drawn

@@ -25,10 +25,7 @@ from tflab.views.panels import Panel
 from tflab.views.picture import Picture
 from tflab.views.rviz_status import look_through, statuses_as_text
 
-from ...text import Text, load_yaml
-from ..paths import read_workbook, workbook_root
-
-__all__ = ["ASKED", "COMMANDS", "VERDICTS", "draw_toolbox", "say_tools", "tools_panel"]
+from ...text import Text, language_of_workbook, load_yaml
 
 CHAIN = ("odom", "base_footprint", "base_link", "laser_frame")
 NAMES = Text(en="question / tool", ko="질문 / 도구")
@@ -71,10 +68,10 @@ def say_tools(graph: Graph | None = None) -> list[ToolOutput]:
 
 def tools_panel() -> Panel:
     """Return a panel that puts questions to tools on the current robot, in the language of this copy."""
-    language = read_workbook(workbook_root()).language
+    language = language_of_workbook()
     asked = {term: words.say(language) for term, words in ASKED.items()}
     names = tuple(NAMES.say(language).split(" / "))
-    return panels.tools_panel(asked, say_tools(), _verdicts(language), names, language)
+    return panels.tools_panel(asked, say_tools(), _verdicts(language), names)
 
 
 def draw_toolbox() -> Picture:
