@@ -83,11 +83,11 @@ def test_a_field_of_a_message_says_what_it_takes():
 def test_a_mistake_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
     form = Parts({"leap": Number("m"), "step": Number("m")})
     right = {"leap": 1.25, "step": 0.0}
-    twins = {"step leaps": {"leap": 1.25, "step": 1.25}, "far": {"leap": 3.617, "step": 0.0}}
+    by_mistake = {"step leaps": {"leap": 1.25, "step": 1.25}, "far": {"leap": 3.617, "step": 0.0}}
     said = {"step leaps": words("in odom nothing leaps", part="step"), "far": words("too far", part="leap")}
-    verdict = judged(form, right, twins, {"leap": 3.617, "step": 3.617}, said)
+    verdict = judged(form, right, by_mistake, {"leap": 3.617, "step": 3.617}, said)
     assert list(verdict.mistakes) == ["far", "step leaps"] and '"step": in odom nothing leaps' in verdict.said.en
-    assert judged(form, right, twins, {"leap": 4.219, "step": 4.219}, said).mistakes == {}
+    assert judged(form, right, by_mistake, {"leap": 4.219, "step": 4.219}, said).mistakes == {}
 
 
 def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written():
@@ -100,7 +100,7 @@ def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written()
 def test_a_sign_in_one_part_alone_is_told_before_two_mistakes_that_meet_there():
     form = Parts({"x": Number("m"), "y": Number("m")})
     right, wrong = {"x": 1.0, "y": 2.0}, {"x": 1.0, "y": -2.0}
-    twins = {"late": {"x": 3.0, "y": 2.0}, "far": {"x": 5.0, "y": 7.0}, "late + far": wrong}
-    assert judged(form, right, twins, wrong).said.en == '"y": the size is right, the sign is not.'
+    by_mistake = {"late": {"x": 3.0, "y": 2.0}, "far": {"x": 5.0, "y": 7.0}, "late + far": wrong}
+    assert judged(form, right, by_mistake, wrong).said.en == '"y": the size is right, the sign is not.'
     both = {"x": 4.123, "y": -2.345}
-    assert list(judged(form, right, twins | {"late + far": both}, both).mistakes) == ["late", "far"]
+    assert list(judged(form, right, by_mistake | {"late + far": both}, both).mistakes) == ["late", "far"]

@@ -91,8 +91,8 @@ WORDS = Sequence(Choice(("sim", "wall", "off")))
 
 def test_of_mistakes_that_give_some_of_the_words_none_is_named():
     asked = [(["sim", "off", "wall"], ["wall", "off", "off"]), (["sim", "wall"], ["wall", "wall"])]
-    twins = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
-    assert list(judged_function(WORDS, asked, twins).mistakes) == ["wall for sim"]
+    by_mistake = {"never sim": [["wall", "off", "wall"], ["wall", "wall"]]}
+    assert list(judged_function(WORDS, asked, by_mistake).mistakes) == ["wall for sim"]
 
 
 @pytest.mark.parametrize(

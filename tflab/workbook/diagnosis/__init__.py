@@ -1,7 +1,7 @@
 """Judge an answer, and explain a wrong one by the mistakes that would produce it.
 
 verdict          judge outcomes, and say what is wrong, from coarse to fine
-mistake          the kinds of mistakes, and what is said of each
+failure          the ways in which an answer can fail, and what is said of each
 question         an answer to be explained
 explain          the table of explanations
 explanation      what an explanation is, and several merged
