@@ -70,6 +70,9 @@ def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(
     check("E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner), why=True)
     rows = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     assert rows == [["✓", "one mistake of the task: a known mistake of the task gives just these results"]]
+    check("E3.3", {"target": "map", "source": "map"}, why=True)
+    out = capsys.readouterr().out
+    assert "  ✓ parts of a value: " in out and "  · parts that changed places: " in out
 
 
 def test_functions_are_called_on_the_public_inputs(copy, capsys):

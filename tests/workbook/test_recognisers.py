@@ -15,6 +15,7 @@ from tflab.workbook.answers.values import is_raised, to_plain
 from tflab.workbook.diagnosis.explain import TABLE, read_conditions
 from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.matching import RECOGNISERS
+from tflab.workbook.diagnosis.parts import PARTS
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.diagnosis.wrong_types import TYPES
 
@@ -148,7 +149,8 @@ def all_forms(of=Form):
 def test_each_explanation_and_each_mistake_of_a_form_has_its_condition():
     names = {name for form in all_forms() for name in form.mistakes}
     assert names == RECOGNISERS.keys() | TYPES.keys()
-    assert read_conditions().keys() == names | {row.name for row in TABLE}
+    several = {"parts that changed places", "an order", "mistakes in parts"}
+    assert read_conditions().keys() == names | several | {row.name for row in (*TABLE, *PARTS)}
 
 
 OF_TASKS = {

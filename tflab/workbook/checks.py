@@ -227,10 +227,11 @@ def _passed(assigned: AssignedTask) -> str:
 
 
 def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:
-    """Print the rows of the table of explanations that were asked, in order, and when each is true."""
+    """Print the explanations that were asked, in order, of which part, and when each is true."""
     variant, conditions = assigned.variant, read_conditions()
-    for row, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
-        print(f"  {'✓' if is_answer else '·'} {row.name}: {conditions[row.name]}")
+    for part, name, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
+        where = f'"{part}": ' if part else ""
+        print(f"  {'✓' if is_answer else '·'} {where}{name}: {conditions[name]}")
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:

@@ -1,7 +1,7 @@
 """Explain a wrong answer: one ordered table, of which the first row that can explain the answer counts.
 
     explain(question)       Explanation({"swapped": ...}, Text("You swapped ..."))
-    list_asked(question)    [(<a text that was not filled in>, False), ..., (<one mistake of the task>, True)]
+    list_asked(question)    [("", "an obvious generic mistake", False), ..., ("", "two mistakes", True)]
 
 The order is that of certainty: what is seen in the answer itself, one mistake, two mistakes, what the calls
 of a function have in common. A name is given only where the whole of an answer, or of a part, is what that
@@ -10,12 +10,11 @@ mistake gives. The field calls such a table a *bug library* (BUGGY, DEBUGGY), se
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal, NamedTuple
 
 from ...text import Text, Texts, capitalized, load_yaml
-from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
@@ -43,41 +42,12 @@ from .matching import (
 )
 from .options import confused, confused_in_lists, seen_of, word_of
 from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
-from .question import PartialExplanation, Question
+from .question import Explainer, PartialExplanation, Question
 from .wrong_types import explain_other_types
 
-__all__ = ["TABLE", "Explainer", "explain", "list_asked", "read_conditions"]
+__all__ = ["TABLE", "explain", "list_asked", "read_conditions"]
 
 TEXTS = Texts(__file__)
-
-
-class Explainer(NamedTuple):
-    """One way to explain an answer.
-
-    Attributes:
-        name: what is looked for; when it is true stands under this name in `conditions.yaml`.
-        explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
-        of: which answers are asked about.
-        forms: the forms that it applies to; all if empty.
-        is_measured: whether it applies to measured forms alone.
-        is_last: whether no later row is asked where this one's condition holds.
-        condition: when it is asked, beside `of` and `forms`.
-    """
-
-    name: str
-    explain: Callable[[Question], Explanation | PartialExplanation | None]
-    of: Literal["value", "function", "any"] = "any"
-    forms: tuple[type[Form], ...] = ()
-    is_measured: bool = False
-    is_last: bool = False
-    condition: Callable[[Question], bool] | None = None
-
-    def applies(self, question: Question) -> bool:
-        """Return whether this row is asked."""
-        is_of = self.of == "any" or (self.of == "function") is question.task.is_function
-        is_form = isinstance(question.form, self.forms or Form)
-        is_form &= question.form.is_measured or not self.is_measured
-        return is_of and is_form and (self.condition is None or self.condition(question))
 
 
 def explain(question: Question) -> Explanation | None:
@@ -90,13 +60,13 @@ def read_conditions() -> dict[str, str]:
     return load_yaml(Path(__file__).with_name("conditions.yaml").read_text(encoding="utf-8"))
 
 
-def list_asked(question: Question) -> list[tuple[Explainer, bool]]:
-    """Return the rows that were asked about an answer, in order, and whether each explained it."""
-    rows = []
+def list_asked(question: Question) -> list[tuple[str, str, bool]]:
+    """Return the rows that were asked, in order: of which part or "", the row's name, and whether it explained."""
+    rows: list[tuple[str, str, bool]] = []
     for row, found in _answers(question):
-        rows.append((row, found is not None))
+        rows.append(("", row.name, found is not None))
         if found is not None:
-            break
+            return [*rows, *found.asked]
     return rows
 
 
