@@ -20,10 +20,10 @@ from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
 from ..tasks.credit import trivial_pattern
 from .calls import (
+    changes_an_argument,
     explain_changed_arguments,
     explain_raises,
     explain_swallowed_exceptions,
-    return_value,
 )
 from .coding_patterns import find_coding_pattern, find_input
 from .explanation import Explanation, combine_explanations, describe
@@ -103,7 +103,7 @@ def _explain_value_of_parts(question: Question) -> Explanation | None:
 def _explain_one_mistake(question: Question) -> Explanation | None:
     """Name the mistake of the task that gives the answer; before one that is only near to it, two that are exact."""
     near = _single(question, ONE)
-    if near and _is_measured_value(question) and not _single(question, A_HAIR):
+    if near and not question.is_function and question.form.is_measured and not _single(question, A_HAIR):
         pair = next(_pairs(question, A_HAIR), None)
         if pair:
             return _explained_by(question, *pair)
@@ -119,10 +119,6 @@ def _explain_obvious_mistake(question: Question) -> Explanation | None:
 def _explain_input_as_it_came(question: Question) -> Explanation | None:
     name = find_input(question.form, question.outcomes[0], question.expected[0], question.inputs)
     return _explained_by(question, name) if name else None
-
-
-def _explain_two_mistakes(question: Question) -> Explanation | None:
-    return _explained_by_first(question, _pairs(question, TWO))
 
 
 def _explain_mistake_and_generic(question: Question) -> Explanation | None:
@@ -190,21 +186,6 @@ def _explain_names(question: Question) -> Explanation | None:
     return Explanation.of("names", words) if words else None
 
 
-# -- conditions ------------------------------------------------------------------------------
-
-
-def _changes_an_argument(question: Question) -> bool:
-    return any(return_value(outcome) is not outcome for outcome in question.outcomes)
-
-
-def _is_constant_or_input(question: Question) -> bool:
-    return bool(trivial_pattern(question.form, question.cases, question.outcomes))
-
-
-def _is_split(question: Question) -> bool:
-    return bool(question.form.forms_of_parts(question.outcomes[0]))
-
-
 def _is_not_short(question: Question) -> bool:
     """Return whether a number has digits enough for two mistakes to be no chance, and is not the right one rounded."""
     form, outcomes = question.form, list(question.outcomes)
@@ -217,17 +198,21 @@ TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
     Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree)),
     Explainer(
-        "a changed argument", explain_changed_arguments, of="function", condition=_changes_an_argument, is_last=True
+        "a changed argument", explain_changed_arguments, of="function", condition=changes_an_argument, is_last=True
     ),
     Explainer("one mistake of the task", _explain_one_mistake),
     Explainer("an obvious generic mistake", _explain_obvious_mistake),
     Explainer("exchanged parts", explain_exchanged_parts, forms=(Parts,)),
     Explainer("an obvious mistake in one part", explain_obvious_part, forms=(Parts,)),
     Explainer(
-        "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
+        "a constant, or the input",
+        _explain_nothing,
+        of="function",
+        condition=lambda each: bool(trivial_pattern(each.form, each.cases, each.outcomes)),
+        is_last=True,
     ),
     Explainer("an input as it came, or a factor reversed", _explain_input_as_it_came, of="value"),
-    Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
+    Explainer("two mistakes", lambda each: _explained_by_first(each, _pairs(each, TWO)), condition=_is_not_short),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
     Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", is_measured=True),
@@ -236,7 +221,13 @@ TABLE: tuple[Explainer, ...] = (
     ),
     Explainer("calls that raise", explain_raises, of="function"),
     Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function"),
-    Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
+    Explainer(
+        "parts",
+        explain_parts,
+        forms=(Parts, Message, Command, Pose),
+        condition=lambda each: bool(each.form.forms_of_parts(each.outcomes[0])),
+        is_last=True,
+    ),
     Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
     Explainer("a coding pattern", _explain_coding_pattern, of="function"),
     Explainer("members of lists", explain_list_members, forms=(ListForm,)),
@@ -267,10 +258,6 @@ def _is_only_near(question: Question, name: str) -> bool:
         return False
     row = question.single_mistakes.get(name)
     return row is not None and not matches_closely(question.form, question.outcomes, row, A_HAIR)
-
-
-def _is_measured_value(question: Question) -> bool:
-    return not question.task.is_function and question.form.is_measured
 
 
 def _single(question: Question, share: float) -> list[str]:

@@ -103,7 +103,7 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
         failure, detail, found = Failure.VALUE, {}, None
     if found is None:
         return Verdict(sum(right), len(right), failure, {}, case, right, {"certain": None} | detail)
-    case = _to_show(found, case)
+    case = case if found.shows is None else found.shows
     follows = () if task.is_function else _following(form, found, right)
     right = tuple(map(max, right, follows)) if follows else right  # one mistake costs the part that it is made in
     return Verdict(sum(right), len(right), failure, found.mistakes, case, right, detail, found.said, follows)
@@ -114,11 +114,6 @@ def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[b
     if not found.follows or not isinstance(form, Parts):
         return ()
     return tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
-
-
-def _to_show(found: Explanation, smallest: int) -> int:
-    """Return the call in which an explanation is plain to see, or the smallest that goes wrong."""
-    return smallest if found.shows is None else found.shows
 
 
 def _taking_part(form: Parts, outcome: Plain) -> Verdict:
@@ -306,8 +301,7 @@ def _members(form: Form, outcome: Plain) -> list[Plain] | None:
 def _unread(form: Form, outcome: Plain) -> tuple[Failure, dict[str, Any]]:
     """Return why an answer is not of its form."""
     if isinstance(form, Choice) and isinstance(outcome, str) and not form.is_bool:
-        tip = near_an_option(form, outcome)
-        return Failure.OPTION, {"answer": outcome, **({"tip": tip} if tip else {})}
+        return Failure.OPTION, {"answer": outcome, **_tip(near_an_option(form, outcome))}
     if isinstance(form, Urdf) and (fault := form.fault(outcome)):
         return Failure.NO_ROBOT, {"fault": fault}
     frame = member(outcome, "header", "frame_id")
@@ -321,13 +315,13 @@ def _unread(form: Form, outcome: Plain) -> tuple[Failure, dict[str, Any]]:
         and not isinstance(form, Number | Angle | Choice | Message)
         and _holds_numbers(body)
     ):
-        return Failure.SHAPE, _tip_of(form, outcome)
+        return Failure.SHAPE, _tip(describe_type(form, outcome))
     return Failure.TYPE, _meant(form, outcome)
 
 
 def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     """Return the tip for what has the wrong kind in a way that is plain to see."""
-    if tip := _tip_of(form, outcome):
+    if tip := _tip(describe_type(form, outcome)):
         return tip
     body = inside(outcome)
     if isinstance(body, list) and (other := next((held for held in body if not is_number(held)), None)) is not None:
@@ -339,15 +333,14 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": TEXTS["nested"]} if is_nested else {})}
 
 
-def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
-    said = describe_type(form, outcome)
-    return {} if said is None else {"tip": said}
+def _tip(said: Text | None) -> dict[str, Any]:
+    return {"tip": said} if said else {}
 
 
 def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Failure, dict[str, Any]] | None:
     answers = inside(outcome)
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
-        return Failure.TYPE, _describe_one_part(form, outcome)
+        return Failure.TYPE, _tip(single_part_given(form, outcome))
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     more = [name for name in answers if name not in form.parts]
     if missing:
@@ -360,11 +353,6 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Failure, dict[str, An
             detail = _with_tip(form, name, answers, fault)
             return fault[0], {"got": kind_of(answers[name]), **detail, "part": name}
     return None
-
-
-def _describe_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
-    tip = single_part_given(form, outcome)
-    return {"tip": tip} if tip else {}
 
 
 def _with_tip(
