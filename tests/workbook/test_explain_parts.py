@@ -119,29 +119,6 @@ def test_of_many_causes_the_first_are_told_and_the_rest_comes_later():
     assert reply(5).en.endswith('"e": Cause e.')
 
 
-FIVE = ("names", "tree", "mount", "rates", "header")
-PLACED = Parts({place: Choice(FIVE) for place in ("first", "second", "third", "fourth", "fifth")})
-
-
-def in_order(*cards):
-    return dict(zip(PLACED.parts, cards, strict=True))
-
-
-@pytest.mark.parametrize(
-    ("cards", "said"),
-    [
-        (("names", "header", "tree", "mount", "rates"), 'only "header" is in the wrong place. It comes later.'),
-        (("names", "mount", "rates", "tree", "header"), 'only "tree" is in the wrong place. It comes earlier.'),
-        (("tree", "names", "mount", "rates", "header"), None),  # two neighbours: either may be the one
-        (("header", "names", "tree", "tree", "rates"), None),
-    ],
-)
-def test_a_single_word_out_of_its_place_is_told_as_one_and_others_are_not(cards, said):
-    verdict = judged(PLACED, in_order(*FIVE), {}, in_order(*cards))
-    assert (list(verdict.mistakes) == ["one out of place"]) is (said is not None)
-    assert said is None or said in verdict.said.en
-
-
 def test_a_text_is_no_switch():
     verdict = judged(Parts({"a": Choice(("True", "False"))}), {"a": True}, {}, {"a": "True"})
     assert verdict.failure is Failure.TYPE
@@ -180,15 +157,6 @@ def test_a_number_that_two_mistakes_give_to_a_hair_is_not_called_by_one_that_it_
     assert list(near.mistakes) == ["mean"]
     assert near.said.en.startswith("Apart from rounding, this is the result of the following. ")
     assert judged(Number("s"), 0.223, {"mean": 0.1445}, 0.1445).said.en == "mean"
-
-
-@pytest.mark.parametrize(
-    ("names", "is_order"), [(("first", "second", "third", "fourth", "fifth"), True), ("abcde", False)]
-)
-def test_only_words_in_an_order_are_out_of_their_place(names, is_order):
-    form = Parts({name: Choice(FIVE) for name in names})
-    right, turned = (dict(zip(names, row, strict=True)) for row in (FIVE, FIVE[::-1]))
-    assert ("order reversed" in judged(form, right, {}, turned).mistakes) is is_order
 
 
 def test_exceptions_that_go_through_where_words_are_asked_for_are_named():

@@ -19,19 +19,6 @@ CARDS = ("names", "tree", "mount", "rates", "wait")
 IN_ORDER = Parts({place: Choice(CARDS) for place in PLACES})
 
 
-def placed(*cards):
-    return dict(zip(PLACES, cards, strict=True))
-
-
-@pytest.mark.parametrize(
-    ("given", "name"),
-    [(("rates", "mount", "tree", "names"), "order reversed"), (("tree", "names", "rates", "mount"), None)],
-)
-def test_a_whole_order_is_recognised_and_another_one_is_not(given, name):
-    verdict = judged(IN_ORDER, placed(*CARDS[:4]), {}, placed(*given))
-    assert next(iter(verdict.mistakes), None) == name
-
-
 def test_parts_keep_the_order_of_the_work_in_a_file():
     assert list(form_from_plain(IN_ORDER.plain()).parts) == list(PLACES)
     assert "order" not in Parts({"a": Number(), "b": Number()}).plain()

@@ -119,7 +119,7 @@ class Vector(NumberForm):
     tolerance: float = 1e-3
     mistakes: ClassVar = (
         *("joined", "a_text", "its_translation", "unit", "all signs", "exchanged", "one sign", "places and signs"),
-        *("twice", "half", "power of ten", "zeros", "place", "rounded"),
+        *("twice", "half", "power of ten", "zeros", "rounded"),
     )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
@@ -153,7 +153,7 @@ class Quaternion(NumberForm):
     mistakes: ClassVar = (
         *("joined", "one_inside", "a_matrix", "rows", "without_zeros", "angles", "its_rotation"),
         *("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "half angle", "one sign"),
-        *("exchanged", "w left at 1", "place", "angles for a quaternion", "rounded"),
+        *("exchanged", "w left at 1", "angles for a quaternion", "rounded"),
     )
 
     def probes(self, plain: Plain) -> list[Probe] | None:

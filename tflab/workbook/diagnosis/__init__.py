@@ -8,7 +8,7 @@ explanation      what an explanation is, and several merged
 parts            the parts of an answer, each by itself
 part_mistakes    mistakes of a task that explain some parts
 calls            what a function does in some of its calls
-options          options that are confused, and their order
+options          options that are confused
 coding_patterns  results of common coding patterns
 links            the links of a robot
 wrong_types      answers of another type (`conditions.yaml`: when each explanation is true)

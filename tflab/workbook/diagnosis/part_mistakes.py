@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Sequence
-from itertools import combinations
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from ...text import Text, Texts
-from ..answers.form import Form, numbers_of
-from ..answers.forms import Angle, Message, Number, Parts
+from ..answers.form import Form
+from ..answers.forms import Message, Parts
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Feedback, TaskCases
 from .explanation import PartFound, describe, without_overlaps
@@ -26,7 +24,7 @@ from .matching import (
 )
 from .question import Question
 
-__all__ = ["AnswerPart", "Table", "consequence_of", "followers", "is_something", "mistakes_in_parts", "only_follows"]
+__all__ = ["AnswerPart", "Table", "consequence_of", "is_something", "mistakes_in_parts"]
 
 TEXTS = Texts(__file__)
 
@@ -235,18 +233,6 @@ def is_something(form: Form, value: Plain) -> bool:
     return row is None or any(row)
 
 
-CLOSE = 1e-7  # as a share
-JOINED: tuple[Callable[[float, float], float], ...] = (
-    math.hypot,
-    lambda a, b: a + b,
-    lambda a, b: a - b,
-    lambda a, b: b - a,
-    lambda a, b: a * b,
-    lambda a, b: a / b,
-    lambda a, b: b / a,
-)
-
-
 def consequence_of(part: AnswerPart, made_in: str, row: Sequence[Plain]) -> PartFound | None:
     """Return what a part is beside a mistake that another part shows; None if it is none of it.
 
@@ -257,38 +243,11 @@ def consequence_of(part: AnswerPart, made_in: str, row: Sequence[Plain]) -> Part
     if any(value is None for value in row):
         return None
     if matches_closely(part.form, part.outcomes, row):
-        return only_follows(part.name, made_in)
+        return _only_follows(part.name, made_in)
     fix = next(matching_corrections(part.form, part.outcomes, row, only_plain_to_see=True), None)
     return part.explained_by(fix) if fix else None
 
 
-def only_follows(name: str, made_in: str) -> PartFound:
+def _only_follows(name: str, made_in: str) -> PartFound:
     """Return that a part is wrong only because of another; a cause comes first."""
     return PartFound.of(f"{name} follows", TEXTS["only_follows"].filled(part=made_in), name)._replace(is_of_words=True)
-
-
-def followers(table: Table, wrong: set[str]) -> dict[str, str]:
-    """Return the wrong parts of a value that come of two before them as they have to, and which of those is wrong."""
-    if len(table.question.outcomes) > 1:
-        return {}
-    names = [name for name, form in table.forms.items() if isinstance(form, Number | Angle)]
-    found: dict[str, str] = {}
-    for *before, made in combinations(names, 3):
-        first = next((name for name in before if name in wrong - found.keys()), None)
-        if first and made in wrong and _is_made_alike(table, (*before, made)):
-            found[made] = first
-    return found
-
-
-def _is_made_alike(table: Table, names: Sequence[str]) -> bool:
-    """Return whether the third of these parts comes of the first two in the answer as it does in what is right."""
-    rows = [[numbers_of(held[name][0], None) for name in names] for held in (table.given, table.wanted)]
-    return any(all(_comes_of(row, of) for row in rows) for of in JOINED)
-
-
-def _comes_of(row: Sequence[tuple[float, ...] | None], of: Callable[[float, float], float]) -> bool:
-    """Return whether the third number is made of the first two in this way; not where one is zero, or no number."""
-    if not all(numbers and numbers[0] for numbers in row):
-        return False
-    one, other, made = (numbers[0] for numbers in row if numbers)
-    return abs(of(one, other) - made) <= CLOSE * abs(made)

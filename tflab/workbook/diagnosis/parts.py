@@ -24,8 +24,8 @@ from ..tasks.case_types import Case
 from .coding_patterns import constant_of, find_coding_pattern, find_input
 from .explanation import Explanation, PartFound, merge_found, without_overlaps
 from .matching import alike, all_alike, feedback_of, in_some, matches_closely, matching_corrections
-from .options import confused, explain_orders, seen_of, word_of
-from .part_mistakes import AnswerPart, Table, consequence_of, followers, is_something, mistakes_in_parts, only_follows
+from .options import confused, seen_of, word_of
+from .part_mistakes import AnswerPart, Table, consequence_of, is_something, mistakes_in_parts
 from .precision import stamp_of, time_of
 from .question import Explainer, Question
 from .wrong_types import describe_types
@@ -63,8 +63,7 @@ def _beside_stops(stopped: Question, going: Question) -> Explanation | None:
 def _explain_table(table: Table) -> Explanation | None:
     """Return the same where each case asks for a value, and each outcome can be read."""
     wrong = table.wrong
-    several, follow = _explain_several_and_what_follows(table, wrong)
-    wrong -= follow.keys()
+    several = _explain_several(table, wrong)
     found = without_overlaps(list(chain(*several.values())), wrong)
     asked = [("", name, any(cause in found for cause in causes)) for name, causes in several.items()]
     left = [name for name in table.forms if name in wrong.difference(*(cause.parts for cause in found))]
@@ -75,7 +74,6 @@ def _explain_table(table: Table) -> Explanation | None:
             found += [cause] if cause else []
     if not found:
         return None
-    found += [only_follows(*pair) for pair in follow.items()]
     explained = set().union(*(cause.parts for cause in found))
     certain = {name: _certain(table, name) for name in left if name not in explained}
     return merge_found(found, certain, list(table.forms))._replace(asked=tuple(asked))
@@ -93,27 +91,11 @@ def _answers(part: AnswerPart) -> Iterator[tuple[str, PartFound | None]]:
 # -- several parts together ----------------------------------------------------------------
 
 
-def _explain_several_and_what_follows(table: Table, wrong: set[str]) -> tuple[dict[str, list[PartFound]], dict]:
-    """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
-    several = _explain_several(table, wrong)
-    is_of_all = any(wrong <= cause.parts for causes in several.values() for cause in causes)
-    follow = {} if is_of_all else followers(table, wrong)
-    return _explain_several(table, wrong - follow.keys()) if follow else several, follow
-
-
 def _explain_several(table: Table, wrong: set[str]) -> dict[str, list[PartFound]]:
-    """Return what explains parts together: two that changed places, an order, mistakes; first one mistake for all."""
+    """Return what explains parts together: two that changed places, and mistakes."""
     mistakes = mistakes_in_parts(table, wrong)
-    found = {
-        "parts that changed places": [
-            pair for pair in _changed_places(table, wrong) if not any(pair.parts <= each.parts for each in mistakes)
-        ],
-        "an order": explain_orders(table.forms, table.given, table.wanted, table.task.means),
-        "mistakes in parts": mistakes,
-    }
-    is_one_mistake = any(wrong <= mistake.parts for mistake in mistakes)
-    order = ("parts that changed places", "mistakes in parts", "an order") if is_one_mistake else tuple(found)
-    return {name: found[name] for name in order}
+    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= each.parts for each in mistakes)]
+    return {"parts that changed places": pairs, "mistakes in parts": mistakes}
 
 
 def _changed_places(table: Table, wrong: set[str]) -> Iterator[PartFound]:
