@@ -6,16 +6,22 @@ import pytest
 
 from tflab.core import Transform
 from tflab.workbook.answers.forms import Command, Name, Number, Parts, Pose, Tree, Vector
-from tflab.workbook.answers.values import raised
+from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.diagnosis.python_errors import python_error_hint
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 
 from .small_chapter import bare
 from .test_explain import judged, words
-from .test_explain_together import called
 
 POSES = [Transform.from_rpy(0.1 * n, 0.2, 0.3 + n, translation=(1.0 + n, 2.3 - n, 0.4)) for n in range(1, 6)]
+
+
+def called(form, rows):
+    """Return the verdict on a function, where `rows` are (arguments, expected, outcome)."""
+    cases = [Case(to_plain(list(args)), to_plain(want), {}) for args, want, _ in rows]
+    task, variant = bare(form, *cases, is_function=True)
+    return judge_outcomes(task, variant, [to_plain(outcome) for *_, outcome in rows])
 
 
 def test_step_and_turn_of_a_pose_are_looked_at_each_by_itself():

@@ -1,4 +1,4 @@
-"""How `check` explains an answer by all its parts and all its calls together: orders and habits."""
+"""How `check` explains an answer by all its parts and all its calls together."""
 
 from __future__ import annotations
 
@@ -51,23 +51,6 @@ def test_which_word_is_said_for_which_comes_after_a_cause():
     asked = [({"a": "in", "b": 1.0}, {"a": "out", "b": -1.0}), ({"a": "in", "b": 2.0}, {"a": "out", "b": -2.0}),
              ({"a": "out", "b": 3.0}, {"a": "out", "b": -3.0})]  # fmt: skip
     assert list(judged_function(form, asked).mistakes) == ["sign", "a: out for in"]
-
-
-# -- habits ------------------------------------------------------------------------------------
-
-
-def called(form, rows):
-    """Return the verdict on a function, where `rows` are (arguments, expected, outcome)."""
-    cases = [Case(to_plain(list(args)), to_plain(want), {}) for args, want, _ in rows]
-    task, variant = bare(form, *cases, is_function=True)
-    return judge_outcomes(task, variant, [to_plain(outcome) for *_, outcome in rows])
-
-
-def test_a_loop_that_removes_from_its_own_list_is_recognised_and_a_member_too_many_is_not():
-    rows = [([[1, 2, 8, 9]], [8, 9], [2, 8, 9]), ([[3, 7]], [7], [7])]
-    assert list(called(Sequence(Number()), rows).mistakes) == ["removed in the loop"]
-    rows = [([[1, 2, 8, 9]], [8, 9], [1, 8, 9]), ([[3, 7]], [7], [7])]
-    assert list(called(Sequence(Number()), rows).mistakes) == ["members too many"]
 
 
 # -- words, each on its own --------------------------------------------------------------------

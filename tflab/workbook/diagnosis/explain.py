@@ -25,7 +25,7 @@ from .calls import (
     explain_raises,
     explain_swallowed_exceptions,
 )
-from .coding_patterns import find_coding_pattern, find_input
+from .coding_patterns import find_input
 from .explanation import Explanation, combine_explanations, describe
 from .generic import TOLD, describe_names
 from .links import explain_links
@@ -133,8 +133,6 @@ def _explain_mistake_and_generic(question: Question) -> Explanation | None:
 
 def _explain_generic_mistake(question: Question) -> Explanation | None:
     names = next(((name,) for name in matching_corrections(question.form, question.outcomes, question.expected)), None)
-    if names and [name.partition(TOLD)[0] for name in names] == ["members too many"] and question.task.is_function:
-        return _explain_coding_pattern(question) or _explained_by(question, *names)
     return _explained_by(question, *names) if names else None
 
 
@@ -158,12 +156,6 @@ def _explain_generic_mistake_in_some_calls(question: Question) -> Explanation | 
 
 def _explain_nothing(question: Question) -> None:
     """Leave a constant, or what came in, to the verdict: that says it all."""
-
-
-def _explain_coding_pattern(question: Question) -> Explanation | None:
-    args = [case.args or [] for case in question.cases]
-    found = find_coding_pattern(question.form, args, question.outcomes, question.expected)
-    return Explanation.of(*found) if found else None
 
 
 def _explain_confused_options(question: Question) -> Explanation | None:
@@ -229,7 +221,6 @@ TABLE: tuple[Explainer, ...] = (
         is_last=True,
     ),
     Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
-    Explainer("a coding pattern", _explain_coding_pattern, of="function"),
     Explainer("members of lists", explain_list_members, forms=(ListForm,)),
     Explainer("confused options", _explain_confused_options, of="function", forms=(Choice, ListForm)),
     Explainer("names", _explain_names, of="function"),

@@ -21,12 +21,11 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import is_raised
 from ..tasks.case_types import Case
-from .coding_patterns import constant_of, find_coding_pattern, find_input
+from .coding_patterns import constant_of, find_input
 from .explanation import Explanation, PartFound, merge_found, without_overlaps
 from .matching import alike, all_alike, feedback_of, in_some, matches_closely, matching_corrections
 from .options import confused, seen_of, word_of
 from .part_mistakes import AnswerPart, Table, consequence_of, is_something, mistakes_in_parts
-from .precision import stamp_of, time_of
 from .question import Explainer, Question
 from .wrong_types import describe_types
 
@@ -182,12 +181,6 @@ def _remarked(part: AnswerPart) -> PartFound | None:
     return part.explained(f"{part.name}: no proof", words) if words else None
 
 
-def _explain_pattern(part: AnswerPart) -> PartFound | None:
-    args = [case.args or [] for case in part.table.question.cases]
-    found = find_coding_pattern(part.form, args, part.outcomes, part.expected)
-    return part.explained(f"{part.name}: {found[0]}", found[1]) if found else None
-
-
 def _explain_constant(part: AnswerPart) -> PartFound | None:
     found = constant_of(part.form, part.outcomes, part.expected)
     return part.explained(f"{part.name}: {found[0]}", found[1]) if found else None
@@ -248,20 +241,6 @@ def _as_another_is(part: AnswerPart) -> PartFound | None:
     return None
 
 
-def _as_it_came(part: AnswerPart) -> PartFound | None:
-    """Return whether a part of what a function gives is that part of an argument, in every case."""
-    cases = part.table.question.cases
-    for place in range(len(cases[0].args or ())):
-        args = [case.args[place] for case in cases]
-        came = part.table.part_of(args, part.name)
-        if all(value is not None for value in came) and all_alike(part.form, part.outcomes, came):
-            return part.explained(f"{part.name} as it came", TEXTS["as_it_came"])
-        times = [time_of(arg) for arg in args]
-        if None not in times and times == [stamp_of(value) for value in part.outcomes]:
-            return part.explained(f"{part.name}: a time", TEXTS["time_of"].filled(number=place + 1))
-    return None
-
-
 def _after_a_mistake(part: AnswerPart) -> PartFound | None:
     """Return what a part is beside the mistakes of the task that were found in others."""
     table, known = part.table, {name for cause in part.found for name in cause.parts} - {part.name}
@@ -291,7 +270,6 @@ PARTS: tuple[Explainer, ...] = (  # of one part; the names of the table in `expl
     Explainer("the meaning of an option", _explain_option, of="value", forms=(Choice,)),
     Explainer("an answer of another type", _explain_kinds),
     Explainer("a remark of the form", _remarked),
-    Explainer("a coding pattern", _explain_pattern, of="function"),
     Explainer("a part that is always the same", _explain_constant, of="function"),
     Explainer("a generic mistake", _explain_generic_mistake),
     Explainer("the answer of another part", _explain_anothers),
@@ -299,7 +277,6 @@ PARTS: tuple[Explainer, ...] = (  # of one part; the names of the table in `expl
     Explainer("an input as it came, or a factor reversed", _explain_the_given, of="value"),
     Explainer("another part's answer, written here", _as_another_is, of="value", is_measured=True),
     Explainer("the meaning of a word", _explain_word, of="value"),
-    Explainer("an argument as it came", _as_it_came),
     Explainer("a consequence of a mistake", _after_a_mistake, is_measured=True),
     Explainer("a mistake and a generic one", _mistake_and_then, is_measured=True),
 )

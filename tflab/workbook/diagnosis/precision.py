@@ -17,7 +17,7 @@ from ..answers.values import Plain, is_raised
 from . import command_lines, trees
 from .generic import TOLD, Recogniser, holds_angles
 
-__all__ = ["LISTS", "LOST", "TEXTS", "describe_loss", "stamp_of", "time_of"]
+__all__ = ["LISTS", "LOST", "TEXTS", "describe_loss"]
 
 TEXTS = Texts(__file__)
 
@@ -243,7 +243,7 @@ def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> 
 
 
 def _compare_stamps(_form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
-    rows = [(stamp_of(answer), stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
+    rows = [(_stamp_of(answer), _stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in row for row in rows):
         return
     if all(want == (0, 0) for _, want in rows):
@@ -256,16 +256,10 @@ def _compare_stamps(_form: Form, answers: list[Plain], wanted: list[Plain]) -> I
         yield "stamp: nanoseconds alone"
 
 
-def stamp_of(plain: Plain) -> tuple[int, int] | None:
+def _stamp_of(plain: Plain) -> tuple[int, int] | None:
     """Return the seconds and nanoseconds of a stamp, None if this is none."""
     sec, nanosec = member(plain, "sec"), member(plain, "nanosec")
     return (sec, nanosec) if isinstance(sec, int) and isinstance(nanosec, int) else None
-
-
-def time_of(plain: Plain) -> tuple[int, int] | None:
-    """Return the seconds and nanoseconds of a Time, None if this is none."""
-    held = plain.get("Time") if isinstance(plain, dict) else None
-    return divmod(held[0], 10**9) if held else None
 
 
 def _empty(_form: Form, answers: list[Plain], _wanted: list[Plain]) -> Iterator[str]:

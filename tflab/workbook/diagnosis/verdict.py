@@ -28,7 +28,6 @@ from .explain import explain
 from .explanation import Explanation
 from .failure import Failure
 from .matching import ANY_BUG
-from .options import word_never_returned
 from .python_errors import python_error_hint
 from .question import Question
 from .wrong_types import (
@@ -155,7 +154,7 @@ def _failure(
 ) -> tuple[Failure, dict[str, Any], Explanation | None]:
     """Return what is wrong, the details, and how it came about if that is known; coarse to fine."""
     cases = variant.cases
-    form, outcome, expected = task.form, outcomes[case], cases[case].expected
+    form, outcome = task.form, outcomes[case]
     if all(map(is_unanswered, outcomes)):
         return Failure.UNANSWERED, {}, None
     missing = _missing(task, outcomes, outcome)
@@ -167,7 +166,7 @@ def _failure(
         return Failure.UNIT, _unit(form, next(iter(found.mistakes)), rights[case]), found
     if found is not None:
         return Failure.KNOWN, {}, found
-    return *_unexplained(task, cases, outcomes, rights, case, outcome, expected), None
+    return *_unexplained(task, cases, outcomes, rights, case), None
 
 
 def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tuple[Failure, dict[str, Any]] | None:
@@ -183,18 +182,12 @@ def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tupl
 
 
 def _unexplained(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    rights: Sequence[list[bool]],
-    case: int,
-    outcome: Plain,
-    expected: Plain,
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
 ) -> tuple[Failure, dict[str, Any]]:
     """Return what can be said of an answer that no mistake gives."""
-    form = task.form
-    if (ending := _ending(task, outcomes, outcome, expected)) is not None:
-        return (ending[0], _describe_nothing(form, cases, outcomes, rights)) if outcome is None else ending
+    form, outcome = task.form, outcomes[case]
+    if (ending := _ending(task, outcomes, outcome, cases[case].expected)) is not None:
+        return ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
@@ -220,17 +213,6 @@ def _bounds(
 
 def _difference(form: Form, outcome: Plain, expected: Plain) -> Text | None:
     return None if is_raised(outcome) or is_raised(expected) else form.describe_difference(outcome, expected)
-
-
-def _describe_nothing(
-    form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
-) -> dict[str, Any]:
-    """Return for which option a function gives nothing, if all other calls are right."""
-    if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
-        return {}
-    if isinstance(form, Choice) and (said := word_never_returned(form, outcomes, [case.expected for case in cases])):
-        return {"certain": said}
-    return {}
 
 
 def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:
