@@ -54,12 +54,6 @@ def test_a_whole_list_is_called_by_its_name_and_one_reply_is_given_once():
     ("line", "name"),
     [
         (ASKED.replace("frame-id", "frame_id"), "static: underscores"),
-        (ASKED.replace("--child-frame-id", "--child"), "static: no such option"),
-        (ASKED.replace("--frame-id base_link ", ""), "static: a frame missing"),
-        (ASKED.replace("0.2 --y", "0.2 0.1 --y"), "static: a word without option"),
-        (f"{MOUNT} 0.2 -0.1 0.3 base_link laser", "static: not eight words"),
-        (f"{MOUNT} 0.2 -0.1 0.3 0.5 0 0 base_link laser 100", "static: a period"),
-        (ASKED.replace("publisher", "broadcaster"), "line: other program"),
         (ASKED.replace("0.5", "-0.5"), "inverse rotation"),
     ],
 )

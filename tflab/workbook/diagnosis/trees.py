@@ -15,7 +15,7 @@ TEXTS = Texts(__file__)
 
 Parents = dict[str, str]  # child -> parent
 MOST_NAMED = 4  # frames
-NOT_ASKED = ("tree: more than asked for", "tree: no such parent")
+NOT_ASKED = ("tree: more than asked for", "tree: other names", "tree: no such parent")
 TOLD = {"tree: not whole": "orphans"} | dict.fromkeys(NOT_ASKED, "not_asked")
 
 
@@ -83,13 +83,24 @@ def _hang(given: Parents, want: Parents, is_so: Callable[[str, str], bool]) -> b
     return set(given) == set(want) and all(is_so(child, parent) for child, parent in wrong)
 
 
+def _shape(tree: Parents) -> str:
+    """Return how a tree branches, without any names; none for what is no tree."""
+    roots = sorted(_names(tree) - set(tree))
+
+    def below(frame: str) -> str:
+        return "(" + "".join(sorted(below(child) for child, parent in tree.items() if parent == frame)) + ")"
+
+    is_tree = all(_above(tree, child)[-1] in roots for child in tree)
+    return "".join(sorted(map(below, roots))) if is_tree else ""
+
+
 def _shown_in(kind: str, given: Parents, want: Parents) -> list[str]:
     """Return the frames of an answer in which a fault shows: those without a parent, those nobody asked for, or those
     that hang wrong.
     """
     if kind == "tree: not whole":
         return sorted(frame for frame in _names(given) & set(want) if frame not in given)
-    if kind == "tree: no such parent":
+    if kind in ("tree: other names", "tree: no such parent"):
         return sorted(_names(given) - _names(want))
     return sorted(child for child, parent in given.items() if want.get(child) != parent)
 
@@ -101,5 +112,6 @@ FITS: dict[str, Callable[[Parents, Parents], bool]] = {
     "tree: too low": lambda given, want: _hang(
         given, want, lambda child, parent: want[child] in _above(want, parent) and child not in _above(want, parent)
     ),
+    "tree: other names": lambda given, want: _names(given) != _names(want) and _shape(given) == _shape(want) != "",
     "tree: no such parent": lambda given, want: _hang(given, want, lambda _, parent: parent not in _names(want)),
 }
