@@ -100,7 +100,6 @@ def test_two_beliefs_each_held_in_some_parts_are_both_named():
 
 RIGHT = {"a": 1.0, "b": 2.0, "c": 3.0}
 LATE = RIGHT | {"a": 5.0, "b": 6.0}
-ANOTHER_A = '"b": this would follow from a different answer for "a": late'
 
 
 @pytest.mark.parametrize(
@@ -111,7 +110,6 @@ ANOTHER_A = '"b": this would follow from a different answer for "a": late'
         (LATE, {"part": "a"}, RIGHT | {"a": 5.0}, ["late"], '"a": late', 2),
         (LATE, {}, RIGHT | {"a": 5.0}, [], "", 2),  # only a part of it shows
         (LATE, {"partly": True}, RIGHT | {"a": 5.0}, ["late"], "late", 2),
-        (LATE, {"part": "a"}, RIGHT | {"b": 6.0}, ["late"], ANOTHER_A, 2),
         (LATE, {}, RIGHT | {"b": 6.0}, [], "", 2),
         (LATE | {"b": 0.0}, {"part": "a"}, RIGHT | {"b": 0.0}, ["zero"], "", 2),
     ],
@@ -242,16 +240,9 @@ def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
     assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).mistakes == {}
 
 
-def test_two_parts_that_changed_places_are_told_so_before_two_mistakes():
+def test_two_parts_that_changed_places_are_told_so():
     verdict = judged(PARTS, {"a": 1.0, "b": 2.5, "c": 3.0}, {}, {"a": 2.5, "b": 1.0, "c": 3.0})
     assert list(verdict.mistakes) == ["a and b changed places"]
-    right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
-    wrong = [row | {"a": row["b"], "b": row["a"]} for row in right]
-    by_mistake = {name: [row | {part: 9.0} for row in right] for name, part in (("one", "a"), ("other", "b"))}
-    asked = list(zip(right, wrong, strict=True))
-    assert list(judged_function(PARTS, asked, by_mistake | {"one + other": wrong}).mistakes) == [
-        "a and b changed places"
-    ]
 
 
 def test_what_was_given_is_named_where_it_comes_back():

@@ -86,16 +86,6 @@ def test_a_field_of_a_message_says_what_it_takes():
         assert tip in python_error_hint("AssertionError", text).en
 
 
-def test_a_mistake_that_copies_another_parts_answer_is_named_where_that_answer_is_wrong_by_another():
-    form = Parts({"leap": Number("m"), "step": Number("m")})
-    right = {"leap": 1.25, "step": 0.0}
-    by_mistake = {"step leaps": {"leap": 1.25, "step": 1.25}, "far": {"leap": 3.617, "step": 0.0}}
-    said = {"step leaps": words("in odom nothing leaps", part="step"), "far": words("too far", part="leap")}
-    verdict = judged(form, right, by_mistake, {"leap": 3.617, "step": 3.617}, said)
-    assert list(verdict.mistakes) == ["far", "step leaps"] and '"step": in odom nothing leaps' in verdict.said.en
-    assert judged(form, right, by_mistake, {"leap": 4.219, "step": 4.219}, said).mistakes == {}
-
-
 def test_none_for_a_word_and_dicts_inside_a_tree_are_told_how_they_are_written():
     verdict = judged(Parts({"a": Name(), "b": Name()}), {"a": "x", "b": "y"}, {}, {"a": None, "b": "y"})
     assert "in quotes" in verdict.detail["tip"].en

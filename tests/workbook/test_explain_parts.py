@@ -32,7 +32,6 @@ IN = {"zeros lost": Feedback(Text("Zeros.", "0입니다."), "", part="stamp_s")}
         ),
         (READ | {"stamp_s": 38.2, "turn": 0.3137}, '"turn": this is wrong only because "stamp_s" is wrong.'),
         (DECIMALS | {"turn": 0.41}, '"turn": not right yet'),
-        (READ | {"turn": 0.3137}, "Zeros."),
     ],
 )
 def test_a_part_that_follows_from_a_mistake_is_told_so_and_a_second_mistake_on_it_is_named(answer, said):

@@ -41,7 +41,7 @@ from .matching import (
     matching_corrections,
 )
 from .options import confused, confused_in_lists, seen_of, word_of
-from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
+from .parts import explain_list_members, explain_obvious_part, explain_parts
 from .question import Explainer, PartialExplanation, Question
 from .wrong_types import explain_other_types
 
@@ -194,7 +194,6 @@ TABLE: tuple[Explainer, ...] = (
     ),
     Explainer("one mistake of the task", _explain_one_mistake),
     Explainer("an obvious generic mistake", _explain_obvious_mistake),
-    Explainer("exchanged parts", explain_exchanged_parts, forms=(Parts,)),
     Explainer("an obvious mistake in one part", explain_obvious_part, forms=(Parts,)),
     Explainer(
         "a constant, or the input",

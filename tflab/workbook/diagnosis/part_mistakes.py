@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ...text import Text, Texts
 from ..answers.form import Form
-from ..answers.forms import Message, Parts
+from ..answers.forms import Message
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND, Feedback, TaskCases
 from .explanation import PartFound, describe, without_overlaps
@@ -54,9 +54,9 @@ class Table(NamedTuple):
         """The parts that are wrong in some case."""
         return {name for name, form in self.forms.items() if not all_alike(form, self.given[name], self.wanted[name])}
 
-    def part(self, name: str, known: set[str], found: Sequence[PartFound] = ()) -> AnswerPart:
+    def part(self, name: str, found: Sequence[PartFound] = ()) -> AnswerPart:
         """Return one wrong part, after what was found before it."""
-        return AnswerPart(self, name, self.forms[name], self.given[name], self.wanted[name], known, found)
+        return AnswerPart(self, name, self.forms[name], self.given[name], self.wanted[name], found)
 
     def part_of(self, answers: Sequence[Plain], name: str) -> list[Plain]:
         """Return one part of what a mistake gives, case by case."""
@@ -69,7 +69,6 @@ class AnswerPart(NamedTuple):
     Attributes:
         table: all parts.
         name: of this one; then its form, what came out of each case, and what is right.
-        known: the wrong parts that are explained together with others.
         found: what was found in the parts before this one.
     """
 
@@ -78,7 +77,6 @@ class AnswerPart(NamedTuple):
     form: Form
     outcomes: list[Plain]
     expected: list[Plain]
-    known: set[str]
     found: Sequence[PartFound]
 
     @property
@@ -116,7 +114,8 @@ def _without_others(cause: PartFound, found: Sequence[PartFound]) -> PartFound:
 
 
 def _in_order(found: list[PartFound]) -> list[PartFound]:
-    return sorted(_held_together(found), key=lambda cause: (-len(cause.parts), len(cause.mistakes), not cause.is_whole))
+    kept = [cause for cause in found if len(cause.mistakes) == 1 or not _falls_apart(cause, found)]
+    return sorted(kept, key=lambda cause: (-len(cause.parts), len(cause.mistakes), not cause.is_whole))
 
 
 def _is_explained(found: list[PartFound], wrong: set[str]) -> bool:
@@ -163,8 +162,8 @@ def _causes(table: Table, wrong: set[str], rows: dict[str, list[Plain]]) -> list
             found.append(PartFound(mistakes, said, same & changed & wrong))
         elif len(mistakes) == 1 and (made_in := mistakes[key].part) in same & changed & wrong:
             found.append(PartFound(mistakes, said, {made_in}))
-        elif len(mistakes) == 1:
-            found += _explain_one_mistake(table, key, mistakes[key], changed, same & wrong, wrong)
+        elif len(mistakes) == 1 and (values := _without_labels(table, changed, same & wrong)):
+            found.append(PartFound(mistakes, said, values))
     return found
 
 
@@ -180,22 +179,11 @@ def _is_partly(table: Table, name: str, words: Feedback) -> bool:
     return words.partly or (bool(words.part) and _shown(table, answers, ONE)[0] == {words.part})
 
 
-def _held_together(found: list[PartFound]) -> list[PartFound]:
-    return [cause for cause in found if len(cause.mistakes) == 1 or not _falls_apart(cause, found)]
-
-
-def _explain_one_mistake(
-    table: Table, name: str, words: Feedback, changed: set[str], same: set[str], wrong: set[str]
-) -> list[PartFound]:
-    """Return what a mistake explains whose labels were corrected by hand, or that was made in another part."""
-    form, values = table.question.form, {part for part in changed if not part.startswith(LABELS)}
-    same = _more_than_zero(table, same)
-    if isinstance(form, Message) and values and values <= same:
-        return [PartFound({name: words}, words.reply, values)]
-    made_in, follow = words.part, {part for part in changed & same if table.forms[part].is_measured}
-    if not isinstance(form, Parts) or not made_in or not follow or made_in in wrong or made_in not in changed:
-        return []
-    return [PartFound({name: words}, TEXTS["follows"].filled(part=made_in, said=words.reply), follow)]
+def _without_labels(table: Table, changed: set[str], same: set[str]) -> set[str]:
+    """Return the parts that a mistake explains in a message whose labels were corrected by hand; none of others."""
+    values = {part for part in changed if not part.startswith(LABELS)}
+    is_more = {part for part in same if any(is_something(table.forms[part], value) for value in table.given[part])}
+    return values if isinstance(table.question.form, Message) and values <= is_more else set()
 
 
 def _falls_apart(both: PartFound, found: Sequence[PartFound]) -> bool:
@@ -220,11 +208,6 @@ def _shown(table: Table, answers: Sequence[Plain], share: float) -> tuple[set[st
         if matches_closely(part, table.given[name], row, share):
             same.add(name)
     return changed, same
-
-
-def _more_than_zero(table: Table, parts: set[str]) -> set[str]:
-    """Return those of the parts in which something else than zeros was given, which many mistakes come to."""
-    return {part for part in parts if any(is_something(table.forms[part], value) for value in table.given[part])}
 
 
 def is_something(form: Form, value: Plain) -> bool:

@@ -23,13 +23,13 @@ from ..answers.values import is_raised
 from ..tasks.case_types import Case
 from .coding_patterns import constant_of, find_input
 from .explanation import Explanation, PartFound, merge_found, without_overlaps
-from .matching import alike, all_alike, feedback_of, in_some, matches_closely, matching_corrections
+from .matching import alike, all_alike, in_some, matches_closely, matching_corrections
 from .options import confused, seen_of, word_of
 from .part_mistakes import AnswerPart, Table, consequence_of, is_something, mistakes_in_parts
 from .question import Explainer, Question
 from .wrong_types import describe_types
 
-__all__ = ["PARTS", "explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
+__all__ = ["PARTS", "explain_list_members", "explain_obvious_part", "explain_parts"]
 
 TEXTS = Texts(__file__)
 
@@ -67,7 +67,7 @@ def _explain_table(table: Table) -> Explanation | None:
     asked = [("", name, any(cause in found for cause in causes)) for name, causes in several.items()]
     left = [name for name in table.forms if name in wrong.difference(*(cause.parts for cause in found))]
     for name in left:
-        part = table.part(name, wrong.difference(left), found)
+        part = table.part(name, found)
         for row, cause in _answers(part):
             asked.append((name, row, cause is not None))
             found += [cause] if cause else []
@@ -110,16 +110,6 @@ def _holds(table: Table, one: str, other: str) -> bool:
     return all_alike(table.forms[other], table.given[one], table.wanted[other])
 
 
-def explain_exchanged_parts(question: Question) -> Explanation | None:
-    """Return that two parts hold each other's answer, if that is all that is wrong."""
-    if any(question.calls_that_raise()):
-        return None
-    table = Table.of(question)
-    wrong = table.wrong
-    found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
-    return merge_found([found], {}, list(table.forms)) if found else None
-
-
 def explain_obvious_part(question: Question) -> Explanation | None:
     """Return what is plain to see in the only part that is wrong: no two mistakes have to meet for a sign alone."""
     if any(map(is_raised, (*question.outcomes, *question.expected))):
@@ -129,7 +119,7 @@ def explain_obvious_part(question: Question) -> Explanation | None:
     table = Table.of(question)
     if len(table.wrong) != 1:
         return None
-    part = table.part(*table.wrong, set())
+    part = table.part(*table.wrong)
     fix = next(matching_corrections(part.form, part.outcomes, part.expected, only_plain_to_see=True), None)
     return merge_found([_shown_too(part, fix)], {}, list(table.forms)) if fix else None
 
@@ -226,21 +216,6 @@ def _explain_the_given(part: AnswerPart) -> PartFound | None:
     return _shown_too(part, fix) if fix else None
 
 
-def _as_another_is(part: AnswerPart) -> PartFound | None:
-    """Return the mistake that writes another part's right answer here, where that one, wrong as is `known`, stands."""
-    table, form, outcome = part.table, part.form, part.outcomes[0]
-    if not is_something(form, outcome):  # zeros are alike by chance
-        return None
-    for other, held in table.forms.items():
-        if other not in part.known or type(held) is not type(form) or not alike(form, outcome, table.given[other][0]):
-            continue
-        for key, answers in table.question.single_mistakes.items():
-            is_made_here = feedback_of(part.table.task, key).part == part.name
-            if is_made_here and alike(form, table.part_of(answers, part.name)[0], table.wanted[other][0]):
-                return part.explained_by(key)
-    return None
-
-
 def _after_a_mistake(part: AnswerPart) -> PartFound | None:
     """Return what a part is beside the mistakes of the task that were found in others."""
     table, known = part.table, {name for cause in part.found for name in cause.parts} - {part.name}
@@ -275,7 +250,6 @@ PARTS: tuple[Explainer, ...] = (  # of one part; the names of the table in `expl
     Explainer("the answer of another part", _explain_anothers),
     Explainer("confused options", _explain_words, of="function", forms=(Choice,)),
     Explainer("an input as it came, or a factor reversed", _explain_the_given, of="value"),
-    Explainer("another part's answer, written here", _as_another_is, of="value", is_measured=True),
     Explainer("the meaning of a word", _explain_word, of="value"),
     Explainer("a consequence of a mistake", _after_a_mistake, is_measured=True),
     Explainer("a mistake and a generic one", _mistake_and_then, is_measured=True),
