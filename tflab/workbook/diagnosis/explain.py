@@ -25,7 +25,7 @@ from .calls import (
     explain_raises,
     explain_swallowed_exceptions,
 )
-from .coding_patterns import find_input
+from .constants_and_inputs import find_input
 from .explanation import Explanation, combine_explanations, describe
 from .generic import TOLD, describe_names
 from .links import explain_links

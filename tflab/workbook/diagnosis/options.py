@@ -16,6 +16,7 @@ __all__ = [
     "confused",
     "confused_in_lists",
     "seen_of",
+    "word_never_returned",
     "word_of",
 ]
 
@@ -113,6 +114,15 @@ def confused_in_lists(form: ListForm, outcomes: Sequence[Plain], wanted: Sequenc
     return confused(
         form.of, [word for said, _ in pairs for word in said], [word for _, asked in pairs for word in asked]
     )
+
+
+def word_never_returned(form: Choice, outcomes: Sequence[Plain], wanted: Sequence[Plain]) -> Text | None:
+    """Return the only word for which a function returns nothing, if it does so wherever that one is asked for."""
+    pairs = {(word_of(form, want), outcome is None) for want, outcome in zip(wanted, outcomes, strict=True)}
+    words = {word for word, is_nothing in pairs if is_nothing}
+    if len(words) != 1 or None in words or (word := words.pop(), False) in pairs:
+        return None
+    return TEXTS["nothing"].filled(wanted=word)
 
 
 def word_of(form: Choice, plain: Plain) -> str | None:

@@ -21,7 +21,7 @@ from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
 from ..answers.values import is_raised
 from ..tasks.case_types import Case
-from .coding_patterns import constant_of, find_input
+from .constants_and_inputs import constant_of, find_input
 from .explanation import Explanation, PartFound, merge_found, without_overlaps
 from .matching import alike, all_alike, in_some, matches_closely, matching_corrections
 from .options import confused, seen_of, word_of

@@ -28,6 +28,7 @@ from .explain import explain
 from .explanation import Explanation
 from .failure import Failure
 from .matching import ANY_BUG
+from .options import word_never_returned
 from .python_errors import python_error_hint
 from .question import Question
 from .wrong_types import (
@@ -187,7 +188,7 @@ def _unexplained(
     """Return what can be said of an answer that no mistake gives."""
     form, outcome = task.form, outcomes[case]
     if (ending := _ending(task, outcomes, outcome, cases[case].expected)) is not None:
-        return ending
+        return (ending[0], _describe_nothing(form, cases, outcomes, rights)) if outcome is None else ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
@@ -213,6 +214,17 @@ def _bounds(
 
 def _difference(form: Form, outcome: Plain, expected: Plain) -> Text | None:
     return None if is_raised(outcome) or is_raised(expected) else form.describe_difference(outcome, expected)
+
+
+def _describe_nothing(
+    form: Form, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]]
+) -> dict[str, Any]:
+    """Return for which option a function gives nothing, if all other calls are right."""
+    if not all(other is None or all(row) for other, row in zip(outcomes, rights, strict=True)):
+        return {}
+    if isinstance(form, Choice) and (said := word_never_returned(form, outcomes, [case.expected for case in cases])):
+        return {"certain": said}
+    return {}
 
 
 def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:
