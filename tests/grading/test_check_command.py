@@ -75,8 +75,8 @@ def test_an_exercise_is_called_by_its_number_too(copy: Path, monkeypatch, capsys
 
 def test_what_grading_would_ignore_is_said_before_it_is_too_late(copy: Path, capsys: pytest.CaptureFixture) -> None:
     notebook = tiny.answered(tiny.exercise(copy), {**tiny.RIGHT, "e3-1-given": "e3_1 = 3"})
-    twin = notebook["cells"][tiny.index_of(notebook, "e3-2-answer")]
-    notebook["cells"].append(twin | {"id": "copy", "source": "def length(x, y): return 3"})
+    original = notebook["cells"][tiny.index_of(notebook, "e3-2-answer")]
+    notebook["cells"].append(original | {"id": "copy", "source": "def length(x, y): return 3"})
     path = tiny.hand_in(copy / "exercises", "en", notebook)
     assert main([str(path)]) == 1
     said = capsys.readouterr().out

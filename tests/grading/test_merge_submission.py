@@ -110,8 +110,8 @@ def test_cells_in_another_order_run_in_the_masters(master: Master, notebook: dic
 
 @pytest.mark.parametrize("is_beside", [True, False])
 def test_two_different_cells_of_one_name_void_that_answer_only(master: Master, notebook: dict, is_beside: bool) -> None:
-    twin = cell(notebook, "e3-2-answer") | {"source": "def length(x, y): return 7", "id": "other"}
-    notebook["cells"].insert(tiny.index_of(notebook, "e3-2-answer") if is_beside else len(notebook["cells"]), twin)
+    second = cell(notebook, "e3-2-answer") | {"source": "def length(x, y): return 7", "id": "other"}
+    notebook["cells"].insert(tiny.index_of(notebook, "e3-2-answer") if is_beside else len(notebook["cells"]), second)
     done = merge(master, notebook)
     assert said(done) == ["twice E3.2"]
     assert done.answered == ("E3.1", "E3.3")

@@ -30,11 +30,11 @@ def titles(course: tiny.Course) -> dict[str, dict[str, Text]]:
     return read_pack(course.pack).titles
 
 
-def record(learner: str = "s101", twin: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
-    row = {"status": "wrong" if twin else "right", "passed": 0 if twin else 8, "of": 8, "most": 4.0, "remarks": []}
+def record(learner: str = "s101", named: str = "", language: str = "en", **more: Any) -> dict[str, Any]:
+    row = {"status": "wrong" if named else "right", "passed": 0 if named else 8, "of": 8, "most": 4.0, "remarks": []}
     said = {"en": "You added the legs.", "ko": "두 변을 더했습니다."}
-    mistakes = {twin: {"reply": said, "misconception": "M1", "part": "", "partly": False}} if twin else {}
-    tasks = {"E3.2": row | {"points": 0.0 if twin else 4.0, "mistakes": mistakes, "said": said if twin else None}}
+    mistakes = {named: {"reply": said, "misconception": "M1", "part": "", "partly": False}} if named else {}
+    tasks = {"E3.2": row | {"points": 0.0 if named else 4.0, "mistakes": mistakes, "said": said if named else None}}
     return {
         "learner": learner, "name": "", "language": language, "handed_in": True, "remarks": [], "seconds": 0.1,
         "chapters": {tiny.STEM: {"file": "a.ipynb", "tasks": tasks, "remarks": []}},
@@ -43,10 +43,10 @@ def record(learner: str = "s101", twin: str = "", language: str = "en", **more: 
 
 
 def test_mistakes_are_counted_and_grouped_by_what_is_misunderstood() -> None:
-    (one,) = mistakes([record(twin="added"), record(), record(twin="added")])
+    (one,) = mistakes([record(named="added"), record(), record(named="added")])
     assert (one.task, one.name, one.misconception, one.count) == ("E3.2", "added", "M1", 2)
-    assert "target and source swapped (M1): 3" in class_page([record(twin="added")] * 3)
-    assert f"{MISCONCEPTIONS['M1'].ko} 1" in class_page([record(twin="added")], language="ko")
+    assert "target and source swapped (M1): 3" in class_page([record(named="added")] * 3)
+    assert f"{MISCONCEPTIONS['M1'].ko} 1" in class_page([record(named="added")], language="ko")
     assert "0 graded" in class_page([])
     assert "1 with nothing to grade" in class_page([record(handed_in=False)])
 

@@ -29,7 +29,7 @@ def places_of(task: dict[str, Any], *numbers: int) -> list[int]:
     return [place for place, number in enumerate(asks_of(task)) if number in numbers]
 
 
-def twin(task: dict[str, Any], name: str) -> dict[int, Any]:
+def outcomes_of(task: dict[str, Any], name: str) -> dict[int, Any]:
     return {place: task["cases"][number]["wrong"][name] for place, number in enumerate(asks_of(task))}
 
 
@@ -41,7 +41,7 @@ def said(mark: TaskScore) -> list[str]:
 def test_what_the_solution_gives_gets_all_points_and_a_mistake_is_named(tasks: dict, task_id: str, name: str) -> None:
     mark = score_task(task_id, tasks[task_id], expected(tasks[task_id]))
     assert (mark.status, mark.points, mark.remarks) == ("right", tasks[task_id]["points"], ())
-    mark = score_task(task_id, tasks[task_id], twin(tasks[task_id], name))
+    mark = score_task(task_id, tasks[task_id], outcomes_of(tasks[task_id], name))
     assert (mark.status, mark.points, list(mark.mistakes)) == ("wrong", 0.0, [name])
 
 

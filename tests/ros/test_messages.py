@@ -344,16 +344,16 @@ def full_message():
 @pytest.mark.parametrize("duplicate", [copy_message, copy.deepcopy, lambda m: pickle.loads(pickle.dumps(m))])
 def test_a_copy_is_equal_and_shares_nothing(duplicate):
     original = full_message()
-    twin = duplicate(original)
-    assert twin == original
+    copied = duplicate(original)
+    assert copied == original
     original.transforms[0].header.frame_id = "map"
     original.transforms[0].transform.translation.x = 9.0
-    assert (twin.transforms[0].header.frame_id, twin.transforms[0].transform.translation.x) == ("odom", 0.25)
+    assert (copied.transforms[0].header.frame_id, copied.transforms[0].transform.translation.x) == ("odom", 0.25)
     pose, scan = PoseWithCovariance(), LaserScan(ranges=[1.0])
-    pose_twin, scan_twin = duplicate(pose), duplicate(scan)
+    copied_pose, copied_scan = duplicate(pose), duplicate(scan)
     pose.covariance[0] = 1.0
     scan.ranges[0] = 9.0
-    assert (pose_twin.covariance[0], scan_twin.ranges[0]) == (0.0, 1.0)
+    assert (copied_pose.covariance[0], copied_scan.ranges[0]) == (0.0, 1.0)
 
 
 def test_filled_makes_the_message_that_keywords_make_and_checks_later_assignments(checked):
@@ -371,8 +371,8 @@ def test_float32_fields_arrive_rounded_and_numpys_floats_as_plain_floats():
     assert copy_message(Vector3(x=0.1)).x == 0.1
     assert type(copy_message(Vector3(x=np.float64(0.5), check_fields=True)).x) is float
     transform = TransformStamped()
-    twin = copy.deepcopy([transform.header, transform])
-    assert twin[0] is twin[1].header  # what was shared inside stays shared
+    copied = copy.deepcopy([transform.header, transform])
+    assert copied[0] is copied[1].header  # what was shared inside stays shared
 
 
 @pytest.mark.parametrize(

@@ -63,8 +63,8 @@ def test_hidden_nodes_are_listed_only_on_request(terminal):
 
 def test_two_nodes_of_one_name_are_warned_of(terminal):
     for _ in range(2):
-        terminal.graph.start(moving(name="twin"))
-    assert terminal.type("ros2 node list") == "/twin\n/twin\n"
+        terminal.graph.start(moving(name="talker"))
+    assert terminal.type("ros2 node list") == "/talker\n/talker\n"
     assert terminal.error == (
         "WARNING: Be aware that there are nodes in the graph that share an exact name, "
         "which can have unintended side effects.\n"

@@ -19,7 +19,7 @@ from tflab.workbook.answers.forms import Angle, Choice, Number, Parts, Sequence
 from tflab.workbook.answers.showing import show, show_in_a_line
 from tflab.workbook.answers.values import raised, to_plain
 from tflab.workbook.diagnosis import comparison
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.paths import Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from tflab.workbook.tasks.case_types import Case
@@ -70,6 +70,9 @@ def test_why_prints_the_explanations_that_were_asked_up_to_the_one_that_answers(
     check("E3.1", given.base_T_laser.inverse().apply(given.laser_p_corner), why=True)
     rows = [line.split(maxsplit=1) for line in capsys.readouterr().out.splitlines() if line.startswith("  ")]
     assert rows == [["✓", "one mistake of the task: a known mistake of the task gives just these results"]]
+    check("E3.3", {"target": "map", "source": "map"}, why=True)
+    out = capsys.readouterr().out
+    assert "  ✓ parts of a value: " in out and "  · parts that changed places: " in out
 
 
 def test_functions_are_called_on_the_public_inputs(copy, capsys):
@@ -345,7 +348,7 @@ PLANAR = Parts({"x": Number(), "yaw": Angle()})
 def test_a_name_that_is_no_option_or_no_part_is_said(form, right, answer, mistake, detail):
     task, variant = chapter.bare(form, Case(None, to_plain(right), {}))
     verdict = judge_outcomes(task, variant, [to_plain(answer)])
-    assert verdict.mistake == mistake and detail.items() <= verdict.detail.items()
+    assert verdict.failure == mistake and detail.items() <= verdict.detail.items()
     assert mistake == "option" or verdict.detail["tip"].en == 'Nobody asked for "theta"'
 
 
@@ -378,10 +381,10 @@ def test_an_exception_that_is_asked_for_has_to_be_raised_and_the_right_one():
     task, variant = chapter.bare(Number("m", 0.01), case, is_function=True)
 
     def verdict(outcome):
-        return judge_outcomes(task, variant, [outcome]).mistake
+        return judge_outcomes(task, variant, [outcome]).failure
 
     assert verdict(raised(LookupException("no such frame"))) is None
-    assert verdict(to_plain(LookupException("no such frame"))) is Mistake.NO_REFUSAL
-    assert verdict(to_plain(None)) is Mistake.NO_REFUSAL  # it was to raise: "need a return" would be no help
-    assert verdict(raised(ValueError("no such frame"))) is Mistake.OTHER_EXCEPTION
-    assert verdict(raised(KeyError("no such frame"))) is Mistake.RAISES
+    assert verdict(to_plain(LookupException("no such frame"))) is Failure.NO_REFUSAL
+    assert verdict(to_plain(None)) is Failure.NO_REFUSAL  # it was to raise: "need a return" would be no help
+    assert verdict(raised(ValueError("no such frame"))) is Failure.OTHER_EXCEPTION
+    assert verdict(raised(KeyError("no such frame"))) is Failure.RAISES

@@ -8,7 +8,7 @@ from tflab.core import LookupException
 from tflab.workbook.answers.form import inside
 from tflab.workbook.answers.forms import Angle, Choice, Name, Number, Parts, Set
 from tflab.workbook.answers.values import raised, to_plain
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
 from tflab.workbook.tasks.credit import (
@@ -67,20 +67,20 @@ NEGATED = [({"x": x, "yaw": yaw}, planar(-x, -yaw)) for x, yaw in POSES]
 )
 def test_a_part_earns_credit_for_two_different_results(function, passed, kind):
     verdict = judged(PLANAR, NEGATED, function)
-    assert (verdict.passed, verdict.of, verdict.mistake) == (passed, 8, kind)
+    assert (verdict.passed, verdict.of, verdict.failure) == (passed, 8, kind)
     assert sum(verdict.right) == passed
 
 
 def test_the_same_word_for_every_call_earns_nothing():
     asked = [(stamp, "yes" if stamp < 2 else "no") for stamp in range(5)]
-    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").mistake is Mistake.CONSTANT
+    assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").failure is Failure.CONSTANT
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes").passed == 0
     assert judged(Choice(("yes", "no")), asked, lambda stamp: "yes" if stamp < 3 else "no").passed == 4
 
 
 def test_a_result_that_is_always_the_same_may_be_a_constant():
     asked = [(stamp, 7.0) for stamp in range(3)]
-    assert judged(Number(), asked, lambda stamp: 7.0).mistake is None
+    assert judged(Number(), asked, lambda stamp: 7.0).failure is None
     assert judged(Number(), asked, lambda stamp: 7.0 if stamp else 8.0).passed == 2
 
 

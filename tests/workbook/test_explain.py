@@ -24,7 +24,7 @@ from tflab.workbook.answers.forms import (
     Vector,
 )
 from tflab.workbook.answers.values import outcome_of, raised, to_plain
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Case, Feedback
@@ -38,9 +38,9 @@ def words(text, **more):
     return Feedback(Text(text, text), "", **more)
 
 
-def judged(form, expected, twins, answer, said=None):
-    """Return the verdict on one value, where `twins` gives the value of each mistake and of each two."""
-    plain = {name: to_plain(value) for name, value in twins.items()}
+def judged(form, expected, by_mistake, answer, said=None):
+    """Return the verdict on one value, where `by_mistake` gives the value of each mistake and of each two."""
+    plain = {name: to_plain(value) for name, value in by_mistake.items()}
     case = Case(None, to_plain(expected), {name: value for name, value in plain.items() if " + " not in name})
     task, variant = bare(form, case)
     known = said or {name: words(name) for name in case.wrong}
@@ -72,8 +72,8 @@ def test_one_mistake_comes_before_two_and_two_are_named_in_the_order_of_the_work
     [(2.5, ["late"]), (1000.0, ["unit mm"]), (-1.0, ["sign"]), (3.5, []), (2500.0, []), (2.0, []), (5.0, [])],
 )
 def test_a_number_of_two_digits_shows_one_exact_mistake_at_most(answer, mistakes):
-    form, twins = Number("m", tolerance=0.05), {"late": 2.5, "far": 3.52, "far + late": 5.0}
-    assert list(judged(form, 1.0, twins, answer).mistakes) == mistakes
+    form, by_mistake = Number("m", tolerance=0.05), {"late": 2.5, "far": 3.52, "far + late": 5.0}
+    assert list(judged(form, 1.0, by_mistake, answer).mistakes) == mistakes
 
 
 @pytest.mark.parametrize(("answer", "mistakes"), [(5.2, ["rounded"]), (5.1, []), (5.0, []), (5.19, [])])
@@ -83,24 +83,23 @@ def test_a_number_is_called_rounded_only_if_the_right_one_rounds_to_it(answer, m
 
 def test_each_part_may_have_a_mistake_of_its_own():
     right = {"a": 1.0, "b": 2.0, "c": 3.0}
-    twins = {"first": right | {"a": 5.0}, "last": right | {"c": 7.0}}
-    verdict = judged(PARTS, right, twins, {"a": 5.0, "b": -2.0, "c": 7.0})
+    by_mistake = {"first": right | {"a": 5.0}, "last": right | {"c": 7.0}}
+    verdict = judged(PARTS, right, by_mistake, {"a": 5.0, "b": -2.0, "c": 7.0})
     assert verdict.said.en == '"a": first "b": the size is right, the sign is not. "c": last'
 
 
 def test_two_beliefs_each_held_in_some_parts_are_both_named():
     form = Parts({name: Choice(("cable", "clock", "mount", "wait")) for name in ("first", "second", "third", "fourth")})
     right = {"first": "clock", "second": "mount", "third": "clock", "fourth": "mount"}
-    twins = {"sensor first": dict.fromkeys(right, "cable"), "waiting cures": dict.fromkeys(right, "wait")}
-    said = {name: words(name, partly=True) for name in twins}
-    verdict = judged(form, right, twins, right | {"first": "wait", "second": "cable", "fourth": "cable"}, said)
+    by_mistake = {"sensor first": dict.fromkeys(right, "cable"), "waiting cures": dict.fromkeys(right, "wait")}
+    said = {name: words(name, partly=True) for name in by_mistake}
+    verdict = judged(form, right, by_mistake, right | {"first": "wait", "second": "cable", "fourth": "cable"}, said)
     assert (list(verdict.mistakes), verdict.passed) == (["waiting cures", "sensor first"], 1)
     assert verdict.said.en == '"first": waiting cures "second", "fourth": sensor first'
 
 
 RIGHT = {"a": 1.0, "b": 2.0, "c": 3.0}
 LATE = RIGHT | {"a": 5.0, "b": 6.0}
-ANOTHER_A = '"b": this would follow from a different answer for "a": late'
 
 
 @pytest.mark.parametrize(
@@ -111,7 +110,6 @@ ANOTHER_A = '"b": this would follow from a different answer for "a": late'
         (LATE, {"part": "a"}, RIGHT | {"a": 5.0}, ["late"], '"a": late', 2),
         (LATE, {}, RIGHT | {"a": 5.0}, [], "", 2),  # only a part of it shows
         (LATE, {"partly": True}, RIGHT | {"a": 5.0}, ["late"], "late", 2),
-        (LATE, {"part": "a"}, RIGHT | {"b": 6.0}, ["late"], ANOTHER_A, 2),
         (LATE, {}, RIGHT | {"b": 6.0}, [], "", 2),
         (LATE | {"b": 0.0}, {"part": "a"}, RIGHT | {"b": 0.0}, ["zero"], "", 2),
     ],
@@ -150,8 +148,8 @@ def point(frame, x):
 def test_a_mistake_is_named_though_the_labels_of_its_message_were_put_right_by_hand():
     form = Message("geometry_msgs/msg/PointStamped", ("header.frame_id", "point"))
     asked = [(point("map", x), point("map", 7.3 * x)) for x in (1.0, 2.0)]
-    twins = {"left": [point("odom", 7.3 * x) for x in (1.0, 2.0)]}
-    assert list(judged_function(form, asked, twins).mistakes) == ["left"]
+    by_mistake = {"left": [point("odom", 7.3 * x) for x in (1.0, 2.0)]}
+    assert list(judged_function(form, asked, by_mistake).mistakes) == ["left"]
 
 
 @pytest.mark.parametrize(
@@ -214,13 +212,13 @@ def test_a_function_that_changes_its_argument_is_told_so_and_its_result_is_expla
         judge_outcomes(task, variant, [outcome_of(lambda stamps, n=n: stamps.pop(n), case.args) for case in cases])
         for n in (-1, 0)
     )
-    assert (popped.mistake, popped.detail["changed"]) == (Mistake.INPUT_CHANGED, 1)
+    assert (popped.failure, popped.detail["changed"]) == (Failure.INPUT_CHANGED, 1)
     assert list(first.mistakes) == ["first", "input changed"]
 
 
-def judged_function(form, asked, twins=None):
+def judged_function(form, asked, by_mistake=None):
     """Return the verdict on a function, where `asked` is a list of (expected, outcome)."""
-    gives = {name: [to_plain(value) for value in row] for name, row in (twins or {}).items()}
+    gives = {name: [to_plain(value) for value in row] for name, row in (by_mistake or {}).items()}
     single = {name: row for name, row in gives.items() if " + " not in name}
     cases = [
         Case([place], to_plain(want), {name: row[place] for name, row in single.items()})
@@ -242,14 +240,9 @@ def test_nothing_is_a_unit_of_what_is_as_good_as_zero():
     assert judged(Number("s", 0.005), 6.45, {"time zero": 0.0}, 6.565).mistakes == {}
 
 
-def test_two_parts_that_changed_places_are_told_so_before_two_mistakes():
+def test_two_parts_that_changed_places_are_told_so():
     verdict = judged(PARTS, {"a": 1.0, "b": 2.5, "c": 3.0}, {}, {"a": 2.5, "b": 1.0, "c": 3.0})
     assert list(verdict.mistakes) == ["a and b changed places"]
-    right = [{"a": 1.0, "b": 2.0, "c": 3.0}, {"a": 4.0, "b": 5.0, "c": 6.0}]
-    wrong = [row | {"a": row["b"], "b": row["a"]} for row in right]
-    twins = {name: [row | {part: 9.0} for row in right] for name, part in (("one", "a"), ("other", "b"))}
-    asked = list(zip(right, wrong, strict=True))
-    assert list(judged_function(PARTS, asked, twins | {"one + other": wrong}).mistakes) == ["a and b changed places"]
 
 
 def test_what_was_given_is_named_where_it_comes_back():
@@ -293,7 +286,7 @@ def test_each_part_of_what_a_function_gives_is_explained_by_itself():
     form = Parts({"x": Number("m"), "yaw": Angle()})
     asked = [({"x": x, "yaw": x / 2}, {"x": x, "yaw": math.degrees(x / 2)}) for x in (1.0, 2.0, 3.0)]
     verdict = judged_function(form, asked)
-    assert (verdict.mistake, verdict.detail["part"], verdict.passed) == (Mistake.UNIT, "yaw", 3)
+    assert (verdict.failure, verdict.detail["part"], verdict.passed) == (Failure.UNIT, "yaw", 3)
 
 
 @pytest.mark.parametrize(
@@ -338,8 +331,6 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
     ("form", "right", "wrong", "name"),
     [
         (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
-        (Vector(3), (1.0, 2.0, 3.0), (2.0, 0.0, 3.0), "written over"),
-        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 2.0), "stands twice"),
         (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
         (Set(Name()), {"a", "b"}, ["a", "a", "b"], None),
         (Number("m"), 2.5, 0.0, "zero"),
@@ -355,44 +346,22 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
         (Sequence(Name()), ["b", "a", "b"], ["a", "b"], "members once, in another order"),
         (Sequence(Name()), ["a", "b"], ["a", "c", "b"], "members too many"),
         (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
-        (Tree(), FIVE, {"odom": "map", "laser": "odom", "camera": "odom", "imu": "odom"}, "tree: a frame left out"),
         (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
         (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),
         (Tree(), FIVE, FIVE | {"laser": "odom"}, "tree: too high"),
         (Tree(), FIVE, FIVE | {"laser": "camera"}, "tree: too low"),
-        (
-            Tree(),
-            FIVE,
-            {"base": "map", "odom": "base", "laser": "odom", "camera": "odom", "imu": "odom"},
-            "tree: places changed",
-        ),
         (Tree(), FIVE, FIVE | {"laser": "imu", "camera": "odom", "imu": "base"}, None),
-        (
-            Tree(),
-            {"r/odom": "map", "r/base": "r/odom"},
-            {"odom": "map", "r/base": "odom"},
-            "tree: names without a robot's",
-        ),
-        (Tree(), {"r/odom": "map"}, {"r/odom": "r/map"}, "tree: names with a robot's"),
         (Tree(), {"r/odom": "map"}, {"r/odom": "world"}, "tree: other names"),
         (Tree(), {"r/odom": "map"}, {"r_odom": "map"}, "other separator"),
         (Set(Name()), {"/tf", "/tf_static"}, {"tf", "tf_static"}, "no slash in front"),
         (Command(), "ros2 topic hz /tf", "rostopic hz /tf", "line: ROS 1"),
-        (Command(), "ros2 topic hz /tf", "topic hz /tf", "line: no ros2"),
-        (Command(), "ros2 topic hz /tf", "ros2 hz topic /tf", "line: words exchanged"),
         (Command(), "ros2 topic hz /tf", "ros2 topic delay /tf", "line: other command"),
         (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf_static", "line: other names"),
         (Command(), "ros2 topic hz /tf", "ros2 topic hz", "line: too few names"),
-        (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf /odom", "line: too many names"),
         (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf --once", "line: option too many"),
         (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf", "line: option missing"),
-        (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf -once", "line: hyphens"),
-        (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf --csv", "line: other options"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 tf2_echo a b", "line: no run"),
-        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo /a b", "line: slash in front"),
-        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools tf2_echo a b", "line: other package"),
         (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo a, b", "line: commas"),
-        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo b a", "line: order of names"),
     ],
 )
 def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, name):
@@ -414,9 +383,9 @@ def test_where_it_shows_is_told_by_what_stands_in_the_answer(form, right, wrong,
 
 def test_a_dict_may_hold_what_nobody_asked_for_unless_it_stands_alone():
     two, more = {"a": Number("m"), "b": Number("m")}, {"a": 1.0, "b": 2.0, "z": 3.0}
-    assert judged(Parts(two), {"a": 1.0, "b": 2.0}, {}, more).mistake is None
+    assert judged(Parts(two), {"a": 1.0, "b": 2.0}, {}, more).failure is None
     verdict = judged(Parts(two, alone=True), {"a": 1.0, "b": 2.0}, {}, more)
-    assert (verdict.mistake, verdict.detail["parts"]) == (Mistake.MORE_PARTS, ["z"])
+    assert (verdict.failure, verdict.detail["parts"]) == (Failure.MORE_PARTS, ["z"])
 
 
 # -- refusals, and members of lists -----------------------------------------------------------
@@ -436,11 +405,11 @@ def test_an_error_that_was_swallowed_is_called_so(instead, name):
     cases = (Case([1], 1.0, {}), Case([2], 2.0, {}), Case([3], REFUSED, {}), Case([4], REFUSED, {}))
     task, variant = bare(Number("m"), *cases, is_function=True)
     assert list(judge_outcomes(task, variant, [1.0, 2.0, instead, instead]).mistakes) == [name]
-    assert judge_outcomes(task, variant, [1.0, 2.0, REFUSED, REFUSED]).mistake is None
+    assert judge_outcomes(task, variant, [1.0, 2.0, REFUSED, REFUSED]).failure is None
     both = judge_outcomes(task, variant, [-1.0, -2.0, instead, instead])
     assert list(both.mistakes) == ["sign", name]
     each_another = judge_outcomes(task, variant, [1.0, 2.0, 3.0, 4.0])
-    assert each_another.mistake is Mistake.NO_REFUSAL
+    assert each_another.failure is Failure.NO_REFUSAL
 
 
 def test_what_all_messages_of_a_list_have_wrong_is_said_of_the_field():
@@ -463,8 +432,11 @@ def robot(origin='xyz="0.2 -0.1 0.4" rpy="0 0 -0.6"', axis="0 1 0", kind="revolu
 def test_words_that_two_mistakes_would_give_in_different_calls_are_confused_words():
     form = Choice(("wait", "check", "drop"))
     asked = [("wait", "check"), ("check", "wait"), ("wait", "check"), ("drop", "drop")]
-    twins = {"never waits": ["check", "check", "check", "drop"], "always waits": ["wait", "wait", "wait", "drop"]}
-    assert list(judged_function(form, asked, twins).mistakes) == ["wait and check swapped"]
+    by_mistake = {
+        "never waits": ["check", "check", "check", "drop"],
+        "always waits": ["wait", "wait", "wait", "drop"],
+    }
+    assert list(judged_function(form, asked, by_mistake).mistakes) == ["wait and check swapped"]
 
 
 @pytest.mark.parametrize(
@@ -486,4 +458,4 @@ def test_words_that_two_mistakes_would_give_in_different_calls_are_confused_word
 def test_of_a_robot_each_link_is_told_what_is_wrong_with_it(wrong, said):
     form = Urdf(("head", "lens"), joint="nod", settings=(0.0, 0.4))
     assert judged(form, robot(), {}, robot(**wrong)).said.en.startswith(said)
-    assert judged(form, robot(), {}, robot()).mistake is None
+    assert judged(form, robot(), {}, robot()).failure is None

@@ -9,13 +9,13 @@ import pytest
 from tflab.ros.messages import builtin_interfaces
 from tflab.ros.time import Duration, Time
 from tflab.workbook.answers.forms import Number, Parts
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.tasks import Text
 from tflab.workbook.tasks.case_types import Feedback
 
 from .test_explain import judged
 
-TWINS = {"the fast one": 3.05}
+BY_MISTAKE = {"the fast one": 3.05}
 REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 쪽을 셌습니다."), "")}
 
 
@@ -28,18 +28,18 @@ REPLIES = {"the fast one": Feedback(Text("You counted the fast one.", "빠른 �
     ],
 )
 def test_a_time_for_seconds_hears_what_it_is_and_what_is_wrong_with_its_length(answer, kind):
-    verdict = judged(Number("s"), 3.4, TWINS, answer, REPLIES)
+    verdict = judged(Number("s"), 3.4, BY_MISTAKE, answer, REPLIES)
     assert list(verdict.mistakes) == ["the fast one", "other type"]
     assert "You counted the fast one." in verdict.said.en and kind in verdict.said.en
     assert "빠른 쪽을 셌습니다." in verdict.said.ko
 
 
 def test_a_time_that_no_known_mistake_explains_hears_only_what_it_is():
-    right, other = (judged(Number("s"), 3.4, TWINS, Duration(seconds=s), REPLIES) for s in (3.4, 3.1))
-    assert right.mistake is Mistake.TYPE and ".nanoseconds / 1e9" in right.detail["tip"].en
+    right, other = (judged(Number("s"), 3.4, BY_MISTAKE, Duration(seconds=s), REPLIES) for s in (3.4, 3.1))
+    assert right.failure is Failure.TYPE and ".nanoseconds / 1e9" in right.detail["tip"].en
     assert "other type" not in other.mistakes
-    metres = judged(Number("m"), 3.4, TWINS, Duration(seconds=3.05), REPLIES)
-    assert metres.mistake is Mistake.TYPE and "tip" not in metres.detail
+    metres = judged(Number("m"), 3.4, BY_MISTAKE, Duration(seconds=3.05), REPLIES)
+    assert metres.failure is Failure.TYPE and "tip" not in metres.detail
 
 
 @pytest.mark.parametrize(("together", "is_anothers"), [(0.6, True), (math.hypot(0.05, 0.6), False)])

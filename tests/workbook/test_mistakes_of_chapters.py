@@ -8,7 +8,7 @@ import pytest
 
 from tflab.workbook.answers.forms import Angle, Choice, Form, Name, Number, Parts, Pose, Quaternion, Vector
 from tflab.workbook.answers.values import from_plain, is_raised
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.precision import LISTS
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import AND, TaskCases, values_of
@@ -20,7 +20,7 @@ from .each_task import READS, cases_of, each_task, task_in
 
 OF_NUMBERS = (Number, Angle, Vector, Quaternion, Pose)
 MOST_PAIRS = 40  # of a task: each takes a tenth of a second to two seconds, and some tasks have fifteen hundred
-SIMPLER = {Mistake.ECHO, Mistake.CONSTANT, Mistake.NOTHING_RETURNED, Mistake.RAISES}  # what a pair may also be
+SIMPLER = {Failure.ECHO, Failure.CONSTANT, Failure.NOTHING_RETURNED, Failure.RAISES}  # what a pair may also be
 
 
 def changed(plain):
@@ -55,14 +55,14 @@ def test_each_mistake_gets_its_own_reply_and_the_solution_full_marks(stem: str, 
     task = cases_of(stem, file, len(sample(range(task_in(stem, file).variants), 1)))
     for variant in task.variants:
         verdict = judge_outcomes(task, variant, [case.expected for case in variant.cases])
-        assert (verdict.mistake, verdict.mistakes) == (None, {})
+        assert (verdict.failure, verdict.mistakes) == (None, {})
         for name in variant.cases[0].wrong:
             assert_own_reply(task, variant, name)
 
 
 def assert_own_reply(task: TaskCases, variant, name: str) -> None:
     verdict = judge_outcomes(task, variant, [case.wrong[name] for case in variant.cases])
-    assert verdict.mistake is Mistake.KNOWN and list(verdict.mistakes) == [name]
+    assert verdict.failure is Failure.KNOWN and list(verdict.mistakes) == [name]
     reply = task.feedback[name].reply
     assert without_its_part(task.form, reply.en) in verdict.said.en
     assert without_its_part(task.form, reply.ko) in verdict.said.ko
@@ -118,7 +118,7 @@ def test_two_mistakes_made_together_are_explained_by_two_or_by_a_simpler_one(ste
     for pair in answers:
         outcomes = [row[pair] for row in rows]
         verdict = judge_outcomes(made, variant, outcomes)
-        is_explained = verdict.mistake in {Mistake.KNOWN, None, *SIMPLER} and len(verdict.mistakes) <= 2
+        is_explained = verdict.failure in {Failure.KNOWN, None, *SIMPLER} and len(verdict.mistakes) <= 2
         assert is_explained or has_few_digits(made, outcomes) or is_given_by_others(task, made, pair, outcomes), pair
 
 

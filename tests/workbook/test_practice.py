@@ -26,7 +26,7 @@ def test_a_drawn_task_accepts_the_solution(stem: str, file: str) -> None:
     with in_process_ros():
         inputs = question.given if question.assigned.variant.given is not None else None
         verdict, _ = judge_answer.judge_answer(question.assigned, solution_of(stem).answer(task, inputs))
-    assert verdict.mistake is None
+    assert verdict.failure is None
     assert f"{task.id} · " in question.text.splitlines()[0]
     assert " points)" not in question.text.splitlines()[0]
     assert task.answer in question.starter

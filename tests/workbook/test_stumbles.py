@@ -13,7 +13,7 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.time import ClockType, Time
 from tflab.workbook.answers.forms import Number
 from tflab.workbook.answers.values import outcome_of
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 from tflab.workbook.diagnosis.python_errors import python_error_hint
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import Case
@@ -128,4 +128,4 @@ def test_the_verdict_on_a_function_that_stops_carries_the_tip():
     case = Case([8.0], 1.0, {})
     task, variant = bare(Number("m"), case, is_function=True)
     verdict = judge_outcomes(task, variant, [outcome_of(lambda given: [given] + 1.0, case.args)])
-    assert verdict.mistake is Mistake.RAISES and "one by one" in verdict.detail["tip"].en
+    assert verdict.failure is Failure.RAISES and "one by one" in verdict.detail["tip"].en

@@ -33,7 +33,7 @@ ROWS = [
 CHECKS = {
     "mistakes": lambda verdict, want: list(verdict.mistakes) == want,
     "includes": lambda verdict, want: want in verdict.mistakes,
-    "mistake": lambda verdict, want: want in (verdict.mistake.name, "any") if verdict.mistake else want == "none",
+    "mistake": lambda verdict, want: want in (verdict.failure.name, "any") if verdict.failure else want == "none",
     "said": lambda verdict, want: want in verdict.said.en,
     "not said": lambda verdict, want: want not in verdict.said.en,
     "says nothing": lambda verdict, want: (verdict.said is None) is want,

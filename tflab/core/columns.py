@@ -131,7 +131,7 @@ def history_reader(tables: Tables, cache: Cache, questions: int) -> Reader:
 def _interpolated(stamps: np.ndarray, moments: np.ndarray, segments: Callable[[np.ndarray], np.ndarray]) -> Columns:
     """Return the pose at each of the moments, all of them within the history; compare Segment.pose_at."""
     which = np.searchsorted(stamps, moments, side="right") - 1
-    if stamps[0] != stamps[-1]:  # of twins at the old end the first counts, at the new end the last
+    if stamps[0] != stamps[-1]:  # of equal stamps at the old end the first counts, at the new end the last
         which[: np.searchsorted(moments, stamps[0], side="right")] = 0
     segment = segments(which)
     ratio = (moments - stamps.take(which)) * segment[15]

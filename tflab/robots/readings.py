@@ -4,7 +4,7 @@
                              (never zero)
 
 The number that matters is the first: where the robot was when the light came in,
-not when the computer had finished with it.  These are the engine-side twins of
+not when the computer had finished with it.  These are the counterparts in the engine of
 ROS messages; `reading_messages.py` converts them.
 """
 

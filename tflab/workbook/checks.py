@@ -29,8 +29,8 @@ from .answers.values import Plain, from_plain
 from .assigned_task import AssignedTask
 from .cell_errors import source_of
 from .diagnosis.explain import list_asked, read_conditions
+from .diagnosis.failure import Failure
 from .diagnosis.lint import describe_cell_text
-from .diagnosis.mistake import Mistake
 from .diagnosis.question import Question
 from .diagnosis.verdict import Verdict
 from .inventory.participation import NO_HELP, report_participation
@@ -57,7 +57,7 @@ class _Nothing:
 
 NOTHING = _Nothing()
 LIKE_A_TASK = re.compile(r"[eE]?(?P<chapter>\d{1,2})(?:[.\-_](?P<task>\d{1,2}))?")  # E3.2, e3.2, 3.2, e3-2; E3
-UNFINISHED = (Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION)  # which is no try yet
+UNFINISHED = (Failure.UNANSWERED, Failure.MISSING_PARTS, Failure.OPTION)  # which is no try yet
 TRIES_BEFORE_SOLUTION = 3
 WHICH = "E?"  # what a reply is about where no task is named
 _hints_seen: dict[str, int] = {}  # where no progress is kept
@@ -98,19 +98,19 @@ def check(task_id: str, answer: Any = NOTHING, why: bool = False) -> float | Non
         return 0.0 if os.environ.get("NBGRADER_EXECUTION") else None
     if answer is NOTHING:
         show_reply(assigned.id, assigned.phrase("no_answer_given"))
-        verdict = Verdict(0, 1, Mistake.UNANSWERED)
+        verdict = Verdict(0, 1, Failure.UNANSWERED)
     else:
         verdict, outcomes = judge_answer(assigned, answer)
-        if verdict.mistake not in UNFINISHED:
-            twin = next(iter(verdict.mistakes), None)
-            came = outcomes or [str(verdict.mistake)]  # what could not be tried on all cases
-            progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, twin, came)
-        if assigned.cases.counts and verdict.mistake is not Mistake.UNANSWERED:
+        if verdict.failure not in UNFINISHED:
+            named = next(iter(verdict.mistakes), None)
+            came = outcomes or [str(verdict.failure)]  # what could not be tried on all cases
+            progress.record_try(assigned.root, assigned.id, verdict.passed, verdict.of, named, came)
+        if assigned.cases.counts and verdict.failure is not Failure.UNANSWERED:
             language, form = assigned.workbook.language, assigned.cases.form
             report_participation(assigned.id, assigned.root, language, form, verdict, outcomes[0])
         else:
             _say(assigned, _with_slip_in_cell(assigned, verdict), outcomes)
-        if why and verdict.mistake and len(outcomes) == len(assigned.variant.cases):
+        if why and verdict.failure and len(outcomes) == len(assigned.variant.cases):
             _print_asked(assigned, outcomes)
     if os.environ.get("NBGRADER_EXECUTION"):
         return round(assigned.cases.points * verdict.passed / verdict.of, 4)
@@ -189,7 +189,7 @@ def solution_text(assigned: AssignedTask) -> str:
 
 def _with_slip_in_cell(assigned: AssignedTask, verdict: Verdict) -> Verdict:
     """Return a verdict on a wrong value, with what is plain to see in the text of its cell."""
-    source = "" if assigned.cases.is_function or verdict.mistake is None else source_of(assigned.cases.answer)
+    source = "" if assigned.cases.is_function or verdict.failure is None else source_of(assigned.cases.answer)
     forms = getattr(assigned.cases.form, "parts", {"": assigned.cases.form}).values()
     is_of_numbers = assigned.variant.given and all(isinstance(form, NumberForm) for form in forms)
     given = given_name(assigned.id) if is_of_numbers else ""
@@ -198,18 +198,18 @@ def _with_slip_in_cell(assigned: AssignedTask, verdict: Verdict) -> Verdict:
 
 
 def _say(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
-    if verdict.mistake is None and assigned.root == workbook_data():
+    if verdict.failure is None and assigned.root == workbook_data():
         print(f"{assigned.id} ✓ {assigned.score(verdict.passed, verdict.of)}")  # a solution that is built: plain
         return
     tries = progress.attempts(assigned.root, assigned.id).tries
     more = []
     if names := _said_too_often(assigned, outcomes):
         more.append(assigned.phrase("one word", names=", ".join(f'"{name}"' for name in names)))
-    if verdict.mistake is None:
+    if verdict.failure is None:
         more.append(_passed(assigned))
     elif assigned.workbook.edition == "self-study" and tries >= TRIES_BEFORE_SOLUTION:
         more.append(assigned.phrase("solution"))
-    elif verdict.mistake in (Mistake.VALUE, Mistake.KNOWN, Mistake.PARTS):
+    elif verdict.failure in (Failure.VALUE, Failure.KNOWN, Failure.PARTS):
         more.append(assigned.phrase("hint"))
     show_verdict(assigned, verdict, outcomes, more, draws=tries >= TRIES_BEFORE_SOLUTION)
 
@@ -227,10 +227,11 @@ def _passed(assigned: AssignedTask) -> str:
 
 
 def _print_asked(assigned: AssignedTask, outcomes: list[Plain]) -> None:
-    """Print the rows of the table of explanations that were asked, in order, and when each is true."""
+    """Print the explanations that were asked, in order, of which part, and when each is true."""
     variant, conditions = assigned.variant, read_conditions()
-    for row, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
-        print(f"  {'✓' if is_answer else '·'} {row.name}: {conditions[row.name]}")
+    for part, name, is_answer in list_asked(Question(assigned.cases, variant.cases, outcomes, variant.given or {})):
+        where = f'"{part}": ' if part else ""
+        print(f"  {'✓' if is_answer else '·'} {where}{name}: {conditions[name]}")
 
 
 def _said_too_often(assigned: AssignedTask, outcomes: list[Plain]) -> list[str]:

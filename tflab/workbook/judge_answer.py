@@ -1,6 +1,6 @@
 """Try an answer on its cases, judge it, and word the reply.
 
-    task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  words (mistake.py)
+    task as a learner has it  +  answer  -->  outcomes  -->  verdict (verdict.py)  -->  texts (failure.py)
 
 `check` asks so about an exercise, and practice about what it has drawn.
 """
@@ -19,8 +19,8 @@ from .answers.values import Plain, is_raised, is_unanswered, outcome_of
 from .assigned_task import AssignedTask
 from .call_limits import CALL_S, TimeLimitError, call_limits
 from .diagnosis.error_line import error_line, hidden_error
+from .diagnosis.failure import REPLIES, Failure
 from .diagnosis.lint import describe_function_text
-from .diagnosis.mistake import REPLIES, Mistake
 from .diagnosis.verdict import Verdict, judge_outcomes, kind_of
 from .phrases import PHRASES
 from .replay import describe_call, remember_call, show_call
@@ -28,7 +28,7 @@ from .reply_card import shell, show_caption, show_reply
 
 __all__ = ["judge_answer", "show_hint", "show_verdict"]
 
-DRAWN = {Mistake.KNOWN, Mistake.VALUE, Mistake.UNIT, Mistake.PARTS, Mistake.ECHO}  # beside the right one
+DRAWN = {Failure.KNOWN, Failure.VALUE, Failure.UNIT, Failure.PARTS, Failure.ECHO}  # beside the right one
 END = (".", "?", "!")
 
 
@@ -39,8 +39,8 @@ def judge_answer(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[Pla
         outcomes = [outcome_of(lambda: answer, ())]
         return judge_outcomes(assigned.cases, assigned.variant, outcomes), outcomes
     if not callable(answer):
-        mistake = Mistake.UNANSWERED if answer is ... else Mistake.NOT_A_FUNCTION
-        verdict = Verdict(0, len(cases), mistake, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
+        failure = Failure.UNANSWERED if answer is ... else Failure.NOT_A_FUNCTION
+        verdict = Verdict(0, len(cases), failure, detail={"got": kind_of(outcome_of(lambda: answer, ()))})
         return verdict, []
     return _judge_function(assigned, answer)
 
@@ -56,18 +56,18 @@ def _judge_function(assigned: AssignedTask, answer: Any) -> tuple[Verdict, list[
             if case is cases[-1] and _call_again(answer, cases[0].args) != [*outcomes, first][0]:
                 again = {}  # calls in between have changed what the first one gives
         except (KeyboardInterrupt, TimeLimitError) as stopped:
-            mistake = Mistake.ENDLESS if isinstance(stopped, TimeLimitError) else Mistake.INTERRUPTED
-            return Verdict(0, len(cases), mistake, case=number, detail=_stopped_call(assigned, number)), []
+            failure = Failure.ENDLESS if isinstance(stopped, TimeLimitError) else Failure.INTERRUPTED
+            return Verdict(0, len(cases), failure, case=number, detail=_stopped_call(assigned, number)), []
         lines += printed.lines
         if is_raised(first) and first["raises"] == MemoryError.__name__:
             detail = _stopped_call(assigned, number)
-            return Verdict(0, len(cases), Mistake.OUT_OF_MEMORY, case=number, detail=detail), []
+            return Verdict(0, len(cases), Failure.OUT_OF_MEMORY, case=number, detail=detail), []
         if first != again:
-            return Verdict(0, len(cases), Mistake.UNSTEADY, case=number, detail=_remembered(answer)), []
+            return Verdict(0, len(cases), Failure.UNSTEADY, case=number, detail=_remembered(answer)), []
         outcomes.append(first)
         if number == 0 and is_unanswered(first):
             behind = describe_function_text(answer)  # an answer, perhaps, behind the `raise`
-            return Verdict(0, len(cases), Mistake.UNANSWERED, detail={"place": behind} if behind else {}), []
+            return Verdict(0, len(cases), Failure.UNANSWERED, detail={"place": behind} if behind else {}), []
     verdict = judge_outcomes(assigned.cases, assigned.variant, outcomes)
     verdict = replace(verdict, detail=verdict.detail | {"printed": lines} if lines else verdict.detail)
     return _with_its_place(assigned, answer, verdict, outcomes)
@@ -96,18 +96,18 @@ def _with_its_place(
     assigned: AssignedTask, answer: Any, verdict: Verdict, outcomes: list[Plain]
 ) -> tuple[Verdict, list[Plain]]:
     """Return the verdict with what is plain to see in the text of a wrong function, or where it stopped."""
-    if verdict.mistake is not None:
+    if verdict.failure is not None:
         remember_call(assigned, verdict.case, answer)
-    if verdict.mistake is None or os.environ.get("NBGRADER_EXECUTION"):
+    if verdict.failure is None or os.environ.get("NBGRADER_EXECUTION"):
         return verdict, outcomes
     case = assigned.variant.cases[verdict.case]
     stop = error_line(answer, case.args) if is_raised(outcomes[verdict.case]) else None
     if stop is not None:
-        is_other = stop.is_own_raise and is_raised(case.expected) and verdict.mistake is Mistake.RAISES
-        mistake = Mistake.OTHER_EXCEPTION if is_other else verdict.mistake
+        is_other = stop.is_own_raise and is_raised(case.expected) and verdict.failure is Failure.RAISES
+        failure = Failure.OTHER_EXCEPTION if is_other else verdict.failure
         tip = {"tip": Text("", "")} if stop.is_cause else {}
         tip |= {"meant": case.expected["raises"]} if is_other else {}
-        return replace(verdict, mistake=mistake, detail=verdict.detail | tip | {"place": stop.said}), outcomes
+        return replace(verdict, failure=failure, detail=verdict.detail | tip | {"place": stop.said}), outcomes
     place = hidden_error(answer, case.args) or describe_function_text(answer)
     return (replace(verdict, detail=verdict.detail | {"place": place}) if place else verdict), outcomes
 
@@ -133,12 +133,12 @@ def show_verdict(
         more: lines that go with it, smaller.
         draws: whether a wrong value may be drawn beside the right one, which tells the number; a function's always is.
     """
-    score = f"{assigned.id} {'✗' if verdict.mistake else '✓'} {assigned.score(verdict.passed, verdict.of)}"
-    if verdict.mistake is None:
+    score = f"{assigned.id} {'✗' if verdict.failure else '✓'} {assigned.score(verdict.passed, verdict.of)}"
+    if verdict.failure is None:
         show_reply(score, more=more, kind="passed")
         return
-    if verdict.mistake is Mistake.UNANSWERED:
-        said = Text.joined(REPLIES[verdict.mistake], verdict.detail.get("place"))
+    if verdict.failure is Failure.UNANSWERED:
+        said = Text.joined(REPLIES[verdict.failure], verdict.detail.get("place"))
         show_reply(assigned.id, assigned.words(said))
         return
     if assigned.cases.is_function and outcomes:
@@ -152,7 +152,7 @@ def show_verdict(
 
 def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
     place = verdict.detail.get("place")
-    if verdict.said is not None and verdict.mistake is Mistake.KNOWN:
+    if verdict.said is not None and verdict.failure is Failure.KNOWN:
         return assigned.words(Text.joined(verdict.said, place))
     names = {name: _listed(held) if isinstance(held, list) else held for name, held in verdict.detail.items()}
     bounds, tip = names.get("certain"), names.get("tip")
@@ -160,7 +160,7 @@ def _reply(assigned: AssignedTask, verdict: Verdict) -> str:
     names["certain"] = f" ({certain})" if certain else ""
     names["tip"] = f". {assigned.words(tip)}" if tip and tip.en else ""
     names = {"answer": assigned.cases.answer, "wanted": _wanted(assigned, verdict)} | names
-    text = assigned.words(REPLIES[verdict.mistake], **names)
+    text = assigned.words(REPLIES[verdict.failure], **names)
     if place:
         text = f"{text if text.endswith(END) else text + '.'} {assigned.words(place)}"
     return f'"{names["part"]}": {text}' if "part" in names else text
@@ -174,14 +174,14 @@ def _wanted(assigned: AssignedTask, verdict: Verdict) -> str:
     form = assigned.cases.form
     part = verdict.detail.get("part")
     form = form.parts[part] if part else form
-    if verdict.mistake is Mistake.OPTION and isinstance(form, SequenceForm):
+    if verdict.failure is Failure.OPTION and isinstance(form, SequenceForm):
         form = form.of
     return form.wanted().say(assigned.workbook.language)
 
 
 def _show_both(assigned: AssignedTask, verdict: Verdict, outcomes: list[Plain]) -> None:
     """Draw the answer beside the right one, where both are in space, and say which is whose."""
-    if not outcomes or verdict.mistake not in DRAWN or shell() is None:
+    if not outcomes or verdict.failure not in DRAWN or shell() is None:
         return
     try:
         from .diagnosis.comparison import picture_of

@@ -31,7 +31,7 @@ from .answers.showing import show_all
 from .answers.values import from_plain
 from .assigned_task import AssignedTask
 from .checks import TRIES_BEFORE_SOLUTION, solution_text
-from .diagnosis.mistake import Mistake
+from .diagnosis.failure import Failure
 from .judge_answer import judge_answer, show_hint, show_verdict
 from .paths import WorkbookError, chapters, exercise_file, read_workbook, stems_called, workbook_data, workbook_root
 from .progress import mark_of, read_progress
@@ -116,9 +116,9 @@ def check(answer: Any = ...) -> None:
     if (question := _asked_question()) is None:
         return
     verdict, outcomes = judge_answer(question.assigned, answer)
-    if verdict.mistake not in (None, Mistake.UNANSWERED, Mistake.MISSING_PARTS, Mistake.OPTION):
-        question.wrong.add(mark_of(outcomes or [str(verdict.mistake)]))
-    more = TEXTS["help" if verdict.mistake else "next"].say(question.assigned.workbook.language)
+    if verdict.failure not in (None, Failure.UNANSWERED, Failure.MISSING_PARTS, Failure.OPTION):
+        question.wrong.add(mark_of(outcomes or [str(verdict.failure)]))
+    more = TEXTS["help" if verdict.failure else "next"].say(question.assigned.workbook.language)
     show_verdict(question.assigned, verdict, outcomes, [more], draws=False)
 
 

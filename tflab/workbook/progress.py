@@ -46,7 +46,7 @@ class Attempts:
         hints: how many hints were asked for.
         passed: whether any try got everything right.
         best: the most that was right at once, and `of` how many, in that try.
-        twins: the mistakes that were named, by name, and how often.
+        twins: the mistakes that were named, by name, and how often (the name in files that learners have).
         answers: where taking part counts, the first complete answers.
         seen: what came of each of them, hashed.
     """
@@ -62,7 +62,7 @@ class Attempts:
 
 
 def record_try(
-    root: Path, task_id: str, passed: int, of: int, twin: str | None = None, outcomes: Sequence[Plain] = ()
+    root: Path, task_id: str, passed: int, of: int, mistake: str | None = None, outcomes: Sequence[Plain] = ()
 ) -> None:
     """Write down that an answer was checked: `passed` of `of` were right, and which mistake it was.
 
@@ -79,8 +79,8 @@ def record_try(
             return
         task.seen += [mark] if mark else []
         task.tries += 1
-        if twin:
-            task.twins[twin] = task.twins.get(twin, 0) + 1
+        if mistake:
+            task.twins[mistake] = task.twins.get(mistake, 0) + 1
 
     _change(Path(root), task_id, tried)
 

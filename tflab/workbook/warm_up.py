@@ -54,5 +54,5 @@ def ask_first(base_p_post: Any) -> None:
         return
     assigned = AssignedTask(name, "", QUESTION, QUESTION.variants[0], root, workbook)
     verdict, outcomes = judge_answer(assigned, base_p_post)
-    said = TEXTS["go_on"] if verdict.mistake else TEXTS["done"]
+    said = TEXTS["go_on"] if verdict.failure else TEXTS["done"]
     show_verdict(assigned, verdict, outcomes, [said.say(workbook.language)], draws=False)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tflab.text import LANGUAGES
-from tflab.workbook.diagnosis.mistake import Mistake
+from tflab.workbook.diagnosis.failure import Failure
 
 from ..submissions.remarks import Remark
 from .cells import VOID
@@ -28,8 +28,8 @@ from .task_score import TaskScore
 __all__ = ["grade_submission", "merge_records"]
 
 ODD = {  # more than a wrong number
-    "raised", "no result", Mistake.RAISES, Mistake.OTHER_EXCEPTION, Mistake.TYPE, Mistake.SHAPE, Mistake.OPTION,
-    Mistake.A_FUNCTION, Mistake.UNSTEADY,
+    "raised", "no result", Failure.RAISES, Failure.OTHER_EXCEPTION, Failure.TYPE, Failure.SHAPE, Failure.OPTION,
+    Failure.A_FUNCTION, Failure.UNSTEADY,
 }  # fmt: skip
 
 

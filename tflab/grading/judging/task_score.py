@@ -1,7 +1,7 @@
 """Turn the outcomes of a task into points, the name of the mistake, and what went wrong.
 
     outcomes of the cases   [440.2, 3.1, ...]     against   expected   -->   5 of 6 probes, 2.5 of 3 points
-                                                  against   each twin  -->   "swapped"
+                                                  against   mistakes   -->   "swapped"
 
 What is right is decided where a learner's own `check` decides it, on plain JSON,
 in a process that the learner's code has never been in; here it becomes points and
@@ -18,7 +18,7 @@ from typing import Any
 from tflab.text import Text
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.answers.values import is_raised
-from tflab.workbook.diagnosis.mistake import WITHOUT_THE_ANSWER, Mistake
+from tflab.workbook.diagnosis.failure import WITHOUT_THE_ANSWER, Failure
 from tflab.workbook.diagnosis.verdict import Verdict, judge_outcomes
 from tflab.workbook.inventory.replies import chosen
 from tflab.workbook.tasks.case_types import Feedback, TaskCases
@@ -91,12 +91,12 @@ def score_task(
     """
     held = TaskCases.of_a_learner(dict(task))._replace(pairs=pair_search(task_id))
     got, is_steady = by_case(held, asks_of(task), outcomes)
-    remarks = [*trouble, *([] if is_steady else [Remark(Mistake.UNSTEADY.value, task_id)])]
+    remarks = [*trouble, *([] if is_steady else [Remark(Failure.UNSTEADY.value, task_id)])]
     found = judge_outcomes(held, held.variants[0], got)
     points = round(held.points * _share(held, task, found), DIGITS)
-    if found.mistake is Mistake.UNANSWERED and not trouble:
+    if found.failure is Failure.UNANSWERED and not trouble:
         status = "unanswered"
-    elif found.mistake is None:
+    elif found.failure is None:
         status, remarks = "right", []
     else:
         status = "partly" if found.passed else "trouble" if trouble else "wrong"
@@ -191,7 +191,7 @@ def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdi
     """Return what can be said without repeating anything that the learner's code made."""
     if all(answer is MISSING for answer in got):
         return [Remark("no result", task_id)]
-    if found.mistake is Mistake.RAISES and not task.is_function:  # the cell itself stopped
+    if found.failure is Failure.RAISES and not task.is_function:  # the cell itself stopped
         return [Remark("raised", task_id, error=safe_error_name(found.detail["error"]))]
     wanted = task.form.wanted()
     names = {name: ", ".join(held) if isinstance(held, list) else held for name, held in found.detail.items()}
@@ -204,9 +204,9 @@ def _what_went_wrong(task_id: str, task: TaskCases, got: list[Any], found: Verdi
         "error": _error_named(found.detail.get("error"), task, got),
         "of_cases": f"{sum(map(is_raised, got))}/{len(got)}",
     }
-    said = WITHOUT_THE_ANSWER[found.mistake]
+    said = WITHOUT_THE_ANSWER[found.failure]
     asked = {name: held for name, held in names.items() if f"{{{name}}}" in said.en + said.ko}
-    return [Remark(found.mistake.value, task_id, **asked)]
+    return [Remark(found.failure.value, task_id, **asked)]
 
 
 def _error_named(name: Any, task: TaskCases, got: Sequence[Any]) -> str | Remark:

@@ -6,7 +6,7 @@
 A remark never repeats what a learner's code printed or raised: that could carry hidden inputs
 out. Why a file cannot be read is a remark inside a remark. What an operating system or Python
 says of a fault is in English everywhere. The texts are in `remarks.yaml`; what is wrong with an
-answer is said as `mistake.py` of the workbook has it.
+answer is said as `failure.py` of the workbook has it.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tflab.text import Text, Texts
-from tflab.workbook.diagnosis.mistake import WITHOUT_THE_ANSWER
+from tflab.workbook.diagnosis.failure import WITHOUT_THE_ANSWER
 
 __all__ = ["KINDS", "Remark", "printable"]
 

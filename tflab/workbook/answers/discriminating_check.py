@@ -17,21 +17,14 @@ from dataclasses import dataclass
 from tflab.clinic.checks import CHECKS
 from tflab.clinic.table import expected_kind
 
-from ...text import Text
+from ...text import Text, Texts
 from .form import Mark, Probe
 from .structures import Choice
 from .values import Plain
 
 __all__ = ["DiscriminatingCheck"]
 
-TOO_DEAR = Text(
-    en="It would distinguish these two, but it takes {minutes:g} minutes, and {most:g} are allowed.",
-    ko="두 원인을 구별할 수 있지만 {minutes:g}분이 걸립니다. 최대 {most:g}분까지 쓸 수 있습니다.",
-)
-THE_SAME = Text(
-    en="It gives the same result for both of these.",
-    ko="둘 가운데 어느 쪽이 원인이든 결과가 같습니다.",
-)
+TEXTS = Texts(__file__)
 
 
 @dataclass(frozen=True)
@@ -58,8 +51,8 @@ class DiscriminatingCheck(Choice):
         if word not in CHECKS or self._tells(word):
             return None
         if self._differs(word):
-            return TOO_DEAR.filled(minutes=CHECKS[word].minutes, most=self.most_min)
-        return THE_SAME if CHECKS[word].minutes <= self.most_min else None
+            return TEXTS["too_costly"].filled(minutes=CHECKS[word].minutes, most=self.most_min)
+        return TEXTS["the_same"] if CHECKS[word].minutes <= self.most_min else None
 
     def _tells(self, word: str) -> bool:
         return self._differs(word) and CHECKS[word].minutes <= self.most_min

@@ -37,28 +37,8 @@ __all__ = [
     "form_from_plain",
 ]
 
-_CLASSES = {
-    cls.__name__: cls
-    for cls in (
-        Angle,
-        Choice,
-        Command,
-        Message,
-        Name,
-        Number,
-        Pair,
-        Parts,
-        Pose,
-        Proof,
-        Quaternion,
-        Sequence,
-        Set,
-        DiscriminatingCheck,
-        Tree,
-        Urdf,
-        Vector,
-    )
-}
+_CLASSES = {cls.__name__: cls for cls in globals().values() if isinstance(cls, type) and issubclass(cls, Form)}
+del _CLASSES["Form"]
 
 
 def form_from_plain(plain: dict[str, Any]) -> Form:

@@ -7,18 +7,15 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
-from ...text import Text
+from ...text import Text, Texts
 from .form import Form, Mark, Probe, Row, member, numbers_of, pose_of
 from .values import Plain
 
 __all__ = ["Angle", "Number", "Pose", "Quaternion", "Vector"]
 
+TEXTS = Texts(__file__)
 LETTERS = "xyzw"
 ROUNDING_DEG = 1e-6
-MORE_DIGITS = Text(
-    en=". The right value has more digits",
-    ko=". 정답은 자릿수가 더 많습니다",
-)
 FEWEST_DIGITS = 3  # of a number, for two mistakes that give it to be no chance
 
 
@@ -58,7 +55,7 @@ class Number(NumberForm):
     def describe_difference(self, answer: Plain, expected: Plain) -> Text | None:
         said = super().describe_difference(answer, expected)
         is_cut = self.unit and 0 < self.digits(answer) < min(FEWEST_DIGITS, self.digits(expected))
-        return Text.joined(said, MORE_DIGITS, between="") if said and is_cut else said
+        return Text.joined(said, TEXTS["more_digits"], between="") if said and is_cut else said
 
     def digits(self, plain: Plain) -> int:
         """Return how many significant digits a number has, of nine behind its point; 0 of what is none."""
@@ -119,7 +116,7 @@ class Vector(NumberForm):
     tolerance: float = 1e-3
     mistakes: ClassVar = (
         *("joined", "a_text", "its_translation", "unit", "all signs", "exchanged", "one sign", "places and signs"),
-        *("twice", "half", "power of ten", "zeros", "place", "rounded"),
+        *("twice", "half", "power of ten", "zeros", "rounded"),
     )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
@@ -153,7 +150,7 @@ class Quaternion(NumberForm):
     mistakes: ClassVar = (
         *("joined", "one_inside", "a_matrix", "rows", "without_zeros", "angles", "its_rotation"),
         *("w first", "w taken first", "inverse rotation", "not normalised", "whole angle", "half angle", "one sign"),
-        *("exchanged", "w left at 1", "place", "angles for a quaternion", "rounded"),
+        *("exchanged", "w left at 1", "angles for a quaternion", "rounded"),
     )
 
     def probes(self, plain: Plain) -> list[Probe] | None:
@@ -232,10 +229,7 @@ def _compare_vectors(given: Sequence[float], wanted: Sequence[float], tolerance:
     large = [name for name, number, other in rows if number - other > tolerance]
     small = [name for name, number, other in rows if other - number > tolerance]
     if not right and abs(math.hypot(*given) - math.hypot(*wanted)) <= 2 * tolerance:
-        return Text(
-            "its length is right, but its direction is not: a rotation is missing, or there is one too many",
-            "길이는 맞지만 방향이 다릅니다. 회전이 빠졌거나 하나 더 들어갔습니다",
-        )
+        return TEXTS["direction"]
     pieces = [(right, "right", "맞음"), (large, "too large", "너무 큼"), (small, "too small", "너무 작음")]
     said = [(", ".join(names), en, ko) for names, en, ko in pieces if names]
     return Text("; ".join(f"{names}: {en}" for names, en, _ in said), "; ".join(f"{n}: {ko}" for n, _, ko in said))

@@ -61,10 +61,7 @@ class Proof(Form):
         return [rows or [(Mark(f"no proof of {claimed or 'any'}: {checks}"),)]]  # the same as itself, and as no proof
 
     def wanted(self) -> Text:
-        return Text(
-            en='a list of checks from the trolley, such as ["node list", "hz /odom"]',
-            ko='검사 이름의 리스트(예: ["node list", "hz /odom"])',
-        )
+        return TEXTS["wanted"]
 
     def remark(self, answer: Plain, neighbours: Mapping[str, Plain]) -> Text | None:
         """Return what keeps a list from proving the cause that stands beside it.

@@ -21,7 +21,7 @@ from functools import lru_cache
 from itertools import islice, product
 from typing import Any, ClassVar
 
-from ...text import Text
+from ...text import Text, Texts
 from . import command_lines
 from .form import Form, Mark, Probe, inside, member, numbers_of
 from .numeric import Number, Quaternion, Vector
@@ -29,6 +29,7 @@ from .values import Plain
 
 __all__ = ["RENAMED", "Choice", "Command", "Message", "Name", "Parts", "Sequence", "as_one", "named_beside"]
 
+TEXTS = Texts(__file__)
 RENAMED = ("other case", "slash in front", "no slash in front", "space around", "other separator")
 MOST_WAYS = 64  # to write one sequence; beyond these, the plainest
 NEARLY = 0.6  # from which share of letters on a name looks like another
@@ -100,10 +101,7 @@ class Name(Form):
         if not isinstance(answer, str) or not isinstance(expected, str) or not answer:
             return None
         if difflib.SequenceMatcher(None, answer, expected).ratio() >= NEARLY:
-            return Text(
-                "nearly the right name: compare letter by letter",
-                "필요한 이름과 비슷합니다. 한 글자씩 비교하십시오",
-            )
+            return TEXTS["nearly"]
         return Text("another name than the expected one", "필요한 이름이 아닙니다")
 
 
@@ -300,10 +298,7 @@ class Command(Form):
             same = next((place for place, pair in enumerate(zip(row, right, strict=False)) if not Mark.same(*pair)), 0)
             return Text(f"right up to word {same}", f"{same}번째 단어까지는 맞습니다") if same else None
         if row[0].value != "static":
-            return Text(
-                "this line publishes no static transform: wrong program, missing word or unknown option",
-                "정적 변환을 발행하는 명령이 아닙니다. 다른 프로그램을 썼거나, 단어를 빠뜨렸거나, 없는 옵션을 썼습니다",
-            )
+            return TEXTS["no_static"]
         wrong = [name for name, *pair in zip(STATIC_FIELDS, row[1:6], right[1:6], strict=True) if not Mark.same(*pair)]
         if not any(all(map(Mark.same, row[6:], other[6:])) for other in wanted[0]):
             wrong.append("rotation")

@@ -99,7 +99,6 @@ def front_page(book: Sequence[BookPage], language: str, *, has_reference: bool) 
     files = {page.file for page in book}
     here = [chapter for chapter in read_course().chapters if f"{chapter.stem}.html" in files]
     exercises = {chapter.stem: exercise_file(chapter.stem).replace(".ipynb", ".html") for chapter in here}
-    missing = [chapter.title.say(language) for chapter in read_course().chapters if chapter not in here]
     return fill(
         "front.jinja",
         language=language,
@@ -108,7 +107,6 @@ def front_page(book: Sequence[BookPage], language: str, *, has_reference: bool) 
             (chapter, TEXTS["minutes"].say(language, n=chapter.minutes), exercises[chapter.stem]) for chapter in here
         ],
         files=files,
-        to_come=TEXTS["to_come"].say(language, titles=", ".join(missing)) if missing else "",
         others=[page for page in book if not page.is_chapter and page.file not in exercises.values()],
         has_reference=has_reference,
         commands=COMMANDS + (" --lang ko" if language == "ko" else ""),

@@ -1,7 +1,7 @@
 """Write the parts of the pages that are made from files, such as the table of chapters.
 
     course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
-                        README.md, README.ko.md       the table of chapters, and what is to come
+                        README.md, README.ko.md       the table of chapters
     glossary.yaml   ->  notebooks/src/90_glossary.py  the whole page
     inventory.yaml  ->  solutions/src/00_start.py     the questions of form A, and at the end of 12 those of form B
 
@@ -40,35 +40,32 @@ START_PAGE = SOURCES / "00_start.py"
 GLOSSARY_PAGE = SOURCES / "90_glossary.py"
 READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
 README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
-README_TO_COME = re.compile(r"(?m)^(?:To come|준비 중인 장): .*\n")
 
 TEXTS = Texts(__file__)
 
 
 def chapter_table(language: str, root: Path) -> str:
-    """Return the chapters that have a page as a markdown table with links, and the others in one line."""
-    lines, to_come = [TEXTS["head"].say(language), "|--:|:--|:--|--:|:--|:--|"], []
-    for chapter in read_course().chapters[1:]:
-        title = chapter.title.say(language)
-        if not (root / SOURCES / f"{chapter.stem}.py").is_file():
-            to_come.append(f"{chapter.number} {title}")
-            continue
+    """Return the chapters that have a page as a markdown table with links."""
+    lines = [TEXTS["head"].say(language), "|--:|:--|:--|--:|:--|:--|"]
+    for chapter in (chapter for chapter in _chapters_with_a_page(root) if chapter.number):
         exercise = ""
         if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
             exercise = f"[E{chapter.number}](../../exercises/{language}/{exercise_file(chapter.stem)})"
         before = ", ".join(str(number) for number in chapter.builds_on)
         cells = (
             str(chapter.number),
-            f"**[{title}]({chapter.stem}.ipynb)**",
+            f"**[{chapter.title.say(language)}]({chapter.stem}.ipynb)**",
             chapter.question.say(language),
             str(chapter.minutes),
             before,
             exercise,
         )
         lines.append(f"| {' | '.join(cells)} |")
-    if to_come:
-        lines += ["", TEXTS["to_come"].say(language, chapters=" · ".join(to_come))]
     return "\n".join(lines)
+
+
+def _chapters_with_a_page(root: Path) -> list[Chapter]:
+    return [chapter for chapter in read_course().chapters if (root / SOURCES / f"{chapter.stem}.py").is_file()]
 
 
 def start_page(root: Path) -> str:
@@ -99,18 +96,13 @@ def glossary_page() -> str:
 
 def readme(language: str, root: Path) -> str:
     """Return the README in a language with its table of chapters as it should be."""
-    rows, to_come = [], []
-    for chapter in read_course().chapters:
-        title = chapter.title.say(language)
-        if (root / SOURCES / f"{chapter.stem}.py").is_file():
-            link = f"[{title}](notebooks/{language}/{chapter.stem}.ipynb)"
-            rows.append(f"| {chapter.number:02} | {link} | {chapter.question.say(language)} | {chapter.minutes} |\n")
-        else:
-            to_come.append(f"{chapter.number:02} {title}")
+    rows = [
+        f"| {chapter.number:02} | [{chapter.title.say(language)}](notebooks/{language}/{chapter.stem}.ipynb) | "
+        f"{chapter.question.say(language)} | {chapter.minutes} |\n"
+        for chapter in _chapters_with_a_page(root)
+    ]
     text = (root / READMES[language]).read_text(encoding="utf-8")
-    text = README_ROWS.sub(lambda found: "".join(rows), text)
-    coming = TEXTS["to_come"].say(language, chapters="; ".join(to_come)) + "\n" if to_come else ""
-    return README_TO_COME.sub(lambda found: coming, text)
+    return README_ROWS.sub(lambda found: "".join(rows), text)
 
 
 def write_contents(root: Path) -> list[Path]:

@@ -13,6 +13,7 @@ from .python_errors import python_error_hint
 from .question import PartialExplanation, Question
 
 __all__ = [
+    "changes_an_argument",
     "explain_changed_arguments",
     "explain_raises",
     "explain_swallowed_exceptions",
@@ -25,6 +26,11 @@ TEXTS = Texts(__file__)
 def return_value(outcome: Plain) -> Plain:
     """Return what a function returned, whether or not it changed an argument."""
     return outcome["gave"] if isinstance(outcome, dict) and "gave" in outcome else outcome
+
+
+def changes_an_argument(question: Question) -> bool:
+    """Return whether some call changed one of its arguments."""
+    return any(return_value(outcome) is not outcome for outcome in question.outcomes)
 
 
 def explain_changed_arguments(question: Question) -> PartialExplanation | None:

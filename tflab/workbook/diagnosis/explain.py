@@ -1,7 +1,7 @@
 """Explain a wrong answer: one ordered table, of which the first row that can explain the answer counts.
 
     explain(question)       Explanation({"swapped": ...}, Text("You swapped ..."))
-    list_asked(question)    [(<a text that was not filled in>, False), ..., (<one mistake of the task>, True)]
+    list_asked(question)    [("", "an obvious generic mistake", False), ..., ("", "two mistakes", True)]
 
 The order is that of certainty: what is seen in the answer itself, one mistake, two mistakes, what the calls
 of a function have in common. A name is given only where the whole of an answer, or of a part, is what that
@@ -10,23 +10,22 @@ mistake gives. The field calls such a table a *bug library* (BUGGY, DEBUGGY), se
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Literal, NamedTuple
 
 from ...text import Text, Texts, capitalized, load_yaml
-from ..answers.forms import Angle, Choice, Command, Form, Message, Number, Parts, Pose, Tree, Urdf, Vector
+from ..answers.forms import Angle, Choice, Command, Message, Number, Parts, Pose, Tree, Urdf, Vector
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import AND
 from ..tasks.credit import trivial_pattern
 from .calls import (
+    changes_an_argument,
     explain_changed_arguments,
     explain_raises,
     explain_swallowed_exceptions,
-    return_value,
 )
-from .coding_patterns import find_coding_pattern, find_input
+from .constants_and_inputs import find_input
 from .explanation import Explanation, combine_explanations, describe
 from .generic import TOLD, describe_names
 from .links import explain_links
@@ -42,42 +41,13 @@ from .matching import (
     matching_corrections,
 )
 from .options import confused, confused_in_lists, seen_of, word_of
-from .parts import explain_exchanged_parts, explain_list_members, explain_obvious_part, explain_parts
-from .question import PartialExplanation, Question
+from .parts import explain_list_members, explain_obvious_part, explain_parts
+from .question import Explainer, PartialExplanation, Question
 from .wrong_types import explain_other_types
 
-__all__ = ["TABLE", "Explainer", "explain", "list_asked", "read_conditions"]
+__all__ = ["TABLE", "explain", "list_asked", "read_conditions"]
 
 TEXTS = Texts(__file__)
-
-
-class Explainer(NamedTuple):
-    """One way to explain an answer.
-
-    Attributes:
-        name: what is looked for; when it is true stands under this name in `conditions.yaml`.
-        explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
-        of: which answers are asked about.
-        forms: the forms that it applies to; all if empty.
-        is_measured: whether it applies to measured forms alone.
-        is_last: whether no later row is asked where this one's condition holds.
-        condition: when it is asked, beside `of` and `forms`.
-    """
-
-    name: str
-    explain: Callable[[Question], Explanation | PartialExplanation | None]
-    of: Literal["value", "function", "any"] = "any"
-    forms: tuple[type[Form], ...] = ()
-    is_measured: bool = False
-    is_last: bool = False
-    condition: Callable[[Question], bool] | None = None
-
-    def applies(self, question: Question) -> bool:
-        """Return whether this row is asked."""
-        is_of = self.of == "any" or (self.of == "function") is question.task.is_function
-        is_form = isinstance(question.form, self.forms or Form)
-        is_form &= question.form.is_measured or not self.is_measured
-        return is_of and is_form and (self.condition is None or self.condition(question))
 
 
 def explain(question: Question) -> Explanation | None:
@@ -90,13 +60,13 @@ def read_conditions() -> dict[str, str]:
     return load_yaml(Path(__file__).with_name("conditions.yaml").read_text(encoding="utf-8"))
 
 
-def list_asked(question: Question) -> list[tuple[Explainer, bool]]:
-    """Return the rows that were asked about an answer, in order, and whether each explained it."""
-    rows = []
+def list_asked(question: Question) -> list[tuple[str, str, bool]]:
+    """Return the rows that were asked, in order: of which part or "", the row's name, and whether it explained."""
+    rows: list[tuple[str, str, bool]] = []
     for row, found in _answers(question):
-        rows.append((row, found is not None))
+        rows.append(("", row.name, found is not None))
         if found is not None:
-            break
+            return [*rows, *found.asked]
     return rows
 
 
@@ -133,7 +103,7 @@ def _explain_value_of_parts(question: Question) -> Explanation | None:
 def _explain_one_mistake(question: Question) -> Explanation | None:
     """Name the mistake of the task that gives the answer; before one that is only near to it, two that are exact."""
     near = _single(question, ONE)
-    if near and _is_measured_value(question) and not _single(question, A_HAIR):
+    if near and not question.is_function and question.form.is_measured and not _single(question, A_HAIR):
         pair = next(_pairs(question, A_HAIR), None)
         if pair:
             return _explained_by(question, *pair)
@@ -151,10 +121,6 @@ def _explain_input_as_it_came(question: Question) -> Explanation | None:
     return _explained_by(question, name) if name else None
 
 
-def _explain_two_mistakes(question: Question) -> Explanation | None:
-    return _explained_by_first(question, _pairs(question, TWO))
-
-
 def _explain_mistake_and_generic(question: Question) -> Explanation | None:
     """Name a mistake of the task and an obvious one that any answer can have, made after it."""
     rows = question.single_mistakes.items()
@@ -167,8 +133,6 @@ def _explain_mistake_and_generic(question: Question) -> Explanation | None:
 
 def _explain_generic_mistake(question: Question) -> Explanation | None:
     names = next(((name,) for name in matching_corrections(question.form, question.outcomes, question.expected)), None)
-    if names and [name.partition(TOLD)[0] for name in names] == ["members too many"] and question.task.is_function:
-        return _explain_coding_pattern(question) or _explained_by(question, *names)
     return _explained_by(question, *names) if names else None
 
 
@@ -194,12 +158,6 @@ def _explain_nothing(question: Question) -> None:
     """Leave a constant, or what came in, to the verdict: that says it all."""
 
 
-def _explain_coding_pattern(question: Question) -> Explanation | None:
-    args = [case.args or [] for case in question.cases]
-    found = find_coding_pattern(question.form, args, question.outcomes, question.expected)
-    return Explanation.of(*found) if found else None
-
-
 def _explain_confused_options(question: Question) -> Explanation | None:
     """Say which option stands for which, alone or in lists, and in which call it shows."""
     task, form, wanted, outcomes = question.task, question.form, question.expected, question.outcomes
@@ -220,21 +178,6 @@ def _explain_names(question: Question) -> Explanation | None:
     return Explanation.of("names", words) if words else None
 
 
-# -- conditions ------------------------------------------------------------------------------
-
-
-def _changes_an_argument(question: Question) -> bool:
-    return any(return_value(outcome) is not outcome for outcome in question.outcomes)
-
-
-def _is_constant_or_input(question: Question) -> bool:
-    return bool(trivial_pattern(question.form, question.cases, question.outcomes))
-
-
-def _is_split(question: Question) -> bool:
-    return bool(question.form.forms_of_parts(question.outcomes[0]))
-
-
 def _is_not_short(question: Question) -> bool:
     """Return whether a number has digits enough for two mistakes to be no chance, and is not the right one rounded."""
     form, outcomes = question.form, list(question.outcomes)
@@ -247,17 +190,20 @@ TABLE: tuple[Explainer, ...] = (
     Explainer("parts of a value", _explain_value_of_parts, of="value", forms=(Parts,), is_last=True),
     Explainer("a time for seconds, or pairs for a dict", explain_other_types, forms=(Number, Tree)),
     Explainer(
-        "a changed argument", explain_changed_arguments, of="function", condition=_changes_an_argument, is_last=True
+        "a changed argument", explain_changed_arguments, of="function", condition=changes_an_argument, is_last=True
     ),
     Explainer("one mistake of the task", _explain_one_mistake),
     Explainer("an obvious generic mistake", _explain_obvious_mistake),
-    Explainer("exchanged parts", explain_exchanged_parts, forms=(Parts,)),
     Explainer("an obvious mistake in one part", explain_obvious_part, forms=(Parts,)),
     Explainer(
-        "a constant, or the input", _explain_nothing, of="function", condition=_is_constant_or_input, is_last=True
+        "a constant, or the input",
+        _explain_nothing,
+        of="function",
+        condition=lambda each: bool(trivial_pattern(each.form, each.cases, each.outcomes)),
+        is_last=True,
     ),
     Explainer("an input as it came, or a factor reversed", _explain_input_as_it_came, of="value"),
-    Explainer("two mistakes", _explain_two_mistakes, condition=_is_not_short),
+    Explainer("two mistakes", lambda each: _explained_by_first(each, _pairs(each, TWO)), condition=_is_not_short),
     Explainer("a mistake and a generic one", _explain_mistake_and_generic, condition=_is_not_short),
     Explainer("a generic mistake", _explain_generic_mistake),
     Explainer("one mistake in each answer", _explain_mistake_in_each_answer, of="function", is_measured=True),
@@ -266,9 +212,14 @@ TABLE: tuple[Explainer, ...] = (
     ),
     Explainer("calls that raise", explain_raises, of="function"),
     Explainer("swallowed exceptions", explain_swallowed_exceptions, of="function"),
-    Explainer("parts", explain_parts, forms=(Parts, Message, Command, Pose), condition=_is_split, is_last=True),
+    Explainer(
+        "parts",
+        explain_parts,
+        forms=(Parts, Message, Command, Pose),
+        condition=lambda each: bool(each.form.forms_of_parts(each.outcomes[0])),
+        is_last=True,
+    ),
     Explainer("links of a robot", explain_links, forms=(Urdf,), is_last=True),
-    Explainer("a coding pattern", _explain_coding_pattern, of="function"),
     Explainer("members of lists", explain_list_members, forms=(ListForm,)),
     Explainer("confused options", _explain_confused_options, of="function", forms=(Choice, ListForm)),
     Explainer("names", _explain_names, of="function"),
@@ -297,10 +248,6 @@ def _is_only_near(question: Question, name: str) -> bool:
         return False
     row = question.single_mistakes.get(name)
     return row is not None and not matches_closely(question.form, question.outcomes, row, A_HAIR)
-
-
-def _is_measured_value(question: Question) -> bool:
-    return not question.task.is_function and question.form.is_measured
 
 
 def _single(question: Question, share: float) -> list[str]:

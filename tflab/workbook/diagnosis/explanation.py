@@ -23,12 +23,14 @@ class Explanation(NamedTuple):
         said: what to say of them.
         follows: parts that are wrong only because of an earlier one.
         shows: the number of the call in which it is plain to see; None: the first that goes wrong.
+        asked: of an answer in parts, who was asked: the part or "" for several, the row's name, whether it explained.
     """
 
     mistakes: dict[str, Feedback]
     said: Text
     follows: tuple[str, ...] = ()
     shows: int | None = None
+    asked: tuple[tuple[str, str, bool], ...] = ()
 
     @classmethod
     def of(cls, name: str, said: Text) -> Explanation:
@@ -44,7 +46,7 @@ def combine_explanations(first: Explanation, then: Explanation) -> Explanation:
         if len(first.mistakes) == 1
         else _in_a_row(first.said, besides)
     )
-    return Explanation(first.mistakes | then.mistakes, said, first.follows)
+    return Explanation(first.mistakes | then.mistakes, said, first.follows, asked=first.asked)
 
 
 def describe(task: TaskCases, names: Sequence[str]) -> Text:

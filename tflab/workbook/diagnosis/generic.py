@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import permutations, product
 from typing import NamedTuple
 
@@ -47,21 +47,19 @@ class Recogniser(NamedTuple):
     is_exact: bool = False
 
 
-def _negated(row: Row) -> Iterator[Row]:
-    yield tuple(-number for number in row)
+def _times(*factors: float) -> Callable[[Row], list[Row]]:
+    """Return what takes all numbers times each of these factors."""
+    return lambda row: [tuple(factor * number for number in row) for factor in factors]
+
+
+def _taken(*places: int) -> Callable[[Row], list[Row]]:
+    """Return what takes the numbers of these places, in this order."""
+    return lambda row: [tuple(row[place] for place in places)]
 
 
 def _reciprocal(row: Row) -> Iterator[Row]:
     if row[0]:
         yield (1.0 / row[0],)
-
-
-def _half(row: Row) -> Iterator[Row]:
-    yield tuple(number / 2.0 for number in row)
-
-
-def _double(row: Row) -> Iterator[Row]:
-    yield tuple(number * 2.0 for number in row)
 
 
 def _double_angle(row: Row) -> Iterator[Row]:
@@ -78,14 +76,6 @@ def _root(row: Row) -> Iterator[Row]:
 def _square(row: Row) -> Iterator[Row]:
     if row[0] > 0.0:
         yield (row[0] ** 2,)
-
-
-def _powers_of_ten(row: Row) -> Iterator[Row]:
-    yield from (tuple(number * 10.0**power for number in row) for power in range(-9, 10) if power)
-
-
-def _half_a_turn(row: Row) -> Iterator[Row]:
-    yield (row[0] + math.pi,)
 
 
 def _angle_of_z(row: Row) -> Iterator[Row]:
@@ -116,19 +106,6 @@ def _one_sign(row: Row) -> Iterator[Row]:
             yield (*row[:place], -number, *row[place + 1 :])
 
 
-def _w_first(row: Row) -> Iterator[Row]:
-    yield (*row[1:], row[0])
-
-
-def _w_taken_first(row: Row) -> Iterator[Row]:
-    """What came as (x, y, z, w) was written to (w, x, y, z)."""
-    yield (row[3], *row[:3])
-
-
-def _conjugate(row: Row) -> Iterator[Row]:
-    yield (-row[0], -row[1], -row[2], row[3])
-
-
 def _scaled(row: Row) -> Iterator[Row]:
     length = math.hypot(*row)
     if length > 1e-9 and abs(length - 1.0) > 1e-3:
@@ -150,16 +127,23 @@ def _turned_on(row: Row) -> Iterator[Row]:
     yield 2.0 * w * x, 2.0 * w * y, 2.0 * w * z, w * w - x * x - y * y - z * z
 
 
+def _conjugate(row: Row) -> list[Row]:
+    return [(-row[0], -row[1], -row[2], row[3])]
+
+
+NEGATED = _times(-1.0)
+POWERS = [10.0**power for power in range(-9, 10) if power]
+
 # -- in which forms -------------------------------------------------------------------------
 
 
-def _numbers(undo: Callable[[Row], Iterator[Row]], name: str = "", least: float = 0.0) -> Callable:
+def _numbers(undo: Callable[[Row], Iterable[Row]], name: str = "", least: float = 0.0) -> Callable:
     """Return how a mistake is undone in the numbers of an answer; of a pose, in those of its rotation."""
 
     def undone(form: Form, answer: Plain) -> Iterator[tuple[str, Plain]]:
         pose = pose_of(answer) if isinstance(form, Pose) else None
         row = pose[3] if pose else form.numbers(answer)
-        is_a_count = isinstance(form, Number) and not form.unit and undo is not _negated
+        is_a_count = isinstance(form, Number) and not form.unit and undo is not NEGATED
         if row is None or is_a_count or form.read(answer) is None:  # or, say, a message in another frame
             return
         if pose:
@@ -225,21 +209,21 @@ def _back(step: Row, turn: Row) -> Transform:
 
 UNDONE = {
     "unit": Recogniser(_units, is_plain=True, is_exact=True),
-    "sign": Recogniser(_numbers(_negated), is_plain=True, is_exact=True),
+    "sign": Recogniser(_numbers(NEGATED), is_plain=True, is_exact=True),
     "one over it": Recogniser(_numbers(_reciprocal)),
-    "twice": Recogniser(_numbers(_half)),
-    "half": Recogniser(_numbers(_double)),
+    "twice": Recogniser(_numbers(_times(0.5))),
+    "half": Recogniser(_numbers(_times(2.0))),
     "half the angle": Recogniser(_numbers(_double_angle)),
     "squared": Recogniser(_numbers(_root)),
     "root": Recogniser(_numbers(_square)),
-    "half a turn": Recogniser(_numbers(_half_a_turn)),
+    "half a turn": Recogniser(_numbers(lambda row: [(row[0] + math.pi,)])),
     "z for the angle": Recogniser(_numbers(_angle_of_z), "M5"),
-    "all signs": Recogniser(_numbers(_negated), is_plain=True),
+    "all signs": Recogniser(_numbers(NEGATED), is_plain=True),
     "one sign": Recogniser(_numbers(_one_sign, "one sign")),
     "exchanged": Recogniser(_numbers(_exchanged, "exchanged")),
     "places and signs": Recogniser(_numbers(_places_and_signs, "places and signs")),
-    "w first": Recogniser(_numbers(_w_first), "M5", is_plain=True),
-    "w taken first": Recogniser(_numbers(_w_taken_first), "M5", is_plain=True),
+    "w first": Recogniser(_numbers(_taken(1, 2, 3, 0)), "M5", is_plain=True),
+    "w taken first": Recogniser(_numbers(_taken(3, 0, 1, 2)), "M5", is_plain=True),
     "inverse rotation": Recogniser(_numbers(_conjugate), "M1", is_plain=True),
     "not normalised": Recogniser(_numbers(_scaled), "M5", is_plain=True),
     "whole angle": Recogniser(_numbers(_halved), "M5"),
@@ -253,7 +237,7 @@ UNDONE = {
     "not turned back": Recogniser(_pose(lambda step, turn: _back(step, turn).inverse()), "M1", is_plain=True),
     "translation taken away": Recogniser(_pose(lambda step, turn: _back(step, turn)), "M3"),
     "transposed": Recogniser(_transposed),
-    "power of ten": Recogniser(_numbers(_powers_of_ten, least=NOTHING), is_exact=True),
+    "power of ten": Recogniser(_numbers(_times(*POWERS), least=NOTHING), is_exact=True),
 }
 
 

@@ -1,22 +1,20 @@
-"""Explain which options a function or a value confuses, and options in another order."""
+"""Explain which options a function confuses."""
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from ...text import Text, Texts
-from ..answers.form import Form, inside
+from ..answers.form import inside
 from ..answers.forms import Choice
 from ..answers.forms import Sequence as ListForm
 from ..answers.values import Plain, is_raised
-from .explanation import PartFound
 
 __all__ = [
     "confused",
     "confused_in_lists",
-    "explain_orders",
     "seen_of",
     "word_never_returned",
     "word_of",
@@ -133,66 +131,3 @@ def word_of(form: Choice, plain: Plain) -> str | None:
         return None
     probes = form.read(plain)
     return str(probes[0][0][0].value) if probes else None
-
-
-FEWEST_OF_ORDERS = 3  # places, for an order to be more than two words that are exchanged
-
-Row = Sequence[Any]
-
-ORDINALS = {"first", "second", "third", "fourth", "fifth", "sixth", "seventh", "last"}
-
-
-def explain_orders(
-    forms: Mapping[str, Form],
-    given: Mapping[str, Sequence[Plain]],
-    wanted: Mapping[str, Sequence[Plain]],
-    means: Mapping[str, Text] | None = None,
-) -> list[PartFound]:
-    """Return what is wrong with places that are filled from the same words, all of them together.
-
-    Args:
-        means: what is said of a word, by the word.
-    """
-    found = []
-    for names in _asked_in_order(forms):
-        if len(given[names[0]]) != 1:  # a function: its words are confused, and no places
-            continue
-        want = [word_of(forms[name], wanted[name][0]) for name in names]
-        have = [word_of(forms[name], given[name][0]) for name in names]
-        wrong = [name for name, one, other in zip(names, have, want, strict=True) if one != other]
-        is_order = len(names) >= FEWEST_OF_ORDERS and len(set(want)) == len(want) and ORDINALS.issuperset(names)
-        order = _explain_an_order(have, want, means or {}) if wrong and is_order else None
-        if order is not None:
-            found.append(PartFound.of(*order, *wrong))
-    return found
-
-
-def _explain_an_order(have: Row, want: Row, means: Mapping[str, Text]) -> tuple[str, Text] | None:
-    """Return what is wrong with an order as a whole, and what to say; None if it is not one thing."""
-    if have == want[::-1]:
-        return "order reversed", TEXTS["order reversed"]
-    moved = _out_of_place(have, want, means)
-    return ("one out of place", moved) if moved else None
-
-
-def _out_of_place(have: Row, want: Row, means: Mapping[str, Text]) -> Text | None:
-    """Return which one word stands elsewhere than it should, by two places or more, while the others are in order."""
-    if sorted(map(str, have)) != sorted(map(str, want)):
-        return None
-    for at, word in enumerate(have):
-        place = want.index(word)
-        others = ([one for one in row if one != word] for row in (have, want))
-        if abs(place - at) > 1 and next(others) == next(others):
-            return Text.joined(
-                TEXTS["comes_earlier" if place < at else "comes_later"].filled(word=word), means.get(word)
-            )
-    return None
-
-
-def _asked_in_order(forms: Mapping[str, Form]) -> Iterator[list[str]]:
-    """Yield the names of the parts that are choices between the same words."""
-    alike: dict[tuple[str, ...], list[str]] = {}
-    for name, form in forms.items():
-        if isinstance(form, Choice) and form.options:
-            alike.setdefault(form.options, []).append(name)
-    yield from alike.values()

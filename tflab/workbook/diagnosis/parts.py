@@ -4,161 +4,97 @@
                                            a mistake that any answer can have, in that part
                                            the answer of another part, or what was given
 
-A value has one case, a function several: a part is explained where it is in all of
+What explains several parts together comes first (`_explain_several`).  Each part that is left is explained by the
+first row of `PARTS` that can.  A value has one case, a function several: a part is explained where it is in all of
 them.  What only follows from an earlier mistake costs nothing: *error carried forward*.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from itertools import combinations
+from collections.abc import Iterator
+from itertools import chain, combinations
 
 from ...text import Text, Texts
-from ..answers.form import Form, inside
-from ..answers.forms import Choice, Message, Parts
+from ..answers.form import inside
+from ..answers.forms import Choice, Message
 from ..answers.forms import Sequence as ListForm
 from ..answers.structures import named_beside
-from ..answers.values import Plain, is_raised
-from ..tasks.case_types import Case, Feedback, TaskCases
-from .coding_patterns import constant_of, find_coding_pattern, find_input
-from .explanation import Explanation, PartFound, describe, merge_found, without_overlaps
-from .generic import TOLD
-from .matching import (
-    alike,
-    all_alike,
-    expand_lists,
-    feedback_of,
-    in_some,
-    matches_closely,
-    matching_corrections,
-)
-from .options import confused, explain_orders, seen_of, word_of
-from .part_mistakes import Table, consequence_of, followers, is_something, mistakes_in_parts, only_follows
-from .precision import stamp_of, time_of
-from .question import Question
+from ..answers.values import is_raised
+from ..tasks.case_types import Case
+from .constants_and_inputs import constant_of, find_input
+from .explanation import Explanation, PartFound, merge_found, without_overlaps
+from .matching import alike, all_alike, in_some, matches_closely, matching_corrections
+from .options import confused, seen_of, word_of
+from .part_mistakes import AnswerPart, Table, consequence_of, is_something, mistakes_in_parts
+from .question import Explainer, Question
 from .wrong_types import describe_types
 
-__all__ = ["explain_exchanged_parts", "explain_list_members", "explain_obvious_part", "explain_parts"]
+__all__ = ["PARTS", "explain_list_members", "explain_obvious_part", "explain_parts"]
 
 TEXTS = Texts(__file__)
 
 
 def explain_parts(question: Question) -> Explanation | None:
     """Return how the wrong parts of an answer came about, or None if nothing explains any of them."""
-    task, form, given = question.task, question.form, dict(question.inputs)
-    every = list(zip(question.cases, question.outcomes, strict=True))
-    if not all(alike(form, outcome, case.expected) for case, outcome in every if is_raised(case.expected)):
+    raises = question.calls_that_raise()
+    if not all(question.calls(raises).is_right):
         return None
-    asked = [pair for pair in every if not is_raised(pair[0].expected)]
-    stopped, going = ([pair for pair in asked if is_raised(pair[1]) is stops] for stops in (True, False))
-    if not going or len(going) < len(stopped) or any(form.read(outcome) is None for _, outcome in going):
+    asked = question.calls(not each for each in raises)
+    stops = [is_raised(outcome) for outcome in asked.outcomes]
+    stopped, going = asked.calls(stops), asked.calls(not each for each in stops)
+    if not going.cases or len(going.cases) < len(stopped.cases):
         return None
-    of_going, came = map(list, zip(*going, strict=True))
-    return _beside_stops(task, stopped, of_going, came) if stopped else _explain_table(task, of_going, came, given)
+    if any(question.form.read(outcome) is None for outcome in going.outcomes):
+        return None
+    return _beside_stops(stopped, going) if stopped.cases else _explain_table(Table.of(going))
 
 
-def _beside_stops(
-    task: TaskCases, stopped: Sequence[tuple[Case, Plain]], going: Sequence[Case], outcomes: Sequence[Plain]
-) -> Explanation | None:
+def _beside_stops(stopped: Question, going: Question) -> Explanation | None:
     """Return which of the task's mistakes explains the calls that go on, if it stops in the others just as this did."""
-    names = {name for name in going[0].wrong if all(alike(task.form, was, case.wrong[name]) for case, was in stopped)}
-    only = [case._replace(wrong={name: case.wrong[name] for name in case.wrong if name in names}) for case in going]
-    found = _explain_table(task._replace(pairs=None), only, outcomes, None) if names else None
-    return found if found and found.mistakes.keys() <= task.feedback.keys() else None
+    rows = stopped.single_mistakes.items()
+    names = [name for name, row in rows if all_alike(stopped.form, stopped.outcomes, row)]
+    only = [case._replace(wrong={name: case.wrong[name] for name in names}) for case in going.cases]
+    table = Table.of(Question(going.task._replace(pairs=None), only, going.outcomes))
+    found = _explain_table(table) if names else None
+    return found if found and found.mistakes.keys() <= going.task.feedback.keys() else None
 
 
-def _explain_table(
-    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], given: dict[str, Plain] | None
-) -> Explanation | None:
+def _explain_table(table: Table) -> Explanation | None:
     """Return the same where each case asks for a value, and each outcome can be read."""
-    table = _table(task.form, cases, outcomes)
-    names, wrong = list(table.forms), set(_wrong_in(table))
-    several, follow = _explain_several_and_what_follows(task, table, cases, wrong, given)
-    wrong -= follow.keys()
-    found = without_overlaps(several, wrong)
-    left = wrong.difference(*(cause.parts for cause in found))
-    for name in names:
-        if name in left:
-            found += (
-                _by_itself(task, table, name, given, cases[0].wrong, wrong - left)
-                or _as_it_came(task.form, table, name, cases)
-                or _after_a_mistake(task, table, name, cases, found)
-                or _mistake_and_then(task, table, name, cases)
-            )
-    left -= {name for cause in found for name in cause.parts}
-    found += [only_follows(*pair) for pair in follow.items()] if found else []
-    return merge_found(found, {name: _certain(table, name) for name in names if name in left}, names) if found else None
-
-
-def _explain_several_and_what_follows(
-    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
-) -> tuple[list[PartFound], dict[str, str]]:
-    """Return what explains parts together, and beside it, unless one cause explains all, which parts only follow."""
-    several = _explain_several(task, table, cases, wrong, given)
-    is_of_all = any(wrong <= cause.parts for cause in several)
-    follow = {} if is_of_all else followers(table.forms, table.given, table.wanted, wrong)
-    return (_explain_several(task, table, cases, wrong - follow.keys(), given) if follow else several), follow
-
-
-def _explain_several(
-    task: TaskCases, table: Table, cases: Sequence[Case], wrong: set[str], given: dict[str, Plain] | None
-) -> list[PartFound]:
-    """Return what explains parts together: two that changed places, mistakes, an order."""
-    mistakes = mistakes_in_parts(task, table, cases, wrong, given)
-    pairs = [
-        pair for pair in _changed_places(table, wrong) if not any(pair.parts <= mistake.parts for mistake in mistakes)
-    ]
-    rows = (table.forms, table.given, table.wanted)
-    orders = explain_orders(*rows, task.means)
-    is_one_mistake = any(wrong <= mistake.parts for mistake in mistakes)
-    return [*pairs, *mistakes, *orders] if is_one_mistake else [*pairs, *orders, *mistakes]
-
-
-def explain_exchanged_parts(question: Question) -> Explanation | None:
-    """Return that two parts hold each other's answer, if that is all that is wrong."""
-    if not isinstance(question.form, Parts) or any(question.calls_that_raise()):
+    wrong = table.wrong
+    several = _explain_several(table, wrong)
+    found = without_overlaps(list(chain(*several.values())), wrong)
+    asked = [("", name, any(cause in found for cause in causes)) for name, causes in several.items()]
+    left = [name for name in table.forms if name in wrong.difference(*(cause.parts for cause in found))]
+    for name in left:
+        part = table.part(name, found)
+        for row, cause in _answers(part):
+            asked.append((name, row, cause is not None))
+            found += [cause] if cause else []
+    if not found:
         return None
-    table = _table(question.form, question.cases, question.outcomes)
-    names = list(table.forms)
-    wrong = set(_wrong_in(table))
-    found = next((pair for pair in _changed_places(table, wrong) if pair.parts == wrong), None)
-    return merge_found([found], {}, names) if found else None
+    explained = set().union(*(cause.parts for cause in found))
+    certain = {name: _certain(table, name) for name in left if name not in explained}
+    return merge_found(found, certain, list(table.forms))._replace(asked=tuple(asked))
 
 
-def explain_obvious_part(question: Question) -> Explanation | None:
-    """Return what is plain to see in the only part that is wrong: no two mistakes have to meet for a sign alone."""
-    task, cases, outcomes = question.task, question.cases, question.outcomes
-    if not isinstance(task.form, Parts) or any(map(is_raised, (*outcomes, *(case.expected for case in cases)))):
-        return None
-    if any(task.form.read(outcome) is None for outcome in outcomes):
-        return None
-    table = _table(task.form, cases, outcomes)
-    wrong = _wrong_in(table)
-    if len(wrong) != 1:
-        return None
-    (name,) = wrong
-    fix = next(
-        matching_corrections(table.forms[name], table.given[name], table.wanted[name], only_plain_to_see=True), None
-    )
-    if fix is None:
-        return None
-    words = feedback_of(task, fix)
-    found = PartFound({fix: words}, _shown_too(task, name, words.reply), {name})
-    return merge_found([found], {}, list(table.forms))
+def _answers(part: AnswerPart) -> Iterator[tuple[str, PartFound | None]]:
+    """Yield the rows that are asked about a part, up to the first that explains it, and the explanation."""
+    for row in (row for row in PARTS if row.applies(part)):
+        cause = row.explain(part)
+        yield row.name, cause
+        if cause is not None:
+            return
 
 
-def _table(form: Form, cases: Sequence[Case], outcomes: Sequence[Plain]) -> Table:
-    forms = expand_lists(form, form.forms_of_parts(cases[0].expected), [*outcomes, *(case.expected for case in cases)])
-    given = {name: [form.part_of(plain, name) for plain in outcomes] for name in forms}
-    wanted = {name: [form.part_of(case.expected, name) for case in cases] for name in forms}
-    return Table(forms, given, wanted, [case.args or [] for case in cases])
+# -- several parts together ----------------------------------------------------------------
 
 
-def _wrong_in(table: Table) -> list[str]:
-    return [name for name, part in table.forms.items() if not all_alike(part, table.given[name], table.wanted[name])]
-
-
-# -- what explains a part ------------------------------------------------------------------
+def _explain_several(table: Table, wrong: set[str]) -> dict[str, list[PartFound]]:
+    """Return what explains parts together: two that changed places, and mistakes."""
+    mistakes = mistakes_in_parts(table, wrong)
+    pairs = [pair for pair in _changed_places(table, wrong) if not any(pair.parts <= each.parts for each in mistakes)]
+    return {"parts that changed places": pairs, "mistakes in parts": mistakes}
 
 
 def _changed_places(table: Table, wrong: set[str]) -> Iterator[PartFound]:
@@ -167,183 +103,157 @@ def _changed_places(table: Table, wrong: set[str]) -> Iterator[PartFound]:
     for one, other in combinations(names, 2):
         is_alike = type(table.forms[one]) is type(table.forms[other])
         if is_alike and _holds(table, one, other) and _holds(table, other, one):
-            key = f"{one} and {other} changed places"
-            yield PartFound({key: Feedback(TEXTS["changed_places"], "")}, TEXTS["changed_places"], {one, other})
+            yield PartFound.of(f"{one} and {other} changed places", TEXTS["changed_places"], one, other)
 
 
 def _holds(table: Table, one: str, other: str) -> bool:
     return all_alike(table.forms[other], table.given[one], table.wanted[other])
 
 
-def _by_itself(
-    task: TaskCases,
-    table: Table,
-    name: str,
-    given: dict[str, Plain] | None,
-    wrong_answers: dict[str, Plain],
-    known: set[str],
-) -> list[PartFound]:
-    """Return what explains one part alone: its option, what any answer can have, another's answer, what was given."""
-    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    hint = _choice(task, name, form, outcomes[0], wanted[0]) if len(outcomes) == 1 else None
-    if hint is not None and isinstance(form, Choice):
-        hint = Text.joined(hint, form.remark(outcomes[0], {}))
-        return [PartFound({f"{name}: {outcomes[0]}": Feedback(hint, "")}, hint, {name})]
-    if found := _explain_kinds(table, name) or _remarked(table, name) or _explain_any(task, table, name):
-        return found
-    if len(outcomes) > 1:
-        return _explain_words(task, table, name)
-    found = _explain_the_given(task, name, form, outcomes[0], wanted[0], given) or _as_another_is(
-        task, table, name, wrong_answers, known
-    )
-    return found or ([PartFound.of(f"{name}: another", hint, name)] if hint else [])
+def explain_obvious_part(question: Question) -> Explanation | None:
+    """Return what is plain to see in the only part that is wrong: no two mistakes have to meet for a sign alone."""
+    if any(map(is_raised, (*question.outcomes, *question.expected))):
+        return None
+    if any(question.form.read(outcome) is None for outcome in question.outcomes):
+        return None
+    table = Table.of(question)
+    if len(table.wrong) != 1:
+        return None
+    part = table.part(*table.wrong)
+    fix = next(matching_corrections(part.form, part.outcomes, part.expected, only_plain_to_see=True), None)
+    return merge_found([_shown_too(part, fix)], {}, list(table.forms)) if fix else None
 
 
-def _explain_kinds(table: Table, name: str) -> list[PartFound]:
+# -- one part ------------------------------------------------------------------------------
+
+
+def _explain_option(part: AnswerPart) -> PartFound | None:
+    """Return what the option that was chosen would mean, and what the part shows instead."""
+    outcome, hint = part.outcomes[0], _hint(part)
+    if hint is None:
+        return None
+    return part.explained(f"{part.name}: {outcome}", Text.joined(hint, part.form.remark(outcome, {})))
+
+
+def _explain_word(part: AnswerPart) -> PartFound | None:
+    """Return the same of a word or a bool that is no option, where nothing else explains it."""
+    hint = _hint(part)
+    return part.explained(f"{part.name}: another", hint) if hint else None
+
+
+def _hint(part: AnswerPart) -> Text | None:
+    """Return what an option would mean, and what the part shows: why one is not the other."""
+    task, form, answer = part.table.task, part.form, part.outcomes[0]
+    is_choice = isinstance(form, Choice)
+    option = form.option(answer) if is_choice else str(answer) if isinstance(answer, str | bool) else None
+    right = word_of(form, part.expected[0]) if is_choice else None
+    name, bracket, place = part.name.partition("[")  # of "c[0]", what is for it, for c, or for each list's first
+    shows = task.shows.get(part.name) or task.shows.get(name) or task.shows.get(bracket + place)
+    said = [task.means.get(option or ""), shows or task.seen.get(right or "")]
+    return Text.joined(*said) if any(said) else None
+
+
+def _explain_kinds(part: AnswerPart) -> PartFound | None:
     """Return whether what is no word at all stands where one is asked for, in some calls of a function."""
-    said = describe_types(table.forms[name], table.given[name])[:2]
+    said = describe_types(part.form, part.outcomes)[:2]
     texts = (". ".join(row) + "." for row in zip(*said, strict=True))
-    return [PartFound.of(f"{name}: no word", Text(*texts), name)] if said else []
+    return part.explained(f"{part.name}: no word", Text(*texts)) if said else None
 
 
-def _after_a_mistake(
-    task: TaskCases, table: Table, name: str, cases: Sequence[Case], found: Sequence[PartFound]
-) -> list[PartFound]:
-    """Return what a part is beside the mistakes of the task that were found in others."""
-    known = {part for cause in found for part in cause.parts} - {name}
-    for mistake, part in ((mistake, words.part) for mistake, words in task.feedback.items() if words.part in known):
-        rows = {one: [task.form.part_of(case.wrong[mistake], one) for case in cases] for one in (part, name)}
-        more = consequence_of(task, name, table.forms[name], table.given[name], part, rows[name])
-        if more and matches_closely(table.forms[part], table.given[part], rows[part]):
-            return more
-    return []
-
-
-def _mistake_and_then(task: TaskCases, table: Table, name: str, cases: Sequence[Case]) -> list[PartFound]:
-    """Return a mistake of the task and what is plain to see on top of it, if both give one part."""
-    form = table.forms[name]
-    for mistake in task.feedback if form.is_measured else ():
-        row = [task.form.part_of(twin, name) for twin in (case.wrong.get(mistake) for case in cases)]
-        if any(value is None or is_raised(value) for value in row) or all_alike(form, row, table.wanted[name]):
-            continue
-        for fix in matching_corrections(form, table.given[name], row, only_plain_to_see=True):
-            return [
-                PartFound(
-                    {each: feedback_of(task, each) for each in (mistake, fix)}, describe(task, [mistake, fix]), {name}
-                )
-            ]
-    return []
-
-
-def _remarked(table: Table, name: str) -> list[PartFound]:
+def _remarked(part: AnswerPart) -> PartFound | None:
     """Return what a form itself says of a wrong answer, beside the other parts that speak of the same one."""
-    form, outcomes = table.forms[name], table.given[name]
-    beside = named_beside(name, table.given)
-    wrong = [n for n, pair in enumerate(zip(outcomes, table.wanted[name], strict=True)) if not alike(form, *pair)]
-    remarks = (form.remark(outcomes[n], {part: table.given[part][n] for part in beside}) for n in wrong)
+    given = part.table.given
+    beside = named_beside(part.name, given)
+    pairs = enumerate(zip(part.outcomes, part.expected, strict=True))
+    wrong = [(n, pair[0]) for n, pair in pairs if not alike(part.form, *pair)]
+    remarks = (part.form.remark(outcome, {other: given[other][n] for other in beside}) for n, outcome in wrong)
     words = next(filter(None, remarks), None)
-    return [PartFound.of(f"{name}: no proof", words, name)] if words else []
+    return part.explained(f"{part.name}: no proof", words) if words else None
 
 
-def _explain_any(task: TaskCases, table: Table, name: str) -> list[PartFound]:
-    """Return what any answer can have: a habit, something universal, another part's answer."""
-    form, outcomes, wanted = table.forms[name], table.given[name], table.wanted[name]
-    if len(outcomes) > 1 and (pattern := find_coding_pattern(form, table.args, outcomes, wanted)):
-        return [PartFound.of(f"{name}: {pattern[0]}", pattern[1], name)]
-    if same := constant_of(form, outcomes, wanted):
-        return [PartFound.of(f"{name}: {same[0]}", same[1], name)]
-    for fix in [*matching_corrections(form, outcomes, wanted), *in_some(form, outcomes, wanted)][:1]:
-        words = feedback_of(task, fix)
-        return [PartFound({fix.partition(TOLD)[0]: words}, _shown_too(task, name, words.reply), {name})]
-    if (other := _anothers(table, name)) is not None:
-        return [PartFound.of(f"{other} under {name}", TEXTS["anothers"].filled(other=other), name)]
-    return []
+def _explain_constant(part: AnswerPart) -> PartFound | None:
+    found = constant_of(part.form, part.outcomes, part.expected)
+    return part.explained(f"{part.name}: {found[0]}", found[1]) if found else None
 
 
-def _explain_words(task: TaskCases, table: Table, name: str) -> list[PartFound]:
-    """Return which words a function confuses in one part of what it gives, and in which calls."""
-    form = table.forms[name]
-    confusion = confused(form, table.given[name], table.wanted[name]) if isinstance(form, Choice) else None
-    if confusion is None:
-        return []
-    said = Text.joined(confusion.said, seen_of(confusion, task.seen))
-    return [PartFound.of(f"{name}: {confusion.name}", said, name)._replace(is_of_words=True)]
+def _explain_generic_mistake(part: AnswerPart) -> PartFound | None:
+    row = (part.form, part.outcomes, part.expected)
+    fix = next((fix for find in (matching_corrections, in_some) for fix in find(*row)), None)
+    return _shown_too(part, fix) if fix else None
 
 
-def _anothers(table: Table, name: str) -> str | None:
+def _shown_too(part: AnswerPart, fix: str) -> PartFound:
+    """Return a mistake that any answer can have, and what there is to see in the part, if that was written."""
+    found = part.explained_by(fix)
+    return found._replace(said=Text.joined(found.said, part.table.task.shows.get(part.name)))
+
+
+def _explain_anothers(part: AnswerPart) -> PartFound | None:
     """Return the part whose answer stands here, if it is that of one other part: what several have is chance."""
     found = []
-    form = table.forms[name]
-    for other, part in table.forms.items():
-        is_like = other != name and type(part) is type(form) and not isinstance(part, Choice | ListForm)
-        is_more = is_like and any(is_something(part, value) for value in table.given[name])
-        if is_more and matches_closely(part, table.given[name], table.wanted[other]):  # near to it may be chance
+    for other, form in part.table.forms.items():
+        is_like = other != part.name and type(form) is type(part.form) and not isinstance(form, Choice | ListForm)
+        is_more = is_like and any(is_something(form, value) for value in part.outcomes)
+        if is_more and matches_closely(form, part.outcomes, part.table.wanted[other]):  # near to it may be chance
             found.append(other)
-    return found[0] if len(found) == 1 else None
-
-
-def _explain_the_given(
-    task: TaskCases, name: str, form: Form, outcome: Plain, wanted: Plain, given: dict[str, Plain] | None
-) -> list[PartFound]:
-    """Return that a part is what was given, or has a factor reversed."""
-    fix = find_input(form, outcome, wanted, given)
-    if not fix:
-        return []
-    return [PartFound({fix: feedback_of(task, fix)}, _shown_too(task, name, feedback_of(task, fix).reply), {name})]
-
-
-def _as_another_is(
-    task: TaskCases, table: Table, name: str, wrong_answers: dict[str, Plain], known: set[str]
-) -> list[PartFound]:
-    """Return the mistake that writes another part's right answer here, where that one, wrong as is `known`, stands."""
-    form = table.forms[name]
-    for other, part in table.forms.items():
-        is_like = other in known and type(part) is type(form) and form.is_measured
-        is_more = is_something(form, table.given[name][0])  # zeros are alike by chance
-        if not is_like or not is_more or not alike(form, table.given[name][0], table.given[other][0]):
-            continue
-        for key, answer in wrong_answers.items():
-            is_made_here = feedback_of(task, key).part == name
-            if is_made_here and alike(form, task.form.part_of(answer, name), table.wanted[other][0]):
-                return [PartFound({key: feedback_of(task, key)}, feedback_of(task, key).reply, {name})]
-    return []
-
-
-def _as_it_came(form: Form, table: Table, name: str, cases: Sequence[Case]) -> list[PartFound]:
-    """Return whether a part of what a function gives is that part of an argument, in every case."""
-    for place in range(len(cases[0].args or ())):
-        came = [form.part_of(case.args[place], name) for case in cases]
-        if all(part is not None for part in came) and all_alike(table.forms[name], table.given[name], came):
-            return [PartFound({f"{name} as it came": Feedback(TEXTS["as_it_came"], "")}, TEXTS["as_it_came"], {name})]
-        times = [time_of(case.args[place]) for case in cases]
-        if None not in times and times == [stamp_of(value) for value in table.given[name]]:
-            said = TEXTS["time_of"].filled(number=place + 1)
-            return [PartFound({f"{name}: a time": Feedback(said, "")}, said, {name})]
-    return []
-
-
-def _choice(task: TaskCases, part: str, form: Form, answer: Plain, wanted: Plain) -> Text | None:
-    """Return what an option would mean, and what the part shows: why one is not the other."""
-    option = (
-        form.option(answer) if isinstance(form, Choice) else str(answer) if isinstance(answer, str | bool) else None
-    )
-    means = task.means.get(option or "")
-    right = word_of(form, wanted) if isinstance(form, Choice) else None
-    shows = _shows(task, part) or task.seen.get(right or "")
-    if means is None and shows is None:
+    if len(found) != 1:
         return None
-    return Text.joined(means, shows)
+    return part.explained(f"{found[0]} under {part.name}", TEXTS["anothers"].filled(other=found[0]))
 
 
-def _shows(task: TaskCases, part: str) -> Text | None:
-    """Return what there is to see in a part: of "c[0]", what was written for it, for c, or for each list's first."""
-    name, bracket, place = part.partition("[")
-    return task.shows.get(part) or task.shows.get(name) or task.shows.get(bracket + place)
+def _explain_words(part: AnswerPart) -> PartFound | None:
+    """Return which words a function confuses in one part of what it gives, and in which calls."""
+    confusion = confused(part.form, part.outcomes, part.expected)
+    if confusion is None:
+        return None
+    said = Text.joined(confusion.said, seen_of(confusion, part.table.task.seen))
+    return part.explained(f"{part.name}: {confusion.name}", said)._replace(is_of_words=True)
 
 
-def _shown_too(task: TaskCases, part: str, said: Text) -> Text:
-    """Return what is said of a part that is no choice, and what there is to see in it, if that was written."""
-    return Text.joined(said, task.shows.get(part))
+def _explain_the_given(part: AnswerPart) -> PartFound | None:
+    """Return that a part is what was given, or has a factor reversed."""
+    fix = find_input(part.form, part.outcomes[0], part.expected[0], part.table.question.inputs)
+    return _shown_too(part, fix) if fix else None
+
+
+def _after_a_mistake(part: AnswerPart) -> PartFound | None:
+    """Return what a part is beside the mistakes of the task that were found in others."""
+    table, known = part.table, {name for cause in part.found for name in cause.parts} - {part.name}
+    for mistake, made_in in (
+        (name, words.part) for name, words in part.table.task.feedback.items() if words.part in known
+    ):
+        answers = [case.wrong[mistake] for case in table.question.cases]
+        found = consequence_of(part, made_in, table.part_of(answers, part.name))
+        if found and matches_closely(table.forms[made_in], table.given[made_in], table.part_of(answers, made_in)):
+            return found
+    return None
+
+
+def _mistake_and_then(part: AnswerPart) -> PartFound | None:
+    """Return a mistake of the task and what is plain to see on top of it, if both give one part."""
+    rows = part.table.question.single_mistakes
+    for mistake in (name for name in part.table.task.feedback if name in rows):
+        row = part.table.part_of(rows[mistake], part.name)
+        if any(value is None or is_raised(value) for value in row) or all_alike(part.form, row, part.expected):
+            continue
+        for fix in matching_corrections(part.form, part.outcomes, row, only_plain_to_see=True):
+            return part.explained_by(mistake, fix)
+    return None
+
+
+PARTS: tuple[Explainer, ...] = (  # of one part; the names of the table in `explain.py` where it is the same
+    Explainer("the meaning of an option", _explain_option, of="value", forms=(Choice,)),
+    Explainer("an answer of another type", _explain_kinds),
+    Explainer("a remark of the form", _remarked),
+    Explainer("a part that is always the same", _explain_constant, of="function"),
+    Explainer("a generic mistake", _explain_generic_mistake),
+    Explainer("the answer of another part", _explain_anothers),
+    Explainer("confused options", _explain_words, of="function", forms=(Choice,)),
+    Explainer("an input as it came, or a factor reversed", _explain_the_given, of="value"),
+    Explainer("the meaning of a word", _explain_word, of="value"),
+    Explainer("a consequence of a mistake", _after_a_mistake, is_measured=True),
+    Explainer("a mistake and a generic one", _mistake_and_then, is_measured=True),
+)
 
 
 def _certain(table: Table, name: str) -> Text | None:

@@ -7,7 +7,6 @@ import math
 import re
 from collections import Counter
 from collections.abc import Callable, Iterator
-from itertools import permutations
 
 from ...text import Text, Texts
 from ..answers.form import Row as Marks
@@ -18,7 +17,7 @@ from ..answers.values import Plain, is_raised
 from . import command_lines, trees
 from .generic import TOLD, Recogniser, holds_angles
 
-__all__ = ["LISTS", "LOST", "TEXTS", "describe_loss", "stamp_of", "time_of"]
+__all__ = ["LISTS", "LOST", "TEXTS", "describe_loss"]
 
 TEXTS = Texts(__file__)
 
@@ -33,9 +32,6 @@ BRACES = re.compile(r"(?<!\$)\{[A-Za-z_][^{}:\"\s]*(?:\s[-+*/]\s?[^{}:\"\s]+)*(?
 def describe_loss(name: str) -> Text | None:
     """Return what is said of a loss, and what is told of it; None if this is the name of none."""
     kind, _, told = name.partition(TOLD)
-    if kind in ("written over", "stands twice"):
-        place, of = told.split(", ")
-        return TEXTS[kind].filled(place=place, of=of)
     if kind == "nothing filled in":
         return TEXTS[kind].filled(text=told)
     if kind in TEXTS:
@@ -247,7 +243,7 @@ def _compare_lines(form: Command, answers: list[Plain], wanted: list[Plain]) -> 
 
 
 def _compare_stamps(_form: Form, answers: list[Plain], wanted: list[Plain]) -> Iterator[str]:
-    rows = [(stamp_of(answer), stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
+    rows = [(_stamp_of(answer), _stamp_of(want)) for answer, want in zip(answers, wanted, strict=True)]
     if any(None in row for row in rows):
         return
     if all(want == (0, 0) for _, want in rows):
@@ -260,39 +256,10 @@ def _compare_stamps(_form: Form, answers: list[Plain], wanted: list[Plain]) -> I
         yield "stamp: nanoseconds alone"
 
 
-def stamp_of(plain: Plain) -> tuple[int, int] | None:
+def _stamp_of(plain: Plain) -> tuple[int, int] | None:
     """Return the seconds and nanoseconds of a stamp, None if this is none."""
     sec, nanosec = member(plain, "sec"), member(plain, "nanosec")
     return (sec, nanosec) if isinstance(sec, int) and isinstance(nanosec, int) else None
-
-
-def time_of(plain: Plain) -> tuple[int, int] | None:
-    """Return the seconds and nanoseconds of a Time, None if this is none."""
-    held = plain.get("Time") if isinstance(plain, dict) else None
-    return divmod(held[0], 10**9) if held else None
-
-
-NEW = {3: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0, 1.0)}  # what a message holds before anybody writes into it
-
-
-def _misplaced(form: Form, rows: Rows) -> Iterator[str]:
-    """Yield which place holds the number of which other, in all of these points, where nothing else is wrong."""
-    size = len(rows[0][1])
-    if size not in NEW:
-        return
-    for place, of in permutations(range(size), 2):
-        twice: list[int | None] = [of if one == place else one for one in range(size)]
-        over = [None if one == of else held for one, held in enumerate(twice)]
-        for kind, held in (("written over", over), ("stands twice", twice)):
-            if all(_holds(given, want, held, form.tolerance) for given, want in rows):
-                yield f"{kind}{TOLD}{'xyzw'[place]}, {'xyzw'[of]}"
-
-
-def _holds(given: Numbers, wanted: Numbers, held: list[int | None], tolerance: float) -> bool:
-    """Return whether each place holds the wanted number of the place that is named, or what it is new with."""
-    new = NEW[len(wanted)]
-    want = [new[place] if of is None else wanted[of] for place, of in enumerate(held)]
-    return all(abs(one - other) <= tolerance for one, other in zip(given, want, strict=True))
 
 
 def _empty(_form: Form, answers: list[Plain], _wanted: list[Plain]) -> Iterator[str]:
@@ -307,7 +274,6 @@ LOST = {
     "count": Recogniser(find=_rows(_counts)),
     "no sign": Recogniser(find=_rows(_signs)),
     "w left at 1": Recogniser(find=_rows(_w_left)),
-    "place": Recogniser(find=_rows(_misplaced)),
     "angles for a quaternion": Recogniser(find=_rows(_angles)),
     "rounded": Recogniser(find=_rows(_all_rounded)),
     "list": Recogniser(find=_compare_lists),

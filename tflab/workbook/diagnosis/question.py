@@ -1,18 +1,18 @@
-"""Hold what an explanation starts from: the task, the outcome of each case, and what the learner saw."""
+"""Hold what an explanation starts from, and what a row of a table of explanations is."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import NamedTuple
+from typing import Any, Literal, NamedTuple
 
 from ..answers.form import Form
 from ..answers.values import Plain, is_raised
 from ..tasks.case_types import Case, TaskCases
-from .explanation import Explanation
+from .explanation import Explanation, PartFound
 from .matching import alike
 
-__all__ = ["PartialExplanation", "Question"]
+__all__ = ["Explainer", "PartialExplanation", "Question"]
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,11 @@ class Question:
     def form(self) -> Form:
         """The form of the answer."""
         return self.task.form
+
+    @property
+    def is_function(self) -> bool:
+        """Whether a function is asked for."""
+        return self.task.is_function
 
     @property
     def expected(self) -> list[Plain]:
@@ -78,3 +83,32 @@ class PartialExplanation(NamedTuple):
     then: Explanation
     question: Question | None
     is_enough: bool = False
+
+
+class Explainer(NamedTuple):
+    """One way to explain an answer, or a part of one.
+
+    Attributes:
+        name: what is looked for; when it is true stands under this name in `conditions.yaml`.
+        explain: returns the explanation; or one thing that is wrong and the rest of the question; or None.
+        of: which answers are asked about.
+        forms: the forms that it applies to; all if empty.
+        is_measured: whether it applies to measured forms alone.
+        is_last: whether no later row is asked where this one's condition holds.
+        condition: when it is asked, beside `of` and `forms`.
+    """
+
+    name: str
+    explain: Callable[[Any], Explanation | PartialExplanation | PartFound | None]
+    of: Literal["value", "function", "any"] = "any"
+    forms: tuple[type[Form], ...] = ()
+    is_measured: bool = False
+    is_last: bool = False
+    condition: Callable[[Any], bool] | None = None
+
+    def applies(self, question: Any) -> bool:
+        """Return whether this row is asked about a question, or about a part."""
+        is_of = self.of == "any" or (self.of == "function") is question.is_function
+        is_form = isinstance(question.form, self.forms or Form)
+        is_form &= question.form.is_measured or not self.is_measured
+        return is_of and is_form and (self.condition is None or self.condition(question))

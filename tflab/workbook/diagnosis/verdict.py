@@ -1,9 +1,9 @@
 """Judge an answer from coarse to fine: answered at all, type, shape, frame, unit, value; and which mistake.
 
-    what came out of each case  +  what was expected, and what each twin gives  -->  Verdict
+    what came out of each case  +  what was expected, and what each mistake gives  -->  Verdict
 
-    Verdict(passed=0, of=6, mistake=Mistake.KNOWN, mistakes={"swapped": ...})    "that is the inverse"
-    Verdict(passed=0, of=6, mistake=Mistake.UNIT, detail={"unit": "mm"})
+    Verdict(passed=0, of=6, failure=Failure.KNOWN, mistakes={"swapped": ...})    "that is the inverse"
+    Verdict(passed=0, of=6, failure=Failure.UNIT, detail={"unit": "mm"})
     Verdict(passed=6, of=6)
 
 Only JSON is compared, so this serves a learner's `check` and the grader alike.
@@ -26,8 +26,8 @@ from ..tasks import credit
 from ..tasks.case_types import Case, Feedback, TaskCases, Variant
 from .explain import explain
 from .explanation import Explanation
+from .failure import Failure
 from .matching import ANY_BUG
-from .mistake import Mistake
 from .options import word_never_returned
 from .python_errors import python_error_hint
 from .question import Question
@@ -54,7 +54,7 @@ class Verdict:
     Attributes:
         passed: probes that earn credit; of a function's, those that show something (see credit.py).
         of: how many there are.
-        mistake: what is wrong with it; None if all of it is right.
+        failure: how it failed; None if all of it is right.
         mistakes: those that it comes of, the first in the work first, and what is said of each.
         case: the smallest case that failed, by the length of its arguments, first those with an answer; from 0.
         right: for each probe, in the order of the cases, whether it earns credit.
@@ -65,7 +65,7 @@ class Verdict:
 
     passed: int
     of: int
-    mistake: Mistake | None = None
+    failure: Failure | None = None
     mistakes: dict[str, Feedback] = field(default_factory=dict)
     case: int = 0
     right: tuple[bool, ...] = ()
@@ -98,15 +98,15 @@ def judge_outcomes(task: TaskCases, variant: Variant, outcomes: Sequence[Plain])
     sizes = {number: (is_raised(cases[number].expected), len(json.dumps(cases[number].args))) for number in wrong}
     case = min(wrong, key=sizes.__getitem__)  # the smallest call, one that has an answer if there is one
     try:
-        mistake, detail, found = _mistake(task, variant, outcomes, rights, case)
+        failure, detail, found = _failure(task, variant, outcomes, rights, case)
     except Exception:  # JSON that `to_plain` never wrote: wrong, and there is nothing to say of it
-        mistake, detail, found = Mistake.VALUE, {}, None
+        failure, detail, found = Failure.VALUE, {}, None
     if found is None:
-        return Verdict(sum(right), len(right), mistake, {}, case, right, {"certain": None} | detail)
-    case = _to_show(found, case)
+        return Verdict(sum(right), len(right), failure, {}, case, right, {"certain": None} | detail)
+    case = case if found.shows is None else found.shows
     follows = () if task.is_function else _following(form, found, right)
     right = tuple(map(max, right, follows)) if follows else right  # one mistake costs the part that it is made in
-    return Verdict(sum(right), len(right), mistake, found.mistakes, case, right, detail, found.said, follows)
+    return Verdict(sum(right), len(right), failure, found.mistakes, case, right, detail, found.said, follows)
 
 
 def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[bool, ...]:
@@ -116,20 +116,15 @@ def _following(form: Form, found: Explanation, right: Sequence[bool]) -> tuple[b
     return tuple(not was and name in found.follows for was, name in zip(right, form.parts, strict=True))
 
 
-def _to_show(found: Explanation, smallest: int) -> int:
-    """Return the call in which an explanation is plain to see, or the smallest that goes wrong."""
-    return smallest if found.shows is None else found.shows
-
-
 def _taking_part(form: Parts, outcome: Plain) -> Verdict:
     """Return how many parts were answered, each with one of its options; nothing is compared with anything."""
     right = tuple(map(bool, form.read(outcome) or [()] * len(form.parts)))
     if all(right):
         return Verdict(len(right), len(right), right=right)
     unanswered = is_unanswered(outcome)
-    mistake, detail = (Mistake.UNANSWERED, {}) if unanswered else _coarse(form, outcome) or (Mistake.TYPE, {})
+    failure, detail = (Failure.UNANSWERED, {}) if unanswered else _coarse(form, outcome) or (Failure.TYPE, {})
     return Verdict(
-        sum(right), len(right), mistake, right=right, detail={"certain": None, "got": kind_of(outcome)} | detail
+        sum(right), len(right), failure, right=right, detail={"certain": None, "got": kind_of(outcome)} | detail
     )
 
 
@@ -155,27 +150,27 @@ def kind_of(plain: Plain) -> str:
     return "None" if plain is None else type(plain).__name__
 
 
-def _mistake(
+def _failure(
     task: TaskCases, variant: Variant, outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
-) -> tuple[Mistake, dict[str, Any], Explanation | None]:
+) -> tuple[Failure, dict[str, Any], Explanation | None]:
     """Return what is wrong, the details, and how it came about if that is known; coarse to fine."""
     cases = variant.cases
-    form, outcome, expected = task.form, outcomes[case], cases[case].expected
+    form, outcome = task.form, outcomes[case]
     if all(map(is_unanswered, outcomes)):
-        return Mistake.UNANSWERED, {}, None
+        return Failure.UNANSWERED, {}, None
     missing = _missing(task, outcomes, outcome)
     if missing is not None:
         return missing[0], {"got": kind_of(outcome), **missing[1]}, None
     found = explain(Question(task, cases, outcomes, variant.given or {}))
     is_unit = found is not None and len(found.mistakes) == 1 and next(iter(found.mistakes)).startswith("unit ")
     if is_unit and not isinstance(form, Message | Command):
-        return Mistake.UNIT, _unit(form, next(iter(found.mistakes)), rights[case]), found
+        return Failure.UNIT, _unit(form, next(iter(found.mistakes)), rights[case]), found
     if found is not None:
-        return Mistake.KNOWN, {}, found
-    return *_unexplained(task, cases, outcomes, rights, case, outcome, expected), None
+        return Failure.KNOWN, {}, found
+    return *_unexplained(task, cases, outcomes, rights, case), None
 
 
-def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
+def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tuple[Failure, dict[str, Any]] | None:
     """Return what is wrong with the parts of an answer before they are looked at; of calls, that all lack the same."""
     if not isinstance(task.form, Parts):
         return None
@@ -183,32 +178,26 @@ def _missing(task: TaskCases, outcomes: Sequence[Plain], outcome: Plain) -> tupl
     if fault is None or not task.is_function:
         return fault
     dicts = [other for other in outcomes if isinstance(other, dict) and "dict" in other]
-    is_always = fault[0] is Mistake.MISSING_PARTS and all(_coarse(task.form, other) == fault for other in dicts)
+    is_always = fault[0] is Failure.MISSING_PARTS and all(_coarse(task.form, other) == fault for other in dicts)
     return fault if is_always and len(dicts) > 1 else None
 
 
 def _unexplained(
-    task: TaskCases,
-    cases: Sequence[Case],
-    outcomes: Sequence[Plain],
-    rights: Sequence[list[bool]],
-    case: int,
-    outcome: Plain,
-    expected: Plain,
-) -> tuple[Mistake, dict[str, Any]]:
+    task: TaskCases, cases: Sequence[Case], outcomes: Sequence[Plain], rights: Sequence[list[bool]], case: int
+) -> tuple[Failure, dict[str, Any]]:
     """Return what can be said of an answer that no mistake gives."""
-    form = task.form
-    if (ending := _ending(task, outcomes, outcome, expected)) is not None:
+    form, outcome = task.form, outcomes[case]
+    if (ending := _ending(task, outcomes, outcome, cases[case].expected)) is not None:
         return (ending[0], _describe_nothing(form, cases, outcomes, rights)) if outcome is None else ending
     coarse = _coarse(form, outcome)
     if coarse is not None:
         return coarse[0], {"got": kind_of(outcome), **coarse[1]}
     if task.is_function and (pattern := credit.trivial_pattern(form, cases, outcomes)):
-        return Mistake(pattern), {}
+        return Failure(pattern), {}
     bounds = _bounds(task, cases, outcomes, rights, case)
     if form.names():
-        return Mistake.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
-    return Mistake.VALUE, {"certain": bounds}
+        return Failure.PARTS, {"wrong": _wrong_names(form, rights[case]), "certain": bounds}
+    return Failure.VALUE, {"certain": bounds}
 
 
 def _bounds(
@@ -249,34 +238,34 @@ def _unit(form: Form, name: str, rights: list[bool]) -> dict[str, Any]:
 
 def _ending(
     task: TaskCases, outcomes: Sequence[Plain], outcome: Plain, expected: Plain
-) -> tuple[Mistake, dict[str, Any]] | None:
+) -> tuple[Failure, dict[str, Any]] | None:
     """Return what is wrong with how a call ended: it raised, or gave nothing, or did not refuse; None if nothing."""
     if isinstance(outcome, dict) and "changed" in outcome:
-        return Mistake.INPUT_CHANGED, {"changed": outcome["changed"]}
+        return Failure.INPUT_CHANGED, {"changed": outcome["changed"]}
     if is_raised(outcome) and not task.is_function:  # the value cannot be written down
-        return Mistake.TYPE, {"got": f"{outcome['raises']}: {outcome.get('text', '')}"}
+        return Failure.TYPE, {"got": f"{outcome['raises']}: {outcome.get('text', '')}"}
     if is_raised(outcome):
         return _raising(task.form, outcome["raises"], outcome.get("text", ""), expected)
     if task.is_function and outcome is None and not is_raised(expected):
         always = all(other is None or is_raised(other) for other in outcomes)
-        return Mistake.NOTHING_RETURNED if always else Mistake.SOMETIMES_NOTHING, {}
-    return (Mistake.NO_REFUSAL, {}) if is_raised(expected) else None
+        return Failure.NOTHING_RETURNED if always else Failure.SOMETIMES_NOTHING, {}
+    return (Failure.NO_REFUSAL, {}) if is_raised(expected) else None
 
 
-def _raising(form: Form, error: str, text: str, expected: Plain) -> tuple[Mistake, dict[str, Any]]:
+def _raising(form: Form, error: str, text: str, expected: Plain) -> tuple[Failure, dict[str, Any]]:
     """Return what is wrong with an exception that was raised."""
     tip = raised_option(form, text) or python_error_hint(error, text)
     detail = {"error": error, "text": text.rstrip(". "), "tip": tip}
     if not is_raised(expected) or error in ANY_BUG - {"ValueError"}:
-        return Mistake.RAISES, detail
-    return Mistake.OTHER_EXCEPTION, detail | {"meant": expected["raises"]}
+        return Failure.RAISES, detail
+    return Failure.OTHER_EXCEPTION, detail | {"meant": expected["raises"]}
 
 
 def _wrong_names(form: Form, rights: list[bool]) -> list[str]:
     return [name for name, good in zip(form.names(), rights, strict=False) if not good]
 
 
-def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
+def _coarse(form: Form, outcome: Plain) -> tuple[Failure, dict[str, Any]] | None:
     """Return what is wrong with the answer before its value is looked at, or None."""
     if isinstance(form, Parts):
         return _coarse_of_parts(form, outcome)
@@ -289,7 +278,7 @@ def _coarse(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None
     return _unread(form, outcome)
 
 
-def _holding(outcome: Plain, answer: Plain, fault: tuple[Mistake, dict[str, Any]]) -> tuple[Mistake, dict[str, Any]]:
+def _holding(outcome: Plain, answer: Plain, fault: tuple[Failure, dict[str, Any]]) -> tuple[Failure, dict[str, Any]]:
     """Return what is wrong with a member as what is wrong with the whole: a list is right, and holds what is not."""
     held = fault[1].get("got", kind_of(answer))
     return fault[0], fault[1] | {"got": f"{kind_of(outcome)}, holding {held}"}
@@ -303,31 +292,30 @@ def _members(form: Form, outcome: Plain) -> list[Plain] | None:
     return held if isinstance(form, forms.Sequence) and isinstance(held, list) else None
 
 
-def _unread(form: Form, outcome: Plain) -> tuple[Mistake, dict[str, Any]]:
+def _unread(form: Form, outcome: Plain) -> tuple[Failure, dict[str, Any]]:
     """Return why an answer is not of its form."""
     if isinstance(form, Choice) and isinstance(outcome, str) and not form.is_bool:
-        tip = near_an_option(form, outcome)
-        return Mistake.OPTION, {"answer": outcome, **({"tip": tip} if tip else {})}
+        return Failure.OPTION, {"answer": outcome, **_tip(near_an_option(form, outcome))}
     if isinstance(form, Urdf) and (fault := form.fault(outcome)):
-        return Mistake.NO_ROBOT, {"fault": fault}
+        return Failure.NO_ROBOT, {"fault": fault}
     frame = member(outcome, "header", "frame_id")
     if isinstance(form, Vector) and form.frame and frame is not None and frame != form.frame:
-        return Mistake.FRAME, {"frame": frame, "wanted_frame": form.frame}
+        return Failure.FRAME, {"frame": frame, "wanted_frame": form.frame}
     if outcome in A_FUNCTION:
-        return Mistake.A_FUNCTION, {}
+        return Failure.A_FUNCTION, {}
     body = inside(outcome)
     if (
         isinstance(body, list | dict)
         and not isinstance(form, Number | Angle | Choice | Message)
         and _holds_numbers(body)
     ):
-        return Mistake.SHAPE, _tip_of(form, outcome)
-    return Mistake.TYPE, _meant(form, outcome)
+        return Failure.SHAPE, _tip(describe_type(form, outcome))
+    return Failure.TYPE, _meant(form, outcome)
 
 
 def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     """Return the tip for what has the wrong kind in a way that is plain to see."""
-    if tip := _tip_of(form, outcome):
+    if tip := _tip(describe_type(form, outcome)):
         return tip
     body = inside(outcome)
     if isinstance(body, list) and (other := next((held for held in body if not is_number(held)), None)) is not None:
@@ -339,21 +327,20 @@ def _meant(form: Form, outcome: Plain) -> dict[str, Any]:
     return {"got": f"{kind_of(outcome)}, holding {kind_of(odd)}", **({"tip": TEXTS["nested"]} if is_nested else {})}
 
 
-def _tip_of(form: Form, outcome: Plain) -> dict[str, Any]:
-    said = describe_type(form, outcome)
-    return {} if said is None else {"tip": said}
+def _tip(said: Text | None) -> dict[str, Any]:
+    return {"tip": said} if said else {}
 
 
-def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, Any]] | None:
+def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Failure, dict[str, Any]] | None:
     answers = inside(outcome)
     if not (isinstance(outcome, dict) and "dict" in outcome and isinstance(answers, dict)):
-        return Mistake.TYPE, _describe_one_part(form, outcome)
+        return Failure.TYPE, _tip(single_part_given(form, outcome))
     missing = [name for name in form.parts if name not in answers or is_unanswered(answers[name])]
     more = [name for name in answers if name not in form.parts]
     if missing:
-        return Mistake.MISSING_PARTS, {"parts": missing, **({"tip": _not_asked_for(more)} if more else {})}
+        return Failure.MISSING_PARTS, {"parts": missing, **({"tip": _not_asked_for(more)} if more else {})}
     if form.alone and more:
-        return Mistake.MORE_PARTS, {"parts": more}
+        return Failure.MORE_PARTS, {"parts": more}
     for name, part in form.parts.items():
         fault = _coarse(part, answers[name])
         if fault is not None:
@@ -362,18 +349,13 @@ def _coarse_of_parts(form: Parts, outcome: Plain) -> tuple[Mistake, dict[str, An
     return None
 
 
-def _describe_one_part(form: Parts, outcome: Plain) -> dict[str, Any]:
-    tip = single_part_given(form, outcome)
-    return {"tip": tip} if tip else {}
-
-
 def _with_tip(
-    form: Parts, name: str, answers: dict[str, Plain], fault: tuple[Mistake, dict[str, Any]]
+    form: Parts, name: str, answers: dict[str, Plain], fault: tuple[Failure, dict[str, Any]]
 ) -> dict[str, Any]:
     """Return the details of what is wrong with a part, under which other part its word is to choose from, and which
     further words are none to choose from.
     """
-    if fault[0] is not Mistake.OPTION:
+    if fault[0] is not Failure.OPTION:
         return fault[1]
     said = [option_of_another(form, name, answers[name]) or fault[1].get("tip"), invalid_parts(form, name, answers)]
     return fault[1] | ({"tip": Text.joined(*said, between=". ")} if any(said) else {})

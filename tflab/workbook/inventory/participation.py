@@ -25,7 +25,7 @@ from ...text import Text, Texts
 from .. import progress
 from ..answers.form import Form
 from ..answers.values import Plain
-from ..diagnosis.mistake import Mistake
+from ..diagnosis.failure import Failure
 from ..diagnosis.verdict import Verdict
 from ..paths import chapters, workbook_data
 from ..progress import read_progress
@@ -48,7 +48,7 @@ def report_participation(task_id: str, root: Path, language: str, form: Form, ve
     """Say how many questions are answered, keep the first complete answer, and show both forms when they are open."""
     said = TEXTS["answered"].say(language, passed=verdict.passed, of=verdict.of)
     score = f"{verdict.passed}/{verdict.of}"
-    if verdict.mistake is not None:
+    if verdict.failure is not None:
         show_reply(f"{task_id} {score}", f"{said} {_what_is_left(verdict, language)}")
         return
     if root == workbook_data():  # a solution that is being built: the same in both languages, and plain
@@ -64,7 +64,7 @@ def report_participation(task_id: str, root: Path, language: str, form: Form, ve
 
 
 def _what_is_left(verdict: Verdict, language: str) -> str:
-    if verdict.mistake is Mistake.MISSING_PARTS:
+    if verdict.failure is Failure.MISSING_PARTS:
         return TEXTS["not_yet"].say(language, parts=", ".join(sorted(verdict.detail["parts"], key=int)))
     if "part" in verdict.detail:
         return TEXTS["look"].say(language, part=verdict.detail["part"])

@@ -118,9 +118,9 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
 def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
     """Return a notebook's cells, grouped into slides by their slide types."""
     slides: list[Slide] = []
-    twins = _twins(notebook["cells"])
+    repeated = _repeated_figures(notebook["cells"])
     for cells in _groups(notebook["cells"]):
-        steps = _steps(cell for cell in cells if cell["id"] not in twins)
+        steps = _steps(cell for cell in cells if cell["id"] not in repeated)
         if steps:
             title = next(filter(None, (_title(cell) for step in steps for cell in step)), "")
             said = [cell["metadata"].get("tflab", {}).get("notes", "") for cell in cells] if notes else []
@@ -130,7 +130,7 @@ def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
     return slides
 
 
-def _twins(cells: list[dict]) -> set[str]:
+def _repeated_figures(cells: list[dict]) -> set[str]:
     """Return the figures that only repeat a live view which is shown, and begin no slide."""
     shown = [cell for cell in cells if _kind(cell) != "skip"]
     repeated = {cell["id"] for cell in static_figures(cells)} & {cell["id"] for cell in static_figures(shown)}

@@ -109,8 +109,8 @@ def _each_mistake(task: Task) -> dict[str, Any]:
     """Return the answer, or the function that gives it, of each mistake and of the model without a mistake."""
     right = {NO_MISTAKE: task.model} if task.model else {}
     return right | {
-        twin.name: partial(task.model, **twin.at) if isinstance(twin, WrongStep) else twin.answer
-        for twin in task.mistakes
+        mistake.name: partial(task.model, **mistake.at) if isinstance(mistake, WrongStep) else mistake.answer
+        for mistake in task.mistakes
     }
 
 

@@ -29,7 +29,7 @@ ReproducedBy = Callable[[int, Plain], Collection[str]]  # the number of a case, 
 def combinable(task: Task) -> list[tuple[WrongStep, WrongStep]]:
     """Return the pairs of mistakes at different steps of the model, the earlier step first."""
     steps = list(inspect.signature(task.model).parameters) if task.model else []
-    mistakes = [twin for twin in task.mistakes if isinstance(twin, WrongStep)]
+    mistakes = [mistake for mistake in task.mistakes if isinstance(mistake, WrongStep)]
     mistakes.sort(key=lambda mistake: min(map(steps.index, mistake.at)))
     return [(first, then) for first, then in combinations(mistakes, 2) if not set(first.at) & set(then.at)]
 

@@ -1,11 +1,11 @@
-"""List the ways in which an answer can be wrong, and what `check` and a feedback page say of each.
+"""List the ways in which an answer can fail, and what `check` and a feedback page say of each.
 
-    outcomes --judge_outcomes--> Verdict(mistake=Mistake.UNIT, ...)
+    outcomes --judge_outcomes--> Verdict(failure=Failure.UNIT, ...)
                                      |-- REPLIES[...]              what `check` says to the one who wrote it
                                      '-- WITHOUT_THE_ANSWER[...]   what a feedback page says of a hidden case
 
 The second table repeats nothing that a learner's code made, for that could carry
-hidden inputs out.  Both cover every mistake, coarse to fine; the field calls such a
+hidden inputs out.  Both cover every failure, coarse to fine; the field calls such a
 list an error taxonomy.  A mistake of one task stands with the task.
 """
 
@@ -17,11 +17,11 @@ from pathlib import Path
 
 from ...text import Text, Texts
 
-__all__ = ["REPLIES", "WITHOUT_THE_ANSWER", "Mistake"]
+__all__ = ["REPLIES", "WITHOUT_THE_ANSWER", "Failure"]
 
 
-class Mistake(str, Enum):
-    """A kind of mistake that any task may see, coarse to fine."""
+class Failure(str, Enum):
+    """How an answer failed, coarse to fine."""
 
     UNANSWERED = "unanswered"
     NOT_A_FUNCTION = "not a function"
