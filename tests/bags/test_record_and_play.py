@@ -7,7 +7,6 @@ from shutil import copyfile
 import numpy as np
 import pytest
 import yaml
-from making_bags import circle, tf_message, write_rosbag1
 from rosbags.highlevel import AnyReader
 from rosbags.interfaces import QosDurability
 from rosbags.rosbag2 import Writer
@@ -35,6 +34,8 @@ from tflab.ros.tf2.buffer import Buffer
 from tflab.ros.tf2.topics import TransformListener
 from tflab.ros.time import Duration, Time
 from tflab.tools import ros2
+
+from .making_bags import circle, tf_message, write_rosbag1
 
 SECOND = 1_000_000_000
 

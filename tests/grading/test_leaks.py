@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import tiny
 import yaml
 
 from tflab.grading import release as releasing
@@ -23,6 +22,8 @@ from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.paths import Workbook, chapters, read_workbook, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases, outlines, task_ids
 from tflab.workbook.tasks.strip_solution import BEGIN, regions
+
+from . import tiny
 
 DATA = workbook_data()
 NUMBERS, PATIENTS = "03_target_and_source", "12_owners_and_diagnosis"

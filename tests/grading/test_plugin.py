@@ -15,9 +15,9 @@ if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib  # comes with pytest
-import tiny
-
 from tflab.grading.judging.pack import read_pack
+
+from . import tiny
 
 PLUGIN = "tflab.grading.plugin"
 

@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import tiny
 
 from tflab.grading import release as releasing
 from tflab.grading.judging import pack as packing
@@ -27,6 +26,8 @@ from tflab.workbook.answers.forms import Number
 from tflab.workbook.paths import Workbook, read_workbook
 from tflab.workbook.tasks import catalog
 from tflab.workbook.tasks.generate_cases import task_cases
+
+from . import tiny
 
 
 def texts_below(folder: Path) -> str:

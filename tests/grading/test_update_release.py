@@ -8,7 +8,6 @@ import shutil
 from pathlib import Path
 
 import pytest
-import tiny
 
 from tflab import __version__
 from tflab.grading import check_command, grade
@@ -18,6 +17,8 @@ from tflab.grading.judging.pack import PackError, read_pack
 from tflab.workbook import atomic_files, check
 from tflab.workbook.copy import lab, lay_out
 from tflab.workbook.paths import WorkbookError, read_workbook
+
+from . import tiny
 
 MENDED_SOURCE = tiny.SOURCE.replace("## E3.2 · Length", "## E3.2 · Length of the long leg").replace(
     'e3_1 = task("E3.1")', 'e3_1 = task("E3.1")  # two numbers'

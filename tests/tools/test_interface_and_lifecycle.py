@@ -1,11 +1,12 @@
 """`ros2 interface` and `ros2 lifecycle`: what they print, to the letter."""
 
 import pytest
-from tools_robot import spin
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.lifecycle import LifecycleNode, TransitionCallbackReturn
 from tflab.ros.messages.packages import define
+
+from .robot import spin
 
 STAMPED = """\
 std_msgs/Header header

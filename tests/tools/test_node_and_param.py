@@ -1,7 +1,6 @@
 """`ros2 node` and `ros2 param`: what they print, to the letter."""
 
 import pytest
-from tools_robot import moving, spin
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
@@ -10,6 +9,8 @@ from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 from tflab.tools.node import duplicates_warning
 from tflab.tools.param import python_value
+
+from .robot import moving, spin
 
 Fibonacci = type_named("example_interfaces/action/Fibonacci")
 

@@ -3,11 +3,12 @@
 import pytest
 from IPython.core.completer import provisionalcompleter
 from IPython.core.interactiveshell import InteractiveShell
-from tools_robot import fixed, moving
 
 from tflab.tools import magic
 from tflab.tools.magic import Known, complete, known_in
 from tflab.tools.page import LineError, run_words, split_line, words_of_line
+
+from .robot import fixed, moving
 
 KNOWN = Known(
     frames=["base_link", "map", "odom"],

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from IPython.core.interactiveshell import InteractiveShell
-from tools_robot import fixed, moving, spin, transform
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
@@ -12,6 +11,8 @@ from tflab.ros.qos import DurabilityPolicy, QoSProfile, qos_profile_sensor_data
 from tflab.tools import magic
 from tflab.tools.rviz import look, open_rviz
 from tflab.views.rviz_status import look_through, statuses_as_text
+
+from .robot import fixed, moving, spin, transform
 
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 URDF = """

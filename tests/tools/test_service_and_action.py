@@ -1,7 +1,6 @@
 """`ros2 service` and `ros2 action`: what they print, to the letter."""
 
 import pytest
-from tools_robot import spin
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
@@ -9,6 +8,8 @@ from tflab.ros.action_server import ActionServer, GoalResponse
 from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 from tflab.ros.time import Duration
+
+from .robot import spin
 
 AddTwoInts = type_named("example_interfaces/srv/AddTwoInts")
 Fibonacci = type_named("example_interfaces/action/Fibonacci")

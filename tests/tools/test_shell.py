@@ -10,11 +10,12 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tools_robot import fixed, moving
 
 from tflab import __version__
 from tflab.cli import main
 from tflab.tools.ros2 import plan
+
+from .robot import fixed, moving
 
 TALKER = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["talker"]
 

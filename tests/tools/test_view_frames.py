@@ -3,11 +3,12 @@
 import re
 
 import yaml
-from tools_robot import fixed
 
 from tflab.tools.page import run_words
 from tflab.tools.view_frames import dot_from_frames, parser, write_pictures
 from tflab.views.view_frames_tree import draw_upstream_tree
+
+from .robot import fixed
 
 ANSWER = """\
 laser_frame: 

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import pytest
 import zmq.asyncio
-from making_pages import TITLE, code, page
 
 from tflab.workbook.pages.execute import Outputs, run_page, wait_for
 from tflab.workbook.pages.source import PageFault
+
+from .making_pages import TITLE, code, page
 
 DRAW = "from tflab.views.picture import Picture\npicture = Picture()\npicture.text = 'nothing yet'\npicture"
 WIDGET = "import ipywidgets\nipywidgets.IntSlider()"

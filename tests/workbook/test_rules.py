@@ -6,9 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
-from making_pages import TITLE, code, exercise, page, text
 
 from tflab.workbook.pages.rules import page_faults
+
+from .making_pages import TITLE, code, exercise, page, text
 
 KO = '# %% [markdown] lang="ko" name="why"\n# 그래서입니다.\n'
 EN = '# %% [markdown] lang="en" name="why"\n# Because.\n'
