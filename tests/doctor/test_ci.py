@@ -3,8 +3,10 @@
 import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
@@ -27,6 +29,8 @@ from tflab.robots.teaching import TeachingRobot
 from tflab.ros.convert import msg_from_stamped
 from tflab.ros.messages.tf2_msgs import TFMessage
 from tflab.ros.qos import QoSProfile
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 RECORDS = TeachingRobot().records(until_s=6.0)
 
@@ -133,19 +137,7 @@ def test_what_is_not_written_is_not_asked(tmp_path):
     assert (finding.code, finding.severity, finding.child) == ("expected-rate", "warning", "base_footprint")
 
 
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
-        ("edges = 3", "expected a table"),
-        ('[edges."a b"]', 'named "parent -> child"'),
-        ('[edges."a -> b"]\nrate = 3', "unknown; known: static"),
-        ('[edges."a -> b"]\nrate_hz = [1]', "is not what it should be"),
-        ('[edges."a -> b"]\nlargest_delay_s = "x"', "is not what it should be"),
-        ('[frames]\n"/scan" = "laser"', "list of words"),
-        ("a = [", "not TOML"),
-        ("edgs = 3", "unknown: edgs"),
-    ],
-)
+@pytest.mark.parametrize(("text", "reason"), CASES["nonsense"])
 def test_a_file_of_expectations_that_says_nonsense_is_one_clear_line(text, reason, tmp_path, clean, capsys):
     file = tmp_path / "robot.toml"
     file.write_text(text)
