@@ -11,6 +11,11 @@ from pathlib import Path
 
 import pytest
 
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib  # comes with pytest
+
 import tflab
 from tflab.text import LANGUAGES
 from tflab.workbook.copy.lay_out import lay_out
@@ -18,6 +23,7 @@ from tflab.workbook.paths import workbook_data
 
 STEMS = sorted(path.stem for path in (workbook_data() / "exercises" / "en").glob("*.ipynb"))
 PAGE = "03_target_and_source.ipynb"  # it has an output to predict and a figure that is folded
+PLUGIN = "tflab.grading.plugin"
 WRONG = {"e3-4-answer": "def compose(a_pose_b, b_pose_c):\n    return b_pose_c\n"}
 
 
@@ -85,3 +91,11 @@ def test_blank_exercises_fail_and_solved_ones_pass(copy: Path, sample) -> None:
         assert f"{checks} failed" in nbval(path, "--nbval"), stem
         printed = nbval(with_answers(copy, stem, {}), "--nbval")
         assert re.search(r"^\d+ passed", printed, re.MULTILINE), printed
+
+
+def test_pytest_finds_the_plugin_and_pays_nothing_for_it() -> None:
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert project["entry-points"]["pytest11"] == {PLUGIN: PLUGIN}
+    code = f"import sys, {PLUGIN}; print(*sys.modules)"
+    loaded = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.split()
+    assert not {"numpy", "nbval", "IPython", "nbformat", "matplotlib"} & set(loaded)
