@@ -359,9 +359,6 @@ def test_bag_record_and_bag_info(robot, tmp_path, monkeypatch):
     assert robot.exit_code == 2
 
 
-# -- §27: the standard order ----------------------------------------------
-
-
 # -- §11: robot_state_publisher -------------------------------------------
 
 URDF = """<robot name="tf_lab_robot"><link name="base_link"/><link name="laser_frame"/>
