@@ -61,15 +61,6 @@ def test_a_stamp_bears_a_seal_that_holds_for_nobody_else_and_nothing_else(course
     assert not replace(pack, seed="00" * 32).sealed_this(stamp)
 
 
-def test_the_exercises_carry_what_nbgrader_reads(course: tiny.Course) -> None:
-    cells = {cell["id"]: cell["metadata"].get("nbgrader") for cell in course.exercise()["cells"]}
-    answer, check = cells["e3-2-answer"], cells["e3-2-check"]
-    names = ("grade_id", "solution", "grade", "locked")
-    assert [answer[name] for name in names] == ["e3-2-answer", True, False, False]
-    assert [check[name] for name in names] == ["e3-2-check", False, True, True]
-    assert check["points"] == 4
-
-
 def test_nothing_that_is_given_away_holds_the_seed_or_a_hidden_case(course: tiny.Course) -> None:
     pack = read_pack(course.pack)
     given_away = texts_below(course.release / "learners")
