@@ -30,16 +30,8 @@ NUMBERS, PATIENTS = "03_target_and_source", "12_owners_and_diagnosis"
 PICTURES = ("image/png", "image/webp")  # no sentence is in their bytes
 SENTENCE = re.compile(r"(?<=[.?!])\s+|\n")
 SHORTEST = 24  # letters; what is shorter is said by anybody
-ON_THE_SCREEN = [
-    "said",
-    "check",
-    "command",
-    "text",
-    "cause",
-    "cell",
-    "slide",
-    "show",
-]  # of a teaching file: what all see
+# Of a teaching file: what all see.
+ON_THE_SCREEN = ["said", "check", "command", "text", "cause", "cell", "slide", "show"]
 
 
 def texts_in(held: Any, *leaving: str) -> Iterator[str]:
