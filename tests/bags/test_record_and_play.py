@@ -42,14 +42,6 @@ CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="u
 SECOND = 1_000_000_000
 
 
-@pytest.fixture
-def graph():
-    made = new_graph()
-    yield made
-    made.stop()
-    new_graph()
-
-
 def record(graph, path, seconds, *options):
     """Record for a while, and end it as Ctrl-C does."""
     participant = graph.start(ros2.main, ["bag", "record", *options, "-o", str(path)], name="record")

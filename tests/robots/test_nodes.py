@@ -9,7 +9,6 @@ from tflab.robots.nodes import USUAL_NODES, launch
 from tflab.robots.teaching import TeachingRobot
 from tflab.ros import client_library as rclpy
 from tflab.ros.convert import stamp_ns_from
-from tflab.ros.graph import new_graph
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, tf2_msgs
 from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
@@ -34,13 +33,6 @@ class Audience:
 
     def _keeper(self, topic, graph):
         return lambda message: self.heard[topic].append((graph.now_ns, message))
-
-
-@pytest.fixture
-def graph():
-    yield new_graph()
-    rclpy.try_shutdown()
-    new_graph()
 
 
 def test_every_edge_is_the_simulations_at_its_stamp(graph):

@@ -1,16 +1,8 @@
-"""A graph for each test, stopped afterwards, and a terminal to type in."""
+"""A terminal to type in, on a graph."""
 
 import pytest
 
-from tflab.ros.graph import new_graph
 from tflab.tools.page import run_words, split_line
-
-
-@pytest.fixture
-def graph():
-    made = new_graph()
-    yield made
-    made.stop()
 
 
 class Terminal:
