@@ -42,16 +42,7 @@ def codes(findings):
 # -- exit status -----------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("bag", "least", "status"),
-    [
-        ("clean", "warning", 0),
-        ("late", "error", 0),
-        ("late", "warning", 1),
-        ("broken", "error", 1),
-        ("broken", "never", 0),
-    ],
-)
+@pytest.mark.parametrize(("bag", "least", "status"), CASES["statuses"])
 def test_the_exit_status_is_that_of_the_least_severity_that_fails(bag, least, status, request, capsys):
     assert main(["doctor", request.getfixturevalue(bag), "--fail-on", least]) == status
     assert capsys.readouterr().out

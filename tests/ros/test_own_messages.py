@@ -74,11 +74,7 @@ def test_the_same_cell_again_gives_the_same_classes_and_another_text_or_folder_n
 
 def test_a_bounded_string_and_a_fixed_array_refuse_what_does_not_fit():
     detection = messages.define("my_msgs", PACKAGE).msg.Detection
-    for values, text in (
-        ({"tag": "123456789"}, "The 'tag' field must be string value not longer than 8"),
-        ({"sides": ["left", "rights"]}, "with length 2 and each string value not longer than 5 and each value of"),
-        ({"corners": []}, "sequence with length 2 and each value of type 'Point'"),
-    ):
+    for values, text in CASES["does_not_fit"]:
         with pytest.raises(AssertionError, match=text):
             detection(check_fields=True, **values)
 

@@ -49,14 +49,7 @@ def test_services_are_listed_with_their_types(calculator):
     assert (calculator.type("ros2 service type /nonsense"), calculator.exit_code) == ("", 1)
 
 
-@pytest.mark.parametrize(
-    ("words", "text"),
-    [
-        ("/add_two_ints nonsense/srv/Add", "The passed service type is invalid"),
-        ("/add_two_ints geometry_msgs/msg/Point", "The passed type is not a service"),
-        ('/add_two_ints example_interfaces/srv/AddTwoInts "{c: 1}"', "Failed to populate field: "),
-    ],
-)
+@pytest.mark.parametrize(("words", "text"), CASES["faulty_calls"])
 def test_what_is_wrong_with_a_call_is_said(calculator, words, text):
     assert calculator.type(f"ros2 service call {words}") == ""
     assert calculator.error.startswith(text)
@@ -116,14 +109,7 @@ def test_a_goal_is_sent_and_how_it_goes_and_ends_is_printed(fibonacci):
     assert printed.endswith("Goal was rejected.\n")
 
 
-@pytest.mark.parametrize(
-    ("words", "text"),
-    [
-        ("nonsense/action/Fibonacci", "The passed action type is invalid"),
-        ("example_interfaces/srv/AddTwoInts", "The passed action type is invalid"),
-        ('example_interfaces/action/Fibonacci "{length: 1}"', "Failed to populate message fields: "),
-    ],
-)
+@pytest.mark.parametrize(("words", "text"), CASES["faulty_goals"])
 def test_what_is_wrong_with_a_goal_is_said(fibonacci, words, text):
     assert fibonacci.type(f"ros2 action send_goal /fibonacci {words}") == ""
     assert fibonacci.error.startswith(text)

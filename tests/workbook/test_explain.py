@@ -263,16 +263,7 @@ def test_what_was_given_is_named_where_it_comes_back():
     assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).mistakes == {}
 
 
-@pytest.mark.parametrize(
-    ("given", "said"),
-    [
-        ((1.0, -2.0, 3.0), "y has the wrong sign. The rest is right."),
-        ((1.0, 3.0, 2.0), "y and z are swapped."),
-        ((2.0, 3.0, 1.0), "these are the right numbers, but in the wrong order."),
-        ((1.0, 3.0, -2.0), "x is right. The other two have the right sizes, but the wrong order or signs."),
-        ((3.0, -1.0, 2.0), "the sizes of the numbers are right, but their order or their signs are not."),
-    ],
-)
+@pytest.mark.parametrize(("given", "said"), CASES["numbers_of_a_point"])
 def test_which_numbers_of_a_point_have_it_is_told_where_it_is_sure(given, said):
     assert judged(Vector(3), (1.0, 2.0, 3.0), {}, given).said.en == said
 
