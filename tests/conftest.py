@@ -105,6 +105,23 @@ def undone() -> Iterator[None]:
     use_graph(None)
 
 
+@pytest.fixture
+def graph() -> Iterator:
+    """A graph on virtual time, at 1 s; it is stopped when the test is over."""
+    from tflab import ros
+    from tflab.ros.client_library import try_shutdown
+    from tflab.ros.logging import clear_config, show_engine_refusals
+    from tflab.ros.process import use_graph
+
+    graph = ros.new_graph()
+    yield graph
+    try_shutdown()
+    graph.stop()
+    use_graph(None)
+    clear_config()
+    show_engine_refusals(False)
+
+
 @pytest.fixture(scope="session")
 def chromium() -> Iterator:
     """A headless Chromium with WebGL in software."""

@@ -5,7 +5,6 @@ import struct
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from making_bags import ros1_store, tf_message
 from rosbags.typesys import Stores, get_typestore
 
 from tflab.bags.wire import (
@@ -17,6 +16,8 @@ from tflab.bags.wire import (
     transforms_in_cdr,
     transforms_in_ros1,
 )
+
+from .making_bags import ros1_store, tf_message
 
 STORE2 = get_typestore(Stores.ROS2_HUMBLE)
 STORE1 = ros1_store()

@@ -5,7 +5,6 @@ import sys
 
 import numpy as np
 import pytest
-from making_bags import DELAY_NS, LASER, START_NS, circle, ros1_store, write_rosbag1, write_rosbag2
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores, get_typestore
@@ -15,6 +14,8 @@ from tflab.bags.info import bag_facts
 from tflab.bags.play import PlayOptions, events
 from tflab.bags.reader import read_bag
 from tflab.bags.recording import TransformLabel
+
+from .making_bags import DELAY_NS, LASER, START_NS, circle, ros1_store, write_rosbag1, write_rosbag2
 
 
 @pytest.mark.parametrize("storage", ["MCAP", "SQLITE3"])

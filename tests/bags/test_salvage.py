@@ -4,7 +4,6 @@ import shutil
 import sqlite3
 
 import pytest
-from making_bags import DELAY_NS, circle, ros1_store, tf_message, write_rosbag1, write_rosbag2
 from rosbags.rosbag1 import Writer as Writer1
 from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin
 from rosbags.rosbag2 import Writer as Writer2
@@ -12,6 +11,8 @@ from rosbags.typesys import Stores, get_typestore
 
 from tflab.bags.errors import BagError
 from tflab.bags.reader import read_bag
+
+from .making_bags import DELAY_NS, circle, ros1_store, tf_message, write_rosbag1, write_rosbag2
 
 
 def rosbag1_with(path, compression):

@@ -6,23 +6,17 @@ import sys
 from pathlib import Path
 
 import pytest
+import yaml
 
 import tflab
 from tflab.clinic import archive
 from tflab.clinic.archive import PatientSpec, digest_of, files_of, patients
 from tflab.clinic.causes import Numbers
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 PACKAGE = Path(tflab.__file__).parent
-READS = """
-import sys
-opened = set()
-sys.addaudithook(lambda name, args: opened.add(str(args[0])) if name == "open" else None)
-from tflab.clinic.causes import Numbers
-from tflab.clinic.simulate_patient import make_patient
-make_patient(["mount wrong"], Numbers())
-loaded = {module.__file__ for module in list(sys.modules.values()) if getattr(module, "__file__", None)}
-print(*sorted(opened | loaded), sep="\\n")
-"""
+READS = CASES["reads"]
 
 
 def test_a_patient_is_made_once(tmp_path, monkeypatch):

@@ -64,14 +64,6 @@ def test_the_right_fix_makes_the_robot_well_and_others_do_not(patients):
             assert result_of_fix(patient, "new sensor")[1] != well
 
 
-def test_a_plaster_takes_the_error_away_and_leaves_the_points_where_they_are(patients):
-    ahead = patients["laser clock ahead"]
-    plaster, cure = result_of_fix(ahead, "timeout of 1 s")[1], result_of_fix(ahead, "set the laser's clock")[1]
-    assert "RViz: all Ok" in plaster and "RViz: all Ok" in cure
-    beside = [float(text.split("up to ")[1].split(" m")[0]) for text in (plaster, cure)]
-    assert beside[0] > 3 * beside[1]
-
-
 def test_the_screen_shows_what_the_operator_complains_of(patients):
     said = {
         "no map": "Fixed Frame: Frame [",

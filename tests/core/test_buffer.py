@@ -103,23 +103,6 @@ def test_set_transforms_stores_what_single_calls_store() -> None:
         BufferCore().set_transforms("a", "b", [1, 2], np.zeros((3, 3)), np.zeros((2, 4)))
 
 
-def test_a_rejected_transform_is_logged_and_not_stored(caplog: pytest.LogCaptureFixture) -> None:
-    buffer = BufferCore()
-    zero = StampedTransform("base_link", "laser_frame", 1, Transform(rotation=(0, 0, 0, 0)))
-    assert not buffer.set_transform(zero, "static_sensor_broadcaster")
-    assert [record.name for record in caplog.records] == ["tflab.tf2"] * 2
-    assert caplog.records[1].getMessage().startswith("TF_DENORMALIZED_QUATERNION: ")
-    assert buffer.frame_names() == []
-
-
-def test_of_two_samples_with_one_stamp_the_last_answers() -> None:
-    buffer = BufferCore()
-    for x in (1.0, 2.0):
-        assert buffer.set_transform(StampedTransform("odom", "base_link", seconds(1), Transform((x, 0, 0))))
-    assert len(buffer.history("base_link").stamps_ns) == 2
-    assert buffer.lookup_transform("odom", "base_link", seconds(1)).transform.translation[0] == 2.0
-
-
 def test_a_stamp_in_seconds_is_refused_with_the_remedy() -> None:
     buffer = robot()
     for child in ("base_link", "newcomer"):

@@ -3,10 +3,11 @@
 import json
 import xml.etree.ElementTree as ET
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+import yaml
 
-from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import Transform
@@ -24,37 +25,10 @@ from tflab.doctor.diagnose import diagnose_recording
 from tflab.doctor.profile import profile_of, text_from_profile
 from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
-from tflab.ros.convert import msg_from_stamped
-from tflab.ros.messages.tf2_msgs import TFMessage
-from tflab.ros.qos import QoSProfile
 
-RECORDS = TeachingRobot().records(until_s=6.0)
+from .conftest import RECORDS, of_robot, write
 
-
-def write(path, records):
-    with BagWriter(path) as writer:
-        for topic in ("/tf", "/tf_static"):
-            writer.add_topic(topic, TFMessage.ROS_TYPE, [QoSProfile(depth=100)] if topic == "/tf" else [])
-        for record in records:
-            writer.write(record.topic, TFMessage(transforms=[msg_from_stamped(record.stamped)]), record.receive_ns)
-    return str(path)
-
-
-@pytest.fixture(scope="module")
-def clean(tmp_path_factory):
-    return write(tmp_path_factory.mktemp("clean") / "clean", RECORDS)
-
-
-@pytest.fixture(scope="module")
-def late(tmp_path_factory):
-    """A recording with a warning: one edge comes late."""
-    return write(tmp_path_factory.mktemp("late") / "late", inject(RECORDS, "late-stamps", seed=1).records)
-
-
-@pytest.fixture(scope="module")
-def broken(tmp_path_factory):
-    """A recording with an error."""
-    return write(tmp_path_factory.mktemp("broken") / "broken", inject(RECORDS, "zero-quaternion", seed=1).records)
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def profile(records):
@@ -68,16 +42,7 @@ def codes(findings):
 # -- exit status -----------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("bag", "least", "status"),
-    [
-        ("clean", "warning", 0),
-        ("late", "error", 0),
-        ("late", "warning", 1),
-        ("broken", "error", 1),
-        ("broken", "never", 0),
-    ],
-)
+@pytest.mark.parametrize(("bag", "least", "status"), CASES["statuses"])
 def test_the_exit_status_is_that_of_the_least_severity_that_fails(bag, least, status, request, capsys):
     assert main(["doctor", request.getfixturevalue(bag), "--fail-on", least]) == status
     assert capsys.readouterr().out
@@ -133,19 +98,7 @@ def test_what_is_not_written_is_not_asked(tmp_path):
     assert (finding.code, finding.severity, finding.child) == ("expected-rate", "warning", "base_footprint")
 
 
-@pytest.mark.parametrize(
-    ("text", "reason"),
-    [
-        ("edges = 3", "expected a table"),
-        ('[edges."a b"]', 'named "parent -> child"'),
-        ('[edges."a -> b"]\nrate = 3', "unknown; known: static"),
-        ('[edges."a -> b"]\nrate_hz = [1]', "is not what it should be"),
-        ('[edges."a -> b"]\nlargest_delay_s = "x"', "is not what it should be"),
-        ('[frames]\n"/scan" = "laser"', "list of words"),
-        ("a = [", "not TOML"),
-        ("edgs = 3", "unknown: edgs"),
-    ],
-)
+@pytest.mark.parametrize(("text", "reason"), CASES["nonsense"])
 def test_a_file_of_expectations_that_says_nonsense_is_one_clear_line(text, reason, tmp_path, clean, capsys):
     file = tmp_path / "robot.toml"
     file.write_text(text)
@@ -288,14 +241,11 @@ def test_a_bag_that_cannot_be_read_is_an_error_in_every_form_that_ci_shows(tmp_p
 
 
 def test_of_several_robots_each_edge_is_expected_of_its_own(tmp_path):
-    def of(robot, records):
-        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
-
-    both = profile([*of("r1", RECORDS), *of("r2", RECORDS)])
+    both = profile([*of_robot("r1", RECORDS), *of_robot("r2", RECORDS)])
     (tmp_path / "robots.toml").write_text(toml_from(expectations_from(both)), encoding="utf-8")
     expectations = read_expectations(tmp_path / "robots.toml")
     assert deviations_from(expectations, both) == []
-    missing = deviations_from(expectations, profile(of("r1", RECORDS)))
+    missing = deviations_from(expectations, profile(of_robot("r1", RECORDS)))
     assert codes(missing) == {"expected-edge"} and {finding.namespace for finding in missing} == {"/r2"}
 
 

@@ -16,6 +16,8 @@ from tflab.robots.nodes import launch
 from tflab.ros.graph import new_graph
 from tflab.tools import ros2
 
+from .conftest import of_robot
+
 MS = 1_000_000
 SECOND = 1000 * MS
 
@@ -171,10 +173,7 @@ def test_two_robots_in_one_recording_are_two_trees_by_choice(between):
 
 
 def test_two_robots_with_topics_of_their_own_may_have_the_same_frames():
-    def of(robot, records):
-        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
-
-    both = [of(robot, records) for robot in ("r1", "r2") for records in HEALTHY]
+    both = [of_robot(robot, records) for robot in ("r1", "r2") for records in HEALTHY]
     assert alarming(recording(*both)) == set()
 
 
@@ -497,12 +496,9 @@ def test_a_prefix_is_told_with_the_names_that_have_it():
 
 
 def test_of_several_robots_a_finding_says_which_and_its_command_listens_there():
-    def of(robot, records):
-        return [record._replace(topic=f"/{robot}{record.topic}") for record in records]
-
-    healthy = [of("r1", records) for records in HEALTHY]
+    healthy = [of_robot("r1", records) for records in HEALTHY]
     late = (HEALTHY[0], edge("odom", "base_link", delay_ms=900), HEALTHY[2])
-    (finding,) = diagnose_recording(recording(*healthy, *(of("r2", records) for records in late))).findings
+    (finding,) = diagnose_recording(recording(*healthy, *(of_robot("r2", records) for records in late))).findings
     said = describe(finding)
     assert said.title == "/r2: odom -> base_link comes late"
     assert said.command.endswith("tf2_monitor odom base_link --ros-args -r /tf:=/r2/tf -r /tf_static:=/r2/tf_static")

@@ -8,7 +8,6 @@ from dataclasses import replace
 import pytest
 
 from tflab.bags.reader import read_bag
-from tflab.bags.record import BagWriter
 from tflab.bags.recording import recording_from_records
 from tflab.cli import main
 from tflab.core import StampedTransform, Transform
@@ -19,33 +18,9 @@ from tflab.doctor.report import drawings
 from tflab.doctor.report.drawings import draw_frames_at, draw_timeline
 from tflab.doctor.report.html import html_from_report
 from tflab.doctor.report.sentences import descriptions
-from tflab.robots.faults.inject import inject
 from tflab.robots.teaching import TeachingRobot
-from tflab.ros.convert import msg_from_stamped
-from tflab.ros.messages.tf2_msgs import TFMessage
-from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
-
-def write(path, records):
-    """Write transforms into a bag, one a message."""
-    with BagWriter(path) as writer:
-        writer.add_topic("/tf", TFMessage.ROS_TYPE, [QoSProfile(depth=100)])
-        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        writer.add_topic("/tf_static", TFMessage.ROS_TYPE, [latched])
-        for record in records:
-            writer.write(record.topic, TFMessage(transforms=[msg_from_stamped(record.stamped)]), record.receive_ns)
-    return path
-
-
-@pytest.fixture(scope="module")
-def clean(tmp_path_factory):
-    return write(tmp_path_factory.mktemp("clean") / "clean", TeachingRobot().records(until_s=6.0))
-
-
-@pytest.fixture(scope="module")
-def broken(tmp_path_factory):
-    records, _ = inject(TeachingRobot().records(until_s=6.0), "zero-quaternion", seed=1)
-    return write(tmp_path_factory.mktemp("broken") / "broken", records)
+from .conftest import write
 
 
 def test_a_clean_bag_exits_with_0_and_says_so(clean, capsys):

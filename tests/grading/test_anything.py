@@ -10,7 +10,6 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging.job import CellOutcome, HandedIn, Job, Run, RunCell
 from tflab.grading.judging.pack import Pack, read_pack
@@ -19,6 +18,8 @@ from tflab.grading.kernels.limits import Limits
 from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
 from tflab.grading.reports.gradebook import grades_csv
+
+from . import tiny
 
 ANYTHING = (
     None, True, 0, -1, 1e308, float("nan"), "", "e3-2-answer", "E3.2", "\ud800", "\x00", "x" * 300, [], {}, [[]],

@@ -11,13 +11,14 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
-import tiny
 
 from tflab.grading import check_command
 from tflab.grading.check_command import main
 from tflab.grading.judging.job import RunCell
 from tflab.grading.judging.plain_kernel import run_plainly
 from tflab.grading.kernels.limits import Limits
+
+from . import tiny
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ import re
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging.task_score import score_task
 from tflab.grading.release import release
@@ -30,6 +29,8 @@ from tflab.workbook.inventory.items import FORMS, RIGHT, read_inventory
 from tflab.workbook.paths import Workbook, exercise_file, workbook_data
 from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
+
+from . import tiny
 
 ITEMS = read_inventory()
 STEMS = {"A": "00_start", "B": "12_owners_and_diagnosis"}
@@ -194,13 +195,14 @@ def test_grading_gives_points_for_answering_and_keeps_the_letters_of_a_complete_
 
 @pytest.fixture(scope="module")
 def given_away(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """All that two learners can read who are handed out the first and the last exercise, as JSON means it."""
+    """All that learners of a class can read, and those who learn alone, in the files of forms A and B."""
     folder = tmp_path_factory.mktemp("release") / "autumn"
     learners = [Learner("s101", "", "en"), Learner("s102", "", "ko")]
     release(folder, [STEMS["A"]], learners)
     last = f"exercises/en/{exercise_file(STEMS['B'])}"
     handed_out = {last: (workbook_data() / last).read_bytes()}
     lay_out(folder / "learners" / "s103", "en", edition="class", learner="s103", handed_out=handed_out)
+    lay_out(folder / "learners" / "alone", "en")
     texts = []
     for content in set(tiny.files_below(folder / "learners").values()):
         text = content.decode()
@@ -218,5 +220,7 @@ def test_a_release_holds_every_question_no_row_of_right_letters_and_no_misconcep
         row = r"\W{0,6}".join(letter for _, letter in rows[:8])
         numbered = r"\W{1,8}".join(rf"{number}\W{{1,6}}{letter}" for number, letter in rows[:5])
         assert not re.search(rf"\b(?:{row}|{numbered})", given_away)
+        for told in ("".join(dict(rows).values()), str([*dict(rows).values()]), json.dumps(dict(rows))):
+            assert re.search(rf"\b(?:{row}|{numbered})", told)  # these would be found
     beside = {f'"{letter}": "{shown}"' for letter in "abcd" for shown in (RIGHT, *MISCONCEPTIONS)}
     assert [pair for pair in beside if pair in given_away] == []

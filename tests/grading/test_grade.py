@@ -14,13 +14,14 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import pytest
-import tiny
 
 from tflab.grading import batch, grade
 from tflab.grading.judging.job import Job
 from tflab.grading.judging.pack import graded_cases, read_pack
 from tflab.grading.kernels.sandbox import Sandbox
 from tflab.grading.submissions.remarks import Remark
+
+from . import tiny
 
 ADDED = "def length(x, y):\n    return x + y"
 HANG = "def length(x, y):\n    while True: pass"

@@ -9,9 +9,10 @@ from types import ModuleType
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging.pack import Pack, read_pack
+
+from . import tiny
 
 TINY = "E3.2"
 

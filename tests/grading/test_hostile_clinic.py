@@ -6,11 +6,12 @@ import json
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-import hostile
 import pytest
 
 from tflab.grading import grade, release
 from tflab.workbook.paths import read_workbook
+
+from . import hostile
 
 STEM = "12_owners_and_diagnosis"
 PROGRAM, PATIENTS = "E12.7", "E12.4"

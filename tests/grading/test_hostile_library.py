@@ -15,7 +15,6 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-import hostile
 import psutil
 import pytest
 
@@ -24,6 +23,8 @@ from tflab.grading.kernels.kernel_pool import KernelError, Kernels
 from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 from tflab.workbook.paths import read_workbook
+
+from . import hostile
 
 STEM = "03_target_and_source"
 SEEDS = dict(zip(LEVELS, ("5a17", "c0de", "0b5e"), strict=True))  # drawn once: what is luck is the same luck each time

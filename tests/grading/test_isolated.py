@@ -9,7 +9,6 @@ from collections.abc import Iterator
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging import isolated
 from tflab.grading.judging.draw import asks_of
@@ -17,6 +16,8 @@ from tflab.grading.judging.job import HandedIn, Job
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.judging.task_score import members, score_task
 from tflab.grading.kernels.limits import Limits
+
+from . import tiny
 
 
 @pytest.fixture(scope="module")

@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import tiny
 import yaml
 
 from tflab.grading import release as releasing
@@ -24,21 +23,15 @@ from tflab.workbook.paths import Workbook, chapters, read_workbook, workbook_dat
 from tflab.workbook.tasks.catalog import assigned_cases, outlines, task_ids
 from tflab.workbook.tasks.strip_solution import BEGIN, regions
 
+from . import tiny
+
 DATA = workbook_data()
 NUMBERS, PATIENTS = "03_target_and_source", "12_owners_and_diagnosis"
 PICTURES = ("image/png", "image/webp")  # no sentence is in their bytes
 SENTENCE = re.compile(r"(?<=[.?!])\s+|\n")
 SHORTEST = 24  # letters; what is shorter is said by anybody
-ON_THE_SCREEN = [
-    "said",
-    "check",
-    "command",
-    "text",
-    "cause",
-    "cell",
-    "slide",
-    "show",
-]  # of a teaching file: what all see
+# Of a teaching file: what all see.
+ON_THE_SCREEN = ["said", "check", "command", "text", "cause", "cell", "slide", "show"]
 
 
 def texts_in(held: Any, *leaving: str) -> Iterator[str]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import json
 
 import pytest
-import tiny
 
 from tflab.grading.judging.cells import Master, answers_most
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.judging.plan import MergedNotebook, merge_submission
 from tflab.grading.submissions.reader import read_notebook
+
+from . import tiny
 
 
 @pytest.fixture(scope="module")

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.pack import Pack, read_pack
@@ -14,6 +13,8 @@ from tflab.grading.reports.class_page import class_page
 from tflab.grading.reports.feedback import feedback_page
 from tflab.workbook.diagnosis.verdict import judge_outcomes
 from tflab.workbook.tasks.case_types import TaskCases
+
+from . import tiny
 
 
 @pytest.fixture(scope="module")

@@ -9,7 +9,6 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-import tiny
 
 from tflab.grading import release as releasing
 from tflab.grading.judging import pack as packing
@@ -27,6 +26,8 @@ from tflab.workbook.answers.forms import Number
 from tflab.workbook.paths import Workbook, read_workbook
 from tflab.workbook.tasks import catalog
 from tflab.workbook.tasks.generate_cases import task_cases
+
+from . import tiny
 
 
 def texts_below(folder: Path) -> str:
@@ -58,15 +59,6 @@ def test_a_stamp_bears_a_seal_that_holds_for_nobody_else_and_nothing_else(course
     for name, other in (("learner", "s101"), ("chapter", "02_axes"), ("release", "0"), ("seal", ""), ("seal", "ü")):
         assert not pack.sealed_this(stamp | {name: other})
     assert not replace(pack, seed="00" * 32).sealed_this(stamp)
-
-
-def test_the_exercises_carry_what_nbgrader_reads(course: tiny.Course) -> None:
-    cells = {cell["id"]: cell["metadata"].get("nbgrader") for cell in course.exercise()["cells"]}
-    answer, check = cells["e3-2-answer"], cells["e3-2-check"]
-    names = ("grade_id", "solution", "grade", "locked")
-    assert [answer[name] for name in names] == ["e3-2-answer", True, False, False]
-    assert [check[name] for name in names] == ["e3-2-check", False, True, True]
-    assert check["points"] == 4
 
 
 def test_nothing_that_is_given_away_holds_the_seed_or_a_hidden_case(course: tiny.Course) -> None:

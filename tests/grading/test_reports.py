@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab import grading
 from tflab.grading.judging.pack import read_pack
@@ -23,6 +22,8 @@ from tflab.grading.submissions import remarks
 from tflab.grading.submissions.remarks import KINDS, Remark
 from tflab.text import Text, Texts
 from tflab.workbook.tasks.misconceptions import MISCONCEPTIONS
+
+from . import tiny
 
 
 @pytest.fixture(scope="module")

@@ -20,19 +20,17 @@ from tflab.grading.kernels.limits import Limits
 from tflab.grading.kernels.probe_answer import PROBE_TYPE
 from tflab.grading.kernels.sandbox import LEVELS, Sandbox
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+NETWORKS, LOCKS, CALLS, BEHIND, SURVIVORS = (
+    CASES[name] for name in ("networks", "locks", "calls", "behind", "survivors")
+)
 SAY = f"""
 import os, sys
 from IPython.display import display
 def say(value):
     display({{{PROBE_TYPE!r}: {{"id": "", "v": value}}}}, raw=True)
 """
-TRY = """
-def attempt(what):
-    try:
-        return repr(what())
-    except BaseException as error:
-        return type(error).__name__
-"""
+TRY = CASES["attempt"]
 pytestmark = pytest.mark.proof(
     reads=["tflab/grading/kernels/**/*.py", "tests/grading/test_sandbox.*"]
 )  # every attack behind every wall
@@ -132,17 +130,7 @@ def test_modules_files_and_commands_can_be_used(shared: Inside) -> None:
 
 
 def test_a_cell_may_wait_for_a_coroutine_and_leave_a_task_running(shared: Inside) -> None:
-    before = """
-import asyncio
-ticks = []
-async def tick():
-    while True:
-        ticks.append(1)
-        await asyncio.sleep(0.001)
-task = asyncio.get_event_loop().create_task(tick())
-await asyncio.sleep(0.01)
-"""
-    assert shared("len(ticks) > 1", before) is True
+    assert shared("len(ticks) > 1", CASES["a_task_that_stays"]) is True
     assert shared("task.cancel()") is True
 
 
@@ -255,11 +243,6 @@ def test_no_variable_and_no_file_of_the_grader_comes_along(kernels: Kernels, mon
     finally:
         kernel.close()
         pool.close()
-
-
-NETWORKS, LOCKS, CALLS, BEHIND, SURVIVORS = yaml.safe_load(
-    Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")
-).values()
 
 
 @pytest.mark.skipif(not seccomp.is_there(), reason="this machine has no filter, and the report says so")
@@ -375,25 +358,10 @@ def test_without_a_file_system_of_its_own_no_socket_has_a_name_and_no_file_is_ch
 def test_kernels_share_no_place_to_leave_something(kernels: Kernels) -> None:
     if kernels.sandbox.level == "limits" and landlock.abi() < landlock.CONFINES:
         pytest.skip("this machine's Landlock is too old, and the report says what follows")
-    leave = """
-import os
-left = 0
-for place in ("/dev/shm", "/tmp", "/var/tmp", "/run", "/dev/mqueue", os.path.expanduser("~"), "/", "/dev"):
-    try:
-        open(os.path.join(place, "tflab-left-here"), "w").write("x")
-        left += 1
-    except OSError:
-        pass
-"""
-    look = """
-import os
-places = ("/dev/shm", "/tmp", "/var/tmp", "/run", "/dev/mqueue", os.path.expanduser("~"), "/", "/dev")
-there = [place for place in places if os.path.exists(os.path.join(place, "tflab-left-here"))]
-"""
     first, second = kernels.take(Limits()), kernels.take(Limits())
     try:
-        assert Inside(first)("left > 0", leave) is True  # its own folder at least
-        assert Inside(second)("there", look) == []
+        assert Inside(first)("left > 0", CASES["leave"]) is True  # its own folder at least
+        assert Inside(second)("there", CASES["look"]) == []
     finally:
         first.close()
         second.close()
@@ -430,31 +398,11 @@ def test_memory_is_limited_and_none_is_shared_by_forks(fresh: Inside, kernels: K
 def test_processes_are_limited(fresh: Inside, kernels: Kernels) -> None:
     if kernels.sandbox.level == "limits" and fresh("os.getuid()") in (0, os.getuid()):
         pytest.skip("the limit is for all processes of a user here, and this user is the grader's")
-    bomb = """
-children = []
-def bomb():
-    while len(children) < 500:
-        child = os.fork()
-        if child == 0:
-            os.pause() if hasattr(os, "pause") else __import__("signal").pause()
-        children.append(child)
-"""
+    bomb = CASES["bomb"]
     assert fresh("[attempt(bomb), len(children) < 60]", bomb) == ["BlockingIOError", True]
 
 
-TWO_IN_EACH = """
-import os, signal, socket, types
-from tflab.grading.kernels import supervisor
-from tflab.grading.kernels.limits import Limits
-kernel = os.fork()
-if not kernel:
-    for _ in range(5):
-        os.fork() or signal.pause()
-    signal.pause()
-leash = socket.socketpair()
-order = types.SimpleNamespace(limits=Limits(processes=2), leash=leash[0], level="namespaces", folder="", uid=None)
-print(supervisor.watch(kernel, order), supervisor.descendants(os.getpid()))
-"""
+TWO_IN_EACH = CASES["two_in_each"]
 
 
 def test_where_the_system_counts_no_processes_the_keeper_does() -> None:
@@ -540,19 +488,7 @@ def test_a_kernel_ends_with_the_grader_even_if_that_is_killed(tmp_path: Path, ke
 
 
 def test_without_landlock_the_memory_of_the_grader_is_closed_at_least() -> None:
-    code = """
-import ctypes
-from tflab.grading.kernels import landlock
-from tflab.grading.kernels.sandbox import Sandbox
-from tflab.grading.kernels.kernel_pool import Kernels
-dumpable = lambda: ctypes.CDLL(None).prctl(3, 0, 0, 0, 0)
-Kernels(Sandbox("limits"))
-with_landlock = dumpable()
-landlock.abi = lambda: 0
-Kernels(Sandbox("limits"))
-print(landlock.CONFINES, with_landlock, dumpable())
-"""
-    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    done = subprocess.run([sys.executable, "-c", CASES["without_landlock"]], capture_output=True, text=True, check=True)
     assert done.stdout.split()[-1] == "0"
 
 

@@ -7,12 +7,13 @@ import string
 from typing import Any
 
 import pytest
-import tiny
 
 from tflab.grading.judging.draw import asks_of
 from tflab.grading.judging.pack import read_pack
 from tflab.grading.judging.task_score import TaskScore, safe_error_name, score_task
 from tflab.grading.submissions.remarks import KINDS, Remark
+
+from . import tiny
 
 
 @pytest.fixture(scope="module")

@@ -8,7 +8,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-import tiny
+import yaml
 
 from tflab import __version__
 from tflab.grading import check_command, grade
@@ -19,45 +19,18 @@ from tflab.workbook import atomic_files, check
 from tflab.workbook.copy import lab, lay_out
 from tflab.workbook.paths import WorkbookError, read_workbook
 
+from . import tiny
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 MENDED_SOURCE = tiny.SOURCE.replace("## E3.2 · Length", "## E3.2 · Length of the long leg").replace(
     'e3_1 = task("E3.1")', 'e3_1 = task("E3.1")  # two numbers'
 )
 MENDED_TASKS = tiny.TASKS.replace("You subtracted.", "You took one from the other.")
-OTHER_QUESTIONS = {
-    "numbers": ("E3.1", '"a": float(rng.uniform(1, 5))', '"a": float(rng.uniform(2, 5))'),
-    "inputs": ("E3.2", "for leg in rng.uniform(1, 5, 2)", "for leg in rng.uniform(2, 5, 2)"),
-    "points": ("E3.2", '"E3.2", "F", 4', '"E3.2", "F", 5'),
-    "options": ("E3.3", '("map", "laser_frame"))', '("map", "laser_frame", "odom"))'),
-    "variants": ("E3.1", "variants=5", "variants=6"),
-}
+OTHER_QUESTIONS = CASES["other_questions"]
 OTHER_NUMBERS = MENDED_TASKS.replace(*OTHER_QUESTIONS["numbers"][1:])
-ANOTHER_TASK = (
-    MENDED_TASKS
-    + """
-# -- e3_4.py
-from .draws import *
-
-TASK = Task("E3.4", "N", 9, Text("More", "더"), "more", Number(), HINTS)
-"""
-)
-ANOTHER_CELL = (
-    MENDED_SOURCE
-    + """
-# %% [markdown] lang="en" name="e3-4"
-# ## E3.4 · More
-
-# %% [markdown] lang="ko" name="e3-4"
-# ## E3.4 · 더
-
-# %% name="e3-4-answer" tags=["answer"]
-# BEGIN SOLUTION
-more = 7
-# END SOLUTION
-
-# %% name="e3-4-check" tags=["check"]
-check("E3.4", more)
-"""
-)
+ANOTHER_TASK = MENDED_TASKS + CASES["another_task"]
+ANOTHER_CELL = MENDED_SOURCE + CASES["another_cell"]
 NAME = f"exercises/en/E{tiny.STEM}.ipynb"
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -19,11 +18,11 @@ from tflab.workbook.tasks.catalog import assigned_cases
 from tflab.workbook.tasks.generate_cases import outline_of
 from tflab.workbook.tasks.task import read_tasks
 
+from ..workbook.making_pages import write_tasks
+
 STEM = "03_tiny"
 
 SOURCE, TASKS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8")).values()
-
-
 RIGHT = {
     "e3-1-answer": "total = e3_1.a + e3_1.b",
     "e3-2-answer": "def length(x, y):\n    return math.hypot(x, y)",
@@ -54,15 +53,6 @@ class Course:
     def assigned(self, learner: str, task_id: str) -> TaskCases:
         """Return a task as `check` compares a learner's answer with it."""
         return assigned_cases(self.workbook, STEM, task_id, read_workbook(self.copy_of(learner)))
-
-
-def write_tasks(folder: Path, text: str) -> Path:
-    """Write a chapter's tasks, each file below a line `# -- e3_1.py`; return the folder."""
-    folder.mkdir(parents=True, exist_ok=True)
-    _, *parts = re.split(r"^# -- (\S+)\n", text, flags=re.MULTILINE)
-    for name, part in zip(parts[::2], parts[1::2], strict=True):
-        (folder / name).write_text(part, encoding="utf-8")
-    return folder
 
 
 def write_tiny_workbook(root: Path, page_source: str = SOURCE, tasks: str = TASKS) -> Path:

@@ -1,9 +1,11 @@
 """Link poses from joint positions, by hand and by an independent library."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -11,26 +13,11 @@ from tflab.core import Transform
 from tflab.robots.model import Joint, all_positions, joint_transform, link_poses, link_transform
 from tflab.robots.urdf import parse_urdf
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 # base --swing(z) at (1, 0, 0)--> arm --slide(x) at (0, 0, 1), turned on its side--> hand
 #                                  '--follow: finger = -2 * slide + 0.1
-ROBOT = """<robot name="crane">
-  <link name="base"/><link name="arm"/><link name="hand"/><link name="finger"/><link name="hook"/>
-  <joint name="swing" type="continuous">
-    <parent link="base"/><child link="arm"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
-  </joint>
-  <joint name="slide" type="prismatic">
-    <parent link="arm"/><child link="hand"/><origin xyz="0 0 1" rpy="0.3 -0.4 1.2"/><axis xyz="1 2 -1"/>
-    <limit lower="-1" upper="1" effort="1" velocity="1"/>
-  </joint>
-  <joint name="follow" type="revolute">
-    <parent link="hand"/><child link="finger"/><origin xyz="0.1 0.2 0.3" rpy="1 2 3"/><axis xyz="-1 0.5 0"/>
-    <mimic joint="slide" multiplier="-2" offset="0.1"/>
-    <limit lower="-3" upper="3" effort="1" velocity="1"/>
-  </joint>
-  <joint name="bolt" type="fixed">
-    <parent link="finger"/><child link="hook"/><origin xyz="0 0 -0.5" rpy="-1.5707963267948966 0 -1.5707963267948966"/>
-  </joint>
-</robot>"""
+ROBOT = CASES["robot"]
 
 
 def test_a_quarter_turn_about_z_turns_the_child_left_about_its_origin():
@@ -71,14 +58,7 @@ def test_link_transform_inverts_one_pose_and_applies_the_other():
     assert np.allclose((poses["hand"] @ hand_T_arm).matrix(), poses["arm"].matrix())
 
 
-@pytest.mark.parametrize(
-    ("positions", "words"),
-    [
-        ({"sving": 0.0}, "robot 'crane' has no joint 'sving'; it has bolt, follow, slide, swing"),
-        ({"swing": (1.0, 2.0)}, "joint 'swing' is continuous and takes one number"),
-        ({"swing": "left"}, "joint 'swing' is continuous and takes one number, not 'left'"),
-    ],
-)
+@pytest.mark.parametrize(("positions", "words"), CASES["invalid"])
 def test_an_invalid_position_names_the_expected_type(positions, words):
     with pytest.raises(ValueError, match=words.replace("(", r"\(")):
         link_poses(parse_urdf(ROBOT), positions)

@@ -1,9 +1,11 @@
 """robot_state_publisher publishes and logs what the real node does, at the same times."""
 
 import math
+from pathlib import Path
 from typing import NamedTuple
 
 import pytest
+import yaml
 
 from tflab.core import seconds
 from tflab.robots.state_publisher import RobotStatePublisher, main
@@ -15,26 +17,15 @@ from tflab.ros.node import Node
 from tflab.ros.parameter import Parameter
 from tflab.ros.qos import DurabilityPolicy, QoSProfile
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 TERMINATED = "terminate called after throwing an instance of 'std::runtime_error'"
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
 
 # base -+- bolt (fixed) -> plate            turn (revolute about z, 1 m ahead) -> arm -- slide -> hand
 #       +- float (floating) -> balloon      follow: mimics turn, half and 0.1 more -> finger
 #       '- glide (planar) -> puck
-URDF = """<robot name="r">
-  <link name="base"/><link name="plate"/><link name="arm"/><link name="hand"/><link name="finger"/>
-  <link name="balloon"/><link name="puck"/>
-  <joint name="bolt" type="fixed"><parent link="base"/><child link="plate"/><origin xyz="0 0 0.5"/></joint>
-  <joint name="turn" type="continuous">
-    <parent link="base"/><child link="arm"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
-  </joint>
-  <joint name="slide" type="prismatic"><parent link="arm"/><child link="hand"/><axis xyz="1 0 0"/>
-    <limit lower="0" upper="1" effort="1" velocity="1"/></joint>
-  <joint name="follow" type="continuous"><parent link="hand"/><child link="finger"/><axis xyz="0 0 1"/>
-    <mimic joint="turn" multiplier="0.5" offset="0.1"/></joint>
-  <joint name="float" type="floating"><parent link="base"/><child link="balloon"/></joint>
-  <joint name="glide" type="planar"><parent link="base"/><child link="puck"/><origin xyz="0 2 0"/></joint>
-</robot>"""
+URDF = CASES["urdf"]
 
 
 class Stage(NamedTuple):
@@ -194,29 +185,13 @@ def test_a_new_description_changes_the_robot_and_its_static_transforms():
     assert (plate.child_frame_id, plate.transform.translation) == ("plate", (0.0, 0.0, 0.7))
 
 
-@pytest.mark.parametrize(
-    ("name", "value", "reason"),
-    [
-        ("robot_description", "", "Empty URDF is not allowed"),
-        ("robot_description", "<robot/>", "Unable to initialize urdf::model from robot description"),
-        ("publish_frequency", 0.0, "publish_frequency must be between 0.0 (exclusive) and 1000.0"),
-        ("publish_frequency", 2000.0, "publish_frequency must be between 0.0 (exclusive) and 1000.0"),
-    ],
-)
+@pytest.mark.parametrize(("name", "value", "reason"), CASES["refused"])
 def test_parameters_that_cannot_work_are_refused_with_the_reason(name, value, reason):
     (result,) = staged().publisher.set_parameters([Parameter(name, value=value)])
     assert (result.successful, result.reason) == (False, reason)
 
 
-@pytest.mark.parametrize(
-    ("parameters", "words", "logged"),
-    [
-        ({"robot_description": ""}, "robot_description parameter must not be empty", ""),
-        ({"robot_description": '<robot name="r"><link name="${p}a"/></robot>'},
-         "Unable to initialize urdf::model from robot description", "this is xacro, not yet URDF"),
-        ({"publish_frequency": -1.0}, "publish_frequency must be between 0 (exclusive) and 1000", ""),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("parameters", "words", "logged"), CASES["does_not_start"])
 def test_without_a_robot_or_with_an_impossible_rate_it_does_not_start(parameters, words, logged, capfd):
     with pytest.raises(RuntimeError) as caught:
         staged(**parameters)

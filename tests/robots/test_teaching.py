@@ -10,7 +10,7 @@ from tflab.core import LATEST, Transform, seconds
 from tflab.robots import teaching
 from tflab.robots.model import link_transform
 from tflab.robots.motion import Drive, Leg
-from tflab.robots.readings import Detection, OdometryReading, Scan
+from tflab.robots.readings import Detection, Scan
 from tflab.robots.teaching import SOURCES, Source, TeachingRobot, teaching_urdf
 from tflab.robots.urdf import parse_urdf
 
@@ -97,15 +97,6 @@ def test_each_edge_has_one_owner_and_mounts_alone_are_static():
         (child, "/tf_static")
         for child in ("base_link", "laser_frame", "camera_link", "camera_optical_frame", "imu_link", "tool0", "tcp")
     }
-
-
-def test_the_odometry_message_and_the_transform_agree():
-    robot = TeachingRobot()
-    buffer = robot.buffer(until_s=5.0)
-    for reading in robot.readings(until_s=4.5):
-        if isinstance(reading.value, OdometryReading):
-            edge = buffer.lookup_transform("odom", "base_footprint", reading.value.stamp_ns)
-            assert edge.transform.translation == pytest.approx(reading.value.pose.translation)
 
 
 def test_the_filter_drifts_less_than_the_wheels():

@@ -9,7 +9,8 @@ import yaml
 from tflab.robots.model import Box, Capsule, Cylinder, Limit, Material, Mesh, Mimic, Sphere
 from tflab.robots.urdf import UrdfError, parse_urdf, read_urdf
 
-ARM = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["arm"]
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+ARM = CASES["arm"]
 
 
 def robot_text(body: str) -> str:
@@ -158,19 +159,7 @@ def test_a_bad_number_names_the_attribute_and_the_joint(written):
     )
 
 
-@pytest.mark.parametrize(
-    ("body", "words"),
-    [
-        ("<link/>", 'a <link> needs a name="..."'),
-        ("", 'robot "r" has no <link>'),
-        ('<link name="a"/><joint name="j" type="hinge"/>', 'joint "j": type "hinge" is none of revolute, continuous'),
-        ('<link name="a"/><joint name="j"/>', 'joint "j": joint "j" needs a type="..."'),
-        ('<link name="a"/><joint name="j" type="fixed"><parent link="a"/></joint>', 'joint "j": has no <child link='),
-        ('<link name="a"><visual/></link>', "a <visual> without <geometry>"),
-        ('<link name="a"><visual><geometry><cone/></geometry></visual></link>', "unknown geometry <cone>"),
-        ('<link name="a"><visual><geometry><sphere/></geometry></visual></link>', '<sphere> needs a radius="..."'),
-    ],
-)
+@pytest.mark.parametrize(("body", "words"), CASES["missing"])
 def test_missing_or_unknown_elements_name_what_is_needed(body, words):
     assert words in str(fault(robot_text(body)))
 
@@ -207,14 +196,7 @@ def test_urdf_after_1_0_is_read_as_the_release_reads_it(monkeypatch, release, ve
     assert ("quat_xyzw is ignored" in "".join(robot.notes)) is (version == "1.0")
 
 
-@pytest.mark.parametrize(
-    ("mimic", "words"),
-    [
-        ("nobody", 'joint "j": mimics joint "nobody", which does not exist'),
-        ("j", 'joint "j": mimics itself: j -> j'),
-        ("ball", 'joint "j": mimics joint "ball", which is floating and has no single position'),
-    ],
-)
+@pytest.mark.parametrize(("mimic", "words"), CASES["mimics"])
 def test_a_mimic_must_follow_another_joint_that_has_one_position(mimic, words):
     body = '<link name="a"/><link name="b"/><link name="c"/>' + joint_text("ball", "a", "c", "floating")
     error = fault(robot_text(body + joint_text("j", "a", "b", "continuous", f'<mimic joint="{mimic}"/>')))

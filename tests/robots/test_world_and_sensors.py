@@ -1,14 +1,18 @@
 """Readings follow from the mounting, the stamp and the room."""
 
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from tflab.core import Transform, seconds
 from tflab.robots.motion import Drive, Leg, PlanarPose
 from tflab.robots.odometry import WheelOdometry
 from tflab.robots.sensors import GRAVITY_MPS2, Camera, Imu, Laser, Room, rectangle
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 BOX = Room(rectangle(-2.0, -1.0, 4.0, 3.0))
 STANDING = Drive([Leg(1.0)], start=PlanarPose(0.0, 0.0, 0.0))
@@ -115,16 +119,4 @@ def test_a_floor_plan_in_cells_has_walls_where_the_walls_are():
     cells, (x, y) = BOX.cells(resolution_m=0.5)
     assert (x, y) == (-2.75, -1.75)
     drawn = "\n".join("".join("#" if cell else "." for cell in row) for row in cells[::-1])
-    assert drawn == (
-        "...............\n"
-        ".#############.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#...........#.\n"
-        ".#############.\n"
-        "..............."
-    )
+    assert drawn == CASES["floor"]

@@ -1,4 +1,4 @@
-"""Provide a fresh graph on virtual time, and a node on it."""
+"""Modules of ROS 2 that `import rclpy` finds, and a node on a graph."""
 
 from __future__ import annotations
 
@@ -9,22 +9,9 @@ import pytest
 
 from tflab import ros
 from tflab.ros.client_library import init, try_shutdown
-from tflab.ros.logging import clear_config, show_engine_refusals
 from tflab.ros.node import Node
-from tflab.ros.process import use_graph
 
 LECTURE = Path(__file__).parent / "lecture"
-
-
-@pytest.fixture
-def graph() -> Iterator[ros.Graph]:
-    """Return the current graph: virtual time, 1 s."""
-    graph = ros.new_graph()
-    yield graph
-    graph.stop()
-    use_graph(None)
-    clear_config()
-    show_engine_refusals(False)
 
 
 @pytest.fixture

@@ -8,7 +8,6 @@ from tflab.ros.exceptions import (
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
-    NotInitializedException,
     NoTypeSupportImportedException,
     RCLInvalidROSArgsError,
     UnknownROSArgsError,
@@ -27,12 +26,6 @@ def node(graph):
     rclpy.init()
     yield Node("camera", namespace="robot")
     rclpy.try_shutdown()
-
-
-def test_without_init_there_is_no_node(graph):
-    with pytest.raises(NotInitializedException) as refused:
-        Node("too_early")
-    assert str(refused.value) == "rclpy.init() has not been called. msg:cannot create node"
 
 
 def test_a_node_that_fails_to_construct_is_removed_without_a_second_error(graph, tmp_path):

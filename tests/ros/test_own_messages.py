@@ -3,8 +3,10 @@
 import importlib
 import sys
 from array import array
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.ros import client_library as rclpy
 from tflab.ros import messages
@@ -13,22 +15,9 @@ from tflab.ros.messages.text import type_hash
 from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
 
-DETECTION = """
-# What a detector saw.
-std_msgs/Header header
-string label "no # name"   # of the class
-float64 score 0.5
-uint8 UNKNOWN=255
-string MODEL='small'
-Box[] boxes
-int32[3] counts [1, 2, 3]
-bool is_sure true
-geometry_msgs/Point[2] corners
-string<=5[2] sides ["left", "right"]
-bool[2] flags
-byte[2] raw
-string<=8 tag
-"""
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
+DETECTION = CASES["detection"]
 PACKAGE = {
     "Detection.msg": DETECTION,
     "Box.msg": "geometry_msgs/Point corner\nfloat32 width",
@@ -85,30 +74,12 @@ def test_the_same_cell_again_gives_the_same_classes_and_another_text_or_folder_n
 
 def test_a_bounded_string_and_a_fixed_array_refuse_what_does_not_fit():
     detection = messages.define("my_msgs", PACKAGE).msg.Detection
-    for values, text in (
-        ({"tag": "123456789"}, "The 'tag' field must be string value not longer than 8"),
-        ({"sides": ["left", "rights"]}, "with length 2 and each string value not longer than 5 and each value of"),
-        ({"corners": []}, "sequence with length 2 and each value of type 'Point'"),
-    ):
+    for values, text in CASES["does_not_fit"]:
         with pytest.raises(AssertionError, match=text):
             detection(check_fields=True, **values)
 
 
-@pytest.mark.parametrize(
-    ("package", "definitions", "text"),
-    [
-        ("std_msgs", {"A.msg": "bool x"}, "there is a package std_msgs already"),
-        ("json", {"A.msg": "bool x"}, "there is a package json already"),
-        ("My", {"A.msg": "bool x"}, '"My" is no name of a package'),
-        ("my_msgs", {}, "my_msgs has no definitions"),
-        ("my_msgs", {"a.msg": "bool x"}, '"a.msg" is no name of a definition'),
-        ("my_msgs", {"A.srv": "bool x"}, "A.srv has 1 parts; a .srv has 2"),
-        ("my_msgs", {"A.msg": "B b", "B.msg": "A a"}, "A.msg -> B.msg -> A.msg: a message cannot contain itself"),
-        ("my_msgs", {"A.msg": "int32 x half"}, 'cannot read "int32 x half": the value is none of type int32'),
-        ("my_msgs", {"A.msg": "int32<=3 x"}, 'cannot read the type "int32<=3"'),
-        ("my_msgs", {"A.msg": "int32"}, 'cannot read "int32": expected "type name"'),
-    ],
-)
+@pytest.mark.parametrize(("package", "definitions", "text"), CASES["invalid"])
 def test_an_invalid_definition_raises_with_its_fault(package, definitions, text):
     with pytest.raises(ValueError, match=text.replace(".", r"\.")):
         messages.define(package, definitions)

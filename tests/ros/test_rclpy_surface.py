@@ -177,9 +177,6 @@ def test_a_timer_of_a_millisecond_says_how_long_it_is_to_the_next_call(node):
     assert timer.time_until_next_call() is None
 
 
-DYNAMIC = rcl_interfaces.ParameterDescriptor(dynamic_typing=True)
-
-
 # -- what is made can be used with `with` ---------------------------------------------
 
 
@@ -221,9 +218,6 @@ def test_introspection_publishes_each_request_and_response(node):
     assert events[0].request[0].names == ["a"] and len({bytes(e.info.client_gid) for e in events}) == 1
 
 
-# -- timer info -------------------------------------------------------------------------
-
-
 # -- quality of service -------------------------------------------------------------------
 
 
@@ -255,21 +249,8 @@ def test_several_parameters_are_declared_all_or_none(node):
         node.declare_parameter("length", 1.0, "metres")
 
 
-def test_setting_a_dynamic_parameter_to_nothing_undeclares_it_and_a_typed_one_is_refused(node):
-    node.declare_parameter("a", 1, DYNAMIC)
-    node.declare_parameter("b", 1)
-    results = node.set_parameters([Parameter(name, Parameter.Type.NOT_SET) for name in "ab"])
-    assert [(each.successful, each.reason) for each in results] == [
-        (True, ""), (False, "Static parameter cannot be undeclared"),
-    ]  # fmt: skip
-    assert not node.has_parameter("a") and node.get_parameter("b").value == 1
-
-
 def test_get_parameter_types_returns_the_types(node):
     node.declare_parameter("a", 1)
     assert node.get_parameter_types(["a", "use_sim_time"]) == [Parameter.Type.INTEGER, Parameter.Type.BOOL]
     with pytest.raises(ParameterNotDeclaredException):
         node.get_parameter_types(["b"])
-
-
-# -- names of modules ---------------------------------------------------------------------------

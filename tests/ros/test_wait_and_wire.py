@@ -9,7 +9,7 @@ from tflab.ros.graph import new_graph
 from tflab.ros.messages.geometry_msgs import PoseWithCovariance, TransformStamped
 from tflab.ros.messages.sensor_msgs import JointState, LaserScan
 from tflab.ros.messages.std_msgs import Byte, String
-from tflab.ros.messages.text import TRUNCATE_LENGTH, message_to_dict, message_to_yaml, type_hash
+from tflab.ros.messages.text import TRUNCATE_LENGTH, message_to_dict, message_to_yaml
 from tflab.ros.messages.tf2_msgs import FrameGraph, TFMessage
 from tflab.ros.messages.values import deserialize_message, serialize_message
 from tflab.ros.node import Node
@@ -108,10 +108,4 @@ def test_without_arrays_and_strings_their_type_and_length_is_left():
     assert message_to_dict(PoseWithCovariance(), no_arr=True)["covariance"] == "<array type: double[36]>"
     assert message_to_dict(TFMessage(), no_arr=True)["transforms"] == (
         "<sequence type: geometry_msgs/msg/TransformStamped, length: 0>"
-    )
-
-
-def test_the_type_hash_of_tf_messages_is_the_one_that_ros2_topic_info_shows():
-    assert type_hash("tf2_msgs/msg/TFMessage") == (
-        "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
     )

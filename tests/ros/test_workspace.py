@@ -1,8 +1,10 @@
 """Files of packages, and the executables of a workspace, run as `ros2 run` runs them."""
 
 import sys
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab import ros
 from tflab.cli import main
@@ -10,33 +12,13 @@ from tflab.ros import workspace
 from tflab.ros.messages import packages
 from tflab.ros.process import use_graph
 
-XML = "<package format='3'><name>{}</name></package>"
-NODE = """
-import sys
-import rclpy
-from hop_msgs.msg import Hops
-from .gait import stride
-from limp.gait import stride as other
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
-def main(args=None):
-    rclpy.init(args=args)
-    node = rclpy.create_node("rabbit")
-    hops = Hops(hops=[Hops().first])
-    words = node.get_fully_qualified_name(), stride(), other(), hops.hops[0].stride, sys.argv[1:]
-    sys.stdout.write(" ".join(map(str, words)) + "\\n")  # two nodes at once: one piece each
-    rclpy.shutdown()
-"""
+XML = "<package format='3'><name>{}</name></package>"
+NODE = CASES["node"]
 FILES = {
     "src/hop/package.xml": XML.format("hop"),
-    "src/hop/setup.py": """
-raise RuntimeError("nobody executes this")
-package_name = "hop"
-# "old = hop.rabbit:old"
-setup(name=package_name, entry_points={"console_scripts": [
-    "rabbit = hop.rabbit:main", "hare = " + f"{package_name}.rabbit:main",
-    "ghost = hop.ghost:main",
-]})
-""",
+    "src/hop/setup.py": CASES["setup"],
     "src/hop/hop/__init__.py": "",
     "src/hop/hop/rabbit.py": NODE,
     "src/hop/hop/gait.py": "def stride():\n    return 1.5\n",
@@ -100,41 +82,13 @@ def test_a_repository_without_src_is_searched_as_colcon_does(ws, capfd):
     assert capfd.readouterr() == (HOPPED, "")
 
 
-@pytest.mark.parametrize(
-    ("words", "code", "text"),
-    [
-        (["run", "."], 2, "tflab run: name the executables of . to run: limp:fox limp:worm.py hop:rabbit hop:hare\n"),
-        (["run", "src/hop_msgs"], 2, "tflab run: src/hop_msgs has no executable in Python\n"),
-        (["run", ".", "limp:dog"], 2, "tflab run: No executable found; limp has, in Python: fox, worm.py\n"),
-        (["run", "cow:dog"], 2, "tflab run: Package 'cow' not found\n"),
-        (["run", "built:dog"], 2, "tflab run: Package 'built' not found\n"),
-        (["run", "ignored:dog"], 2, "tflab run: Package 'ignored' not found\n"),
-        (["ros2", "run", "limp", "dog"], 1, "No executable found; limp has, in Python: fox, worm.py\n"),
-        (["ros2", "run", "tf2_ros", "dog"], 1, "No executable found\n"),
-        (["run", ".", "limp:fox"], 1, "the fox is lame\n"),  # what main() returns is the exit status
-    ],
-)
+@pytest.mark.parametrize(("words", "code", "text"), CASES["not_there"])
 def test_what_a_workspace_does_not_have_is_explained(words, code, text, capfd):
     assert main(words) == code
     assert capfd.readouterr() == ("", text)
 
 
-@pytest.mark.parametrize(
-    ("source", "code", "out", "err"),
-    [
-        ("def main():\n    print('ran')\n", 0, "ran\n", "tflab: nothing in node.py calls main(), so python would do"),
-        ("def main():\n    print('ran')\n\nif __name__ == '__main__':\n    pass\n", 0, "", ""),
-        ("def main():\n    print('ran')\n\nmain()\n", 0, "ran\n", ""),
-        ("import rclpy\n\ndef main():\n    print('ran')\n\nrclpy.init()\n", 0, "", ""),
-        ("def f(x: Nothing): ...\n", 1, "", "NameError: name 'Nothing' is not defined"),
-        ("import nav2_msgs.msg\n", 1, "", "tflab runs without ROS. It brings these packages: action_msgs, actionlib_"),
-        ("import nav2_msgs.msg\n", 1, "", "Put its texts into the workspace or beside the file: nav2_msgs/"),
-        ("import PyKDL\n", 1, "", "It brings these packages: ament_index_python, cv_"),
-        ("raise ModuleNotFoundError\n", 1, "", "\nModuleNotFoundError\n"),
-        ("import xacro\n", 1, "", "xacro robot.urdf.xacro > robot.urdf"),
-        ("import hop_msgs.nothing\n", 1, "", "No module named 'hop_msgs.nothing'\n"),
-    ],
-)
+@pytest.mark.parametrize(("source", "code", "out", "err"), CASES["files"])
 def test_a_file_ends_in_silence_only_where_python_does(source, code, out, err, ws, capfd):
     (ws / "node.py").write_text(source)
     assert main(["run", "node.py"]) == code

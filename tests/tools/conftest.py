@@ -1,25 +1,8 @@
-"""A graph for each test, stopped afterwards, and a terminal to type in."""
-
-import importlib.util
-import sys
-from pathlib import Path
+"""A terminal to type in, on a graph."""
 
 import pytest
 
-from tflab.ros.graph import new_graph
 from tflab.tools.page import run_words, split_line
-
-# The test folders are no packages, so the robot next door is loaded by its path.
-_spec = importlib.util.spec_from_file_location("tools_robot", Path(__file__).with_name("robot.py"))
-sys.modules.setdefault("tools_robot", importlib.util.module_from_spec(_spec))
-_spec.loader.exec_module(sys.modules["tools_robot"])
-
-
-@pytest.fixture
-def graph():
-    made = new_graph()
-    yield made
-    made.stop()
 
 
 class Terminal:

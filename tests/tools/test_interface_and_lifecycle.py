@@ -1,30 +1,19 @@
 """`ros2 interface` and `ros2 lifecycle`: what they print, to the letter."""
 
+from pathlib import Path
+
 import pytest
-from tools_robot import spin
+import yaml
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.lifecycle import LifecycleNode, TransitionCallbackReturn
 from tflab.ros.messages.packages import define
 
-STAMPED = """\
-std_msgs/Header header
-\tbuiltin_interfaces/Time stamp
-\t\tint32 sec
-\t\tuint32 nanosec
-\tstring frame_id
-string child_frame_id
-Transform transform
-\tVector3 translation
-\t\tfloat64 x
-\t\tfloat64 y
-\t\tfloat64 z
-\tQuaternion rotation
-\t\tfloat64 x 0
-\t\tfloat64 y 0
-\t\tfloat64 z 0
-\t\tfloat64 w 1
-"""
+from .robot import spin
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
+STAMPED = CASES["stamped"]
 
 
 def test_a_message_is_shown_with_what_is_in_it(terminal):

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tools_robot import fixed, moving, transform
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
@@ -22,6 +21,8 @@ from tflab.ros.tf2.topics import TransformBroadcaster, TransformListener
 from tflab.ros.time import Time
 from tflab.tools.rviz import look
 from tflab.tools.trees import frame_tree
+
+from .robot import fixed, moving, transform
 
 TF_HASH = "RIHS01_e369d0f05a23ae52508854b66f6aa0437f3449d652e8cbf22d5abe85d020f087"
 UNKNOWN_MAP = 'Invalid frame ID "map" passed to canTransform argument target_frame - frame does not exist'
@@ -356,9 +357,6 @@ def test_bag_record_and_bag_info(robot, tmp_path, monkeypatch):
     robot.type("ros2 bag info")
     assert robot.error.endswith("ros2 bag info: error: the following arguments are required: bag_path\n")
     assert robot.exit_code == 2
-
-
-# -- §27: the standard order ----------------------------------------------
 
 
 # -- §11: robot_state_publisher -------------------------------------------

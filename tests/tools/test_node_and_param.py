@@ -1,7 +1,9 @@
 """`ros2 node` and `ros2 param`: what they print, to the letter."""
 
+from pathlib import Path
+
 import pytest
-from tools_robot import moving, spin
+import yaml
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.action_client import ActionClient
@@ -10,6 +12,10 @@ from tflab.ros.messages import type_named
 from tflab.ros.node import Node
 from tflab.tools.node import duplicates_warning
 from tflab.tools.param import python_value
+
+from .robot import moving, spin
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 Fibonacci = type_named("example_interfaces/action/Fibonacci")
 
@@ -27,32 +33,7 @@ def node_with(**values):
 
 def test_node_info(terminal):
     terminal.graph.start(moving(name="driver"))
-    assert (
-        terminal.type("ros2 node info /driver")
-        == """\
-/driver
-  Subscribers:
-
-  Publishers:
-    /parameter_events: rcl_interfaces/msg/ParameterEvent
-    /rosout: rcl_interfaces/msg/Log
-    /tf: tf2_msgs/msg/TFMessage
-  Service Servers:
-    /driver/describe_parameters: rcl_interfaces/srv/DescribeParameters
-    /driver/get_parameter_types: rcl_interfaces/srv/GetParameterTypes
-    /driver/get_parameters: rcl_interfaces/srv/GetParameters
-    /driver/get_type_description: type_description_interfaces/srv/GetTypeDescription
-    /driver/list_parameters: rcl_interfaces/srv/ListParameters
-    /driver/set_parameters: rcl_interfaces/srv/SetParameters
-    /driver/set_parameters_atomically: rcl_interfaces/srv/SetParametersAtomically
-  Service Clients:
-
-  Action Servers:
-
-  Action Clients:
-
-"""
-    )
+    assert terminal.type("ros2 node info /driver") == CASES["node_info"]
 
 
 def test_hidden_nodes_are_listed_only_on_request(terminal):
@@ -72,19 +53,7 @@ def test_two_nodes_of_one_name_are_warned_of(terminal):
     assert duplicates_warning(["/a", "/b"]) == ""
 
 
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [
-        (True, "Boolean value is: True"),
-        (7, "Integer value is: 7"),
-        (0.5, "Double value is: 0.5"),
-        ("map", "String value is: map"),
-        ([1, 2], "Integer values are: [1, 2]"),
-        ([0.5, 1.0], "Double values are: [0.5, 1.0]"),
-        (["a", "b"], "String values are: ['a', 'b']"),
-        ([True, False], "Boolean values are: [True, False]"),
-    ],
-)
+@pytest.mark.parametrize(("value", "text"), CASES["values"])
 def test_get_names_the_type(terminal, value, text):
     terminal.graph.start(node_with(x=value))
     assert terminal.type("ros2 param get /robot/node x") == f"{text}\n"
@@ -145,13 +114,6 @@ def test_node_info_names_the_actions_and_hides_what_they_are_made_of(terminal):
 
     terminal.graph.start(main)
     printed = terminal.type("ros2 node info /fibonacci_server")
-    assert printed.endswith("""\
-  Service Clients:
-
-  Action Servers:
-    /fibonacci: example_interfaces/action/Fibonacci
-  Action Clients:
-    /dock/fibonacci: example_interfaces/action/Fibonacci
-""")
+    assert printed.endswith(CASES["actions_of_a_node"])
     assert "_action" not in printed
     assert "/fibonacci/_action/status" in terminal.type("ros2 node info /fibonacci_server --include-hidden")

@@ -1,13 +1,19 @@
 """A tool in a page: how long it runs, that it always ends, and what can be completed."""
 
+from pathlib import Path
+
 import pytest
+import yaml
 from IPython.core.completer import provisionalcompleter
 from IPython.core.interactiveshell import InteractiveShell
-from tools_robot import fixed, moving
 
 from tflab.tools import magic
 from tflab.tools.magic import Known, complete, known_in
 from tflab.tools.page import LineError, run_words, split_line, words_of_line
+
+from .robot import fixed, moving
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 KNOWN = Known(
     frames=["base_link", "map", "odom"],
@@ -17,39 +23,12 @@ KNOWN = Known(
 )
 
 
-@pytest.mark.parametrize(
-    ("line", "seconds", "words"),
-    [
-        ("run tf2_ros tf2_echo map odom", None, ["run", "tf2_ros", "tf2_echo", "map", "odom"]),
-        ("--for 3 topic hz /tf", 3.0, ["topic", "hz", "/tf"]),
-        ("--for=0.5 topic hz /tf", 0.5, ["topic", "hz", "/tf"]),
-        ("ros2 topic list", None, ["topic", "list"]),
-        ("topic list   # all of them", None, ["topic", "list"]),
-        ("param set /node name 'two words'", None, ["param", "set", "/node", "name", "two words"]),
-        (
-            "topic pub /c std_msgs/msg/String 'data: a&'",
-            None,
-            ["topic", "pub", "/c", "std_msgs/msg/String", "data: a&"],
-        ),
-        ("rviz2", None, ["run", "rviz2", "rviz2"]),
-        ("", None, []),
-    ],
-)
+@pytest.mark.parametrize(("line", "seconds", "words"), CASES["lines"])
 def test_a_line_is_a_time_and_words(line, seconds, words):
     assert split_line(line) == (seconds, words)
 
 
-@pytest.mark.parametrize(
-    ("line", "text"),
-    [
-        ("--for", "--for needs a time in seconds, such as `%ros2 --for 3 topic hz /tf`"),
-        ("--for x topic hz /tf", "--for needs a time in seconds"),
-        ("--for -1 topic hz /tf", "--for needs a time in seconds"),
-        ("--for inf topic list", "--for needs a time in seconds"),
-        ("param set /node name 'two words", "No closing quotation"),
-        ("topic hz /tf --for 3", "--for stands first, before the tool"),
-    ],
-)
+@pytest.mark.parametrize(("line", "text"), CASES["faulty_lines"])
 def test_a_line_that_cannot_be_read_is_explained(line, text):
     with pytest.raises(LineError, match=text):
         split_line(line)
@@ -71,18 +50,7 @@ def test_a_tool_follows_its_own_ros_arguments(terminal):
     assert "[other]: Waiting for transform odom ->  base_link" in out + terminal.error
 
 
-@pytest.mark.parametrize(
-    ("line", "code", "text"),
-    [
-        ("nope", 2, "invalid choice: 'nope'"),
-        ("topic nope", 2, "ros2 topic: error: argument Call `ros2 topic <command> -h` for more detailed usage.: "),
-        ("topic list --nope", 2, "ros2: error: unrecognized arguments: --nope"),
-        ("topic hz", 2, "ros2 topic hz: error: the following arguments are required: topic_name"),
-        ("run tf2_ros", 2, "ros2 run: error: the following arguments are required: executable_name"),
-        ("run nope nope", 1, "Package 'nope' not found\n"),
-        ("run tf2_ros nope", 1, "No executable found\n"),
-    ],
-)
+@pytest.mark.parametrize(("line", "code", "text"), CASES["wrong_words"])
 def test_wrong_words_are_answered_as_ros2_answers(terminal, line, code, text):
     terminal.type(line)
     assert text in terminal.error
@@ -99,22 +67,7 @@ def test_help_is_no_error(terminal):
 
 
 def test_what_can_stand_there():
-    for line, begun, found in (
-        ("", "to", ["topic"]),
-        ("topic", "h", ["hz"]),
-        ("topic echo", "", ["/tf", "/tf_static"]),
-        ("topic echo --once", "/tf_", ["/tf_static"]),
-        ("topic echo /tf", "", []),
-        ("node info", "/e", ["/ekf"]),
-        ("param get", "", ["/ekf", "/point_to_map"]),
-        ("param get /ekf", "", ["use_sim_time"]),
-        ("run", "tf2", ["tf2_ros", "tf2_tools"]),
-        ("run tf2_ros", "tf2_", ["tf2_echo", "tf2_monitor"]),
-        ("run tf2_ros tf2_echo map", "ba", ["base_link"]),
-        ("run tf2_ros tf2_echo map odom", "", []),
-        ("run tf2_ros static_transform_publisher --x 1 --frame-id", "m", ["map"]),
-        ("nope", "", []),
-    ):
+    for line, begun, found in CASES["completions"]:
         assert complete(line.split(), begun, KNOWN) == found, line
 
 

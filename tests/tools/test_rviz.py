@@ -1,9 +1,11 @@
 """A look at a graph: what RViz would have to show, and what it says when it cannot."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+import yaml
 from IPython.core.interactiveshell import InteractiveShell
-from tools_robot import fixed, moving, spin, transform
 
 from tflab.ros import client_library as rclpy
 from tflab.ros.messages import geometry_msgs, nav_msgs, sensor_msgs, std_msgs
@@ -13,12 +15,12 @@ from tflab.tools import magic
 from tflab.tools.rviz import look, open_rviz
 from tflab.views.rviz_status import look_through, statuses_as_text
 
+from .robot import fixed, moving, spin, transform
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 LATCHED = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-URDF = """
-<robot name="box"><link name="base_link"><visual><origin xyz="0 0 0.1"/>
-<geometry><box size="0.4 0.3 0.2"/></geometry><material name="m"><color rgba="1 0 0 1"/></material></visual>
-<visual><geometry><mesh filename="package://x/y.stl"/></geometry></visual></link></robot>
-"""
+URDF = CASES["urdf"]
 
 
 def sensor(topic, make, qos=qos_profile_sensor_data, period_s=0.1):
@@ -71,20 +73,7 @@ def test_a_scan_stands_where_its_laser_was_at_its_stamp(robot):
     assert "Showing [1] points from [1] messages" in said(seen, "odom")
 
 
-@pytest.mark.parametrize(
-    ("delay_s", "period_s", "frame", "status"),
-    [
-        (0.15, 0.1, "odom", "Transform: Ok"),
-        (
-            0.5,
-            0.1,
-            "odom",
-            "No transform to fixed frame [odom]. TF error: [Lookup would require extrapolation into the future.",
-        ),
-        (0.0, 0.1, "map", "Fixed Frame: Frame [map] does not exist"),
-        (0.0, 1e6, "odom", "LaserScan (/scan): Warn\n  Topic: No messages received"),
-    ],
-)
+@pytest.mark.parametrize(("delay_s", "period_s", "frame", "status"), CASES["statuses"])
 def test_a_message_waits_for_a_transform_that_is_late_and_no_longer(robot, delay_s, period_s, frame, status):
     robot.disturb("/tf", delay=delay_s)
     robot.start(sensor("/scan", scan, period_s=period_s))

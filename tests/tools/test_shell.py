@@ -10,13 +10,15 @@ from pathlib import Path
 
 import pytest
 import yaml
-from tools_robot import fixed, moving
 
 from tflab import __version__
 from tflab.cli import main
 from tflab.tools.ros2 import plan
 
-TALKER = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["talker"]
+from .robot import fixed, moving
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+TALKER = CASES["talker"]
 
 
 def tflab(*words, **options):
@@ -49,25 +51,7 @@ def test_ctrl_c_ends_everything(talker):
     assert process.returncode == 0
 
 
-@pytest.mark.parametrize(
-    ("words", "text"),
-    [
-        (["run", "nope.py"], "tflab run: no such node file: nope.py"),
-        (["run", "x.py", "--with", "rm -r"],
-         'tflab run: --with takes a line that begins with ros2, such as "ros2 topic hz /tf", not \'rm -r\''),
-        (["run", "page.ipynb"], "tflab run: a notebook is no node file: page.ipynb; open it with `tflab lab`"),
-        (["rnu"], 'tflab: unknown command "rnu". Did you mean "run"?'),
-        (["run", "x.py", "--for", "x"], "argument --for: it needs a time in seconds"),
-        (["run", "x.py", "--for", "0"], "argument --for: it needs a time in seconds"),
-        (["run", "x.py", "--for", "inf"], "argument --for: it needs a time in seconds"),
-        (["ros2", "--bag", "/nope", "topic", "list"], "tflab ros2: /nope: there is no such file or directory"),
-        (["ros2", "topic", "hz", "/tf", "--for", "2"],
-         "tflab ros2: --for stands first: tflab ros2 --for 3 topic hz /tf"),
-        (["run", "x.py", "--with", "ros2", "topic", "hz", "/tf"],
-         "tflab run: error: unrecognized arguments: topic hz /tf; "
-         'the line of a tool stands in quotes: --with "ros2 topic hz /tf"'),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("words", "text"), CASES["cannot_run"])
 def test_what_cannot_be_run_is_explained(words, text, capsys):
     assert main(words) == 2
     assert text in capsys.readouterr().err
@@ -221,15 +205,7 @@ def test_a_node_that_waits_for_the_keyboard_does_not_keep_the_shell(files, last,
     assert process.stderr.read().splitlines()[-1] == f'participant "ask" {last}'
 
 
-@pytest.mark.parametrize(
-    ("words", "reason"),
-    [
-        (["play", "x", "-r", "0"], "-r/--rate: 0 is not in the valid range (> 0.0)"),
-        (["play", "x", "-r", "fast"], "-r/--rate: fast is not the valid type (float)"),
-        (["play", "x", "--start-offset", "-1"], "--start-offset: -1 is not in the valid range (>= 0.0)"),
-        (["record", "-e", "(["], "-e/--regex: ([ is no regular expression: unterminated character set at position 1"),
-    ],
-)
+@pytest.mark.parametrize(("words", "reason"), CASES["options_of_a_bag"])
 def test_wrong_options_of_a_bag_are_explained(words, reason, capsys):
     with pytest.raises(SystemExit):
         plan(["bag", *words])

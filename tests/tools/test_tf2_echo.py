@@ -1,30 +1,23 @@
 """What tf2_echo prints of one reading: to the letter."""
 
 import math
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.core import StampedTransform, Transform
 from tflab.core.quaternions import from_rpy, to_matrix
 from tflab.tools.tf2_echo import USAGE, echo_text, failure_text, main, rpy_from_matrix
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def test_a_reading_with_a_turn_to_the_right():
     rotation = (0.0, 0.0, math.sin(1.536), -math.cos(1.536))  # half of 3.072 rad
     turned = StampedTransform("map", "base_link", 1714913843_708748879, Transform((4.541, 3.889, 0.0), rotation))
     lines = echo_text(turned).splitlines()
-    assert lines == [
-        "At time 1714913843.708748879",
-        "- Translation: [4.541, 3.889, 0.000]",
-        "- Rotation: in Quaternion [0.000, 0.000, 0.999, -0.035]",
-        "- Rotation: in RPY (radian) [0.000, -0.000, -3.072]",
-        "- Rotation: in RPY (degree) [0.000, -0.000, -176.013]",
-        "- Matrix:",
-        " -0.998  0.070  0.000  4.541",
-        " -0.070 -0.998  0.000  3.889",
-        "  0.000  0.000  1.000  0.000",
-        "  0.000  0.000  0.000  1.000",
-    ]
+    assert lines == CASES["reading"]
 
 
 def test_five_milliseconds_are_printed_without_leading_zeros_and_newer_builds_name_the_order_of_the_quaternion():

@@ -1,9 +1,10 @@
 """What tf2_monitor reckons and prints: to the letter."""
 
 import pytest
-from tools_robot import moving
 
 from tflab.tools.tf2_monitor import Delays, NetDelay, broadcaster_line, frame_lines, results_heading
+
+from .robot import moving
 
 
 def heard(*messages):

@@ -1,7 +1,6 @@
 """`ros2 topic`: what it lists, measures and echoes, and what it says when something is wrong."""
 
 import pytest
-from tools_robot import fixed, moving, spin
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
@@ -13,6 +12,8 @@ from tflab.ros.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from tflab.ros.time import Duration
 from tflab.tools.topic import matching_policy
 from tflab.tools.topic_rates import Intervals, statistics_text
+
+from .robot import fixed, moving, spin
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
 

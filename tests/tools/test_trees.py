@@ -1,7 +1,6 @@
 """The tree of a graph names its real publishers."""
 
 import pytest
-from tools_robot import fixed, moving
 
 from tflab.core import FrameSnapshot, Snapshot, Transform
 from tflab.robots.nodes import launch
@@ -9,6 +8,8 @@ from tflab.ros.snapshot import EdgeSnapshot
 from tflab.tools.rviz import look
 from tflab.tools.session import result_of
 from tflab.tools.trees import frame_tree, with_publishers
+
+from .robot import fixed, moving
 
 
 def test_who_publishes_each_edge(graph):

@@ -1,18 +1,12 @@
-"""A small workbook for tests, which can be changed as a new version changes it, and the module `making_pages`."""
+"""A small workbook for tests, which can be changed as a new version changes it."""
 
 from __future__ import annotations
 
-import importlib.util
 import json
-import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
-
-_spec = importlib.util.spec_from_file_location("making_pages", Path(__file__).with_name("making_pages.py"))
-sys.modules.setdefault("making_pages", importlib.util.module_from_spec(_spec))
-_spec.loader.exec_module(sys.modules["making_pages"])
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import pytest
 import yaml
-from making_pages import write_tasks
 
 from tflab.workbook.answers.forms import Form
 from tflab.workbook.paths import Workbook, write_workbook
@@ -17,6 +16,8 @@ from tflab.workbook.tasks.case_types import Case, TaskCases, Variant
 from tflab.workbook.tasks.catalog import assigned_cases, question_digest, task_ids
 from tflab.workbook.tasks.reference import in_process_ros, solution_in_notebook
 from tflab.workbook.tasks.task import read_tasks
+
+from .making_pages import write_tasks
 
 STEM = "03_small"
 TASKS = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))["tasks"]

@@ -14,13 +14,14 @@ from pathlib import Path
 import nbformat
 import pytest
 from joblib import Parallel, delayed
-from making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, written
 
 from tflab.workbook.pages.build import build, build_pages, sources
 from tflab.workbook.pages.exercise_rules import exercise_faults
 from tflab.workbook.pages.source import read_page
 from tflab.workbook.pages.stale import difference
 from tflab.workbook.tasks.task import read_tasks
+
+from .making_pages import HALF, LOAD, TASKS, THIRD, TITLE, code, exercise, text, written
 
 pytestmark = pytest.mark.proof  # pages are executed: seconds each
 LECTURE = (

@@ -6,9 +6,11 @@ import math
 from decimal import Decimal
 from fractions import Fraction
 from itertools import product
+from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.ros.convert import msg_from_stamped
@@ -33,6 +35,8 @@ from tflab.workbook.answers.forms import (
 )
 from tflab.workbook.answers.values import to_plain
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
 LEFT = Transform.from_rpy(yaw=math.pi / 2, translation=(1.0, 0.0, 0.0))
 STAMPED = StampedTransform("map", "base", 7, LEFT)
 
@@ -56,16 +60,7 @@ def point(frame: str) -> geometry_msgs.PointStamped:
 WAY = Choice(("up", "down"))
 ECHO = "ros2 run tf2_ros tf2_echo map base_link"
 STATIC = "ros2 run tf2_ros static_transform_publisher"
-HEAD = """
-<joint name="nod" type="revolute">
-  <parent link="base_link"/> <child link="head"/>
-  <origin xyz="0.1 0 0.3" rpy="0 0 1.5708"/>
-  <axis xyz="0 1 0"/>
-</joint>
-<joint name="eye" type="fixed">
-  <parent link="head"/> <child link="lens"/>
-  <origin rpy="-1.5708 0 -1.5708"/>
-</joint>"""
+HEAD = CASES["head"]
 WHOLE = f"""<?xml version="1.0"?>
 <robot name="r"><link name="lens"/><link name="head"/><link name="base_link"/>{HEAD}</robot>"""
 NODS = Urdf(("head", "lens"), joint="nod", settings=(0.0, 0.4))

@@ -290,30 +290,3 @@ def test_what_an_instructor_handed_out_is_not_updated(handed_out: HandedOut, tmp
     handed_out.write("notebooks/en/00_start.ipynb", title="# Start, better")
     assert [change.path for change in update(copy)] == ["notebooks/en/00_start.ipynb"]
     assert cells(copy / PAGE)["title"] == "# E3"
-
-
-@pytest.mark.parametrize("language", ["en", "ko"])
-def test_a_class_copy_says_nothing_that_is_for_the_speaker(language: str, tmp_path: Path) -> None:
-    pages = [json.loads(path.read_text()) for path in (workbook_data() / "notebooks" / language).glob("*.ipynb")]
-    said = [
-        line
-        for page in pages
-        for cell in page["cells"]
-        for line in cell["metadata"].get("tflab", {}).get("notes", "").splitlines()
-        if len(line) > 20
-    ]
-    assert len(said) > 40
-    own = lay_out(tmp_path / "own", language)
-    of_a_class = lay_out(tmp_path / "class", language, edition="class", handed_out={})
-    everything = {
-        copy: "\n".join(
-            [
-                *(path.read_text() for path in copy.rglob("*") if path.is_file() and path.suffix != ".zip"),
-                *(content.decode() for content in read_pristine(copy).values()),
-            ]
-        )
-        for copy in (own, of_a_class)
-    }
-    held = [json.dumps(line, ensure_ascii=False)[1:-1] for line in said]
-    assert all(line in everything[own] for line in held)  # who learns alone may speak about it one day
-    assert [line for line in held if line in everything[of_a_class]] == []

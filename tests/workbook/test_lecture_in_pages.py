@@ -7,39 +7,12 @@ import re
 from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.workbook.paths import workbook_data
 
 LECTURE = Path(__file__).parents[1] / "ros" / "lecture"
-IN_ENGLISH = {  # what the lecture's nodes say, which is Korean
-    "frame_id가 없는 Point 거절": "refused: a point without a frame_id",
-    "TF 변환 실패": "no transform",
-    "base_link → laser_frame 발행": "sent: base_link → laser_frame",
-}
-VIEW, ECHO, MONITOR = "ros2 run tf2_tools view_frames", "ros2 run tf2_ros tf2_echo", "ros2 run tf2_ros tf2_monitor"
-COMMANDS = {  # of each section what it lets one type, and the chapter that has it
-    7: (6, ["ros2 topic info /tf_static --verbose", "ros2 topic echo /tf_static --once"]),
-    8: (6, ["--frame-id base_link --child-frame-id laser_frame", "static_transform_publisher --help"]),
-    11: (7, ["topic echo /robot_description --once", "topic echo /joint_states", "node info /robot_state_publisher"]),
-    12: (11, [VIEW, f"{VIEW} --help"]),
-    13: (3, [f"{ECHO} base_link laser_frame", f"{ECHO} odom base_link", f"{ECHO} map base_link"]),
-    14: (11, [MONITOR, "odom → base_link"]),
-    15: (11, ["rviz2", "Fixed Frame", "Show Names", "Show Axes", "LaserScan", "PointCloud2", "RobotModel"]),
-    22: (10, ["ros2 topic echo /clock --once", "ros2 param get /point_to_map use_sim_time",
-              "ros2 param set /point_to_map use_sim_time true", "/**: ros__parameters: use_sim_time: true",
-              "ros2 bag record /scan /odom /tf /tf_static /clock"]),
-    23: (12, ["--frame-id map --child-frame-id odom", "--x 1 {zero} --frame-id odom --child-frame-id base_link",
-              "--frame-id odm --child-frame-id base_link", "tf2_echo map base_link"]),
-    27: (12, ["ros2 node list", VIEW, f"{ECHO} map base_link", f"{MONITOR} map base_link",
-              "ros2 topic info /tf --verbose", "ros2 topic info /tf_static --verbose",
-              "ros2 topic echo /tf_static --once", "ros2 param get /problem_node use_sim_time"]),
-}  # fmt: skip
-ROWS = {  # tables and lists: the cell that has them, and how many rows
-    (11, "symptoms"): 8,  # §15 has six of them
-    (12, "owner-blank"): 6,  # §24, and a row to fill in
-    (12, "ten"): 10,  # §28
-    (12, "twelve"): 12,  # §29
-}
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 FENCE = re.compile(r"```python\n(.*?)```", re.DOTALL)
 
 
@@ -57,7 +30,7 @@ def test_a_node_of_the_lecture_is_shown_and_speaks_the_language_of_the_page(stem
     prose = ["".join(cell["source"]) for cell in page["cells"] if cell["cell_type"] == "markdown"]
     shown = [lines(block) for text in prose for block in FENCE.findall(text)]
     program = (LECTURE / node).read_text(encoding="utf-8")
-    for korean, english in IN_ENGLISH.items() if language == "en" else ():
+    for korean, english in CASES["in_english"].items() if language == "en" else ():
         program = program.replace(korean, english)
     assert lines(program) in shown
     assert language == "ko" or not re.search("[가-힣]", "".join(prose))
@@ -71,10 +44,10 @@ def page_of(chapter, language):
 
 @pytest.mark.parametrize("language", ["en", "ko"])
 def test_the_commands_and_tables_of_the_lecture_are_on_the_pages_of_their_chapters(language):
-    for section, (chapter, commands) in COMMANDS.items():
+    for section, (chapter, *commands) in CASES["commands"].items():
         words = " ".join(" ".join(page_of(chapter, language).values()).replace("\\\n", " ").split())
         assert not [command for command in commands if command not in words], f"of section {section}"
-    for (chapter, name), count in ROWS.items():
+    for chapter, name, count in CASES["rows"]:
         rows = [line for line in page_of(chapter, language)[name].splitlines() if line.startswith("|")]
         assert len(rows) == count + 2, name  # the head, and its rule
 

@@ -7,11 +7,12 @@ from pathlib import Path
 from urllib.parse import quote
 
 import pytest
-from making_pages import TITLE, code, text, written
 
 from tflab.workbook.pages import slides
 from tflab.workbook.pages.build import build
 from tflab.workbook.pages.slides import main, slides_of
+
+from .making_pages import TITLE, code, text, written
 
 SCENE = "from meshcat.geometry import Box\nfrom tflab.views.scene import Scene\nscene = Scene()\n"
 SCENE += "scene['crate'].set_object(Box([1.0, 1.0, 1.0]))\nscene"

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from making_pages import TITLE, code, page, text, written
 
 from tflab.workbook.pages.source import PageError, code_lines, read_page
+
+from .making_pages import TITLE, code, page, text, written
 
 
 def test_a_cell_has_its_name_its_language_its_tags_and_its_line(tmp_path: Path) -> None:

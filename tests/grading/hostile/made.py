@@ -43,8 +43,6 @@ MADE = [
     *(value(f"{name}, as a value", f"odd = {made}\nV = {{'base_link': odd, 'map': odd}}") for name, made in list(OBJECTS.items())[1::5]),
     *(function(f"patches {name}", WRONG + code, keeps="any") for name, code in PATCHES.items()),
     *(function(f"every outcome is of the kind {kind}", OUTCOMES.format(kind=kind), keeps="any") for kind in KINDS),
-    raw("quotes that nobody closes", lambda h: b'{"cells": "' + b'\\"' * 200_000),
-    raw("a tail of quotes", lambda h: as_bytes(h.fresh()) + b'"' * 100_000),
     raw("lists behind the cells", lambda h: as_bytes(h.fresh())[:-1] + b', "x": ' + b"[" * 100_000),
     raw("two notebooks in one file", lambda h: as_bytes(h.fresh()) * 2),
     raw("packed by gzip", lambda h: gzip.compress(as_bytes(h.fresh()))),

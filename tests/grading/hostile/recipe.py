@@ -107,9 +107,9 @@ def own_cell(source: str, name: str = "my-own") -> dict[str, Any]:
     }  # fmt: skip
 
 
-def as_bytes(notebook: Notebook, encoding: str = "utf-8") -> bytes:
+def as_bytes(notebook: Notebook) -> bytes:
     """Return a notebook as a file has it."""
-    return json.dumps(notebook, ensure_ascii=False).encode(encoding, "replace" if encoding == "cp949" else "strict")
+    return json.dumps(notebook, ensure_ascii=False).encode()
 
 
 def function(name: str, body: str, keeps: str = "others") -> Recipe:

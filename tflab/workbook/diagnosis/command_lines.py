@@ -22,9 +22,12 @@ STATIC_OPTIONS = {
 }  # fmt: skip
 
 
+ANOTHER = ("line: other command", "line: other program")
+
+
 def describe_line(kind: str, told: str) -> Text:
     """Return what is told of a line: what the command does that it starts, or which of its words nobody asked for."""
-    if kind == "line: other command":
+    if kind in ANOTHER:
         return Text(f"`{told}` {COMMANDS[told].en}", f"`{told}`: {COMMANDS[told].ko}")
     return Text(f"Not asked for: {told}.", f"필요 없는 것: {told}.")
 
@@ -37,7 +40,7 @@ def wrong_in(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
     head = STATIC if is_static else wanted[: 4 if wanted[1:2] == ["run"] else 3]
     if given[: len(head)] != head:
         kind = _wrong_head(given, head)
-        yield kind, _starts(given) if kind == "line: other command" else ""
+        yield kind, _starts(given) if kind in ANOTHER else ""
     else:
         yield from _wrong_static(given[4:]) if is_static else _wrong_rest(given[len(head) :], wanted[len(head) :])
 
@@ -47,12 +50,20 @@ def _wrong_head(given: Line, head: Line) -> str:
     program, package = head[-1], head[-2]
     if given[0] in ROS_1:
         return "line: ROS 1"
+    if given[0] != "ros2":
+        return "line: no ros2"
+    if sorted(map(str, given[: len(head)])) == sorted(map(str, head)):
+        return "line: words exchanged"
     if head[1] != "run":
         return "line: other command"
-    if given[:3] == ["ros2", "run", program] or given[1:2] == [program] or given[1:3] == [package, program]:
+    if given[:3] == ["ros2", "run", program] or given[1] == program or given[1:3] == [package, program]:
         return "line: no run"
-    is_an_option = given[:3] == head[:3] and _is_option(given[3:4])
-    return "line: no run" if is_an_option else "line: other command"
+    if given[:3] == head[:3] and _is_option(given[3:4]):
+        return "line: no run"
+    if given[:3] == head[:3]:
+        return "line: other program"
+    is_elsewhere = given[1:2] == ["run"] and given[3:4] == [program]
+    return "line: other package" if is_elsewhere else "line: other command"
 
 
 def _starts(given: Line) -> str:
@@ -64,9 +75,34 @@ def _starts(given: Line) -> str:
 
 
 def _wrong_static(given: Line) -> Iterator[tuple[str, str]]:
-    """Yield that the words of an option are joined by underscores, so that nothing is published."""
-    if any(str(word).replace("_", "-") in STATIC_OPTIONS - {word} for word in given):
-        yield "static: underscores", ""
+    """Yield why a line with the right beginning publishes no static transform."""
+    options = [str(word) for word in given if _is_option([word])]
+    foreign = [option for option in options if option not in STATIC_OPTIONS]
+    if foreign:
+        kind = _foreign(foreign)
+        yield kind, _quoted(foreign) if kind == "static: no such option" else ""
+    elif not options:
+        yield from _wrong_count(given)
+    elif not {"--frame-id", "--child-frame-id"} <= set(options):
+        yield "static: a frame missing", ""
+    elif len(given) > 2 * len(options):
+        yield "static: a word without option", ""
+
+
+def _wrong_count(given: Line) -> Iterator[tuple[str, str]]:
+    """Yield what is wrong with how many words there are, where none is an option."""
+    if len(given) in (9, 10) and [isinstance(word, float) for word in given[-3:]] == [False, False, True]:
+        yield "static: a period", ""
+    elif len(given) not in (8, 9):
+        yield "static: not eight words", ""
+
+
+def _foreign(options: list[str]) -> str:
+    """Return what is wrong with options that the program lacks."""
+    if any(option.replace("_", "-") in STATIC_OPTIONS for option in options):
+        return "static: underscores"
+    is_short = any(not option.startswith("--") and f"-{option}" in STATIC_OPTIONS for option in options)
+    return "line: hyphens" if is_short else "static: no such option"
 
 
 def _wrong_rest(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
@@ -77,14 +113,28 @@ def _wrong_rest(given: Line, wanted: Line) -> Iterator[tuple[str, str]]:
     more, less = Counter(given) - Counter(wanted), Counter(wanted) - Counter(given)
     too_many, missing = ([word for word in words if _is_option([word])] for words in (more, less))
     if too_many or missing:
-        if not (too_many and missing):
-            yield "line: option too many" if too_many else "line: option missing", _quoted(too_many)
-    elif less:
-        yield "line: other names" if more else "line: too few names", _quoted(more)
+        yield _wrong_options(too_many, missing), _quoted(too_many)
+    elif more or less:
+        yield _wrong_words(list(more.elements()), list(less.elements())), _quoted(more)
+    elif given != wanted:
+        yield "line: order of names", ""
+
+
+def _wrong_words(more: Line, less: Line) -> str:
+    if more and sorted(str(word).removeprefix("/") for word in more) == sorted(map(str, less)):
+        return "line: slash in front"
+    return "line: other names" if more and less else "line: too many names" if more else "line: too few names"
 
 
 def _quoted(words: Iterable[float | str]) -> str:
     return ", ".join(f"`{word:g}`" if isinstance(word, float) else f"`{word}`" for word in words)
+
+
+def _wrong_options(too_many: Line, missing: Line) -> str:
+    if not (too_many and missing):
+        return "line: option too many" if too_many else "line: option missing"
+    given, wanted = ({str(word).lstrip("-") for word in words} for words in (too_many, missing))
+    return "line: hyphens" if given == wanted else "line: other options"
 
 
 def _is_option(words: Line) -> bool:
