@@ -2,17 +2,9 @@
 
 import re
 
-import pytest
-
 from tflab.clinic.checks import CHECKS
 from tflab.clinic.panel import LABELS, clinic_panel, columns_for
-from tflab.clinic.practice import worked_patient
 from tflab.clinic.table import COMPLAINTS
-
-
-@pytest.fixture(scope="module")
-def ahead():
-    return worked_patient("laser clock ahead")
 
 
 def test_a_panel_asks_what_is_chosen_and_the_table_and_the_clock_follow(ahead):

@@ -16,11 +16,6 @@ from tflab.clinic.visit import TEXTS, Visit, admit, steps_of
 from tflab.text import LANGUAGES
 
 
-@pytest.fixture(scope="module")
-def ahead():
-    return worked_patient("laser clock ahead")
-
-
 @pytest.fixture
 def visit(ahead, capsys):
     visit = admit(ahead)

@@ -13,11 +13,13 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+import yaml
 
 from tflab import ros
 from tflab.ros import run_files, wall
 from tflab.ros.process import use_graph
 
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 LECTURE = Path(__file__).parent / "lecture"
 NODES = [
     str(LECTURE / f"{name}.py") for name in ("static_sensor_broadcaster", "moving_robot_broadcaster", "point_to_map")
@@ -165,26 +167,7 @@ def test_ctrl_c_while_the_files_are_still_being_started_interrupts_all_of_them(c
 
 
 def test_ctrl_c_in_a_script_shuts_the_context_down_first():
-    _, err = run_python(
-        """
-        import tflab.ros
-        tflab.ros.activate("in-process")
-        import rclpy
-        from rclpy.node import Node
-
-        rclpy.init()
-        node = Node("script")
-        node.create_timer(0.05, lambda: node.get_logger().info("ready", once=True))
-        try:
-            rclpy.spin(node)
-        except KeyboardInterrupt:
-            node.get_logger().info(f"interrupted, ok is {rclpy.ok()}")
-        rclpy.try_shutdown(context=node.context)
-        node.get_logger().info("tried to shut down")
-        rclpy.shutdown()
-        """,
-        until="ready",
-    )
+    _, err = run_python(CASES["script"], until="ready")
     assert "[script]: interrupted, ok is False" in err and "[script]: tried to shut down" in err
     assert "RCLError: failed to shutdown: rcl_shutdown already called on the given context" in err
 

@@ -1,10 +1,15 @@
 """Views of a buffer: the right edges, the right answer, whichever kind of buffer it is."""
 
+from pathlib import Path
+
 import pytest
+import yaml
 
 from tflab.core import BufferCore, LookupException, StampedTransform, Transform, seconds
 from tflab.ros.tf2.buffer import Buffer
 from tflab.tools.trees import draw_buffer, draw_history, draw_question, edges_between
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def filled(core):
@@ -17,17 +22,7 @@ def filled(core):
     return core
 
 
-@pytest.mark.parametrize(
-    ("target", "source", "children"),
-    [
-        ("map", "laser_frame", ["odom", "base_link", "laser_frame"]),
-        ("laser_frame", "map", ["laser_frame", "base_link", "odom"]),
-        ("camera_link", "laser_frame", ["camera_link", "laser_frame"]),
-        ("odom", "odom", []),
-        ("map", "lost", ["lost"]),
-        ("laser_frame", "lost", ["laser_frame", "base_link", "odom", "lost"]),
-    ],
-)
+@pytest.mark.parametrize(("target", "source", "children"), CASES["edges"])
 def test_the_edges_between_two_frames_begin_at_the_target(target, source, children):
     assert edges_between(filled(BufferCore()).snapshot(), target, source) == children
 

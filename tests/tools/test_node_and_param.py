@@ -62,15 +62,7 @@ def test_get_names_the_type(terminal, value, text):
 
 def test_what_is_not_declared_or_of_another_type_is_refused(terminal):
     terminal.graph.start(node_with(x=0.5))
-    for line, error in (
-        ("get /robot/node nope", "Parameter not set"),
-        ("set /robot/node y 1", "Setting parameter failed: Invalid access to undeclared parameter(s): ['y']"),
-        (
-            "set /robot/node x 1",
-            "Setting parameter failed: Wrong parameter type, expected 'Type.DOUBLE' got 'Type.INTEGER'",
-        ),
-        ("list /nope", "Node not found"),
-    ):
+    for line, error in CASES["refused"]:
         terminal.type(f"ros2 param {line}")
         assert terminal.error == f"{error}\n"
         assert terminal.exit_code == (0 if line.startswith("set") else 1)  # as ros2 has it

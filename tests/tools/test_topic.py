@@ -1,6 +1,9 @@
 """`ros2 topic`: what it lists, measures and echoes, and what it says when something is wrong."""
 
+from pathlib import Path
+
 import pytest
+import yaml
 
 from tflab.core import seconds
 from tflab.ros import client_library as rclpy
@@ -14,6 +17,8 @@ from tflab.tools.topic import matching_policy
 from tflab.tools.topic_rates import Intervals, statistics_text
 
 from .robot import fixed, moving, spin
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 RELIABLE, BEST_EFFORT = ReliabilityPolicy.RELIABLE, ReliabilityPolicy.BEST_EFFORT
 
@@ -234,17 +239,7 @@ def test_pub_sends_at_its_rate_until_it_is_stopped(terminal):
     ]  # fmt: skip
 
 
-@pytest.mark.parametrize(
-    ("words", "text"),
-    [
-        ("/c std_msgs/msg/String '[1]'", "The passed value needs to be a dictionary in YAML format"),
-        ("/c std_msgs/msg/String '{dat: x}'", "Failed to populate field: 'String' object has no attribute 'dat'"),
-        ("/c geometry_msgs/msg/Point '{x: a}'", "Failed to populate field: could not convert string to float: 'a'"),
-        ("/c geometry_msgs/msg/Pose '{position: 1}'",
-         "Failed to populate field: Value '1' is expected to be a dictionary but is a int"),
-        ("/c nope/msg/Nope", "The message type 'nope/msg/Nope' is invalid"),
-    ],
-)  # fmt: skip
+@pytest.mark.parametrize(("words", "text"), CASES["cannot_be_sent"])
 def test_pub_says_what_cannot_be_sent(terminal, words, text):
     terminal.type(f"ros2 topic pub {words}")
     assert terminal.error == f"{text}\n"

@@ -2,25 +2,18 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
+import yaml
 
 from tflab.text import Text
 from tflab.workbook.tasks import Number, Parts, WrongAnswer, WrongStep, define_task
 from tflab.workbook.tasks.task import TaskError
 
-TEXTS = """\
-title: {en: Range, ko: 거리}
-hints:
-  - {en: One., ko: 하나.}
-  - {en: Two., ko: 둘.}
-  - {en: Three., ko: 셋.}
-misconceptions: [M1]
-means:
-  odom: {en: No., ko: 아니요.}
-equivalent:
-  "a + b -> b + a": a sum has no order
-mistakes:
-"""
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
+
+TEXTS = CASES["texts"]
 SWAPPED = "  - {name: swapped, at: {order: backward}, misconception: M1, part: x, partly: true, en: Back., ko: 뒤.}\n"
 ALONE = "  - {name: alone, at: {signs: [-1, 1]}, combines: false, en: Alone., ko: 혼자.}\n"
 ZERO = "  - {name: zero, answer: [0, 0.5], en: Zero., ko: 영.}\n"

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import pytest
-import yaml
 
 from tflab.core import Transform
 from tflab.ros.messages import geometry_msgs
@@ -33,7 +31,6 @@ from tflab.workbook.tasks.case_types import Case, Feedback
 
 from .small_chapter import StoredPairs, bare
 
-CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 PARTS = Parts({"a": Number("m"), "b": Number("m"), "c": Number("m")})
 
 
@@ -170,7 +167,7 @@ def test_where_a_list_or_a_dict_is_right_and_a_member_is_of_the_wrong_kind_it_is
     assert judged(form, right, {}, answer).detail["got"] == got
 
 
-FIVE = CASES["five"]
+FIVE = {"odom": "map", "base": "odom", "laser": "base", "camera": "base", "imu": "base"}
 LAMP = {"odom": "map", "base": "odom", "lamp": "base"}
 
 
@@ -256,7 +253,16 @@ def test_what_was_given_is_named_where_it_comes_back():
     assert judge_outcomes(task, given, [[4.0, 5.0, 6.5]]).mistakes == {}
 
 
-@pytest.mark.parametrize(("given", "said"), CASES["numbers_of_a_point"])
+@pytest.mark.parametrize(
+    ("given", "said"),
+    [
+        ((1.0, -2.0, 3.0), "y has the wrong sign. The rest is right."),
+        ((1.0, 3.0, 2.0), "y and z are swapped."),
+        ((2.0, 3.0, 1.0), "these are the right numbers, but in the wrong order."),
+        ((1.0, 3.0, -2.0), "x is right. The other two have the right sizes, but the wrong order or signs."),
+        ((3.0, -1.0, 2.0), "the sizes of the numbers are right, but their order or their signs are not."),
+    ],
+)
 def test_which_numbers_of_a_point_have_it_is_told_where_it_is_sure(given, said):
     assert judged(Vector(3), (1.0, 2.0, 3.0), {}, given).said.en == said
 
@@ -321,20 +327,66 @@ def test_an_answer_of_one_other_part_is_named_and_one_of_several_is_chance():
     ).mistakes
 
 
-FORMS = {
-    "Vector": Vector(3), "Number": Number("m"), "Set": Set(Name()), "Set, once": Set(Name(), once=True), "Tree": Tree(),
-    "Sequence": Sequence(Name()), "Sequence of numbers": Sequence(Number()), "Command": Command(),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize(("form", "right", "wrong", "name"), CASES["beside_the_right_answer"])
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "name"),
+    [
+        (Vector(3), (1.0, 2.0, 3.0), (1.0, 2.0, 0.0), "left at zero"),
+        (Vector(3), (1.234, 2.345, 3.456), (1.2, 2.3, 3.4), "rounded"),
+        (Set(Name()), {"a", "b"}, ["a", "a", "b"], None),
+        (Number("m"), 2.5, 0.0, "zero"),
+        (Sequence(Name()), ["a", "c", "b"], ["b", "a", "c"], "another order"),
+        (Sequence(Number()), [9.0, 10.0, 11.0], [10.0, 9.0, 11.0], "unsorted"),
+        (Sequence(Number()), [10.0, 9.0, 11.0], [9.0, 10.0, 11.0], "another order"),
+        (Tree(), FIVE, [(parent, child) for child, parent in FIVE.items()], None),
+        (Tree(), FIVE, [("map", "odom")], "tree: not whole"),
+        (Tree(), FIVE, FIVE | {"{robot}/lamp": "map"}, "nothing filled in"),
+        (Sequence(Name()), ["a", "b"], ["a", "{b}"], "nothing filled in"),
+        (Set(Name(), once=True), {"a", "b"}, ["a", "a", "b"], "members twice"),
+        (Sequence(Name()), ["a", "b", "a"], ["a", "b"], "members once"),
+        (Sequence(Name()), ["b", "a", "b"], ["a", "b"], "members once, in another order"),
+        (Sequence(Name()), ["a", "b"], ["a", "c", "b"], "members too many"),
+        (Tree(), {"odom": "map", "base": "odom"}, {"map": "odom", "odom": "base"}, "parent for child"),
+        (Tree(), FIVE, FIVE | {"laser": ["base"]}, "tree: a list for a name"),
+        (Tree(), FIVE, FIVE | {"map": None}, "tree: None for a name"),
+        (Tree(), FIVE, FIVE | {"laser": "odom"}, "tree: too high"),
+        (Tree(), FIVE, FIVE | {"laser": "camera"}, "tree: too low"),
+        (Tree(), FIVE, FIVE | {"laser": "imu", "camera": "odom", "imu": "base"}, None),
+        (Tree(), {"r/odom": "map"}, {"r/odom": "world"}, "tree: other names"),
+        (Tree(), {"r/odom": "map"}, {"r_odom": "map"}, "other separator"),
+        (Set(Name()), {"/tf", "/tf_static"}, {"tf", "tf_static"}, "no slash in front"),
+        (Command(), "ros2 topic hz /tf", "rostopic hz /tf", "line: ROS 1"),
+        (Command(), "ros2 topic hz /tf", "topic hz /tf", "line: no ros2"),
+        (Command(), "ros2 topic hz /tf", "ros2 hz topic /tf", "line: words exchanged"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic delay /tf", "line: other command"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf_static", "line: other names"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz", "line: too few names"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf /odom", "line: too many names"),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz /tf --once", "line: option too many"),
+        (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf", "line: option missing"),
+        (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf -once", "line: hyphens"),
+        (Command(), "ros2 topic echo /tf --once", "ros2 topic echo /tf --csv", "line: other options"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 tf2_echo a b", "line: no run"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo /a b", "line: slash in front"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools tf2_echo a b", "line: other package"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo a, b", "line: commas"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_ros tf2_echo b a", "line: order of names"),
+    ],
+)
 def test_what_shows_only_beside_the_right_answer_is_named(form, right, wrong, name):
-    assert next(iter(judged(FORMS[form], right, {}, wrong).mistakes), None) == name
+    assert next(iter(judged(form, right, {}, wrong).mistakes), None) == name
 
 
-@pytest.mark.parametrize(("form", "right", "wrong", "told"), CASES["by_what_stands_there"])
+@pytest.mark.parametrize(
+    ("form", "right", "wrong", "told"),
+    [
+        (Tree(), {"odom": "map", "base": "odom"}, {"base": "odom"}, 'these have no parent: "odom"'),
+        (Tree(), {"odom": "map"}, {"odom": "world"}, 'Not asked for: "world"'),
+        (Command(), "ros2 topic hz /tf", "ros2 topic hz /odom", "Not asked for: `/odom`"),
+        (Command(), "ros2 run tf2_ros tf2_echo a b", "ros2 run tf2_tools view_frames", "`view_frames` draws the tree"),
+    ],
+)
 def test_where_it_shows_is_told_by_what_stands_in_the_answer(form, right, wrong, told):
-    assert told in judged(FORMS[form], right, {}, wrong).said.en
+    assert told in judged(form, right, {}, wrong).said.en
 
 
 def test_a_dict_may_hold_what_nobody_asked_for_unless_it_stands_alone():

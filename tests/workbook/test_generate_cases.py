@@ -5,8 +5,10 @@ from __future__ import annotations
 import json
 import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
+import yaml
 
 from tflab.ros import activation
 from tflab.text import Text
@@ -18,6 +20,8 @@ from tflab.workbook.tasks.task import TaskError, WrongStep, read_tasks, variant_
 
 from . import small_chapter as chapter
 from .each_task import solution_of, task_in
+
+CASES = yaml.safe_load(Path(__file__).with_suffix(".yaml").read_text(encoding="utf-8"))
 
 
 def make(tmp_path, seed="public", **changes):
@@ -45,12 +49,7 @@ def test_one_seed_makes_the_same_cases_and_another_makes_others(tmp_path):
 
 def test_a_dict_among_the_arguments_keeps_its_order(tmp_path):
     tasks = chapter.TASKS
-    for old, new in (
-        ("def minus", "rows = {'/mapper': {'b': 1, 'a': 2}, '/**': {}}\n\n\ndef minus"),
-        ("inputs=transforms", "inputs=lambda _: [(rows,)]"),
-        ('invert", Pose()', 'invert", Number()'),
-        ('(WrongAnswer("minus", minus,', '(WrongAnswer("minus", lambda rows: 0,'),
-    ):
+    for old, new in CASES["order_kept"]:
         tasks = tasks.replace(old, new)
     cell = "def invert(rows):\n    return len(rows)"
     made = make(tmp_path, tasks=tasks, cells=chapter.CELLS | {"e3-2-answer": cell})
@@ -106,15 +105,7 @@ def test_a_solution_without_an_answer_is_refused(tmp_path, cell, says):
         make(tmp_path, cells=chapter.CELLS | {"e3-4-answer": cell})
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "says"),
-    [
-        ('"E3.4"', '"E4.4"', "should be called e4_4.py"),
-        ('"E3.4"', '"3.4"', "no task id"),
-        ('"E3.4", "N"', '"E3.4", "Q"', "no kind"),
-        ("import math", "import nothing_of_that_name", "cannot be run"),
-    ],
-)
+@pytest.mark.parametrize(("old", "new", "says"), CASES["faulty_files"])
 def test_a_faulty_task_file_is_refused_with_the_reason(tmp_path, old, new, says):
     with pytest.raises(TaskError, match=says):
         make(tmp_path, tasks=chapter.TASKS.replace(old, new))
