@@ -1,10 +1,11 @@
-"""Words to avoid do not come back into what people read: pages, exercises, README and docs."""
+"""Words to avoid do not come back into what people read: pages, exercises, replies, tools, README and docs."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 import yaml
@@ -12,12 +13,12 @@ import yaml
 ROOT = Path(__file__).parents[1]
 WORDS = yaml.safe_load((ROOT / "tests" / "wording.yaml").read_text(encoding="utf-8"))
 PAGES = [path for folder in ("notebooks/src", "solutions/src") for path in sorted((ROOT / folder).glob("*.py"))]
-FILES = {
-    "en": ["README.md", "docs/install.md", "docs/nodes.md"],
-    "ko": ["README.ko.md", "docs/install.ko.md", "docs/nodes.ko.md"],
-}
+GUIDES = [ROOT / "CHANGELOG.md", *sorted(ROOT.glob("README*.md")), *sorted((ROOT / "docs").glob("*.md"))]
+TEXTS = [path for folder in ("solutions", "tflab") for path in sorted((ROOT / folder).rglob("*.yaml"))]
+TEXTS.remove(ROOT / "solutions" / "inventory.yaml")  # the test before and after the course, which is in everyday words
 CELL = re.compile(r"(?m)^# %%.*$")
 EVERYDAY = re.compile(r'name="question')  # the test before and after the course, which is in everyday words
+BLANK = re.compile(r"\{\w+\}")
 FENCED = re.compile(r"```.*?```", re.DOTALL)
 CODE = {"en": re.compile(r"`[^`]*`"), "ko": re.compile("(?!)")}  # a Korean particle is judged by the code before it
 
@@ -35,12 +36,24 @@ def prose_of(path: Path, language: str) -> str:
     return CODE[language].sub("", FENCED.sub("", "\n".join(cells)))
 
 
+def sentences_in(data: Any, language: str) -> Iterator[str]:
+    """Yield each text of a language in the data of a YAML file."""
+    for key, value in data.items() if isinstance(data, dict) else enumerate(data if isinstance(data, list) else ()):
+        if key == language and isinstance(value, str):
+            yield BLANK.sub("", value)
+        yield from sentences_in(value, language)
+
+
 def what_people_read(language: str) -> Iterator[tuple[str, str]]:
     """Yield the name and the prose of each file."""
     for path in PAGES:
         yield path.name, prose_of(path, language)
-    for name in FILES[language]:
-        yield name, CODE[language].sub("", FENCED.sub("", (ROOT / name).read_text(encoding="utf-8")))
+    for path in GUIDES:
+        if path.name.endswith(".ko.md") == (language == "ko"):
+            yield path.name, CODE[language].sub("", FENCED.sub("", path.read_text(encoding="utf-8")))
+    for path in TEXTS:
+        texts = sentences_in(yaml.load(path.read_text(encoding="utf-8"), yaml.CSafeLoader), language)
+        yield path.name, CODE[language].sub("", "\n".join(texts))
 
 
 @pytest.mark.parametrize("language", sorted(WORDS))

@@ -260,7 +260,7 @@ def test_check_counts_answers_and_tells_nothing_before_form_b_is_in(copy, capsys
     assert "Look at question 3: one of the letters a to e" in said(capsys, "E0.1", answers(KEY["A"]) | {"3": "f"})
     assert "A dict is asked for" in said(capsys, "E0.1", ["b"])
     right, wrong = (said(capsys, "E0.1", answers(letters)) for letters in (KEY["A"], "a" * 15))
-    assert right.startswith("E0.1 ✓ 15/15: 15 of 15 answered. Your answers are kept.\nNothing is told")
+    assert right.startswith("E0.1 ✓ 15/15: 15 of 15 answered. Your answers are kept.\nThe answers are shown after")
     assert wrong.startswith("E0.1 ✓ 15/15: 15 of 15 answered. The first answers that you gave are kept")
     assert read_progress(copy)["E0.1"].answers == answers(KEY["A"])
     assert read_progress(copy)["E0.1"].passed
@@ -275,7 +275,7 @@ def test_form_b_opens_both_and_says_where_to_go(copy, capsys):
     check("E12.8", answers(KEY["B"]) | {"7": "d", "10": "a?"})
     out = capsys.readouterr().out
     assert "Before: 12 right, 12 of them sure. After: 13 right, 13 of them sure." in out
-    assert "▲ cured 2 · ● held 11 · ○ stuck 1 · ▽ lost 1" in out
+    assert "▲ corrected 2 · ● held 11 · ○ stuck 1 · ▽ lost 1" in out
     assert "  1 · from one part's numbers to another's\n" in out.partition("Where to go now")[0]
     assert "7 · what the map program announces (stuck) → chapter 05, task E5.1" in out
     assert "10 · late, or a wrong clock (lost) → chapter 09, task E9.4" in out
@@ -298,7 +298,7 @@ def test_the_progress_page_waits_and_then_says_what_was_learnt(copy, capsys):
     check("E12.8", answers(KEY["B"]) | {"2": "c"})
     progress([str(copy)])
     out = capsys.readouterr().out.rpartition("Your progress")[2]
-    assert "▲ cured 1 · ● held 13 · ○ stuck 0 · ▽ lost 1" in out
+    assert "▲ corrected 1 · ● held 13 · ○ stuck 0 · ▽ lost 1" in out
     assert "2 · what an arrow between two parts means (lost) → chapter 03, task E3.1" in out
     assert ITEMS[0].forms["A"].options["a"].why.en not in out  # the forms themselves stand on the page
     assert ITEMS[0].forms["A"].options["a"].why.en in html.unescape(show_progress().html)
