@@ -111,8 +111,9 @@ def test_a_file_that_ends_well_is_a_success_and_a_missing_one_is_named_before_an
 def test_the_first_file_has_the_main_thread(tmp_path, monkeypatch, capfd):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "node.py").write_text(
-        "import asyncio, signal, sys\nprint(*sys.argv)\nsignal.signal(signal.SIGINT, print)\n"
-        "print(isinstance(asyncio.get_event_loop(), asyncio.AbstractEventLoop))\n"
+        "import asyncio, signal, sys\nsay = sys.stdout.write  # two files at once: one piece each\n"
+        "say(' '.join(sys.argv) + '\\n')\nsignal.signal(signal.SIGINT, print)\n"
+        "say(f'{isinstance(asyncio.get_event_loop(), asyncio.AbstractEventLoop)}\\n')\n"
     )
     assert run_files(["node.py", "node.py"], args=["--ros-args"]) == 1  # the second one has not
     printed = capfd.readouterr()
