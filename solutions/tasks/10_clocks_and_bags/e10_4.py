@@ -20,19 +20,20 @@ def draw_launch_files(rng):
         return {name: {"ros__parameters": value}}
 
     sim, wall = {"use_sim_time": True}, {"use_sim_time": False}
-    text, number = {"use_sim_time": str(rng.choice(["true", "True", "yes"]))}, {"use_sim_time": 1}
+    text, other_text, third_text = ({"use_sim_time": str(word)} for word in rng.permutation(["true", "True", "yes"]))
+    number = {"use_sim_time": 1}
     return [
         (file(ALL=sim), nodes[:2]),
         ({**file(ALL=sim), **entry(f"/{b}", wall)}, nodes),
         ({**entry(f"/{a}", sim), **entry(c, sim)}, nodes),
         ({**file(ALL=text), **entry(f"/{c}", sim)}, nodes),
-        ({**file(ALL=sim), **entry(b, {"rate": 10.0}), **entry(f"/{a}", text)}, nodes),
+        ({**file(ALL=sim), **entry(b, {"rate": 10.0}), **entry(f"/{a}", other_text)}, nodes),
         ({**entry(f"/{c}", number), **file(ALL=wall), **entry(b, sim)}, nodes),
         ({**entry(a, wall), **file(ALL=sim)}, nodes),  # /** comes last in the file, and counts first all the same
         ({}, nodes[:2]),
         ({**file(ALL=sim), **entry(b, wall), **entry(f"/front/{c}", wall)}, [f"/front/{b}", f"/{c}", f"/{b}"]),
         ({**file(ALL={"rate": 5.0}), **entry(f"/{b}", {"use_sim_time": "false"})}, nodes),
-        ({**file(ALL=wall), **entry(f"/{a}", {"use_sim_time": "true"})}, nodes),
+        ({**file(ALL=wall), **entry(f"/{a}", third_text)}, nodes),
         (file(ALL={"use_gpu": True, "is_simulated": True}), nodes),  # neither is use_sim_time
         ({**entry(f"/{a}", {"rate": 10.0} | sim), **entry(b, {"use_sim_time": 0}), **entry(f"{c}_2", sim)}, nodes),
         (entry(f"/{d}", sim | {"rate": 5.0}), [*nodes, f"/{d}"]),

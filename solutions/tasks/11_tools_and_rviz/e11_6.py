@@ -20,12 +20,13 @@ def draw_reports(rng):
     long_running = make_report(rng, future=1, looks=2000)
     spiky = make_report(rng, future=0, spike=True)
     at_once = make_report(rng, future=1, second_s=0.0)  # neither late nor early
+    scientific = make_report(rng, future=0, second_s=2e-5)  # "2e-05": the minus belongs to the exponent
     ahead = make_report(rng, future=2, static_s=-round(float(rng.uniform(2.0, 5.0)), 1))  # mounts of a fast clock
     slow = make_report(rng, future=0, late_s=round(float(rng.uniform(10.5, 19.0)), 2))  # "4.2" comes after "14" as text
     restless = make_report(rng, future=2, once_s=0.1)  # ahead on average, and once late
     alike = make_report(rng, future=1, pair=("mast", "mast_top"))
     within = make_report(rng, future=1, pair=("base_link", "base"))
-    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, ahead, slow, restless, alike, within]
+    return [*usual, far_ahead, wrong_clock, long_running, spiky, at_once, scientific, ahead, slow, restless, alike, within]
 
 
 def make_report(
