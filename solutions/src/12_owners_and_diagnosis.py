@@ -25,7 +25,7 @@ from tflab.workbook import call, check, hint, lesson, solution, task
 # %% [markdown] lang="en" name="e12-1"
 # ## E12.1 · Which node publishes what (4 points)
 #
-# A robot with wheels, an IMU, a lidar and an arm. Its packages contain `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". Each of them publishes what its switch allows.
+# A robot with wheels, an IMU, a lidar and an arm. Its packages contain `amcl` and `slam_toolbox`, an `ekf_filter_node`, and a lidar driver that "also publishes TF". The URDF contains all mounts. Each of them publishes what its switch allows.
 # The task's data have two fields:
 #
 # - `map_frame`: with `"a map is there"`, `amcl` localises the robot. With `"the map is being made"`, `slam_toolbox` does. With `"no map at all"`, no node publishes `map → odom`.
@@ -36,7 +36,7 @@ from tflab.workbook import call, check, hint, lesson, solution, task
 # %% [markdown] lang="ko" name="e12-1"
 # ## E12.1 · 어느 노드가 무엇을 발행합니까? (4점)
 #
-# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 어느 노드든 스위치가 켜져 있으면 발행합니다.
+# 바퀴, imu, 라이다, 팔이 있는 로봇입니다. 패키지에는 `amcl`과 `slam_toolbox`, `ekf_filter_node`, 그리고 “TF도 발행하는” 라이다 드라이버가 들어 있습니다. 장착 변환은 모두 URDF에 있습니다. 어느 노드든 스위치가 켜져 있으면 발행합니다.
 # 발행자는 `task`가 주는 두 값에 따라 정해집니다.
 #
 # - `map_frame`: `"a map is there"`(지도 있음)면 `amcl`이, `"the map is being made"`(지도를 만드는 중)면 `slam_toolbox`가 위치를 찾습니다. `"no map at all"`(지도 없음)이면 아무 노드도 `map → odom`을 발행하지 않습니다.
@@ -212,7 +212,7 @@ check("E12.4", patients)
 # %% [markdown] lang="en" name="e12-5"
 # ## E12.5 · A robot from its specification (5 points)
 #
-# A second robot joins the first in one room, on one map. Its name is `e12_5.robot`. It has wheels with odometry. If `e12_5.fused` is `True`, a filter fuses the odometry with an IMU. The name of its sensor is `e12_5.sensor`. The sensor's link (`…_link`) is a child of `base_link`, and the optical frame (`…_optical_frame`) is a child of that link. Its frames are `odom`, `base_footprint`, `base_link` and the two frames of the sensor. Put the robot's name and a slash before each of them. Both robots share `map`.
+# A second robot joins the first in one room, on one map. Its name is `e12_5.robot`. It has wheels with odometry. If `e12_5.fused` is `True`, a filter fuses the odometry with an IMU. The name of its sensor is `e12_5.sensor`. The sensor's link (`…_link`) is a child of `base_link`, and the optical frame (`…_optical_frame`) is a child of that link. The URDF contains both. `e12_5.camera_driver_publishes_tf` is the default of the camera driver's switch. The robot's frames are `odom`, `base_footprint`, `base_link` and the two frames of the sensor. Put the robot's name and a slash before each of them. Both robots share `map`.
 #
 # - `"tree"`: child → parent
 # - `"moving"`, `"mounts"`: the topic, `"/tf"` or `"/tf_static"`, of the frames that move and of the fixed mounts
@@ -225,7 +225,7 @@ check("E12.4", patients)
 # %% [markdown] lang="ko" name="e12-5"
 # ## E12.5 · 사양서로 만드는 로봇 (5점)
 #
-# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있습니다. `e12_5.fused`가 `True`이면 필터가 바퀴 오도메트리와 IMU를 융합합니다. 센서의 이름은 `e12_5.sensor`입니다. 센서의 링크(`…_link`)는 `base_link`의 자식이고, 광학 좌표계(`…_optical_frame`)는 그 링크의 자식입니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 좌표계 둘입니다. 이 다섯 이름의 앞에는 로봇의 이름과 슬래시(/)를 붙입니다. `map`은 두 로봇이 함께 씁니다.
+# 같은 방, 같은 지도에 두 번째 로봇이 들어옵니다. 이름은 `e12_5.robot`입니다. 바퀴 오도메트리가 있습니다. `e12_5.fused`가 `True`이면 필터가 바퀴 오도메트리와 IMU를 융합합니다. 센서의 이름은 `e12_5.sensor`입니다. 센서의 링크(`…_link`)는 `base_link`의 자식이고, 광학 좌표계(`…_optical_frame`)는 그 링크의 자식입니다. 두 변환은 URDF에 있습니다. `e12_5.camera_driver_publishes_tf`는 카메라 드라이버 스위치의 기본값입니다. 좌표계는 `odom`, `base_footprint`, `base_link`와 센서의 좌표계 둘입니다. 이 다섯 이름의 앞에는 로봇의 이름과 슬래시(/)를 붙입니다. `map`은 두 로봇이 함께 씁니다.
 #
 # - `"tree"`: 자식 → 부모
 # - `"moving"`, `"mounts"`: 움직이는 것과 고정된 것의 토픽. `"/tf"` 또는 `"/tf_static"`
