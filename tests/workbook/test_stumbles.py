@@ -37,7 +37,7 @@ def looked_up():
 
 STUMBLES = [
     (lambda: Time(clock_type=ClockType.ROS_TIME) - Time(), "nanoseconds"),
-    (lambda: POSE @ POSE.inverse, "did not call"),
+    (lambda: POSE @ POSE.inverse, "not called"),
     (lambda: POSE - POSE, "`@` composes"),
     (lambda: [1.0] - [2.0], "one by one"),
     (lambda: None + 1, "is None"),

@@ -68,9 +68,9 @@ class Number(NumberForm):
         side = Text("too large", "너무 큽니다") if large else Text("too small", "너무 작습니다")
         off = abs(have - want)
         if off < 0.1 * abs(want):
-            return Text(f"{side.en}, by less than a tenth", f"{side.ko}(차이는 10% 이내)")
+            return Text(f"{side.en}, by less than 10 %", f"{side.ko}(차이는 10% 이내)")
         if off <= abs(want):
-            return Text(f"{side.en}, by more than a tenth", f"{side.ko}(차이는 10% 초과)")
+            return Text(f"{side.en}, by more than 10 %", f"{side.ko}(차이는 10% 초과)")
         return Text(f"{side.en}, by more than the answer itself", f"{side.ko}(차이가 정답의 크기보다 큼)")
 
     def is_short(self, plain: Plain) -> bool:

@@ -56,7 +56,8 @@ def _said_of(function: Any) -> Text | None:
 
 
 def _first_of(text: str, first: int, tree: ast.Module, names: Mapping[str, Any]) -> Text | None:
-    for node, said in sorted(_found(tree, names), key=lambda row: row[0].lineno)[:1]:
+    found = sorted(_found(tree, names), key=lambda row: (not isinstance(row[0], ast.Return), row[0].lineno))
+    for node, said in found[:1]:  # what is returned, or else the first line
         line = first + node.lineno - 1
         return TEXTS["in_line"].filled(line=line, text=_quoted(text, tree, node).rstrip(":"), said=said)
     return None

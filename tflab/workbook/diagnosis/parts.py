@@ -257,10 +257,9 @@ PARTS: tuple[Explainer, ...] = (  # of one part; the names of the table in `expl
 
 
 def _certain(table: Table, name: str) -> Text | None:
-    """Return what is certain of a part that nothing explains, where it goes wrong first."""
-    pairs = zip(table.given[name], table.wanted[name], strict=True)
-    wrong = next((pair for pair in pairs if not alike(table.forms[name], *pair)), None)
-    return table.forms[name].describe_difference(*wrong) if wrong else None
+    """Return what is certain of a part of a value that nothing explains; of calls, one is shown with both values."""
+    (given, *more), (wanted, *_) = table.given[name], table.wanted[name]
+    return None if more else table.forms[name].describe_difference(given, wanted)
 
 
 def explain_list_members(question: Question) -> Explanation | None:

@@ -151,7 +151,13 @@ def near_an_option(form: Choice, answer: str) -> Text | None:
     if topic is not None:
         return TEXTS["a_topic"].filled(option=topic)
     near = difflib.get_close_matches(answer[:100], form.options, 1, NEAR)
-    return TEXTS["nearly"].filled(option=near[0]) if near else None
+    if not near or not all(map(_is_misspelt, answer.split(), near[0].split())):
+        return None
+    return TEXTS["nearly"].filled(option=near[0])
+
+
+def _is_misspelt(word: str, other: str) -> bool:
+    return difflib.SequenceMatcher(None, word, other).ratio() >= 0.5
 
 
 def raised_option(form: Form, text: str) -> Text | None:
