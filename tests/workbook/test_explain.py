@@ -88,6 +88,14 @@ def test_each_part_may_have_a_mistake_of_its_own():
     assert verdict.said.en == '"a": first "b": the size is right, the sign is not. "c": last'
 
 
+def test_two_mistakes_that_cancel_in_a_part_are_not_named_if_it_is_wrong_as_well():
+    right = {"a": 1.2, "b": 2.3, "c": 3.4}
+    cancelled = right | {"a": 7.135}
+    by_mistake = {"back": cancelled | {"b": 9.642}, "far": right | {"b": 8.513}, "back + far": cancelled}
+    assert list(judged(PARTS, right, by_mistake, cancelled).mistakes) == ["back", "far"]
+    assert not judged(PARTS, right, by_mistake, cancelled | {"b": 4.7}).mistakes
+
+
 def test_two_beliefs_each_held_in_some_parts_are_both_named():
     form = Parts({name: Choice(("cable", "clock", "mount", "wait")) for name in ("first", "second", "third", "fourth")})
     right = {"first": "clock", "second": "mount", "third": "clock", "fourth": "mount"}

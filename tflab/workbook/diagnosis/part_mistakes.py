@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from ...text import Text, Texts
@@ -156,7 +156,7 @@ def _causes(table: Table, wrong: set[str], rows: dict[str, list[Plain]]) -> list
         said = describe(task, list(mistakes))
         changed, same = _shown(table, answers, TWO if AND in key else ONE)
         same = _explain_whole_lists(same, changed)
-        if changed and changed <= same & wrong:
+        if changed and changed <= same & wrong and not wrong & _cancelled(table, mistakes, changed):
             found.append(PartFound(mistakes, said, changed, is_whole=True))
         elif same & changed & wrong and all(_is_partly(table, *row) for row in mistakes.items()):
             found.append(PartFound(mistakes, said, same & changed & wrong))
@@ -165,6 +165,12 @@ def _causes(table: Table, wrong: set[str], rows: dict[str, list[Plain]]) -> list
         elif len(mistakes) == 1 and (values := _without_labels(table, changed, same & wrong)):
             found.append(PartFound(mistakes, said, values))
     return found
+
+
+def _cancelled(table: Table, mistakes: Iterable[str], changed: set[str]) -> set[str]:
+    """Return the parts that one of two mistakes changes and the other sets right again."""
+    rows = ([case.wrong.get(name) for case in table.question.cases] for name in mistakes)
+    return set().union(*(_shown(table, row, ONE)[0] for row in rows)) - changed
 
 
 def _explain_whole_lists(same: set[str], changed: set[str]) -> set[str]:
