@@ -47,11 +47,11 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# These two lines begin every page. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. What you import from `tflab` belongs to the workbook, such as every name that begins with `lesson.`, and so does the simulation, `graph`. Everything else is Python or ROS 2, as on a robot.
+# Every chapter contains these two lines near its beginning. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. The simulation, `graph`, belongs to the workbook. So does everything that you import from `tflab`, such as each name that begins with `lesson.`. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
-# 모든 페이지는 이 두 줄로 시작합니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
+# 모든 장의 앞부분에 이 두 줄이 있습니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -191,7 +191,7 @@ graph.stop()
 # %% [markdown] lang="en" name="fifteen" slide="slide"
 # ## Before you begin: fifteen questions
 #
-# Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and nothing is marked. You may guess if you mark the answer as a guess.
+# Your course may ask you to answer [fifteen questions](../../exercises/en/E00_start.ipynb) about robots before you begin. They take a quarter of an hour, and a wrong answer costs nothing. If you guess, write a `?` after the letter.
 # You answer similar questions again at the end of chapter 12. After that, *Where you stand* at the end of this page shows what you have learned, what to read again, and an explanation of every answer option.
 #
 # The test is small, and nobody has validated it yet. Use it to see what to read again, not to compare yourself with others.
@@ -289,12 +289,12 @@ graph.stop()
 # %% [markdown] lang="en" name="environment-why" slide="skip"
 # ## If something did not work
 #
-# The next cell prints one line for each program that the pages need. A ✗ shows what is missing and what to type.
+# The next cell checks what the pages need: several programs, and a folder for your progress. A ✗ shows what is missing and what to type.
 
 # %% [markdown] lang="ko" name="environment-why" slide="skip"
 # ## 잘 되지 않는다면
 #
-# 다음 셀은 페이지에 필요한 프로그램을 한 줄에 하나씩 점검합니다. ✗가 있으면 무엇이 없는지, 무엇을 입력하면 되는지 알려 줍니다.
+# 다음 셀은 페이지에 필요한 프로그램과 진도를 저장할 폴더를 한 줄에 하나씩 점검합니다. ✗가 있으면 무엇이 없는지, 무엇을 입력하면 되는지 알려 줍니다.
 
 # %% name="environment" tags=["predicted"] slide="skip"
 lesson.check_environment()
@@ -321,12 +321,12 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# Run the cell to show its picture. An arrow means *builds on*. An arrow that follows from two others is left out. The numbers are those of the table of chapters.
+# Run the cell to show its picture. An arrow means *builds on*. An arrow is left out if a chain of other arrows already connects the two chapters. The numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 두 화살표로 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 화살표를 따라가면 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

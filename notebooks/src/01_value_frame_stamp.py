@@ -102,7 +102,7 @@ lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0,
 # - The laser detects a ball at **(2, 0, 0)** in `laser_frame`, two metres straight ahead.
 #
 # What are the ball's coordinates in `base_link`? And in `map`?
-# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than none.
+# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than no prediction.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -130,7 +130,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 #
 # The cell after that is what you would write on a robot:
 #
-# - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that uses it.
+# - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that takes part in ROS 2. In Python it uses `rclpy`.
 # - The [[buffer]] stores transforms. The [[listener]] receives them and fills the buffer. With `spin_thread=True` it does so in the background.
 # - A `PointStamped` is a point with a header: a frame and a stamp.
 #
@@ -191,7 +191,7 @@ print('you guessed ', my_guess)
 # </details>
 # <details><summary>I attended the lecture, and there z was 0.3 in both</summary>
 #
-# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses the robot of the later examples throughout. In `map` it also adds the height of the robot's centre, 0.10 m.
+# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses the robot of the later examples throughout. In `map`, the height of the robot's centre, 0.10 m, is added as well.
 #
 # </details>
 
@@ -250,12 +250,12 @@ places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in pose
 lesson.draw_scene(poses, places, length_m=0.7)
 
 # %% [markdown] lang="en" name="three-places-seen"
-# A [[frame]] has a name, an origin and three axes: x forward, y left, z up (chapter 02 explains why).
+# A [[frame]] has a name, an origin and three axes. On a robot, x points forward, y left and z up (chapter 02 explains why).
 # In this workbook the name of a transform contains both frame names: `map_T_base` is the pose of base in map. `@` chains two transforms, and `apply` transforms a point. Chapter 03 explains all of it.
 
 # %% [markdown] lang="ko" name="three-places-seen"
 # *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
-# [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
+# [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. 로봇에서 x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
 # 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 합성합니다. 03장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="one-place" slide="slide"
@@ -479,12 +479,12 @@ print('stamp    ', seen.header.stamp.sec, 's and', seen.header.stamp.nanosec, 'n
 print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
 
 # %% [markdown] lang="en" name="one-message-seen"
-# In the camera's own frame the ball is 3.5 m along **z**: in camera frames, z points forward (chapter 02). Without the frame name you would have placed the ball above the robot.
+# In `camera_optical_frame` the ball is 3.5 m along **z**. In a camera's optical frame, z points forward (chapter 02). Without the frame name you would have placed the ball above the robot.
 #
-# Here are the same two fields of another message, from the IMU, a sensor that measures rotation and acceleration. **Predict:** which second is this?
+# Here are the same two fields of another message, from the IMU, a sensor that measures rotation and acceleration. **Predict:** at which time, in seconds, was it measured?
 
 # %% [markdown] lang="ko" name="one-message-seen"
-# 카메라 자신의 좌표계에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라에서는 z가 앞을 향합니다(02장). 헤더를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
+# `camera_optical_frame`에서 공은 **z** 방향으로 3.5 m에 있습니다. 카메라의 광학 좌표계에서는 z가 앞을 향합니다(02장). 헤더를 보지 않았다면 공이 로봇 위쪽에 있다고 여겼을 것입니다.
 #
 # 이번에는 IMU(로봇의 회전과 가속을 재는 센서) 메시지에서 같은 두 항목을 읽습니다. **예측해 봅시다.** 몇 초일까요?
 
@@ -492,7 +492,7 @@ print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), di
 # %ros2 topic echo /imu --once --field header
 
 # %% [markdown] lang="en" name="imu-header-seen" tags=["predicted"]
-# <details><summary>Which second?</summary>
+# <details><summary>At which time?</summary>
 #
 # `nanosec` counts billionths of a second, so 58000000 is 0.058 s. The stamp is **6.058 s**, and not 6.58 s.
 # As a decimal fraction, nanoseconds need nine digits: 6.058000000.
@@ -533,7 +533,7 @@ ahead_now = robot.truth_at(arrived_ns)['base_link'].inverse().apply(map_p_ball)[
 print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arrival {ahead_now:.2f} m')
 
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
-# 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. If you said 3.60, you used the arrival time instead of the stamp. If you said 3.70, you moved the robot backwards.
+# 3.50 m: in 0.2 s the robot drove 0.1 m towards the ball. If you said 3.60, you kept the distance at the time of the stamp. If you said 3.70, you moved the robot backwards.
 # The error equals the distance driven only if the robot drives straight. If it also rotates, distant points shift much further (chapter 08).
 
 # %% [markdown] lang="ko" name="age-seen" tags=["predicted"]
@@ -660,7 +660,7 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 #
 # > Forget the frame, and TF2 raises an exception. Forget the stamp, and it does not.
 #
-# Four messages, each with one mistake. (`%xmode Minimal` shows only the last line of an error, the one to read.)
+# The next cells transform four messages, each with one mistake. (`%xmode Minimal` shows only the last line of an error, the one to read.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기
@@ -760,7 +760,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject a measurement that is older than the data in the buffer, or whose object moves by itself.
+# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject a measurement if it is older than the data in the buffer, or if its object moves by itself.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -863,7 +863,7 @@ rclpy.shutdown()
 # - One position has different coordinates in each frame. Adding works only as long as no frame is rotated.
 # - An object keeps its coordinates in the frames in which it is at rest, and only there.
 # - `nanosec` has nine digits. The age of a measurement is the current time minus the stamp.
-# - TF2 raises an exception if the frame is missing. If the stamp is missing or the frame name is wrong, it reports nothing.
+# - TF2 raises an exception if the frame is missing or unknown. If the stamp is missing, or the header names a wrong frame that exists, it reports nothing.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -872,7 +872,7 @@ rclpy.shutdown()
 # - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 회전이 없을 때만 맞습니다.
 # - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
 # - `nanosec`은 아홉 자리입니다. 나이는 지금 시각에서 측정 시각을 뺀 것입니다.
-# - 좌표계가 없으면 TF2가 오류를 냅니다. 측정 시각이 없거나 좌표계 이름이 틀리면 아무 오류도 나지 않습니다.
+# - 좌표계가 없거나 모르는 이름이면 TF2가 오류를 냅니다. 측정 시각이 없거나 실제로 있는 다른 좌표계의 이름을 적으면 아무 오류도 나지 않습니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q1

@@ -143,7 +143,7 @@ lesson.draw_readings('base_link', 'laser_frame', mount)
 # It detects the corner of the shelf straight ahead: **(2, 0, 0) in `laser_frame`**.
 #
 # Where is the corner in `base_link`?
-# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than none.
+# Write your prediction into the next cell before you go on. A wrong prediction teaches you more than no prediction.
 
 # %% [markdown] lang="ko" name="predict" slide="slide"
 # ## 예측해 봅시다
@@ -277,7 +277,7 @@ print('your guess was off by', f'{math.dist(my_guess, base_p_corner):.2f} m')
 #
 # Name a transform by both frames, the parent first: `base_T_laser`. Read it as "laser, expressed in base".
 #
-# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. Its lookup returns a `.transform` that is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
+# The next cell uses `buffer.core`, a shortcut of this workbook that a robot does not have. In the result of its lookup, `.transform` is a `Transform` of this workbook, not a message. You can multiply such transforms with `@` and apply them to points.
 
 # %% [markdown] lang="ko" name="one-transform" slide="slide"
 # ## 변환 하나, 두 가지 읽기
@@ -751,7 +751,7 @@ if ... not in (wanted_in, expressed_in):
 
 # %% [markdown] lang="en" name="inverse-why" slide="fragment"
 # A transform first rotates by R and then adds the translation t. To invert it, subtract t first, then apply the inverse rotation R⁻¹.
-# In the inverse, too, the rotation is written first. Its translation is then the old one, rotated by R⁻¹ and negated:
+# The inverse is also written as a rotation, then a translation. Its rotation is R⁻¹. Its translation is t, rotated by R⁻¹ and negated:
 #
 # ```
 # base_T_laser:  R      then  t
@@ -834,7 +834,7 @@ lesson.draw_mount(math.pi / 2)
 # %% [markdown] lang="en" name="try-it-answers"
 # <details><summary>What I found</summary>
 #
-# 1. At yaw 0: there is no rotation that you could leave out.
+# 1. At yaw 0, because there is no rotation that you could leave out.
 # 2. At ±π, with a laser that faces backwards. From above the swap cannot be seen, and z is off by 0.30 m, which a flat 2D scan does not show.
 # 3. Near ±π/2, by 3.8 m here: the corner is on the other side of the robot.
 #

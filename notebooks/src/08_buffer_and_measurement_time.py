@@ -78,7 +78,7 @@ from tflab.workbook import lesson
 #
 # This one is harder: everything works, there is no error, and each obstacle is the length of a hand away from where it really is.
 # You now build it.
-# A robot weaves through a room at walking pace.
+# A robot weaves through a room at half a metre per second.
 # Its camera looks for one ball. The detector takes 0.2 s to find it in an image.
 #
 # The next cell starts the robot. You do not need to understand it.
@@ -96,7 +96,7 @@ from tflab.workbook import lesson
 #
 # 더 찾기 어려운 고장이 있습니다. 모든 것이 동작하고 오류도 없는데, 장애물마다 실제 위치에서 20센티미터쯤 어긋나 있습니다.
 # 직접 만들어 봅시다.
-# 로봇 한 대가 사람이 걷는 속도로 방 안을 구불구불 나아갑니다.
+# 로봇 한 대가 초속 0.5미터로 방 안을 구불구불 나아갑니다.
 # 카메라는 공 하나를 찾고, 찾는 계산에 0.2초가 걸립니다.
 #
 # 다음 셀은 로봇을 출발시킵니다. 코드를 모두 이해할 필요는 없습니다.
@@ -119,7 +119,7 @@ nodes = lesson.launch(graph, robot, only=parts)
 # - `on_point` is called with each detection. It looks up `map_T_camera`, and transforms the point.
 # - It uses `Time()`. The author thought: "the newest pose is surely the best one".
 #
-# The cell after it lets twelve seconds pass. `spin_once` waits for one message and calls its callback. Time here is simulated, so this is quick.
+# The cell after the class lets twelve seconds pass. `spin_once` waits for one message and calls its callback. Time here is simulated, so this is quick.
 
 # %% [markdown] lang="ko" name="finder-intro" slide="subslide"
 # 공의 위치를 지도에 표시하는 노드입니다.
@@ -186,7 +186,7 @@ lesson.draw_placed(on_the_map, things=[lesson.BALL], shown_m=(5.6, -1.9, 7.5, -1
 # The ring is the ball's true position. The dots are the detections, transformed with `Time()`. The picture is 1.9 m wide.
 #
 # Not one dot is in the ring.
-# The map shows four or five balls in two groups, one on either side of the real one. They are off by 0.20 m on average and by 0.28 m at worst.
+# You would count four or five balls on the map. They form two groups, one on either side of the real ball. They are off by 0.20 m on average and by 0.28 m at worst.
 # A gripper would close on nothing.
 #
 # The mathematics was right, and so was the tree.
@@ -248,7 +248,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # - **forwards**: speed × delay = 1.0 × 0.2 = 0.2 m;
 # - **sideways**: range × yaw rate × delay = 5 × 0.5 × 0.2 = 0.5 m.
 #
-# Many texts give only the first component, `speed × delay`. On a robot that turns, it is the smaller one.
+# Many texts give only the first component, `speed × delay`. On a robot that turns, it is the smaller one as soon as range × yaw rate is larger than the speed.
 # The second grows with the range: distant objects are far off.
 # (On our map the error is only about half of what this formula gives for 0.2 s, because `Time()` did not return the current pose, but one from about 0.1 s earlier, halfway back to the stamp.)
 #
@@ -269,7 +269,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # - **앞뒤 방향**: 속도 × 지연 = 1.0 × 0.2 = 0.2 m
 # - **좌우 방향**: 거리 × yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
 #
-# 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 회전하는 로봇에서는 그것이 작은 성분입니다.
+# 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 로봇이 회전하면서 거리 × yaw 각속도가 속도보다 커지면 그것이 작은 성분입니다.
 # 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
 # (우리 지도의 공은 이 식에 0.2초를 넣은 값의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 것은 지금의 포즈가 아니라 약 0.1초 전의 포즈, 곧 측정 시각과 지금의 중간쯤의 포즈였기 때문입니다.)
 #
@@ -434,7 +434,7 @@ for stamp_s in (1.0, 1.25, 1.5, 1.75, 2.0):
 # %% [markdown] lang="en" name="shortest-arc-read" tags=["predicted"]
 # 180°. The robot rotated by 20°, through ±180°, as any robot would.
 # If you average the two angles you get 0°, and the robot appears to face in the opposite direction.
-# Many programs contain this bug. The exercise lets you write it once more, safely.
+# Many programs contain this bug. In the exercise you can make this mistake without harm.
 
 # %% [markdown] lang="ko" name="shortest-arc-read" tags=["predicted"]
 # 180°입니다. 뒤쪽을 지나 20°만 회전했습니다.
@@ -635,13 +635,13 @@ else:
 # %% [markdown] lang="en" name="try-it" slide="slide"
 # ### Try it
 #
-# - In the cell above, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now `Time()` is 12.9 s for every message. So the older the message, the larger the error.)
+# - In the cell above, set `moment = Time()` and run it again. By how much does the ball move? Then try messages 25 and 38. (By now the latest common time is 12.9 s, so `Time()` returns that pose for every message. The older the message, the larger the error.)
 # - Look up 100 ms before the stamp. Is that better or worse than 100 ms after it?
 # - In the cell that starts the robot, set every yaw rate (the third number of a `Leg`) to 0, choose *Restart Kernel and Run All*, and count the balls again. What remains is the small component, speed × delay.
 #
 # <details><summary>What I found</summary>
 #
-# - 1.9 m for message 20, 1.8 m for 25, 0.5 m for 38. They were measured at different times, and now all of them are transformed with one pose. While the robot drove, in `on_point`, the newest pose was at most 0.2 s newer than the detection.
+# - 1.9 m for message 20, 1.8 m for 25, 0.5 m for 38. They were measured at different times, and now all of them are transformed with one pose. During the drive, in `on_point`, the newest pose was never more than 0.2 s newer than the detection.
 # - 100 ms too early is as bad as 100 ms too late, in the other direction: the error has the sign of the delay.
 # - Without rotation there is one ball, stretched a little along the robot's path.
 #
@@ -690,11 +690,11 @@ late.header.stamp = finder.get_clock().now().to_msg()  # measured 0.2 s ago, and
 finder.buffer.transform(late, "map")
 
 # %% [markdown] lang="en" name="overwritten-read" slide="subslide"
-# Read the last line. The lookup was for 13.000 s. The transform named in the error message ends at 12.946 s; `map → odom`, as `Time()` showed above, already ends at 12.890 s.
+# Read the last line. The lookup was for 13.000 s. The 12.946 s in the message is the end of `odom → base_footprint`, the first timeline on the path that ends too early. `map → odom` ends even earlier, at 12.890 s, as `Time()` showed above.
 # So only 110 ms are missing. That looks easy to fix: let 0.2 s pass and try again.
 
 # %% [markdown] lang="ko" name="overwritten-read" slide="subslide"
-# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 오류 메시지에 나온 연결은 12.946초까지 있고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
+# 마지막 줄을 읽어 보세요. 13.000초의 변환을 조회했습니다. 오류 메시지의 12.946초는 경로에서 처음으로 값이 모자란 `odom → base_footprint`의 끝이고, `map → odom`은 앞에서 `Time()`으로 본 대로 12.890초에서 이미 끝납니다.
 # 110 ms가 모자랄 뿐이니 쉽게 해결될 것 같습니다. 0.2초가 지난 다음 다시 조회해 봅시다.
 
 # %% name="the-cure" slide="fragment"
@@ -1213,8 +1213,8 @@ graph.run(seconds=1.3)
 node.stop()
 
 # %% [markdown] lang="en" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
-# Every point is rejected. Each line names two times, the requested one and that of the newest transform: the gap between them grows.
-# The robot publishes as before. It is the node that has stopped receiving.
+# Every point is rejected. The first line compares the requested time with the earliest transform, each other line with the newest one. From the second line on, this gap grows.
+# The robot publishes as before. It is the node that receives hardly any transforms.
 #
 # A node that spins on one thread does one thing at a time.
 # The lookup for the first point fails, so its callback waits 0.2 s for a transform. While it waits, nothing reads `/tf`.
@@ -1222,10 +1222,10 @@ node.stop()
 # Transforms queue up, and the node processes one of them between two waiting callbacks.
 # After one failed lookup, the timeout itself keeps the node from receiving transforms.
 #
-# Without it:
+# Now without the timeout:
 
 # %% [markdown] lang="ko" name="with-a-timeout-read" tags=["predicted"] slide="subslide"
-# 모든 점이 거절되었습니다. 그리고 줄마다 두 시각을 비교해 보세요. 차이가 점점 *벌어집니다*.
+# 모든 점이 거절되었습니다. 첫 줄은 요청 시각을 가장 이른 변환과, 나머지 줄은 최신 변환과 비교합니다. 둘째 줄부터 차이가 점점 *벌어집니다*.
 # 로봇은 전과 똑같이 발행하고 있습니다. 변환을 받지 못하는 것은 노드입니다.
 #
 # 스레드가 하나인 노드는 한 번에 한 가지 일만 합니다.
@@ -1256,7 +1256,7 @@ node.stop()
 # 그때 제안된 수정은 최신 변환을 대신 조회하는 것이었습니다. 그랬다면 어떤 오차가 생겼을지 이제 알 수 있습니다.
 
 # %% [markdown] lang="en" name="point-to-map-notes" slide="notes"
-# Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one failed lookup it no longer receives any transforms.
+# Every lookup of the lecture's node is right. It works as long as no transform is ever late. After one failed lookup it receives hardly any transforms.
 # With a slower detector (1 Hz) it would recover: 0.2 s of waiting in each second leaves time to receive. Ask the class why.
 # Chapter 09 shows how to wait: a listener with its own thread, wait_for_transform_async, or a message filter.
 

@@ -109,7 +109,7 @@ graph.run(seconds=20.0)
 # 증거는 연결에 있습니다. 발행률이 얼마인지, 값이 끊김 없이 변하는지 보아야 합니다.
 
 # %% [markdown] lang="en" name="count-seen-notes" slide="notes"
-# Let those who said “one fewer” explain why. They think of calls, but `topic info` is a list of telephones: it counts publishers, not messages. Then ask: what would show the messages? Wait for “the rate of the edge”.
+# Let those who said “one fewer” explain why. They think of messages. But `topic info` counts publishers, just as a telephone book lists telephones and not calls. Then ask: what would show the messages? Wait for “the rate of the edge”.
 
 # %% [markdown] lang="ko" name="count-seen-notes" slide="notes"
 # “하나 줄어든다”고 답한 사람에게 까닭을 묻습니다. 지금 발행하는 노드를 센다고 생각했겠지만, 이 도구는 발행할 수 있는 노드를 셉니다. 그럼 실제로 발행하는지 알려면 무엇을 보아야 할까요? “연결의 발행률”이라는 답이 나오게 합니다.
@@ -160,7 +160,7 @@ for name, (x, y, *_) in places:
 # %% [markdown] lang="en" name="owner" slide="slide"
 # ## An owner is a node, a source, and a switch
 #
-# For each edge write down three things: **which node** publishes it, **from which data**, and **which switch** turns it off. With two owners one switch has to be off. On common robots the switches are called
+# For each edge write down three things: **which node** publishes it, **from which data**, and **which switch** turns it off. If two nodes can publish the same edge, the switch of one has to be off. On common robots the switches are called
 #
 # | package | switch |
 # |---|---|
@@ -198,11 +198,11 @@ lesson.draw_owners(
 # %% [markdown] lang="en" name="owner-seen"
 # `! 2` marks an edge with two owners, `! 0` one without any. Fill in such a table for your own robot before anything is wrong. You need to know the normal state to notice a fault.
 #
-# If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. Every line has `<no authority available>`. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
+# If you know the lecture on which this workbook is based: one point in it is wrong. In ROS 2, `tf2_monitor` names no owner. It prints `<no authority available>` for each frame and each node. `ros2 topic info /tf --verbose` names the nodes. No tool names their edges.
 
 # %% [markdown] lang="ko" name="owner-seen"
 # *그림 읽기:* edge = 연결, owner = 발행자, source = 데이터, switch = 스위치, rate = 발행률, static = 정적, nobody = 아무도 없음. `! 2`는 발행자가 둘인 연결, `! 0`은 아무도 발행하지 않는 연결입니다. 강의(00장에서 소개한 TF2 강의)의 24절은 문제가 생기기 전에 이런 표를 채워 두라고 합니다. 정상일 때의 값을 모르면 이상이 있는지도 알 수 없습니다.
-# 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
+# 강의 14절과 27절의 내용 하나를 바로잡습니다. ROS 2의 `tf2_monitor`에는 발행자의 이름이 나오지 않습니다. 좌표계와 노드의 줄마다 `<no authority available>`이 나옵니다. 노드 이름은 `ros2 topic info /tf --verbose`로 알 수 있고, 그 노드가 어느 연결을 발행하는지는 직접 알아내야 합니다.
 
 # %% [markdown] lang="en" name="owner-blank" slide="skip"
 # <details><summary>To print: the table of your own robot, with five usual edges</summary>
@@ -248,7 +248,7 @@ lesson.draw_owners(
 # | one | changes smoothly | complete |
 # | none | never succeeds | an extra root `base_footprint` |
 # | two | alternates | complete, and the rate is too high |
-# | another edge | succeeds now and then | alternates between complete and torn |
+# | another edge | succeeds and fails in turn | alternates between complete and torn |
 
 # %% [markdown] lang="ko" name="four-states" slide="slide"
 # ## 연결의 네 가지 상태
@@ -263,7 +263,7 @@ lesson.draw_owners(
 # | 다른 연결 | 값이 나오다 말다 합니다 | 하나였다 나뉘었다 합니다 |
 
 # %% [markdown] lang="en" name="four-states-notes" slide="notes"
-# Cover the second column and let the class fill it in, row by row. Most miss “succeeds now and then”: two owners of one edge never tear the tree, another edge does.
+# Cover the second column and let the class fill it in, row by row. Most miss “succeeds and fails in turn”: two owners of one edge never tear the tree, another edge does.
 
 # %% [markdown] lang="ko" name="four-states-notes" slide="notes"
 # 둘째 열을 가리고 한 줄씩 채우게 합니다. 많은 사람이 “값이 나오다 말다”를 놓칩니다. 한 연결의 발행자가 둘이면 트리가 끊어지지 않지만, 다른 연결이 오면 끊어집니다.
@@ -377,10 +377,10 @@ zero = "--y 0 --z 0 --yaw 0 --pitch 0 --roll 0"
 # %ros2 --for 11 run tf2_ros tf2_monitor map base_link
 
 # %% [markdown] lang="en" name="experiment-a-seen"
-# A: 1.000, `At time 0.0`. And a monitor output that looks wrong: a delay that grows, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
+# A: 1.000, `At time 0.0`. The monitor's output looks wrong: a net delay of up to 12.5 s, and `2e+08 Hz` (two messages, no time between them). Both are normal for static transforms: sent once, valid at all times (11). Know the healthy output first.
 
 # %% [markdown] lang="ko" name="experiment-a-seen"
-# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 지연은 점점 커지고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상부터 알아 두어야 합니다.
+# A는 1.000이고 `At time 0.0`입니다. 그런데 tf2_monitor의 출력은 고장처럼 보입니다. 경로의 지연은 최대 12.5초이고 `2e+08 Hz`라고 나옵니다(메시지 둘 사이의 간격이 0이기 때문입니다). 둘 다 정적 변환의 정상적인 모습입니다. 한 번 보내고 언제까지나 유효하기 때문입니다(11장). 정상부터 알아 두어야 합니다.
 
 # %% name="experiment-b" slide="subslide"
 graph = lesson.new_graph()
@@ -389,7 +389,7 @@ graph = lesson.new_graph()
 # %ros2 --for 2 run tf2_ros tf2_echo map base_link
 
 # %% [markdown] lang="en" name="experiment-b-seen"
-# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. If you suspected a stopped node, you would restart it now, in vain: the node runs, and publishes the name that it was given. The clue is the name that nobody typed on purpose. RViz lists it:
+# B: the parent is `odm`. The first line is only about the first lookup, before any message had arrived. The second line is the one that matters: **not part of the same tree**. A restart would not help, because the node is running. It publishes the name that it was given. Look for a name that nobody typed on purpose. RViz lists it:
 
 # %% [markdown] lang="ko" name="experiment-b-seen"
 # B는 `odm`입니다. 첫 줄은 변환을 받기 전의 조회에 대한 것이고, 둘째 줄이 실제 상태입니다. **같은 트리가 아닙니다.** 여기서 노드가 종료되었다고 생각해 노드를 다시 시작하는 사람이 있습니다. 하지만 노드는 실행 중이고 설정된 대로 발행합니다. 증거는 `odm`이라는 이름입니다. 이런 이름을 일부러 쓰는 사람은 없습니다. 이 이름은 RViz의 목록에도 나옵니다.
@@ -405,7 +405,7 @@ graph = lesson.new_graph()
 # %ros2 topic info /tf_static
 
 # %% [markdown] lang="en" name="experiment-c-seen"
-# C: 2.000, from the publisher that was received last, and no message about the other. A listener that joins in another order gets the other number. Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
+# C: 2.000, from the publisher that was received last, and no message about the other. A listener that receives the two messages in the other order gets 1.000. Only the publisher count of `/tf_static` is a hint, and it rises with every correct publisher as well.
 # A robot with two *dynamic* publishers of `odom → base_link` trembles. You saw that above, with the wheel odometry and the filter. With two static publishers nothing trembles, and that makes them harder to find.
 
 # %% [markdown] lang="ko" name="experiment-c-seen"
@@ -416,7 +416,7 @@ graph = lesson.new_graph()
 # ## A check is worth what it rules out
 #
 # A usual order of checks has six steps: names, tree, values, delays, message and clock, publishers. They go from cheap and coarse to expensive and fine. But a fixed order is slow, because it does not use the complaint.
-# Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: for which check would the result not be the same for all three?
+# Take the complaint “the scan flickers, something about the future”. There are three suspects: the laser's **clock is ahead**, the **transforms are late**, the **odometry is slow**. Before you type anything: which check would give different results for them?
 
 # %% [markdown] lang="ko" name="stop-guessing" slide="slide"
 # ## 좋은 검사는 용의자를 많이 지웁니다
@@ -460,7 +460,7 @@ lesson.draw_both_ways()
 # | the six steps | 6.1 minutes | 14 minutes |
 # | always the best check | 2.3 minutes | 5 minutes |
 #
-# You have twelve minutes (the dashed line). With the six steps, three of the eighteen robots take longer. Both find the cause in the end. Making every check would take 72 minutes.
+# You have twelve minutes (the dashed line). With the six steps, three of the eighteen robots take longer. Both people find every cause in the end. All checks together would take 72 minutes.
 
 # %% [markdown] lang="ko" name="both-ways-seen" tags=["predicted"]
 # *그림 읽기:* six steps = 강의의 여섯 단계, best next = 용의자를 가장 많이 지우는 검사부터, minutes = 걸린 시간(분), 세로 점선 = 쓸 수 있는 12분.
@@ -492,7 +492,7 @@ lesson.draw_both_ways()
 lesson.show_trolley()
 
 # %% [markdown] lang="en" name="trolley-seen"
-# On the left is the short name, which you can use instead of the command. Checks with a screwdriver cost more than commands: that is why commands come first.
+# `show_trolley` prints all checks, with their minutes. On the left is the short name, which you can use instead of the command. Checks by hand, such as measuring the mount, take longer than commands. So begin with commands.
 # `lesson.admit` starts a visit. With `helped=True` it rules out the suspects that do not fit a result; without it, you do so yourself. `because=` records which suspect you mean; it is not marked.
 
 # %% [markdown] lang="ko" name="trolley-seen"
@@ -624,7 +624,7 @@ lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node lis
 # *그림 읽기:* 같은 환자에게 한 검사 넷입니다. 막대는 걸린 시간, left는 남은 용의자의 수입니다. `★`에서 하나가 남았고, 그 뒤의 빗금 친 막대에서는 새로 알게 된 것이 없습니다.
 
 # %% [markdown] lang="en" name="second" slide="subslide"
-# And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it, as soon as you have named a suspect.
+# And what does a program find? `second_opinion` starts that robot once more and lets the doctor examine it (`tflab doctor`, a program that looks for TF problems), as soon as you have named a suspect.
 
 # %% [markdown] lang="ko" name="second" slide="subslide"
 # 자동 진단의 결과는 어떨까요? 용의자를 하나 지목하면 `second_opinion`이 그 로봇을 다시 켜고 `tflab doctor`로 진단합니다.
@@ -646,10 +646,10 @@ lesson.second_opinion(7, my_suspect)
 # 둘씩, E12.4까지 45분입니다. 한 사람은 입력하고 한 사람은 검사마다 까닭을 먼저 말합니다. 환자가 바뀌면 역할도 바꿉니다.
 
 # %% [markdown] lang="en" name="suspects" slide="skip"
-# For reference, without a panel: the six complaints with their suspects, and for one complaint the result of each check. `lesson.show_findings()` prints it for all eighteen; E12.7 has it, too.
+# For reference, without a panel: the six complaints with their suspects, and for one complaint the results of the checks that can tell its suspects apart. `lesson.show_findings()` prints the results for all eighteen suspects. E12.7 shows them, too.
 
 # %% [markdown] lang="ko" name="suspects" slide="skip"
-# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상에서 용의자마다 나올 검사 결과입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
+# 패널 없이 찾아보는 표입니다. 여섯 증상과 용의자, 그리고 한 증상의 용의자를 가려낼 수 있는 검사의 결과입니다. `lesson.show_findings()`는 열여덟 모두를 출력하며, E12.7에도 있습니다.
 
 # %% name="suspects-words" tags=["translated"] slide="skip"
 lesson.show_suspects()
@@ -940,7 +940,7 @@ night.try_fix()
 #
 # 1. `map → odom`, from `map_T_base` and the wheel odometry's `odom_T_base` at the same stamp.
 # 2. A tf2 listener requests TRANSIENT_LOCAL. A volatile publisher offers less, so the two are never connected.
-# 3. The requested time and the newest stamp in the buffer.
+# 3. The requested time, and the newest stamp of an edge on the path.
 #
 # </details>
 
@@ -955,7 +955,7 @@ night.try_fix()
 #
 # 1. `map → odom`입니다. 같은 시각의 `map_T_base`와 오도메트리의 `odom_T_base`로 구합니다.
 # 2. tf2 수신기는 TRANSIENT_LOCAL을 요청합니다. VOLATILE 발행자는 그만큼 제공하지 않으므로 둘은 연결되지 않습니다.
-# 3. 요청 시각과 버퍼에 있는 최신 표본의 시각입니다.
+# 3. 요청 시각과, 경로에 있는 한 연결의 최신 표본 시각입니다.
 #
 # </details>
 

@@ -2,8 +2,8 @@
 # # Glossary
 #
 # Every term of the course, in the order in which the chapters need them.
-# On the pages, rest the pointer on a dotted word, or come to it by Tab, to read the same sentence.
-# In brackets stands the Korean word.
+# On the pages, rest the pointer on a dotted word, or move to it with Tab, to read the same sentence.
+# The Korean term is in brackets.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 용어집
@@ -12,7 +12,7 @@
 # 본문에서 점선이 그어진 단어에 마우스를 올리거나 Tab으로 옮겨 가면 같은 설명이 나타납니다.
 
 # %% [markdown] lang="en" name="index" slide="skip"
-# In the order of the alphabet, each with the number of its chapter:
+# In alphabetical order, each with the number of its chapter:
 #
 # authority 4 · bag 10 · base_footprint 5 · base_link 1 · body frame 2 · broadcaster 6 · buffer 8 · cache time 8 · callback 9 · child frame 3 · clock offset 9 · ConnectivityException 9 · decay time 11 · detector 2 · display status 11 · drift 5 · dynamic transform 6 · edge 4 · evidence 12 · executor 9 · extrapolation 8 · ExtrapolationException 9 · fixed frame 8 · forward kinematics 7 · frame 1 · frame prefix 4 · future 9 · gimbal lock 2 · header 1 · interpolation 8 · InvalidArgumentException 9 · inverse 3 · jitter 9 · joint 7 · latency 8 · latest common time 8 · link 7 · listener 8 · localization 5 · lookup 3 · LookupException 9 · map 5 · message 0 · message filter 9 · motion distortion 8 · namespace 4 · node 0 · odom 5 · odometry 5 · optical frame 2 · owner 11 · parent frame 3 · path 4 · point cloud 2 · pose 1 · publish 0 · QoS 6 · quaternion 2 · reentrant 9 · REP-103 2 · REP-105 5 · right-handed 2 · robot_state_publisher 7 · roll, pitch, yaw 2 · root 4 · rotation 2 · RViz 0 · sample 8 · second owner 12 · simulation time 10 · smear 8 · snapshot 11 · source frame 3 · stamp 1 · static transform 6 · suspect 12 · target frame 3 · tcp 7 · TF tree 4 · TF2 0 · tf2_echo 3 · tf2_monitor 11 · thread 9 · timeline 8 · timeout 9 · TimeoutException 9 · topic 0 · transform 3 · TransformException 9 · transient local 6 · translation 3 · transport delay 9 · TypeException 8 · unit quaternion 2 · URDF 7 · view_frames 4 · yaw 2
 
@@ -121,7 +121,7 @@
 # ## Chapter 4 · The tree of frames
 #
 # - **view_frames (TF 트리 시각화 도구)**: A tool that receives transforms for a few seconds and draws the tree of frames with rates and ages.
-# - **TF tree (TF 트리)**: All frames with their one parent each: no cycle, and one path between any two.
+# - **TF tree (TF 트리)**: All frames, each with one parent except the root: no cycle, and one path between any two frames.
 # - **edge (연결)**: A connection in the tree: a child, its parent, and the transforms between them over time.
 # - **authority (발행자)**: The node that sends a transform; each child should have one only.
 # - **path (경로)**: The edges between two frames of one tree: up to the frame that both share, and down.
@@ -133,7 +133,7 @@
 # ## 4장 · 좌표계 트리
 #
 # - **TF 트리 시각화 도구 (view_frames)**: 몇 초 동안 변환을 모아 좌표계 트리와 발행률을 그림으로 그리는 도구입니다.
-# - **TF 트리 (TF tree)**: 모든 좌표계가 부모를 하나씩 가진 구조로, 고리가 없고 어느 두 좌표계 사이에도 경로가 하나입니다.
+# - **TF 트리 (TF tree)**: 루트를 뺀 모든 좌표계가 부모를 하나씩 가진 구조로, 고리가 없고 어느 두 좌표계 사이에도 경로가 하나입니다.
 # - **연결 (edge)**: 트리에서 부모와 자식 사이의 한 단계입니다. 둘 사이의 변환이 시각마다 들어 있습니다.
 # - **발행자 (authority)**: 변환을 발행하는 노드이며, 자식 좌표계마다 하나여야 합니다.
 # - **경로 (path)**: 한 트리의 두 좌표계 사이에 있는 연결들입니다. 둘이 만나는 좌표계까지 올라갔다가 내려갑니다.
@@ -144,7 +144,7 @@
 # %% [markdown] lang="en" name="chapter-5" slide="skip"
 # ## Chapter 5 · map, odom, base_link
 #
-# - **map (지도 좌표계)**: The world-fixed frame that stays right over hours but may jump when localisation corrects itself.
+# - **map (지도 좌표계)**: The world-fixed frame in which the robot's pose stays right over hours, but may jump when localisation corrects it.
 # - **odom (오도메트리 좌표계)**: The world-fixed frame in which the robot moves without jumps, and slowly drifts away from the truth.
 # - **base_footprint (지면 투영 좌표계)**: The robot's body projected onto the ground: x, y and yaw, without height, roll or pitch.
 # - **REP-105**: ROS's convention for the frames of a mobile robot: map, odom, base_link, and which program publishes each.
@@ -155,7 +155,7 @@
 # %% [markdown] lang="ko" name="chapter-5" slide="skip"
 # ## 5장 · map, odom, base_link
 #
-# - **지도 좌표계 (map)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 오래 지나도 실제 공간과 어긋나지 않지만, 위치 추정이 보정될 때 값이 튈 수 있습니다.
+# - **지도 좌표계 (map)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 오래 지나도 실제 공간과 어긋나지 않지만, 위치 추정이 보정될 때 로봇의 포즈가 튈 수 있습니다.
 # - **오도메트리 좌표계 (odom)**: 세계에 고정된(world-fixed) 기준 좌표계입니다. 이 좌표계를 기준으로 로봇은 끊김 없이 움직이지만, 오차가 조금씩 쌓여 실제 위치와 멀어집니다.
 # - **지면 투영 좌표계 (base_footprint)**: 로봇 본체를 지면에 투영한 좌표계로, 높이와 roll, pitch 없이 x, y, yaw만 가집니다.
 # - **REP-105**: 이동 로봇의 좌표계 map, odom, base_link의 뜻과, 각 변환을 어느 노드가 맡는지를 정한 ROS의 규약입니다.
@@ -292,7 +292,7 @@
 #
 # - **tf2_monitor (변환 지연 감시 도구)**: A tool that measures how late and how often transforms arrive.
 # - **owner (발행 책임)**: The node that publishes an edge, and the only one that should. No ROS 2 tool names it.
-# - **display status (디스플레이 상태)**: What RViz shows below each entry of its list: Ok, Warn or Error. Ok means that it could be computed.
+# - **display status (디스플레이 상태)**: What RViz shows below each entry of its list: Ok, Warn or Error. Ok means that RViz could compute what it draws, not that it is right.
 # - **decay time (표시 유지 시간)**: How long RViz leaves a message on the screen; 0 means until the next one comes.
 # - **snapshot (스냅샷)**: The output of a tool that records a few seconds. What happens outside of them is not in it.
 
@@ -310,7 +310,7 @@
 #
 # - **second owner (두 번째 발행자)**: Another node that publishes the same edge. TF2 accepts both without an error, and the pose alternates.
 # - **suspect (용의자)**: A cause that may be behind a complaint, as long as no check has ruled it out.
-# - **evidence (증거)**: A result that some suspects would give, and others not. A result that all of them would give is none.
+# - **evidence (증거)**: A result that some suspects would give, and others not. A result that all of them would give is no evidence.
 
 # %% [markdown] lang="ko" name="chapter-12" slide="skip"
 # ## 12장 · 발행 책임과 진단

@@ -116,7 +116,7 @@ check("E2.3", quaternion_from_yaw)
 # %% [markdown] lang="en" name="e2-4"
 # ## E2.4 · Check a quaternion (4 points)
 #
-# A listener rejects only zeros and NaN. A wrong length or w first gets through. And the listener may be two programs away from the source. Your function checks the quaternion where it enters your program.
+# A listener rejects only zeros and NaN. It accepts a wrong length, and w written first. So let your function check each quaternion that enters your program.
 # The robot drives on a flat floor, so a good quaternion rotates only about z.
 # Return the first verdict that fits, in this order:
 #
@@ -230,15 +230,15 @@ diagnosis = {
 check("E2.6", diagnosis)
 
 # %% [markdown] lang="en" name="e2-7"
-# ## E2.7 · Too few digits (2 points)
+# ## E2.7 · A slightly wrong angle (2 points)
 #
-# A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote the number with too few digits.
-# A point is `range_m` metres ahead. By how many millimetres does the error move it sideways? Give a number without a sign, to the nearest millimetre or finer.
+# A URDF should rotate a camera's mount by a yaw of π/2, and somebody wrote a slightly different number.
+# A point is `range_m` metres ahead of the camera. By how many millimetres does the error move it sideways? Give a number without a sign, to the nearest millimetre or finer.
 
 # %% [markdown] lang="ko" name="e2-7"
-# ## E2.7 · 모자란 숫자 몇 자리 (2점)
+# ## E2.7 · 조금 틀린 각도 (2점)
 #
-# URDF에서 카메라를 yaw로 π/2만큼 회전시켜야 하는데, 누군가 자릿수를 줄여 적었습니다.
+# URDF에서 카메라를 yaw로 π/2만큼 회전시켜야 하는데, 누군가 조금 다른 숫자를 적었습니다.
 # 과제에 주어진 거리에 있는 점은 옆으로 얼마나 어긋납니까 [mm]? 1 mm 또는 그보다 정밀하게, 부호 없이 답하십시오.
 
 # %% name="e2-7-given"

@@ -32,7 +32,7 @@ from tflab.core import Transform
 # %% [markdown] lang="en" name="e6-1"
 # ## E6.1 · Board or radio? (4 points)
 #
-# Four robots have three edges each. For each robot give a list of three topics, in the order of its edges: `"/tf_static"` or `"/tf"`.
+# Four robots have three edges each. For each robot give a list of three topics, in the order of its edges: `"/tf_static"` (the notice board of the page) or `"/tf"` (the radio).
 #
 # - **cart**, parked since yesterday: `odom → base_link` from its wheels · `base_link → laser_frame`, screwed on · `map → odom`, corrected once in a while
 # - **scout**: `base_link → imu_link`, screwed on · `base_link → ramp_link`, a loading ramp that a person folds down twice a day · `camera_link → camera_optical_frame`
@@ -175,7 +175,7 @@ check("E6.4", on_circle)
 #
 # `"send one list"` · `"keep it running"` · `"offer TRANSIENT_LOCAL"` · `"keep sending at rest"` · `"send it on /tf_static"` · `"send it on /tf"` · `"wait longer"` · `"send it faster"` · `"correct the name"`
 #
-# The answer cell gives each of these words a name, so that you need not type it: `"a": no_board`.
+# The answer cell defines a variable for each of these words. Use the variables: `"a": no_board`.
 
 # %% [markdown] lang="ko" name="e6-5"
 # ## E6.5 · 로그에서 뽑은 여섯 사례 (5점)
@@ -253,7 +253,7 @@ check("E6.6", worst_error_m)
 # `letters` contains all messages that were ever sent, in order of time: dicts with `node`, `topic` (`"/tf"` or `"/tf_static"`), `sent_s` and `children`, a list of names. `ends` maps the name of a node to the time at which it ended; a node that is not in it still runs.
 # tf2's listener joins at `join_s`. Return the children that it has received by `now_s`, each once.
 #
-# It receives what is sent from `join_s` to `now_s`, both included. Of what was sent *before*, it reads the boards of the nodes that end *after* `join_s`. Every node on `/tf_static` has a board of depth 1.
+# It receives what is sent from `join_s` to `now_s`, both included. Every node on `/tf_static` has a board of depth 1, which holds the last message that the node sent on `/tf_static`. At `join_s` the listener reads what was sent to the boards *before* `join_s`, but only the boards of nodes that end *after* `join_s` or never.
 
 # %% [markdown] lang="ko" name="e6-7"
 # ## E6.7 · 수신기는 무엇을 받습니까? (5점)
