@@ -1391,7 +1391,7 @@ lesson.draw_card()
 #
 # **Q8.** What is the difference between the quaternion of "no rotation" and one that is all zeros?
 #
-# (The numbers are those of the course's fifteen questions.)
+# (Q2 and Q8 are their numbers in the course's list of fifteen practice questions.)
 #
 # <details><summary>Rubric of Q2 (4 points)</summary>
 #

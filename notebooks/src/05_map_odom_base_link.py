@@ -364,7 +364,7 @@ lesson.draw_scene({'base_footprint': Transform(), 'base_link': footprint_T_base}
 
 # %% [markdown] lang="en" name="nose-up-seen"
 # 0.63 m above the floor. If you assume that the robot is level, you get 0.25 m, and you mistake a wall for a low step.
-# On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have no `base_footprint`, or have it as a child of `base_link`. Check which edge your robot publishes, and never publish both.
+# On our robot the wheel odometry publishes `odom → base_footprint`, and `base_link` is a child of it. Other robots have no `base_footprint`, or have it as a child of `base_link`. Check whether your robot publishes `odom → base_footprint` or `odom → base_link`, and never publish both.
 
 # %% [markdown] lang="ko" name="nose-up-seen"
 # *그림 읽기:* seen = 레이저가 본 점입니다.
@@ -687,7 +687,7 @@ rclpy.shutdown()
 # <details><summary>What a full answer contains</summary>
 #
 # - [ ] A frame has one parent, and the wheel odometry already publishes `base_link` as a child of `odom`.
-# - [ ] Two parents do not raise an error: the tree alternates.
+# - [ ] Two parents do not raise an error: the frame alternates between them.
 # - [ ] `map_T_odom = map_T_base @ odom_T_base.inverse()` contains the correction, and the edge of the odometry stays as it is.
 # - [ ] Both poses in that product have the same stamp.
 #

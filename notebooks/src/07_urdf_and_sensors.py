@@ -572,7 +572,7 @@ for name, rpy in mounts.items():
 # 휴대전화를 엎어 놓고 수직축을 중심으로 회전시켜 보입니다. 중력은 그대로입니다. 그래서 굽은 길이 필요합니다. 마지막 10분은 파일 고장 내기와 마무리 점검에 씁니다.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
-# ## Break it: files that are no robot
+# ## Break it: faulty URDF files
 #
 # Four changes to the file. Each of them happens when a file is written by hand. **Predict** which of them the parser reports.
 
@@ -597,13 +597,13 @@ for what, text in broken.items():
         print(f'{what}: {error}')
 
 # %% [markdown] lang="en" name="broken-seen" tags=["predicted"]
-# Faults that break the *tree* are reported, with their line. A [[frame]] must have one parent, and every link that a joint names must exist. (The workbook's parser reports more than ROS 2's. ROS 2's parser stops at these faults as well.)
+# Three of the four are reported, with their line: a link with two parents, a joint that names a link which does not exist, and an expression of xacro where a number belongs. (The workbook's parser reports more than ROS 2's. ROS 2's parser stops at these faults as well.)
 # **Degrees** are accepted, because 90 is a valid number of radians. No parser can compare the file with what you measured.
 
 # %% [markdown] lang="ko" name="broken-seen" tags=["predicted"]
 # *그림 읽기:* ends swapped = 부모와 자식이 바뀜, a typo = 오타, xacro left in = xacro를 펼치지 않음, degrees = 도(degree), fine = 문제없음.
 #
-# *트리*를 깨뜨리는 것은 줄 번호와 함께 알려 줍니다. [[frame|좌표계]]의 부모는 하나이고, 링크는 모두 있어야 합니다. (우리 프로그램은 실제 프로그램보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
+# 넷 가운데 셋은 줄 번호와 함께 알려 줍니다. 부모가 둘인 링크, 없는 링크를 쓴 조인트, 숫자 자리에 남은 xacro 식입니다. (우리 프로그램은 실제 프로그램보다 자세히 알려 줍니다. 실제 프로그램도 멈추기는 마찬가지입니다.)
 # **도**(degree)는 문제없다고 나옵니다. 숫자 90 역시 올바른 값이기 때문입니다. 여러분이 무슨 단위로 쟀는지는 파일에 나타나지 않습니다.
 
 # %% [markdown] lang="en" name="deeper" slide="skip"

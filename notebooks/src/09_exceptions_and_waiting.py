@@ -193,7 +193,7 @@ for second in (12.3, 14.3, 10.6):
 
 # %% [markdown] lang="en" name="compare-three" tags=["predicted"] slide="-"
 # Compare with what you wrote.
-# Both are an [[extrapolation exception|ExtrapolationException]]: there is a path, but not at that time, and tf2 never guesses beyond its samples.
+# Both raise an [[extrapolation exception|ExtrapolationException]]: there is a path, but not at that time, and tf2 never guesses beyond its samples.
 # At 14.3 s it was `map → odom` that ended too early: the *localiser*, although the odometry had data until 14.6 s.
 # At 10.6 s it was `odom → base_footprint` that began too late.
 #
@@ -557,7 +557,7 @@ for target, source, second in (
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
 # %% [markdown] lang="en" name="handler-traps" slide="-"
-# `map ← camera_link` has *no path*, and was looked up at 12.3 s, where there is data. So here the path is reported.
+# `map ← camera_link` has *no path*. On its way up from these two frames tf2 meets only a static edge, so no time can be missing, and it reports the path.
 #
 # Two traps:
 #
@@ -565,7 +565,7 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Without `import tf2_geometry_msgs`, `transform()` raises a `TypeException`, which none of the branches above catches (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# `map ← camera_link`는 *경로가 없고*, 이번에는 데이터가 있는 12.3초의 변환을 조회했으므로 경로 문제가 보고됩니다. (*출력 읽기:* use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
+# `map ← camera_link`는 *경로가 없습니다*. tf2가 두 좌표계에서 위로 올라가며 만나는 연결은 정적 연결 하나뿐이라 빠진 시각이 있을 수 없고, 그래서 경로 문제가 보고됩니다. (*출력 읽기:* use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
 #
 # 함정이 두 가지 있습니다.
 #
@@ -986,10 +986,10 @@ print(len(patient.answers), 'scans,', patient.answers.count('ok'), 'answered')
 lesson.draw_lanes(patient)
 
 # %% [markdown] lang="en" name="cure-threads-read" slide="-"
-# 27 of 28. (Of the 30 scans in these three seconds, one is still on its way, and one still waits for its transform.) Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
+# 27 of 28. (Of the 30 scans in these three seconds, one still waits for its transform, and the last one waits until the callback is free.) Only the first scan is lost, the one that is older than every transform. One thread waits, another receives the transforms: `/tf stored` keeps up with `/tf sent`.
 
 # %% [markdown] lang="ko" name="cure-threads-read" slide="-"
-# 28개 가운데 27개입니다. (3초 동안의 스캔 30개 가운데 하나는 아직 도착하지 않았고, 하나는 아직 변환을 기다리고 있습니다.) 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 변환을 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
+# 28개 가운데 27개입니다. (3초 동안의 스캔 30개 가운데 하나는 아직 변환을 기다리고 있고, 마지막 하나는 콜백이 끝나기를 기다리고 있습니다.) 잃은 것은 모든 변환보다 오래된 첫 스캔뿐입니다. 한 스레드가 기다리는 동안 다른 스레드가 변환을 받으므로, `/tf stored`가 `/tf sent`를 따라갑니다.
 
 # %% [markdown] lang="en" name="cure-async" slide="subslide"
 # ### Fix two: do not wait, be called
@@ -1171,7 +1171,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>3. Write the time of arrival into <code>header.stamp</code></summary>
 #
-# Then the stamp is the time at which the message *arrived*. The exception is gone, and no later node can find out the time of the measurement.
+# Then the stamp is the time at which the message *arrived*. The exceptions are gone after a short wait, but each scan gets the pose at its arrival, and no later node can find out the time of the measurement.
 #
 # </details>
 #
@@ -1200,7 +1200,7 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 #
 # <details><summary>3. <code>header.stamp</code>에 도착한 시각을 써넣습니다</summary>
 #
-# 그러면 `header.stamp`는 메시지를 *받은* 시각이 됩니다. 예외는 사라지지만 스캔 시간과 전송 시간이 그 속에 묻히고, 나중에 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
+# 그러면 `header.stamp`는 메시지를 *받은* 시각이 됩니다. 조금만 기다리면 예외는 나지 않지만, 스캔마다 도착했을 때의 포즈를 쓰게 됩니다. 스캔 시간과 전송 시간은 그 속에 묻히고, 나중에 이 데이터를 쓰는 누구도 그것을 알아낼 수 없습니다.
 #
 # </details>
 #

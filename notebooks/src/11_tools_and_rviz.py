@@ -151,7 +151,7 @@ lesson.tools_panel()
 lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
-# Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not contain which of them publishes which edge.
+# Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not show which of them publishes which edge.
 # The lecture uses `tf2_monitor` to find the broadcaster's name. The older tool `tf_monitor` of ROS 1 printed it. In ROS 2 every line of `tf2_monitor` has `<no authority available>`.
 
 # %% [markdown] lang="ko" name="ask-first-seen"
@@ -258,7 +258,7 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # %ros2 run tf2_tools view_frames -o frames
 
 # %% [markdown] lang="en" name="rates-seen" slide="subslide"
-# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In it, each edge has its own `Average rate`:
+# The long line is the answer of a service, and the picture is drawn from it (on a robot: `frames.pdf` and `frames.gv`; without `-o` their names contain date and time). In the picture, each edge has its own `Average rate`:
 #
 # - `odom → base_footprint` 20.204 and `map → odom` 10.208: **the answer to question 2 is 20**. The 50 of `topic hz` is 20 + 20 + 10. (`view_frames` divides n samples by the time from the first to the last. With n − 1 its 20.204 would be 20.0.)
 # - static edges have 10000.0, which is not a rate: tf2 divides the number of samples by at least 0.0001 s, and a static edge has one sample.
@@ -300,7 +300,7 @@ lesson.frame_tree()
 # `frame_tree()`는 ROS가 아니라 이 워크북의 것입니다. 한 프로세스 안에서는 발행자를 알 수 있으므로 이름이 나옵니다. 실제 로봇에서 볼 수 있는 것은 발행률입니다. **평소에는 20.2 Hz인데 50.1 Hz입니다.** 노드 하나의 발행률보다 높으면 노드가 하나가 아닌 것입니다.
 
 # %% [markdown] lang="en" name="two-owners-notes" slide="notes"
-# Vote with fingers: two, three or five times ten a second? On a robot you would have the 50 alone, and no names beside it.
+# Vote with fingers, one for each 10 Hz: 20, 30 or 50 Hz? On a robot you would have the 50 alone, and no names beside it.
 
 # %% [markdown] lang="ko" name="two-owners-notes" slide="notes"
 # 손가락으로 답합니다. 1초에 스무 번, 서른 번, 쉰 번 가운데 무엇입니까? 로봇에서는 50만 보이고 이름은 없습니다.
@@ -375,14 +375,14 @@ for f in (1, 2, 10, 20):
     print(f'{f:>2} Hz    {0.0:.1f} mm     {1000 * gap:5.2f} mm    {max(0.0, wait):.3f} s')
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
-# On a straight line: **nothing**, at any rate. The midpoint between two points of a straight line is on the line.
+# On a straight line at constant speed: **nothing**, at any rate. Halfway in time, the robot is at the midpoint between the two samples.
 # In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
 #
 # What a slow edge can cost even on a straight line is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
 # The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
-# 곧은 길에서는 발행률이 얼마든 **조금도 틀리지 않습니다.** 직선 위 두 점의 중간은 그 직선 위에 있습니다.
+# 곧은 길을 일정한 속도로 달리면 발행률이 얼마든 **조금도 틀리지 않습니다.** 시간이 절반 지났을 때 로봇은 두 표본의 중간에 있습니다.
 # 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 로봇이 실제로 달린 선은 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 발행률이 낮은 연결에는 곧은 길에서도 **기다림**이 따를 수 있습니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
@@ -393,7 +393,7 @@ for f in (1, 2, 10, 20):
 #
 # <details><summary>Answers</summary>
 #
-# From 11.5 Hz on (0.95 mm). And a yaw rate of 0: straight ahead.
+# From 11.2 Hz on. (The slider's next step, 11.5 Hz, gives 0.95 mm.) And a yaw rate of 0: straight ahead.
 #
 # </details>
 
@@ -402,7 +402,7 @@ for f in (1, 2, 10, 20):
 #
 # <details><summary>답</summary>
 #
-# 11.5 Hz부터입니다(0.95 mm). yaw rate는 0, 곧 직진입니다.
+# 11.2 Hz부터입니다(슬라이더의 다음 눈금 11.5 Hz에서는 0.95 mm입니다). yaw rate는 0, 곧 직진입니다.
 #
 # </details>
 #
@@ -641,10 +641,10 @@ lesson.draw_rviz()
 # RobotModel의 오류는 7개인데 TF의 경고는 3개뿐입니다. TF는 *받은* 좌표계를, RobotModel은 *URDF에 있는* 링크를 나열합니다. 스캔은 정상입니다. `map`과 `laser_frame` 사이에는 움직이는 관절이 없습니다.
 
 # %% [markdown] lang="en" name="break-odometry-predict"
-# Last, the wheel odometry stops.
+# Last, the wheel odometry stops, and RViz is opened a while later.
 
 # %% [markdown] lang="ko" name="break-odometry-predict"
-# 마지막으로 바퀴 오도메트리 노드가 멈춥니다.
+# 마지막으로 바퀴 오도메트리 노드가 멈추고, 조금 뒤에 RViz를 엽니다.
 
 # %% name="break-odometry" tags=["predicted"]
 lesson.start_robot().run(seconds=5)
@@ -678,7 +678,7 @@ for _ in range(6):
 # 0.3 m까지 오락가락하고, x도 고르게 늘지 않습니다. 오도메트리 포즈는 한쪽으로 드리프트하고 EKF의 포즈는 그렇지 않습니다. 값 하나하나에는 문제가 없습니다.
 
 # %% [markdown] lang="en" name="break-notes" slide="notes"
-# One shout for each symptom before the table is shown: which node would you check first? If they shout "the sensor", answer "its messages arrived".
+# Before you show the table, name each symptom, and let the class call out the node that they would check first. If they call "the sensor", answer "its messages arrived".
 
 # %% [markdown] lang="ko" name="break-notes" slide="notes"
 # 표를 보이기 전에 증상마다 외치게 합니다. 무엇을 먼저 확인하겠습니까? “센서”라는 답에는 “메시지는 왔습니다”라고 답합니다.
@@ -849,7 +849,7 @@ graph.stop()
 # - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the picture. The [[owner]]: no tool.
 # - Delay is not rate. `hz /tf` and the monitor's Hz count all nodes.
 # - `tf2_monitor`: read `max`, not `avg`. Ignore static edges. A negative average means stamps in the future.
-# - A slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and on both a wait if its period is longer than the scan's delay.
+# - A slow edge causes no error on a straight line at constant speed, (v/ω)(1 − cos(ω/2f)) in a curve, and on both a wait if its period is longer than the scan's delay.
 # - [[fixed frame|Fixed Frame]] changes the picture, never the data.
 # - **Ok means computed, not true.** Compare value, frame name and stamp yourself.
 
@@ -859,7 +859,7 @@ graph.stop()
 # - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]이 어느 노드에 있는지 알려 주는 도구는 없습니다.
 # - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모든 발행자를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않습니다. 평균이 음수이면 측정 시각이 미래입니다.
-# - 발행률이 낮은 연결은 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀립니다. 주기가 스캔의 지연보다 길면 어느 길에서나 기다리게 됩니다.
+# - 발행률이 낮은 연결은 곧은 길을 일정한 속도로 달리면 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀립니다. 주기가 스캔의 지연보다 길면 어느 길에서나 기다리게 됩니다.
 # - [[fixed frame|고정 좌표계]]를 바꾸면 그림의 기준만 바뀌고 데이터는 바뀌지 않습니다.
 # - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 비교해 확인합니다.
 

@@ -253,7 +253,7 @@ check("E8.7", object_now)
 # ## What you have shown
 #
 # The checks here used your own numbers. In a class, grading asks the same questions with other numbers.
-# On a robot, do C8 and C9 of the lab checklist once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor that you use.
+# On a robot, do C8 and C9 of the checklist that `tflab progress` shows once more: run `point_to_map.py`, and look at `ros2 topic delay` of each sensor that you use.
 #
 # **Next:** [09 · Exceptions and waiting](../../notebooks/en/09_exceptions_and_waiting.ipynb).
 
