@@ -165,7 +165,7 @@ lesson.draw_walk(buffer, "camera_optical_frame", "laser_frame")
 
 # %% [markdown] lang="en" name="the-walk-seen"
 # Solid arrows go up, dashed ones down, the numbers count the steps, and the ring marks the common frame.
-# The tree gives the product of chapter 03. Each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target. In the product you read the same steps from right to left.
+# The path gives the product of transforms of chapter 03. Each step up is an edge as it was sent, each step down is an inverse. The path goes from source to target. In the product you read the same steps from right to left.
 
 # %% [markdown] lang="ko" name="the-walk-seen"
 # *그림 읽기:* source = 원본, target = 목표, 실선 화살표 = 올라감, 점선 화살표 = 내려감, 숫자 = 단계의 순서, 둥근 테 = 두 경로가 만나는 곳입니다.
@@ -352,7 +352,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. No loops.
 # 5. Names, directions and times mean the same everywhere.
 #
-# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then writes one line into the log, and the program goes on. Break the rules yourself: give a frame another parent, then look up a transform.
+# tf2 enforces none of them when a transform is *sent*. It rejects only what it cannot store: an empty name, a frame that is its own parent, a value that is not a number (NaN), a quaternion of zeros, or a transform that is older than the buffer's history. It then only logs the reason, and the program goes on. Break the rules yourself: give a frame another parent, then look up a transform.
 
 # %% [markdown] lang="ko" name="five-rules" slide="slide"
 # ## 다섯 가지 규칙, 누가 지키게 할까요?
@@ -363,7 +363,7 @@ lesson.draw_walk(island, "map", "laser_frame")
 # 4. 고리가 없습니다.
 # 5. 모든 노드가 이름, 방향, 시각을 같은 뜻으로 씁니다.
 #
-# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 거절할 때도 로그에 한 줄을 남길 뿐이고 프로그램은 계속 실행됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
+# 변환을 *발행할 때* tf2는 이 가운데 아무것도 확인하지 않습니다. 저장할 수 없는 것, 곧 빈 이름, 자기 자신이 부모인 좌표계, 숫자가 아닌 값(NaN), 모두 0인 쿼터니언, 버퍼의 보관 시간보다 오래된 변환만 거절합니다. 거절할 때도 로그에 이유를 남길 뿐이고 프로그램은 계속 실행됩니다. 나머지는 직접 어겨 보세요. 좌표계의 부모를 바꾸고 나서 조회해 보세요.
 
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
@@ -533,7 +533,7 @@ for until in (5, 10, 20, 30):
 lesson.frame_tree(graph, seconds=2.0)
 
 # %% [markdown] lang="en" name="owners-seen"
-# The *shape* of this tree is correct: one parent each. The rate reveals the fault: 50 Hz = 20 + 30. Here the two names reveal it, too. The fix is to choose one publisher. Here only the filter keeps publishing the edge.
+# The *shape* of this tree is correct: one parent each. The rate reveals the fault: 50 Hz = 20 + 30. Here the two names in the last column reveal it, too. The fix is to choose one publisher. Here only the filter keeps publishing the edge.
 
 # %% [markdown] lang="ko" name="owners-seen"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 한 연결을 두 노드가 발행한다는 경고입니다.
@@ -792,7 +792,7 @@ rclpy.shutdown()
 #
 # - TF is a dict, child → parent. A lookup goes up from its source to the first common frame, and down to its target: a [[path]].
 # - One [[root]] means a tree, two mean a gap, none means a loop. `set(parents) - set(children)` gives the roots.
-# - tf2 checks no rule when a transform is sent. Only lookups fail. In two trees, those across the gap fail, and the error names only the frames of the lookup. In a loop, those fail whose target is not above the source.
+# - tf2 checks no rule when a transform is sent. Only lookups fail. In two trees, lookups across the gap fail, and the error names only the frames of the lookup. In a loop, a lookup fails if its target is not above its source.
 # - A child that is sent with another parent moves. If an edge has two publishers, the tree keeps its shape, and the value alternates. Look at the rate.
 # - Names are strings. Use no slash in front, and give every frame of one robot its [[frame prefix]].
 

@@ -241,7 +241,7 @@ print(later.all_frames_as_string())
 # | Jazzy | all | is **ignored**: the old value stays |
 # | Lyrical, and C++ everywhere | all | replaces the old value |
 #
-# One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)` and create a new broadcaster.
+# One list in one call is right on all releases. On Jazzy, to publish a mount that was measured again, call `node.destroy_publisher(broadcaster.pub_tf)`, create a new broadcaster, and send all its mounts again.
 #
 # </details>
 
@@ -256,7 +256,7 @@ print(later.all_frames_as_string())
 # | Jazzy | 모두 | **무시됩니다**. 이전 값이 그대로 남습니다 |
 # | Lyrical, 그리고 모든 배포판의 C++ | 모두 | 새 값으로 바뀝니다 |
 #
-# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어야 합니다.
+# 리스트 하나를 한 번에 보내면 어느 배포판에서나 모두 받습니다. Jazzy에서 장착 변환을 다시 쟀다면 `node.destroy_publisher(broadcaster.pub_tf)`를 호출하고 발행기를 새로 만들어 장착 변환을 모두 다시 보내야 합니다.
 #
 # </details>
 
@@ -443,7 +443,7 @@ graph = lesson.new_graph()
 
 # %% [markdown] lang="en" name="break-command-seen" tags=["predicted"]
 # - `--yaw 30` is accepted without a warning: 30 **radians**, more than four full rotations. tf2_echo prints −81°. The command without an error is the harmful one.
-# - `--x=0.2` is right in many other programs. Here an option and its value are two words.
+# - `--x=0.2` is right in many other programs. This tool rejects it: write the option and its value as two words, `--x 0.2`.
 # - A rotation is given once, as angles or as a quaternion. With `--qz` beside `--yaw` the tool prints `Cannot specify both quaternion and Euler rotations`.
 #
 # <details><summary>Deeper: the old order</summary>
@@ -765,10 +765,10 @@ print('camera places:', sorted({round(x, 2) for x in where}), '| 0.1 s back refu
 lesson.draw_ages([lesson.Curve(frame, asked, ages) for frame, ages in age.items()], 'age of the answer')
 
 # %% [markdown] lang="en" name="bolt-seen" tags=["predicted"]
-# The answer for the camera is up to a second old, and for the laser at most a twentieth. The odometry is as fast as before. But "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data only once a second.
+# The answer for the camera is up to a second old, and for the laser at most a twentieth of a second. The odometry is as fast as before. But "the latest" is the newest time for which **every** edge of the path has data, and the mount has new data only once a second.
 # So the camera, which is screwed to the robot, jumps by half a metre each second, and nine of ten lookups for a tenth of a second ago raise an exception.
 #
-# A mount on `/tf` costs more than bandwidth: every lookup of *the latest* through it is up to a period old, and a lookup for a time just past raises an exception. Publishing it 110 times a second hides that, at a price. One message on a board fixes it.
+# A mount on `/tf` costs more than bandwidth: every lookup of *the latest* through it is up to a period old, and a lookup for a time just past raises an exception. Publishing it 110 times a second hides that, but loads the network. One message on a board fixes it.
 
 # %% [markdown] lang="ko" name="bolt-seen" tags=["predicted"]
 # *그림 읽기:* age of the answer = 조회한 값의 나이, time = 조회한 시각.

@@ -223,7 +223,7 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, time
 #
-# First tf2 checks the arguments. Then it needs the names, a path, and data for the time. The exception shows which of these is missing first.
+# First tf2 checks the arguments. Then it needs the names, a path, and data for the time. The exception shows which of these tf2 first found missing.
 #
 # | tf2 checks | the exception | what it means | look first at |
 # | --- | --- | --- | --- |
@@ -360,7 +360,7 @@ lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 # ## Break it, one by one
 #
 # Now cause each exception on purpose. The red texts are those of a robot, to the letter.
-# (On a robot a traceback is printed above them. `%xmode Minimal` leaves it out: the **last** line is the one to read. `%xmode Context` shows it again.)
+# (On a robot a traceback is printed above them. Here `%xmode Minimal` leaves it out: the **last** line is the one to read. `%xmode Context` shows it again.)
 
 # %% [markdown] lang="ko" name="break-it" slide="slide"
 # ## 일부러 고장 내기: 하나씩
@@ -557,7 +557,7 @@ for target, source, second in (
     print(f'{target:>5} <- {source:<12} at {second}: {advice}')
 
 # %% [markdown] lang="en" name="handler-traps" slide="-"
-# `map ← camera_link` has *no path*. On its way up from these two frames tf2 meets only a static edge, so no time can be missing, and it reports the path.
+# `map ← camera_link` has *no path*. On the way up from `camera_link` tf2 reads only a static edge, which has data for any time. So here the path is reported.
 #
 # Two traps:
 #
@@ -565,7 +565,7 @@ for target, source, second in (
 # - **Not everything is a `TransformException`.** Without `import tf2_geometry_msgs`, `transform()` raises a `TypeException`, which none of the branches above catches (chapter 08). That is right: it is a fault of the program, not of the robot.
 
 # %% [markdown] lang="ko" name="handler-traps" slide="-"
-# `map ← camera_link`는 *경로가 없습니다*. tf2가 두 좌표계에서 위로 올라가며 만나는 연결은 정적 연결 하나뿐이라 빠진 시각이 있을 수 없고, 그래서 경로 문제가 보고됩니다. (*출력 읽기:* use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
+# `map ← camera_link`는 *경로가 없습니다*. `camera_link`에서 올라가며 읽는 것은 언제나 유효한 정적 변환뿐이므로, 이번에는 경로 문제가 보고됩니다. (*출력 읽기:* use it = 사용, check the name = 이름 확인, check the tree = 트리 확인, wait = 조금 기다림, drop = 버림, fix the question = 코드 수정)
 #
 # 함정이 두 가지 있습니다.
 #

@@ -33,14 +33,14 @@
 #
 # - **Static transforms** (06) are sent once, on `/tf_static`. Their publisher keeps the message for listeners that join later.
 # - **The stamp** (08) is the time of the measurement. The [[buffer]] answers between its oldest and its newest sample; `Time()` means the latest.
-# - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). If the buffer holds a single sample, the error has a third text.
+# - **Three exceptions** (09): an unknown name, no path, a time outside the data (into the past, into the future). If an edge has a single sample, the error has a third text.
 
 # %% [markdown] lang="ko" name="needed" slide="slide"
 # ## 시작하기 전에 알아 둘 것
 #
 # - **정적 변환**(06)은 `/tf_static`으로 한 번 보냅니다. 나중에 참가하는 노드를 위해 발행자가 메시지를 보관합니다.
 # - **측정 시각**(08)은 언제 측정했는지를 나타냅니다. [[buffer|버퍼]]에서는 가장 오래된 표본과 최신 표본 사이의 시각만 조회할 수 있고, `Time()`은 최신을 뜻합니다.
-# - **세 가지 거절**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 버퍼에 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
+# - **세 가지 거절**(09): 없는 이름, 경로 없음, 범위 밖의 시각(과거, 미래). 한 연결의 표본이 하나뿐이면 시각에 관한 셋째 오류 메시지가 나옵니다.
 
 # %% [markdown] lang="en" name="needed-notes" slide="notes"
 # Take a minute. Read one line, ask which chapter it comes from, go on. If somebody hesitates, they write the chapter's number down and read it at home.
@@ -252,7 +252,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | the sensor on the map, as the robot placed it | `/tf` `/tf_static` |
 # | to run the localisation again, with another algorithm | `/tf_static` and the odometry (`/tf` or `/odom`). When you play, filter `map → odom` out of `/tf` |
-# | either of these, from a simulation | the topics above, and `/clock`, which shows how fast the simulation ran. Play that bag without `--clock`: the recorded `/clock` is played, and `ros2 bag play` of older releases would publish a second one |
+# | either of these, from a simulation | the topics above, and `/clock`, which shows how fast the simulation ran. Play that bag without `--clock`: the recorded `/clock` is played. With `--clock`, `ros2 bag play` of older releases would publish a second one |
 
 # %% [markdown] lang="ko" name="place-all-read" tags=["predicted"]
 # 크기가 거의 같은 bag 셋인데 149, 0, 0입니다. 그리고 두 오류 메시지에는 서로 다른 좌표계의 이름이 나옵니다. `/tf_static`이 없으면 버퍼에 센서의 좌표계가, `/tf`가 없으면 지도의 좌표계가 없습니다.

@@ -187,7 +187,7 @@ graph.run(seconds=9.1)
 # - `Waiting for …`: the tool looks up the transform before it has received any. That is no fault of your robot; it has been reported as a bug more than once.
 # - `max = 0.11`: **the answer to question 1.** The localiser's newest stamp is 0.01 s old when it arrives, and up to another 0.1 s passes before the next one.
 # - `avg = 0.0209299`: 19 % of 0.11, because the tool has taken 21 samples.
-# - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s ago, and is valid at all times. Its age means nothing.
+# - `laser_frame … 9.6`: a [[static transform|static]] transform was sent once, 9.6 s before the tool received it, and is valid at all times. Its age means nothing.
 # - `50.3349 Hz`: the messages of all nodes together.
 #
 # What `avg` does if you let the tool run:
@@ -198,7 +198,7 @@ graph.run(seconds=9.1)
 # - `Waiting for …`: 아직 아무 변환도 받지 못한 채 조회부터 하기 때문에 나옵니다. 로봇의 잘못이 아니며, 버그로 여러 번 보고되었습니다.
 # - `max = 0.11`: **질문 1의 답입니다.** 위치 추정 노드의 최신 변환은 도착했을 때 이미 0.01초 전의 것이고, 다음 변환이 올 때까지 최대 0.1초가 더 지납니다.
 # - `avg = 0.0209299`: 21번 측정했으므로 0.11의 19 %입니다.
-# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 이 나이는 지연이 아닙니다.
+# - `laser_frame … 9.6`: [[static transform|정적 변환]]은 도구가 받기 9.6초 전에 한 번 보냈고 언제까지나 유효합니다. 이 나이는 지연이 아닙니다.
 # - `50.3349 Hz`: 모든 발행자를 합친 값입니다.
 #
 # 계속 켜 두면 `avg`는 이렇게 됩니다.
@@ -219,14 +219,14 @@ lesson.draw_ages([lesson.Curve('truth', times, [0.11] * len(times)), avg], 'net 
 # 19 % at the first report, half after 34 s, 91 % after two minutes. (This is a low-pass filter.)
 # So read `max`, and the lines of the frames that move. One more trap: `max` begins at 0, so stamps from the future, which give a negative delay, show as `Max Delay: 0`, which looks perfect. Their `Average Delay` is negative: look there. (One negative delay is intended: AMCL stamps `map → odom` with a time in the future, by its `transform_tolerance`, so that no node has to wait for it.)
 #
-# And if a path is sometimes missing, the tool gives no report at all. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
+# And if a path is sometimes missing, the tool cannot report that. It ends at the first lookup that fails, with `terminate called after throwing an instance of 'tf2::ConnectivityException'`.
 
 # %% [markdown] lang="ko" name="monitor-average-seen"
 # *그림 읽기:* net delay = 경로의 지연, truth = 실제 지연, avg = 도구가 출력하는 평균, time = 시각.
 #
 # 첫 보고에서 19 %, 34초 뒤에 절반, 2분 뒤에 91 %입니다(저역 통과 필터라고 합니다).
 # 그러니 `max`와, 움직이는 좌표계의 줄을 읽습니다. 주의할 것이 하나 더 있습니다. `max`는 0에서 시작하므로 측정 시각이 미래여서 지연이 음수이면 `Max Delay: 0`으로 나와 정상처럼 보입니다. 이때는 `Average Delay`가 음수이므로 그 값을 보십시오. (일부러 음수로 만든 지연도 있습니다. AMCL은 기다리는 노드가 없도록 `map → odom`에 `transform_tolerance`만큼 미래의 시각을 적습니다.)
-# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 보고 없이 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다. 이 출력도 단서가 됩니다.
+# 경로가 연결되었다 끊어졌다 하면 `tf2_monitor`는 그것을 보고하지 못하고 종료됩니다. 조회가 처음 실패할 때 `terminate called after throwing an instance of 'tf2::ConnectivityException'`을 출력합니다. 이 출력도 단서가 됩니다.
 
 # %% [markdown] lang="en" name="monitor-notes" slide="notes"
 # Let somebody read the first report aloud and say "so it is late by two hundredths". Wait. Then ask what 0.0209 divided by 0.11 is.
@@ -331,7 +331,7 @@ sec, nanosec = ['22', '90000000']
 print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 
 # %% [markdown] lang="en" name="echo-seen" tags=["predicted"]
-# **22.090 s**: the part after the point is a number of nanoseconds, printed without its leading zeros. Nine digits begin with tenths; eight digits begin with hundredths.
+# **22.090 s**: the part after the point is a number of nanoseconds, printed without its leading zeros. With nine digits, the first one is the tenths of a second. With eight digits, it is the hundredths.
 # Two more facts about the tool:
 #
 # - for a static pair it prints `At time 0.0`: it is valid at all times;
@@ -393,7 +393,7 @@ for f in (1, 2, 10, 20):
 #
 # <details><summary>Answers</summary>
 #
-# From 11.2 Hz on. (The slider's next step, 11.5 Hz, gives 0.95 mm.) And a yaw rate of 0: straight ahead.
+# From 11.2 Hz on. On the slider that is 11.5 Hz (0.95 mm). And a yaw rate of 0: straight ahead.
 #
 # </details>
 
@@ -402,7 +402,7 @@ for f in (1, 2, 10, 20):
 #
 # <details><summary>답</summary>
 #
-# 11.2 Hz부터입니다(슬라이더의 다음 눈금 11.5 Hz에서는 0.95 mm입니다). yaw rate는 0, 곧 직진입니다.
+# 11.2 Hz부터입니다. 슬라이더에서는 11.5 Hz입니다(0.95 mm). yaw rate는 0, 곧 직진입니다.
 #
 # </details>
 #
@@ -471,11 +471,11 @@ for fixed_frame in ('map', 'odom', 'base_link'):
     print(f'{fixed_frame:<10} laser drawn at {lesson.fmt_all(laser[:2])}   odom_T_base {lesson.fmt_all(robot[:2])}')
 
 # %% [markdown] lang="en" name="fixed-frame-seen" tags=["predicted"]
-# The picture changes, the data does not. A Fixed Frame is a point of view. Nothing is published, nothing is stored, no other node is affected.
+# The picture changes, the data does not. A Fixed Frame is a point of view. If you change it, nothing is published, nothing is stored, and no other node is affected. (Only a goal or an initial pose that you send with RViz's own tools is expressed in the Fixed Frame.)
 # Use `map` to see whether scans are on the map, `odom` to see whether odometry is smooth without the localiser's jumps, `base_link` to see the data relative to the robot. Choosing `odom` because "it does not jump there" fixes nothing.
 
 # %% [markdown] lang="ko" name="fixed-frame-seen" tags=["predicted"]
-# 그림은 움직이지만 데이터는 그대로입니다. 고정 좌표계는 그림의 기준일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드에 영향이 없습니다.
+# 그림은 움직이지만 데이터는 그대로입니다. 고정 좌표계는 그림의 기준일 뿐입니다. 바꾸어도 발행되거나 저장되는 것은 없고, 다른 노드에 영향이 없습니다. (RViz의 도구로 보내는 목적지와 초기 포즈만 고정 좌표계를 기준으로 합니다.)
 # 스캔이 지도와 맞는지 볼 때는 `map`, 위치 추정 때문에 튀는 일 없이 오도메트리가 연속인지 볼 때는 `odom`, 로봇을 기준으로 볼 때는 `base_link`를 씁니다. “odom에서는 튀지 않으니까” `odom`을 고른다고 해서 고쳐지는 것은 없습니다.
 
 # %% [markdown] lang="en" name="fixed-frame-notes" slide="notes"

@@ -197,7 +197,7 @@ check("E11.4", findings)
 # %% [markdown] lang="en" name="e11-5"
 # ## E11.5 · What does the Fixed Frame change? (2 points)
 #
-# You change RViz's Fixed Frame from `map` to `odom`; or, if the tree is broken, to a frame of the other tree. `"changes"` or `"stays"`?
+# You change RViz's Fixed Frame from `map` to `odom`. If the tree is broken, you change it to a frame of the other tree. Answer each with `"changes"` or `"stays"`.
 #
 # - **screen** where on the screen the laser is drawn
 # - **pose in odom** the output of `tf2_echo odom base_link`
