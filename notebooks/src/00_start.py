@@ -47,11 +47,11 @@
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="load-why" slide="skip"
-# Every chapter contains these two lines near its beginning. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. The simulation, `graph`, belongs to the workbook. So does everything that you import from `tflab`, such as each name that begins with `lesson.`. Everything else is Python or ROS 2, as on a robot.
+# These two lines are in the first code cell of every chapter. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. What you import from `tflab` belongs to the workbook, such as every name that begins with `lesson.`, and so does the simulation, `graph`. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
-# 모든 장의 앞부분에 이 두 줄이 있습니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
+# 모든 장의 첫 코드 셀에 이 두 줄이 있습니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
@@ -131,14 +131,14 @@ graph.run(seconds=2.0)
 # ## Where is the laser in `map`?
 #
 # Read the question as a sentence: *data expressed in* `laser_frame`, *wanted in* `map`. In the command, the frame in which you want the data comes first.
-# `%ros2` is what you type as `ros2` in a terminal.
+# `%ros2` is what you type as `ros2` in a terminal. Only `--for 2` belongs to this workbook: it ends the command after two seconds. On a robot, leave it out and press Ctrl-C.
 # The first line of its output is not an error. It appears because the tool looks up the transform before it has received any. You see the same on a robot.
 
 # %% [markdown] lang="ko" name="echo-why" slide="slide"
 # ## `map` 기준으로 레이저는 어디에 있을까요?
 #
 # 소리 내어 읽어 보세요. “`laser_frame` 기준 데이터를 `map` 기준으로 보고 싶다.” 명령에는 결과의 기준이 될 좌표계(목표)를 먼저 씁니다.
-# `%ros2`는 터미널에서 입력하는 `ros2`와 같습니다.
+# `%ros2`는 터미널에서 입력하는 `ros2`와 같습니다. 다만 `--for 2`는 이 워크북에만 있는 옵션으로, 명령을 2초 뒤에 끝냅니다. 로봇에서는 이 옵션을 빼고 Ctrl-C로 끝냅니다.
 
 # %% name="echo"
 # %ros2 --for 2 run tf2_ros tf2_echo map laser_frame
@@ -174,7 +174,7 @@ graph.run(seconds=2.0)
 # %% [markdown] lang="ko" name="rviz-why" slide="slide"
 # ## ROS 2가 보는 것을 봅시다
 #
-# ROS 2의 3D 시각화 도구인 [[rviz|RViz]]를 작게 만든 것입니다. 메뉴에서 [[fixed frame|고정 좌표계(Fixed Frame)]]를 바꿔 보세요. 그림은 바뀌지만 데이터는 바뀌지 않습니다.
+# 아래는 ROS 2의 3D 시각화 도구인 [[rviz|RViz]]를 작게 만든 것입니다. 메뉴에서 [[fixed frame|고정 좌표계(Fixed Frame)]]를 바꿔 보세요. 그림은 바뀌지만 데이터는 바뀌지 않습니다.
 # `base_link`를 고르면 로봇이 중심이 되고, 방은 로봇에서 본 대로 놓입니다. 여기서는 시간이 멈추어 있지만, 달리는 로봇이라면 방이 다가옵니다.
 #
 # 3D 화면이 비어 있다면 브라우저의 WebGL이 꺼져 있는 것입니다. 3D 화면 다음에는 늘 같은 내용의 그림이 있습니다. 내 워크북에서는 그 그림이 접혀 있습니다. 그 셀만 따로 실행하거나 점 세 개를 클릭하면 펼쳐집니다.
@@ -203,7 +203,7 @@ graph.stop()
 # 12장이 끝나면 다시 만납니다. 채점하지 않습니다. 틀린 답도 쓸모가 있고, 짐작해도 됩니다. 짐작한 답에는 짐작이라고 표시해 보세요.
 # 그때까지 정답은 공개하지 않습니다. 그다음에는 이 페이지 끝의 *나의 학습 현황*에서 무엇을 배웠는지, 무엇을 다시 볼지, 각 보기가 왜 맞거나 틀린지 볼 수 있습니다.
 #
-# 문항이 적고 아직 타당성을 검증하지 않은 시험입니다. 다시 볼 곳을 찾는 데만 쓰고, 다른 사람과 비교하지는 마십시오.
+# 이 시험은 문항이 적고, 실력을 제대로 재는지 아직 검증하지 않았습니다. 다시 볼 곳을 찾는 데만 쓰고, 다른 사람과 비교하지는 마십시오.
 
 # %% [markdown] lang="en" name="chapters" slide="slide"
 # ## The chapters
@@ -218,7 +218,7 @@ graph.stop()
 # 각 장은 누군가 실제로 겪고 보고한 실패로 시작합니다.
 # 어느 장에서든 시작할 수 있습니다. 먼저 볼 장은 표와 각 장의 첫머리에 적혀 있습니다.
 # 시간이 적다면 01, 03, 08장만 보십시오. 세 시간쯤 걸리고, 그 연습 문제를 푸는 데 두 시간 반쯤 더 걸립니다.
-# 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 연습 문제를 모두 푸는 데 전체로 다시 그만큼 걸립니다. 장마다 걸리는 시간은 연습 문제의 첫머리에 적혀 있습니다.
+# 표의 분은 읽고, 예측하고, 실행하는 데 걸리는 시간입니다. 모든 장의 연습 문제를 푸는 데에도 합해서 그만큼 걸립니다. 장마다 걸리는 시간은 연습 문제의 첫머리에 적혀 있습니다.
 
 # %% [markdown] lang="en" name="chapters-table" slide="-"
 # | no. | chapter | its question | minutes | builds on | exercise |
@@ -321,12 +321,12 @@ lesson.show_progress()
 # %% [markdown] lang="en" name="map-why" slide="slide"
 # ## In which order?
 #
-# Run the cell to show its picture. An arrow means *builds on*. An arrow is left out if a chain of other arrows already connects the two chapters. The numbers are those of the table of chapters.
+# Run the cell to show its picture. An arrow means *builds on*. An arrow that follows from others is left out. The numbers are those of the table of chapters.
 
 # %% [markdown] lang="ko" name="map-why" slide="slide"
 # ## 어떤 순서로 볼까요?
 #
-# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 화살표를 따라가면 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
+# 셀을 실행하면 그림이 펼쳐집니다. 화살표는 먼저 볼 장에서 그다음 장을 가리킵니다. 다른 화살표들을 따라가면 알 수 있는 화살표는 그리지 않았습니다. 번호는 장 목록의 번호입니다.
 
 # %% name="map"
 lesson.draw_course([1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12])

@@ -139,7 +139,7 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
-# 첫 두 줄은 로봇의 위치와 레이저의 장착 변환을 발행합니다.
+# 첫 두 줄은 로봇의 위치와 레이저의 장착 변환(레이저가 로봇의 어디에 달려 있는지)을 발행합니다.
 # 그다음 [[node|노드(node)]]를 하나 만들고, 변환을 저장하는 [[buffer|버퍼(buffer)]]와 변환을 구독해 버퍼를 채우는 [[listener|수신기(listener)]]를 연결합니다. 실제 로봇에서도 같은 코드를 씁니다.
 # `rclpy`는 파이썬용 ROS 2 라이브러리입니다. `spin_thread=True`이면 다른 코드가 실행되는 동안에도 별도의 스레드에서 변환을 수신합니다. `PointStamped`는 좌표계와 측정 시각이 함께 든 점 메시지입니다. 출력의 rotation (0, 0, 0, 1)은 회전이 없다는 뜻입니다(02장).
 # 이 페이지의 시간은 가상이며 `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 노드가 실행되는 가상의 ROS 2 환경으로, `%load_ext tflab`이 만들어 두었습니다.
@@ -556,7 +556,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 # The next command measures the age of each message: the time of arrival minus the stamp.
 
 # %% [markdown] lang="ko" name="topic-delay-why"
-# 다음 명령은 메시지마다 나이를 출력합니다. 메시지가 도착했을 때의 시각에서 측정 시각을 뺀 값입니다.
+# 다음 명령은 메시지마다 나이를 재어, 평균과 최소, 최대를 1초에 한 번 출력합니다. 나이는 메시지가 도착한 시각에서 측정 시각을 뺀 값입니다.
 
 # %% name="topic-delay"
 # %ros2 --for 2.2 topic delay /detected_point
@@ -760,7 +760,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>I chose 3</summary>
 #
-# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject a measurement if it is older than the data in the buffer, or if its object moves by itself.
+# If the box is at rest, its age does no harm: the pose at the stamp places it correctly. Reject a measurement that is older than the data in the buffer, and an old measurement of an object that moves by itself.
 #
 # </details>
 # <details><summary>I chose 4</summary>
@@ -792,7 +792,7 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # </details>
 # <details><summary>3번을 골랐습니다</summary>
 #
-# 상자가 가만히 있다면 오래된 측정값도 쓸 수 있습니다. 측정 시각의 포즈로 바꾸면 제자리에 놓입니다. 거절할 것은 버퍼가 변환을 보관하는 시간보다 오래된 측정값, 그리고 스스로 움직이는 물체의 측정값입니다.
+# 상자가 가만히 있다면 오래된 측정값도 쓸 수 있습니다. 측정 시각의 포즈로 바꾸면 제자리에 놓입니다. 거절할 것은 버퍼가 변환을 보관하는 시간보다 오래된 측정값, 그리고 스스로 움직이는 물체의 오래된 측정값입니다.
 #
 # </details>
 # <details><summary>4번을 골랐습니다</summary>
@@ -863,7 +863,7 @@ rclpy.shutdown()
 # - One position has different coordinates in each frame. Adding works only as long as no frame is rotated.
 # - An object keeps its coordinates in the frames in which it is at rest, and only there.
 # - `nanosec` has nine digits. The age of a measurement is the current time minus the stamp.
-# - TF2 raises an exception if the frame is missing or unknown. If the stamp is missing, or the header names a wrong frame that exists, it reports nothing.
+# - TF2 raises an exception if the frame is missing or unknown. If the stamp is missing, or the frame is another known one, it reports nothing.
 
 # %% [markdown] lang="ko" name="recap" slide="slide"
 # ## 정리
@@ -872,7 +872,7 @@ rclpy.shutdown()
 # - 한 위치의 숫자는 좌표계마다 다릅니다. 더하기는 회전이 없을 때만 맞습니다.
 # - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
 # - `nanosec`은 아홉 자리입니다. 나이는 지금 시각에서 측정 시각을 뺀 것입니다.
-# - 좌표계가 없거나 모르는 이름이면 TF2가 오류를 냅니다. 측정 시각이 없거나 실제로 있는 다른 좌표계의 이름을 적으면 아무 오류도 나지 않습니다.
+# - 좌표계가 비어 있거나 버퍼에 없는 이름이면 TF2가 오류를 냅니다. 측정 시각이 없거나, 버퍼에 있는 다른 좌표계의 이름을 잘못 적으면 아무 오류도 나지 않습니다.
 
 # %% [markdown] lang="en" name="practice" slide="subslide"
 # ### Practice question · Q1
@@ -901,7 +901,7 @@ rclpy.shutdown()
 # <details><summary>완전한 답에 들어 있는 것</summary>
 #
 # - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
-# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 누구의 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
+# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 어느 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
 # - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
 # - [ ] 둘이 있으면 TF가 그 시각의 포즈를 써서, 트리로 연결된 어느 좌표계 기준으로든 바꿀 수 있습니다.
 # - [ ] 없으면 거절하고 이유를 남깁니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.

@@ -269,7 +269,7 @@ for target, source in (("odm", "laser_frame"), ("map", "odom"), ("map", "base_li
 
 # %% [markdown] lang="ko" name="typo-seen" tags=["predicted"]
 # 됩니다, 됩니다, 안 됩니다. 나뉜 트리는 저마다 잘 동작하고, 두 트리에 걸친 조회만 실패합니다. 오류 메시지에는 *조회*의 두 이름이 나올 뿐, 연결이 끊긴 곳은 나오지 않습니다.
-# “Tf has two or more unconnected trees”라고 하니 루트를 보면 됩니다.
+# “Tf has two or more unconnected trees”라고 나오므로 루트를 보면 됩니다.
 
 # %% [markdown] lang="en" name="typo-notes" slide="notes"
 # Look at the counts on the board.
@@ -425,7 +425,7 @@ for target, source in (("odom", "child_0"), ("/odom", "child_0"), ("//odom", "ch
 
 # %% [markdown] lang="ko" name="spellings-seen"
 # *발행할 때는* 이름 앞의 슬래시 하나를 무시하고 `odom`으로 저장합니다. *조회할 때는* 거절합니다. 그리고 `//odom`은 `/odom`으로 저장되는데, 이 좌표계의 변환은 아무도 조회할 수 없습니다.
-# 슬래시 하나도 무시하지 않는 프로그램도 있습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
+# 맨 앞의 슬래시를 무시하지 않는 프로그램도 있습니다. 이야기 속의 지도 작성 노드는 슬래시가 있으면 멈춥니다. 이름 앞에는 슬래시를 쓰지 마십시오.
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it: the dog's loop
@@ -693,13 +693,13 @@ rclpy.shutdown()
 
 # %% [markdown] lang="en" name="two-odoms-seen"
 # The robots are in their true positions, now two and a half metres apart. No step is larger than the distance driven in a tenth of a second. A latest transform is only as new as the slowest edge on its path, and `map → robot2/odom` is published at 10 Hz.
-# In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, you get the fault above.
+# In a real launch file this is a parameter in many places: `frame_prefix` of robot_state_publisher, the frames of the odometry, of the localisation, of each sensor driver, and RViz's Fixed Frame. If you forget one, the robots share a frame or lookups fail.
 #
 # Some fleets go further and give each robot a map of its own, `robot1/map`, with a static transform to a common `world`. Then no two localisations can disagree about `map`.
 
 # %% [markdown] lang="ko" name="two-odoms-seen"
 # 이제 두 로봇은 실제로 있는 곳에 있고, 튀지도 않습니다. 가장 큰 변화는 0.1초 동안 달린 거리쯤입니다. 최신 변환을 조회하면 두 연결에 모두 값이 있는 가장 최근 시각의 변환이 나옵니다. 그 시각은 10 Hz로 발행되는 `map → robot2/odom`이 정합니다.
-# 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 방금 본 일이 일어납니다.
+# 실제 launch 파일에서는 여러 곳의 파라미터를 고쳐야 합니다. robot_state_publisher의 `frame_prefix`, 오도메트리와 위치 추정의 좌표계 이름, 센서 드라이버마다의 좌표계 이름, RViz의 고정 좌표계(Fixed Frame)입니다. 하나라도 빠뜨리면 두 로봇의 좌표계가 섞이거나 조회가 실패합니다.
 #
 # 로봇마다 지도를 따로 두고(`robot1/map`), 공통의 `world`에 정적 변환으로 연결하기도 합니다. 그러면 두 위치 추정 노드가 같은 `map`을 발행할 일이 없습니다.
 
@@ -905,4 +905,4 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="next" slide="skip"
 # **다음:** 연습 문제 [E4 좌표계 트리](../../exercises/ko/E04_frame_tree.ipynb)를 풀고 [05 map, odom, base_link](05_map_odom_base_link.ipynb)로 갑니다. “부모는 하나씩”이라는 규칙에 따라 어느 노드가 로봇의 포즈를 발행할지 정합니다.
 # 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E4.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
-# 이 장부터 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다) 두 줄을 채우기 시작합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*
+# 과제 E4.2와 E4.6은 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 두 줄에 해당합니다. *view_frames로 트리 그림을 만들었습니다.* 그리고 *같은 자식을 발행하는 중복 발행자를 찾아 제거했습니다.*

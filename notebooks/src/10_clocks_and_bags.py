@@ -71,7 +71,7 @@ from tflab.workbook import lesson
 # 기록의 처음에는 로봇이 가만히 서 있습니다. 그래서 누군가 `--start-offset`으로 조금 뒤부터 재생했더니 센서 좌표계가 트리에서 사라졌습니다. 레이저도, 카메라도, 로봇 모델도 보이지 않습니다. 2026년에 보고되었고, 의도한 동작이라며 닫혔습니다([ros2/rosbag2, 이슈 2333](https://github.com/ros2/rosbag2/issues/2333)).
 # 일시 정지 상태로 기록을 시작한 사람들은 장착 변환이 하나도 없는 bag을 얻었습니다([이슈 1302](https://github.com/ros2/rosbag2/issues/1302)).
 #
-# 그 첫 순간에 무엇이 있었을까요? 우리 로봇이 방을 한 번 도는 동안을 기록해 봅시다.
+# 그 첫 순간에 무엇이 있었을까요? 우리 로봇이 방을 달리는 15초를 기록해 봅시다.
 
 # %% [markdown] lang="en" name="story-notes" slide="notes"
 # Stop after the first paragraph: what may have been in that second? Collect guesses on the board, and explain nothing yet.
@@ -264,7 +264,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 # |---|---|
 # | 로봇이 본 대로 센서 데이터를 지도 기준으로 바꾸기 | `/tf` `/tf_static` |
 # | 다른 알고리즘으로 위치를 새로 추정하기 | `/tf_static`과 오도메트리(`/tf` 또는 `/odom`). 재생할 때 `map → odom`은 뺍니다 |
-# | 위의 일을 시뮬레이션에서 하기 | 위의 토픽에 더해, 시뮬레이션의 속도를 남기려면 `/clock`도 담습니다. 이런 bag은 `--clock` 없이 재생합니다. `--clock`을 주면 예전 재생기는 `/clock`을 두 번 발행합니다 |
+# | 위의 일을 시뮬레이션에서 하기 | 위의 토픽에 더해, 시뮬레이션의 속도를 남기려면 `/clock`도 담습니다. 이런 bag은 `--clock` 없이 재생합니다. `--clock`을 주면 예전 버전의 재생기는 `/clock`을 두 번 발행합니다 |
 
 # %% [markdown] lang="en" name="place-all-notes" slide="notes"
 # Let them guess the errors before the numbers. M13 belongs here: "I recorded the sensor, so I have the data." Then M15: people read "laser_frame does not exist" and take the laser apart.
@@ -363,7 +363,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # %% [markdown] lang="ko" name="clocks-read"
 # *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
 #
-# 아래는 bag의 시간입니다. `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 되돌아갑니다. 끊어진 축의 위는 시스템 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
+# 끊어진 축의 아래쪽은 bag의 시간입니다. 선은 `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 되돌아갑니다. 축의 위쪽은 시스템 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
 
 # %% [markdown] lang="en" name="clocks-notes" slide="notes"
 # A student has the mouse: two switches, four pictures. Before each, ask which line will move.
@@ -547,12 +547,12 @@ long = lesson.replay(lambda: Looped(lecture), bags / "lap", "--clock --loop", fo
 show(long)
 
 # %% [markdown] lang="en" name="twenty-seconds-read" tags=["predicted"]
-# `Time()` places the robot at the end of the *previous* pass, almost two metres from its true position. There is no error and no warning, and every scan is placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
+# `Time()` places the robot at the end of the *previous* pass, almost two metres from its true position. There is no error and no warning, and every scan but the first of each pass is placed: a buffer of 20 s has room for both passes, and "the latest" is the sample with the largest stamp.
 #
 # With the default of ten seconds, the buffer prints a warning, many times:
 
 # %% [markdown] lang="ko" name="twenty-seconds-read" tags=["predicted"]
-# *첫* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
+# *첫* 재생의 끝 위치가 나옵니다. 실제 위치에서 2 m 가까이 떨어져 있습니다. 오류도 경고도 없고, 스캔도 재생할 때마다 맨 처음 것만 빼고 모두 지도 기준으로 바뀌었습니다. 20초짜리 버퍼에는 두 번 재생한 것이 다 들어가고, “최신”이란 측정 시각이 가장 큰 표본이기 때문입니다.
 # 보통의 10초짜리 버퍼라면 경고가 나옵니다. 아주 많이 나옵니다.
 
 # %% [markdown] lang="en" name="loop-notes" slide="notes"
@@ -606,12 +606,12 @@ named = {"cache 20 s": long, "Buffer()": warned, "node=self": sound}
 lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, node in named.items()])
 
 # %% [markdown] lang="en" name="loop-ages-read"
-# Below zero, the newest transform is in the node's future. After the clock went back, two of the buffers answer with data from fifteen seconds ahead.
+# Below zero, the newest transform is in the node's future. Just after the clock went back, two of the buffers answer with data from fifteen seconds ahead. The difference shrinks as the clock advances.
 
 # %% [markdown] lang="ko" name="loop-ages-read"
 # *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
-# 0 아래는 최신 변환이 노드의 현재 시각보다 미래의 것이라는 뜻입니다. 반복하는 지점을 지나면 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다.
+# 0 아래는 최신 변환이 노드의 현재 시각보다 미래의 것이라는 뜻입니다. 반복하는 지점을 지난 직후에 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다. 그 뒤로는 시계가 나아가는 만큼 차이가 줄어듭니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
 # One argument: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.

@@ -46,9 +46,9 @@ from tflab.core import Transform
 # 각각 `lookup_transform(…, …, time)`에 들어갈 두 좌표계를 호출 순서대로, `['odom', 'map']`처럼 이름 한 쌍으로 쓰십시오.
 #
 # - **a** 레이저가 찾은 장애물을 지도에 칠합니다.
-# - **b** 목적지는 지도 기준으로 주어지고, 제어기는 `base_link`를 기준으로 움직입니다.
+# - **b** 목적지는 지도 기준으로 주어지고, 제어기는 `base_link` 기준으로 계산합니다.
 # - **c** `base_link`를 기준으로 `camera_link`는 어디에 있습니까?
-# - **d** `laser_frame`에 그린 레이저 그림에 로봇의 중심을 표시합니다.
+# - **d** `laser_frame` 기준으로 그린 레이저 그림에 로봇의 중심을 표시합니다.
 
 # %% name="e3-1-answer" tags=["answer"]
 calls = {
@@ -259,7 +259,7 @@ check("E3.6", camera_mount)
 # t = buffer.lookup_transform('base_link', point.header.frame_id, point.header.stamp)
 # near = do_transform_point(point, t).point
 #
-# # node_b: map 기준으로 주어진 목적지로 갑니다. 바퀴는 base_link를 기준으로 움직입니다
+# # node_b: map 기준으로 주어진 목적지로 갑니다. 제어기는 base_link 기준으로 계산합니다
 # t = buffer.lookup_transform('map', 'base_link', Time())
 # ahead = do_transform_point(goal, t).point
 #
@@ -296,6 +296,6 @@ check("E3.7", verdict)
 # ## 다 했다면
 #
 # 로봇에서 `ros2 run tf2_ros tf2_echo base_link laser_frame`을 실행하고, 목표와 원본을 바꾸어서도 실행해 보세요.
-# 둘째를 보기 전에 먼저 예측해 보세요. 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 둘째 줄입니다.
+# 두 번째 출력을 보기 전에 먼저 예측해 보세요. 실습 체크리스트(00장의 *나의 학습 현황*에 있습니다)의 둘째 줄입니다.
 #
 # **다음:** [04 · 좌표계 트리](../../notebooks/ko/04_frame_tree.ipynb).

@@ -85,10 +85,10 @@ check("E9.1", lines)
 # %% [markdown] lang="ko" name="e9-2"
 # ## E9.2 · 거절을 분류하기 (4점)
 #
-# `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 한 단어를 반환하십시오. 값이 있으면 `"ok"`, 없으면
+# `buffer`는 `tf2_ros.Buffer`, `stamp`는 `rclpy.time.Time`입니다. 문자열 하나를 반환하십시오. 값이 있으면 `"ok"`, 없으면
 # `"invalid argument"`, `"lookup"`, `"connectivity"`, `"future"`, `"past"`, `"one sample"` 가운데 하나입니다.
 #
-# 로봇에서 얻을 수 있는 것, 즉 예외의 클래스와 오류 메시지만 쓰십시오. 문제가 둘이면 tf2가 보고하는 것을 따르십시오.
+# 로봇에서 얻을 수 있는 것, 곧 예외의 클래스와 오류 메시지만 보고 판단하십시오. 문제가 둘이면 tf2가 보고하는 것을 따르십시오.
 
 # %% name="e9-2-answer" tags=["answer"]
 def classify(buffer, target, source, stamp):
@@ -263,7 +263,7 @@ check("E9.5", keep)
 # - b: a와 같지만 `rclpy.spin(node, executor=MultiThreadedExecutor())`입니다.
 # - c: *타이머* 콜백 안에서 `timeout=0.3 s`. 노드는 `rclpy.spin(node)`로 실행합니다.
 # - d: 구독 콜백 안에서 `wait_for_transform_async`. 노드는 `rclpy.spin(node)`로 실행합니다.
-# - e: d와 같지만 시각이 버퍼의 모든 것보다 오래됐습니다.
+# - e: d와 같지만 조회하는 시각이 버퍼의 모든 표본보다 과거입니다.
 # - f: b와 같지만 레이저 시계가 2초 앞서 있습니다.
 # - g: `main()`에서 `timeout=0.3 s`. 노드와 수신기는 만들었고, 아직 아무것도 spin하지 않습니다.
 # - h: `main()`에서 `timeout=0.3 s`. 수신기는 `TransformListener(buffer, node, spin_thread=True)`입니다.
