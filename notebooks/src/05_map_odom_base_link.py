@@ -49,7 +49,7 @@ from tflab.workbook import lesson
 #
 # 새 프로그램이 레이저 스캔을 지도와 맞추어 로봇의 위치를 잘 찾아냈습니다. 그리고 찾은 것을 그대로 발행했습니다. *base_link는 map의 여기에 있다.*
 # 바퀴 오도메트리 노드는 늘 이렇게 발행해 왔습니다. *base_link는 odom의 저기에 있다.*
-# 영상 속 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
+# 개발자가 올린 영상에서 로봇은 1초에도 여러 번 두 곳을 오가며 깜빡입니다(rsasaki0109/lidar_slam_ros2, 2024년).
 #
 # 둘 다 맞는 값이었습니다. 하지만 [[frame|좌표계]]의 부모는 하나입니다. 두 노드가 서로 다른 부모를 발행했으므로, 그때그때 마지막에 발행된 부모가 쓰였습니다.
 # 이 프로그램만의 일이 아닙니다. 널리 쓰는 위치 추정 패키지 두 개에서도 로봇의 포즈를 `map` 기준으로 바로 발행하자는 제안이 있었고(2014년, 2021년), 같은 방법으로 고쳤습니다.
@@ -519,14 +519,14 @@ for _ in range(10):
 lesson.frame_tree(graph, seconds=1.0)
 
 # %% [markdown] lang="en" name="cure"
-# The figure shows 32.1 Hz beside only one node, but that node sends 10 messages a second and the odometry 20. The buffer has one cache for each child. So the rate counts the messages of both publishers, and the name is that of the last one. ROS 2's `view_frames` counts in the same way.
+# The figure shows 32.1 Hz beside only one node, but that node sends 10 messages a second and the odometry 20. The buffer has one cache for each child. So the rate counts the messages of both publishers, and the name is that of the last one. It is slightly above 30, because the number of samples is divided by the time from the first sample to the last. ROS 2's `view_frames` counts in the same way.
 #
 # The fix is one line: publish `map_to_odom(map_T_base, odom_T_base)` with the stamp of the scan, and leave `base_footprint` to the wheel odometry.
 
 # %% [markdown] lang="ko" name="cure"
 # *그림 읽기:* rate = 발행률, age = 나이, published by = 발행자, also here = 여기에도 있음, D(dynamic) = 동적, S(static) = 정적. 아래 줄은 base_footprint의 부모가 둘이라는 경고입니다.
 #
-# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 그런데 그 노드는 1초에 10번, 바퀴 오도메트리 노드는 20번 보냅니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. ROS 2의 `view_frames`도 이렇게 셉니다.
+# 노드 하나 옆에 32.1 Hz가 적혀 있습니다. 그런데 그 노드는 1초에 10번, 바퀴 오도메트리 노드는 20번 보냅니다. 버퍼는 자식마다 기록을 하나만 두므로, 발행률은 두 발행자를 합한 값이고 이름은 마지막 발행자의 것입니다. 표본의 수를 첫 표본부터 마지막 표본까지의 시간으로 나누므로 30보다 조금 크게 나옵니다. ROS 2의 `view_frames`도 이렇게 셉니다.
 #
 # 고치는 데는 한 줄이면 됩니다. 스캔의 측정 시각으로 `map_to_odom(map_T_base, odom_T_base)`를 발행하고, `base_footprint`는 바퀴 오도메트리 노드에 맡기십시오.
 

@@ -161,7 +161,7 @@ class Finder(Node):
 # %% name="twelve-seconds"
 rclpy.init()
 finder = Finder()
-end_ns = graph.now_ns + seconds(12.0)  # then the robot has arrived. To repeat the drive, run the cell that starts the robot first
+end_ns = graph.now_ns + seconds(12.0)  # the robot drives a second longer. To repeat the drive, run the cell that starts the robot first
 while graph.now_ns < end_ns:
     rclpy.spin_once(finder)
 print(len(finder.balls), "sightings")
@@ -269,7 +269,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # - **앞뒤 방향**: 속도 × 지연 = 1.0 × 0.2 = 0.2 m
 # - **좌우 방향**: 거리 × yaw 각속도 × 지연 = 5 × 0.5 × 0.2 = 0.5 m
 #
-# 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 로봇이 회전하면서 거리 × yaw 각속도가 속도보다 커지면 그것이 작은 성분입니다.
+# 첫 성분인 `속도 × 지연`만 적은 글이 많습니다. 그러나 로봇이 회전해 거리 × yaw 각속도가 속도보다 커지면, 이 첫 성분이 둘 가운데 작은 쪽입니다.
 # 둘째 성분은 거리에 비례합니다. 멀리 있는 것일수록 멀리 빗나갑니다.
 # (우리 지도의 공은 이 식에 0.2초를 넣은 값의 절반쯤만 빗나갔습니다. `Time()`으로 얻은 것은 지금의 포즈가 아니라 약 0.1초 전의 포즈, 곧 측정 시각과 지금의 중간쯤의 포즈였기 때문입니다.)
 #
@@ -1192,12 +1192,12 @@ class PointToMap(Node):
 
 
 # %% [markdown] lang="en" name="point-to-map-predict" slide="subslide"
-# The robot has been driving for twelve seconds when the node starts.
+# The robot is still driving when the node starts.
 #
 # **Predict:** the first point was measured before the node began to receive transforms, so it must be rejected. What about the second one, 0.2 s later?
 
 # %% [markdown] lang="ko" name="point-to-map-predict" slide="subslide"
-# 로봇이 12초째 달리던 중에 노드를 켭니다.
+# 로봇이 아직 달리고 있을 때 노드를 켭니다.
 #
 # **예측해 봅시다.** 첫 점은 노드가 구독을 시작하기 전에 측정된 것이니 거절될 수밖에 없습니다. 0.2초 뒤의 둘째 점은 지도에 찍힐까요, 거절될까요?
 

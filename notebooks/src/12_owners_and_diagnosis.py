@@ -236,7 +236,7 @@ lesson.draw_owners(
 # Fourteen minutes, most of them at the board: an empty table, one sheet for two. They call out, you write node, data and switch. Leave a wrong line until somebody objects; only then show the figure.
 
 # %% [markdown] lang="ko" name="owner-notes" slide="notes"
-# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보입니다.
+# 14분이고, 대부분 칠판 앞에서 보냅니다. 빈 표를 칠판에 그리고, 인쇄한 표를 두 사람에 한 장씩 나누어 줍니다. 학생이 말하면 노드, 데이터, 스위치를 적습니다. 틀린 줄은 누가 지적할 때까지 두고, 그런 다음 그림을 보여 줍니다.
 
 # %% [markdown] lang="en" name="four-states" slide="slide"
 # ## Four states of an edge
@@ -437,7 +437,7 @@ lesson.draw_columns("flickers", {"delay /scan": "ahead"})
 # Rows are suspects, columns are checks that can tell them apart; hatched checks have not been made yet. The result of `topic delay /scan` was “ahead”: it costs one minute and rules out two rows. When all other rows are ruled out, and at least one result was not normal, the one row that is left is proved. A result that all suspects share is no [[evidence]].
 
 # %% [markdown] lang="ko" name="columns-seen"
-# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓이고, 한 행만 남고 카드와 다른 결과가 하나라도 있으면 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
+# *그림 읽기:* 행은 용의자, 열은 용의자를 구별할 수 있는 검사입니다. 빗금은 아직 하지 않은 검사입니다. laser clock ahead = 레이저의 시계가 앞섬, transforms late = 변환이 늦음, odometry slow = 오도메트리의 발행률이 낮음. `topic delay /scan`의 결과가 “ahead”(시계가 앞섬)로 나오자 1분 만에 두 행이 지워졌습니다. 행을 지울 때마다 근거가 하나씩 쌓입니다. 행이 하나만 남고 그동안 카드와 다른 결과가 하나라도 나왔으면, 증명이 끝납니다. 어느 용의자가 원인이든 똑같이 나올 출력은 [[evidence|증거]]가 아닙니다.
 
 # %% [markdown] lang="en" name="two-ways" slide="subslide"
 # Two people now diagnose the eighteen robots of the clinic below. Seventeen have one fault each, all different, and one has none. The two people get no complaint. One follows the six steps, the other always chooses the check that rules out the most suspects per minute.
@@ -569,7 +569,7 @@ lesson.draw_visit(visit)
 # Replay it with the arrow keys. Stop at the second step: which suspects are left? Stop at the third: it is green; is it fixed? Only then show the last.
 
 # %% [markdown] lang="ko" name="film-notes" slide="notes"
-# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막을 보입니다.
+# 화살표 키로 넘깁니다. 둘째 단계에서 멈추고 남은 용의자를 묻습니다. 셋째 단계에서 멈추고 묻습니다. 초록색이면 고친 것입니까? 그런 다음 마지막 단계를 보여 줍니다.
 
 # %% [markdown] lang="en" name="faded" slide="slide"
 # ## Half with help: it jumps
@@ -698,7 +698,7 @@ night.try_fix()
 # Only after a pair has a diagnosis of its own. Who was right about the mount, and why could the program not be?
 
 # %% [markdown] lang="ko" name="doctor-notes" slide="notes"
-# 둘이 스스로 진단한 다음에 보입니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
+# 학생들이 둘씩 직접 진단해 본 다음에 보여 줍니다. 틀린 장착 변환을 찾아낸 사람은 누구입니까? 자동 진단으로는 왜 찾을 수 없었습니까?
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint

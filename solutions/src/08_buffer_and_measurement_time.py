@@ -179,7 +179,7 @@ check("E8.4", late_error)
 # - **b** 달리든 서 있든 스캔이 벽에서 5 cm 옆에, 언제나 로봇의 같은 쪽에 그려집니다.
 # - **c** `Lookup would require extrapolation into the future.  Requested time 1763000012.400000 but the latest data is at time 12.350000, …`
 # - **d** 12초 동안 계산하는 검출기에서 `Lookup would require extrapolation into the past.  Requested time 41.300000 but the earliest data is at time 42.900000, …`
-# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `view_frames`는 어느 연결의 발행률을 1.0으로 보여 주고, `ros2 topic hz`는 카메라에 30을 출력합니다.
+# - **e** 점 넷 가운데 셋쯤이 `… into the future …`로 거절되며, 모자라는 시간은 언제나 1초 미만입니다. `view_frames`는 어느 연결의 발행률을 1.0으로 보여 주고, `ros2 topic hz`로 본 카메라의 발행률은 30입니다.
 # - **f** 조회가 모두 `try … except TransformException` 안에 있는데도 노드가 traceback을 남기고 멈춥니다.
 
 # %% name="e8-5-answer" tags=["answer"]

@@ -133,7 +133,7 @@ check("E12.2", terminals)
 # - **no frame map** RViz에 `map`이 없습니다. 위치 추정 노드가 꺼졌습니까, 무언가를 기다립니까?
 # - **odom stands alone** /odom은 오는데 `odom` 아래에 연결이 없습니다. 스위치가 꺼졌습니까, 부모 이름이 틀렸습니까?
 # - **robot to and fro** `odom` 기준으로 로봇이 튑니다. 발행자가 둘입니까, 바퀴 오도메트리가 나쁩니까?
-# - **scan beside the walls** 초록색인데 서 있어도 20 cm 어긋납니다. 장착 변환이 틀렸습니까, 지도가 틀렸습니까?
+# - **scan beside the walls** RViz는 초록색인데, 로봇이 서 있어도 스캔이 20 cm 어긋납니다. 장착 변환이 틀렸습니까, 지도가 틀렸습니까?
 # - **walls smear in bends** 서 있으면 또렷한데 회전하면 번집니다. 스캔의 시계입니까, 장착 변환입니까?
 # - **into the future** 스캔이 깜빡입니다. 레이저의 시계입니까, 지연된 변환입니까?
 # - **localizer silent** 노드는 있는데 아무것도 발행하지 않습니다. /clock을 기다립니까, 스캔을 기다립니까?
