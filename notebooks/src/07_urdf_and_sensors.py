@@ -72,7 +72,7 @@ from tflab.workbook import lesson
 # ## 예측해 봅시다
 #
 # 1. 우리 로봇의 레이저가 실제로 왼쪽으로 90° 회전해 있고, 그 줄은 `<visual>`에 적혀 있습니다. 지도에서 벽은 **얼마나 어긋날까요?** 센티미터일까요, 미터일까요?
-# 2. `robot_state_publisher`는 실행 중이지만 관절 값을 발행하는 노드가 없습니다. **어떤 좌표계가 없을까요?** 없는 것이 없을까요, 전부일까요, 일부일까요?
+# 2. `robot_state_publisher`는 실행 중이지만 관절 값을 발행하는 노드가 없습니다. **어떤 좌표계가 빠질까요?** 하나도 빠지지 않을까요, 모두 빠질까요, 일부만 빠질까요?
 # 3. 10 m 길이의 방에서 레이저가 아래로 3° 기울어 있습니다. **지도에는 무엇이 보일까요?**
 # 4. IMU를 뒤집어 달았는데 로봇이 **왼쪽**으로 회전합니다. 자이로 z의 부호는 무엇일까요?
 
@@ -224,7 +224,7 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # %% [markdown] lang="ko" name="chain" slide="slide"
 # ## 사슬: 경첩이 달린 도미노
 #
-# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 관절마다 도미노가 하나이고, 모두 합성하면 팔 끝의 포즈입니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
+# `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 그림에서는 관절 하나의 변환을 도미노 하나로 그립니다. 이 변환을 모두 합성하면 팔 끝의 포즈가 나옵니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
 
 # %% name="arm-panel" tags=["interactive"]
 lesson.joints_panel()
@@ -248,7 +248,7 @@ lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, 
 #
 # - 관절은 자기 도미노 하나만 바꿉니다. 그래서 합성한 변환이 바뀌고 팔 끝이 움직입니다.
 # - 고정된 관절에도 숫자는 있습니다. 경첩만 없습니다.
-# - [[tcp|`tcp`]](tool centre point)는 공구의 작업점이고, 팔이 끝나는 `tool0`에서 0.12 m 더 나간 곳입니다. 공구의 z를 따라 **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
+# - [[tcp|`tcp`]](tool centre point)는 공구의 작업점이고, 팔이 끝나는 `tool0`에서 공구의 z축을 따라 0.12 m 더 나간 곳입니다. **따로 둔 좌표계**이므로, 공구를 바꾸면 도미노 하나만 바뀝니다. `base_link`의 z에 0.12를 더하면 15 cm 옆의 회색 고리로 갑니다.
 #
 # 관절 값 0은 특별한 위치가 아닙니다. 모두 0이면 팔 끝은 (0.470, 0, 0.150)에 있습니다.
 
@@ -354,7 +354,7 @@ lesson.frame_tree(graph, seconds=1.0)
 # *그림 읽기:* published by = 발행자, S(static) = 정적. 맨 아래 줄은 트리가 둘로 나뉘었다는 경고입니다.
 #
 # 팔 없는 손입니다. `tool0`와 `tcp`는 손목에 고정되어 있지만 손목은 아무 데도 연결되어 있지 않습니다. 바퀴와 `shoulder`, `elbow`는 아예 없습니다.
-# 이 노드는 0이라고 짐작하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
+# 이 노드는 받지 못한 관절 값을 0으로 가정하지 않습니다. RViz의 RobotModel에는 `left_wheel: No transform from [left_wheel] to [odom]`이라고 나오고, 손의 변환을 조회하면 이런 오류가 납니다.
 
 # %% [markdown] lang="en" name="alone-notes" slide="notes"
 # The class laughs at the hand without an arm. Give them time. Then: which node publishes wrist? None, and none reports it. The four drivers after this take five minutes; vote on each.
@@ -502,14 +502,14 @@ lesson.draw_placed({'URDF: level': level, 'URDF: 3°': true, 'URDF: 3°, z > 0.0
 # %% [markdown] lang="en" name="imu" slide="slide"
 # ## An IMU upside down
 #
-# An IMU measures rotation (gyro) and the force that holds it up against gravity (accelerometer), each along its own axes. Ours is mounted upside down. The robot stands still, and then drives a curve to the left, 0.5 m/s and 0.5 rad/s.
+# The gyro of an IMU measures angular velocity. The accelerometer measures the acceleration of the robot together with the force that holds the IMU up against gravity. Both measure along the IMU's own axes. Ours is mounted upside down. The robot stands still, and then drives a curve to the left, 0.5 m/s and 0.5 rad/s.
 #
 # Two rules for an `Imu` message are easy to miss. The driver must not remove gravity: at rest a correct IMU reads +9.81 on the axis that points up. And each of its three measurements has a covariance matrix. If its first entry is −1, the IMU does not provide that measurement. A gyro without a compass, for example, has no `orientation`.
 
 # %% [markdown] lang="ko" name="imu" slide="slide"
 # ## 뒤집힌 IMU
 #
-# IMU는 회전(자이로)과, 중력에 맞서 자신을 떠받치는 힘(가속도계)을 각각 자기 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
+# IMU의 자이로는 각속도를 잽니다. 가속도계는 로봇의 가속도와, 중력에 맞서 IMU를 떠받치는 힘을 함께 잽니다. 둘 다 IMU 자신의 축으로 잽니다. 우리 IMU를 뒤집어 답니다. 로봇은 서 있다가 왼쪽으로 굽은 길을 0.5 m/s, 0.5 rad/s로 달립니다.
 #
 # `Imu` 메시지에는 놓치기 쉬운 것이 두 가지 있습니다. 드라이버는 중력을 빼면 안 됩니다. 정지 상태에서 올바른 IMU는 위를 향한 축에 +9.81을 보입니다. 그리고 세 측정값마다 공분산이 있습니다. 첫 원소가 −1이면 그 값을 측정하지 않는다는 뜻입니다. 나침반이 없는 자이로의 `orientation`이 그렇습니다.
 
@@ -714,7 +714,7 @@ for what, text in broken.items():
 # ros2 topic echo /imu --field angular_velocity.z  # 로봇을 손으로 왼쪽으로 회전시키면 양수?
 # ```
 #
-# 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하십시오. 다는 날 30초면 됩니다.
+# 레이저라면 로봇 바로 앞에 상자를 놓고 RViz의 어디에 보이는지 확인하십시오. 레이저를 다는 날 30초면 됩니다.
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -733,7 +733,7 @@ for what, text in broken.items():
 # - `<joint><origin>`은 좌표계의 위치를 바꾸고, `<visual><origin>`은 겉모습의 위치만 바꿉니다. 관절의 origin은 부모를 기준으로 한 자식의 포즈이고, 단위는 미터와 라디안입니다.
 # - `parent_T_child = origin @ movement`이고, axis는 자식의 축으로 적습니다.
 # - [[robot_state_publisher|`robot_state_publisher`]]는 고정된 관절을 `/tf_static`으로 한 번, 움직이는 관절을 `/tf`로 보냅니다. JointState에 이름, 시각, 위치가 있는 관절만 보냅니다.
-# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드에서가 아니라, 관절의 origin이나 실제 장착을 바로잡아 고칩니다.
+# - 3° 아래를 보는 레이저는 5미터 앞의 바닥을 벽으로 측정합니다. 뒤집힌 IMU에서는 왼쪽 회전의 부호가 바뀝니다. 둘 다 노드의 코드가 아니라 관절의 origin이나 실제 장착을 바로잡으십시오.
 # - `tcp`는 `tool0` 아래에 따로 둔 좌표계입니다.
 
 # %% [markdown] lang="en" name="from-before" slide="subslide"

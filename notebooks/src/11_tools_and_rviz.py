@@ -157,7 +157,7 @@ lesson.draw_toolbox()
 # %% [markdown] lang="ko" name="ask-first-seen"
 # *그림 읽기:* frames = 좌표계와 트리, value = 값, rate = 발행률(1초에 몇 번 오는지, 단위 Hz), delay = 경로의 지연, age = 메시지의 나이, owner = 발행자, look = 보이는 모습. ✓ answers = 알 수 있음, ~ half = 반만 알 수 있음, ✗ cannot = 알 수 없음.
 #
-# 어느 도구에나 알 수 없는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
+# 도구마다 알려 주지 못하는 것이 있고, ✓가 하나도 없는 행도 있습니다. **연결의 [[owner|발행 책임(owner)]]이 어느 노드에 있는지, 곧 누가 그 연결을 발행하는지 알려 주는 ROS 2 도구는 없습니다.** `topic info --verbose`로 `/tf`에 발행하는 노드들의 이름을 알 수 있지만, 어느 노드가 어느 연결을 발행하는지는 메시지 어디에도 없습니다.
 # 강의에서는 `tf2_monitor`로 발행자 이름을 확인합니다. ROS 1의 `tf_monitor`는 이름을 출력했지만, ROS 2의 `tf2_monitor`에서는 어느 노드나 `<no authority available>`로 나옵니다.
 
 # %% [markdown] lang="en" name="ask-first-table-notes" slide="notes"
@@ -354,14 +354,14 @@ print(f'{int(sec) + int(nanosec) / 1e9:.3f} s')
 # %% [markdown] lang="en" name="often-enough" slide="slide"
 # ## Often enough?
 #
-# Between two samples TF interpolates the position along a straight line, and the rotation at a constant rate. How large is the error at half a metre per second?
+# Between two samples TF interpolates the position along a straight line, and the rotation at a constant rate. How large is the error at a constant speed of half a metre per second?
 #
 # **Predict:** odometry is published once a second instead of twenty times. How far off is the robot, at worst, on a straight line? And in a curve of 1 rad/s?
 
 # %% [markdown] lang="ko" name="often-enough" slide="slide"
 # ## 발행률은 충분할까요?
 #
-# TF는 두 표본 사이를 직선으로 보간합니다(회전도 고르게 나눕니다). 0.5 m/s로 달릴 때 오차는 얼마일까요?
+# TF는 두 표본 사이를 직선으로 보간합니다(회전도 고르게 나눕니다). 0.5 m/s의 일정한 속도로 달릴 때 오차는 얼마일까요?
 # **예측해 봅시다.** 오도메트리가 1초에 20번이 아니라 한 번 옵니다. 로봇의 위치는 최대 얼마나 틀릴까요? 곧은 길에서는? 1 rad/s로 회전하는 길에서는?
 
 # %% name="often-enough-table" tags=["predicted"] slide="fragment"
@@ -375,14 +375,14 @@ for f in (1, 2, 10, 20):
     print(f'{f:>2} Hz    {0.0:.1f} mm     {1000 * gap:5.2f} mm    {max(0.0, wait):.3f} s')
 
 # %% [markdown] lang="en" name="often-enough-seen" tags=["predicted"]
-# On a straight line at constant speed: **nothing**, at any rate. Halfway in time, the robot is at the midpoint between the two samples.
+# On a straight line at constant speed: **nothing**, at any rate. Between two samples the robot, too, moves evenly along the line.
 # In a curve TF cuts the corner: the path is an arc, the interpolation its chord, and the error is (v/ω)(1 − cos(ω/2f)). Here v is the speed, ω the yaw rate [rad/s] and f the rate [Hz]. That is 61 mm at 1 Hz and 0.6 mm at 10 Hz. At half the rate the error is four times as large.
 #
 # What a slow edge can cost even on a straight line is **waiting**: a scan can be placed only when the next sample has arrived. Our scan takes 0.105 s to arrive, so at 10 and 20 Hz no node waits; at 1 Hz it waits up to 0.9 s.
 # The lecture is right to warn of a slow `odom → base_link`. Its formula v · Δt is how far the robot drives *while you wait*, or the error if a node uses the newest pose instead of waiting. It is not the error of TF's interpolation.
 
 # %% [markdown] lang="ko" name="often-enough-seen" tags=["predicted"]
-# 곧은 길을 일정한 속도로 달리면 발행률이 얼마든 **조금도 틀리지 않습니다.** 시간이 절반 지났을 때 로봇은 두 표본의 중간에 있습니다.
+# 곧은 길을 일정한 속도로 달리면 발행률이 얼마든 **조금도 틀리지 않습니다.** 두 표본 사이에서 로봇도 그 직선 위를 고르게 움직이기 때문입니다.
 # 굽은 길에서는 TF가 보간한 선이 길의 안쪽을 지납니다. 로봇이 실제로 달린 선은 호, 보간한 선은 현이고, 가장 큰 틈은 (v/ω)(1 − cos(ω/2f))입니다. v는 속도, ω는 각속도[rad/s], f는 발행률[Hz]입니다. 1 Hz에서 61 mm, 10 Hz에서 0.6 mm입니다. 발행률이 절반이면 틈은 네 배입니다.
 #
 # 발행률이 낮은 연결에는 곧은 길에서도 **기다림**이 따를 수 있습니다. 다음 표본이 와야 스캔의 위치를 계산할 수 있습니다. 스캔은 이미 0.105초 걸려 왔으므로 10 Hz와 20 Hz에서는 기다리지 않고, 1 Hz에서는 0.9초까지 기다립니다.
@@ -621,7 +621,7 @@ lesson.draw_rviz(fixed_frame='Map')
 # The same first line, another cause: now the list below TF *contains* `map`, and even Map fails. If a name does not exist and a similar one does, it is misspelt. If there is no similar one, its node is not running.
 
 # %% [markdown] lang="ko" name="break-capital-seen" tags=["predicted"]
-# 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
+# 첫 줄은 같지만 원인이 다릅니다. 이번에는 TF 목록에 `map`이 *있고*, Map 디스플레이까지 실패합니다. 없는 이름 옆에 비슷한 이름이 있으면 잘못 입력한 것이고, 어디에도 없으면 그 이름을 발행하는 노드가 멈춘 것입니다.
 
 # %% [markdown] lang="en" name="break-joints-predict" slide="subslide"
 # Next, no node publishes the joint positions any more.
@@ -849,7 +849,7 @@ graph.stop()
 # - Ask first, then type. [[view_frames]]: frames, and the rate of each edge. [[tf2_echo]]: a value. [[tf2_monitor]]: how late. `topic delay`: a message's age. RViz: the picture. The [[owner]]: no tool.
 # - Delay is not rate. `hz /tf` and the monitor's Hz count all nodes.
 # - `tf2_monitor`: read `max`, not `avg`. Ignore static edges. A negative average means stamps in the future.
-# - A slow edge causes no error on a straight line at constant speed, (v/ω)(1 − cos(ω/2f)) in a curve, and on both a wait if its period is longer than the scan's delay.
+# - At constant speed, a slow edge costs nothing on a straight line, (v/ω)(1 − cos(ω/2f)) in a curve, and on both a wait if its period is longer than the scan's delay.
 # - [[fixed frame|Fixed Frame]] changes the picture, never the data.
 # - **Ok means computed, not true.** Compare value, frame name and stamp yourself.
 
@@ -859,7 +859,7 @@ graph.stop()
 # - 질문부터 정하고 그다음에 입력합니다. [[view_frames]]는 좌표계와 연결별 발행률, [[tf2_echo]]는 값, [[tf2_monitor]]는 지연, `topic delay`는 메시지의 나이, RViz는 모습입니다. [[owner|발행 책임]]이 어느 노드에 있는지 알려 주는 도구는 없습니다.
 # - 지연과 발행률은 다릅니다. `hz /tf`와 tf2_monitor의 Hz는 모든 발행자를 합친 값입니다.
 # - `tf2_monitor`에서는 `avg`가 아니라 `max`를 읽습니다. 정적 좌표계의 줄은 읽지 않습니다. 평균이 음수이면 측정 시각이 미래입니다.
-# - 발행률이 낮은 연결은 곧은 길을 일정한 속도로 달리면 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀립니다. 주기가 스캔의 지연보다 길면 어느 길에서나 기다리게 됩니다.
+# - 속도가 일정하면 발행률이 낮은 연결도 곧은 길에서는 틀리지 않고, 굽은 길에서 (v/ω)(1 − cos(ω/2f))만큼 틀립니다. 주기가 스캔의 지연보다 길면 어느 길에서나 기다리게 됩니다.
 # - [[fixed frame|고정 좌표계]]를 바꾸면 그림의 기준만 바뀌고 데이터는 바뀌지 않습니다.
 # - **Ok는 계산했다는 뜻이지 맞다는 뜻이 아닙니다.** 값, 이름, 시각은 직접 비교해 확인합니다.
 

@@ -146,7 +146,7 @@ check("E5.3", jobs)
 #
 # - `"node"`: which node has to change: `"/wheels"`, `"/scan_matcher"` or `"/robot_state_publisher"`?
 # - `"edge"`: which edge should it send: `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"` or `"none"`?
-# - `"error"`: what does TF2 report to the two senders: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
+# - `"error"`: what error does TF2 report because two nodes publish the same child: `"LookupException"`, `"ConnectivityException"` or `"nothing"`?
 
 # %% [markdown] lang="ko" name="e5-4"
 # ## E5.4 · 깜빡이는 로봇 (3점)
@@ -161,7 +161,7 @@ check("E5.3", jobs)
 #
 # - `"node"`: 어느 노드를 고쳐야 합니까? `"/wheels"`, `"/scan_matcher"`, `"/robot_state_publisher"` 가운데 하나.
 # - `"edge"`: 그 노드는 어느 연결을 발행해야 합니까? `"map -> odom"`, `"map -> base_link"`, `"odom -> base_footprint"`, `"none"`(발행하지 않음) 가운데 하나.
-# - `"error"`: 그동안 TF2는 두 발행자에게 어떤 오류를 냅니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(오류 없음) 가운데 하나.
+# - `"error"`: 두 노드가 같은 자식을 발행한다는 이유로 TF2는 어떤 오류를 냅니까? `"LookupException"`, `"ConnectivityException"`, `"nothing"`(오류 없음) 가운데 하나.
 
 # %% name="e5-4-answer" tags=["answer"]
 finding = {

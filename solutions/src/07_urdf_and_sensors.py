@@ -39,7 +39,7 @@ from tflab.core import Transform
 # - `nod_joint`, revolute, from `base_link` to `camera_link`, which has a body's axes (x where the head faces);
 # - `optical_joint`, fixed, from `camera_link` to `camera_optical_frame`, in the lens.
 #
-# An f-string inserts numbers: `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. Only position, rotation and movement count; you may leave `<limit>` out (a real robot needs one). Angles must be right to 0.0005 rad.
+# An f-string inserts numbers: `f'<origin xyz="0 0 {e7_1.up_cm / 100}"/>'`. Only position, rotation and movement count; you may leave `<limit>` out (a real robot needs one). Angles must be right to 0.0005 rad.
 
 # %% [markdown] lang="ko" name="e7-1"
 # ## E7.1 · 관절 두 개 완성하기 (5점)
@@ -51,7 +51,7 @@ from tflab.core import Transform
 # - `nod_joint`: revolute, 부모는 `base_link`, 자식은 `camera_link`. `camera_link`는 본체의 축을 따릅니다(머리가 보는 쪽이 x).
 # - `optical_joint`: fixed, 부모는 `camera_link`, 자식은 렌즈에 있는 `camera_optical_frame`.
 #
-# 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="{e7_1.up_cm / 100} 0 0"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다). 각도는 0.0005 rad까지 맞아야 합니다.
+# 숫자는 f-string으로 넣을 수 있습니다. `f'<origin xyz="0 0 {e7_1.up_cm / 100}"/>'`. 위치, 방향, 움직임만 채점합니다. `<limit>`은 쓰지 않아도 됩니다(실제 로봇에는 필요합니다). 각도는 0.0005 rad까지 맞아야 합니다.
 
 # %% name="e7-1-given"
 e7_1 = task("E7.1")
