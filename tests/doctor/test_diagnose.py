@@ -530,6 +530,12 @@ def lidars(*options):
 WHOSE_CLOCK = {
     "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
     "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
+    "of another date, in most sources": (
+        ON_THE_WALL[1:],
+        lidars(-7_200_000, WALL_MS + 7_200_000),
+        "time-date",
+        "error",
+    ),
     "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
     "that stand still": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2, 0.0), "time-frozen", "error"),
     "in TAI": (ON_THE_WALL, lidars(-36_998, WALL_MS + 37_000), "time-tai", "error"),
