@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tflab.bags.recording import Connection, Headers, JointStates, QosProfile, recording_from_records
+from tflab.bags.recording import Clock, Connection, Headers, JointStates, QosProfile, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 from tflab.doctor import examine
@@ -568,6 +568,22 @@ def test_what_one_computer_publishes_late_is_one_finding():
     patient = replace(recording(MAP, *late, LASER), headers=(imu,))
     (finding,) = diagnose_recording(patient).of_severity("error", "warning")
     assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
+
+
+STEPS = SECOND + 100 * MS * np.arange(50)
+COARSE = Clock(STEPS + WALL_MS * MS, STEPS - 80 * MS)
+SWEEPS = headers("/points", "sensor_msgs/msg/PointCloud2", "laser_frame", 50, 100, 110)
+NO_OTHER_CLOCK = {
+    "a step of /clock": (SIMULATED, {"clock": COARSE}),
+    "two topics with the stamps of a sweep": (
+        [LASER], {"headers": (SWEEPS, SWEEPS._replace(topic="/cloud", receive_ns=SWEEPS.receive_ns + 5 * MS))},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("edges", "more"), NO_OTHER_CLOCK.values(), ids=NO_OTHER_CLOCK)
+def test_no_other_clock_is_in(edges, more):
+    assert alarming(replace(recording(*edges), **more)) == set()
 
 
 # -- what the recording says about its publishers --------------------------------------------------

@@ -81,6 +81,7 @@ def find_jumps(stamp_ns: np.ndarray, receive_ns: np.ndarray, period_ns: int) -> 
     return jumps
 
 
+LEAST_TICK_S = 1e-4  # of /clock: less is the same time again
 ROWS_AT_ONCE = 100_000  # of a recording on disk
 MANY = 5_000  # samples tell enough
 LARGEST = 1e150  # whose square is a number still
@@ -212,6 +213,13 @@ class ClockRelation:
     source: str
     receive_ns: np.ndarray
     difference_s: np.ndarray
+
+    @property
+    def resolution_s(self) -> float:
+        """The least delay that shows: one and a half steps of the time on /clock [s], 0 if it was not recorded."""
+        steps_s = np.diff(self.receive_ns) / NSEC_PER_SEC - np.diff(self.difference_s)
+        steps_s = steps_s[steps_s > LEAST_TICK_S]
+        return 1.5 * float(np.median(steps_s)) if self.source == "/clock" and len(steps_s) else 0.0
 
     def difference_at(self, receive_ns: np.ndarray) -> np.ndarray:
         """Return the difference of the two clocks at moments of receipt [s]."""

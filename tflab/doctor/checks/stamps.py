@@ -103,9 +103,8 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _has_stamps_of_a_slow_clock(evidence: Evidence, edge: Edge) -> bool:
-    """Return whether /clock comes more rarely than an edge, whose stamps then repeat."""
-    ticks_s = np.diff(evidence.clock.receive_ns) / NSEC_PER_SEC if evidence.clock.source == "/clock" else np.zeros(1)
-    return float(np.median(ticks_s)) > 1.5 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
+    """Return whether /clock comes no more often than an edge, whose stamps then repeat."""
+    return evidence.clock.resolution_s > 1.35 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
 
 
 def _values_of_repeats(edge: Edge, repeats: list[int]) -> Text:
@@ -150,6 +149,7 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
     delays_s = settled_delays_s(evidence)
     usual_s = [_usual_delay_s(edge, delay_s) for edge, delay_s in zip(evidence.moving, delays_s, strict=True)]
     of_messages_s = [_usual_delay_s(header, evidence.delay_s(header)) for header in evidence.headers]
+    early_s = max(EARLY_S, evidence.clock.resolution_s)
     for place, (edge, delay_s) in enumerate(zip(evidence.moving, delays_s, strict=True)):
         if len(edge) < FEWEST_SAMPLES or not is_stamped(edge):
             continue
@@ -159,7 +159,7 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
         others_s = max(0.0, min([*usual_s[:place], *usual_s[place + 1 :], *of_messages_s, math.inf]))
         others_s = 0.0 if math.isinf(others_s) else others_s
         late_s = others_s + max(LATE_S, 2.0 * others_s)
-        for code, is_odd in (("early-stamps", delay_s < -EARLY_S), ("late-stamps", delay_s > late_s)):
+        for code, is_odd in (("early-stamps", delay_s < -early_s), ("late-stamps", delay_s > late_s)):
             odd = _in_a_row(is_odd)
             if len(odd) < max(FEWEST_SAMPLES, ODD_SHARE * len(edge)):
                 continue
