@@ -62,6 +62,8 @@ def test_a_healthy_robot_is_left_in_peace():
 
 
 MAP, ODOM, LASER = HEALTHY
+OPTICAL = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
+LENS = edge("base_link", "optical", 1, value=lambda i: OPTICAL, is_static=True)
 PLACED = Transform((0.2, 0.0, 0.0))
 OLD_MOUNT = [r._replace(stamped=replace(r.stamped, stamp_ns=1)) for r in mount("base_link", "imu_link")]
 UNSET = [r._replace(stamped=replace(r.stamped, stamp_ns=0)) for r in ODOM]
@@ -88,6 +90,7 @@ ALARMS = {
     "the same at the top of a tree": (
         [edge("odom", "body", delay_ms=-800), edge("body", "leg"), mount("body", "imu")], {"early-stamps"},
     ),
+    "a tag that a camera sees for a while": ([*HEALTHY, edge("optical", "tag", 20, start_ms=3000), LENS], set()),
     "a localiser that publishes the robot": ([*HEALTHY, edge("map", "base_link", start_ms=1020)], {"two-parents"}),
     "a missing link": ([edge("map", "odom"), edge("base_link", "arm"), LASER], {"two-trees"}),
     "two arms, which are no misspelling": ([*HEALTHY, *ARMS], {"two-trees"}),
@@ -619,10 +622,9 @@ def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_node
 
 
 def test_an_image_in_a_body_frame_a_mount_in_degrees_and_latched_messages_that_replace_each_other_are_named():
-    optical = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
     mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0)))]
     edges = [edge("base_link", child, 1, value=lambda i, pose=pose: pose, is_static=True) for child, pose in mounts]
-    edges.append(edge("camera", "camera_optical", 1, value=lambda i: optical, is_static=True, start_ms=1100))
+    edges.append(edge("camera", "camera_optical", 1, value=lambda i: OPTICAL, is_static=True, start_ms=1100))
     patient = recording(MAP, ODOM, *([r._replace(publisher="/play") for r in records] for records in edges))
     patient = replace(patient, headers=(headers("/image", "sensor_msgs/msg/Image", "camera"),))
     assert alarming(patient) == {"image-in-body-frame", "mount-in-degrees", "latched-replaced"}

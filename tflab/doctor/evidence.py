@@ -338,6 +338,14 @@ class Evidence:
             if np.isin(edge.stamp_ns[:MANY], joints.stamp_ns).mean() > 0.5
         }
 
+    def is_detection(self, edge: Edge) -> bool:
+        """Return whether an edge ends below a camera, in a frame of no message and no joint: it is seen at times."""
+        images = {frame for header in self.headers if "Image" in header.msgtype for frame in header.frames}
+        if edge.usual_parent not in images and "optical" not in edge.usual_parent:
+            return False
+        needed = self.all_parents | self.named_by_messages | self.stamped_by_joint_states | set(self.joint_kinds)
+        return edge.child not in needed
+
     def publishers_of(self, topic: str) -> int:
         """Return how many publishers a topic had, as far as the recording tells."""
         return sum(max(1, len(connection.qos)) for connection in self.connections if connection.topic == topic)

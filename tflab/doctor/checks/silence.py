@@ -62,7 +62,7 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
         children = tuple(sorted(silence.edge.child for silence in event))
         together.setdefault((_kind_of(evidence, event), children), []).append(event)
     for (code, _), events in together.items():
-        yield _finding_of_silences(code, events, evidence.begin_ns)
+        yield _finding_of_silences(code, events, evidence)
 
 
 def _kind_of(evidence: Evidence, event: list[Silence]) -> str:
@@ -92,7 +92,7 @@ def late_starts(evidence: Evidence) -> Iterator[Finding]:
             facts = {"late": f"{late_ns / NSEC_PER_SEC:.3f}"}
             span = (usual_ns, int(edge.receive_ns[0]))
             is_urgent = late_ns > SOON_S * NSEC_PER_SEC or _is_needed(evidence, edge)
-            severity = "warning" if is_urgent else "info"
+            severity = "warning" if is_urgent and not evidence.is_detection(edge) else "info"
             yield Finding("late-start", severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
 
 
@@ -203,14 +203,14 @@ def _has_spoken(evidence: Evidence, event: list[Silence], others) -> bool | None
     return False if asked else None
 
 
-def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) -> Finding:
+def _finding_of_silences(code: str, events: list[list[Silence]], evidence: Evidence) -> Finding:
     """Return one finding for all silences of the same edges."""
     longest = max((silence for event in events for silence in event), key=lambda s: s.end_ns - s.begin_ns)
     edges = [silence.edge for silence in events[0]]
     length_s = (longest.end_ns - longest.begin_ns) / NSEC_PER_SEC
     moved_m, turned_rad = _moved_across(longest)
     facts = {
-        "times": _times_of(events, start_ns),
+        "times": _times_of(events, evidence.begin_ns),
         "edges": ", ".join(dict.fromkeys(f"{edge.usual_parent} -> {edge.child}" for edge in edges)),
         "longest": f"{length_s:.3f}", "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
         "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}", "frame": longest.edge.child,
@@ -219,7 +219,8 @@ def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) 
     edge = edges[0]
     is_one = len(edges) == 1 and code not in ("stall", "tf-silent")
     parent, child = (edge.usual_parent, edge.child) if is_one else ("", "")
-    return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+    severity = "info" if all(map(evidence.is_detection, edges)) else "warning"
+    return Finding(code, severity, parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
 
 
 def _times_of(events: list[list[Silence]], start_ns: int) -> Text:
