@@ -159,6 +159,17 @@ def test_a_joint_at_rest_is_normal_and_a_repeated_mount_is_not():
     assert alarming(replace(broken, joint_states=(joints,))) == set()
 
 
+@pytest.mark.parametrize("by_s", [3, 86_400])
+def test_a_clock_that_is_set_with_the_times_of_receipt_is_no_silence(by_s):
+    def set_forward(record):
+        stamped = replace(record.stamped, stamp_ns=record.stamped.stamp_ns + by_s * SECOND)
+        return record._replace(receive_ns=record.receive_ns + by_s * SECOND, stamped=stamped)
+
+    edges = [MAP, ODOM, edge("base_link", "arm")]
+    edges = [[r if r.receive_ns < 3 * SECOND else set_forward(r) for r in records] for records in edges]
+    assert alarming(recording(*edges, LASER)) == {"clock-set"}
+
+
 def test_a_stall_of_everything_is_one_event():
     def silent(records):
         return [record for record in records if not 2 * SECOND < record.receive_ns < 4 * SECOND]
