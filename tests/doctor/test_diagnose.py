@@ -63,6 +63,8 @@ def test_a_healthy_robot_is_left_in_peace():
 
 MAP, ODOM, LASER = HEALTHY
 OPTICAL = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
+STILL = [r._replace(stamped=replace(r.stamped, stamp_ns=min(r.stamped.stamp_ns, 2 * SECOND)))
+         for r in edge("base_link", "arm")]  # fmt: skip
 LENS = edge("base_link", "optical", 1, value=lambda i: OPTICAL, is_static=True)
 PLACED = Transform((0.2, 0.0, 0.0))
 OLD_MOUNT = [r._replace(stamped=replace(r.stamped, stamp_ns=1)) for r in mount("base_link", "imu_link")]
@@ -91,6 +93,7 @@ ALARMS = {
         [edge("odom", "body", delay_ms=-800), edge("body", "leg"), mount("body", "imu")], {"early-stamps"},
     ),
     "a tag that a camera sees for a while": ([*HEALTHY, edge("optical", "tag", 20, start_ms=3000), LENS], set()),
+    "stamps of the last movement": ([MAP, ODOM, LASER, STILL], {"time-frozen"}),
     "a localiser that publishes the robot": ([*HEALTHY, edge("map", "base_link", start_ms=1020)], {"two-parents"}),
     "a missing link": ([edge("map", "odom"), edge("base_link", "arm"), LASER], {"two-trees"}),
     "two arms, which are no misspelling": ([*HEALTHY, *ARMS], {"two-trees"}),

@@ -361,8 +361,8 @@ def is_stamped(source: Edge | Headers) -> bool:
     return len(source.stamp_ns) > 0 and np.count_nonzero(source.stamp_ns == 0) <= min(1, len(source.stamp_ns) - 1)
 
 
-def part_of(source: Edge | Headers, which: np.ndarray) -> Edge | Headers:
-    """Return the samples of a source that are marked: shape (n,)."""
+def part_of(source: Edge | Headers, which: np.ndarray | slice) -> Edge | Headers:
+    """Return the samples of a source that are marked, shape (n,), or in a slice."""
     if isinstance(source, Headers):
         return source._replace(**{name: getattr(source, name)[which] for name in ("receive_ns", "stamp_ns", "frame")})
     columns = ("parent", "publisher", "receive_ns", "stamp_ns", "message", "rows")
