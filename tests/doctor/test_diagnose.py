@@ -635,11 +635,21 @@ def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_node
     assert said.command == "rosrun tf tf_monitor odom base_link" and said.evidence.endswith("Published by /base.")
 
 
+@pytest.mark.parametrize(("frame", "count"), [("base_link", 1), ("laser_frame", 1), ("lens", 0), ("nobody", 0)])
+def test_images_in_a_body_frame_are_named_where_no_frame_is_optical(frame, count):
+    lens = [r._replace(stamped=replace(r.stamped, child_frame_id="lens")) for r in LENS]
+    images = headers("/image", "sensor_msgs/msg/Image", frame)
+    patient = replace(recording(MAP, ODOM, LASER, lens), headers=(images,))
+    assert sum(f.code == "image-in-body-frame" for f in diagnose_recording(patient).findings) == count
+
+
 def test_an_image_in_a_body_frame_a_mount_in_degrees_and_latched_messages_that_replace_each_other_are_named():
-    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0)))]
+    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0))),
+              ("imu", Transform.from_rpy(yaw=-90.0))]  # fmt: skip
     edges = [edge("base_link", child, 1, value=lambda i, pose=pose: pose, is_static=True) for child, pose in mounts]
     edges.append(edge("camera", "camera_optical", 1, value=lambda i: OPTICAL, is_static=True, start_ms=1100))
     patient = recording(MAP, ODOM, *([r._replace(publisher="/play") for r in records] for records in edges))
     patient = replace(patient, headers=(headers("/image", "sensor_msgs/msg/Image", "camera"),))
     assert alarming(patient) == {"image-in-body-frame", "mount-in-degrees", "latched-replaced"}
-    assert found(patient)["mount-in-degrees"].child == "laser_frame"
+    findings = [f for f in diagnose_recording(patient).findings if f.code == "mount-in-degrees"]
+    assert [(f.child, f.facts["degrees"]) for f in findings] == [("laser_frame", 90), ("imu", -90)]
