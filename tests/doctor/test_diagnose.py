@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tflab.bags.recording import Connection, Headers, JointStates, QosProfile, recording_from_records
+from tflab.bags.recording import Clock, Connection, Headers, JointStates, QosProfile, recording_from_records
 from tflab.core import BufferCore, StampedTransform, Transform
 from tflab.core.transforms import TransformRecord
 from tflab.doctor import examine
@@ -62,6 +62,10 @@ def test_a_healthy_robot_is_left_in_peace():
 
 
 MAP, ODOM, LASER = HEALTHY
+OPTICAL = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
+STILL = [r._replace(stamped=replace(r.stamped, stamp_ns=min(r.stamped.stamp_ns, 2 * SECOND)))
+         for r in edge("base_link", "arm")]  # fmt: skip
+LENS = edge("base_link", "optical", 1, value=lambda i: OPTICAL, is_static=True)
 PLACED = Transform((0.2, 0.0, 0.0))
 OLD_MOUNT = [r._replace(stamped=replace(r.stamped, stamp_ns=1)) for r in mount("base_link", "imu_link")]
 UNSET = [r._replace(stamped=replace(r.stamped, stamp_ns=0)) for r in ODOM]
@@ -88,6 +92,8 @@ ALARMS = {
     "the same at the top of a tree": (
         [edge("odom", "body", delay_ms=-800), edge("body", "leg"), mount("body", "imu")], {"early-stamps"},
     ),
+    "a tag that a camera sees for a while": ([*HEALTHY, edge("optical", "tag", 20, start_ms=3000), LENS], set()),
+    "stamps of the last movement": ([MAP, ODOM, LASER, STILL], {"time-frozen"}),
     "a localiser that publishes the robot": ([*HEALTHY, edge("map", "base_link", start_ms=1020)], {"two-parents"}),
     "a missing link": ([edge("map", "odom"), edge("base_link", "arm"), LASER], {"two-trees"}),
     "two arms, which are no misspelling": ([*HEALTHY, *ARMS], {"two-trees"}),
@@ -154,6 +160,17 @@ def test_a_joint_at_rest_is_normal_and_a_repeated_mount_is_not():
     stamps = np.array([record.stamped.stamp_ns for record in still[0]])
     joints = JointStates("/joint_states", stamps, (("j1", "j2"),) * 100, ((0.0, 0.0),) * 100)
     assert alarming(replace(broken, joint_states=(joints,))) == set()
+
+
+@pytest.mark.parametrize("by_s", [3, 86_400])
+def test_a_clock_that_is_set_with_the_times_of_receipt_is_no_silence(by_s):
+    def set_forward(record):
+        stamped = replace(record.stamped, stamp_ns=record.stamped.stamp_ns + by_s * SECOND)
+        return record._replace(receive_ns=record.receive_ns + by_s * SECOND, stamped=stamped)
+
+    edges = [MAP, ODOM, edge("base_link", "arm")]
+    edges = [[r if r.receive_ns < 3 * SECOND else set_forward(r) for r in records] for records in edges]
+    assert alarming(recording(*edges, LASER)) == {"clock-set"}
 
 
 def test_a_stall_of_everything_is_one_event():
@@ -530,6 +547,12 @@ def lidars(*options):
 WHOSE_CLOCK = {
     "counted from power-on": (ON_THE_WALL, lidars(WALL_MS - 1_503_000, 1_503_000), "time-uptime", "error"),
     "without a date": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2), "time-date", "error"),
+    "of another date, in most sources": (
+        ON_THE_WALL[1:],
+        lidars(-7_200_000, WALL_MS + 7_200_000),
+        "time-date",
+        "error",
+    ),
     "of a slow simulation": (ON_THE_WALL, lidars(WALL_MS, 1000, 0.8), "time-simulated", "error"),
     "that stand still": (ON_THE_WALL, lidars(WALL_MS // 2, WALL_MS // 2, 0.0), "time-frozen", "error"),
     "in TAI": (ON_THE_WALL, lidars(-36_998, WALL_MS + 37_000), "time-tai", "error"),
@@ -564,6 +587,22 @@ def test_what_one_computer_publishes_late_is_one_finding():
     assert (finding.code, finding.child, finding.siblings) == ("host-late", "base_link", ("wheel", "/imu"))
 
 
+STEPS = SECOND + 100 * MS * np.arange(50)
+COARSE = Clock(STEPS + WALL_MS * MS, STEPS - 80 * MS)
+SWEEPS = headers("/points", "sensor_msgs/msg/PointCloud2", "laser_frame", 50, 100, 110)
+NO_OTHER_CLOCK = {
+    "a step of /clock": (SIMULATED, {"clock": COARSE}),
+    "two topics with the stamps of a sweep": (
+        [LASER], {"headers": (SWEEPS, SWEEPS._replace(topic="/cloud", receive_ns=SWEEPS.receive_ns + 5 * MS))},
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("edges", "more"), NO_OTHER_CLOCK.values(), ids=NO_OTHER_CLOCK)
+def test_no_other_clock_is_in(edges, more):
+    assert alarming(replace(recording(*edges), **more)) == set()
+
+
 # -- what the recording says about its publishers --------------------------------------------------
 
 OFFER = QosProfile("keep_last", 10, "best_effort", "transient_local")
@@ -596,12 +635,21 @@ def test_a_recording_of_ros1_gets_the_commands_of_ros1_and_the_names_of_the_node
     assert said.command == "rosrun tf tf_monitor odom base_link" and said.evidence.endswith("Published by /base.")
 
 
+@pytest.mark.parametrize(("frame", "count"), [("base_link", 1), ("laser_frame", 1), ("lens", 0), ("nobody", 0)])
+def test_images_in_a_body_frame_are_named_where_no_frame_is_optical(frame, count):
+    lens = [r._replace(stamped=replace(r.stamped, child_frame_id="lens")) for r in LENS]
+    images = headers("/image", "sensor_msgs/msg/Image", frame)
+    patient = replace(recording(MAP, ODOM, LASER, lens), headers=(images,))
+    assert sum(f.code == "image-in-body-frame" for f in diagnose_recording(patient).findings) == count
+
+
 def test_an_image_in_a_body_frame_a_mount_in_degrees_and_latched_messages_that_replace_each_other_are_named():
-    optical = Transform.from_rpy(-math.pi / 2, 0.0, -math.pi / 2)
-    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0)))]
+    mounts = [("laser_frame", Transform.from_rpy(yaw=90.0)), ("camera", Transform.from_rpy(pitch=math.radians(40.0))),
+              ("imu", Transform.from_rpy(yaw=-90.0))]  # fmt: skip
     edges = [edge("base_link", child, 1, value=lambda i, pose=pose: pose, is_static=True) for child, pose in mounts]
-    edges.append(edge("camera", "camera_optical", 1, value=lambda i: optical, is_static=True, start_ms=1100))
+    edges.append(edge("camera", "camera_optical", 1, value=lambda i: OPTICAL, is_static=True, start_ms=1100))
     patient = recording(MAP, ODOM, *([r._replace(publisher="/play") for r in records] for records in edges))
     patient = replace(patient, headers=(headers("/image", "sensor_msgs/msg/Image", "camera"),))
     assert alarming(patient) == {"image-in-body-frame", "mount-in-degrees", "latched-replaced"}
-    assert found(patient)["mount-in-degrees"].child == "laser_frame"
+    findings = [f for f in diagnose_recording(patient).findings if f.code == "mount-in-degrees"]
+    assert [(f.child, f.facts["degrees"]) for f in findings] == [("laser_frame", 90), ("imu", -90)]

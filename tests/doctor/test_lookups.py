@@ -79,6 +79,7 @@ PARTED = [*edge("odom", "base_link", last_ms=2000), *edge("dock", "base_link", f
           *edge("odom", "base_link", first_ms=3500)]  # fmt: skip
 BROKEN = [replace(r.stamped, transform=NO_ROTATION) for r in ODOM[20:40]]
 REFUSED = [*ODOM[:20], *(r._replace(stamped=s) for r, s in zip(ODOM[20:40], BROKEN, strict=True)), *ODOM[40:]]
+AHEAD = edge("map", "odom", 100, -25_000, first_ms=26_000, last_ms=95_000)
 LONG, BRIEF = {"last_ms": 30_000}, {"last_ms": 31_000}
 RECORDINGS = {
     "odometry later than scans": recording([MAP, edge("odom", "base_link", delay_ms=60), LASER], period_ms=50),
@@ -124,6 +125,9 @@ FINDINGS = {
     ),
     "a localiser that is late, which explains the wait": (
         recording([edge("map", "odom", 100, 300), ODOM, LASER]), {"late-stamps"},
+    ),
+    "a localiser that is far ahead, which explains that nothing works": (
+        recording([AHEAD, edge("odom", "base_link", last_ms=70_000), LASER], last_ms=70_000), {"early-stamps"},
     ),
     "scans without a frame": (recording([MAP, ODOM, LASER], frame=""), {"empty-frame-id"}),
     "odometry that is static": (recording([MAP, mount("odom", "base_link"), LASER]), {"odometry-on-static"}),

@@ -26,6 +26,7 @@ from .evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, Oth
 __all__ = ["clock_relation", "evidence_from_buffer", "evidence_from_recording"]
 
 BINS = 64
+SAME_PACE = 0.02  # from one second a second: a replay is seldom so close to it
 
 
 def evidence_from_recording(recording: Recording, namespace: str = "") -> Evidence:
@@ -82,9 +83,10 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     """Return the difference between the recorder's clock and the one that stamps.
 
     If /clock was recorded, it is the one that stamps.  Otherwise, if the usual
-    "received minus stamp" is small, the clocks are one; if not, a recording was
-    recorded again from its replay, or /clock was left out: then the level that all
-    have in common is the difference, and it may drift.
+    "received minus stamp" is small, the clocks are one; so they are if some sources
+    are on the recorder's clock and all others have another date: nothing is simulated.
+    If not, a recording was recorded again from its replay, or /clock was left out: then
+    the level that all have in common is the difference, and it may drift.
     """
     if len(clock.time_ns) > 1:
         return ClockRelation("/clock", clock.receive_ns, (clock.receive_ns - clock.time_ns) / NSEC_PER_SEC)
@@ -93,11 +95,19 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     sources = varying or sources  # a mount that is repeated has the stamps of whoever repeats it
     if not sources:
         return ClockRelation("same", np.zeros(0), np.zeros(0))
-    usual_ns = sorted(abs(float(np.median(s.receive_ns - s.stamp_ns))) for s in sources)
+    usual_ns = [abs(float(np.median(s.receive_ns - s.stamp_ns))) for s in sources]
+    far = [source for source, away_ns in zip(sources, usual_ns, strict=True) if away_ns >= SAME_CLOCK_NS]
     # of two that disagree, the one on the recorder's clock counts
-    if usual_ns[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS:
+    is_near = sorted(usual_ns)[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS
+    if is_near or (len(far) < len(sources) and all(map(_has_another_date, far))):
         return ClockRelation("same", np.zeros(0), np.zeros(0))
     return _estimated_relation(sources)
+
+
+def _has_another_date(source: Edge | Headers) -> bool:
+    """Return whether a source that is far from the recorder's clock counts from 1970, too, and at its pace."""
+    pace = float(np.ptp(source.stamp_ns)) / max(float(np.ptp(source.receive_ns)), 1.0)
+    return bool(np.median(source.stamp_ns) > YEAR_NS) and abs(pace - 1.0) < SAME_PACE
 
 
 def _estimated_relation(sources: list) -> ClockRelation:

@@ -81,6 +81,7 @@ def find_jumps(stamp_ns: np.ndarray, receive_ns: np.ndarray, period_ns: int) -> 
     return jumps
 
 
+LEAST_TICK_S = 1e-4  # of /clock: less is the same time again
 ROWS_AT_ONCE = 100_000  # of a recording on disk
 MANY = 5_000  # samples tell enough
 LARGEST = 1e150  # whose square is a number still
@@ -213,6 +214,13 @@ class ClockRelation:
     receive_ns: np.ndarray
     difference_s: np.ndarray
 
+    @property
+    def resolution_s(self) -> float:
+        """The least delay that shows: one and a half steps of the time on /clock [s], 0 if it was not recorded."""
+        steps_s = np.diff(self.receive_ns) / NSEC_PER_SEC - np.diff(self.difference_s)
+        steps_s = steps_s[steps_s > LEAST_TICK_S]
+        return 1.5 * float(np.median(steps_s)) if self.source == "/clock" and len(steps_s) else 0.0
+
     def difference_at(self, receive_ns: np.ndarray) -> np.ndarray:
         """Return the difference of the two clocks at moments of receipt [s]."""
         if not len(self.receive_ns):
@@ -330,6 +338,14 @@ class Evidence:
             if np.isin(edge.stamp_ns[:MANY], joints.stamp_ns).mean() > 0.5
         }
 
+    def is_detection(self, edge: Edge) -> bool:
+        """Return whether an edge ends below a camera, in a frame of no message and no joint: it is seen at times."""
+        images = {frame for header in self.headers if "Image" in header.msgtype for frame in header.frames}
+        if edge.usual_parent not in images and "optical" not in edge.usual_parent:
+            return False
+        needed = self.all_parents | self.named_by_messages | self.stamped_by_joint_states | set(self.joint_kinds)
+        return edge.child not in needed
+
     def publishers_of(self, topic: str) -> int:
         """Return how many publishers a topic had, as far as the recording tells."""
         return sum(max(1, len(connection.qos)) for connection in self.connections if connection.topic == topic)
@@ -345,8 +361,8 @@ def is_stamped(source: Edge | Headers) -> bool:
     return len(source.stamp_ns) > 0 and np.count_nonzero(source.stamp_ns == 0) <= min(1, len(source.stamp_ns) - 1)
 
 
-def part_of(source: Edge | Headers, which: np.ndarray) -> Edge | Headers:
-    """Return the samples of a source that are marked: shape (n,)."""
+def part_of(source: Edge | Headers, which: np.ndarray | slice) -> Edge | Headers:
+    """Return the samples of a source that are marked, shape (n,), or in a slice."""
     if isinstance(source, Headers):
         return source._replace(**{name: getattr(source, name)[which] for name in ("receive_ns", "stamp_ns", "frame")})
     columns = ("parent", "publisher", "receive_ns", "stamp_ns", "message", "rows")

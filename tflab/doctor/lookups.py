@@ -122,9 +122,12 @@ def _rows_of(
                 of_path = np.stack([ready_of[child][which] for child in path])
                 time_ns = np.maximum(of_path.max(axis=0), receive_ns[which])
                 forgotten = [histories[child].is_forgotten(stamp_ns[which], time_ns) for child in path]
-                is_never = (time_ns == NEVER) | np.any(forgotten, axis=0)
+                is_missing = time_ns == NEVER
+                is_forgotten = np.any(forgotten, axis=0) & ~is_missing
+                is_never = is_missing | is_forgotten
                 wait_ns[which] = np.where(is_never, NEVER, time_ns - receive_ns[which])
-                last = of_path.argmax(axis=0)[wait_ns[which] > 0]
+                awaited = np.where(is_forgotten, np.argmax(forgotten, axis=0), of_path.argmax(axis=0))
+                last = awaited[wait_ns[which] > 0]
                 waited_for.update(dict(zip(path, np.bincount(last, minlength=len(path)).tolist(), strict=True)))
         child = max(waited_for, key=waited_for.__getitem__) if any(waited_for.values()) else ""
         shares = tuple(float((wait_ns <= wait_s * NSEC_PER_SEC).mean()) for wait_s in WAITS_S)

@@ -11,6 +11,7 @@ same clock can only be seen in a graph: a recording has no nodes.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -23,6 +24,7 @@ from tflab.text import Text
 
 from ..evidence import Edge, Evidence, Jump, is_stamped
 from ..findings import Finding, times_of
+from .time_bases import has_copied_stamps, in_groups
 
 __all__ = ["JumpEvent", "clock_offset", "jump_events", "jumping_clocks", "mixed_time_sources",
            "other_time_source", "settled_delays_s"]  # fmt: skip
@@ -31,6 +33,7 @@ TOGETHER_NS = 2 * NSEC_PER_SEC  # jumps this close to each other are one event
 OFFSET_S = 0.1
 FEWEST_SAMPLES = 8
 MANY = 0.4  # of the sources have the common delay; the others may take longer ...
+SWEPT = re.compile(r"LaserScan|PointCloud|Image")
 LEAST_SHARE = 0.6  # ... but nobody much less
 
 
@@ -122,11 +125,16 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding if everything is stamped early, or late, by about the same amount."""
     if evidence.clock.source != "same":
         return
-    settled = zip(evidence.moving, settled_delays_s(evidence), strict=True)
-    delays = [delay_s for edge, delay_s in settled if _has_stamps(edge)]
-    delays += [evidence.delay_s(header) for header in evidence.headers if _has_stamps(header)]
-    usual_s = np.array([float(np.median(delay_s)) for delay_s in delays])
-    if len(usual_s) < 2:  # one source alone: nothing to compare it with, see stamps.odd_delays
+    settled = [*zip(evidence.moving, settled_delays_s(evidence), strict=True)]
+    settled += [(header, evidence.delay_s(header)) for header in evidence.headers]
+    settled = [entry for entry in settled if _has_stamps(entry[0])]
+    usual_s = np.array([float(np.median(delay_s)) for _, delay_s in settled])
+    witnesses = [
+        group
+        for group in in_groups(settled, lambda a, b: has_copied_stamps(b[0], a[0]))
+        if not any(map(_is_sweep, group))
+    ]
+    if len(witnesses) < 2:  # one source alone: nothing to compare it with, see stamps.odd_delays
         return
     sign = math.copysign(1.0, float(np.median(usual_s)))
     common_s = sign * float(np.percentile(sign * usual_s, 20, method="lower"))
@@ -139,6 +147,13 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
 
 def _has_stamps(source: Edge | Headers) -> bool:
     return len(source.stamp_ns) >= FEWEST_SAMPLES and is_stamped(source)
+
+
+def _is_sweep(settled: tuple[Edge | Headers, np.ndarray]) -> bool:
+    """Return whether messages are stamped at the beginning of what was measured in one period."""
+    source, delay_s = settled
+    period_s = float(np.median(np.diff(source.receive_ns))) / NSEC_PER_SEC
+    return isinstance(source, Headers) and bool(SWEPT.search(source.msgtype)) and np.median(delay_s) < period_s + 0.05
 
 
 def _same_way(a: Jump, b: Jump) -> bool:

@@ -34,8 +34,9 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
             continue
         if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
             groups.setdefault(("lookups-fail", "error", row.child), []).append(row)
-        elif CACHE_NS >= row.wait_ns > row.period_ns and QUEUED.search(kind):
-            groups.setdefault(("lookups-wait", "warning", row.child), []).append(row)
+        elif CACHE_NS >= row.wait_ns > row.period_ns and (QUEUED.search(kind) or row.shares[1] < 0.5):
+            severity: Severity = "warning" if QUEUED.search(kind) else "info"
+            groups.setdefault(("lookups-wait", severity, row.child), []).append(row)
     for (code, severity, child), rows in groups.items():
         first = rows[0]
         facts = {

@@ -32,6 +32,8 @@ GAP_HABITS = 3.0  # ... and than so many of the longer steps of an irregular edg
 FEWEST_SAMPLES = 8
 ALIKE_SHARE = 0.25  # of its length: silences that begin and end within so much of each other are one event
 HOLE_AFTER = 4  # samples after a silence in which its hole may show
+LONGEST_SILENCE_NS = 3600 * NSEC_PER_SEC  # of everything: nobody waits so long, and a clock may be set by more
+STEPS_ACROSS = 2.5  # of usual ones: as far a robot moves while its clock is set
 LATE_START_S = 1.0
 SOON_S = 5.0  # what starts later than this has waited for something
 LATE_START_PERIODS = 10.0
@@ -62,7 +64,7 @@ def gaps(evidence: Evidence) -> Iterator[Finding]:
         children = tuple(sorted(silence.edge.child for silence in event))
         together.setdefault((_kind_of(evidence, event), children), []).append(event)
     for (code, _), events in together.items():
-        yield _finding_of_silences(code, events, evidence.begin_ns)
+        yield _finding_of_silences(code, events, evidence)
 
 
 def _kind_of(evidence: Evidence, event: list[Silence]) -> str:
@@ -75,7 +77,28 @@ def _kind_of(evidence: Evidence, event: list[Silence]) -> str:
         return "gap"
     if topics_spoke:
         return "tf-silent"
-    return "stall" if len(event) > 1 or edges_spoke is False or topics_spoke is False else "gap"
+    if len(event) == 1 and edges_spoke is None and topics_spoke is None:
+        return "gap"
+    return "clock-set" if _is_set_clock(evidence, event) else "stall"
+
+
+def _is_set_clock(evidence: Evidence, event: list[Silence]) -> bool:
+    """Return whether it was no silence, but a clock that was set: the robot drives on where it was before."""
+    if event[0].end_ns - event[0].begin_ns > LONGEST_SILENCE_NS:
+        return True
+    has_stayed = []
+    last, n = FEWEST_SAMPLES - 1, FEWEST_SAMPLES
+    for edge, _, end_ns, hole_ns, _ in event:
+        end = int(np.searchsorted(edge.receive_ns, end_ns))
+        numbers = edge.numbers[max(0, end - n) : end + n]
+        if len(numbers) == 2 * n and edge.is_usable.all() and edge.child in evidence.all_parents:
+            poses = unit(numbers)
+            far_m, far_rad = steps_and_turns(poses[[0, n, last]], poses[[last, -1, n]])
+            before, after, across = far_m + ARM_M * far_rad
+            step = min(before, after) / last
+            if step * hole_ns / edge.period_ns > FAR_M:
+                has_stayed.append(across < STEPS_ACROSS * step)
+    return bool(has_stayed) and all(has_stayed)
 
 
 def late_starts(evidence: Evidence) -> Iterator[Finding]:
@@ -92,7 +115,7 @@ def late_starts(evidence: Evidence) -> Iterator[Finding]:
             facts = {"late": f"{late_ns / NSEC_PER_SEC:.3f}"}
             span = (usual_ns, int(edge.receive_ns[0]))
             is_urgent = late_ns > SOON_S * NSEC_PER_SEC or _is_needed(evidence, edge)
-            severity = "warning" if is_urgent else "info"
+            severity = "warning" if is_urgent and not evidence.is_detection(edge) else "info"
             yield Finding("late-start", severity, edge.usual_parent, edge.child, edge.topic, *span, facts)
 
 
@@ -203,23 +226,24 @@ def _has_spoken(evidence: Evidence, event: list[Silence], others) -> bool | None
     return False if asked else None
 
 
-def _finding_of_silences(code: str, events: list[list[Silence]], start_ns: int) -> Finding:
+def _finding_of_silences(code: str, events: list[list[Silence]], evidence: Evidence) -> Finding:
     """Return one finding for all silences of the same edges."""
     longest = max((silence for event in events for silence in event), key=lambda s: s.end_ns - s.begin_ns)
     edges = [silence.edge for silence in events[0]]
     length_s = (longest.end_ns - longest.begin_ns) / NSEC_PER_SEC
     moved_m, turned_rad = _moved_across(longest)
     facts = {
-        "times": _times_of(events, start_ns),
+        "times": _times_of(events, evidence.begin_ns),
         "edges": ", ".join(dict.fromkeys(f"{edge.usual_parent} -> {edge.child}" for edge in edges)),
         "longest": f"{length_s:.3f}", "period": f"{longest.edge.period_ns / NSEC_PER_SEC:.3f}",
         "hole": f"{longest.hole_ns / NSEC_PER_SEC:.3f}", "frame": longest.edge.child,
         "moved": f"{moved_m:.3f}", "turned": f"{turned_rad:.3f}",
     }  # fmt: skip
     edge = edges[0]
-    is_one = len(edges) == 1 and code not in ("stall", "tf-silent")
+    is_one = len(edges) == 1 and code not in ("stall", "clock-set", "tf-silent")
     parent, child = (edge.usual_parent, edge.child) if is_one else ("", "")
-    return Finding(code, "warning", parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
+    severity = "info" if all(map(evidence.is_detection, edges)) else "warning"
+    return Finding(code, severity, parent, child, edge.topic, longest.begin_ns, longest.end_ns, facts)
 
 
 def _times_of(events: list[list[Silence]], start_ns: int) -> Text:

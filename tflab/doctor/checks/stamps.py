@@ -29,7 +29,7 @@ from tflab.bags.recording import Headers
 from tflab.core import NSEC_PER_SEC
 from tflab.text import Text
 
-from ..evidence import SAME_CLOCK_NS, Edge, Evidence, is_stamped
+from ..evidence import SAME_CLOCK_NS, Edge, Evidence, OtherSamples, is_stamped, part_of
 from ..findings import Finding, Severity
 from .clocks import settled_delays_s
 from .time_bases import CACHE_S, finding_of_sources, in_groups
@@ -39,6 +39,7 @@ __all__ = ["future_stamps", "odd_delays", "odd_message_delays", "repeated_stamps
 
 FEWEST_REPEATED = 3  # stamps, before it is more than a slip ...
 REPEATED_SHARE = 0.002  # ... and their share of an edge
+FROZEN_S, FROZEN_PERIODS = 1.0, 5.0  # for which one stamp is repeated
 FEWEST_UNORDERED = 3
 FUTURE_S = 5.0  # ahead of the others of its edge
 FEW = 0.05  # of an edge: more is a clock that was set
@@ -46,6 +47,7 @@ FEW = 0.05  # of an edge: more is a clock that was set
 
 def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each moving edge with several samples of one stamp."""
+    yield from _frozen_stamps(evidence)
     for edge in evidence.moving:
         repeats = []
         for stretch in edge.stretches():
@@ -61,6 +63,25 @@ def repeated_stamps(evidence: Evidence) -> Iterator[Finding]:
         severity = "info" if is_harmless or _has_stamps_of_a_slow_clock(evidence, edge) else "warning"
         facts = {"count": len(repeats), "total": len(edge), "values": values}
         yield _finding(edge, "repeated-stamps", severity, repeats[0], repeats[-1], facts)
+
+
+def _frozen_stamps(evidence: Evidence) -> Iterator[Finding]:
+    """Yield a finding for the edges that repeat one stamp from some time on, while other stamps advance."""
+    frozen = []
+    for edge in evidence.moving if evidence.has_arrival else ():
+        bounds = np.flatnonzero(np.diff(edge.stamp_ns, prepend=-1, append=-1))
+        longest = int(np.argmax(np.diff(bounds)))
+        run = part_of(edge, slice(*bounds[longest : longest + 2]))
+        span_s = float(np.ptp(evidence.delay_s(run))) if len(run) >= FEWEST_SAMPLES and is_stamped(edge) else 0.0
+        if span_s > max(FROZEN_S, FROZEN_PERIODS * edge.period_ns / NSEC_PER_SEC):
+            frozen.append(OtherSamples(run, len(edge)))
+    for group in in_groups(frozen, lambda a, b: a.source.stamp_ns[0] == b.source.stamp_ns[0]):
+        sources = [part.source for part in group]
+        begin_ns, end_ns = sources[0].receive_ns[[0, -1]].tolist()
+        facts = {"count": sum(map(len, sources)), "total": sum(part.total for part in group),
+                 "stamp": f"{sources[0].stamp_ns[0] / NSEC_PER_SEC:.1f}"}  # fmt: skip
+        severity = "error" if end_ns - begin_ns > CACHE_S * NSEC_PER_SEC else "warning"
+        yield finding_of_sources("time-frozen", severity, sources, facts)
 
 
 def unordered_stamps(evidence: Evidence) -> Iterator[Finding]:
@@ -103,9 +124,8 @@ def future_stamps(evidence: Evidence) -> Iterator[Finding]:
 
 
 def _has_stamps_of_a_slow_clock(evidence: Evidence, edge: Edge) -> bool:
-    """Return whether /clock comes more rarely than an edge, whose stamps then repeat."""
-    ticks_s = np.diff(evidence.clock.receive_ns) / NSEC_PER_SEC if evidence.clock.source == "/clock" else np.zeros(1)
-    return float(np.median(ticks_s)) > 1.5 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
+    """Return whether /clock comes no more often than an edge, whose stamps then repeat."""
+    return evidence.clock.resolution_s > 1.35 * float(np.median(np.diff(edge.receive_ns))) / NSEC_PER_SEC
 
 
 def _values_of_repeats(edge: Edge, repeats: list[int]) -> Text:
@@ -150,6 +170,7 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
     delays_s = settled_delays_s(evidence)
     usual_s = [_usual_delay_s(edge, delay_s) for edge, delay_s in zip(evidence.moving, delays_s, strict=True)]
     of_messages_s = [_usual_delay_s(header, evidence.delay_s(header)) for header in evidence.headers]
+    early_s = max(EARLY_S, evidence.clock.resolution_s)
     for place, (edge, delay_s) in enumerate(zip(evidence.moving, delays_s, strict=True)):
         if len(edge) < FEWEST_SAMPLES or not is_stamped(edge):
             continue
@@ -159,7 +180,7 @@ def odd_delays(evidence: Evidence) -> Iterator[Finding]:
         others_s = max(0.0, min([*usual_s[:place], *usual_s[place + 1 :], *of_messages_s, math.inf]))
         others_s = 0.0 if math.isinf(others_s) else others_s
         late_s = others_s + max(LATE_S, 2.0 * others_s)
-        for code, is_odd in (("early-stamps", delay_s < -EARLY_S), ("late-stamps", delay_s > late_s)):
+        for code, is_odd in (("early-stamps", delay_s < -early_s), ("late-stamps", delay_s > late_s)):
             odd = _in_a_row(is_odd)
             if len(odd) < max(FEWEST_SAMPLES, ODD_SHARE * len(edge)):
                 continue

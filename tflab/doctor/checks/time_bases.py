@@ -23,7 +23,7 @@ from ..evidence import SAME_CLOCK_NS, YEAR_NS, ClockRelation, Edge, Evidence, Ot
 from ..findings import Finding, Severity
 from .names import SPATIAL
 
-__all__ = ["CACHE_S", "drifting_clocks", "finding_of_sources", "in_groups",
+__all__ = ["CACHE_S", "drifting_clocks", "finding_of_sources", "has_copied_stamps", "in_groups",
            "other_hosts", "other_times"]  # fmt: skip
 
 FEWEST_SAMPLES = 8
@@ -72,10 +72,9 @@ def other_hosts(evidence: Evidence) -> Iterator[Finding]:
     for entries in in_groups(prompt, lambda a, b: b[0] - a[0] < HOST_SPREAD_S):
         offset_s, group = entries[0][0], [source for _, source in entries]
         has_nearer = any(abs(other_s) < 0.5 * abs(offset_s) for other_s, _ in least_s)
-        if abs(offset_s) < HOST_S or not has_nearer or len(group) < FEWEST_ON_A_HOST:
+        if abs(offset_s) < max(HOST_S, evidence.clock.resolution_s) or not has_nearer or len(group) < FEWEST_ON_A_HOST:
             continue
-        # a topic that copies the stamps of another source does not count as a second one
-        if len(in_groups(group, lambda a, b: np.isin(a.stamp_ns[:MANY], b.stamp_ns).mean() > 0.5)) > 1:
+        if len(in_groups(group, has_copied_stamps)) > 1:
             # edges with children of their own come first, and topics last
             group.sort(key=lambda s: s.child not in evidence.all_parents if isinstance(s, Edge) else 2)
             code = "host-late" if offset_s > 0.0 else "host-early"
@@ -118,6 +117,11 @@ def finding_of_sources(
     begin_ns = min(int(source.receive_ns[0]) for source in sources)
     end_ns = max(int(source.receive_ns[-1]) for source in sources)
     return Finding(code, severity, parent, child, first.topic, begin_ns, end_ns, facts, siblings=siblings)
+
+
+def has_copied_stamps(a: Edge | Headers, b: Edge | Headers) -> bool:
+    """Return whether a source has the stamps of another, and does not count as a second one."""
+    return bool(np.isin(a.stamp_ns[:MANY], b.stamp_ns).mean() > 0.5)
 
 
 def in_groups(items: list, is_alike: Callable) -> list[list]:

@@ -10,10 +10,14 @@ optical frame, not turned z must look ahead and x to the right (REP-103)
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator
 
 import numpy as np
+
+from tflab.core import Transform
+from tflab.text import Text
 
 from ..evidence import Edge, Evidence
 from ..findings import Finding
@@ -24,6 +28,8 @@ LENGTH_TOLERANCE = 1e-3  # of a quaternion: rounding to float32 gives 1e-7, care
 TURN_TOLERANCE_RAD = 0.02
 DEGREES = range(5, 365, 5)  # people give such angles, and no such number of radians
 DEGREES_TOLERANCE = 1e-6  # [rad]
+BODIES = ("base_link", "base_footprint")
+LEVEL = math.sin(math.radians(10.0))  # as good as horizontal
 EARTH_M = 1e7  # nothing on the earth is further from its centre
 
 
@@ -59,28 +65,46 @@ def unturned_optical_frames(evidence: Evidence) -> Iterator[Finding]:
 
 
 def images_in_body_frames(evidence: Evidence) -> Iterator[Finding]:
-    """Yield a finding for each frame of images below which there is an optical frame, in which they should be."""
+    """Yield a finding for each frame of images that is no optical frame, but the body of the camera or the robot."""
     optical = {edge.usual_parent: edge.child for edge in evidence.edges() if "optical" in edge.child}
     topics: dict[str, list[str]] = {}
     for header in evidence.headers:
         for frame in header.frames if re.search(r"Image|CameraInfo", header.msgtype) else ():
-            if frame in optical and "optical" not in frame:
+            is_body = frame in (*optical, "base_link", "base_footprint") or (
+                not optical and _is_upright(evidence, frame)
+            )
+            if is_body and "optical" not in frame:
                 topics.setdefault(frame, []).append(header.topic)
     for frame, names in topics.items():
-        facts = {"name": frame, "optical": optical[frame], "topics": ", ".join(names)}
+        none = Text("No optical frame is below it.", "그 아래에 광학 좌표계가 없습니다.")
+        below = f'"{optical.get(frame)}"'
+        there = Text(f"The tree has {below} for them.", f"트리에는 이미지를 위한 {below} 좌표계가 있습니다.")
+        facts = {"name": frame, "optical": there if frame in optical else none, "topics": ", ".join(names)}
         yield Finding("image-in-body-frame", "warning", topic=names[0], facts=facts)
+
+
+def _is_upright(evidence: Evidence, frame: str) -> bool:
+    """Return whether y is level and z not below the horizon, as of a body; y of an optical frame points down."""
+    poses = {edge.child: edge.numbers[-1] for edge in evidence.edges() if edge.is_usable[-1]}
+    pose, above = Transform(), frame
+    for _ in poses:
+        if above in poses:
+            pose = Transform(poses[above][:3], poses[above][3:]) @ pose
+            above = evidence.parent_of.get(above, "")
+    _, y_up, z_up, _ = pose.matrix()[2]
+    return frame in poses and abs(y_up) < LEVEL and z_up > -LEVEL
 
 
 def mounts_in_degrees(evidence: Evidence) -> Iterator[Finding]:
     """Yield a finding for each mount that is rotated about one axis by radians that were meant as degrees."""
     for edge in evidence.statics:
-        x, y, z, w = np.abs(edge.numbers[-1, 3:])
-        axis = max(x, y, z)
+        *axes, w = edge.numbers[-1, 3:]
+        axis = max(axes, key=abs)
         angle_rad = 2.0 * float(np.arctan2(axis, w))
-        for degrees in DEGREES if edge.is_usable[-1] and x + y + z - axis < DEGREES_TOLERANCE else ():
-            off_rad = abs(np.arccos(np.cos(degrees)) - angle_rad)
-            if off_rad < DEGREES_TOLERANCE:
-                facts = {"degrees": degrees, "turned": f"{np.degrees(angle_rad):.1f}"}
+        is_one_axis = np.abs(axes).sum() - abs(axis) < DEGREES_TOLERANCE
+        for degrees in (*DEGREES, *(-d for d in DEGREES)) if edge.is_usable[-1] and is_one_axis else ():
+            if abs(math.remainder(degrees - angle_rad, 2.0 * math.pi)) < DEGREES_TOLERANCE:
+                facts = {"degrees": degrees, "turned": f"{np.degrees(math.remainder(angle_rad, 2.0 * math.pi)):.1f}"}
                 yield Finding("mount-in-degrees", "warning", edge.usual_parent, edge.child, edge.topic, facts=facts)
 
 

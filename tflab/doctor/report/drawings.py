@@ -159,7 +159,7 @@ def _mark(finding: Finding, edges: list[Edge], begin_ns: int, end_ns: int) -> st
     )
 
 
-ABOUT_ALL = ("stall", "tf-silent", "clock-jump-back", "clock-jump-forward", "gap", "went-silent")
+ABOUT_ALL = ("stall", "clock-set", "tf-silent", "clock-jump-back", "clock-jump-forward", "gap", "went-silent")
 
 
 def _ticks(first_s: float, last_s: float) -> list[float]:
