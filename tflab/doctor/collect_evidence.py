@@ -93,15 +93,18 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     sources = [source for source in (*moving, *headers) if len(source.stamp_ns) > 1 and is_stamped(source)]
     varying = [source for source in sources if isinstance(source, Headers) or np.ptp(source.numbers, axis=0).any()]
     sources = varying or sources  # a mount that is repeated has the stamps of whoever repeats it
-    if not sources:
+    if not sources or _is_one_clock(sources):
         return ClockRelation("same", np.zeros(0), np.zeros(0))
-    usual_ns = [abs(float(np.median(s.receive_ns - s.stamp_ns))) for s in sources]
+    return _estimated_relation(sources)
+
+
+def _is_one_clock(sources: Sequence[Edge | Headers]) -> bool:
+    """Return whether most sources are on the recorder's clock, or some are and all others have another date."""
+    usual_ns = [abs(float(np.median(source.receive_ns - source.stamp_ns))) for source in sources]
     far = [source for source, away_ns in zip(sources, usual_ns, strict=True) if away_ns >= SAME_CLOCK_NS]
     # of two that disagree, the one on the recorder's clock counts
     is_near = sorted(usual_ns)[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS
-    if is_near or (len(far) < len(sources) and all(map(_has_another_date, far))):
-        return ClockRelation("same", np.zeros(0), np.zeros(0))
-    return _estimated_relation(sources)
+    return is_near or (len(far) < len(sources) and all(map(_has_another_date, far)))
 
 
 def _has_another_date(source: Edge | Headers) -> bool:

@@ -32,11 +32,9 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
         kind = kind_of[row.topic]
         if row.count < FEWEST_MESSAGES or not row.child or not SPATIAL.search(kind) or OF_THE_WORLD.search(kind):
             continue
-        if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
-            groups.setdefault(("lookups-fail", "error", row.child), []).append(row)
-        elif CACHE_NS >= row.wait_ns > row.period_ns and (QUEUED.search(kind) or row.shares[1] < 0.5):
-            severity: Severity = "warning" if QUEUED.search(kind) else "info"
-            groups.setdefault(("lookups-wait", severity, row.child), []).append(row)
+        found = _fault_of(row, is_queued=bool(QUEUED.search(kind)))
+        if found:
+            groups.setdefault((*found, row.child), []).append(row)
     for (code, severity, child), rows in groups.items():
         first = rows[0]
         facts = {
@@ -47,6 +45,14 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
             "period": f"{first.period_ns / NSEC_PER_SEC:.3f}",
         }
         yield Finding(code, severity, first.parent, child, first.topic, facts=facts)
+
+
+def _fault_of(row: LookupRow, *, is_queued: bool) -> tuple[str, Severity] | None:
+    if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
+        return "lookups-fail", "error"
+    if CACHE_NS >= row.wait_ns > row.period_ns and (is_queued or row.shares[1] < 0.5):
+        return "lookups-wait", "warning" if is_queued else "info"
+    return None
 
 
 def text_of_shares(row: LookupRow) -> Text:
