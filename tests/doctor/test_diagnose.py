@@ -613,7 +613,11 @@ def test_a_topic_without_a_message_points_at_the_quality_of_service():
     odometry = headers("/odom", "nav_msgs/msg/Odometry", "odom")
     patient = replace(recording(LASER), connections=(silent,), headers=(odometry,))
     (finding,) = diagnose_recording(patient).of_severity("error", "warning")
-    assert (finding.code, finding.topic, finding.facts["offer"]) == ("empty-topic", "/tf", "best_effort")
+    assert (finding.code, finding.topic, finding.facts["offer"]) == (
+        "empty-topic",
+        "/tf",
+        "best_effort, transient_local",
+    )
     assert [effect.code for effect in finding.effects] == ["unknown-world-frame"]
 
 

@@ -129,12 +129,9 @@ def clock_offset(evidence: Evidence) -> Iterator[Finding]:
     settled += [(header, evidence.delay_s(header)) for header in evidence.headers]
     settled = [entry for entry in settled if _has_stamps(entry[0])]
     usual_s = np.array([float(np.median(delay_s)) for _, delay_s in settled])
-    witnesses = [
-        group
-        for group in in_groups(settled, lambda a, b: has_copied_stamps(b[0], a[0]))
-        if not any(map(_is_sweep, group))
-    ]
-    if len(witnesses) < 2:  # one source alone: nothing to compare it with, see stamps.odd_delays
+    witnesses = in_groups(settled, lambda a, b: has_copied_stamps(b[0], a[0]))
+    # of one source alone there is nothing to compare it with, see stamps.odd_delays
+    if sum(not any(map(_is_sweep, group)) for group in witnesses) < 2:
         return
     sign = math.copysign(1.0, float(np.median(usual_s)))
     common_s = sign * float(np.percentile(sign * usual_s, 20, method="lower"))

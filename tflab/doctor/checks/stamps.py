@@ -77,10 +77,9 @@ def _frozen_stamps(evidence: Evidence) -> Iterator[Finding]:
             frozen.append(OtherSamples(run, len(edge)))
     for group in in_groups(frozen, lambda a, b: a.source.stamp_ns[0] == b.source.stamp_ns[0]):
         sources = [part.source for part in group]
-        begin_ns, end_ns = sources[0].receive_ns[[0, -1]].tolist()
         facts = {"count": sum(map(len, sources)), "total": sum(part.total for part in group),
                  "stamp": f"{sources[0].stamp_ns[0] / NSEC_PER_SEC:.1f}"}  # fmt: skip
-        severity = "error" if end_ns - begin_ns > CACHE_S * NSEC_PER_SEC else "warning"
+        severity = "error" if np.ptp(sources[0].receive_ns) > CACHE_S * NSEC_PER_SEC else "warning"
         yield finding_of_sources("time-frozen", severity, sources, facts)
 
 

@@ -180,7 +180,7 @@ def empty_topics(evidence: Evidence) -> Iterator[Finding]:
         if is_ours and not connection.count and topic not in heard:
             heard.add(topic)
             is_needed = evidence.named_by_messages - evidence.frames
-            offers = sorted({qos.reliability for qos in connection.qos}) or [Text("unknown", "알 수 없음")]
+            offers = sorted({", ".join(qos[2:]) for qos in connection.qos}) or [Text("unknown", "알 수 없음")]
             yield Finding("empty-topic", "error" if is_needed else "warning", topic=topic, facts={"offer": offers[0]})
 
 

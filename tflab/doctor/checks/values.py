@@ -70,22 +70,18 @@ def images_in_body_frames(evidence: Evidence) -> Iterator[Finding]:
     topics: dict[str, list[str]] = {}
     for header in evidence.headers:
         for frame in header.frames if re.search(r"Image|CameraInfo", header.msgtype) else ():
-            is_body = frame in (*optical, "base_link", "base_footprint") or (
-                not optical and _is_upright(evidence, frame)
-            )
+            is_body = frame in (*optical, *BODIES) or (not optical and _is_upright(evidence, frame))
             if is_body and "optical" not in frame:
                 topics.setdefault(frame, []).append(header.topic)
     for frame, names in topics.items():
-        none = Text("No optical frame is below it.", "그 아래에 광학 좌표계가 없습니다.")
-        below = f'"{optical.get(frame)}"'
-        there = Text(f"The tree has {below} for them.", f"트리에는 이미지를 위한 {below} 좌표계가 있습니다.")
-        facts = {"name": frame, "optical": there if frame in optical else none, "topics": ", ".join(names)}
+        below = optical.get(frame, Text("none", "없음"))
+        facts = {"name": frame, "optical": below, "topics": ", ".join(names)}
         yield Finding("image-in-body-frame", "warning", topic=names[0], facts=facts)
 
 
 def _is_upright(evidence: Evidence, frame: str) -> bool:
     """Return whether y is level and z not below the horizon, as of a body; y of an optical frame points down."""
-    poses = {edge.child: edge.numbers[-1] for edge in evidence.edges() if edge.is_usable[-1]}
+    poses = {edge.child: edge.source[edge.rows[-1]] for edge in evidence.edges() if edge.is_usable[-1]}
     pose, above = Transform(), frame
     for _ in poses:
         if above in poses:
