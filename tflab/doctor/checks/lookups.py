@@ -21,6 +21,7 @@ __all__ = ["failing_lookups", "text_of_shares"]
 
 FEWEST_MESSAGES = 8
 QUEUED = re.compile(r"LaserScan|PointCloud")  # message filters hold these back until the transform is there
+SEVERITY_OF: dict[bool, Severity] = {True: "warning", False: "info"}  # of a wait, by whether a queue holds few
 MOST_TOPICS = 6  # that are named
 
 
@@ -35,8 +36,7 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
         if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
             groups.setdefault(("lookups-fail", "error", row.child), []).append(row)
         elif CACHE_NS >= row.wait_ns > row.period_ns and (QUEUED.search(kind) or row.shares[1] < 0.5):
-            severity: Severity = "warning" if QUEUED.search(kind) else "info"
-            groups.setdefault(("lookups-wait", severity, row.child), []).append(row)
+            groups.setdefault(("lookups-wait", SEVERITY_OF[bool(QUEUED.search(kind))], row.child), []).append(row)
     for (code, severity, child), rows in groups.items():
         first = rows[0]
         facts = {
