@@ -83,34 +83,31 @@ def clock_relation(moving: list[Edge], headers: tuple[Headers, ...], clock: Cloc
     """Return the difference between the recorder's clock and the one that stamps.
 
     If /clock was recorded, it is the one that stamps.  Otherwise, if the usual
-    "received minus stamp" is small, the clocks are one; so they are if some sources
-    are on the recorder's clock and all others have another date: nothing is simulated.
-    If not, a recording was recorded again from its replay, or /clock was left out: then
-    the level that all have in common is the difference, and it may drift.
+    "received minus stamp" is small, the clocks are one; if not, a recording was
+    recorded again from its replay, or /clock was left out: then the level that all
+    have in common is the difference, and it may drift.
     """
     if len(clock.time_ns) > 1:
         return ClockRelation("/clock", clock.receive_ns, (clock.receive_ns - clock.time_ns) / NSEC_PER_SEC)
     sources = [source for source in (*moving, *headers) if len(source.stamp_ns) > 1 and is_stamped(source)]
     varying = [source for source in sources if isinstance(source, Headers) or np.ptp(source.numbers, axis=0).any()]
     sources = varying or sources  # a mount that is repeated has the stamps of whoever repeats it
-    if not sources or _is_one_clock(sources):
+    if not sources:
+        return ClockRelation("same", np.zeros(0), np.zeros(0))
+    if _are_on_one_clock(sources):
         return ClockRelation("same", np.zeros(0), np.zeros(0))
     return _estimated_relation(sources)
 
 
-def _is_one_clock(sources: Sequence[Edge | Headers]) -> bool:
-    """Return whether most sources are on the recorder's clock, or some are and all others have another date."""
-    usual_ns = [abs(float(np.median(source.receive_ns - source.stamp_ns))) for source in sources]
+def _are_on_one_clock(sources: list) -> bool:
+    """Return whether sources are on the recorder's clock, or the others have a date and its pace: none is simulated."""
+    usual_ns = [abs(float(np.median(s.receive_ns - s.stamp_ns))) for s in sources]
+    if sorted(usual_ns)[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS:  # of two that disagree, the recorder's counts
+        return True
     far = [source for source, away_ns in zip(sources, usual_ns, strict=True) if away_ns >= SAME_CLOCK_NS]
-    # of two that disagree, the one on the recorder's clock counts
-    is_near = sorted(usual_ns)[(len(usual_ns) - 1) // 2] < SAME_CLOCK_NS
-    return is_near or (len(far) < len(sources) and all(map(_has_another_date, far)))
-
-
-def _has_another_date(source: Edge | Headers) -> bool:
-    """Return whether a source that is far from the recorder's clock counts from 1970, too, and at its pace."""
-    pace = float(np.ptp(source.stamp_ns)) / max(float(np.ptp(source.receive_ns)), 1.0)
-    return bool(np.median(source.stamp_ns) > YEAR_NS) and abs(pace - 1.0) < SAME_PACE
+    paces = [np.ptp(source.stamp_ns) / max(np.ptp(source.receive_ns), 1) for source in far]
+    are_dated = all(np.median(source.stamp_ns) > YEAR_NS for source in far)
+    return len(far) < len(sources) and are_dated and all(abs(pace - 1.0) < SAME_PACE for pace in paces)
 
 
 def _estimated_relation(sources: list) -> ClockRelation:

@@ -122,11 +122,9 @@ def _rows_of(
                 of_path = np.stack([ready_of[child][which] for child in path])
                 time_ns = np.maximum(of_path.max(axis=0), receive_ns[which])
                 forgotten = [histories[child].is_forgotten(stamp_ns[which], time_ns) for child in path]
-                is_missing = time_ns == NEVER
-                is_forgotten = np.any(forgotten, axis=0) & ~is_missing
-                is_never = is_missing | is_forgotten
+                is_never = (time_ns == NEVER) | np.any(forgotten, axis=0)
                 wait_ns[which] = np.where(is_never, NEVER, time_ns - receive_ns[which])
-                awaited = np.where(is_forgotten, np.argmax(forgotten, axis=0), of_path.argmax(axis=0))
+                awaited = _awaited(histories, path, of_path, stamp_ns[which], receive_ns[which])
                 last = awaited[wait_ns[which] > 0]
                 waited_for.update(dict(zip(path, np.bincount(last, minlength=len(path)).tolist(), strict=True)))
         child = max(waited_for, key=waited_for.__getitem__) if any(waited_for.values()) else ""
@@ -134,6 +132,16 @@ def _rows_of(
         edge = (evidence.parent_of.get(child, ""), child)
         least_ns = int(np.sort(wait_ns)[int(FEWEST_WAIT * len(wait_ns))])
         yield LookupRow(header.topic, frame, fixed, len(stamp_ns), shares, *edge, least_ns, period_ns)
+
+
+def _awaited(
+    histories: dict[str, _History], path: list[str], ready_ns: np.ndarray, stamp_ns: np.ndarray, receive_ns: np.ndarray
+) -> np.ndarray:
+    """Return which edge of a path each message waits for: one that has forgotten its sample by itself, or the last."""
+    own_ns = np.maximum(ready_ns, receive_ns)
+    gone = np.stack([histories[c].is_forgotten(stamp_ns, time_ns) for c, time_ns in zip(path, own_ns, strict=True)])
+    is_gone = gone.any(axis=0) & (ready_ns != NEVER).all(axis=0)
+    return np.where(is_gone, gone.argmax(axis=0), ready_ns.argmax(axis=0))
 
 
 def _trees(
