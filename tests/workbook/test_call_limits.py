@@ -58,7 +58,7 @@ def test_what_a_function_prints_is_counted_and_not_shown(capsys: pytest.CaptureF
     check("E4.3", lambda *_: print("found it"))
     reply = capsys.readouterr().out
     assert "found it" not in reply
-    assert "Did you forget `return`?" in reply
+    assert "your function returned nothing (None)" in reply
     assert "also printed 30 lines" in reply
 
 

@@ -36,7 +36,7 @@ def test_what_a_part_shows_is_said_beside_its_sign_and_of_a_list_by_the_place():
 def test_of_a_part_that_nothing_explains_it_is_said_how_far_it_is_off():
     form = Parts({"a": Number("m"), "b": Number("m")})
     verdict = judged(form, {"a": 1.0, "b": 2.0}, {}, {"a": -1.0, "b": 2.1})
-    assert verdict.said.en.endswith('"b": not right yet (too large, by less than a tenth).')
+    assert verdict.said.en.endswith('"b": not right yet (too large, by less than 10 %).')
 
 
 def test_a_part_whose_name_the_reply_says_already_is_named_once():
