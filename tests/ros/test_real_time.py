@@ -43,6 +43,7 @@ def run_python(code, until=None):
         for line in process.stderr:
             err += line
             if until in line:
+                time.sleep(0.2)  # the line may come while its callback runs; the signal is for the node that waits
                 process.send_signal(signal.SIGINT)
                 break
     out, rest = process.communicate(timeout=30)
