@@ -43,7 +43,6 @@ def run_python(code, until=None):
         for line in process.stderr:
             err += line
             if until in line:
-                time.sleep(0.2)  # the line may come while its callback runs; the signal is for the node that waits
                 process.send_signal(signal.SIGINT)
                 break
     out, rest = process.communicate(timeout=30)
@@ -166,6 +165,11 @@ def test_ctrl_c_while_the_files_are_still_being_started_interrupts_all_of_them(c
     run_files([], beside=[("press", press), *((f"stay{number}", stay) for number in range(20))])
     assert len(ended) == 20
     assert "went on" not in capfd.readouterr().err
+
+
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="Windows has no such signal")
+def test_a_signal_handler_wakes_the_thread_that_it_interrupts():
+    assert run_python(CASES["woken_by_a_signal"]) == ("woken\n", "")
 
 
 def test_ctrl_c_in_a_script_shuts_the_context_down_first():

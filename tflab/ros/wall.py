@@ -6,10 +6,11 @@ Threads run in parallel.  The other driver, for pages, is
 
 from __future__ import annotations
 
+import contextlib
+import queue
 import threading
 import time
 from collections.abc import Callable
-from contextlib import AbstractContextManager, nullcontext
 
 from tflab.core import NSEC_PER_SEC
 
@@ -24,24 +25,31 @@ STARTED_NS = time.time_ns() - time.perf_counter_ns()
 
 
 class WallWaiter:
-    """Somebody waiting, who can be woken."""
+    """A thread that waits, and can be woken, also by a signal handler that runs in that thread.
+
+    An Event would not do: its set() in a signal handler blocks for ever if the handler interrupts its wait().
+    """
 
     def __init__(self) -> None:
-        self._event = threading.Event()
+        self._wakes: queue.SimpleQueue[None] = queue.SimpleQueue()
 
     def wake(self) -> None:
         """End the present wait, or the next one."""
-        self._event.set()
+        if self._wakes.empty():
+            self._wakes.put(None)
 
     def wait(self, duration_ns: int | None) -> None:
         """Block until woken, or for `duration_ns` [ns]."""
         until_s = None if duration_ns is None else time.perf_counter() + duration_ns / NSEC_PER_SEC
-        while not self._event.is_set():
+        while self._wakes.empty():
             left_s = LONGEST_WAIT_S if until_s is None else until_s - time.perf_counter()
             if left_s <= 0.0:
+                return
+            with contextlib.suppress(queue.Empty):
+                self._wakes.get(timeout=min(left_s, LONGEST_WAIT_S))
                 break
-            self._event.wait(min(left_s, LONGEST_WAIT_S))
-        self._event.clear()
+        while not self._wakes.empty():
+            self._wakes.get()
 
 
 class WallTime:
@@ -78,9 +86,9 @@ class WallTime:
     def leave_callback(self) -> None:
         """Note that it has ended."""
 
-    def spinning(self) -> AbstractContextManager:
+    def spinning(self) -> contextlib.AbstractContextManager:
         """Mark that something spins without end; nothing depends on it in real time."""
-        return nullcontext()
+        return contextlib.nullcontext()
 
     def is_cooperative(self) -> bool:
         """Return whether this thread waits for its turn; nobody does in real time."""
