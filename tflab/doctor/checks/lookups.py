@@ -21,7 +21,6 @@ __all__ = ["failing_lookups", "text_of_shares"]
 
 FEWEST_MESSAGES = 8
 QUEUED = re.compile(r"LaserScan|PointCloud")  # message filters hold these back until the transform is there
-SEVERITY_OF: dict[bool, Severity] = {True: "warning", False: "info"}  # of a wait, by whether a queue holds few
 MOST_TOPICS = 6  # that are named
 
 
@@ -33,10 +32,9 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
         kind = kind_of[row.topic]
         if row.count < FEWEST_MESSAGES or not row.child or not SPATIAL.search(kind) or OF_THE_WORLD.search(kind):
             continue
-        if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
-            groups.setdefault(("lookups-fail", "error", row.child), []).append(row)
-        elif CACHE_NS >= row.wait_ns > row.period_ns and (QUEUED.search(kind) or row.shares[1] < 0.5):
-            groups.setdefault(("lookups-wait", SEVERITY_OF[bool(QUEUED.search(kind))], row.child), []).append(row)
+        fault = _fault_of(row, is_queued=bool(QUEUED.search(kind)))
+        if fault:
+            groups.setdefault((*fault, row.child), []).append(row)
     for (code, severity, child), rows in groups.items():
         first = rows[0]
         facts = {
@@ -47,6 +45,15 @@ def failing_lookups(evidence: Evidence) -> Iterator[Finding]:
             "period": f"{first.period_ns / NSEC_PER_SEC:.3f}",
         }
         yield Finding(code, severity, first.parent, child, first.topic, facts=facts)
+
+
+def _fault_of(row: LookupRow, *, is_queued: bool) -> tuple[str, Severity] | None:
+    """Return the code and the severity of what is wrong with a lookup; None if it works soon enough."""
+    if row.wait_ns > CACHE_NS and row.shares[-1] == 0.0:
+        return "lookups-fail", "error"
+    if CACHE_NS >= row.wait_ns > row.period_ns and (is_queued or row.shares[1] < 0.5):
+        return "lookups-wait", "warning" if is_queued else "info"
+    return None
 
 
 def text_of_shares(row: LookupRow) -> Text:
