@@ -65,9 +65,8 @@ def code_in(text: str) -> str:
     for node in ast.walk(ast.parse(text)):
         match getattr(node, "body", None):
             case [ast.Expr(value=ast.Constant(value=str())) as docstring, *_]:
-                lines[docstring.lineno - 1 : docstring.end_lineno] = [""] * (
-                    docstring.end_lineno - docstring.lineno + 1
-                )
+                for number in range(docstring.lineno - 1, docstring.end_lineno):
+                    lines[number] = ""
     return "\n".join(line for line in lines if line.strip() and not line.lstrip().startswith("#"))
 
 
