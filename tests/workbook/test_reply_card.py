@@ -27,6 +27,11 @@ def test_code_is_set_as_code_and_what_an_answer_held_stays_text():
     assert "<code>invert({x: (1.0, 2.0)})</code>." in card
 
 
+def test_stressed_words_are_set_so_and_products_are_not():
+    card = as_html("E3.2 ✗ 0/1", "only *one*, *둘 다*; 2 * x * 3, a*b*c and `*args, *more`", (), "wrong")
+    assert "Only <em>one</em>, <em>둘 다</em>; 2 * x * 3, a*b*c and <code>*args, *more</code>" in card
+
+
 def test_what_is_said_of_each_part_has_a_line_of_its_own(capsys):
     said = '"a", "b": turned the wrong way. "c": is "x": "y" a name? Look again. 그렇습니다. "d[0]": look again.'
     show_reply("E1.2 ✗ 1/4", said, ["once more"], "wrong")

@@ -24,6 +24,7 @@ from ..text import capitalized
 __all__ = ["as_html", "in_notebook", "shell", "show_caption", "show_page", "show_reply"]
 
 CODE = re.compile(r"`([^`\n]+)`")
+STRESSED = re.compile(r"(?<![\w*])\*([^\s*][^*\n]*)\*(?![\w*])")
 CALL = re.compile(r"\b[a-z_][\w.]*\((?:[^()\n]|\([^()\n]*\))*\)")
 PART = re.compile(r'(?<=[.?!)])\s(?="[^"\n]+"(?:, "[^"\n]+")*: )')  # what is said of a part begins with its name
 COLOURS = {  # JupyterLab's own, so that they suit its theme
@@ -80,8 +81,8 @@ def as_html(head: str, said: str, more: Sequence[str], kind: str) -> str:
     """Return the card; whatever an answer held is text in it, and nothing else."""
     lines = [f"<strong>{html.escape(head)}</strong>"]
     if said:
-        lines += [_with_code(capitalized(part)) for part in PART.split(said)]
-    lines += [f"<small>{_with_code(CALL.sub(_in_backticks, line))}</small>" for line in more]
+        lines += [_as_markup(capitalized(part)) for part in PART.split(said)]
+    lines += [f"<small>{_as_markup(CALL.sub(_in_backticks, line))}</small>" for line in more]
     return f'<div class="tflab-reply" style="{CARD.format(colour=COLOURS[kind])}">{"<br>".join(lines)}</div>'
 
 
@@ -89,8 +90,11 @@ def _in_backticks(call: re.Match) -> str:
     return call[0] if "`" in call[0] else f"`{call[0]}`"
 
 
-def _with_code(text: str) -> str:
-    return CODE.sub(r"<code>\1</code>", html.escape(text, quote=False)).replace("\n", "<br>")
+def _as_markup(text: str) -> str:
+    pieces = CODE.split(html.escape(text, quote=False))  # text, code, text, ...
+    pieces[::2] = [STRESSED.sub(r"<em>\1</em>", piece).replace("\n", "<br>") for piece in pieces[::2]]
+    pieces[1::2] = [f"<code>{piece}</code>" for piece in pieces[1::2]]
+    return "".join(pieces)
 
 
 def in_notebook() -> bool:
