@@ -81,7 +81,7 @@ from tflab.workbook import lesson
 # %% name="motion" tags=["interactive"]
 lesson.show_drive()
 
-# %% name="motion-still"
+# %% name="motion-still" tags=["static"]
 lesson.draw_room(at_s=5.0)
 
 # %% [markdown] lang="en" name="first-question" slide="slide"
@@ -182,7 +182,7 @@ graph.run(seconds=2.0)
 # %% name="rviz" tags=["interactive"]
 # %rviz2 -f map
 
-# %% name="rviz-still"
+# %% name="rviz-still" tags=["static"]
 lesson.draw_now(graph, fixed_frame='map')
 
 # %% name="stop"

@@ -400,7 +400,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # %% name="rulers-panel" tags=["interactive"]
 lesson.rulers_panel()
 
-# %% name="rulers-still" slide="skip"
+# %% name="rulers-still" tags=["static"]
 at_first, later = ({'map': Transform(), 'base_link': poses_at[t]} for t in (2, 6))
 lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first, map_p_ball))
 
@@ -445,7 +445,7 @@ def at_time(t):
 scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')
 scene
 
-# %% name="in-3d-still" slide="skip"
+# %% name="in-3d-still" tags=["static"]
 lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
 
 # %% [markdown] lang="en" name="header" slide="slide"

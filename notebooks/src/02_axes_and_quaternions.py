@@ -322,7 +322,7 @@ lesson.draw_right_hand()
 # %% name="rpy-panel" tags=["interactive"] slide="subslide"
 lesson.rotation_panel(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
-# %% name="rpy-figure" slide="skip"
+# %% name="rpy-figure" tags=["static"]
 lesson.draw_rotation(roll_rad=0.0, pitch_rad=0.0, yaw_rad=math.pi / 6)
 
 # %% [markdown] lang="en" name="rpy-try" slide="fragment"
@@ -670,7 +670,7 @@ for name, q in (("taken as it came", from_mujoco), ("put in order", lesson.xyzw_
 # %% name="optical-panel" tags=["interactive"] slide="subslide"
 lesson.cameras_panel(forward_m=2.0, left_m=0.5, up_m=0.3)
 
-# %% name="optical-figure" slide="skip"
+# %% name="optical-figure" tags=["static"]
 lesson.draw_cameras((2.0, 0.5, 0.3))
 
 # %% [markdown] lang="en" name="optical-notes" slide="notes"
@@ -789,7 +789,7 @@ lesson.draw_arrow(view, "ray", base_T_optical.translation, base_p_mug)
 lesson.draw_mug(view, "mug", base_p_mug)
 view
 
-# %% name="scene-figure" slide="skip"
+# %% name="scene-figure" tags=["static"]
 lesson.draw_scene(
     {"base_link": Transform(), "camera_link": base_T_camera, "camera_optical_frame": base_T_optical},
     points={"mug": base_p_mug},

@@ -352,7 +352,7 @@ yaws = [math.radians(degrees) for degrees in range(-180, 181, 15)]
 scene.sweep('yaw', yaws, turn_the_mount, unit='rad', start=18)
 scene
 
-# %% name="in-3d-still" slide="skip"
+# %% name="in-3d-still" tags=["static"]
 lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'corner': (0.2, 2.0, 0.15)},
                   ghost_points={'swapped': (0.0, -1.8, -0.15)}, fixed_frame='base_link', length_m=0.5)
 
@@ -461,7 +461,7 @@ lesson.draw_scene({'base_link': Transform(), 'laser_frame': base_T_laser}, {'cor
 # *그림 읽기:* data expressed in [A], wanted in [B] = A 기준으로 표현된 데이터를 B 기준으로 보고 싶다, source = 원본, target = 목표.
 # 목표와 원본을 맞바꾸어도 행렬의 부호가 하나만 달라지는 두 좌표계가 있습니다. 어느 것인지 찾아보세요.
 
-# %% name="the-sentence-panel" tags=["interactive"] slide="skip"
+# %% name="the-sentence-panel" tags=["interactive"] slide="subslide"
 lesson.sentence_panel(
     {
         'base_link': Transform(),
@@ -472,7 +472,7 @@ lesson.sentence_panel(
     'laser_frame',
 )
 
-# %% name="the-sentence-still" slide="subslide"
+# %% name="the-sentence-still" tags=["static"]
 lesson.draw_question(buffer, 'base_link', 'laser_frame')
 
 # %% [markdown] lang="en" name="the-sentence-panel-answer" slide="skip"
@@ -828,7 +828,7 @@ lesson.draw_scene({'laser_frame': Transform(), 'base_link': laser_T_base}, ghost
 # %% name="try-it-panel" tags=["interactive"]
 lesson.mount_panel()
 
-# %% name="try-it-still" slide="skip"
+# %% name="try-it-still" tags=["static"]
 lesson.draw_mount(math.pi / 2)
 
 # %% [markdown] lang="en" name="try-it-answers"

@@ -368,17 +368,17 @@ lesson.draw_walk(island, "map", "laser_frame")
 # %% name="tree-panel" tags=["interactive"]
 lesson.tree_panel(parent_of, "map", "laser_frame")
 
+# %% name="tree-still" tags=["static"]
+broken = Buffer()
+for child, parent in {**parent_of, "odom": "odm"}.items():
+    send(broken, parent, child)
+lesson.draw_walk(broken, "camera_link", "laser_frame")
+
 # %% [markdown] lang="en" name="panel-tasks"
 # Try three changes: make `odom` a child of `laser_frame`, of `odm`, and of itself. After each change, look up target `camera_link`, source `laser_frame`. Which faults does that lookup not show?
 
 # %% [markdown] lang="ko" name="panel-tasks"
 # `odom`을 `laser_frame` 아래에, `odm` 아래에, 자기 자신 아래에 매달아 보세요. 그때마다 목표 `camera_link`, 원본 `laser_frame`으로도 조회해 보세요. 이 조회로는 찾지 못하는 고장은 무엇일까요?
-
-# %% name="tree-still"
-broken = Buffer()
-for child, parent in {**parent_of, "odom": "odm"}.items():
-    send(broken, parent, child)
-lesson.draw_walk(broken, "camera_link", "laser_frame")
 
 # %% [markdown] lang="en" name="tree-still-seen"
 # With `odom` as a child of `odm`, the path between two sensors is as short as before. That is why a broken tree can work for weeks: a lookup fails only if its path crosses the gap.

@@ -226,7 +226,7 @@ def at_time(t):
 scene.sweep('time', [20.0 + 0.5 * i for i in range(41)], at_time, unit='s')
 scene
 
-# %% name="in-3d-still" slide="skip"
+# %% name="in-3d-still" tags=["static"]
 frames = {'map': Transform(), 'odom': pose('map', 'odom', 26.1), 'base_footprint': pose('map', 'base_footprint', 26.1)}
 lesson.draw_scene(frames, ghosts={'odom before': pose('map', 'odom', 26.0)}, eye=lesson.FROM_ABOVE, length_m=0.4)
 

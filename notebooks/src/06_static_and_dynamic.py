@@ -385,7 +385,7 @@ senders = (
 )
 lesson.joins_panel(senders, join_s=1.0, until_s=6.0)
 
-# %% name="come-later-still" slide="skip"
+# %% name="come-later-still" tags=["static"]
 lesson.draw_joins(senders, join_s=3.0, until_s=6.0)
 
 # %% [markdown] lang="en" name="come-later-answers" slide="fragment"
@@ -920,7 +920,7 @@ def at_angle(theta):
 scene.sweep('theta', [round(0.3 * k, 1) for k in range(22)], at_angle, unit='rad')
 scene
 
-# %% name="forward-still" slide="skip"
+# %% name="forward-still" tags=["static"]
 lesson.draw_scene({'odom': Transform(), 'base_link': then}, ghosts={'1 s later': later},
            arrows={'goes': ('base_link', step)}, fixed_frame='odom', eye=lesson.FROM_ABOVE)
 

@@ -227,12 +227,12 @@ lesson.draw_scene({'head': head}, {'nose': head.apply(nose)}, ghosts={'misread':
 # `base_link`, `shoulder`, `elbow`, `wrist`, `tool0`, `tcp`. 그림에서는 관절 하나의 변환을 도미노 하나로 그립니다. 이 변환을 모두 합성하면 팔 끝의 포즈가 나옵니다. (이 계산을 [[forward kinematics|정기구학(forward kinematics)]]이라고 합니다.) 슬라이더를 움직여 보세요. 어느 도미노의 숫자가 바뀔까요?
 
 # %% name="arm-panel" tags=["interactive"]
-lesson.joints_panel()
-
-# %% name="arm-still" slide="-"
 at = {'shoulder_joint': 0.5, 'elbow_joint': -0.6, 'wrist_joint': 0.4}
 poses = lesson.link_poses(lesson.parse_urdf(URDF), at)
 base_T_tool0 = poses['base_link'].inverse() @ poses['tool0']
+lesson.joints_panel()
+
+# %% name="arm-still" tags=["static"]
 x, y, z = base_T_tool0.translation
 lesson.draw_joints(at, touched='elbow_joint', ghosts={'0.12 added to z': (x, y, z + 0.12)})
 

@@ -314,7 +314,7 @@ for name, sight in (("straight", straight), ("turning", turning)):
 # %% name="scene-of-the-delay" tags=["interactive"] slide="subslide"
 lesson.show_latency()
 
-# %% name="picture-of-the-delay" slide="skip"
+# %% name="picture-of-the-delay" tags=["static"]
 lesson.draw_latency(turning)
 
 # %% [markdown] lang="en" name="slider-intro" slide="slide"
@@ -336,7 +336,7 @@ lesson.draw_latency(turning)
 # %% name="slider" tags=["interactive"] slide="subslide"
 lesson.latency_panel(turning)
 
-# %% name="slider-still" slide="skip"
+# %% name="slider-still" tags=["static"]
 lesson.draw_latency(lesson.Sight(speed_mps=0.0, yaw_rate_radps=0.5, range_m=5.0, delay_ns=seconds(0.04)))
 
 # %% [markdown] lang="en" name="slider-answer" slide="fragment"

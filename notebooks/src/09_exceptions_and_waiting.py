@@ -353,7 +353,7 @@ else:
 lanes = lesson.draw_history(buffer, 'map', 'laser_frame').timeline.lanes
 lesson.timeline_panel('map', 'laser_frame', lanes, buffer.core.lookup_transform)
 
-# %% name="slider-still" slide="skip"
+# %% name="slider-still" tags=["static"]
 lesson.draw_history(buffer, 'map', 'laser_frame', seconds(14.3))
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
@@ -885,7 +885,7 @@ print(len(hopeless.answers), 'placed,', hopeless.failures, 'failed')
 # %% name="walls-walk" tags=["interactive"] slide="subslide"
 lesson.show_clock_error()
 
-# %% name="walls-walk-still" slide="skip"
+# %% name="walls-walk-still" tags=["static"]
 one_scan = [sight for sight in placer.answers if sight[1].nanoseconds >= seconds(9.0)][:1]
 lesson.draw_placed({
     f'clock error {0.3 - right:.1f} s': lesson.walls_seen(placer.buffer, one_scan, right) for right in (0.3, 0.1, 0.0)

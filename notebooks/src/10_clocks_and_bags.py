@@ -354,7 +354,7 @@ for use_sim_time in (False, True):
 # %% name="clocks-panel" tags=["interactive"]
 lesson.clocks_panel()
 
-# %% name="clocks-still" slide="-"
+# %% name="clocks-still" tags=["static"]
 lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), played_s=9.0)
 
 # %% [markdown] lang="en" name="clocks-read"

@@ -137,18 +137,18 @@ late_s, wheels_hz, red_line, pose_changes = ..., ..., ..., ...
 # 질문에 맞지 않는 도구도 무언가는 출력합니다. 그러니 질문부터 정합니다.
 # 달리는 로봇을 두고 일곱 가지 질문마다 일곱 도구를 써 보세요. 출력은 실제 도구의 출력을 조금 줄인 것입니다. 질문에 맞는지는 출력 바로 위의 줄에 나옵니다.
 
-# %% name="ask-first-panel" tags=["interactive"]
+# %% name="ask-first-panel" tags=["interactive"] slide="subslide"
 lesson.start_robot()
 lesson.tools_panel()
+
+# %% name="ask-first-table" tags=["static"]
+lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-notes" slide="notes"
 # Four minutes with the table. Try the wrong tool first on two questions, then the right one: a wrong tool prints, too.
 
 # %% [markdown] lang="ko" name="ask-first-notes" slide="notes"
 # 표까지 합해 4분입니다. 질문 둘을 골라 먼저 틀린 도구를, 그다음 맞는 도구를 씁니다. 틀린 도구도 무언가를 출력합니다.
-
-# %% name="ask-first-table" slide="subslide"
-lesson.draw_toolbox()
 
 # %% [markdown] lang="en" name="ask-first-seen"
 # Every tool has gaps, and one row has no ✓ at all: **no ROS 2 tool names the [[owner]] of an edge**, the node that publishes it. `topic info --verbose` names the nodes that publish on `/tf`. The messages do not show which of them publishes which edge.
@@ -408,17 +408,17 @@ for f in (1, 2, 10, 20):
 #
 # *그림 읽기:* arc = 로봇이 달린 호, chord = TF가 보간한 현, gap = 둘 사이의 틈, samples = 표본, v/f = 표본 사이에 달린 거리, wait = 가장 긴 기다림. speed = 속도, yaw rate = 각속도, rate = 발행률.
 
-# %% name="often-enough-panel" tags=["interactive"]
+# %% name="often-enough-panel" tags=["interactive"] slide="subslide"
 lesson.rate_panel()
+
+# %% name="often-enough-still" tags=["static"]
+lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 
 # %% [markdown] lang="en" name="often-enough-notes" slide="notes"
 # Two minutes, the answer only: nothing on a straight line, 61 mm at 1 Hz in a curve, up to 0.9 s of waiting. The panel is for reading.
 
 # %% [markdown] lang="ko" name="often-enough-notes" slide="notes"
 # 2분 동안 답만 봅니다. 곧은 길에서는 0, 굽은 길에서는 1 Hz일 때 61 mm, 기다림은 최대 0.9초입니다. 패널은 각자 읽을 때 씁니다.
-
-# %% name="often-enough-still" slide="subslide"
-lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 
 # %% [markdown] lang="en" name="often-enough-still-notes" slide="notes"
 # Hold a ruler against the arc: that is TF between two samples.
@@ -438,20 +438,20 @@ lesson.draw_bend(lesson.Bend(speed_mps=0.5, yaw_rate_radps=1.0, rate_hz=1.0))
 # [[rviz]]는 메시지를 하나씩 **그 메시지의 측정 시각으로** [[fixed frame|고정 좌표계(Fixed Frame)]] 기준으로 바꿔 그립니다. 바꾸지 못한 것은 그리지 않고 목록에 적습니다. 이것이 [[display status|디스플레이 상태]]입니다.
 # 고정 좌표계를 바꾸고, 마우스로 시점을 돌리고, 목록의 줄을 펼쳐 보세요.
 
-# %% name="rviz-live" tags=["interactive"]
+# %% name="rviz-live" tags=["interactive"] slide="subslide"
 graph = lesson.start_robot()
-graph.run(seconds=20)
+graph.run(seconds=25)
 # %rviz2 -f map
+
+# %% name="rviz-still" tags=["static"]
+graph = lesson.start_robot()
+lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-notes" slide="notes"
 # Four minutes with the still picture. Change the Fixed Frame, and let them say what moves before it does.
 
 # %% [markdown] lang="ko" name="rviz-notes" slide="notes"
 # 정지 그림까지 합해 4분입니다. 고정 좌표계를 바꾸기 전에 무엇이 움직일지 말하게 합니다.
-
-# %% name="rviz-still" slide="subslide"
-graph = lesson.start_robot()
-lesson.draw_rviz(until_s=25.0)
 
 # %% [markdown] lang="en" name="rviz-seen"
 # On the left, from above: the walls are grey, and what the laser measured in the last second is coloured (the [[decay time]] is 1 s here). On the right is the list. The scans are on the walls to within some centimetres: the robot is in a curve, and a sweep takes 0.1 s.

@@ -554,7 +554,7 @@ visit.try_fix()
 # %% name="film" tags=["interactive"]
 lesson.visit_panel(visit)
 
-# %% name="film-still" slide="-"
+# %% name="film-still" tags=["static"]
 lesson.draw_visit(visit)
 
 # %% [markdown] lang="en" name="film-seen"
@@ -614,7 +614,7 @@ if my_cause is not ...:
 # %% name="panel" tags=["interactive"] slide="skip"
 lesson.clinic_panel(lesson.practice_patient(7))
 
-# %% name="panel-still" slide="skip"
+# %% name="panel-still" tags=["static"]
 lesson.draw_questions(lesson.answer_of(7), ["hz /scan", "view_frames", "node list", "use_sim_time"])
 
 # %% [markdown] lang="en" name="panel-seen" slide="skip"

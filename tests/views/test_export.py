@@ -151,6 +151,23 @@ def test_a_page_says_its_language_and_without_live_views_it_has_no_script(tmp_pa
     assert '<html lang="ko">' in export_html(path, tmp_path).read_text()
 
 
+def test_what_jupyterlab_collapses_is_folded_and_its_heading_stays_in_sight(tmp_path):
+    new, collapsed = nbformat.v4, {"jp-MarkdownHeadingCollapsed": True}
+    cells = [
+        new.new_markdown_cell("# Page", id="page"),
+        new.new_markdown_cell("## More\n\nIf you like.", id="more", metadata=collapsed),
+        new.new_code_cell("draw()", id="draw", metadata={"jupyter": {"source_hidden": True}}),
+        new.new_markdown_cell("## Last", id="last", metadata=collapsed),
+    ]
+    nbformat.write(new.new_notebook(cells=cells), tmp_path / "page.ipynb")
+    page = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
+    folds = re.findall(r'<(details class="[\w-]+|/details|h2 id="\w+|(?:p|pre))\b', page)
+    assert folds == [
+        'details class="tflab-section', 'h2 id="More', "p", 'details class="tflab-code', "pre", "/details", "/details",
+        'details class="tflab-section', 'h2 id="Last', "/details",
+    ]  # fmt: skip
+
+
 def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys, monkeypatch):
     notebook = notebook_at(tmp_path / "page.ipynb", {}, ())
     monkeypatch.chdir(tmp_path)

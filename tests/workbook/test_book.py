@@ -14,11 +14,10 @@ import pytest
 from axe_playwright_python.sync_playwright import Axe
 
 import tflab
-from tflab.workbook.book.pages import STATIC, BookPage, conventions_text, framed, last_line, shell
+from tflab.workbook.book.pages import BookPage, conventions_text, framed, last_line, shell
 from tflab.workbook.book.reference import sentences_kept, write_reference
 from tflab.workbook.book.search_index import sections_of
 from tflab.workbook.pages.build import build
-from tflab.workbook.pages.site import mark_repeated_views
 
 TEXTS = {
     "en": "# 03 · A title\n\nFirst words.\n\n## Predict\n\nWhere is the <b>laser</b>? It turns by $\\pi / 2$.\n\n"
@@ -158,25 +157,6 @@ def test_in_a_browser_one_finds_changes_the_language_on_the_place_and_prints(sit
     assert page.locator(".book-answers dd").all_text_contents() == ["\nYou forgot the turn.\n"]
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     assert page.locator(".book-answers").count() == 0
-
-
-@pytest.mark.browser
-def test_on_paper_a_figure_stands_alone_where_it_repeats_a_live_view(page) -> None:
-    picture = nbformat.v4.new_output("display_data", {"image/png": ""})
-    cells = [
-        nbformat.v4.new_code_cell("panel()", id="live", metadata={"tags": ["interactive"]}),
-        nbformat.v4.new_code_cell("draw()", id="still", outputs=[picture]),
-        nbformat.v4.new_code_cell("alone()", id="alone", metadata={"tags": ["interactive"]}),
-    ]
-    shown = "".join(f'<div id="cell-id={c.id}"><p class="jp-Cell-outputWrapper">{c.id}</p></div>' for c in cells)
-    style = (STATIC / "book.css").read_text(encoding="utf-8")
-    page.set_content(
-        f'<style>{style}</style><body class="book"><main>{mark_repeated_views(shown, cells)}</main></body>'
-    )
-    seen = "[...document.querySelectorAll('main p')].filter((p) => p.checkVisibility()).map((p) => p.textContent)"
-    assert page.evaluate(seen) == ["live", "still", "alone"]
-    page.emulate_media(media="print")
-    assert page.evaluate(seen) == ["still", "alone"]
 
 
 @pytest.mark.browser

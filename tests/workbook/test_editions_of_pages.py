@@ -13,12 +13,14 @@ from nbclient import NotebookClient
 
 from tflab.workbook.copy.lay_out import lay_out
 from tflab.workbook.pages.build import build_pages, sources
-from tflab.workbook.pages.editions import with_figures
+from tflab.workbook.pages.editions import lecture_notebook, with_figures
 from tflab.workbook.pages.stale import stale
 from tflab.workbook.paths import chapters, workbook_data
 from tflab.workbook.progress import attempts
 from tflab.workbook.tasks.catalog import tasks_of
 from tflab.workbook.tasks.task import slug
+
+from .making_pages import TITLE, code, page, text
 
 ROOT = workbook_data()
 CHAPTERS = chapters()
@@ -54,6 +56,27 @@ def test_a_korean_page_has_the_code_and_the_outputs_of_the_english(name: str) ->
                 assert re.search("[가-힣]", json.dumps(theirs["outputs"], ensure_ascii=False)), theirs["id"]
                 assert not re.search("[가-힣]", json.dumps(ours["outputs"], ensure_ascii=False)), ours["id"]
             assert [ours[key] for key in shared] == [theirs[key] for key in shared], ours["id"]
+
+
+def test_what_follows_the_core_is_collapsed_and_a_live_view_is_one_cell(tmp_path: Path) -> None:
+    source = page(
+        tmp_path,
+        TITLE,
+        text("idea", "## Idea", "## 생각"),
+        code("view", "panel()", ' tags=["collapsed", "interactive"]'),
+        code("figure", "draw()", ' tags=["static"]'),
+        text("core-end", "## Enough to go on", "## 여기까지면 충분합니다"),
+        text("more", "## More", "## 더 보기"),
+        text("detail", "### A detail", "### 자세히"),
+    )
+    drawn = {"output_type": "display_data", "data": {"image/png": "AA==", "text/plain": ["a"]}, "metadata": {}}
+    cells = lecture_notebook(source, "en", {"view": [drawn]})["cells"]
+    metadata = {cell["id"]: cell["metadata"] for cell in cells}
+    assert [name for name, one in metadata.items() if "jp-MarkdownHeadingCollapsed" in one] == ["more"]
+    assert [name for name, one in metadata.items() if "jupyter" in one] == ["view"]
+    assert "figure" not in metadata
+    view = next(cell for cell in cells if cell["id"] == "view")
+    assert view["outputs"] == [drawn] and "nbval-ignore-output" in view["metadata"]["tags"]
 
 
 @pytest.mark.proof(

@@ -35,6 +35,8 @@ def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) 
         code("silent", "x = 1"),
         code("turn", WIDGET, ' tags=["interactive"]'),
         code("figure", DRAW),
+        code("again", WIDGET, ' tags=["interactive"]'),
+        code("again-still", DRAW, ' tags=["static"]'),
         code("fails", "1 / 0", ' tags=["raises-exception"]'),
         code("after", "print(open('../../solutions/tasks/03_x/e3_1.py').read(), end='')"),
         code("shell", "import os\nprint([name for name in os.environ if name.startswith('TFLAB_ROS')])"),
@@ -45,6 +47,7 @@ def test_a_page_stores_what_is_the_same_every_time(tmp_path: Path, monkeypatch) 
         {"data": {"text/plain": ["3"]}, "metadata": {}, "output_type": "execute_result"},
     ]
     assert outputs["silent"] == outputs["turn"] == []
+    assert outputs["figure"] == outputs["again"]
     assert outputs["figure"][0]["data"]["text/plain"] == ["nothing yet"]
     division = {"ename": "ZeroDivisionError", "evalue": "division by zero", "output_type": "error", "traceback": []}
     assert outputs["fails"] == [division]

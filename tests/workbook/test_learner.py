@@ -212,28 +212,6 @@ def test_what_is_folded_holds_no_fold_and_no_caption_of_a_figure(handed_out: Han
         assert cells(copy / START)["guess-told"] == "## So?\n\n" + laid_out.replace("{0}", summary)
 
 
-def test_a_figure_is_folded_where_a_live_view_says_the_same_and_nowhere_else(
-    handed_out: HandedOut, tmp_path: Path
-) -> None:
-    views = {"live": "panel()", "said": "Try it.", "still": "draw()", "why": "## Another thing", "other": "draw()"}
-    views |= {"tool": "%ros2 run rqt", "drawn": "draw()", "again": "panel()", "guess": "draw()"}
-    handed_out.write(START, **views)
-    page = json.loads((handed_out.root / START).read_text())
-    picture = {"output_type": "display_data", "data": {"image/png": "AA=="}, "metadata": {}}
-    tags = {"live": ["interactive"], "tool": ["interactive"], "again": ["interactive"], "guess": ["predicted"]}
-    for cell in page["cells"]:
-        if cell["id"] in ("said", "why"):
-            cell["cell_type"] = "markdown"
-            continue
-        cell["cell_type"] = "code"
-        cell["metadata"]["tags"] = tags.get(cell["id"], [])
-        cell |= {"execution_count": 1, "outputs": [picture]}
-    (handed_out.root / START).write_text(json.dumps(page))
-    copy = lay_out(tmp_path / "copy", "en")
-    folded = [cell["id"] for cell in json.loads((copy / START).read_text())["cells"] if "jupyter" in cell["metadata"]]
-    assert folded == ["still"]
-
-
 def test_a_prediction_that_was_run_keeps_its_output_where_the_page_around_it_is_new(
     handed_out: HandedOut, tmp_path: Path
 ) -> None:

@@ -23,7 +23,7 @@ PAGE = (
     text("why", "## Why?", "## 왜?", ' slide="slide"'),
     text("because", "Because.", "그래서입니다.", ' slide="fragment"'),
     code("crate", SCENE, ' tags=["interactive"] slide="subslide"'),
-    code("still", DRAW),
+    code("still", DRAW, ' tags=["static"]'),
     code("fails", "1 / 0", ' tags=["raises-exception"] slide="slide"'),
 )
 
@@ -63,18 +63,6 @@ def test_cells_are_grouped_into_slides_and_steps() -> None:
     assert [slide.title for slide in slides] == ["Title", "Frames", "Frames"]
     assert slides[1].notes == "<p>Say <em>this</em>.</p>"
     assert [slide.notes for slide in slides_of(page, notes=False)] == ["", "", ""]
-
-
-def test_a_figure_that_only_repeats_a_live_view_is_on_no_slide() -> None:
-    picture = [{"output_type": "display_data", "data": {"image/png": "AA=="}, "metadata": {}}]
-    live = cell("live", "slide") | {"cell_type": "code", "outputs": []}
-    live["metadata"]["tags"] = ["interactive"]
-    still, other = (cell(name) | {"cell_type": "code", "outputs": picture} for name in ("still", "other"))
-    assert [slide.steps for slide in slides_of({"cells": [live, cell("said"), still, other]})] == [
-        (("live", "said", "other"),)
-    ]
-    still["metadata"]["slideshow"]["slide_type"] = "subslide"
-    assert [slide.name for slide in slides_of({"cells": [live, still]})] == ["live", "still"]
 
 
 def test_a_deck_loads_nothing_from_the_network(deck: Path) -> None:

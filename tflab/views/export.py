@@ -7,6 +7,7 @@
 
 The page works from a disk (file://): 3D turns, a click picks, and each view keeps its scrubber;
 other inputs stand as text at their stored values (`export_widgets.py`), and formulas as MathML.
+Code and sections that JupyterLab shows collapsed are folded.
 With `single_file` everything is in one file. The notebook must have been run with its widgets'
 state stored, as nbclient does. Files in `assets` are named after their content.
 """
@@ -29,6 +30,8 @@ STATIC = Path(__file__).parent / "static"
 STATE = "application/vnd.jupyter.widget-state+json"
 VIEWER_LICENCES = "meshcat.LICENSE.txt"
 LARGE_STYLE = 10_000  # characters; smaller styles stay in the page
+COLLAPSED_HEADING = "jp-MarkdownHeadingCollapsed"  # JupyterLab's name for it
+HEADING = re.compile(r"(#+) .+\n*")
 SMALLEST = 0.8  # a drawing shrinks with its column, but not its letters below what can be read: then it scrolls
 
 
@@ -73,6 +76,7 @@ def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: boo
     notebook_path, out_dir = Path(notebook_path), Path(out_dir)
     notebook = read_notebook(notebook_path)
     views = _without_widgets(notebook)
+    _mark_folded_sections(notebook.cells)
     page = _page(notebook, page_title(notebook) or notebook_path.stem, page_language(notebook))
     assets = _assets(views)
     if not single_file:
@@ -144,6 +148,20 @@ def _without_widgets(notebook: Any) -> list[LiveView]:
             outputs += [output] if view is None else outputs_from_widget(view["model_id"], models, names, language)
         cell.outputs = [nbformat.from_dict(output) for output in outputs]
     return [live_view(name, models[model_id]) for model_id, name in names.items()]
+
+
+def _mark_folded_sections(cells: Sequence[Any]) -> None:
+    """Move the heading of each collapsed section into the metadata of its cell, and mark the section's last cell."""
+    depth = 0  # of the section, if one is open
+    for before, cell in zip((None, *cells[:-1]), cells, strict=True):
+        heading = HEADING.match(cell.source) if cell.cell_type == "markdown" else None
+        if before and heading and len(heading[1]) <= depth:
+            before.metadata["section_ends"], depth = True, 0
+        if heading and cell.metadata.get(COLLAPSED_HEADING):
+            cell.metadata["section"], depth = heading[0], len(heading[1])
+            cell.source = cell.source[heading.end() :]
+    if depth:
+        cells[-1].metadata["section_ends"] = True
 
 
 def _say_least_width(output: Any) -> None:

@@ -53,8 +53,9 @@ class _SectionReader(HTMLParser):
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         named = dict(attrs)
-        if (named.get("id") or "").startswith("cell-id="):
-            self._cell = named["id"] or ""
+        cell = named.get("data-cell") or named.get("id") or ""  # the heading of a folded section stands before its cell
+        if cell.startswith("cell-id="):
+            self._cell = cell
         if tag in SILENT:
             self._silent += 1
         if tag in HEADINGS and named.get("id"):

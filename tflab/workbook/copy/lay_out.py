@@ -27,7 +27,7 @@ from tflab import __version__
 
 from ...text import LANGUAGES, Text
 from ..atomic_files import locked, write_whole
-from ..pages.editions import static_figures, text_of, with_figures
+from ..pages.editions import text_of, with_figures
 from ..paths import MARK, Workbook, WorkbookError, read_workbook, workbook_data, write_workbook
 from .merge import Merged, merge_notebooks
 
@@ -50,7 +50,6 @@ PRISTINE = HIDDEN / "pristine.zip"
 UNREADABLE_ZIP = (OSError, EOFError, ValueError, RuntimeError, zipfile.BadZipFile, zlib.error)
 ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same bytes for the same files
 BACKUPS = HIDDEN / "backups"
-INTERACTIVE = "interactive"  # the tag of code that shows what moves; the figure after it stands still
 PREDICTED = "predicted"  # the tag of code whose output a text asks to predict, and of a text that tells it
 OWN_FOLD = re.compile(r"(<details>.*?</details>)", re.DOTALL)
 CAPTION = "그림 읽기:"  # a Korean page says below a figure what its English words mean
@@ -195,16 +194,10 @@ def _write_pristine(root: Path, files: Mapping[str, bytes]) -> None:
 
 
 def hide_outputs(page: bytes, language: str) -> bytes:
-    """Return a page without the outputs that it asks to predict, with the texts that tell them folded.
-
-    A figure that says standing still what the live view right before it says is folded, too: JupyterLab
-    shows three dots in its place.  A page with neither is returned as it is.
-    """
-    if not any(f'"{tag}"'.encode() in page for tag in (PREDICTED, INTERACTIVE)):
+    """Return a page without the outputs that it asks to predict, with the texts that describe them folded."""
+    if f'"{PREDICTED}"'.encode() not in page:
         return page
     notebook = json.loads(page)
-    for cell in static_figures(notebook["cells"]):
-        cell["metadata"]["jupyter"] = {"outputs_hidden": True}
     for cell in notebook["cells"]:
         if PREDICTED not in cell["metadata"].get("tags", ()):
             continue

@@ -78,7 +78,7 @@ async def _translated(page: Page, outputs: Outputs) -> tuple[Outputs, list[PageF
     theirs, _ = await run_page(page, f"notebooks/{language}", {MARK: mark})
     remedy = 'tag what prints in the reader\'s language "translated", and nothing else'
     faults = []
-    for cell in page.code:
+    for cell in (cell for cell in page.code if cell.name in outputs):
         if (theirs[cell.name] == outputs[cell.name]) is (cell.name in marked):
             wrong = "prints the same in each language" if cell.name in marked else "prints in the reader's language"
             faults.append(page.fault(cell, wrong, remedy))

@@ -6,12 +6,16 @@
 
 A notebook is a plain dict in the shape of nbformat 4.5, and `text_of` writes it the
 same way every time: ids are names, counts are 1 to N, nothing says when or where.
+
+    tag "collapsed"   the code is hidden until a reader opens it
+    tag "static"      draws what the live view before it shows; only its figure is kept, as that cell's output
+    cell "core-end"   ends what everybody reads; the sections after it are collapsed to their headings
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 from ...text import LANGUAGES
@@ -21,13 +25,15 @@ from ..tasks.task import slug
 from .source import Page, SourceCell
 
 __all__ = [
-    "Outputs", "exercise_notebook", "lecture_notebook", "live_and_static", "static_figures", "task_of", "text_of",
-    "with_figures",
+    "COLLAPSED_HEADING", "Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of", "with_figures",
 ]  # fmt: skip
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}
 PNG = "image/png"
 ROLES = ("given", "answer", "check")
+CORE_END = "core-end"
+COLLAPSED_HEADING = "jp-MarkdownHeadingCollapsed"  # JupyterLab's name for it
+UNCOMPARED = "nbval-ignore-output"  # a live view runs as a widget, and its figure is stored
 Notebook = dict[str, Any]
 Outputs = Mapping[str, list[dict]]  # cell name -> its outputs
 
@@ -36,18 +42,25 @@ def lecture_notebook(page: Page, language: str, outputs: Outputs, tasks: Mapping
     """Return a page as it was run; a solution's tasks are marked if it has `tasks`."""
     cells: list[dict] = []
     count = 0
+    is_core = True
     for cell in page.in_language(language):
         if _is_note(cell):
             _add_note(cells, cell, language)
+        if _is_note(cell) or "static" in cell.tags:
             continue
         made = _cell(cell, language)
+        if not is_core and cell.kind == "markdown" and cell.source.startswith("## "):
+            made["metadata"][COLLAPSED_HEADING] = True
+        is_core = is_core and cell.name != CORE_END
         task = task_of(cell.name, tasks or ())
         if task:
             made["metadata"]["tflab"] = {"task": task}
-        if cell.kind == "code" and "interactive" not in cell.tags:
+        shown = outputs.get(cell.name, [])
+        if cell.kind == "code" and (shown or "interactive" not in cell.tags):
             count += 1
             made["execution_count"] = count
-            shown = outputs.get(cell.name, [])
+            if "interactive" in cell.tags:
+                made["metadata"]["tags"].append(UNCOMPARED)
             shown = shown if language == LANGUAGES[0] else map(_without_figure, shown)
             made["outputs"] = [_counted(output, count) for output in shown]
         cells.append(made)
@@ -101,38 +114,9 @@ def task_of(name: str, tasks) -> str | None:
     return by_name.get(name)
 
 
-def static_figures(cells: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
-    """Return the cells of a notebook whose figure says, standing still, what the live view right before it says."""
-    return [still for _, still in live_and_static(cells)]
-
-
-def live_and_static(cells: Sequence[Mapping[str, Any]]) -> list[tuple[Mapping[str, Any], Mapping[str, Any]]]:
-    """Return each live view that a figure right after it repeats, and that figure."""
-    found, live = [], None
-    for cell in cells:
-        if live and _is_figure(cell) and "predicted" not in cell["metadata"].get("tags", ()):
-            found.append((live, cell))
-        begins_anew = cell["cell_type"] != "markdown" or "".join(cell["source"]).startswith("#")
-        if _is_live(cell):
-            live = cell
-        elif begins_anew:
-            live = None
-    return found
-
-
 def text_of(notebook: Notebook) -> str:
     """Return a notebook as the text of its file, the same every time."""
     return json.dumps(notebook, sort_keys=True, indent=1, ensure_ascii=False) + "\n"
-
-
-def _is_figure(cell: Mapping[str, Any]) -> bool:
-    """Return whether a cell shows a picture."""
-    return any(PNG in output.get("data", ()) for output in cell.get("outputs", ()))
-
-
-def _is_live(cell: Mapping[str, Any]) -> bool:
-    """Return whether a cell shows something that moves; what a tool prints does not."""
-    return "interactive" in cell["metadata"].get("tags", ()) and "%ros2" not in "".join(cell["source"])
 
 
 def _notebook(page: Page, language: str, cells: list[dict]) -> Notebook:
@@ -150,6 +134,8 @@ def _cell(cell: SourceCell, language: str) -> dict:
         metadata["tags"] = list(cell.tags)
     if cell.slide != "-":
         metadata["slideshow"] = {"slide_type": cell.slide}
+    if "collapsed" in cell.tags:
+        metadata["jupyter"] = {"source_hidden": True}
     made = {"cell_type": cell.kind, "id": cell.name, "metadata": metadata}
     if cell.kind == "code":
         return made | {"execution_count": None, "outputs": [], "source": _lines(cell.source)}

@@ -97,9 +97,10 @@ async def run_page(page: Page, folder: str, beside: Mapping[str, bytes] = {}) ->
     outputs = {cell: [_storable(output) for output in merged_streams(made)] for cell, made in ran.items()}
     found = [fault for cell in page.code for fault in _output_faults(page, cell, outputs[cell.name], str(root))]
     found += _figures(page, outputs)
-    for cell in page.code:
+    for cell, following in zip(page.code, (*page.code[1:], None), strict=False):
         if "interactive" in cell.tags:
-            outputs[cell.name] = []
+            is_drawn = following is not None and "static" in following.tags
+            outputs[cell.name] = outputs.pop(following.name) if is_drawn else []
     return outputs, found
 
 
@@ -224,7 +225,7 @@ def _figures(page: Page, outputs: Outputs) -> Iterator[PageFault]:
             drawn = [output for output in outputs[following.name] if "image/png" in output.get("data", {})]
             if not drawn:
                 wrong = f'the next code cell, "{following.name}", shows no figure'
-                yield page.fault(cell, wrong, "let it draw the same, standing still")
+                yield page.fault(cell, wrong, "let it draw the same as a static figure")
 
 
 def _texts(output: dict) -> list[str]:

@@ -25,7 +25,7 @@ MOST_LINES = 15
 LONGEST_NAME = 64
 NAME = re.compile(r"[a-z0-9]+(-[a-z0-9]+)*")
 SLIDES = ("slide", "subslide", "fragment", "notes", "skip", "-")
-TAGS = ("answer", "check", "interactive", "predicted", "raises-exception", "translated")
+TAGS = ("answer", "check", "collapsed", "interactive", "predicted", "raises-exception", "static", "translated")
 CALLED = {"en": "English", "ko": "Korean"}
 HEADING = re.compile(r"(#{1,6})\s+\S")
 IMAGE = re.compile(r"!\[([^\]]*)\]\(|<img\b([^>]*)>")
@@ -181,11 +181,14 @@ def _terms(page: Page, terms: Collection[str]) -> Iterator[PageFault]:
 
 
 def _interactive(page: Page) -> Iterator[PageFault]:
-    code = page.code
-    for i, cell in enumerate(code):
-        if "interactive" in cell.tags and (i + 1 == len(code) or "interactive" in code[i + 1].tags):
-            remedy = "let the next code cell draw the same, standing still"
+    """Find live views without a figure, and static figures that do not stand right after a live view."""
+    for cell, following in zip(page.code, (*page.code[1:], None), strict=False):
+        if "interactive" in cell.tags and (following is None or "interactive" in following.tags):
+            remedy = "let the next code cell draw the same as a static figure"
             yield page.fault(cell, "no figure follows this interactive cell", remedy)
+    for before, cell in zip((None, *page.cells), page.cells, strict=False):
+        if "static" in cell.tags and (before is None or "interactive" not in before.tags):
+            yield page.fault(cell, "no live view stands before this static figure", "put it right after its live view")
 
 
 def _links(page: Page) -> Iterator[PageFault]:

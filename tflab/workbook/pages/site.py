@@ -15,12 +15,11 @@ import json
 import re
 import shutil
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from ...text import Text
 from ..book.pages import (
@@ -40,7 +39,6 @@ from ..book.reference import write_reference
 from ..book.search_index import search_index, sections_of
 from ..course.course import read_course
 from ..paths import chapter_of, workbook_data
-from .editions import live_and_static
 from .html import PageRunError, run_with_films
 
 __all__ = ["write_book"]
@@ -131,15 +129,8 @@ def _lecture(notebook: Path, language: str, assets: Path) -> _Ran:
         title, file = _title(notebook.stem, language), f"{notebook.stem}.html"
         ran = json.loads(executed.read_text(encoding="utf-8"))
         pictures = pictures_of(ran, file, title)
-        text = mark_repeated_views(_exported(executed, Path(folder) / "pages", assets), ran["cells"])
+        text = _exported(executed, Path(folder) / "pages", assets)
         return _Ran(BookPage(file, title, text, sections_of(text)), pictures)
-
-
-def mark_repeated_views(text: str, cells: Sequence[Mapping[str, Any]]) -> str:
-    """Return a page on which each live view that a figure repeats is marked: on paper, the figure stands alone."""
-    for live, _ in live_and_static(cells):
-        text = text.replace(place := f'id="cell-id={live["id"]}"', f"{place} data-repeated", 1)
-    return text
 
 
 def _exercise(notebook: Path, language: str, assets: Path) -> _Ran:

@@ -6,7 +6,6 @@
     slide, subslide   begins a slide             fragment   appears with the next key
     -                 goes on with it            skip       is not shown
 
-A figure that says standing still what the live view before it says is left out.
 What the speaker says stands in the cells' metadata and goes along; `--no-notes`
 leaves it out of a deck to hand on.  3D turns and sliders move, as in `html.py`:
 nbconvert's own decks fetch reveal.js from the network, so this one has a script of
@@ -29,7 +28,7 @@ from typing import Any
 
 from ...text import LANGUAGES, Texts
 from ..paths import WorkbookError, read_workbook, workbook_root
-from .editions import static_figures
+from .editions import COLLAPSED_HEADING
 from .html import PageRunError, notebooks_called, run_with_films
 
 __all__ = ["Slide", "deck_from_notebook", "main", "slides_of"]
@@ -109,6 +108,9 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
         language, slides = page_language(ran), slides_of(ran, notes=notes)
         if not slides:
             raise PageRunError(f"{notebook.name}: no cell of it is shown on a slide")
+        for cell in ran["cells"]:
+            cell["metadata"].pop(COLLAPSED_HEADING, None)
+        executed.write_text(json.dumps(ran), encoding="utf-8")
         page = export_html(executed, Path(folder) / "deck", single_file=single_file)
         page.write_text(_as_deck(page.read_text(encoding="utf-8"), slides, language), encoding="utf-8")
         shutil.copytree(page.parent, out_dir, dirs_exist_ok=True)
@@ -118,9 +120,8 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
 def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
     """Return a notebook's cells, grouped into slides by their slide types."""
     slides: list[Slide] = []
-    repeated = _repeated_figures(notebook["cells"])
     for cells in _groups(notebook["cells"]):
-        steps = _steps(cell for cell in cells if cell["id"] not in repeated)
+        steps = _steps(cells)
         if steps:
             title = next(filter(None, (_title(cell) for step in steps for cell in step)), "")
             said = [cell["metadata"].get("tflab", {}).get("notes", "") for cell in cells] if notes else []
@@ -128,13 +129,6 @@ def slides_of(notebook: dict[str, Any], *, notes: bool = True) -> list[Slide]:
             title_before = slides[-1].title if slides else ""
             slides.append(Slide(names[0][0], title or title_before, names, _html("\n\n".join(filter(None, said)))))
     return slides
-
-
-def _repeated_figures(cells: list[dict]) -> set[str]:
-    """Return the figures that only repeat a live view which is shown, and begin no slide."""
-    shown = [cell for cell in cells if _kind(cell) != "skip"]
-    repeated = {cell["id"] for cell in static_figures(cells)} & {cell["id"] for cell in static_figures(shown)}
-    return repeated - {cell["id"] for cell in shown if _kind(cell) in BEGINS}
 
 
 def _kind(cell: dict) -> str:
