@@ -464,7 +464,8 @@ lesson.draw_rviz(until_s=25.0)
 # **질문 4.** 같은 순간을 고정 좌표계만 바꾸어 보고, 그때마다 TF로 조회한 `odom` 기준 로봇의 포즈를 출력합니다.
 
 # %% name="fixed-frame" tags=["predicted"] slide="fragment"
-graph.run(seconds=max(0.0, 25.0 - graph.now_ns / 1e9))
+graph = lesson.start_robot()
+graph.run(seconds=25)
 seen = lesson.look(graph, seconds=4.0)
 for fixed_frame in ('map', 'odom', 'base_link'):
     laser = seen.ask(fixed_frame, 'laser_frame', lesson.LATEST).translation
