@@ -49,7 +49,7 @@ SUBCOMMANDS = {
     "release": Subcommand("teach", "tflab.grading.release", "main"),
     "grade": Subcommand("teach", "tflab.grading.grade", "main"),
     "build": Subcommand("publish", "tflab.workbook.pages.build", "build"),
-    "export": Subcommand("publish", "tflab.views.export", "main"),
+    "export": Subcommand("publish", "tflab.workbook.pages.html", "main"),
 }
 HELP = Texts(__file__)  # of each command, of each group, and around them
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from tflab.views.export import export_html, main, with_mathml
+from tflab.views.export import export_html, with_mathml
 from tflab.views.export_widgets import outputs_from_widget
 
 STATE = "application/vnd.jupyter.widget-state+json"
@@ -168,42 +168,11 @@ def test_what_jupyterlab_collapses_is_folded_and_its_heading_stays_in_sight(tmp_
     ]  # fmt: skip
 
 
-def test_the_command_prints_where_the_page_is_and_says_what_is_missing(tmp_path, capsys, monkeypatch):
-    notebook = notebook_at(tmp_path / "page.ipynb", {}, ())
-    monkeypatch.chdir(tmp_path)
-    assert main(["page.ipynb"]) == 0
-    assert capsys.readouterr().out.split() == [str(Path("html", "page.html"))]
-    assert main([str(notebook), "--out", str(tmp_path / "site")]) == 0
-    assert capsys.readouterr().out == f"{tmp_path / 'site' / 'page.html'}\n"
-    assert main([str(tmp_path / "other.ipynb"), "--out", str(tmp_path)]) == 2
-    assert "there is no notebook" in capsys.readouterr().err
-
-
-def test_a_file_that_is_no_notebook_is_said(tmp_path, capsys):
-    path = tmp_path / "none.ipynb"
-    for text in ("hi", "[1, 2]", '{"nbformat": 4}', "\udc80"):
-        path.write_bytes(text.encode(errors="surrogateescape"))
-        assert main([str(path), "--out", str(tmp_path / "site")]) == 2
-        assert capsys.readouterr().err == f"tflab export: {path}: this is no notebook, or a damaged one\n"
-        assert not (tmp_path / "site").exists()
-
-
 def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):
     data = {"image/png": "AAAA", "text/plain": 'two frames: "map" & odom'}
     image = exported_image(tmp_path, data, **{"image/png": {"width": 76, "height": 38}})
     assert 'alt="two frames: &quot;map&quot; &amp; odom"' in image or "alt='two frames: \"map\" &amp; odom'" in image
     assert 'width="76"' in image and 'height="38"' in image
-
-
-def test_the_command_says_how_many_views_stand_still_or_were_not_stored_and_how_to_have_them(tmp_path, capsys):
-    for models, shown, said in (
-        ({}, ("gone", "gone_too"), "2 live views are missing"),
-        (PANEL, ("top",), "1 panel stands still"),
-    ):
-        notebook = notebook_at(tmp_path / "page.ipynb", models, shown)
-        assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
-        printed = capsys.readouterr().err
-        assert said in printed and f'tflab build --html "{notebook}"' in printed
 
 
 pytest.importorskip("latex2mathml", reason="no latex2mathml: pip install 'tflab[lab]'")

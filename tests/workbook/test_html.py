@@ -1,4 +1,4 @@
-"""`tflab build --html` makes of a notebook a page that needs neither kernel nor network."""
+"""`tflab build --html` and `tflab export` make of a notebook a page that needs neither kernel nor network."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ import re
 from pathlib import Path
 
 import nbformat
+import pytest
 
 from tflab.workbook.pages.build import build
+from tflab.workbook.pages.html import main
+
+VIEW = "application/vnd.jupyter.widget-view+json"
 
 
 def notebook(path: Path, *sources: str) -> Path:
@@ -64,5 +68,46 @@ def test_a_link_leads_to_what_is_written_too_and_others_are_words(tmp_path: Path
     text = (tmp_path / "out" / "03_x.html").read_text(encoding="utf-8")
     assert '<a href="04_y.html#why">on</a> do far <a' in text
     assert 'href="https://a.example/b.ipynb"' in text
-    assert "<title>03_x · two things</title>" in text
+    assert "<title>03_x · two things · tflab</title>" in text
     assert 'lang="ko"' in text
+
+
+def executed(folder: Path, *outputs: dict) -> Path:
+    """Write a notebook that was run."""
+    prose = nbformat.v4.new_markdown_cell("# A title\n\n## Part\n\n[on](02_next.ipynb)", id="prose")
+    shown = [nbformat.v4.new_output("display_data", data) for data in outputs]
+    cell = nbformat.v4.new_code_cell("1 + 1", outputs=shown, execution_count=1, id="a")
+    nbformat.write(nbformat.v4.new_notebook(cells=[prose, cell]), folder / "page.ipynb")
+    return folder / "page.ipynb"
+
+
+def test_export_writes_a_page_in_the_frame_of_the_book_and_prints_where(tmp_path: Path, capsys, monkeypatch) -> None:
+    executed(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert main(["page.ipynb"]) == 0
+    assert capsys.readouterr().out.split() == [str(Path("html", "page.html"))]
+    page = Path("html/page.html").read_text(encoding="utf-8")
+    assert 'href="#Part"' in page and "book-theme" in page  # its sections, and a dark theme
+    assert "02_next" not in page and "index.html" not in page  # no link to what is not there
+    for asset in re.findall(r'(?:src|href)="(assets/[^"]+)"', page):
+        assert Path("html", asset).is_file()
+    assert main(["page.ipynb", "--out", "mail", "--single-file"]) == 0
+    assert not re.search(r'(?:src|href)="[./]*assets/', Path("mail/page.html").read_text(encoding="utf-8"))
+
+
+@pytest.mark.parametrize("text", ["hi", "[1, 2]", '{"nbformat": 4}', "\udc80"])
+def test_export_of_a_file_that_is_no_notebook_writes_nothing(text: str, tmp_path: Path, capsys) -> None:
+    path = tmp_path / "none.ipynb"
+    assert main([str(path), "--out", str(tmp_path / "site")]) == 2
+    assert "there is no notebook" in capsys.readouterr().err
+    path.write_bytes(text.encode(errors="surrogateescape"))
+    assert main([str(path), "--out", str(tmp_path / "site")]) == 2
+    assert capsys.readouterr().err == f"tflab export: {path}: this is no notebook, or a damaged one\n"
+    assert not (tmp_path / "site").exists()
+
+
+def test_export_counts_the_views_that_were_not_stored(tmp_path: Path, capsys) -> None:
+    notebook = executed(tmp_path, {VIEW: {"model_id": "one"}}, {VIEW: {"model_id": "two"}})
+    assert main([str(notebook), "--out", str(tmp_path / "out")]) == 0
+    printed = capsys.readouterr().err
+    assert "live views that the notebook does not store: 2" in printed and f'tflab build --html "{notebook}"' in printed

@@ -14,16 +14,14 @@ state stored, as nbclient does. Files in `assets` are named after their content.
 
 from __future__ import annotations
 
-import argparse
 import hashlib
 import json
 import re
-import sys
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from .export_widgets import NOT_STORED, STANDS_STILL, WIDGET_VIEW, LiveView, live_view, outputs_from_widget
+from .export_widgets import WIDGET_VIEW, LiveView, live_view, outputs_from_widget
 from .scene import viewer_file
 
 STATIC = Path(__file__).parent / "static"
@@ -90,42 +88,6 @@ def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: boo
     path = out_dir / f"{notebook_path.stem}.html"
     path.write_text(page, encoding="utf-8")
     return path
-
-
-def main(words: Sequence[str]) -> int:
-    """Run `tflab export NOTEBOOK`; return the exit code."""
-    parser = argparse.ArgumentParser(prog="tflab export", description="Write an executed notebook as HTML.")
-    parser.add_argument(
-        "notebook", type=Path, metavar="NOTEBOOK", help="a notebook that has been run, with its widgets' state"
-    )
-    parser.add_argument("--out", type=Path, default="html", metavar="DIR", help="where to; %(default)s if left out")
-    parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
-    asked = parser.parse_args(words)
-    try:
-        page = export_html(asked.notebook, asked.out, asked.single_file)
-        print(page)
-        text = page.read_text(encoding="utf-8")
-        lost, still = (sum(map(text.count, said.values())) for said in (NOT_STORED, STANDS_STILL))
-        again = f'tflab build --html "{asked.notebook}"'
-        if lost:
-            print(
-                f"tflab export: {lost} live view{'s are' if lost > 1 else ' is'} missing, for the notebook was saved "
-                f"without. To run a copy of it and have all: {again}",
-                file=sys.stderr,
-            )
-        if still:
-            print(
-                f"tflab export: {still} panel{'s stand' if still > 1 else ' stands'} still, without a kernel to draw "
-                f"anew. To run a copy of it and have a slider that moves: {again}",
-                file=sys.stderr,
-            )
-    except FileNotFoundError:
-        print(f'tflab export: there is no notebook "{asked.notebook}"', file=sys.stderr)
-        return 2
-    except NotANotebook as fault:
-        print(f"tflab export: {fault}", file=sys.stderr)
-        return 2
-    return 0
 
 
 def _without_widgets(notebook: Any) -> list[LiveView]:

@@ -58,13 +58,19 @@ def lecture_notebook(page: Page, language: str, outputs: Outputs, tasks: Mapping
         shown = outputs.get(cell.name, [])
         if cell.kind == "code" and (shown or "interactive" not in cell.tags):
             count += 1
-            made["execution_count"] = count
-            if "interactive" in cell.tags:
-                made["metadata"]["tags"].append(UNCOMPARED)
-            shown = shown if language == LANGUAGES[0] else map(_without_figure, shown)
-            made["outputs"] = [_counted(output, count) for output in shown]
+            _add_outputs(made, shown, count, language)
         cells.append(made)
     return _notebook(page, language, cells)
+
+
+def _add_outputs(made: dict, shown: list[dict], count: int, language: str) -> None:
+    """Store what a code cell put out; a figure is stored with the English page only."""
+    if "interactive" in made["metadata"].get("tags", ()):
+        made["metadata"]["tags"].append(UNCOMPARED)
+    made["execution_count"] = count
+    made["outputs"] = [
+        _counted(output if language == LANGUAGES[0] else _without_figure(output), count) for output in shown
+    ]
 
 
 def exercise_notebook(page: Page, language: str, tasks: Mapping[str, Mapping[str, Any]]) -> Notebook:

@@ -1,14 +1,16 @@
-"""Write notebooks as HTML that needs no Python: `tflab build --html PAGE`.
+"""Write notebooks as HTML that needs no Python: `tflab build --html PAGE`, `tflab export NOTEBOOK`.
 
     notebook  --run in a kernel, pictures filmed-->  executed  --export-->  page.html + assets/
 
 Each notebook is run in a folder of its own, so nothing is written beside the
 source; then `tflab.views.export` makes a page of it that works from a disk, with
-no kernel and no network: 3D turns, and every view keeps one scrubber.
+no kernel and no network: 3D turns, and every view keeps one scrubber.  The page has the
+frame of the web book: its sections, light or dark.
 """
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 import shutil
@@ -18,10 +20,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from ..book.pages import STATIC, BookPage, framed
+from ..book.search_index import sections_of
 from ..paths import Workbook, stems_called, workbook_data, write_workbook
 from .execute import merged_streams, running_kernel, wait_for
 
-__all__ = ["PageRunError", "html_from_notebook", "notebooks_called", "run_with_films", "write_html"]
+__all__ = ["PageRunError", "html_from_notebook", "main", "notebooks_called", "run_with_films", "write_html"]
 
 SECONDS_FOR_A_CELL = 120
 LINK = re.compile(r'<a href="(?:[\w.-]+/)*(?P<page>[\w-]+)\.ipynb(?P<place>#[^"]*)?"[^>]*>(?P<said>.*?)</a>', re.DOTALL)
@@ -74,21 +78,78 @@ class PageRunError(Exception):
 def html_from_notebook(notebook: Path, out_dir: Path, beside: Set[str] = frozenset()) -> Path:
     """Run a copy of `notebook` and write it as HTML into `out_dir`; return the page's path.
 
-    Its links to notebooks lead to those `beside` it, by their stems, and to pages that are there; others are words.
+    Its links to notebooks lead to those `beside` it, by their stems, and to pages that are there; others are text.
 
     Raises:
         PageRunError: it is no notebook, or a cell raised an error.
     """
-    from tflab.views.export import export_html
-
     with TemporaryDirectory() as folder:
-        executed = run_with_films(notebook, Path(folder))
-        exported = export_html(executed, Path(folder) / "pages")
-        text = exported.read_text(encoding="utf-8")
-        there = beside | {path.stem for path in out_dir.glob("*.html")}
-        exported.write_text(LINK.sub(lambda link: _linked(link, there), text), encoding="utf-8")
-        shutil.copytree(exported.parent, out_dir, dirs_exist_ok=True)
-        return out_dir / exported.name
+        return _write_page(run_with_films(notebook, Path(folder)), out_dir, beside)
+
+
+def main(words: Sequence[str]) -> int:
+    """Run `tflab export NOTEBOOK`: write an executed notebook as HTML; return the exit code."""
+    from tflab.views.export import NotANotebook
+    from tflab.views.export_widgets import NOT_STORED, STANDS_STILL
+
+    parser = argparse.ArgumentParser(prog="tflab export", description="Write an executed notebook as HTML.")
+    parser.add_argument(
+        "notebook", type=Path, metavar="NOTEBOOK", help="a notebook that has been run, with its widgets' state"
+    )
+    parser.add_argument("--out", type=Path, default="html", metavar="DIR", help="where to; %(default)s if left out")
+    parser.add_argument("--single-file", action="store_true", help="put everything into one file that can be mailed")
+    asked = parser.parse_args(words)
+    try:
+        page = _write_page(asked.notebook, asked.out, single_file=asked.single_file)
+    except FileNotFoundError:
+        print(f'tflab export: there is no notebook "{asked.notebook}"', file=sys.stderr)
+        return 2
+    except NotANotebook as fault:
+        print(f"tflab export: {fault}", file=sys.stderr)
+        return 2
+    print(page)
+    text = page.read_text(encoding="utf-8")
+    lost, fixed = (sum(map(text.count, texts.values())) for texts in (NOT_STORED, STANDS_STILL))
+    for count, what in ((lost, "live views that the notebook does not store"), (fixed, "panels without a slider")):
+        if count:
+            remedy = f'To run a copy of the notebook and keep them: tflab build --html "{asked.notebook}"'
+            print(f"tflab export: {what}: {count}. {remedy}", file=sys.stderr)
+    return 0
+
+
+def _write_page(notebook: Path, out_dir: Path, beside: Set[str] = frozenset(), *, single_file: bool = False) -> Path:
+    """Write an executed notebook as a page in the frame of the book; return the page's path.
+
+    Raises:
+        FileNotFoundError: there is no such notebook.
+        NotANotebook: the file is something else.
+    """
+    from tflab.views.export import export_html, page_language, page_title, read_notebook
+
+    executed = read_notebook(notebook)
+    path = export_html(notebook, out_dir, single_file)
+    there = beside | {page.stem for page in out_dir.glob("*.html")}
+    text = LINK.sub(lambda link: _linked(link, there), path.read_text(encoding="utf-8"))
+    page = BookPage(path.name, page_title(executed) or path.stem, text, sections_of(text), is_chapter=False)
+    text = framed(page, [page], page_language(executed))
+    for name in ("book.css", "book.js"):
+        if single_file:
+            text = _with_file_inside(text, STATIC / name)
+        else:
+            shutil.copyfile(STATIC / name, out_dir / "assets" / name)
+    path.write_text(text.replace('"../assets/', '"assets/'), encoding="utf-8")
+    return path
+
+
+def _with_file_inside(page: str, path: Path) -> str:
+    """Return a page with a style or script of the book in the place of the link to it."""
+    content = path.read_text(encoding="utf-8")
+    if path.suffix == ".css":
+        return page.replace(f'<link rel="stylesheet" href="../assets/{path.name}">', f"<style>{content}</style>")
+    tag = re.search(rf'<script defer src="[^"]*{path.name}"([^>]*)></script>', page)
+    page = page.replace(tag[0], "")
+    before, end, rest = page.rpartition("</body>")
+    return f"{before}<script{tag[1]}>{content}</script>\n{end}{rest}"
 
 
 def _linked(link: re.Match[str], there: Set[str]) -> str:
