@@ -158,14 +158,17 @@ def test_what_jupyterlab_collapses_is_folded_and_its_heading_stays_in_sight(tmp_
         new.new_markdown_cell("## More\n\nIf you like.", id="more", metadata=collapsed),
         new.new_code_cell("draw()", id="draw", metadata={"jupyter": {"source_hidden": True}}),
         new.new_markdown_cell("## Last", id="last", metadata=collapsed),
+        new.new_markdown_cell("### So?\n\nIt turned.", id="told", metadata={"tags": ["predicted"]}),
     ]
     nbformat.write(new.new_notebook(cells=cells), tmp_path / "page.ipynb")
     page = export_html(tmp_path / "page.ipynb", tmp_path / "out").read_text(encoding="utf-8")
     folds = re.findall(r'<(details class="[\w-]+|/details|h2 id="\w+|(?:p|pre))\b', page)
     assert folds == [
         'details class="tflab-section', 'h2 id="More', "p", 'details class="tflab-code', "pre", "/details", "/details",
-        'details class="tflab-section', 'h2 id="Last', "/details",
+        'details class="tflab-section', 'h2 id="Last', 'details class="tflab-answer', "p", "/details", "/details",
     ]  # fmt: skip
+    assert "After your prediction: So?" in page
+    assert "<details" not in export_html(tmp_path / "page.ipynb", tmp_path / "deck", folded=False).read_text()
 
 
 def test_a_picture_brings_its_words_along_and_keeps_its_size(tmp_path):

@@ -7,7 +7,7 @@
 
 The page works from a disk (file://): 3D turns, a click picks, and each view keeps its scrubber;
 other inputs stand as text at their stored values (`export_widgets.py`), and formulas as MathML.
-Code and sections that JupyterLab shows collapsed are folded.
+Code and sections that JupyterLab shows collapsed are folded, and so is what a page asks to predict.
 With `single_file` everything is in one file. The notebook must have been run with its widgets'
 state stored, as nbclient does. Files in `assets` are named after their content.
 """
@@ -64,8 +64,13 @@ def page_title(notebook: Mapping[str, Any]) -> str:
     return re.sub(r"[*`]", "", found[1]).strip() if found else ""
 
 
-def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: bool = False) -> Path:
+def export_html(
+    notebook_path: str | Path, out_dir: str | Path, single_file: bool = False, *, folded: bool = True
+) -> Path:
     """Write an executed notebook as HTML into `out_dir`; return the page's path.
+
+    Args:
+        folded: fold sections that JupyterLab collapses, and answers to predictions.
 
     Raises:
         FileNotFoundError: there is no such notebook.
@@ -74,8 +79,9 @@ def export_html(notebook_path: str | Path, out_dir: str | Path, single_file: boo
     notebook_path, out_dir = Path(notebook_path), Path(out_dir)
     notebook = read_notebook(notebook_path)
     views = _without_widgets(notebook)
-    _mark_folded_sections(notebook.cells)
-    page = _page(notebook, page_title(notebook) or notebook_path.stem, page_language(notebook))
+    if folded:
+        _mark_folded_sections(notebook.cells)
+    page = _page(notebook, page_title(notebook) or notebook_path.stem, page_language(notebook), folded)
     assets = _assets(views)
     if not single_file:
         page, styles = _styles_apart(page)
@@ -133,13 +139,13 @@ def _say_least_width(output: Any) -> None:
         output.metadata["image/svg+xml"] = {"least_width": round(SMALLEST * float(said[1]))}
 
 
-def _page(notebook: Any, title: str, language: str) -> str:
+def _page(notebook: Any, title: str, language: str, folded: bool) -> str:
     from jinja2 import FileSystemLoader
     from nbconvert import HTMLExporter
 
     loaders = [FileSystemLoader(STATIC.parent)]
     exporter = HTMLExporter(extra_loaders=loaders, template_file="export.jinja", language_code=language)
-    page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": title}})
+    page, _ = exporter.from_notebook_node(notebook, {"metadata": {"name": title}, "folded": folded})
     return page
 
 

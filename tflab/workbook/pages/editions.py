@@ -7,7 +7,7 @@
 A notebook is a plain dict in the shape of nbformat 4.5, and `text_of` writes it the
 same way every time: ids are names, counts are 1 to N, nothing says when or where.
 
-    tag "collapsed"   the code is hidden until a reader opens it
+    tag "collapsed"   the code is hidden until a reader opens it, and on slides
     tag "static"      draws what the live view before it shows; only its figure is kept, as that cell's output
     cell "core-end"   ends what everybody reads; the sections after it are collapsed to their headings
 """
@@ -25,7 +25,7 @@ from ..tasks.task import slug
 from .source import Page, SourceCell
 
 __all__ = [
-    "COLLAPSED_HEADING", "Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of", "with_figures",
+    "Outputs", "exercise_notebook", "lecture_notebook", "task_of", "text_of", "with_figures",
 ]  # fmt: skip
 
 KERNEL = {"display_name": "Python 3", "language": "python", "name": "python3"}

@@ -28,7 +28,6 @@ from typing import Any
 
 from ...text import LANGUAGES, Texts
 from ..paths import WorkbookError, read_workbook, workbook_root
-from .editions import COLLAPSED_HEADING
 from .html import PageRunError, notebooks_called, run_with_films
 
 __all__ = ["Slide", "deck_from_notebook", "main", "slides_of"]
@@ -108,10 +107,7 @@ def deck_from_notebook(notebook: Path, out_dir: Path, *, notes: bool = True, sin
         language, slides = page_language(ran), slides_of(ran, notes=notes)
         if not slides:
             raise PageRunError(f"{notebook.name}: no cell of it is shown on a slide")
-        for cell in ran["cells"]:
-            cell["metadata"].pop(COLLAPSED_HEADING, None)
-        executed.write_text(json.dumps(ran), encoding="utf-8")
-        page = export_html(executed, Path(folder) / "deck", single_file=single_file)
+        page = export_html(executed, Path(folder) / "deck", single_file, folded=False)
         page.write_text(_as_deck(page.read_text(encoding="utf-8"), slides, language), encoding="utf-8")
         shutil.copytree(page.parent, out_dir, dirs_exist_ok=True)
         return out_dir / page.name
