@@ -48,4 +48,7 @@ def test_each_step_has_its_own_shape_at_its_own_place():
     steps = {"stamped": ("o", 0.0), "sent": (">", 0.02), "received": ("s", 0.035), "transformed": ("D", 0.06)}
     assert marks | {f"scan 1 {name}": mark for name, mark in steps.items()} == marks
     assert (GOOD.age_ns, CLOCKS_APART.age_ns) == (60 * MS, 28 * MS)  # from the stamp to the last step
-    assert [text.get_text() for text in draw_journeys([CLOCKS_APART]).figure.axes[0].texts] == ["28 ms, dropped"]
+    named = draw_journeys([CLOCKS_APART], {"sent": "robot's clock", "received": "desktop's clock"}).figure
+    assert [text.get_text() for text in named.axes[0].texts] == ["28 ms, dropped"]
+    key = [text.get_text() for text in named.legends[0].get_texts()]
+    assert key == ["sent (robot's clock)", "received (desktop's clock)"]

@@ -11,7 +11,7 @@ comes before `sent`, two clocks disagree. `ros2 topic delay` prints received min
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from . import style
@@ -129,8 +129,12 @@ def describe_journeys(journeys: Sequence[Journey]) -> str:
     return "\n".join(lines)
 
 
-def draw_journeys(journeys: Sequence[Journey]) -> Picture:
-    """Draw messages from the time each was stamped to the time it was transformed."""
+def draw_journeys(journeys: Sequence[Journey], clocks: Mapping[str, str] | None = None) -> Picture:
+    """Draw messages from the time each was stamped to the time it was transformed.
+
+    Args:
+        clocks: whose clock gave the time of each step that is shown, such as {"sent": "robot's clock"}.
+    """
     picture = Picture(style.wide(KEY_PX + LANE_PX * len(journeys) + SCALE_PX))
     picture.text = describe_journeys(journeys)
     name_px = style.names_width_px(journey.name for journey in journeys)
@@ -142,10 +146,12 @@ def draw_journeys(journeys: Sequence[Journey]) -> Picture:
         ax = picture.add_axes_px(name_px, SCALE_PX, inside_px, LANE_PX * len(journeys))
         ax.set_xlim(-margin_s, (last_ns - first_ns) / 1e9 + 1.6 * margin_s)
         style.label_rows(ax, [journey.name for journey in journeys])
-        ax.set_xlabel(f"seconds after {style.fmt_stamp(first_ns)}", loc="right")
+        reading = ", on each clock" if clocks else ""
+        ax.set_xlabel(f"seconds after {style.fmt_stamp(first_ns)}{reading}", loc="right")
         for row, journey in enumerate(journeys):
             _draw_journey(ax, row, journey, first_ns)
-        _draw_key(picture.figure)
+        labels = {step: f"{step} ({clock})" for step, clock in (clocks or {}).items()}
+        _draw_key(picture.figure, labels or dict(zip(STEPS, STEPS, strict=True)))
     return picture
 
 
@@ -164,12 +170,14 @@ def _draw_journey(ax, row: int, journey: Journey, first_ns: int) -> None:
                 color=style.GREY, fontsize=style.SMALL_PT)  # fmt: skip
 
 
-def _draw_key(figure) -> None:
+def _draw_key(figure, labels: Mapping[str, str]) -> None:
     """Write what the marks mean, above the rows."""
     from matplotlib.lines import Line2D
 
-    marks = [Line2D([], [], linestyle="none", markersize=8, label=step, **_mark(step)) for step in STEPS]
-    figure.legend(handles=marks, loc="upper left", ncols=len(STEPS), frameon=False, borderaxespad=0.8,
+    marks = [
+        Line2D([], [], linestyle="none", markersize=8, label=label, **_mark(step)) for step, label in labels.items()
+    ]
+    figure.legend(handles=marks, loc="upper left", ncols=len(marks), frameon=False, borderaxespad=0.8,
                   handletextpad=0.2, columnspacing=1.6)  # fmt: skip
 
 
