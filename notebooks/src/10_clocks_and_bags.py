@@ -1,32 +1,32 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 10 · Clocks and bags
 #
-# **Which clock do the stamps come from?** · about 55 minutes · builds on 06, 08 and 09
+# **Which clock do the stamps come from?** · about 30 minutes · builds on 06, 08 and 09
 #
 # After this chapter you can
 #
 # - record a [[bag]] that contains the transforms for its own messages, and check it with one number,
 # - say which time a node uses: system time, the bag's time, or a clock that stays at 0 ([[simulation time]]),
 # - recognise a forgotten `--clock`, a node whose clock shows another day, and a bag that plays in a loop,
-# - examine a bag of your own.
+# - check a bag of your own on a robot.
 
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 10 · 시계와 bag
 #
-# **측정 시각은 어느 시계의 시각일까요?** · 약 55분 · 06, 08, 09장을 바탕으로 합니다
+# **측정 시각은 어느 시계의 시각일까요?** · 약 30분 · 06, 08, 09장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
 # - 담긴 변환만으로 센서 데이터를 지도에 표시할 수 있는 [[bag]]을 기록하고, 정말 그런지 숫자 하나로 확인할 수 있습니다.
 # - 노드가 시스템 시간, bag의 시간([[simulation time|시뮬레이션 시간]]), 멈춘 시간 가운데 어느 것을 따르는지 말할 수 있습니다.
 # - 빠뜨린 `--clock`, 다른 날짜의 시각을 쓰는 노드, 반복 재생되는 bag을 알아볼 수 있습니다.
-# - 자신의 bag을 검사할 수 있습니다.
+# - 로봇에서 자신의 bag을 검사할 수 있습니다.
 
 # %% [markdown] lang="en" name="title-notes" slide="notes"
-# Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for their own bag, 6 for the vote and the ticket.
+# Ask first: you play yesterday's recording. What time is it? Two answers are right, and the nodes of a robot have to agree on one. 55 minutes: 11 up to the offset, 9 for one number, 15 for the two clocks and the wrong suspect, 8 for the loop, 6 for the vote and the robot's commands, 6 for the ticket and questions.
 
 # %% [markdown] lang="ko" name="title-notes" slide="notes"
-# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분은 이렇게 나눕니다. ‘지루한 처음 1초 건너뛰기’까지 11분, ‘숫자 하나’ 9분, ‘두 시계’와 ‘오류를 내는 노드’ 15분, 반복 재생 8분, 각자의 bag 6분, 투표와 쪽지 6분입니다.
+# 먼저 묻습니다. 어제 기록한 것을 지금 재생합니다. 지금은 몇 시일까요? 어제라는 답도 오늘이라는 답도 맞습니다. 다만 한 로봇의 노드는 모두 같은 시간을 써야 합니다. 55분은 이렇게 나눕니다. ‘지루한 처음 1초 건너뛰기’까지 11분, ‘숫자 하나’ 9분, ‘두 시계’와 ‘오류를 내는 노드’ 15분, 반복 재생 8분, 투표와 로봇의 명령 6분, 쪽지와 질문 6분입니다.
 
 # %% [markdown] lang="en" name="needed" slide="slide"
 # ## What you need to begin
@@ -48,7 +48,7 @@
 # %% [markdown] lang="ko" name="needed-notes" slide="notes"
 # 4분 가운데 1분입니다. 한 줄을 읽고 어느 장에서 배웠는지 묻고 넘어갑니다. 망설이는 사람은 오늘 복습할 장을 적어 둡니다.
 
-# %% name="load" slide="skip"
+# %% name="load" tags=["collapsed"] slide="skip"
 # %load_ext tflab
 import io
 import math
@@ -79,7 +79,7 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story-notes" slide="notes"
 # 첫 문단에서 멈추고 묻습니다. 그 1초에 무엇이 있었을까요? 추측을 칠판에 모으고 답은 아직 말하지 않습니다.
 
-# %% name="start-the-robot" slide="skip"
+# %% name="start-the-robot" tags=["collapsed"] slide="skip"
 graph = lesson.new_graph()
 robot = lesson.TeachingRobot()
 nodes = lesson.launch(graph, robot)
@@ -118,7 +118,7 @@ bags = lesson.fresh_folder()  # for this page's recordings; it goes away with th
 # %% [markdown] lang="ko" name="record-notes" slide="notes"
 # 여기서 건너뛰기까지 7분입니다. 토픽은 여섯인데 왜 구독은 다섯입니까? 그다음 `bag info`에서 개수가 1인 토픽을 찾게 합니다.
 
-# %% name="heard" slide="subslide"
+# %% name="heard" tags=["collapsed"] slide="subslide"
 lap = lesson.read_bag(bags / "lap", show_progress=False)
 lesson.draw_heard(lap, for_s=2.0)
 
@@ -154,7 +154,7 @@ lesson.draw_heard(lap, for_s=2.0)
 # %% [markdown] lang="ko" name="asker-intro" slide="subslide"
 # 알아보려면 재생하는 동안 메시지를 받는 노드가 필요합니다. 이 노드는 스캔마다 세 시각의 변환을 조회합니다. 스캔의 측정 시각, 자신의 현재 시각, 그리고 `Time()`입니다. 타이머가 몇 번 울리는지, 스캔의 나이가 얼마인지도 적습니다.
 
-# %% name="imports" slide="skip"
+# %% name="imports" tags=["collapsed"] slide="skip"
 import rclpy
 from rclpy.duration import Duration
 from rclpy.node import Node
@@ -164,8 +164,7 @@ from rclpy.time import Time
 from sensor_msgs.msg import LaserScan
 from tf2_ros import Buffer, TransformException, TransformListener
 
-
-# %% name="ask"
+# %% name="ask" tags=["collapsed"]
 def ask(node, question, frame, moment):
     try:
         node.buffer.lookup_transform("map", frame, moment)
@@ -173,14 +172,13 @@ def ask(node, question, frame, moment):
     except TransformException as error:
         node.first_no = node.first_no or error
 
-
 # %% [markdown] lang="en" name="asker-intro-notes" slide="notes"
 # Nobody has to read the code. Say what the node will do: three lookups for each scan, a timer, an age.
 
 # %% [markdown] lang="ko" name="asker-intro-notes" slide="notes"
 # 코드를 다 읽지 않아도 됩니다. 노드가 하는 일만 말합니다. 스캔마다 시각 셋, 타이머 하나, 나이 하나입니다.
 
-# %% name="asker" slide="subslide"
+# %% name="asker" tags=["collapsed"] slide="subslide"
 class Asker(Node):
     def __init__(self, use_sim_time=True, make_buffer=lambda node: Buffer(node=node)):
         super().__init__("asker", parameter_overrides=[Parameter("use_sim_time", value=use_sim_time)])
@@ -197,8 +195,7 @@ class Asker(Node):
         for question, moment in {"at its stamp": stamp, "at now": now, "Time()": Time()}.items():
             ask(self, question, scan.header.frame_id, moment)
 
-
-# %% name="offset" tags=["predicted"] slide="fragment"
+# %% name="offset" tags=["predicted", "collapsed"] slide="fragment"
 for options in ("--clock", "--clock --start-offset 0.001"):
     asker = lesson.replay(Asker, bags / "lap", options, for_s=16.0)
     print(f"$ ros2 bag play lap {options}")
@@ -237,7 +234,7 @@ print(asker.first_no)
 #
 # **예측해 봅시다.** 모두 기록했을 때, `/tf_static`이 없을 때, `/tf`가 없을 때 스캔을 몇 개나 지도에 표시할 수 있을까요?
 
-# %% name="place-all" tags=["predicted"] slide="fragment"
+# %% name="place-all" tags=["predicted", "collapsed"] slide="fragment"
 for left_out in ((), ("/tf_static",), ("/tf",)):
     *_, scan = lesson.place_messages(lap, "map", left_out)
     print(f"left out: {', '.join(left_out) or 'nothing'}\n  {scan}\n")
@@ -295,7 +292,7 @@ for left_out in ((), ("/tf_static",), ("/tf",)):
 #
 # 먼저 이것부터 생각해 봅시다. `use_sim_time`은 false이고 `--clock`도 없으며, 노드는 `header.stamp`의 변환을 조회합니다. 동작하기는 할까요?
 
-# %% name="four-set-ups" tags=["predicted"] slide="fragment"
+# %% name="four-set-ups" tags=["predicted", "collapsed"] slide="fragment"
 print("use_sim_time  play       at its stamp  at now  timer  age of a scan")
 for use_sim_time in (False, True):
     for options in ("", "--clock"):
@@ -351,7 +348,7 @@ for use_sim_time in (False, True):
 # %% [markdown] lang="ko" name="panel-intro" slide="subslide"
 # 시계를 직접 바꿔 보세요. `--clock`을 끄면 어느 노드의 선이 0으로 떨어질까요? 그다음 재생 시간의 슬라이더를 끌고, `--rate`를 바꾸고, `--loop`를 꺼 보세요.
 
-# %% name="clocks-panel" tags=["interactive"]
+# %% name="clocks-panel" tags=["interactive", "collapsed"]
 lesson.clocks_panel()
 
 # %% name="clocks-still" tags=["static"]
@@ -381,8 +378,10 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 #
 # 강의에 나온 두 명령입니다. `&`를 붙이면 터미널을 하나 더 연 것처럼 재생기가 계속 실행됩니다. 실행 중인 노드에 `param set`도 할 수 있습니다. 그러면 무엇을 잃는지 출력에서 읽어 보세요.
 
-# %% name="by-hand-play" slide="-"
+# %% name="by-hand-node" tags=["collapsed"] slide="-"
 asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
+
+# %% name="by-hand-play" slide="-"
 # %ros2 bag play {bags}/lap --clock &
 
 # %% name="by-hand-clock" slide="-"
@@ -422,33 +421,6 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # %% [markdown] lang="ko" name="by-hand-set-notes" slide="notes"
 # 바꾸면서 무엇을 잃었는지 묻습니다. 동적 연결이 모두 비었고, 설정을 바꾸기 전에 측정한 것은 영영 지도 기준으로 바꿀 수 없습니다. 장착 변환은 남습니다. 그래서 시작할 때, 모든 노드에 정합니다.
 
-# %% [markdown] lang="en" name="quotes" slide="subslide"
-# **Break it:** somebody writes `"true"` in quotes. **Predict:** simulation time, system time, or no node at all?
-
-# %% [markdown] lang="ko" name="quotes" slide="subslide"
-# **일부러 고장 내기:** 누군가 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 시스템 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
-
-# %% name="quotes-run" tags=["predicted"] slide="fragment"
-graph = lesson.new_graph()
-(bags / "params.yaml").write_text('/**:\n  ros__parameters:\n    use_sim_time: "true"\n')
-rclpy.try_shutdown()
-rclpy.init(args=["mapper", "--ros-args", "--params-file", str(bags / "params.yaml")])
-mapper = Node("mapper")
-print("follows /clock:", mapper.get_clock().ros_time_is_active)
-rclpy.shutdown()
-
-# %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
-# A string is not a boolean. There is one line in the log, and the node goes on with system time. (A node in C++ is stricter: it does not start.)
-
-# %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
-# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 시스템 시간을 따르며 그대로 실행됩니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
-
-# %% [markdown] lang="en" name="quotes-notes" slide="notes"
-# Hands: simulation time, system time, or no node at all? Read the line of the log aloud; the node goes on.
-
-# %% [markdown] lang="ko" name="quotes-notes" slide="notes"
-# 손을 들게 합니다. 시뮬레이션 시간, 시스템 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 실행됩니다.
-
 # %% [markdown] lang="en" name="innocent" slide="slide"
 # ## The node that reports the error is not the cause
 #
@@ -463,13 +435,15 @@ rclpy.shutdown()
 #
 # **예측해 봅시다.** 어느 노드가 오류를 낼까요? 어떤 오류일까요?
 
-# %% name="record-raw" slide="skip"
+# %% name="record-raw" tags=["collapsed"] slide="skip"
 graph = lesson.new_graph()
 parts = ["robot_state_publisher", "joint_driver", "wheel_odometry", "laser_driver"]
 nodes = lesson.launch(graph, only=parts)
+
+# %% name="record-raw-run" slide="skip"
 # %ros2 --for 9.03 bag record -o {bags}/raw /scan /odom /tf /tf_static
 
-# %% name="innocent-run" tags=["predicted"] slide="fragment"
+# %% name="innocent-run" tags=["predicted", "collapsed"] slide="fragment"
 asker = lesson.replay(Asker, bags / "raw", "--clock", for_s=5.0, beside=["localization"])
 print(f"{asker.heard['at its stamp']} of {asker.heard['scans']} scans placed")
 try:
@@ -513,8 +487,7 @@ print(lesson.doctor(lesson.current_graph(), seconds=3.0))
 #
 # **예측해 봅시다.** `Time()`으로 조회하면 로봇은 어디에 있을까요?
 
-
-# %% name="looped" slide="-"
+# %% name="looped" tags=["collapsed"] slide="-"
 class Looped(Asker):
     def __init__(self, make_buffer):
         super().__init__(True, make_buffer)
@@ -527,8 +500,7 @@ class Looped(Asker):
             self.times.append(lesson.current_graph().now_ns / 1e9 - 86401)
             self.ages.append((self.get_clock().now().nanoseconds - newest.nanoseconds) / 1e9)
 
-
-# %% name="twenty-seconds" slide="-"
+# %% name="twenty-seconds" tags=["collapsed"] slide="-"
 def show(node):
     now = node.get_clock().now().nanoseconds
     newest = node.buffer.lookup_transform("map", "base_link", Time())
@@ -536,7 +508,6 @@ def show(node):
     print(f"its clock {now / 1e9:.1f} s, newest of {Time.from_msg(newest.header.stamp).nanoseconds / 1e9:.2f} s")
     print(f"the robot is off by {math.dist((at.x, at.y), here[:2]):.2f} m")
     print(f"{node.heard['at its stamp']} of {node.heard['scans']} scans placed")
-
 
 # %% name="twenty-seconds-run" tags=["predicted"] slide="fragment"
 def lecture(node):
@@ -561,7 +532,7 @@ show(long)
 # %% [markdown] lang="ko" name="loop-notes" slide="notes"
 # 반복 재생은 8분입니다. 칠판에 시계를 적습니다. 15, 16, 1, 2. 최신을 조회하면 로봇은 어디에 있습니까? 멈췄던 자리라는 답을 기다립니다.
 
-# %% name="ten-seconds" slide="subslide"
+# %% name="ten-seconds" tags=["collapsed"] slide="subslide"
 with redirect_stdout(io.StringIO()) as log:  # it would fill the page
     warned = lesson.replay(lambda: Looped(lambda node: Buffer()), bags / "lap", "--clock --loop", for_s=25.93)
 show(warned)
@@ -599,104 +570,26 @@ show(sound)
 #
 # 세 버퍼에서 최신 변환은 각각 얼마나 오래되었을까요?
 
-# %% name="loop-ages" slide="-"
+# %% name="loop-ages" tags=["collapsed"] slide="-"
 from tflab.views.ages import Curve
 
 named = {"cache 20 s": long, "Buffer()": warned, "node=self": sound}
-lesson.draw_ages([Curve(name, tuple(node.times), tuple(node.ages)) for name, node in named.items()])
+curves = [Curve(name, tuple(node.times), tuple(node.ages)) for name, node in named.items()]
+lesson.draw_ages(curves, "age of the newest transform")
 
 # %% [markdown] lang="en" name="loop-ages-read"
-# Below zero, the newest transform is in the node's future. Just after the clock went back, two of the buffers answer with data from fifteen seconds ahead. The difference shrinks as the clock advances.
+# Below zero, the newest transform is in the node's future. Just after the clock went back, the first two buffers (their lines lie on each other) answer with data from fifteen seconds ahead. The difference shrinks as the clock advances.
 
 # %% [markdown] lang="ko" name="loop-ages-read"
-# *그림 읽기:* age = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
+# *그림 읽기:* age of the newest transform = 최신 변환의 나이, time = 재생한 시간, cache 20 s = 20초를 보관하는 버퍼.
 #
-# 0 아래는 최신 변환이 노드의 현재 시각보다 미래의 것이라는 뜻입니다. 반복하는 지점을 지난 직후에 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다. 그 뒤로는 시계가 나아가는 만큼 차이가 줄어듭니다.
+# 0 아래는 최신 변환이 노드의 현재 시각보다 미래의 것이라는 뜻입니다. 반복하는 지점을 지난 직후에 처음 두 버퍼의 최신 변환은 현재 시각보다 15초 미래의 것입니다(두 선은 겹쳐 있습니다). 그 뒤로는 시계가 나아가는 만큼 차이가 줄어듭니다.
 
 # %% [markdown] lang="en" name="node-self-notes" slide="notes"
 # One argument: `node=self`. Point at the picture: two lines fall by fifteen seconds, one does not.
 
 # %% [markdown] lang="ko" name="node-self-notes" slide="notes"
 # 한 단어입니다. `node=self`. 그림에서 두 선은 15초만큼 내려가고 하나는 그대로인 것을 짚어 줍니다.
-
-# %% [markdown] lang="en" name="your-bag" slide="slide"
-# ## Your own bag
-#
-# Now a real recording: ten seconds of our robot, recorded in real time on a machine that was also busy with other work. If you have a bag of your own, write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below again. ROS 1's `.bag` files work, too.
-
-# %% [markdown] lang="ko" name="your-bag" slide="slide"
-# ## 여러분의 bag
-#
-# 이제 진짜 기록입니다. 다른 일도 하고 있던 컴퓨터에서 실제 시간으로 우리 로봇을 10초 동안 기록했습니다. 여러분의 bag이 있습니까? 그렇다면 `BAG = "~/bags/kitchen"`처럼 경로를 적고 아래 셀들을 다시 실행해 보세요. ROS 1의 `.bag`도 됩니다.
-
-# %% name="bag"
-BAG = lesson.example_bag()  # or the path of yours
-
-# %% name="bag-info"
-# %ros2 bag info {BAG}
-
-# %% [markdown] lang="en" name="your-bag-notes" slide="notes"
-# Six minutes, at their own machines. Those who have a bag write its path; the others keep ours. What do you expect of it?
-
-# %% [markdown] lang="ko" name="your-bag-notes" slide="notes"
-# 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
-
-# %% name="bag-tree" slide="subslide"
-recording = lesson.read_bag(BAG, show_progress=False)
-tree = recording.buffer(namespace=(recording.namespaces() or [None])[0])  # of the first robot, if there are more
-lesson.draw_buffer(tree, recording.end_ns)
-
-# %% [markdown] lang="en" name="bag-tree-notes" slide="notes"
-# One question: which edges have no rate here, and why is that no fault?
-
-# %% [markdown] lang="ko" name="bag-tree-notes" slide="notes"
-# 질문 하나입니다. 발행률이 없는 연결은 어느 것이고, 왜 고장이 아닙니까?
-
-# %% name="bag-places" slide="subslide"
-placed = lesson.place_messages(recording)
-print(f"{len(placed)} topics have a frame", *placed, sep="\n")
-
-# %% name="bag-statics" slide="-"
-for record in [record for record in recording.records() if record.is_static][:2]:
-    before_s = (recording.begin_ns - record.stamped.stamp_ns) / 1e9
-    print(f"{record.stamped.child_frame_id}: stamped {before_s:.1f} s before the recording began")
-
-# %% name="bag-doctor" slide="-"
-print(lesson.doctor(recording))
-
-# %% [markdown] lang="en" name="bag-read"
-# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only shows when it was sent. Somebody has mistaken such a stamp for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
-#
-# Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
-
-# %% [markdown] lang="ko" name="bag-read"
-# *그림 읽기:* D(dynamic) = 동적(실선, 표본의 시각에만 유효), S(static) = 정적(점선, 어느 시각에나 유효), rate = 발행률, age = 나이, published by = 발행자.
-#
-# 정적 변환은 기록 전체보다 오래되었습니다. 로봇을 먼저 켰기 때문이고, 고장이 아닙니다. 정적 변환은 어느 시각에나 유효하고, 측정 시각은 보낸 때를 알려 줄 뿐입니다. 이것을 오래된 데이터로 오해한 일도 있습니다([SteveMacenski/slam_toolbox, 이슈 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
-#
-# 17…이나 18…로 시작하는 측정 시각은 1970년부터 센 초입니다. 작은 숫자는 시뮬레이션이나 이 페이지 같은 곳에서 온 것입니다.
-
-# %% [markdown] lang="en" name="bag-shell" slide="-"
-# The same without a notebook, on a laptop without ROS:
-#
-# ```
-# tflab doctor ~/bags/kitchen
-# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
-# ```
-
-# %% [markdown] lang="ko" name="bag-shell" slide="-"
-# 노트북(notebook) 없이, ROS가 없는 컴퓨터에서도 똑같이 할 수 있습니다.
-#
-# ```
-# tflab doctor ~/bags/kitchen
-# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
-# ```
-
-# %% [markdown] lang="en" name="bag-places-notes" slide="notes"
-# The one number first, the doctor last. Stamps from before the recording are the trap; let somebody fall into it.
-
-# %% [markdown] lang="ko" name="bag-places-notes" slide="notes"
-# 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 정적 변환의 시각이 기록 전체보다 오래된 것을 고장으로 보기 쉽습니다. 누군가 그렇게 말할 때까지 기다립니다.
 
 # %% [markdown] lang="en" name="checkpoint" slide="slide"
 # ## Checkpoint
@@ -780,51 +673,16 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="checkpoint-notes" slide="notes"
 # 4분입니다. 투표하기 전에 한 사람이 두 시각을 소리 내어 뺍니다. 86,399초입니다.
 
-# %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Now you write
-#
-# Fill in the two blanks: a bag in a loop, and a node that handles it.
-#
-# ```python
-# # $ ros2 bag play lap ____________ --loop
-# self.buffer = Buffer(____________)
-# ```
-#
-# <details><summary>Compare</summary>
-#
-# `--clock`, and `node=self`. The node also needs `use_sim_time: true`; without it, its clock does not go back.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸을 채워 보세요
-#
-# 빈칸 두 개를 채워 보세요. 반복 재생되는 bag과, 그에 대비한 노드입니다.
-#
-# ```python
-# # $ ros2 bag play lap ____________ --loop
-# self.buffer = Buffer(____________)
-# ```
-#
-# <details><summary>맞춰 보기</summary>
-#
-# `--clock`과 `node=self`입니다. 노드에는 `use_sim_time: true`도 필요합니다. 없으면 시각이 되돌아간 것을 알 수 없습니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="faded-notes" slide="notes"
-# For those who are quick; the others do it at home. There are two blanks, and the third thing that is needed is in the answer.
-
-# %% [markdown] lang="ko" name="faded-notes" slide="notes"
-# 빠른 사람이 풀고 나머지는 집에서 합니다. 빈칸은 둘이고, 하나 더 필요한 것은 답에 있습니다.
-
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
+#
+# You need ten seconds of your robot, or of a simulation, and two terminals. Stop the robot's own nodes before you play, or two nodes publish each transform.
 #
 # ```
 # ros2 bag record -o kitchen /scan /odom /tf /tf_static
 # ros2 bag info kitchen                        # is /tf_static there?
-# ros2 bag play kitchen --clock
+# python3 bag_check.py                         # the node below, in terminal 2
+# ros2 bag play kitchen --clock                # and again with --start-offset 1
 # ros2 topic echo /clock --once
 # ros2 param get /point_to_map use_sim_time    # of every node
 # ros2 param set /point_to_map use_sim_time true
@@ -836,10 +694,13 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
+# 로봇이나 시뮬레이션을 10초 동안 기록한 것과 터미널 두 개가 필요합니다. 재생하기 전에 로봇의 노드를 멈추십시오. 그러지 않으면 변환마다 발행자가 둘이 됩니다.
+#
 # ```
 # ros2 bag record -o kitchen /scan /odom /tf /tf_static
 # ros2 bag info kitchen                        # /tf_static이 있는지?
-# ros2 bag play kitchen --clock
+# python3 bag_check.py                         # 아래 노드, 터미널 2에서
+# ros2 bag play kitchen --clock                # --start-offset 1을 붙여 한 번 더
 # ros2 topic echo /clock --once
 # ros2 param get /point_to_map use_sim_time    # 모든 노드에서
 # ros2 param set /point_to_map use_sim_time true
@@ -854,9 +715,129 @@ print(lesson.doctor(recording))
 # %% [markdown] lang="ko" name="on-the-robot-notes" slide="notes"
 # 읽지 말고 사진으로 찍게 합니다. 한 문장만 말합니다. RViz도 노드입니다.
 
-# %% name="stop" slide="skip"
-lesson.current_graph().stop()
-rclpy.try_shutdown()
+# %% [markdown] lang="en" name="bag-check" slide="skip"
+# ### A node to take home
+#
+# It prints the one number while a bag plays. Each scan is looked up at its own stamp, a second later, so that late transforms are there. If it prints nothing, its clock stands still: `--clock` is missing.
+#
+# ```python
+# # tf_lab_py/bag_check.py
+# from collections import deque
+#
+# import rclpy
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.parameter import Parameter
+# from rclpy.qos import qos_profile_sensor_data
+# from rclpy.time import Time
+# from sensor_msgs.msg import LaserScan
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+#
+# class BagCheck(Node):
+#     def __init__(self):
+#         super().__init__('bag_check', parameter_overrides=[Parameter('use_sim_time', value=True)])
+#         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
+#         self.listener = TransformListener(self.buffer, self)
+#         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
+#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def report(self):
+#         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
+#             header = self.waiting.popleft().header
+#             self.scans += 1
+#             try:
+#                 self.buffer.lookup_transform('map', header.frame_id, Time.from_msg(header.stamp))
+#                 self.placed += 1
+#             except TransformException as error:
+#                 self.reason = f', the last error: {error}'
+#         self.get_logger().info(f'{self.placed} of {self.scans} scans placed{self.reason}')
+#
+#     def age(self, scan):
+#         return self.get_clock().now() - Time.from_msg(scan.header.stamp)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = BagCheck()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# Without ROS: `tflab run bag_check.py --with "ros2 bag play kitchen --clock"`.
+
+# %% [markdown] lang="ko" name="bag-check" slide="skip"
+# ### 가져갈 노드
+#
+# bag이 재생되는 동안 그 숫자 하나를 출력합니다. 스캔마다 자기 측정 시각의 변환을 조회하되, 늦게 오는 변환까지 받도록 1초 뒤에 조회합니다. 아무것도 출력하지 않으면 시계가 멈춰 있는 것입니다. `--clock`을 빠뜨렸습니다.
+#
+# ```python
+# # tf_lab_py/bag_check.py
+# from collections import deque
+#
+# import rclpy
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.parameter import Parameter
+# from rclpy.qos import qos_profile_sensor_data
+# from rclpy.time import Time
+# from sensor_msgs.msg import LaserScan
+# from tf2_ros import Buffer, TransformException, TransformListener
+#
+#
+# class BagCheck(Node):
+#     def __init__(self):
+#         super().__init__('bag_check', parameter_overrides=[Parameter('use_sim_time', value=True)])
+#         self.buffer = Buffer(node=self)  # is cleared when the bag's time goes back
+#         self.listener = TransformListener(self.buffer, self)
+#         self.waiting, self.scans, self.placed, self.reason = deque(), 0, 0, ''
+#         self.create_subscription(LaserScan, 'scan', self.waiting.append, qos_profile_sensor_data)
+#         self.create_timer(1.0, self.report)  # waits for /clock
+#
+#     def report(self):
+#         while self.waiting and self.age(self.waiting[0]) > Duration(seconds=1.0):
+#             header = self.waiting.popleft().header
+#             self.scans += 1
+#             try:
+#                 self.buffer.lookup_transform('map', header.frame_id, Time.from_msg(header.stamp))
+#                 self.placed += 1
+#             except TransformException as error:
+#                 self.reason = f', the last error: {error}'
+#         self.get_logger().info(f'{self.placed} of {self.scans} scans placed{self.reason}')
+#
+#     def age(self, scan):
+#         return self.get_clock().now() - Time.from_msg(scan.header.stamp)
+#
+#
+# def main(args=None):
+#     rclpy.init(args=args)
+#     node = BagCheck()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
+# ```
+#
+# ROS가 없는 컴퓨터에서는 `tflab run bag_check.py --with "ros2 bag play kitchen --clock"`입니다.
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## Recap
@@ -886,78 +867,6 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="recap-notes" slide="notes"
 # 쪽지를 나누어 주는 동안 화면에 띄워 둡니다.
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
-# ### Three questions from earlier chapters
-#
-# 1. 06: why does a node that starts late on a robot receive `/tf_static`?
-# 2. 08: what does `Time()` mean, and why is it not now?
-# 3. 09: two texts mention the future, one by 0.05 s and one by a day. For which does waiting help?
-#
-# <details><summary>Answers</summary>
-#
-# 1. Its publisher keeps the last message for listeners that join later (transient local).
-# 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as new as now.
-# 3. For the first, perhaps. The second comes from a clock that shows another day, and waiting does not help.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ### 앞 장 복습: 세 문제
-#
-# 1. 06: 로봇에서 나중에 시작한 노드도 `/tf_static`을 받는 까닭은 무엇입니까?
-# 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
-# 3. 09: "into the future" 오류 메시지가 두 개 있습니다. 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 해결되는 것은 어느 쪽입니까?
-#
-# <details><summary>답</summary>
-#
-# 1. 발행자가 나중에 참가하는 노드를 위해 마지막 메시지를 보관합니다(transient local).
-# 2. 경로의 최신 공통 시각입니다. 연결마다 최신 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재 시각의 표본은 없습니다.
-# 3. 앞의 것은 해결될 수 있습니다. 뒤의 것은 시계 문제입니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="from-before-notes" slide="notes"
-# For home; one of the three aloud if a minute is left.
-
-# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
-# 집에서 합니다. 1분이 남으면 하나만 소리 내어 풉니다.
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q13
-#
-# **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] Stamps in a bag or a simulation come from its own clock and are not in system time. A node with `use_sim_time` reads the current time from `/clock`.
-# - [ ] All nodes must agree: if one uses system time, its stamps and lookups are a day off, and other nodes get the errors.
-# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: timers never run, ages are wrong, and a lookup at the current time gives the latest without an error.
-# - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
-# - [ ] In a loop time goes back, and earlier data has to be deleted.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q13
-#
-# **13.** 시뮬레이션이나 bag으로 작업할 때 `use_sim_time`, `/clock`, `/tf_static`을 확인하는 까닭은 무엇입니까? 네다섯 문장으로 써 보세요.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] bag과 시뮬레이션의 측정 시각은 시스템 시간이 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
-# - [ ] 모든 노드가 같아야 합니다. 하나라도 시스템 시간을 따르면 다른 날짜의 시각을 적고 조회하며, 오류는 다른 노드에서 납니다.
-# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 틀린 값이 되며, 현재 시각을 조회하면 오류 없이 최신 변환이 나옵니다.
-# - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 연결되지 않습니다.
-# - [ ] 반복 재생에서는 시각이 되돌아가므로, 전에 받은 것을 비워야 합니다.
-#
-# </details>
-
-# %% [markdown] lang="en" name="practice-notes" slide="notes"
-# Written at home. Five points make a full answer; the clock that stays at 0 is the one that is forgotten.
-
-# %% [markdown] lang="ko" name="practice-notes" slide="notes"
-# 집에서 씁니다. 완전한 답에는 다섯 가지가 있고, 0에 멈춘 시계를 가장 많이 빠뜨립니다.
-
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
 #
@@ -986,12 +895,250 @@ rclpy.try_shutdown()
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 2분 동안 말없이 쪽지에 적습니다. 실습을 시작하기 전에 쪽지를 거둡니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# **Next:** the exercises, [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb), and after them [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
-# In the exercises, `solution("E10.1")` shows a solution after you have passed the task or tried three times. To start a page over, delete its file and type `tflab lab --copy-only` in a terminal of JupyterLab.
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now record a bag that is complete, say which clock a node uses, and find the node that uses another one.
+#
+# **Now the exercises:** [E10 Clocks and bags](../../exercises/en/E10_clocks_and_bags.ipynb).
+# **The next chapter** is [11 Tools and RViz](11_tools_and_rviz.ipynb): which tool answers which question?
+#
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
+#
+# The sections below are for those who want more: a bag of your own, a parameter in quotes, and questions. Each heading opens one.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# **다음:** 연습 문제 [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀고 [11 도구와 RViz](11_tools_and_rviz.ipynb)로 갑니다. 어떤 질문에 어떤 도구를 쓰는지 배웁니다.
-# 연습 문제에서는 통과하거나 세 번 시도한 뒤 `solution("E10.1")`로 풀이를 볼 수 있습니다. 처음부터 다시 하려면 그 파일을 지우고 JupyterLab의 터미널에서 `tflab lab --copy-only`를 입력해 보세요.
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 빠진 것 없는 bag을 기록하고, 노드가 어느 시계를 따르는지 말하고, 다른 시계를 따르는 노드를 찾아낼 수 있습니다.
+#
+# **이제 연습 문제입니다.** [E10 시계와 bag](../../exercises/ko/E10_clocks_and_bags.ipynb)을 풀어 보세요.
+# **다음 장**은 [11 도구와 RViz](11_tools_and_rviz.ipynb)입니다. 어떤 질문에 어떤 도구를 쓰는지 배웁니다.
+#
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
+#
+# 아래는 더 알고 싶은 사람을 위한 절입니다. 여러분의 bag, 따옴표를 붙인 파라미터, 그리고 복습 문제가 있습니다. 제목을 누르면 펼쳐집니다.
+
+# %% [markdown] lang="en" name="your-bag" slide="slide"
+# ## Your own bag
+#
+# Now a real recording: ten seconds of our robot, recorded in real time on a machine that was also busy with other work. If you have a bag of your own, write its path instead, such as `BAG = "~/bags/kitchen"`, and run the cells below again. ROS 1's `.bag` files work, too.
+
+# %% [markdown] lang="ko" name="your-bag" slide="slide"
+# ## 여러분의 bag
+#
+# 이제 진짜 기록입니다. 다른 일도 하고 있던 컴퓨터에서 실제 시간으로 우리 로봇을 10초 동안 기록했습니다. 여러분의 bag이 있습니까? 그렇다면 `BAG = "~/bags/kitchen"`처럼 경로를 적고 아래 셀들을 다시 실행해 보세요. ROS 1의 `.bag`도 됩니다.
+
+# %% name="bag"
+BAG = lesson.example_bag()  # or the path of yours
+
+# %% name="bag-info"
+# %ros2 bag info {BAG}
+
+# %% [markdown] lang="en" name="your-bag-notes" slide="notes"
+# Six minutes, at their own machines. Those who have a bag write its path; the others keep ours. What do you expect of it?
+
+# %% [markdown] lang="ko" name="your-bag-notes" slide="notes"
+# 각자 컴퓨터에서 6분 동안 합니다. 자기 bag이 있으면 경로를 적고, 없으면 우리 것을 씁니다. 무엇을 예상합니까?
+
+# %% name="bag-tree" tags=["collapsed"] slide="subslide"
+recording = lesson.read_bag(BAG, show_progress=False)
+tree = recording.buffer(namespace=(recording.namespaces() or [None])[0])  # of the first robot, if there are more
+lesson.draw_buffer(tree, recording.end_ns)
+
+# %% [markdown] lang="en" name="bag-tree-notes" slide="notes"
+# One question: which edges have no rate here, and why is that no fault?
+
+# %% [markdown] lang="ko" name="bag-tree-notes" slide="notes"
+# 질문 하나입니다. 발행률이 없는 연결은 어느 것이고, 왜 고장이 아닙니까?
+
+# %% name="bag-places" tags=["collapsed"] slide="subslide"
+placed = lesson.place_messages(recording)
+print("topics with a frame:", *placed, sep="\n")
+
+# %% name="bag-statics" tags=["collapsed"] slide="-"
+for record in [record for record in recording.records() if record.is_static][:2]:
+    before_s = (recording.begin_ns - record.stamped.stamp_ns) / 1e9
+    print(f"{record.stamped.child_frame_id}: stamped {before_s:.1f} s before the recording began")
+
+# %% name="bag-doctor" slide="-"
+print(lesson.doctor(recording))
+
+# %% [markdown] lang="en" name="bag-read"
+# The static transforms are older than the whole recording, because the robot was switched on before. That is no fault: a static transform is valid at all times, and its stamp only shows when it was sent. Somebody has mistaken such a stamp for stale data before ([SteveMacenski/slam_toolbox, issue 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+#
+# Stamps that begin with 17… or 18… count the seconds since 1970. Small ones come from a simulation, or from a page like this one.
+
+# %% [markdown] lang="ko" name="bag-read"
+# *그림 읽기:* D(dynamic) = 동적(실선, 표본의 시각에만 유효), S(static) = 정적(점선, 어느 시각에나 유효), rate = 발행률, age = 나이, published by = 발행자.
+#
+# 정적 변환은 기록 전체보다 오래되었습니다. 로봇을 먼저 켰기 때문이고, 고장이 아닙니다. 정적 변환은 어느 시각에나 유효하고, 측정 시각은 보낸 때를 알려 줄 뿐입니다. 이것을 오래된 데이터로 오해한 일도 있습니다([SteveMacenski/slam_toolbox, 이슈 814](https://github.com/SteveMacenski/slam_toolbox/issues/814)).
+#
+# 17…이나 18…로 시작하는 측정 시각은 1970년부터 센 초입니다. 작은 숫자는 시뮬레이션이나 이 페이지 같은 곳에서 온 것입니다.
+
+# %% [markdown] lang="en" name="bag-shell" slide="-"
+# The same without a notebook, on a laptop without ROS:
+#
+# ```
+# tflab doctor ~/bags/kitchen
+# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
+# ```
+
+# %% [markdown] lang="ko" name="bag-shell" slide="-"
+# 노트북(notebook) 없이, ROS가 없는 컴퓨터에서도 똑같이 할 수 있습니다.
+#
+# ```
+# tflab doctor ~/bags/kitchen
+# tflab ros2 --bag ~/bags/kitchen run tf2_ros tf2_echo map base_link
+# ```
+
+# %% [markdown] lang="en" name="bag-places-notes" slide="notes"
+# The one number first, the doctor last. Stamps from before the recording are the trap; let somebody fall into it.
+
+# %% [markdown] lang="ko" name="bag-places-notes" slide="notes"
+# 숫자 하나를 먼저 보고 doctor는 마지막에 봅니다. 정적 변환의 시각이 기록 전체보다 오래된 것을 고장으로 보기 쉽습니다. 누군가 그렇게 말할 때까지 기다립니다.
+
+# %% [markdown] lang="en" name="quotes" slide="subslide"
+# ## Break it: `"true"` in quotes
+#
+# Somebody writes `"true"` in quotes into the parameter file. **Predict:** simulation time, system time, or no node at all?
+
+# %% [markdown] lang="ko" name="quotes" slide="subslide"
+# ## 일부러 고장 내기: 따옴표를 붙인 `"true"`
+#
+# 누군가 파라미터 파일에 `"true"`처럼 따옴표를 붙였습니다. **예측해 봅시다.** 시뮬레이션 시간일까요, 시스템 시간일까요, 아니면 노드가 아예 시작되지 않을까요?
+
+# %% name="quotes-run" tags=["predicted"] slide="fragment"
+graph = lesson.new_graph()
+(bags / "params.yaml").write_text('/**:\n  ros__parameters:\n    use_sim_time: "true"\n')
+rclpy.try_shutdown()
+rclpy.init(args=["mapper", "--ros-args", "--params-file", str(bags / "params.yaml")])
+mapper = Node("mapper")
+print("follows /clock:", mapper.get_clock().ros_time_is_active)
+rclpy.shutdown()
+
+# %% [markdown] lang="en" name="quotes-read" tags=["predicted"]
+# A string is not a boolean. There is one line in the log, and the node goes on with system time. (A node in C++ is stricter: it does not start.)
+
+# %% [markdown] lang="ko" name="quotes-read" tags=["predicted"]
+# 문자열은 참·거짓 값이 아닙니다. 로그에 한 줄이 남고, 노드는 시스템 시간을 따르며 그대로 실행됩니다. (C++로 쓴 노드는 더 엄격해서 아예 시작되지 않습니다.)
+
+# %% [markdown] lang="en" name="quotes-notes" slide="notes"
+# Hands: simulation time, system time, or no node at all? Read the line of the log aloud; the node goes on.
+
+# %% [markdown] lang="ko" name="quotes-notes" slide="notes"
+# 손을 들게 합니다. 시뮬레이션 시간, 시스템 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 실행됩니다.
+
+# %% [markdown] lang="en" name="faded" slide="subslide"
+# ## Two blanks: a bag in a loop
+#
+# Fill in the two blanks: a bag in a loop, and a node that handles it.
+#
+# ```python
+# # $ ros2 bag play lap ____________ --loop
+# self.buffer = Buffer(____________)
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# `--clock`, and `node=self`. The node also needs `use_sim_time: true`; without it, its clock does not go back.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="subslide"
+# ## 빈칸 둘: 반복 재생되는 bag
+#
+# 빈칸 두 개를 채워 보세요. 반복 재생되는 bag과, 그에 대비한 노드입니다.
+#
+# ```python
+# # $ ros2 bag play lap ____________ --loop
+# self.buffer = Buffer(____________)
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `--clock`과 `node=self`입니다. 노드에는 `use_sim_time: true`도 필요합니다. 없으면 시각이 되돌아간 것을 알 수 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="faded-notes" slide="notes"
+# For those who are quick; the others do it at home. There are two blanks, and the third thing that is needed is in the answer.
+
+# %% [markdown] lang="ko" name="faded-notes" slide="notes"
+# 빠른 사람이 풀고 나머지는 집에서 합니다. 빈칸은 둘이고, 하나 더 필요한 것은 답에 있습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="subslide"
+# ## Three questions from earlier chapters
+#
+# 1. 06: why does a node that starts late on a robot receive `/tf_static`?
+# 2. 08: what does `Time()` mean, and why is it not now?
+# 3. 09: two texts mention the future, one by 0.05 s and one by a day. For which does waiting help?
+#
+# <details><summary>Answers</summary>
+#
+# 1. Its publisher keeps the last message for listeners that join later (transient local).
+# 2. The latest common time of the path: the earliest of the newest samples. Nothing in the buffer is as new as now.
+# 3. For the first, perhaps. The second comes from a clock that shows another day, and waiting does not help.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="from-before" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 1. 06: 로봇에서 나중에 시작한 노드도 `/tf_static`을 받는 까닭은 무엇입니까?
+# 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
+# 3. 09: "into the future" 오류 메시지가 두 개 있습니다. 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 해결되는 것은 어느 쪽입니까?
+#
+# <details><summary>답</summary>
+#
+# 1. 발행자가 나중에 참가하는 노드를 위해 마지막 메시지를 보관합니다(transient local).
+# 2. 경로의 최신 공통 시각입니다. 연결마다 최신 표본의 시각 가운데 가장 이른 것입니다. 버퍼에 현재 시각의 표본은 없습니다.
+# 3. 앞의 것은 해결될 수 있습니다. 뒤의 것은 시계 문제입니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="from-before-notes" slide="notes"
+# For home; one of the three aloud if a minute is left.
+
+# %% [markdown] lang="ko" name="from-before-notes" slide="notes"
+# 집에서 합니다. 1분이 남으면 하나만 소리 내어 풉니다.
+
+# %% [markdown] lang="en" name="practice" slide="subslide"
+# ## Practice question · Q13
+#
+# **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] Stamps in a bag or a simulation come from its own clock and are not in system time. A node with `use_sim_time` reads the current time from `/clock`.
+# - [ ] All nodes must agree: if one uses system time, its stamps and lookups are a day off, and other nodes get the errors.
+# - [ ] With `use_sim_time` and without `/clock` the time stays at 0: timers never run, ages are wrong, and a lookup at the current time gives the latest without an error.
+# - [ ] `/tf_static` is sent once. Without it, or if the playback begins after it, no sensor is connected to the robot.
+# - [ ] In a loop time goes back, and earlier data has to be deleted.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="subslide"
+# ## 서술형 문제 · Q13
+#
+# **13.** 시뮬레이션이나 bag으로 작업할 때 `use_sim_time`, `/clock`, `/tf_static`을 확인하는 까닭은 무엇입니까? 네다섯 문장으로 써 보세요.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] bag과 시뮬레이션의 측정 시각은 시스템 시간이 아니라 자기 시간의 것입니다. `use_sim_time`을 켠 노드는 현재 시각을 `/clock`에서 얻습니다.
+# - [ ] 모든 노드가 같아야 합니다. 하나라도 시스템 시간을 따르면 다른 날짜의 시각을 적고 조회하며, 오류는 다른 노드에서 납니다.
+# - [ ] `use_sim_time`은 켰는데 `/clock`이 없으면 시간이 0에 멈춥니다. 타이머는 울리지 않고 나이는 틀린 값이 되며, 현재 시각을 조회하면 오류 없이 최신 변환이 나옵니다.
+# - [ ] `/tf_static`은 한 번만 나옵니다. 없거나 그 뒤부터 재생하면 어떤 센서도 로봇에 연결되지 않습니다.
+# - [ ] 반복 재생에서는 시각이 되돌아가므로, 전에 받은 것을 비워야 합니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice-notes" slide="notes"
+# Written at home. Five points make a full answer; the clock that stays at 0 is the one that is forgotten.
+
+# %% [markdown] lang="ko" name="practice-notes" slide="notes"
+# 집에서 씁니다. 완전한 답에는 다섯 가지가 있고, 0에 멈춘 시계를 가장 많이 빠뜨립니다.
+
+# %% name="stop" tags=["collapsed"] slide="skip"
+lesson.current_graph().stop()
+rclpy.try_shutdown()
