@@ -220,28 +220,28 @@ for second in (12.3, 14.3, 10.6):
 # %% [markdown] lang="en" name="family" slide="slide"
 # ## The idea in a sentence: name, path, time
 #
-# tf2 needs valid arguments, the names, a path, and data for the time. The exception shows which of these tf2 first found missing.
+# A lookup needs valid arguments, two names, a path, and data for the time. The exception shows which of these tf2 first found missing.
 #
-# | tf2 checks | the exception | what it means | look first at |
-# | --- | --- | --- | --- |
-# | Are the arguments valid? | [[invalid argument exception|InvalidArgumentException]] | a frame name is empty, or begins with `/` | the line of the lookup, `header.frame_id` |
-# | Are both **names** known? | [[lookup exception|LookupException]] | a name is unknown to this buffer | spelling; is its publisher running? |
-# | Is there a **path**? | [[connectivity exception|ConnectivityException]] | both names are known, in separate trees | `view_frames`: two roots |
-# | Is there data for that **time**? | [[extrapolation exception|ExtrapolationException]] | there is a path, but one edge on it has no data at that time | stamps and clocks |
+# | a lookup needs | otherwise tf2 raises | look first at |
+# | --- | --- | --- |
+# | valid arguments: no empty name, no `/` at the beginning | [[invalid argument exception|InvalidArgumentException]] | the line of the lookup, `header.frame_id` |
+# | two **names** that this buffer knows | [[lookup exception|LookupException]] | spelling; is its publisher running? |
+# | a **path**: both names in one tree | [[connectivity exception|ConnectivityException]] | `view_frames`: two roots |
+# | data for that **time** on every edge of the path | [[extrapolation exception|ExtrapolationException]] | stamps and clocks |
 #
 # Their common base class is [[transform exception|TransformException]].
 
 # %% [markdown] lang="ko" name="family" slide="slide"
 # ## 한 문장으로: 이름, 경로, 시각
 #
-# tf2는 먼저 인자가 올바른지 보고, 그다음 세 가지를 확인합니다. 처음으로 “아니요”가 나온 항목에 따라 예외가 정해집니다.
+# 조회하려면 올바른 인자, 두 이름, 경로, 그 시각의 값이 있어야 합니다. tf2가 처음으로 없다고 확인한 것에 따라 예외가 정해집니다.
 #
-# | tf2가 확인하는 것 | “아니요”일 때의 예외 | 의미 | 먼저 볼 곳 |
-# | --- | --- | --- | --- |
-# | 인자가 올바릅니까? | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 좌표계 이름이 비었거나 `/`로 시작합니다 | 조회하는 코드, `header.frame_id` |
-# | 두 **이름**이 버퍼에 있습니까? | [[lookup exception|LookupException(좌표계 조회 예외)]] | 이 버퍼에 없는 이름입니다 | 철자, 발행 노드가 실행 중인지 |
-# | **경로**가 있습니까? | [[connectivity exception|ConnectivityException(연결 예외)]] | 두 이름이 있지만 서로 다른 트리에 있습니다 | `view_frames`: 루트가 둘 |
-# | 그 **시각**의 값이 있습니까? | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 경로는 있지만 그중 한 연결에 그때의 값이 없습니다 | 측정 시각(stamp)과 시계 |
+# | 조회에 필요한 것 | 없으면 나는 예외 | 먼저 볼 곳 |
+# | --- | --- | --- |
+# | 올바른 인자: 이름이 비어 있거나 `/`로 시작하면 안 됩니다 | [[invalid argument exception|InvalidArgumentException(잘못된 인자 예외)]] | 조회하는 코드, `header.frame_id` |
+# | 이 버퍼에 있는 두 **이름** | [[lookup exception|LookupException(좌표계 조회 예외)]] | 철자, 발행 노드가 실행 중인지 |
+# | **경로**: 두 이름이 한 트리에 있어야 합니다 | [[connectivity exception|ConnectivityException(연결 예외)]] | `view_frames`: 루트가 둘 |
+# | 경로의 모든 연결에 그 **시각**의 값 | [[extrapolation exception|ExtrapolationException(시간 외삽 예외)]] | 측정 시각(stamp)과 시계 |
 #
 # 이들의 공통 부모 클래스가 [[transform exception|TransformException]]입니다.
 
@@ -422,11 +422,12 @@ for target, source, second in (
 # %% [markdown] lang="en" name="future-past" slide="slide"
 # ## Future and past: the causes
 #
+# `[-----]` is the data in the buffer, `x` the requested time:
+#
 # ```text
-#        [--------------]        the data in the buffer
-#   x    [--------------]        extrapolation into the past
-#        [------x-------]        an answer
-#        [--------------]   x    extrapolation into the future
+# x [-----]   past
+#   [--x--]   an answer
+#   [-----] x future
 # ```
 #
 # | x: the requested time | ordinary causes | faults to repair |
@@ -443,11 +444,12 @@ for target, source, second in (
 # %% [markdown] lang="ko" name="future-past" slide="slide"
 # ## 미래와 과거: 원인
 #
+# `[-----]`는 버퍼에 값이 있는 구간, `x`는 요청 시각입니다.
+#
 # ```text
-#        [--------------]        버퍼에 값이 있는 구간
-#   x    [--------------]        과거 외삽
-#        [------x-------]        값이 나옴
-#        [--------------]   x    미래 외삽
+# x [-----]   과거 외삽
+#   [--x--]   값이 나옴
+#   [-----] x 미래 외삽
 # ```
 #
 # | x: 요청 시각 | 흔한 원인 | 고쳐야 할 결함 |
@@ -712,7 +714,7 @@ lesson.draw_lanes(patient)
 # 더 어려운 상황을 만들려고, 이제 변환마다 0.15초씩 더 늦게 도착하게 합니다.
 
 # %% name="called-node" slide="subslide"
-promises = deque()
+waiting = deque()
 
 
 class Called(lesson.WaitingNode):
@@ -720,16 +722,16 @@ class Called(lesson.WaitingNode):
         stamp = Time.from_msg(scan.header.stamp)
         future = self.buffer.wait_for_transform_async('map', 'laser_frame', stamp)
         future.add_done_callback(self.on_answer)
-        promises.append(future)
-        if len(promises) > 3:  # at most three: the oldest is cancelled
-            promises.popleft().cancel()
+        waiting.append(future)
+        if len(waiting) > 3:  # at most three: the oldest is cancelled
+            waiting.popleft().cancel()
 
     def on_answer(self, future):
         if not future.cancelled():
             self.answers.append(future.result().transform.translation)
 
 # %% name="called-run" tags=["collapsed"] slide="-"
-promises.clear()  # of an earlier run
+waiting.clear()  # of an earlier run
 called = lesson.on_robot_c(Called, delay_s=0.15)  # one thread
 print(len(called.busy), 'scans,', len(called.answers), 'answered')
 lesson.draw_lanes(called)
@@ -811,7 +813,7 @@ lesson.draw_lanes(called)
 #
 # Messages that wait grow old. Decide four things *before* the robot drives (lecture, section 19):
 #
-# - **How long do I wait?** Below: until two newer points wait.
+# - **How long do I wait?** In the node below: until two newer points wait.
 # - **A point without a transform by then?** Drop it, and log the reason.
 # - **How many may queue?** Two; the oldest goes first.
 # - **How old may data be that moves the robot?** 0.5 s. New is better than complete.
@@ -1206,10 +1208,18 @@ for when in (Time(seconds=99), Time()):
 # %% [markdown] lang="ko" name="order-notes" slide="notes"
 # 전반부에서 유일하게 까다로운 대목입니다. 시간이 없으면 마지막 문장만 말합니다. Time()으로 한 번 더 조회합니다.
 
-# %% [markdown] lang="en" name="honest-limit" slide="subslide"
+# %% [markdown] lang="en" name="one-way" slide="subslide"
 # ## What one-way times cannot tell you
 #
-# A constant delay of +0.3 s may be a slow network, or a publisher whose clock is 0.3 s *behind*.
+# A delay of +0.3 s that never changes: is it the network, or a clock?
+
+# %% [markdown] lang="ko" name="one-way" slide="subslide"
+# ## 한 방향의 시각만으로는 알 수 없는 것
+#
+# 언제나 똑같이 +0.3초인 지연은 네트워크 때문일까요, 시계 때문일까요?
+
+# %% [markdown] lang="en" name="honest-limit" slide="-"
+# It may be a slow network, or a publisher whose clock is 0.3 s *behind*.
 # From one-way times alone, **nobody** can separate the two: both add the same number to every message.
 # You need a message that goes there *and back*. `chrony` and NTP use such messages, so use them to compare the clocks of two computers. For example:
 #
@@ -1221,10 +1231,8 @@ for when in (Time(seconds=99), Time()):
 #
 # And there is a case without an error. A sensor clock that is *behind* leads to lookups in the past. The buffer answers, as far back as its cache time: no exception, no warning, and a robot that is wrong all day.
 
-# %% [markdown] lang="ko" name="honest-limit" slide="subslide"
-# ## 한 방향의 시각만으로는 알 수 없는 것
-#
-# 지터 없이 늘 +0.3초인 지연은 느린 네트워크일 수도 있고, 시계가 0.3초 *뒤처진* 발행자일 수도 있습니다.
+# %% [markdown] lang="ko" name="honest-limit" slide="-"
+# 느린 네트워크일 수도 있고, 시계가 0.3초 *뒤처진* 발행자일 수도 있습니다.
 # 한 방향의 시각만으로는 **누구도** 둘을 구별할 수 없습니다. 둘 다 모든 메시지에 같은 숫자를 더하기 때문입니다.
 # 갔다가 *되돌아오는* 메시지가 있어야 합니다. `chrony`와 NTP가 그렇게 시계를 비교하니, 컴퓨터가 두 대라면 이들로 확인하십시오. 예를 들면 이렇습니다.
 #
@@ -1368,10 +1376,18 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 실행하기 전에 숫자를 말하게 합니다. 대부분 0.15초나 0.3초라고 합니다.
 # 그러고 나서 한 시간 뒤에는 곡선이 어떻게 될지 물어봅니다.
 
-# %% [markdown] lang="en" name="how-long" slide="subslide"
+# %% [markdown] lang="en" name="how-long-heading" slide="subslide"
 # ## How long is "a little"?
 #
-# You can calculate it. A scan waits for the first transform that is stamped *at or after* it.
+# You can calculate it.
+
+# %% [markdown] lang="ko" name="how-long-heading" slide="subslide"
+# ## “조금”은 얼마일까요?
+#
+# 취향이 아니라 계산할 수 있는 값입니다.
+
+# %% [markdown] lang="en" name="how-long" slide="-"
+# A scan waits for the first transform that is stamped *at or after* it.
 #
 # - In the worst case that transform is stamped one whole **period** later (10 Hz: 0.1 s),
 # - and it takes its **delay**, and at worst its whole **[[jitter]]**, to arrive.
@@ -1380,10 +1396,8 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # `wait = period + delay + jitter − the scan's own delay`, for the worst edge on the path. For robot C, with its transport delay of 0.15 s: 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155 s. The edge's own delay is 0.010 s, and the scan's delay is 0.105 s.
 # If only a longer wait helps, check the clocks.
 
-# %% [markdown] lang="ko" name="how-long" slide="subslide"
-# ## “조금”은 얼마일까요?
-#
-# 취향이 아니라 계산할 수 있는 값입니다. 스캔은 자기 측정 시각 *이후*의 첫 변환을 기다립니다.
+# %% [markdown] lang="ko" name="how-long" slide="-"
+# 스캔은 자기 측정 시각 *이후*의 첫 변환을 기다립니다.
 #
 # - 그 변환의 측정 시각은 스캔보다 최대 한 **주기** 나중입니다(10 Hz면 0.1초).
 # - 그것이 도착하는 데 **지연**만큼, 최악의 경우 **[[jitter|지터(jitter)]]** 전부만큼 더 걸립니다.
@@ -1392,21 +1406,27 @@ lesson.draw_ages([endless, bounded], 'age of the data', limit_s=0.5)
 # 경로에서 이 시간이 가장 긴 연결로 계산합니다. `기다림 = 주기 + 지연 + 지터 − 스캔 자신의 지연`입니다. 변환이 오는 데 0.15초가 더 걸린 로봇 C라면 0.1 + (0.010 + 0.15) + 0 − 0.105 = 0.155초입니다. 그 연결 자체의 지연이 0.010초이고, 스캔의 지연이 0.105초입니다.
 # 이보다 오래 기다려야 통한다면 시계를 확인하십시오.
 
-# %% [markdown] lang="en" name="dated-ahead" slide="subslide"
+# %% [markdown] lang="en" name="ahead" slide="subslide"
 # ## A publisher that dates its transforms ahead on purpose
 #
+# AMCL does it. Its parameter is `transform_tolerance`.
+
+# %% [markdown] lang="ko" name="ahead" slide="subslide"
+# ## 일부러 미래의 시각을 적는 발행자
+#
+# AMCL이 그렇게 합니다. 파라미터는 `transform_tolerance`입니다.
+
+# %% [markdown] lang="en" name="dated-ahead" slide="-"
 # A localiser needs time: it has the pose for a scan only when the scan is processed. Must every lookup wait for it?
-# AMCL writes another stamp into `map → odom`: the scan's time plus its parameter `transform_tolerance` (1.0 s by default in Nav2). It states that the correction is valid for that long.
+# AMCL writes another stamp into `map → odom`: the scan's time plus `transform_tolerance` (1.0 s by default in Nav2). It states that the correction is valid for that long.
 #
 # Here is the buffer from the beginning of this page, with a localiser that dates its transforms 1.0 s ahead.
 #
 # **Predict.** At 14.3 s there was an exception, because of `map → odom`. What happens now?
 
-# %% [markdown] lang="ko" name="dated-ahead" slide="subslide"
-# ## 일부러 미래의 시각을 적는 발행자
-#
+# %% [markdown] lang="ko" name="dated-ahead" slide="-"
 # 위치 추정 노드에는 시간이 필요합니다. 스캔을 다 처리해야 그 스캔의 포즈가 나옵니다. 조회할 때마다 그것을 기다려야 할까요?
-# AMCL은 `map → odom`에 다른 시각을 적습니다. 스캔의 측정 시각에 파라미터 `transform_tolerance`(Nav2에서는 기본 1.0초)를 더한 시각입니다. 이 보정값이 그때까지 유효하다는 뜻입니다.
+# AMCL은 `map → odom`에 다른 시각을 적습니다. 스캔의 측정 시각에 `transform_tolerance`(Nav2에서는 기본 1.0초)를 더한 시각입니다. 이 보정값이 그때까지 유효하다는 뜻입니다.
 #
 # 이 장 처음의 버퍼에서 위치 추정 노드가 1.0초 미래의 시각을 적으면 다음과 같습니다.
 #
@@ -1433,9 +1453,17 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 # 이런 연결에서는 `tf2_monitor`의 지연이 음수로 나옵니다. 의도한 것이므로 시계 문제가 아닙니다.
 # (Nav2의 코스트맵에도 이름이 같은 파라미터가 있지만 뜻이 다릅니다. 변환이 얼마나 늦어도 되는지를 정합니다.)
 
-# %% [markdown] lang="en" name="numbers" slide="subslide"
+# %% [markdown] lang="en" name="text-more" slide="subslide"
 # ## More about the text of an exception
 #
+# Its numbers as attributes, what it leaves out, and one more exception.
+
+# %% [markdown] lang="ko" name="text-more" slide="subslide"
+# ## 예외의 오류 메시지에 대해 더
+#
+# 속성에 담긴 숫자, 메시지에 나오지 않는 것, 그리고 예외 하나 더입니다.
+
+# %% [markdown] lang="en" name="numbers" slide="-"
 # In tflab an extrapolation exception has the numbers as attributes, and the edge that limits the lookup: `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent` and `error.frame`.
 # On a robot you get only the text. Take the numbers from there, and the edge from `view_frames` or `tf2_monitor`.
 #
@@ -1444,9 +1472,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # There is one more exception, TimeoutException: a buffer in *another* process did not answer. It does not occur on this page.
 
-# %% [markdown] lang="ko" name="numbers" slide="subslide"
-# ## 예외의 오류 메시지에 대해 더
-#
+# %% [markdown] lang="ko" name="numbers" slide="-"
 # tflab의 외삽 예외에는 오류 메시지 외에 숫자와, 경로가 막힌 연결이 함께 들어 있습니다. `error.requested_ns`, `error.bound_ns`, `error.direction`, `error.parent`, `error.frame`입니다.
 # 실제 로봇에서는 오류 메시지만 나오므로 숫자는 메시지에서, 연결은 `view_frames`나 `tf2_monitor`에서 찾습니다.
 #
@@ -1455,9 +1481,17 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # 예외가 하나 더 있습니다. TimeoutException은 *다른* 프로세스에 있는 버퍼가 제때 결과를 보내지 않을 때 나옵니다. 이 장에서는 다루지 않습니다.
 
-# %% [markdown] lang="en" name="from-earlier" slide="subslide"
+# %% [markdown] lang="en" name="earlier" slide="subslide"
 # ## Three questions from earlier chapters
 #
+# From 02, 03 and 08.
+
+# %% [markdown] lang="ko" name="earlier" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 02, 03, 08장에서 골랐습니다.
+
+# %% [markdown] lang="en" name="from-earlier" slide="-"
 # <details><summary>From 03. The text says <em>from frame [laser_frame] to frame [map]</em>. Write the call that was made.</summary>
 #
 # `lookup_transform('map', 'laser_frame', stamp)`: data expressed in `laser_frame`, wanted in `map`. The frame in which you want it comes first.
@@ -1476,9 +1510,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-earlier" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-earlier" slide="-"
 # <details><summary>03장에서. 오류 메시지에 "from frame [laser_frame] to frame [map]"이라고 나왔습니다. 어떤 호출이었는지 적으십시오.</summary>
 #
 # `lookup_transform('map', 'laser_frame', stamp)`입니다. `laser_frame` 기준 데이터를 `map` 기준으로 보려 한 것이고, 기준이 될 좌표계(목표)를 먼저 씁니다.
@@ -1497,9 +1529,17 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
 # ## Practice questions
 #
+# Q11 and Q12 of the lecture.
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제
+#
+# 강의의 Q11과 Q12입니다.
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # Answer on paper, then open the list and mark yourself: one point for each idea that is there.
 #
 # **Q11.** What is the difference between LookupException, ConnectivityException and ExtrapolationException?
@@ -1526,9 +1566,7 @@ lesson.draw_history(four_edges(ahead_s=1.0), 'map', 'laser_frame', seconds(14.3)
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # 종이에 답한 뒤 목록을 열어 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
 # **Q11.** LookupException, ConnectivityException, ExtrapolationException은 어떻게 다릅니까?

@@ -358,7 +358,7 @@ lesson.draw_clocks({"rviz2": True, "detector": False}, lesson.Play(loops=True), 
 # Below is the bag's time: a line that rises with `--rate` and begins again in a loop. Above the broken axis is system time. The table shows the result of a lookup of *now* in each node.
 
 # %% [markdown] lang="ko" name="clocks-read"
-# *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, asked for now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
+# *그림 읽기:* clock = 시계, playing = 재생한 시간, now = 노드의 현재 시각, newest TF = 최신 변환의 시각, lookup at now = 현재 시각을 조회하면, future extrapolation = 미래 외삽.
 #
 # 끊어진 축의 아래쪽은 bag의 시간입니다. 선은 `--rate`만큼 가파르게 올라가고, 반복하면 처음으로 되돌아갑니다. 축의 위쪽은 시스템 시간입니다. 표는 노드마다 *현재 시각*을 조회한 결과입니다.
 
@@ -436,12 +436,13 @@ asker = lesson.replay(Asker, bags / "lap", "", for_s=1.0)
 # **예측해 봅시다.** 어느 노드가 오류를 낼까요? 어떤 오류일까요?
 
 # %% name="record-raw" tags=["collapsed"] slide="skip"
+from IPython import get_ipython
+
 graph = lesson.new_graph()
 parts = ["robot_state_publisher", "joint_driver", "wheel_odometry", "laser_driver"]
-nodes = lesson.launch(graph, only=parts)
-
-# %% name="record-raw-run" slide="skip"
-# %ros2 --for 9.03 bag record -o {bags}/raw /scan /odom /tf /tf_static
+with redirect_stdout(io.StringIO()):  # the recorder's log, as above
+    nodes = lesson.launch(graph, only=parts)
+    get_ipython().run_line_magic("ros2", f"--for 9.03 bag record -o {bags}/raw /scan /odom /tf /tf_static")
 
 # %% name="innocent-run" tags=["predicted", "collapsed"] slide="fragment"
 asker = lesson.replay(Asker, bags / "raw", "--clock", for_s=5.0, beside=["localization"])
@@ -905,7 +906,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 #
 # On your checklist this chapter is **C11** (simulation time) and **C12** (a bag with `/tf` and `/tf_static`). Here it was simulated; do it once on the robot.
 #
-# The sections below are for those who want more: a bag of your own, a parameter in quotes, and questions. Each heading opens one.
+# The sections below are for those who want more. Each heading opens one.
 
 # %% [markdown] lang="ko" name="core-end" slide="skip"
 # ## 여기까지면 충분합니다
@@ -917,7 +918,7 @@ lesson.draw_ages(curves, "age of the newest transform")
 #
 # 실습 체크리스트에서 이 장은 **C11**(시뮬레이션 시간)과 **C12**(`/tf`와 `/tf_static`을 담은 bag)입니다. 여기서는 시뮬레이션이었으니, 로봇에서도 한 번 해 보세요.
 #
-# 아래는 더 알고 싶은 사람을 위한 절입니다. 여러분의 bag, 따옴표를 붙인 파라미터, 그리고 복습 문제가 있습니다. 제목을 누르면 펼쳐집니다.
+# 아래는 더 알고 싶은 사람을 위한 절입니다. 제목을 누르면 펼쳐집니다.
 
 # %% [markdown] lang="en" name="your-bag" slide="slide"
 # ## Your own bag
@@ -1029,9 +1030,17 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="quotes-notes" slide="notes"
 # 손을 들게 합니다. 시뮬레이션 시간, 시스템 시간, 노드 없음 가운데 무엇입니까? 로그 한 줄을 소리 내어 읽습니다. 노드는 계속 실행됩니다.
 
-# %% [markdown] lang="en" name="faded" slide="subslide"
+# %% [markdown] lang="en" name="loop-blanks" slide="subslide"
 # ## Two blanks: a bag in a loop
 #
+# A command and a constructor to complete.
+
+# %% [markdown] lang="ko" name="loop-blanks" slide="subslide"
+# ## 빈칸 둘: 반복 재생되는 bag
+#
+# 명령과 생성자를 완성해 보세요.
+
+# %% [markdown] lang="en" name="faded" slide="-"
 # Fill in the two blanks: a bag in a loop, and a node that handles it.
 #
 # ```python
@@ -1045,9 +1054,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ## 빈칸 둘: 반복 재생되는 bag
-#
+# %% [markdown] lang="ko" name="faded" slide="-"
 # 빈칸 두 개를 채워 보세요. 반복 재생되는 bag과, 그에 대비한 노드입니다.
 #
 # ```python
@@ -1067,9 +1074,17 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="faded-notes" slide="notes"
 # 빠른 사람이 풀고 나머지는 집에서 합니다. 빈칸은 둘이고, 하나 더 필요한 것은 답에 있습니다.
 
-# %% [markdown] lang="en" name="from-before" slide="subslide"
+# %% [markdown] lang="en" name="earlier" slide="subslide"
 # ## Three questions from earlier chapters
 #
+# From 06, 08 and 09.
+
+# %% [markdown] lang="ko" name="earlier" slide="subslide"
+# ## 앞 장 복습: 세 문제
+#
+# 06, 08, 09장에서 골랐습니다.
+
+# %% [markdown] lang="en" name="from-before" slide="-"
 # 1. 06: why does a node that starts late on a robot receive `/tf_static`?
 # 2. 08: what does `Time()` mean, and why is it not now?
 # 3. 09: two texts mention the future, one by 0.05 s and one by a day. For which does waiting help?
@@ -1082,9 +1097,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="from-before" slide="subslide"
-# ## 앞 장 복습: 세 문제
-#
+# %% [markdown] lang="ko" name="from-before" slide="-"
 # 1. 06: 로봇에서 나중에 시작한 노드도 `/tf_static`을 받는 까닭은 무엇입니까?
 # 2. 08: `Time()`은 무엇을 뜻하며, 왜 현재 시각이 아닙니까?
 # 3. 09: "into the future" 오류 메시지가 두 개 있습니다. 하나는 0.05초, 하나는 하루 차이입니다. 기다리면 해결되는 것은 어느 쪽입니까?
@@ -1103,9 +1116,17 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="from-before-notes" slide="notes"
 # 집에서 합니다. 1분이 남으면 하나만 소리 내어 풉니다.
 
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ## Practice question · Q13
+# %% [markdown] lang="en" name="practice-heading" slide="subslide"
+# ## Practice question
 #
+# Q13 of the lecture.
+
+# %% [markdown] lang="ko" name="practice-heading" slide="subslide"
+# ## 서술형 문제
+#
+# 강의의 Q13입니다.
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # **13.** Why do you check `use_sim_time`, `/clock` and `/tf_static` when you work with a simulation or a bag? Write four or five sentences.
 #
 # <details><summary>What a full answer contains</summary>
@@ -1118,9 +1139,7 @@ rclpy.shutdown()
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ## 서술형 문제 · Q13
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # **13.** 시뮬레이션이나 bag으로 작업할 때 `use_sim_time`, `/clock`, `/tf_static`을 확인하는 까닭은 무엇입니까? 네다섯 문장으로 써 보세요.
 #
 # <details><summary>완전한 답에 들어 있는 것</summary>

@@ -38,7 +38,7 @@ def test_the_words_say_for_each_node_its_now_and_what_comes_of_asking_for_it():
     nodes = {"rviz2": True, "detector": False}
     assert describe_clocks(nodes, DAY_LATER, 4.0).splitlines() == [
         "after 4.00 s of playing",
-        "node          its now  newest TF  asked for now",
+        "node          its now  newest TF  lookup at now",
         "rviz2         5.000 s    4.750 s  future extrapolation, 0.250 s",
         "detector  86405.000 s    4.750 s  future extrapolation, 86400.250 s",
     ]

@@ -202,7 +202,7 @@ class ClocksPicture(Picture):
                                       color=style.GREY if row == 0 else COLOURS[row - 1])
                      for x, ha in zip(columns, sides, strict=True)]  # fmt: skip
             self.cells.append(cells)
-        for cell, text in zip(self.cells[0], ("node", "now", "newest TF", "asked for now"), strict=True):
+        for cell, text in zip(self.cells[0], ("node", "now", "newest TF", "lookup at now"), strict=True):
             cell.set_text(text)
         self.moving += [cell for row in self.cells[1:] for cell in row]
 
