@@ -49,12 +49,12 @@ from tflab.workbook import lesson
 # %% [markdown] lang="en" name="load-why" slide="skip"
 # These two lines are in the first code cell of every chapter. The first line loads a simulated ROS 2 into this page's own Python process ("in-process"). Its output names the ROS 2 release that is simulated. The second line imports this workbook's own functions. What you import from `tflab` belongs to the workbook, such as every name that begins with `lesson.`, and so does the simulation, `graph`. Everything else is Python or ROS 2, as on a robot.
 # Time is simulated here, and it advances only during certain commands. So a page prints the same text each time you run it from its start.
-# A cell that only prepares or draws something shows three dots in place of its code. Run it like the others. A click on the dots shows the code.
+# A cell that only prepares or draws something shows its first line and three dots. Run it like the others. A click on the dots shows the rest.
 
 # %% [markdown] lang="ko" name="load-why" slide="skip"
 # 모든 장의 첫 코드 셀에 이 두 줄이 있습니다. 첫 줄은 이 페이지 안에서 실행되는(in-process) ROS 2를 불러옵니다. 출력의 괄호 속 이름은 ROS 2의 배포판입니다. 둘째 줄은 이 워크북의 도구를 가져옵니다. `lesson.…`처럼 `tflab`에서 가져온 것과 가상의 ROS 2 환경인 `graph`는 이 워크북의 것입니다. 나머지는 모두 로봇에서와 똑같은 파이썬과 ROS 2입니다.
 # 이 페이지의 시간은 가상이며, 명령을 내릴 때만 흐릅니다. 그래서 페이지를 처음부터 실행하면 언제나 같은 결과가 나옵니다.
-# 준비하거나 그리기만 하는 셀은 코드 대신 점 세 개로 접혀 있습니다. 다른 셀처럼 실행하면 됩니다. 점을 클릭하면 코드가 보입니다.
+# 준비하거나 그리기만 하는 셀은 첫 줄과 점 세 개만 보입니다. 다른 셀처럼 실행하면 됩니다. 점을 클릭하면 나머지 코드가 보입니다.
 
 # %% [markdown] lang="en" name="motion-why" slide="slide"
 # ## A robot that drives through a room

@@ -65,6 +65,7 @@ from tflab.workbook import lesson
 # *더 읽기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 보내는 쪽에서 일어난 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
 # %% name="story-picture" tags=["collapsed"] slide="subslide"
+# Draw both positions.
 from tflab.core import Transform, seconds
 
 world_T_map = Transform(translation=(5.0, 0.0, 0.0))
@@ -245,6 +246,7 @@ print('you guessed ', my_guess)
 # (2, 0, 0)만으로는 위치를 알 수 없습니다. 어느 좌표계를 기준으로 재느냐에 따라 서로 다른 세 곳이 됩니다.
 
 # %% name="three-places-picture" tags=["collapsed"]
+# Draw (2, 0, 0) in three frames.
 map_T_base = Transform(translation=(6.2, -1.7, 0.10))
 map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
 poses = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
@@ -271,6 +273,7 @@ lesson.draw_rulers(poses, places, 'point')
 # 이번에는 반대입니다. 공은 한 곳에 가만히 있습니다. 그 위치를 세 좌표계의 축으로 각각 잽니다.
 
 # %% name="one-place-picture" tags=["predicted", "collapsed"]
+# Draw one ball, measured in three frames.
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
 lesson.draw_rulers(poses, ball_in_map, 'ball')
 
@@ -295,6 +298,7 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
 
 # %% name="turned" tags=["predicted", "collapsed"] slide="fragment"
+# Rotate the robot, and draw the other ball.
 import math
 
 map_T_base = Transform.from_rpy(yaw=math.pi / 2, translation=(6.2, -1.7, 0.10))
@@ -326,6 +330,7 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # 좌표를 더하기만 해도 되는 것은 회전한 좌표계가 없을 때뿐입니다.
 
 # %% name="stop-the-reader" tags=["collapsed"] slide="skip"
+# Stop the nodes of this scene.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -347,6 +352,7 @@ rclpy.shutdown()
 # **예측해 봅시다.** 로봇이 달리는 동안 공과 컵 가운데 어느 쪽의 숫자가 바뀔까요? `map` 기준으로는? `base_link` 기준으로는?
 
 # %% name="start-the-robot" tags=["collapsed"] slide="skip"
+# Start the robot's nodes.
 graph = lesson.new_graph()
 drive = lesson.Drive([lesson.Leg(20.0, 0.5)], lesson.PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
 robot = lesson.TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: this page is about frames and stamps
@@ -354,6 +360,7 @@ parts = ['robot_state_publisher', 'wheel_odometry', 'localization', 'object_dete
 nodes = lesson.launch(graph, robot, only=parts)
 
 # %% name="ball-and-cup" tags=["predicted", "collapsed"] slide="fragment"
+# Print where the ball and the cup are at three times.
 map_p_ball, base_p_cup = (6.5, -1.5, 0.3), (-0.1, 0.0, 0.2)
 
 poses_at = {t: robot.truth_at(seconds(t))['base_link'] for t in (2, 4, 6)}
@@ -373,6 +380,7 @@ for t, pose in poses_at.items():
 # 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리.
 
 # %% name="moments-picture" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the robot and the ball at these times.
 lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
 
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
@@ -388,6 +396,7 @@ lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball
 # 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. 컵은 로봇에 실려 함께 갑니다. *그림 읽기:* ball = 공, cup = 컵.
 
 # %% name="in-3d-scene" tags=["collapsed"] slide="skip"
+# Prepare the 3D view.
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(2.6, -6.2, 3.0), target=(3.5, -1.0, 0.1))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.8)
@@ -403,6 +412,7 @@ def at_time(t):
     lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said, lesson.ACCENT)
 
 # %% name="in-3d-drive" tags=["interactive", "collapsed"]
+# Show the 3D view.
 scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')
 scene
 
@@ -924,15 +934,17 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 #
 # 아래는 더 연습하거나 더 알고 싶을 때 보는 내용입니다. 제목을 클릭하면 펼쳐집니다.
 
-# %% [markdown] lang="en" name="rulers-try" slide="slide"
+# %% [markdown] lang="en" name="rulers" slide="slide"
 # ## Move the robot: whose coordinates change?
-#
+
+# %% [markdown] lang="ko" name="rulers" slide="slide"
+# ## 직접 해 보세요: 로봇을 움직이면 어느 숫자가 바뀔까요
+
+# %% [markdown] lang="en" name="rulers-try" slide="-"
 # Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
 # *same* and *changed* compare the coordinates with those at the start, before you moved anything. When you put the object on the tray, its position there becomes the new start. Can you change the coordinates in `laser_frame`, and in no other frame?
 
-# %% [markdown] lang="ko" name="rulers-try" slide="slide"
-# ## 직접 해 보세요: 로봇을 움직이면 어느 숫자가 바뀔까요
-#
+# %% [markdown] lang="ko" name="rulers-try" slide="-"
 # 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
 # same과 changed는 로봇과 물체를 움직이기 전과 비교한 결과입니다. 쟁반을 고르면 쟁반 위의 처음 자리와 비교합니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
 
@@ -949,6 +961,7 @@ print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 # 레이저와 몸체는 함께 고정되어 있습니다.
 
 # %% name="rulers-panel" tags=["interactive", "collapsed"]
+# Show the panel.
 lesson.rulers_panel()
 
 # %% name="rulers-still" tags=["static"]
@@ -968,9 +981,13 @@ lesson.rulers_panel().picture
 #
 # </details>
 
-# %% [markdown] lang="en" name="faded" slide="slide"
+# %% [markdown] lang="en" name="faded-heading" slide="slide"
 # ## Fill in the blanks: a message that others can use
-#
+
+# %% [markdown] lang="ko" name="faded-heading" slide="slide"
+# ## 빈칸을 채워 보세요: 누구나 쓸 수 있는 메시지
+
+# %% [markdown] lang="en" name="faded" slide="-"
 # Fill in both blanks, so that a receiver can use this message. A range finder that points along the x of `laser_frame` measured 1.4 m at `measured`. The program runs this line at `now`, 50 ms later.
 #
 # ```python
@@ -985,9 +1002,7 @@ lesson.rulers_panel().picture
 #
 # </details>
 
-# %% [markdown] lang="ko" name="faded" slide="slide"
-# ## 빈칸을 채워 보세요: 누구나 쓸 수 있는 메시지
-#
+# %% [markdown] lang="ko" name="faded" slide="-"
 # 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. 거리 센서는 `laser_frame`의 x 방향을 보고, `measured`에 1.4 m를 측정했습니다. 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
 #
 # ```python
@@ -1002,9 +1017,13 @@ lesson.rulers_panel().picture
 #
 # </details>
 
-# %% [markdown] lang="en" name="practice" slide="slide"
+# %% [markdown] lang="en" name="practice-heading" slide="slide"
 # ## Practice question · Q1
-#
+
+# %% [markdown] lang="ko" name="practice-heading" slide="slide"
+# ## 서술형 문제 · Q1
+
+# %% [markdown] lang="en" name="practice" slide="-"
 # A node gives you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
 # Write four or five sentences, then open the list and give yourself a point for each idea.
 #
@@ -1020,9 +1039,7 @@ lesson.rulers_panel().picture
 #
 # </details>
 
-# %% [markdown] lang="ko" name="practice" slide="slide"
-# ## 서술형 문제 · Q1
-#
+# %% [markdown] lang="ko" name="practice" slide="-"
 # 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
 # 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
 #
@@ -1038,21 +1055,24 @@ lesson.rulers_panel().picture
 #
 # </details>
 
-# %% [markdown] lang="en" name="lecture-z" slide="skip"
+# %% [markdown] lang="en" name="lecture-heading" slide="skip"
 # ## If you know the lecture: why z is not 0.3 here
-#
+
+# %% [markdown] lang="ko" name="lecture-heading" slide="skip"
+# ## 강의를 들었다면: 여기서는 왜 z가 0.3이 아닐까요
+
+# %% [markdown] lang="en" name="lecture-z" slide="skip"
 # The lecture's first example has the ball at (2.2, 0, 0.3) in `base_link` and (8.4, −1.7, 0.3) in `map`. It comes before the lecture introduces its robot.
 # Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. In `map`, the height of the robot's centre, 0.10 m, is added as well.
 # This workbook uses the robot of the later examples throughout.
 
 # %% [markdown] lang="ko" name="lecture-z" slide="skip"
-# ## 강의를 들었다면: 여기서는 왜 z가 0.3이 아닐까요
-#
 # 강의의 첫 예에서 공은 `base_link` 기준 (2.2, 0, 0.3), `map` 기준 (8.4, −1.7, 0.3)에 있습니다. 이때는 로봇을 아직 정하지 않았습니다.
 # 강의 뒷부분에서는 여기처럼 레이저를 중심보다 0.15 m 위에 답니다. 그러면 레이저 정면의 공도 중심보다 0.15 m 위에 있고, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
 # 이 워크북은 끝까지 그 로봇 하나를 씁니다.
 
 # %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
