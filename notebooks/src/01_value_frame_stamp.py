@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title" slide="slide"
 # # 01 · Value, frame and stamp
 #
-# **Three numbers are not yet a position** · about 45 minutes · builds on 00
+# **Three numbers are not yet a position** · about 30 minutes · builds on 00
 #
 # After this chapter you can
 #
@@ -13,7 +13,7 @@
 # %% [markdown] lang="ko" name="title" slide="slide"
 # # 01 · 값, 좌표계, 측정 시각
 #
-# **숫자 세 개만으로는 위치를 알 수 없습니다** · 약 45분 · 00장을 바탕으로 합니다
+# **숫자 세 개만으로는 위치를 알 수 없습니다** · 약 30분 · 00장을 바탕으로 합니다
 #
 # 이 장을 마치면
 #
@@ -32,7 +32,6 @@
 
 # %% name="load" slide="skip"
 # %load_ext tflab
-from tflab.core import Transform, seconds
 from tflab.workbook import lesson
 
 # %% [markdown] lang="en" name="story" slide="slide"
@@ -65,20 +64,26 @@ from tflab.workbook import lesson
 # %% [markdown] lang="ko" name="story-sources" slide="skip"
 # *더 읽기:* slam_toolbox [863](https://github.com/SteveMacenski/slam_toolbox/issues/863), [872](https://github.com/SteveMacenski/slam_toolbox/pull/872), [876](https://github.com/SteveMacenski/slam_toolbox/pull/876). 보내는 쪽에서 일어난 같은 사고: vision_visp [96](https://github.com/lagadic/vision_visp/issues/96).
 
-# %% name="story-picture" slide="subslide"
-lesson.draw_scene({'world': Transform(), 'map': Transform(translation=(5.0, 0.0, 0.0))}, {'meant': (2.0, 1.5, 0.0)},
-           ghost_points={'understood': (7.0, 1.5, 0.0)}, fixed_frame='world', length_m=0.8)
+# %% name="story-picture" tags=["collapsed"] slide="subslide"
+# Draw both positions.
+from tflab.core import Transform, seconds
+
+world_T_map = Transform(translation=(5.0, 0.0, 0.0))
+meant, understood = (2.0, 1.5, 0.0), world_T_map.apply((2.0, 1.5, 0.0))
+lesson.draw_scene({'world': Transform(), 'map': world_T_map}, {'meant (2, 1.5)': meant},
+                  ghost_points={'understood (2, 1.5)': understood}, fixed_frame='world', length_m=0.8,
+                  eye=lesson.FROM_ABOVE, size_inch=(4.9, 2.6))
 
 # %% [markdown] lang="en" name="story-seen"
-# The operator meant (2, 1.5) in `world`, the point *meant*. The program read the same numbers in `map`, the point *understood*.
+# The operator meant (2, 1.5) in `world`. The program read the same numbers in `map`, and so understood a position five metres away.
 #
 # Here the receiver ignored the frame. The sender can get it wrong, too. One program detected a printed marker one metre in front of its camera, but wrote `/map` into the message instead of the camera's frame.
 # From then on the marker appeared one metre from the origin of the map, wherever the robot was.
 # The sender has to write the right frame, and the receiver has to read it.
 
 # %% [markdown] lang="ko" name="story-seen"
-# *그림 읽기:* meant = 운영자가 뜻한 위치, understood = 프로그램이 알아들은 위치.
-# 같은 (2, 1.5)라도 `world`의 원점에서 재면 meant, `map`의 원점에서 재면 understood입니다.
+# *그림 읽기:* 위에서 본 그림입니다. meant = 운영자가 뜻한 위치, understood = 프로그램이 알아들은 위치.
+# 같은 (2, 1.5)라도 `world`의 원점에서 재면 meant, `map`의 원점에서 재면 understood입니다. 두 위치는 5미터 떨어져 있습니다.
 #
 # 이 사고에서는 받는 쪽이 이름표를 읽지 않았습니다. 보내는 쪽이 이름표를 잘못 쓴 사고도 있습니다. 어느 프로그램은 카메라 1미터 앞에서 마커(QR 코드처럼 인쇄한 표식)를 찾고는, 메시지의 좌표계 칸인 `frame_id`에 `/map`을 적어 보냈습니다.
 # 그러면 로봇이 어디에 있든 마커는 지도 원점에서 1미터 떨어진 것이 됩니다.
@@ -126,27 +131,30 @@ my_guess = {'base_link': (0.0, 0.0, 0.0), 'map': (0.0, 0.0, 0.0)}  # your guesse
 # %% [markdown] lang="en" name="run-it" slide="subslide"
 # ## Run it
 #
-# The next cell publishes two transforms: the robot's pose in `map`, and the laser's mount on the robot. In its output, rotation (0, 0, 0, 1) means "no rotation" (chapter 02).
-#
-# The cell after that is what you would write on a robot:
-#
-# - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that takes part in ROS 2. In Python it uses `rclpy`.
-# - The [[buffer]] stores transforms. The [[listener]] receives them and fills the buffer. With `spin_thread=True` it does so in the background.
-# - A `PointStamped` is a point with a header: a frame and a stamp.
-#
-# Time in this workbook is simulated. It advances only while `graph.run(…)` is running. `graph` is the simulation that `%load_ext tflab` created.
+# Two nodes publish the transforms: the robot's pose in `map`, and the laser's mount on the robot. In the output, rotation (0, 0, 0, 1) means "no rotation" (chapter 02).
 
 # %% [markdown] lang="ko" name="run-it" slide="subslide"
 # ## 실행해 봅시다
 #
-# 첫 두 줄은 로봇의 위치와 레이저의 장착 변환(레이저가 로봇의 어디에 달려 있는지)을 발행합니다.
-# 그다음 [[node|노드(node)]]를 하나 만들고, 변환을 저장하는 [[buffer|버퍼(buffer)]]와 변환을 구독해 버퍼를 채우는 [[listener|수신기(listener)]]를 연결합니다. 실제 로봇에서도 같은 코드를 씁니다.
-# `rclpy`는 파이썬용 ROS 2 라이브러리입니다. `spin_thread=True`이면 다른 코드가 실행되는 동안에도 별도의 스레드에서 변환을 수신합니다. `PointStamped`는 좌표계와 측정 시각이 함께 든 점 메시지입니다. 출력의 rotation (0, 0, 0, 1)은 회전이 없다는 뜻입니다(02장).
-# 이 페이지의 시간은 가상이며 `graph.run(…)`을 실행할 때만 흐릅니다. `graph`는 노드가 실행되는 가상의 ROS 2 환경으로, `%load_ext tflab`이 만들어 두었습니다.
+# 노드 두 개가 변환을 발행합니다. 하나는 `map` 기준 로봇의 포즈, 다른 하나는 레이저의 장착 변환(레이저가 로봇의 어디에 달려 있는지)입니다. 출력의 rotation (0, 0, 0, 1)은 회전이 없다는 뜻입니다(02장).
 
 # %% name="say-where"
 # %ros2 run tf2_ros static_transform_publisher --x 6.2 --y -1.7 --z 0.10 --frame-id map --child-frame-id base_link
 # %ros2 run tf2_ros static_transform_publisher --x 0.20 --z 0.15 --frame-id base_link --child-frame-id laser_frame
+
+# %% [markdown] lang="en" name="listen-why" slide="-"
+# The next cell is what you would write on a robot. Only `graph.run` belongs to this workbook: it lets simulated time pass.
+#
+# - `rclpy` is the ROS 2 library for Python. A [[node]] is a program that takes part in ROS 2.
+# - The [[buffer]] stores transforms.
+# - The [[listener]] receives transforms and fills the buffer. With `spin_thread=True` it does so in the background.
+
+# %% [markdown] lang="ko" name="listen-why" slide="-"
+# 다음 셀은 실제 로봇에서도 똑같이 쓰는 코드입니다. `graph.run`만 이 워크북의 것으로, 가상의 시간을 흐르게 합니다.
+#
+# - `rclpy`는 파이썬용 ROS 2 라이브러리이고, [[node|노드(node)]]는 ROS 2에 참가하는 프로그램입니다.
+# - [[buffer|버퍼(buffer)]]는 변환을 저장합니다.
+# - [[listener|수신기(listener)]]는 변환을 구독해 버퍼를 채웁니다. `spin_thread=True`이면 다른 코드가 실행되는 동안에도 별도의 스레드에서 수신합니다.
 
 # %% name="listen"
 import rclpy
@@ -161,6 +169,12 @@ buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
 graph.run(seconds=0.5)
 
+# %% [markdown] lang="en" name="ask-why" slide="-"
+# A `PointStamped` is a point with a header: a frame and a stamp. Nothing moves here, so the stamp may stay 0 for once.
+
+# %% [markdown] lang="ko" name="ask-why" slide="-"
+# `PointStamped`는 좌표계와 측정 시각이 헤더에 든 점 메시지입니다. 여기서는 아무것도 움직이지 않으므로 이번만 측정 시각을 0으로 둡니다.
+
 # %% name="three-answers" tags=["predicted"] slide="fragment"
 ball = PointStamped()
 ball.header.frame_id = 'laser_frame'
@@ -168,7 +182,7 @@ ball.point.x = 2.0
 
 for frame in ('laser_frame', 'base_link', 'map'):
     point = buffer.transform(ball, frame).point
-    print(f'{frame:<12}', lesson.fmt_all((point.x, point.y, point.z), digits=2))
+    print(f'{frame:<12} ({point.x:.2f}, {point.y:.2f}, {point.z:.2f}) m')
 print('you guessed ', my_guess)
 
 # %% [markdown] lang="en" name="compare" tags=["predicted"] slide="subslide"
@@ -187,11 +201,6 @@ print('you guessed ', my_guess)
 # <details><summary>I said (8.2, −1.7, 0.10) in map</summary>
 #
 # The mount is left out: this would be right if the laser were at the robot's centre.
-#
-# </details>
-# <details><summary>I attended the lecture, and there z was 0.3 in both</summary>
-#
-# You can skip this if you do not know the lecture that this workbook follows. Its first example, a ball at (2.2, 0, 0.3) in base_link and (8.4, −1.7, 0.3) in map, comes before its robot is introduced. Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. This workbook uses the robot of the later examples throughout. In `map`, the height of the robot's centre, 0.10 m, is added as well.
 #
 # </details>
 
@@ -213,20 +222,15 @@ print('you guessed ', my_guess)
 # 레이저의 장착 위치가 빠졌습니다. 레이저가 로봇의 중심에 있다면 맞는 값입니다.
 #
 # </details>
-# <details><summary>강의를 들었는데, 거기서는 둘 다 z = 0.3이었습니다</summary>
-#
-# 이 워크북이 따라가는 강의를 들은 분에게 드리는 설명입니다. 듣지 않았다면 넘어가도 됩니다. 강의의 첫 예에서 공은 base_link 기준 (2.2, 0, 0.3), map 기준 (8.4, −1.7, 0.3)에 있습니다. 이때는 로봇을 아직 정하지 않았습니다. 강의 뒷부분에서는 여기처럼 레이저를 중심보다 0.15 m 위에 답니다. 그러면 레이저 정면의 공도 중심보다 0.15 m 위에 있습니다. 이 워크북은 끝까지 그 로봇 하나를 쓰며, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="run-notes" slide="notes"
-# Compare the hands with the counts on the board. The first three replies are the three mistakes.
+# Compare the hands with the counts on the board. The three replies are the three mistakes.
 # Open the first one and read it aloud, because it is the mistake of the story.
 # Those who were right explain it to a neighbour in one sentence.
 
 # %% [markdown] lang="ko" name="run-notes" slide="notes"
 # 칠판의 숫자와 비교합니다.
-# 펼쳐 볼 답 네 개 가운데 처음 세 개가 흔한 실수입니다.
+# 펼쳐 볼 답 세 개가 흔한 실수입니다.
 # 첫째 것은 소리 내어 읽습니다.
 # 앞의 이야기와 같은 실수입니다.
 # 맞힌 사람은 옆 사람에게 한 문장으로 설명합니다.
@@ -241,22 +245,22 @@ print('you guessed ', my_guess)
 #
 # (2, 0, 0)만으로는 위치를 알 수 없습니다. 어느 좌표계를 기준으로 재느냐에 따라 서로 다른 세 곳이 됩니다.
 
-# %% name="three-places-picture"
+# %% name="three-places-picture" tags=["collapsed"]
+# Draw (2, 0, 0) in three frames.
 map_T_base = Transform(translation=(6.2, -1.7, 0.10))
 map_T_laser = map_T_base @ Transform(translation=(0.20, 0.0, 0.15))
 poses = {'map': Transform(), 'base_link': map_T_base, 'laser_frame': map_T_laser}
 
-places = {f'2 m in {frame}': pose.apply((2.0, 0.0, 0.0)) for frame, pose in poses.items()}
-lesson.draw_scene(poses, places, length_m=0.7)
+places = {frame: pose.apply((2.0, 0.0, 0.0)) for frame, pose in poses.items()}
+lesson.draw_rulers(poses, places, 'point')
 
 # %% [markdown] lang="en" name="three-places-seen"
+# Each row shows the same floor from above, and the point at (2, 0, 0) of one frame.
 # A [[frame]] has a name, an origin and three axes. On a robot, x points forward, y left and z up (chapter 02 explains why).
-# In this workbook the name of a transform contains both frame names: `map_T_base` is the pose of base in map. `@` chains two transforms, and `apply` transforms a point. Chapter 03 explains all of it.
 
 # %% [markdown] lang="ko" name="three-places-seen"
-# *그림 읽기:* `2 m in …`은 각 좌표계에서 x 방향으로 2미터 떨어진 점입니다.
+# *그림 읽기:* 줄마다 같은 바닥을 위에서 본 그림이고, 저마다 한 좌표계의 (2, 0, 0)에 점이 있습니다. from above = 위에서 봄, grid of 1 m = 눈금 한 칸이 1미터.
 # [[frame|좌표계]]는 이름이 붙은 원점 하나와 방향 세 개입니다. 로봇에서 x는 앞, y는 왼쪽, z는 위입니다(이유는 02장).
-# 이 워크북에서는 변환에 두 이름을 함께 적습니다. `map_T_base`는 map을 기준으로 base가 어디에 있는지 나타내고, `@`는 변환 두 개를 합성합니다. 03장에서 자세히 다룹니다.
 
 # %% [markdown] lang="en" name="one-place" slide="slide"
 # ## One position has three sets of coordinates
@@ -268,16 +272,17 @@ lesson.draw_scene(poses, places, length_m=0.7)
 #
 # 이번에는 반대입니다. 공은 한 곳에 가만히 있습니다. 그 위치를 세 좌표계의 축으로 각각 잽니다.
 
-# %% name="one-place-picture" tags=["predicted"]
+# %% name="one-place-picture" tags=["predicted", "collapsed"]
+# Draw one ball, measured in three frames.
 ball_in_map = map_T_laser.apply((2.0, 0.0, 0.0))
 lesson.draw_rulers(poses, ball_in_map, 'ball')
 
 # %% [markdown] lang="en" name="one-place-seen"
-# Each panel shows the same scene from above. It draws the distance along that frame's x, then along its y.
+# Each row shows the same scene from above. It draws the distance along that frame's x, then along its y.
 # All three sets of coordinates are right. Which one you need depends on the task: a gripper needs `base_link`, a planner needs `map`.
 
 # %% [markdown] lang="ko" name="one-place-seen"
-# *그림 읽기:* 같은 장면을 위에서 본 그림이 좌표계마다 하나씩 있습니다. 그림마다 그 좌표계의 x 방향 거리를 먼저, 그다음 y 방향 거리를 그렸습니다.
+# *그림 읽기:* 같은 장면을 위에서 본 그림이 좌표계마다 한 줄씩 있습니다. 줄마다 그 좌표계의 x 방향 거리를 먼저, 그다음 y 방향 거리를 그렸습니다.
 # 세 가지 모두 맞습니다. 어느 것을 쓸지는 어디에 쓰느냐에 달려 있습니다. 그리퍼(로봇의 집게)에는 `base_link` 기준이, 경로 계획에는 `map` 기준이 필요합니다.
 
 # %% [markdown] lang="en" name="while-nobody-turns" slide="subslide"
@@ -292,7 +297,8 @@ lesson.draw_rulers(poses, ball_in_map, 'ball')
 #
 # **예측해 봅시다.** 세 가지 숫자 가운데 그대로인 것은 무엇일까요?
 
-# %% name="turned" tags=["predicted"] slide="fragment"
+# %% name="turned" tags=["predicted", "collapsed"] slide="fragment"
+# Rotate the robot, and draw the other ball.
 import math
 
 map_T_base = Transform.from_rpy(yaw=math.pi / 2, translation=(6.2, -1.7, 0.10))
@@ -323,7 +329,8 @@ lesson.draw_rulers(turned, map_T_laser.apply((2.0, 0.0, 0.0)), 'ball', before=le
 # 앞으로 뻗은 내 손의 숫자는 반대로, 방을 기준으로만 바뀝니다.
 # 좌표를 더하기만 해도 되는 것은 회전한 좌표계가 없을 때뿐입니다.
 
-# %% name="stop-the-reader" slide="skip"
+# %% name="stop-the-reader" tags=["collapsed"] slide="skip"
+# Stop the nodes of this scene.
 graph.stop()
 node.destroy_node()
 rclpy.shutdown()
@@ -344,14 +351,16 @@ rclpy.shutdown()
 #
 # **예측해 봅시다.** 로봇이 달리는 동안 공과 컵 가운데 어느 쪽의 숫자가 바뀔까요? `map` 기준으로는? `base_link` 기준으로는?
 
-# %% name="start-the-robot" slide="skip"
+# %% name="start-the-robot" tags=["collapsed"] slide="skip"
+# Start the robot's nodes.
 graph = lesson.new_graph()
 drive = lesson.Drive([lesson.Leg(20.0, 0.5)], lesson.PlanarPose(0.5, -1.5, 0.0), start_ns=graph.now_ns)
 robot = lesson.TeachingRobot(drive, bias=0.0, slip=0.0, correction_period_s=60.0)  # perfect wheels: this page is about frames and stamps
 parts = ['robot_state_publisher', 'wheel_odometry', 'localization', 'object_detector', 'imu_driver']
 nodes = lesson.launch(graph, robot, only=parts)
 
-# %% name="ball-and-cup" tags=["predicted"] slide="fragment"
+# %% name="ball-and-cup" tags=["predicted", "collapsed"] slide="fragment"
+# Print where the ball and the cup are at three times.
 map_p_ball, base_p_cup = (6.5, -1.5, 0.3), (-0.1, 0.0, 0.2)
 
 poses_at = {t: robot.truth_at(seconds(t))['base_link'] for t in (2, 4, 6)}
@@ -368,65 +377,26 @@ for t, pose in poses_at.items():
 # 공은 움직이지 않았는데 `base_link` 기준 숫자는 줄어듭니다. 컵은 로봇과 함께 달리는데도 `base_link` 기준 숫자는 그대로입니다.
 # “가만히 있으니 숫자도 그대로”라는 말은 그 물체가 가만히 있는 좌표계에서만 맞습니다.
 #
-# 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리, grid of 1 m = 눈금 한 칸이 1미터.
+# 다음은 그 세 시각의 그림입니다. *그림 읽기:* ball = 공, ahead = 로봇 앞으로 떨어진 거리.
 
-# %% name="moments-picture" tags=["predicted"] slide="subslide"
+# %% name="moments-picture" tags=["predicted", "collapsed"] slide="subslide"
+# Draw the robot and the ball at these times.
 lesson.draw_moments({f'{t} s': pose for t, pose in poses_at.items()}, map_p_ball, 'ball')
 
-# %% [markdown] lang="en" name="rulers-try" slide="subslide"
-# ### Try it
-#
-# Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
-# *same* and *changed* compare the coordinates with those at the start, before you moved anything. When you put the object on the tray, its position there becomes the new start. Can you change the coordinates in `laser_frame`, and in no other frame?
-
-# %% [markdown] lang="ko" name="rulers-try" slide="subslide"
-# ### 직접 해 보세요
-#
-# 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
-# same과 changed는 로봇과 물체를 움직이기 전과 비교한 결과입니다. 쟁반을 고르면 쟁반 위의 처음 자리와 비교합니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
-
-# %% [markdown] lang="en" name="rulers-notes" slide="notes"
-# Give the mouse to a student.
-# The important question is the last one: can only the coordinates in `laser_frame` change?
-# They cannot, as long as nobody loosens a screw, because the laser is fixed to the base.
-
-# %% [markdown] lang="ko" name="rulers-notes" slide="notes"
-# 마우스를 한 사람에게 넘깁니다.
-# 마지막 질문의 답이 나올 때까지 기다립니다.
-# 레이저의 숫자만 바뀔 수 있을까요?
-# 나사를 풀지 않는 한 그럴 수 없습니다.
-# 레이저와 몸체는 함께 고정되어 있습니다.
-
-# %% name="rulers-panel" tags=["interactive"]
-lesson.rulers_panel()
-
-# %% name="rulers-still" tags=["static"]
-at_first, later = ({'map': Transform(), 'base_link': poses_at[t]} for t in (2, 6))
-lesson.draw_rulers(later, map_p_ball, 'ball', before=lesson.readings_of(at_first, map_p_ball))
-
-# %% [markdown] lang="en" name="rulers-answer"
-# <details><summary>Can you?</summary>
-#
-# No. The laser is fixed to the robot, so the coordinates in `laser_frame` and in `base_link` change together. They differ by an offset that never changes. That is why such an offset is sent only once.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="rulers-answer"
-# <details><summary>바꿀 수 있나요?</summary>
-#
-# 없습니다. 레이저는 로봇에 고정되어 있으므로 `laser_frame`의 숫자가 바뀌면 `base_link`의 숫자도 바뀝니다. 두 숫자의 차이는 언제나 레이저의 장착 위치입니다. 변하지 않는 값이므로 한 번만 발행하면 됩니다.
-#
-# </details>
-
 # %% [markdown] lang="en" name="in-3d" slide="subslide"
-# The same in 3D: drag to rotate the view, and move the slider below to let the robot drive.
+# ### The same in 3D
+#
+# Run the cell, drag to rotate the view, and move the slider below to let the robot drive.
 # The arrow goes from the robot to the ball. Its label shows the ball's coordinates in `base_link`. The cup moves with the robot.
 
 # %% [markdown] lang="ko" name="in-3d" slide="subslide"
-# 같은 장면을 3D로 봅니다. 마우스로 끌어 시점을 돌리고, 아래 슬라이더를 움직여 로봇을 달리게 해 보세요.
+# ### 3D로 보기
+#
+# 셀을 실행하고 마우스로 끌어 시점을 돌려 보세요. 아래 슬라이더를 움직이면 로봇이 달립니다.
 # 화살표는 로봇에서 공으로 향하고, 화살표의 이름은 `base_link` 기준의 숫자입니다. 컵은 로봇에 실려 함께 갑니다. *그림 읽기:* ball = 공, cup = 컵.
 
-# %% name="in-3d-scene" slide="skip"
+# %% name="in-3d-scene" tags=["collapsed"] slide="skip"
+# Prepare the 3D view.
 scene = lesson.Scene(height_px=360)
 scene.look(eye=(2.6, -6.2, 3.0), target=(3.5, -1.0, 0.1))
 lesson.draw_frame(scene, 'map', Transform(), length_m=0.8)
@@ -441,12 +411,14 @@ def at_time(t):
     said = lesson.fmt_all(pose.inverse().apply(map_p_ball), digits=1)
     lesson.draw_arrow(scene, 'way to the ball', pose.translation, map_p_ball, said, lesson.ACCENT)
 
-# %% name="in-3d-drive" tags=["interactive"]
+# %% name="in-3d-drive" tags=["interactive", "collapsed"]
+# Show the 3D view.
 scene.sweep('time', [2.0 + 0.25 * i for i in range(25)], at_time, unit='s')
 scene
 
 # %% name="in-3d-still" tags=["static"]
-lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)})
+lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p_ball, 'cup': poses_at[4].apply(base_p_cup)},
+                  size_inch=(4.9, 3.0))
 
 # %% [markdown] lang="en" name="header" slide="slide"
 # ## The header of a message
@@ -465,18 +437,23 @@ lesson.draw_scene({'map': Transform(), 'base_link': poses_at[4]}, {'ball': map_p
 # %% name="hear-the-ball"
 heard = []  # (arrival [ns], message)
 
+
+def on_point(message):
+    heard.append((node.get_clock().now().nanoseconds, message))
+
+
 rclpy.init()
 node = Node('reader')
 buffer = Buffer()
 listener = TransformListener(buffer, node, spin_thread=True)
-node.create_subscription(PointStamped, '/detected_point', lambda m: heard.append((graph.now_ns, m)), 10)
+node.create_subscription(PointStamped, '/detected_point', on_point, 10)
 graph.run(seconds=5.05)
 
 # %% name="one-message" slide="-"
 arrived_ns, seen = heard[-1]
 print('frame_id ', seen.header.frame_id)
 print('stamp    ', seen.header.stamp.sec, 's and', seen.header.stamp.nanosec, 'ns')
-print('point    ', lesson.fmt_all((seen.point.x, seen.point.y, seen.point.z), digits=1))
+print(f'point     ({seen.point.x:.1f}, {seen.point.y:.1f}, {seen.point.z:.1f}) m')
 
 # %% [markdown] lang="en" name="one-message-seen"
 # In `camera_optical_frame` the ball is 3.5 m along **z**. In a camera's optical frame, z points forward (chapter 02). Without the frame name you would have placed the ball above the robot.
@@ -529,7 +506,7 @@ from rclpy.time import Time
 stamp_ns = Time.from_msg(seen.header.stamp).nanoseconds
 age_s = (arrived_ns - stamp_ns) / 1e9
 ahead_then = buffer.transform(seen, 'base_link').point.x
-ahead_now = robot.truth_at(arrived_ns)['base_link'].inverse().apply(map_p_ball)[0]
+ahead_now = ahead_then - 0.5 * age_s  # towards the ball at 0.5 m/s
 print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arrival {ahead_now:.2f} m')
 
 # %% [markdown] lang="en" name="age-seen" tags=["predicted"]
@@ -577,7 +554,7 @@ print(f'age {age_s:.3f} s, ahead at the stamp {ahead_then:.2f} m, ahead on arriv
 
 # %% name="keeps" slide="fragment"
 point = buffer.transform(seen, 'map').point  # with the robot's pose at the stamp of the message
-print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=2))
+print(f'in map ({point.x:.2f}, {point.y:.2f}, {point.z:.2f}) m')
 
 # %% [markdown] lang="en" name="contract" slide="slide"
 # ## The contract
@@ -608,7 +585,7 @@ def usable(message, now_ns, max_age_s=1.0):
     return 'used'
 
 
-print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|', usable(PointStamped(), arrived_ns))
+print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + 3_000_000_000), '|', usable(PointStamped(), arrived_ns))
 
 # %% [markdown] lang="en" name="contract-notes" slide="notes"
 # Three calls, three results.
@@ -620,40 +597,6 @@ print(usable(seen, arrived_ns), '|', usable(seen, arrived_ns + seconds(3.0)), '|
 # 이 함수가 받아들이지만 거절해야 할 메시지를 물어봅니다.
 # 측정 시각이 미래인 것과 좌표계 이름이 틀린 것입니다.
 # 둘 다 연습 문제에 있고, 둘째는 메시지 하나만 보아서는 찾을 수 없습니다.
-
-# %% [markdown] lang="en" name="faded" slide="subslide"
-# ### Now you write
-#
-# Fill in both blanks, so that a receiver can use this message. A range finder that points along the x of `laser_frame` measured 1.4 m at `measured`. The program runs this line at `now`, 50 ms later.
-#
-# ```python
-# message.header.frame_id = ____________
-# message.header.stamp = ____________.to_msg()
-# message.point.x = 1.4
-# ```
-#
-# <details><summary>Compare</summary>
-#
-# The frame is `'laser_frame'`, because the 1.4 m are measured along its x. The stamp is `measured`, not `now`. With `now` your message would claim that the measurement is 50 ms newer than it is, and no receiver could find out.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="faded" slide="subslide"
-# ### 빈칸을 채워 보세요
-#
-# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. 거리 센서는 `laser_frame`의 x 방향을 보고, `measured`에 1.4 m를 측정했습니다. 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
-#
-# ```python
-# message.header.frame_id = ____________
-# message.header.stamp = ____________.to_msg()
-# message.point.x = 1.4
-# ```
-#
-# <details><summary>맞춰 보기</summary>
-#
-# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 잰 값입니다. 시각은 `now`가 아니라 `measured`입니다. `now`를 적으면 실제보다 최근의 측정값처럼 보이고, 받는 쪽은 알아낼 방법이 없습니다.
-#
-# </details>
 
 # %% [markdown] lang="en" name="break-it" slide="slide"
 # ## Break it
@@ -721,7 +664,7 @@ for frame in ('base_link', 'map'):
 relabelled = deepcopy(seen)
 relabelled.header.frame_id = 'map'
 point = buffer.transform(relabelled, 'map').point
-print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
+print(f'in map ({point.x:.1f}, {point.y:.1f}, {point.z:.1f}) m')
 
 # %% [markdown] lang="en" name="wrong-label-seen"
 # The coordinates came back unchanged, because TF2 had to transform a point from `map` to `map`.
@@ -804,57 +747,130 @@ print('in map', lesson.fmt_all((point.x, point.y, point.z), digits=1))
 # %% [markdown] lang="en" name="on-the-robot" slide="slide"
 # ## On a real robot
 #
-# Here is a callback that checks what it receives. Below it are three commands. They show a header of any topic, measure the age of its messages, and publish a point:
+# This node keeps the receiver's side of the contract. It checks each point that it receives, and publishes the usable ones on `/checked_point`. For every other point it logs the reason.
 #
 # ```python
-# def on_point(self, message):
-#     if not message.header.frame_id:
-#         self.get_logger().warning('no frame_id: rejected')
-#         return
-#     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
-#     if age > Duration(seconds=1.0):
-#         self.get_logger().warning(f'{age.nanoseconds / 1e9:.1f} s old: rejected')
-#         return
-#     self.use(message)
+# # tf_lab_py/careful_reader.py
+# import rclpy
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.time import Time
+#
+#
+# class CarefulReader(Node):
+#     def __init__(self):
+#         super().__init__('careful_reader')
+#         self.publisher = self.create_publisher(PointStamped, '/checked_point', 10)
+#         self.create_subscription(PointStamped, '/detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         header = message.header
+#         age = self.get_clock().now() - Time.from_msg(header.stamp)
+#         if not header.frame_id:
+#             self.get_logger().warning('rejected: no frame_id')
+#         elif header.stamp.sec == 0 and header.stamp.nanosec == 0:
+#             self.get_logger().warning('rejected: no stamp')
+#         elif age > Duration(seconds=1.0):
+#             self.get_logger().warning(f'rejected: {age.nanoseconds / 1e9:.1f} s old')
+#         else:
+#             self.publisher.publish(message)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = CarefulReader()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
 # ```
+#
+# Save it as `careful_reader.py`, and give it a point to read. In a terminal of JupyterLab:
+#
+# ```
+# tflab run careful_reader.py --for 5 --with 'ros2 topic pub /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"'
+# ```
+#
+# The node rejects these points, because they have no stamp. Add `stamp: now,` before `frame_id`, and it publishes them.
+# On a robot, start the node with `python3 careful_reader.py`. These commands show the header of a topic, and measure the age of its messages:
 #
 # ```
 # ros2 topic echo /scan --once --field header
 # ros2 topic delay /scan
-# ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
 # ```
-#
-# The third command publishes one point, so that you can try a node. The point has no stamp: would your node have noticed?
 
 # %% [markdown] lang="ko" name="on-the-robot" slide="slide"
 # ## 실제 로봇에서
 #
-# 데이터를 믿고 쓰려면 콜백의 첫 몇 줄이 이래야 합니다. 그 아래의 명령 세 개는 차례로 토픽의 헤더를 보여 주고, 메시지의 나이를 재고, 점 하나를 발행합니다.
+# 받는 쪽의 약속을 지키는 노드입니다. 받은 점을 하나씩 확인해 쓸 수 있는 것만 `/checked_point`에 발행하고, 나머지는 거절한 이유를 로그에 남깁니다.
 #
 # ```python
-# def on_point(self, message):
-#     if not message.header.frame_id:
-#         self.get_logger().warning('no frame_id: rejected')
-#         return
-#     age = self.get_clock().now() - Time.from_msg(message.header.stamp)
-#     if age > Duration(seconds=1.0):
-#         self.get_logger().warning(f'{age.nanoseconds / 1e9:.1f} s old: rejected')
-#         return
-#     self.use(message)
+# # tf_lab_py/careful_reader.py
+# import rclpy
+# from geometry_msgs.msg import PointStamped
+# from rclpy.duration import Duration
+# from rclpy.executors import ExternalShutdownException
+# from rclpy.node import Node
+# from rclpy.time import Time
+#
+#
+# class CarefulReader(Node):
+#     def __init__(self):
+#         super().__init__('careful_reader')
+#         self.publisher = self.create_publisher(PointStamped, '/checked_point', 10)
+#         self.create_subscription(PointStamped, '/detected_point', self.on_point, 10)
+#
+#     def on_point(self, message):
+#         header = message.header
+#         age = self.get_clock().now() - Time.from_msg(header.stamp)
+#         if not header.frame_id:
+#             self.get_logger().warning('rejected: no frame_id')
+#         elif header.stamp.sec == 0 and header.stamp.nanosec == 0:
+#             self.get_logger().warning('rejected: no stamp')
+#         elif age > Duration(seconds=1.0):
+#             self.get_logger().warning(f'rejected: {age.nanoseconds / 1e9:.1f} s old')
+#         else:
+#             self.publisher.publish(message)
+#
+#
+# def main():
+#     rclpy.init()
+#     node = CarefulReader()
+#     try:
+#         rclpy.spin(node)
+#     except (KeyboardInterrupt, ExternalShutdownException):
+#         pass
+#     finally:
+#         node.destroy_node()
+#         rclpy.try_shutdown()
+#
+#
+# if __name__ == '__main__':
+#     main()
 # ```
+#
+# `careful_reader.py`로 저장하고, 확인할 점을 보내 보세요. JupyterLab의 터미널에서 입력합니다.
+#
+# ```
+# tflab run careful_reader.py --for 5 --with 'ros2 topic pub /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"'
+# ```
+#
+# 이 점에는 측정 시각이 없으므로 노드가 거절합니다. `frame_id` 앞에 `stamp: now,`를 더하면 노드가 다시 발행합니다.
+# 실제 로봇에서는 `python3 careful_reader.py`로 실행합니다. 다음 명령은 토픽의 헤더를 보여 주고, 메시지의 나이를 잽니다.
 #
 # ```
 # ros2 topic echo /scan --once --field header
 # ros2 topic delay /scan
-# ros2 topic pub --once /detected_point geometry_msgs/msg/PointStamped "{header: {frame_id: laser_frame}, point: {x: 2.0}}"
 # ```
-#
-# 마지막 명령은 노드를 시험할 점 하나를 손으로 발행합니다. 측정 시각이 없습니다. 여러분의 노드는 이런 점을 거절합니까?
-
-# %% name="stop" slide="skip"
-graph.stop()
-node.destroy_node()
-rclpy.shutdown()
 
 # %% [markdown] lang="en" name="recap" slide="slide"
 # ## What to keep
@@ -873,42 +889,6 @@ rclpy.shutdown()
 # - 물체의 숫자는 그 물체가 가만히 있는 좌표계에서만 그대로입니다.
 # - `nanosec`은 아홉 자리입니다. 나이는 지금 시각에서 측정 시각을 뺀 것입니다.
 # - 좌표계가 비어 있거나 버퍼에 없는 이름이면 TF2가 오류를 냅니다. 측정 시각이 없거나, 버퍼에 있는 다른 좌표계의 이름을 잘못 적으면 아무 오류도 나지 않습니다.
-
-# %% [markdown] lang="en" name="practice" slide="subslide"
-# ### Practice question · Q1
-#
-# A node gives you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
-# Write four or five sentences, then open the list and give yourself a point for each idea.
-#
-# <details><summary>What a full answer contains</summary>
-#
-# - [ ] Alone it is not a position: it may be ahead of the laser, ahead of the robot, or near the origin of the map.
-# - [ ] A frame is needed (`header.frame_id`): the origin and the axes of the coordinates.
-# - [ ] A stamp is needed (`header.stamp`): the time of the measurement, not of sending or of arrival.
-# - [ ] With both, TF can express it in any connected frame, with the poses at that time.
-# - [ ] Without them you reject it and report it. A guess gives a wrong position and no error.
-#
-# Four or five: you could teach it. Two or three: read "The contract" again. Fewer: do the predictions again, with a pencil.
-#
-# </details>
-
-# %% [markdown] lang="ko" name="practice" slide="subslide"
-# ### 서술형 문제 · Q1
-#
-# 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
-# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
-#
-# <details><summary>완전한 답에 들어 있는 것</summary>
-#
-# - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
-# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 어느 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
-# - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
-# - [ ] 둘이 있으면 TF가 그 시각의 포즈를 써서, 트리로 연결된 어느 좌표계 기준으로든 바꿀 수 있습니다.
-# - [ ] 없으면 거절하고 이유를 남깁니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
-#
-# 네 개 이상이면 남을 가르칠 수 있습니다. 두세 개면 “약속”을 다시 읽어 보세요. 그보다 적으면 예측부터 다시 해 보세요.
-#
-# </details>
 
 # %% [markdown] lang="en" name="exit-ticket" slide="slide"
 # ## Exit ticket
@@ -938,10 +918,161 @@ rclpy.shutdown()
 # %% [markdown] lang="ko" name="exit-ticket-notes" slide="notes"
 # 쪽지를 걷습니다. 둘째 질문을 빠뜨린 쪽지가 많으면 다음 강의를 측정 시각 0으로 조회한 셀부터 시작합니다.
 
-# %% [markdown] lang="en" name="next" slide="skip"
-# Then do the exercises: [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb).
-# Next is [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward?
+# %% [markdown] lang="en" name="core-end" slide="skip"
+# ## Enough to go on
+#
+# You can now name the three parts of a measurement, express one position in several frames, calculate the age of a message, and reject incomplete data.
+# **Now the exercise:** [01 Value, frame and stamp](../../exercises/en/E01_value_frame_stamp.ipynb). The next chapter is [02 Axes and quaternions](02_axes_and_quaternions.ipynb): which way is forward? On the path for one evening, go on with [03 Target and source](03_target_and_source.ipynb).
+#
+# The sections below are for practice, and for those who want to see more. Click on a heading to open it.
 
-# %% [markdown] lang="ko" name="next" slide="skip"
-# 이제 연습 문제를 풀어 보세요: [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb).
-# 다음은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 축이 앞이고, 회전은 어떻게 적을까요?
+# %% [markdown] lang="ko" name="core-end" slide="skip"
+# ## 여기까지면 충분합니다
+#
+# 이제 측정값에 꼭 필요한 세 가지를 말하고, 한 위치를 여러 좌표계 기준으로 나타내고, 메시지의 나이를 계산하고, 빠진 것이 있는 데이터를 거절할 수 있습니다.
+# **이제 연습 문제를 풀어 보세요:** [01 값, 좌표계, 측정 시각](../../exercises/ko/E01_value_frame_stamp.ipynb). 다음 장은 [02 좌표축과 쿼터니언](02_axes_and_quaternions.ipynb)입니다. 어느 축이 앞이고, 회전은 어떻게 적을까요? 하룻저녁 코스라면 [03 목표 좌표계와 원본 좌표계](03_target_and_source.ipynb)로 갑니다.
+#
+# 아래는 더 연습하거나 더 알고 싶을 때 보는 내용입니다. 제목을 클릭하면 펼쳐집니다.
+
+# %% [markdown] lang="en" name="rulers" slide="slide"
+# ## Move the robot: whose coordinates change?
+
+# %% [markdown] lang="ko" name="rulers" slide="slide"
+# ## 직접 해 보세요: 로봇을 움직이면 어느 숫자가 바뀔까요
+
+# %% [markdown] lang="en" name="rulers-try" slide="-"
+# Move the robot, rotate it, and move the object. Then put the object on the tray instead of the floor.
+# *same* and *changed* compare the coordinates with those at the start, before you moved anything. When you put the object on the tray, its position there becomes the new start. Can you change the coordinates in `laser_frame`, and in no other frame?
+
+# %% [markdown] lang="ko" name="rulers-try" slide="-"
+# 로봇을 옮기고 회전시키고, 물체를 옮겨 보세요. 그다음 물체를 바닥이 아니라 쟁반에 놓아 보세요.
+# same과 changed는 로봇과 물체를 움직이기 전과 비교한 결과입니다. 쟁반을 고르면 쟁반 위의 처음 자리와 비교합니다. `laser_frame`의 숫자만 바꿀 수 있을까요?
+
+# %% [markdown] lang="en" name="rulers-notes" slide="notes"
+# Give the mouse to a student.
+# The important question is the last one: can only the coordinates in `laser_frame` change?
+# They cannot, as long as nobody loosens a screw, because the laser is fixed to the base.
+
+# %% [markdown] lang="ko" name="rulers-notes" slide="notes"
+# 마우스를 한 사람에게 넘깁니다.
+# 마지막 질문의 답이 나올 때까지 기다립니다.
+# 레이저의 숫자만 바뀔 수 있을까요?
+# 나사를 풀지 않는 한 그럴 수 없습니다.
+# 레이저와 몸체는 함께 고정되어 있습니다.
+
+# %% name="rulers-panel" tags=["interactive", "collapsed"]
+# Show the panel.
+lesson.rulers_panel()
+
+# %% name="rulers-still" tags=["static"]
+lesson.rulers_panel().picture
+
+# %% [markdown] lang="en" name="rulers-answer"
+# <details><summary>Can you?</summary>
+#
+# No. The laser is fixed to the robot, so the coordinates in `laser_frame` and in `base_link` change together. They differ by an offset that never changes. That is why such an offset is sent only once.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="rulers-answer"
+# <details><summary>바꿀 수 있나요?</summary>
+#
+# 없습니다. 레이저는 로봇에 고정되어 있으므로 `laser_frame`의 숫자가 바뀌면 `base_link`의 숫자도 바뀝니다. 두 숫자의 차이는 언제나 레이저의 장착 위치입니다. 변하지 않는 값이므로 한 번만 발행하면 됩니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="faded-heading" slide="slide"
+# ## Fill in the blanks: a message that others can use
+
+# %% [markdown] lang="ko" name="faded-heading" slide="slide"
+# ## 빈칸을 채워 보세요: 누구나 쓸 수 있는 메시지
+
+# %% [markdown] lang="en" name="faded" slide="-"
+# Fill in both blanks, so that a receiver can use this message. A range finder that points along the x of `laser_frame` measured 1.4 m at `measured`. The program runs this line at `now`, 50 ms later.
+#
+# ```python
+# message.header.frame_id = ____________
+# message.header.stamp = ____________.to_msg()
+# message.point.x = 1.4
+# ```
+#
+# <details><summary>Compare</summary>
+#
+# The frame is `'laser_frame'`, because the 1.4 m are measured along its x. The stamp is `measured`, not `now`. With `now` your message would claim that the measurement is 50 ms newer than it is, and no receiver could find out.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="faded" slide="-"
+# 이 메시지를 읽는 누구나 쓸 수 있도록 빈칸 두 개를 채워 보세요. 거리 센서는 `laser_frame`의 x 방향을 보고, `measured`에 1.4 m를 측정했습니다. 프로그램은 50 ms가 지난 `now`에 이 줄을 실행합니다.
+#
+# ```python
+# message.header.frame_id = ____________
+# message.header.stamp = ____________.to_msg()
+# message.point.x = 1.4
+# ```
+#
+# <details><summary>맞춰 보기</summary>
+#
+# `'laser_frame'`입니다. 1.4는 그 좌표계의 x를 따라 잰 값입니다. 시각은 `now`가 아니라 `measured`입니다. `now`를 적으면 실제보다 최근의 측정값처럼 보이고, 받는 쪽은 알아낼 방법이 없습니다.
+#
+# </details>
+
+# %% [markdown] lang="en" name="practice-heading" slide="slide"
+# ## Practice question · Q1
+
+# %% [markdown] lang="ko" name="practice-heading" slide="slide"
+# ## 서술형 문제 · Q1
+
+# %% [markdown] lang="en" name="practice" slide="-"
+# A node gives you `(2.0, 0.0, 0.0)` and nothing else. What can you do with it, and what do you ask its author to change?
+# Write four or five sentences, then open the list and give yourself a point for each idea.
+#
+# <details><summary>What a full answer contains</summary>
+#
+# - [ ] Alone it is not a position: it may be ahead of the laser, ahead of the robot, or near the origin of the map.
+# - [ ] A frame is needed (`header.frame_id`): the origin and the axes of the coordinates.
+# - [ ] A stamp is needed (`header.stamp`): the time of the measurement, not of sending or of arrival.
+# - [ ] With both, TF can express it in any connected frame, with the poses at that time.
+# - [ ] Without them you reject it and report it. A guess gives a wrong position and no error.
+#
+# Four or five: you could teach it. Two or three: read "The contract" again. Fewer: do the predictions again, with a pencil.
+#
+# </details>
+
+# %% [markdown] lang="ko" name="practice" slide="-"
+# 어느 노드가 `(2.0, 0.0, 0.0)`만 건네줍니다. 이 숫자로 무엇을 할 수 있고, 만든 사람에게 무엇을 고쳐 달라고 하겠습니까?
+# 네다섯 문장으로 쓴 다음, 목록을 펼쳐 스스로 채점해 보세요. 아래 내용이 하나 들어 있을 때마다 1점입니다.
+#
+# <details><summary>완전한 답에 들어 있는 것</summary>
+#
+# - [ ] 숫자만으로는 위치가 아닙니다. 레이저 앞일 수도, 로봇 앞일 수도, 지도 원점 옆일 수도 있습니다.
+# - [ ] 좌표계(`header.frame_id`)가 필요합니다. 어느 원점에서 어느 축을 따라 잰 값인지 알려 줍니다.
+# - [ ] 측정 시각(`header.stamp`)이 필요합니다. 보낸 때나 도착한 때가 아니라 측정한 때입니다.
+# - [ ] 둘이 있으면 TF가 그 시각의 포즈를 써서, 트리로 연결된 어느 좌표계 기준으로든 바꿀 수 있습니다.
+# - [ ] 없으면 거절하고 이유를 남깁니다. 짐작하면 오류 없이 틀린 위치가 나옵니다.
+#
+# 네 개 이상이면 남을 가르칠 수 있습니다. 두세 개면 “약속”을 다시 읽어 보세요. 그보다 적으면 예측부터 다시 해 보세요.
+#
+# </details>
+
+# %% [markdown] lang="en" name="lecture-heading" slide="skip"
+# ## If you know the lecture: why z is not 0.3 here
+
+# %% [markdown] lang="ko" name="lecture-heading" slide="skip"
+# ## 강의를 들었다면: 여기서는 왜 z가 0.3이 아닐까요
+
+# %% [markdown] lang="en" name="lecture-z" slide="skip"
+# The lecture's first example has the ball at (2.2, 0, 0.3) in `base_link` and (8.4, −1.7, 0.3) in `map`. It comes before the lecture introduces its robot.
+# Later the lecture mounts the laser 0.15 m up, as here. Then a ball straight ahead of the laser is 0.15 m above the centre. In `map`, the height of the robot's centre, 0.10 m, is added as well.
+# This workbook uses the robot of the later examples throughout.
+
+# %% [markdown] lang="ko" name="lecture-z" slide="skip"
+# 강의의 첫 예에서 공은 `base_link` 기준 (2.2, 0, 0.3), `map` 기준 (8.4, −1.7, 0.3)에 있습니다. 이때는 로봇을 아직 정하지 않았습니다.
+# 강의 뒷부분에서는 여기처럼 레이저를 중심보다 0.15 m 위에 답니다. 그러면 레이저 정면의 공도 중심보다 0.15 m 위에 있고, `map` 기준에서는 중심의 높이 0.10 m도 더합니다.
+# 이 워크북은 끝까지 그 로봇 하나를 씁니다.
+
+# %% name="stop" tags=["collapsed"] slide="skip"
+# Stop the nodes.
+graph.stop()
+node.destroy_node()
+rclpy.shutdown()

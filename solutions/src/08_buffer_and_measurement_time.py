@@ -1,7 +1,7 @@
 # %% [markdown] lang="en" name="title"
 # # Exercises 08 · Buffer and measurement time
 #
-# Seven tasks, 22 points, about an hour. The page they belong to: [08 · Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
+# Seven tasks, 22 points, about 60 minutes. The page they belong to: [08 · Buffer and measurement time](../../notebooks/en/08_buffer_and_measurement_time.ipynb)
 #
 # Write your answer where it says `...` or `your turn`, run the cell, then run the check below it.
 # The reply to a wrong answer names the mistake. `hint("E8.1")` gives the first of three hints.

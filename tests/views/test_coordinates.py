@@ -26,6 +26,14 @@ def test_each_frame_has_its_own_three_numbers_for_one_thing():
     assert readings["laser_frame"] == pytest.approx((2.0, 0.0, 0.0))
 
 
+def test_the_same_three_numbers_lead_to_another_position_in_each_frame():
+    places = {frame: pose.apply((2.0, 0.0, 0.0)) for frame, pose in POSES.items()}
+    picture = draw_rulers(POSES, places)
+    assert [line.partition("(")[2] for line in picture.text.splitlines()[1:]] == ["2.00, 0.00, 0.00) m"] * 3
+    ends = [line.get_xydata()[1] for ax in picture.figure.axes for line in ax.lines[:1]]  # of each leg along x
+    assert np.allclose(ends, [(2.0, 0.0), (8.2, -1.7), (8.4, -1.7)])
+
+
 def test_a_thing_that_rests_keeps_its_numbers_in_map_alone_when_the_robot_drives():
     driven = {"map": Transform(), "base_link": Transform(translation=(7.2, -1.7, 0.10))}
     words = describe_rulers(driven, THING, "ball", before=readings_of(POSES, THING))

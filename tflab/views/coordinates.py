@@ -1,14 +1,17 @@
 """Draw one point in the coordinates of several frames, or of a robot at several times.
 
-      map                       base_link                  laser_frame
-         y                         y                          y
-         |        o  thing         |     o                    |    o
-         |        | y leg          |     | y leg              |    |
-         +--------+ -> x           [>----+ -> x               >----+ -> x
-      (8.40, -1.70, 0.25)       (2.20, 0.00, 0.25)         (2.00, 0.00, 0.10)
+      map                   +---------------------------+   x leg
+      (8.40, -1.70, 0.25)   |                      []   o   y leg, to the thing
+
+      base_link             |                      +----o
+      (2.20, 0.00, 0.15)
+
+      laser_frame           |                       +---o
+      (2.00, 0.00, 0.00)
 
 One map for each frame or time, all seen from above, in the fixed frame, and at one scale. Only the
 origin and the direction of the axes differ. Physics calls this a passive transformation.
+Given a point for each frame, the maps show where the same coordinates lead in each.
 """
 
 from __future__ import annotations
@@ -31,7 +34,8 @@ if TYPE_CHECKING:
 
 ROBOT = "base_link"
 ROBOT_SCALE = 2.4  # larger than life: what lies on its tray must not cover it
-CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX = 66, 250, 16, 14
+WIDTH_PX = 520  # of a figure: its letters can be read on a phone
+CAPTION_PX, TALL_PX, EDGE_PX, GAP_PX, SCALE_PX = 152, 116, 14, 8, 14  # beside a map, its height, margins
 SAME_M = 0.0005  # what prints alike is called the same
 MARGIN_M = 1.0  # around what is shown, at the least
 ROOM_FOR_LABELS = 0.22  # part of its width
@@ -40,19 +44,26 @@ SHORT_PT = 20.0  # a leg that is shorter leaves no room for a number on its othe
 SHORT_M = 0.25  # a leg shorter than this has no number beside it
 
 
-def readings_of(poses: Mapping[str, Transform], point: Sequence[float]) -> dict[str, Vector3]:
+Points = Sequence[float] | Mapping[str, Sequence[float]]  # one for all frames, or one for each by its name
+
+
+def readings_of(poses: Mapping[str, Transform], point: Points) -> dict[str, Vector3]:
     """Return the thing at `point` in each frame's own coordinates (x, y, z) [m].
 
     Args:
         poses: where each frame is, `fixed_T_frame`, by its name.
-        point: where the thing is (x, y, z) [m], in the same fixed frame.
+        point: where the thing is (x, y, z) [m], in the same fixed frame; or where each frame's own thing is.
     """
-    return {name: pose.inverse().apply(point) for name, pose in poses.items()}
+    return {name: poses[name].inverse().apply(each) for name, each in _for_each(poses, point).items()}
+
+
+def _for_each(poses: Mapping[str, Transform], point: Points) -> dict[str, Sequence[float]]:
+    return dict(point) if isinstance(point, Mapping) else dict.fromkeys(poses, point)
 
 
 def describe_rulers(
     poses: Mapping[str, Transform],
-    point: Sequence[float],
+    point: Points,
     name: str = "thing",
     before: Mapping[str, Sequence[float]] | None = None,
 ) -> str:
@@ -77,46 +88,55 @@ class RulersPicture(Picture):
             name: of the thing.
             keep: places that are always in sight, shape (n, 2) [m], fixed frame; None to follow what is shown.
         """
-        height_px = CAPTION_PX + TALL_PX + EDGE_PX
-        super().__init__(style.wide(height_px))
+        row_px = TALL_PX + GAP_PX
+        height_px = EDGE_PX + row_px * len(frames) + SCALE_PX
+        super().__init__((WIDTH_PX / style.SCREEN_DPI, height_px / style.SCREEN_DPI))
         self._name, self._keep = name, keep
-        width_px = style.WIDE[0] * style.SCREEN_DPI
-        map_px = (width_px - 2 * EDGE_PX - GAP_PX * (len(frames) - 1)) / len(frames)
         self._maps: dict[str, _Map] = {}
         with style.our_settings():
             for i, frame in enumerate(frames):
-                left_px = EDGE_PX + i * (map_px + GAP_PX)
-                ax = clear_paper(self.add_axes_px(left_px, EDGE_PX, map_px, TALL_PX))
-                self._maps[frame] = _Map(self, ax, frame, (left_px / width_px, height_px))
+                bottom_px = height_px - EDGE_PX - i * row_px - TALL_PX
+                box = (EDGE_PX + CAPTION_PX, bottom_px, WIDTH_PX - CAPTION_PX - 2 * EDGE_PX, TALL_PX)
+                self._maps[frame] = _Map(self, clear_paper(self.add_axes_px(*box)), frame)
+            _write_grid(self, height_px)
         self.moving = [artist for each in self._maps.values() for artist in each.artists]
 
     def show(
         self,
         poses: Mapping[str, Transform],
-        point: Sequence[float],
+        point: Points,
         before: Mapping[str, Sequence[float]] | None = None,
     ) -> None:
         """Show the thing at `point` (x, y, z) [m], and each of `poses`, both in the fixed frame.
 
         Args:
+            point: where it is; or, by the name of the frame, where each map's own thing is.
             before: the readings of another moment, to say which are the same.
         """
-        places = np.array([point, *(pose.translation for pose in poses.values())])[:, :2]
-        for frame, reading in readings_of(poses, point).items():
+        points = _for_each(poses, point)
+        places = np.array([*points.values(), *(pose.translation for pose in poses.values())])[:, :2]
+        for frame, reading in readings_of(poses, points).items():
             self._maps[frame].look_at(places if self._keep is None else self._keep)
-            self._maps[frame].move(poses, point, reading, _change(reading, frame, before))
+            self._maps[frame].move(poses, points[frame], reading, _change(reading, frame, before))
         self.text = describe_rulers(poses, point, self._name, before)
 
 
 class _Map:
     """One frame's map: the robot, the frame's ruler, and the thing."""
 
-    def __init__(self, picture: Picture, ax: Axes, frame: str, corner: tuple[float, float]) -> None:
-        left, height_px = corner
-        write = picture.figure.text
-        write(left, 1 - 14 / height_px, frame, va="top", fontsize=style.TITLE_PT, family="monospace")
-        self.numbers = write(left, 1 - 38 / height_px, "", va="top", color=style.ACCENT, fontsize=style.TEXT_PT)
-        self.change = write(left, 1 - 56 / height_px, "", va="top", color=style.GREY, fontsize=style.SMALL_PT)
+    def __init__(self, picture: Picture, ax: Axes, frame: str) -> None:
+        left, middle, height_px = (
+            EDGE_PX / WIDTH_PX,
+            sum(ax.get_position(original=True).intervaly) / 2,
+            picture.size_px[1],
+        )
+
+        def write(up_px: float, text: str, **how):
+            return picture.figure.text(left, middle + up_px / height_px, text, va="center", **how)
+
+        write(22, frame, fontsize=style.TITLE_PT, family="monospace")
+        self.numbers = write(0, "", color=style.ACCENT, fontsize=style.TEXT_PT)
+        self.change = write(-20, "", color=style.GREY, fontsize=style.SMALL_PT)
         self._frame, self._ax = frame, ax
         self._seen: tuple[float, ...] = ()
         self.robot = RobotArtists(ax, FROM_ABOVE, style.GREY, scale=ROBOT_SCALE)
@@ -196,7 +216,7 @@ class _Leg:
 
 def draw_rulers(
     poses: Mapping[str, Transform],
-    point: Sequence[float],
+    point: Points,
     name: str = "thing",
     before: Mapping[str, Sequence[float]] | None = None,
 ) -> RulersPicture:
@@ -215,7 +235,8 @@ def _change(reading: Vector3, frame: str, before: Mapping[str, Sequence[float]] 
 
 DASHES = (0, (3.0, 2.0))
 POSE_SCALE = 1.8
-HEADING_PX, PANEL_PX, RIM_PX, BETWEEN_PX = 58, 190, 16, 18
+MOMENTS_PX, HEADING_PX, RIM_PX = 490, 34, 16  # the width of the figure, the line above a panel, the margins
+TALLNESS_PX, AROUND_M = (90, 230), 0.8  # of a panel; around what is shown
 
 
 def beside(point: Sequence[float]) -> str:
@@ -232,34 +253,42 @@ def describe_moments(poses: Mapping[str, Transform], point: Sequence[float]) -> 
 
 
 def draw_moments(poses: Mapping[str, Transform], point: Sequence[float], name: str = "object") -> Picture:
-    """Draw one resting object beside a robot at several moments, each in its own panel.
+    """Draw one resting object beside a robot at several moments, one panel below the other.
 
     Args:
         poses: where the robot was, `fixed_T_base_link`, by the name of the moment.
         point: where the object is (x, y, z) [m] in the fixed frame.
         name: of the object.
     """
-    width_px = style.WIDE[0] * style.SCREEN_DPI
-    height_px = HEADING_PX + PANEL_PX + RIM_PX
-    panel_px = (width_px - 2 * RIM_PX - BETWEEN_PX * (len(poses) - 1)) / len(poses)
-    picture = Picture(style.wide(height_px))
     point = tuple(float(each) for each in point)
     shown = np.array([point, *(pose.translation for pose in poses.values())])[:, :2]
+    panel_px = MOMENTS_PX - 2 * RIM_PX
+    across_m, up_m = np.ptp(shown, axis=0) + 2 * AROUND_M
+    tall_px = round(np.clip(panel_px * up_m / across_m, *TALLNESS_PX))
+    row_px = HEADING_PX + tall_px
+    height_px = row_px * len(poses) + RIM_PX + SCALE_PX
+    picture = Picture((MOMENTS_PX / style.SCREEN_DPI, height_px / style.SCREEN_DPI))
     with style.our_settings():
         for i, (moment, pose) in enumerate(poses.items()):
-            left_px = RIM_PX + i * (panel_px + BETWEEN_PX)
-            ax = clear_paper(picture.add_axes_px(left_px, RIM_PX, panel_px, PANEL_PX))
-            show_all(ax, shown, margin_m=0.8)
+            top_px = height_px - i * row_px
+            ax = clear_paper(picture.add_axes_px(RIM_PX, top_px - row_px, panel_px, tall_px))
+            show_all(ax, shown, margin_m=AROUND_M)
             draw_ground(ax, FROM_ABOVE, ax.get_xlim(), ax.get_ylim())
             _draw_moment(ax, pose, point, name)
-            top = picture.figure.text
-            top(left_px / width_px, 1 - 14 / height_px, moment, va="top", fontsize=style.TITLE_PT)
+            write, y = picture.figure.text, (top_px - 0.55 * HEADING_PX) / height_px
+            write(RIM_PX / MOMENTS_PX, y, moment, va="center", fontsize=style.TITLE_PT)
             said = beside(pose.inverse().apply(point))
-            top(left_px / width_px, 1 - 36 / height_px, said, va="top", color=style.ACCENT, fontsize=style.SMALL_PT)
-        grid = {"ha": "right", "va": "top", "color": style.GREY, "fontsize": style.SMALL_PT}
-        picture.figure.text(1 - RIM_PX / width_px, 1 - 14 / height_px, "grid of 1 m", **grid)
+            write(1 - RIM_PX / MOMENTS_PX, y, said, va="center", ha="right", color=style.ACCENT, fontsize=style.TEXT_PT)
+        _write_grid(picture, height_px)
     picture.text = describe_moments(poses, point)
     return picture
+
+
+def _write_grid(picture: Picture, height_px: float) -> None:
+    """Write into the lower right corner how wide a cell of the ground is."""
+    x, y = 1 - EDGE_PX / picture.size_px[0], 0.9 * SCALE_PX / height_px
+    how = {"ha": "right", "va": "center", "color": style.GREY, "fontsize": style.SMALL_PT}
+    picture.figure.text(x, y, "from above, grid of 1 m", **how)
 
 
 def _draw_moment(ax, pose: Transform, point: tuple[float, ...], name: str) -> None:

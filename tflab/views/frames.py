@@ -27,7 +27,7 @@ from tflab.core.quaternions import Vector3
 from . import style
 from .labels import FloatingLabel, place_labels
 from .picture import Picture
-from .projection import SLANTING, Eye
+from .projection import FROM_ABOVE, SLANTING, Eye
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -40,6 +40,7 @@ HEAD_LENGTH, HEAD_WIDTH = 0.16, 0.1  # parts of an axis's length
 LETTER_PT = 11.0
 CROWD = 5  # frames in one spot: none of them has letters at its axes
 ARROW_LENGTH = 1.6  # the longest arrow of a scene, in lengths of an axis
+TICKS_PX = (54, 48)  # left of and below a scene from above: its ticks and the names of its axes
 
 
 class AxisArtists:
@@ -296,8 +297,9 @@ def draw_scene(
     fixed_frame: str = "map",
     length_m: float | None = None,
     arrows: Mapping[str, tuple[str, Sequence[float]]] | None = None,
+    size_inch: tuple[float, float] = style.WIDE,
 ) -> Picture:
-    """Draw frames, points and their ghosts (the wrong answers) as one picture.
+    """Draw frames, points and their ghosts (the wrong answers) as one picture; from above, with ticks in metres.
 
     Args:
         poses, ghosts: `fixed_frame`_T_name of each.
@@ -305,6 +307,7 @@ def draw_scene(
         length_m: how long to draw an axis [m]; a fifth of the scene if None.
         arrows: vectors, a velocity or a pull, by their name: of which frame of `poses`, and (x, y, z) in that
             frame's own axes.  They start at the frame; the longest is drawn a little longer than an axis.
+        size_inch: width and height [inch], a hundred screen pixels each.
 
     Raises:
         ValueError: an arrow belongs to a frame that has no pose.
@@ -317,12 +320,16 @@ def draw_scene(
     places = np.array([*places, *points.values(), *ghost_points.values(), (0.0, 0.0, 0.0)], dtype=float)
     span_m = float(np.ptp(places, axis=0).max()) or 1.0
     length_m = length_m or 0.2 * span_m
-    picture = Picture(style.WIDE)
+    step_m = _round_step(span_m / 5)
+    picture = Picture(size_inch)
     with style.our_settings():
         ax = clear_paper(picture.figure.add_axes((0.02, 0.03, 0.96, 0.94)))
+        if eye is FROM_ABOVE:
+            _make_room_for_ticks(ax, picture, fixed_frame)
         show_frames(ax, eye, places, length_m, margin_m=0.3 * length_m)
         low, high = places.min(axis=0) - length_m, places.max(axis=0) + length_m
-        draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), _round_step(span_m / 5))
+        draw_ground(ax, eye, (low[0], high[0]), (low[1], high[1]), step_m)
+        ax.set(xticks=_multiples(*ax.get_xlim(), step_m), yticks=_multiples(*ax.get_ylim(), step_m))
         drawn = [
             *draw_frames(ax, ghosts, eye, length_m, is_ghost=True).values(),
             *draw_points(ax, ghost_points, eye, is_ghost=True).values(),
@@ -357,6 +364,14 @@ def describe_scene(
         ways = (f"{way} {style.fmt(part, '')}" for way, part in zip(("forward", "left", "up"), vector, strict=True))
         lines.append(f"  arrow {name} in {frame}: {', '.join(ways)}")
     return "\n".join(lines)
+
+
+def _make_room_for_ticks(ax: Axes, picture: Picture, fixed_frame: str) -> None:
+    """Let the axes of a scene from above be seen, and name them."""
+    (left, below), (width, height) = TICKS_PX, picture.size_px
+    ax.set_axis_on()
+    ax.set_position((left / width, below / height, 1 - (left + 14) / width, 1 - (below + 14) / height))
+    style.name_plane(ax, fixed_frame)
 
 
 def _on_stage(

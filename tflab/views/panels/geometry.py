@@ -24,7 +24,7 @@ TEXTS = Texts(__file__)
 BASE_T_LASER = Transform(translation=(0.20, 0.0, 0.15))
 ROBOT_X_M, THING_AT = 1.0, (6.5, -1.5)  # at first, in map [m]
 ON_THE_TRAY = (-0.10, 0.0, 0.20)  # in base_link [m]
-IN_SIGHT = np.array([(-0.5, -2.5), (8.0, 2.5)])  # of the map's ground [m]
+IN_SIGHT = np.array([(-0.5, -0.7), (8.0, 0.7)])  # of the map's ground [m]
 
 
 def rotation_panel(roll_rad: float = 0.0, pitch_rad: float = 0.0, yaw_rad: float = 0.0) -> Panel:

@@ -10,6 +10,7 @@
 const PICK_PX = 16;            // how near to a frame's origin a click must be
 const LOWEST = Math.PI / 2;    // from below the floor, a room is its own mirror image
 const SWEEP_SECONDS = 4;       // how long playing a sweep takes
+const RVIZ_M = 5.5;             // how far from the origin a view like RViz begins at most; a double click shows all
 
 // ---- one view ------------------------------------------------------------------------------------
 
@@ -165,7 +166,8 @@ class View {
     const eye = new this.THREE.Vector3(EYE[0], EYE[2], -EYE[1]).normalize();
     const origin = this.looksAtOrigin ? new this.THREE.Vector3() : null;
     const { middle, place } = bestPlace(this.THREE, corners, origin ?? sphere.center, eye, camera, this.looksAtOrigin);
-    const distance = place.distanceTo(middle);
+    const far = place.distanceTo(middle), distance = origin && !again ? Math.min(far, RVIZ_M) : far;
+    place.sub(middle).setLength(distance).add(middle);
     camera.near = distance / 100;
     camera.far = distance * 100;
     controls.target.copy(middle);

@@ -1,6 +1,6 @@
 """Write the parts of the pages that are made from files, such as the table of chapters.
 
-    course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table"
+    course.yaml     ->  notebooks/src/00_start.py     the cells "chapters-table", with the sums of all minutes
                         README.md, README.ko.md       the table of chapters
     glossary.yaml   ->  notebooks/src/90_glossary.py  the whole page
     inventory.yaml  ->  solutions/src/00_start.py     the questions of form A, and at the end of 12 those of form B
@@ -24,10 +24,12 @@ from .course import Chapter, read_course
 from .glossary import Term, read_glossary
 
 __all__ = [
+    "EVENING",
     "GLOSSARY_PAGE",
     "READMES",
     "START_PAGE",
     "chapter_table",
+    "exercise_minutes",
     "form_pages",
     "glossary_page",
     "readme",
@@ -39,6 +41,8 @@ SOURCES = Path("notebooks", "src")
 START_PAGE = SOURCES / "00_start.py"
 GLOSSARY_PAGE = SOURCES / "90_glossary.py"
 READMES = {"en": Path("README.md"), "ko": Path("README.ko.md")}
+EVENING = (0, 1, 3, 8)  # the chapters of the core path
+MINUTES = re.compile(r"about (\d+) minutes")
 README_ROWS = re.compile(r"(?<=\n\|--:\|:--\|:--\|--:\|\n)(?:\|.*\n)*")
 
 TEXTS = Texts(__file__)
@@ -49,8 +53,9 @@ def chapter_table(language: str, root: Path) -> str:
     lines = [TEXTS["head"].say(language), "|--:|:--|:--|--:|:--|:--|"]
     for chapter in (chapter for chapter in _chapters_with_a_page(root) if chapter.number):
         exercise = ""
-        if (root / "solutions" / "src" / f"{chapter.stem}.py").is_file():
-            exercise = f"[E{chapter.number}](../../exercises/{language}/{exercise_file(chapter.stem)})"
+        minutes = exercise_minutes(chapter.stem, root)
+        if minutes is not None:
+            exercise = f"[E{chapter.number}](../../exercises/{language}/{exercise_file(chapter.stem)}), {minutes}"
         before = ", ".join(str(number) for number in chapter.builds_on)
         cells = (
             str(chapter.number),
@@ -62,6 +67,28 @@ def chapter_table(language: str, root: Path) -> str:
         )
         lines.append(f"| {' | '.join(cells)} |")
     return "\n".join(lines)
+
+
+def exercise_minutes(stem: str, root: Path) -> int | None:
+    """Return the minutes that an exercise states in its title; None if the chapter has no exercise."""
+    source = root / "solutions" / "src" / f"{stem}.py"
+    if not source.is_file():
+        return None
+    found = MINUTES.search(source.read_text(encoding="utf-8"))
+    if found is None:
+        raise LookupError(f'{source} does not state "about … minutes"')
+    return int(found[1])
+
+
+def totals(language: str, root: Path) -> str:
+    """Return how long all pages, all exercises and the core path take."""
+    pages = _chapters_with_a_page(root)
+    return TEXTS["totals"].say(
+        language,
+        pages=round(sum(chapter.minutes for chapter in pages) / 60),
+        exercises=round(sum(exercise_minutes(chapter.stem, root) or 0 for chapter in pages if chapter.number) / 60),
+        evening=sum(chapter.minutes for chapter in pages if chapter.number in EVENING),
+    )
 
 
 def _chapters_with_a_page(root: Path) -> list[Chapter]:
@@ -77,7 +104,8 @@ def start_page(root: Path) -> str:
         if found is None:
             raise LookupError(f'{START_PAGE} has no cell "chapters-table" in {language}')
         first = found[0].splitlines()[0]
-        text = text.replace(found[0], f"{first}\n{_commented(chapter_table(language, root))}\n")
+        made = f"{chapter_table(language, root)}\n\n{totals(language, root)}"
+        text = text.replace(found[0], f"{first}\n{_commented(made)}\n")
     return text
 
 

@@ -109,7 +109,6 @@ from .robots import (
 )
 from .scenes import (
     draw_body,
-    draw_now,
     draw_room,
     draw_walls,
     floor_cloud,
@@ -128,7 +127,7 @@ __all__ = [
     "draw_arrow", "draw_ball", "draw_bend", "draw_body", "draw_body_axes", "draw_both_ways", "draw_buffer",
     "draw_camera", "draw_cameras", "draw_card", "draw_clocks", "draw_columns", "draw_course", "draw_dominoes",
     "draw_drives", "draw_frame", "draw_heard", "draw_history", "draw_joins", "draw_joints", "draw_journeys",
-    "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_mug", "draw_now", "draw_orders",
+    "draw_lanes", "draw_latency", "draw_misread", "draw_moments", "draw_mount", "draw_mug", "draw_orders",
     "draw_owners", "draw_path", "draw_placed", "draw_question", "draw_questions", "draw_readings", "draw_right_hand",
     "draw_room", "draw_rotation", "draw_rulers", "draw_rviz", "draw_scan", "draw_scene", "draw_sentence",
     "draw_toolbox", "draw_tracks", "draw_turns", "draw_visit", "draw_walk", "draw_walls", "example_bag", "floor_cloud",

@@ -4,7 +4,6 @@
 show_drive()                   the robot, its laser and the walls in 3D, second by second
 draw_room(at_s=12.0)           the same from above, as a figure
 scan_on_map(robot, at_s=1.0)   where the robot's model puts what its laser measured
-draw_now(graph, "map")         every frame of a graph, where it is now
 show_latency()                 a ball that was seen a moment ago, drawn with the current pose
 wall_cloud(), floor_cloud()    273 points 2 m ahead, 252 points 0.4 m below, in the optical frame
 ```
@@ -14,22 +13,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from tflab.core import LATEST, NSEC_PER_SEC, Transform, seconds
+from tflab.core import NSEC_PER_SEC, Transform, seconds
 from tflab.robots.model import link_poses
 from tflab.robots.motion import Drive
 from tflab.robots.sensors import ROOM
 from tflab.robots.teaching import TeachingRobot
-from tflab.ros.graph import Graph
-from tflab.tools.rviz import links_to_see, look
-from tflab.views.frames import draw_scene
-from tflab.views.map_error import draw_placed
+from tflab.tools.rviz import links_to_see
+from tflab.views import style
+from tflab.views.frames import clear_paper, draw_frames
+from tflab.views.map_error import describe_placed
 from tflab.views.motion_error import drive
 from tflab.views.picture import Picture
+from tflab.views.projection import FROM_ABOVE, RobotArtists
 from tflab.views.scene import Scene, draw_arrow, draw_ball, draw_frame, draw_path, draw_robot, draw_scan
 from tflab.views.scene.drawing import ACCENT
-from tflab.views.style import GREY
 
-NOW_AXIS_M = 0.3  # of each frame of a whole robot: its parts stand a hand apart
 GRID_CELLS = 16  # of a metre, from -8 m to 8 m: the ground of the whole room
 DOT_M = 0.14  # where a ray ends: as wide as a wall is drawn
 EVERY_RAY = 4  # of the laser's: enough to see the walls
@@ -68,11 +66,27 @@ def draw_body(scene: Scene, robot: TeachingRobot, stamp_ns: int) -> None:
 
 
 def draw_room(at_s: float) -> Picture:
-    """Draw the room from above, and in it what the laser measured at `at_s` [s] of the drive."""
+    """Draw the room from above, the robot in it, and what its laser measured at `at_s` [s] of the drive."""
     robot = TeachingRobot(Drive(start_ns=0))
     stamp_ns = round(at_s * NSEC_PER_SEC)
-    points = robot.truth_at(stamp_ns)["laser_frame"].apply(robot.laser.scan_at(stamp_ns).points())
-    return draw_placed({f"laser scan at {at_s:.0f} s, on the map": points}, walls=ROOM.walls)
+    poses = robot.truth_at(stamp_ns)
+    points = poses["laser_frame"].apply(robot.laser.scan_at(stamp_ns).points())
+    picture = Picture((4.9, 3.4))
+    with style.our_settings():
+        ax = clear_paper(picture.figure.add_axes((0.11, 0.15, 0.86, 0.82)))
+        ax.set_axis_on()
+        style.name_plane(ax, "map")
+        ax.set(xlim=(-2.3, 8.3), ylim=(-3.3, 3.3))
+        for wall in np.asarray(ROOM.walls, dtype=float):
+            ax.plot(*wall.T, color=style.FAINT, linewidth=3.0, zorder=1, solid_capstyle="round")
+        hit = points[np.isfinite(points).all(axis=1)]
+        ax.plot(*hit[::EVERY_RAY, :2].T, "o", color=style.ACCENT, markersize=2.6, markeredgewidth=0.0, zorder=8)
+        for point in hit[:: 6 * EVERY_RAY]:
+            ax.plot(*np.array((poses["laser_frame"].translation, point))[:, :2].T, color=style.FAINT, linewidth=0.5)
+        RobotArtists(ax, FROM_ABOVE, scale=1.6).move(poses["base_link"])
+        draw_frames(ax, {"map": Transform(), "base_link": poses["base_link"]}, FROM_ABOVE, length_m=0.7)
+    picture.text = describe_placed({f"laser scan at {at_s:.0f} s, on the map": points}, walls=ROOM.walls)
+    return picture
 
 
 def scan_on_map(robot: TeachingRobot, at_s: float) -> np.ndarray:
@@ -83,13 +97,6 @@ def scan_on_map(robot: TeachingRobot, at_s: float) -> np.ndarray:
     stamp_ns = seconds(at_s)
     map_T_laser = robot.truth_at(stamp_ns)["base_footprint"] @ link_poses(robot.model)["laser_frame"]
     return map_T_laser.apply(robot.laser.scan_at(stamp_ns).points())
-
-
-def draw_now(graph: Graph, fixed_frame: str) -> Picture:
-    """Draw every frame that a graph's nodes publish, where it is in `fixed_frame` now."""
-    parents, _, ask = look(graph)
-    poses = {frame: ask(fixed_frame, frame, LATEST) for frame in parents}
-    return draw_scene(poses, fixed_frame=fixed_frame, length_m=NOW_AXIS_M)
 
 
 def show_latency(speed_mps: float = 1.0, yaw_rate_radps: float = 0.5, range_m: float = 5.0) -> Scene:
@@ -103,7 +110,7 @@ def show_latency(speed_mps: float = 1.0, yaw_rate_radps: float = 0.5, range_m: f
         drawn_at = then_T_now.apply(seen_at)
         draw_frame(scene, "robot at the stamp", Transform())
         draw_frame(scene, "robot now", then_T_now, is_ghost=True)
-        draw_ball(scene, "ball", seen_at, colour=GREY)
+        draw_ball(scene, "ball", seen_at, colour=style.GREY)
         draw_arrow(scene, "sight", then_T_now.translation, drawn_at, radius_m=0.01)
         draw_arrow(scene, "error", seen_at, drawn_at, "error", ACCENT, radius_m=0.04)
 
